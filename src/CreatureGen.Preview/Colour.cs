@@ -1,0 +1,5 @@
+namespace CreatureGen.Preview;
+
+internal static class Colour
+{
+}

@@ -1,0 +1,62 @@
+namespace CreatureGen.Blueprints;
+
+/// <summary>The trunk from nose to tail.</summary>
+/// <param name="Blend">Which base bodies are mixed.</param>
+/// <param name="Proportions">Factors on parts of the mixed body.</param>
+/// <param name="Posture">Angles added to the mixed body's spine.</param>
+/// <param name="Slices">The 11 slices of the 3 × 3 × 11 lattice, nose to tail.</param>
+/// <param name="Elevation">Height of the spine at the anchor ring above the ground, metres at scale 1.</param>
+public sealed record BodyBlueprint(BodyBlend Blend, BodyProportions Proportions, BodyPosture Posture, ValueList<LatticeSlice> Slices, double Elevation);
+
+/// <summary>Three base bodies mixed as lerp(lerp(First, Second, SecondWeight), Third, ThirdWeight).</summary>
+/// <param name="First">Name of the base body that the mix starts from.</param>
+/// <param name="Second">Name of the second base body.</param>
+/// <param name="Third">Name of the third base body.</param>
+/// <param name="SecondWeight">0..1.</param>
+/// <param name="ThirdWeight">0..1.</param>
+public sealed record BodyBlend(string First, string Second, string Third, double SecondWeight, double ThirdWeight);
+
+/// <summary>Factors on parts of the body; 1 leaves a part as the base bodies give it.</summary>
+/// <param name="Head">Size of the head.</param>
+/// <param name="Snout">Length of the snout.</param>
+/// <param name="Neck">Length of the neck.</param>
+/// <param name="NeckGirth">Thickness of the neck.</param>
+/// <param name="Girth">Thickness of the torso.</param>
+/// <param name="Belly">Depth of the belly.</param>
+/// <param name="Chest">Thickness of the chest.</param>
+/// <param name="Hump">Height of the shoulders.</param>
+/// <param name="Rump">Thickness of the hips.</param>
+/// <param name="Tail">Length of the tail.</param>
+/// <param name="TailGirth">Thickness of the tail's root.</param>
+/// <param name="Depth">Height of the whole body against its width (fish are deep).</param>
+/// <param name="Width">Width of the whole body.</param>
+public sealed record BodyProportions(
+    double Head,
+    double Snout,
+    double Neck,
+    double NeckGirth,
+    double Girth,
+    double Belly,
+    double Chest,
+    double Hump,
+    double Rump,
+    double Tail,
+    double TailGirth,
+    double Depth,
+    double Width);
+
+/// <summary>Angles in radians added to the pitch of parts of the spine; positive raises what lies in front.</summary>
+/// <param name="Head">Tilt of the head.</param>
+/// <param name="Neck">Tilt of the neck.</param>
+/// <param name="Torso">Tilt of the chest and belly (uprights).</param>
+/// <param name="Tail">Tilt of the tail; positive lowers it.</param>
+/// <param name="Trunk">Tilt of all behind the head as one.</param>
+/// <param name="NeckBend">Bend of each neck bone relative to the one behind it; the sum over the neck stays within 100°.</param>
+/// <param name="TailBend">Bend of each tail bone relative to the one before it; the sum over the tail stays within 100°.</param>
+public sealed record BodyPosture(double Head, double Neck, double Torso, double Tail, double Trunk, double NeckBend, double TailBend);
+
+/// <summary>One slice of the lattice: factors on its width and height, and on its distance from the slice before it.</summary>
+/// <param name="Width">Factor in x.</param>
+/// <param name="Height">Factor in y.</param>
+/// <param name="Length">Factor on the step along the body; steps add up, so slices never pass one another.</param>
+public sealed record LatticeSlice(double Width, double Height, double Length);

@@ -1,0 +1,41 @@
+using CreatureGen.Anatomy;
+
+namespace CreatureGen.Blueprints;
+
+/// <summary>Every number of one creature: what to build, without how. The same blueprint always builds the same creature.</summary>
+/// <remarks>Lengths are in metres at scale 1, where a torso is about one metre long; angles are in radians; all else is a factor unless it says so.</remarks>
+/// <param name="Version">Version of this data format and of the algorithm that reads it; <see cref="CurrentVersion"/>.</param>
+/// <param name="Seed">The seed it was sampled from; a record only, nothing is drawn from it.</param>
+/// <param name="Kind">How the creature moves.</param>
+/// <param name="Plan">How it carries its body.</param>
+/// <param name="Scale">Size of the whole creature.</param>
+/// <param name="Body">Trunk, neck, head outline and tail outline.</param>
+/// <param name="Head">Face.</param>
+/// <param name="Tail">End of the tail.</param>
+/// <param name="Legs">Pairs of legs and arms, front to rear; each is built left and mirrored right.</param>
+/// <param name="Wings">Pairs of stitched wings.</param>
+/// <param name="InsectWings">Pairs of thin wings set on the back.</param>
+/// <param name="Fins">Fins, single on the midline or in pairs.</param>
+/// <param name="Ears">Pairs of ears.</param>
+/// <param name="Features">Horns, spikes, antennae and other small solid parts.</param>
+/// <param name="Coat">Colours and pattern.</param>
+public sealed record CreatureBlueprint(
+    int Version,
+    ulong Seed,
+    LocomotionKind Kind,
+    BodyPlan Plan,
+    double Scale,
+    BodyBlueprint Body,
+    HeadBlueprint Head,
+    TailBlueprint Tail,
+    ValueList<LegBlueprint> Legs,
+    ValueList<WingBlueprint> Wings,
+    ValueList<InsectWingBlueprint> InsectWings,
+    ValueList<FinBlueprint> Fins,
+    ValueList<EarBlueprint> Ears,
+    ValueList<FeatureBlueprint> Features,
+    CoatBlueprint Coat)
+{
+    /// <summary>The version that this library writes and builds.</summary>
+    public const int CurrentVersion = 1;
+}

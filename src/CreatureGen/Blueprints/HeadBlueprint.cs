@@ -1,0 +1,38 @@
+using CreatureGen.Anatomy;
+
+namespace CreatureGen.Blueprints;
+
+/// <summary>The face, on the front rings of the body.</summary>
+/// <param name="Bumps">Swellings and hollows of the head.</param>
+/// <param name="MuzzleSquareness">Exponent of the muzzle's superellipse: 2 round, 3 boxy.</param>
+/// <param name="Eyes">Eyes.</param>
+/// <param name="Mouth">Mouth.</param>
+/// <param name="NostrilSize">Radius of a nostril relative to the half width of the muzzle; 0 for none.</param>
+public sealed record HeadBlueprint(ValueList<HeadBump> Bumps, double MuzzleSquareness, EyeBlueprint Eyes, MouthBlueprint Mouth, double NostrilSize);
+
+/// <summary>A Gaussian swelling of the body's sections, mirrored on both sides.</summary>
+/// <param name="Ring">Ring of its centre.</param>
+/// <param name="Segment">Segment of its centre, 0 dorsal to 16 ventral.</param>
+/// <param name="RingSpread">Standard-like width along the body, rings (the bump is exp(−(d/spread)²)).</param>
+/// <param name="SegmentSpread">Width around the body, segments.</param>
+/// <param name="Amount">Added to the section's factor; negative for a hollow.</param>
+public sealed record HeadBump(double Ring, double Segment, double RingSpread, double SegmentSpread, double Amount);
+
+/// <summary>A pair of eyes.</summary>
+/// <param name="Style">How an eye is made.</param>
+/// <param name="Ring">Ring of its centre.</param>
+/// <param name="Segment">Segment of its centre.</param>
+/// <param name="Radius">Metres at scale 1.</param>
+/// <param name="Sink">How deep the centre lies below the skin, in radii.</param>
+/// <param name="Forward">Share of the head's forward direction in the gaze; 0 looks straight out of the skin.</param>
+/// <param name="UpperLid">Opening of the upper lid from the gaze, radians.</param>
+/// <param name="LowerLid">Opening of the lower lid from the gaze, radians.</param>
+/// <param name="LidTilt">Roll of the lids, radians; positive frowns.</param>
+public sealed record EyeBlueprint(EyeStyle Style, double Ring, double Segment, double Radius, double Sink, double Forward, double UpperLid, double LowerLid, double LidTilt);
+
+/// <summary>The mouth slit.</summary>
+/// <param name="CornerRing">Ring of the lip corners; 0 for a head without a mouth slit.</param>
+/// <param name="Opening">Angle of the lower jaw at rest, radians.</param>
+/// <param name="Smile">Lift of the lip corners, −1..1.</param>
+/// <param name="Teeth">Length of the teeth relative to the half width of the muzzle; 0 for none.</param>
+public sealed record MouthBlueprint(int CornerRing, double Opening, double Smile, double Teeth);

@@ -1,0 +1,83 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+
+namespace CreatureGen.Blueprints;
+
+/// <summary>An immutable list that is equal to another when their elements are equal, one by one.</summary>
+/// <typeparam name="T">The type of the elements.</typeparam>
+public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
+    where T : IEquatable<T>
+{
+    private readonly T[] items;
+
+    /// <summary>Copies the elements of <paramref name="items"/>.</summary>
+    /// <exception cref="ArgumentNullException">The sequence or one of its elements is null.</exception>
+    public ValueList(IEnumerable<T> items)
+    {
+        this.items = new List<T>(items ?? throw new ArgumentNullException(nameof(items))).ToArray();
+        foreach (T item in this.items)
+        {
+            if (item is null)
+            {
+                throw new ArgumentNullException(nameof(items), "an element of the list is null");
+            }
+        }
+    }
+
+    /// <summary>The list without elements.</summary>
+    public static ValueList<T> Empty { get; } = new(Array.Empty<T>());
+
+    /// <inheritdoc/>
+    public int Count => items.Length;
+
+    /// <inheritdoc/>
+    public T this[int index] => items[index];
+
+    /// <summary>A copy of this list in which the element at <paramref name="index"/> is <paramref name="item"/>.</summary>
+    public ValueList<T> With(int index, T item)
+    {
+        T[] copy = (T[])items.Clone();
+        copy[index] = item;
+        return new ValueList<T>(copy);
+    }
+
+    /// <inheritdoc/>
+    public bool Equals(ValueList<T>? other)
+    {
+        if (other is null || other.items.Length != items.Length)
+        {
+            return false;
+        }
+
+        for (int i = 0; i < items.Length; i++)
+        {
+            if (!items[i].Equals(other.items[i]))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public override bool Equals(object? obj) => Equals(obj as ValueList<T>);
+
+    /// <inheritdoc/>
+    public override int GetHashCode()
+    {
+        int hash = items.Length;
+        foreach (T item in items)
+        {
+            hash = unchecked((hash * 31) + item.GetHashCode());
+        }
+
+        return hash;
+    }
+
+    /// <inheritdoc/>
+    public IEnumerator<T> GetEnumerator() => ((IEnumerable<T>)items).GetEnumerator();
+
+    IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
+}

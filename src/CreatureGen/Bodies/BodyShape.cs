@@ -1,0 +1,62 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+
+namespace CreatureGen.Bodies;
+
+/// <summary>
+/// The sections of a body along its spine, all in the plane x = 0: one entry per ring in every array. Metres at scale 1, radians; +Z front, +Y up.
+/// </summary>
+internal sealed class BodyShape
+{
+    /// <summary>Height of the spine.</summary>
+    public double[] Y { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Place of the spine along the body; the nose has the greatest.</summary>
+    public double[] Z { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Pitch of the spine, radians; its forward direction is (0, sin, cos).</summary>
+    public double[] Pitch { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Half width of the section.</summary>
+    public double[] Width { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Height of the section above the spine.</summary>
+    public double[] Top { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Depth of the section below the spine.</summary>
+    public double[] Bottom { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Superellipse exponent above the spine.</summary>
+    public double[] TopExponent { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Superellipse exponent below the spine.</summary>
+    public double[] BottomExponent { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Length of the spine from the ring before; 0 at ring 0.</summary>
+    public double[] Step { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Length of the spine from the nose.</summary>
+    public double[] Arc { get; } = new double[BodyGrid.Rings];
+
+    /// <summary>Unit forward direction of the spine at a ring.</summary>
+    public Vector3 Forward(int ring) => new(0f, (float)Maths.PortableMath.Sin(Pitch[ring]), (float)Maths.PortableMath.Cos(Pitch[ring]));
+
+    /// <summary>Unit dorsal direction of the spine at a ring.</summary>
+    public Vector3 Up(int ring) => new(0f, (float)Maths.PortableMath.Cos(Pitch[ring]), -(float)Maths.PortableMath.Sin(Pitch[ring]));
+
+    /// <summary>The spine's point at a ring.</summary>
+    public Vector3 Centre(int ring) => new(0f, (float)Y[ring], (float)Z[ring]);
+
+    /// <summary>The value of one of the arrays at a fractional ring.</summary>
+    public static double At(double[] values, double ring)
+    {
+        if (ring <= 0)
+        {
+            return values[0];
+        }
+
+        int i = (int)ring;
+        return i >= values.Length - 1 ? values[values.Length - 1] : values[i] + ((values[i + 1] - values[i]) * (ring - i));
+    }
+}

@@ -1,0 +1,129 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace CreatureGen.Creatures;
+
+/// <summary>How a part of the mesh is drawn.</summary>
+public enum MaterialKind
+{
+    /// <summary>Opaque skin and all that is solid.</summary>
+    Skin,
+
+    /// <summary>Thin, double-sided membrane.</summary>
+    Membrane,
+}
+
+/// <summary>Triangles of one material.</summary>
+/// <param name="Material">How they are drawn.</param>
+/// <param name="FirstIndex">First of their indices in <see cref="CreatureMesh.Triangles"/>.</param>
+/// <param name="IndexCount">Number of their indices.</param>
+public sealed record MeshPart(MaterialKind Material, int FirstIndex, int IndexCount);
+
+/// <summary>Four joints and their weights. Weights are in descending order and sum to one; unused slots are joint 0 with weight 0.</summary>
+public readonly struct SkinWeights
+{
+    /// <summary>Takes the four influences as they are.</summary>
+    public SkinWeights(int joint0, int joint1, int joint2, int joint3, Vector4 weights)
+    {
+        Joint0 = joint0;
+        Joint1 = joint1;
+        Joint2 = joint2;
+        Joint3 = joint3;
+        Weights = weights;
+    }
+
+    /// <summary>Joint of the largest weight.</summary>
+    public int Joint0 { get; }
+
+    /// <summary>Joint of the second weight.</summary>
+    public int Joint1 { get; }
+
+    /// <summary>Joint of the third weight.</summary>
+    public int Joint2 { get; }
+
+    /// <summary>Joint of the fourth weight.</summary>
+    public int Joint3 { get; }
+
+    /// <summary>The four weights.</summary>
+    public Vector4 Weights { get; }
+}
+
+/// <summary>
+/// The vertex buffers of a creature in rest pose, model space, metres. All arrays but the triangles have one entry per vertex.
+/// </summary>
+/// <remarks>
+/// Vertices are split where texture coordinates need it: vertices with equal positions are one point of the surface and have equal weights.
+/// Triangles are counter-clockwise seen from outside.
+/// </remarks>
+public sealed class CreatureMesh
+{
+    private readonly Vector3[] positions;
+    private readonly Vector3[] normals;
+    private readonly Vector2[] texcoords;
+    private readonly Vector3[] colours;
+    private readonly SkinWeights[] weights;
+    private readonly int[] triangles;
+
+    /// <summary>Takes ownership of the arrays.</summary>
+    /// <exception cref="ArgumentException">Arrays differ in length, an index is out of range, or the parts do not cover the triangles.</exception>
+    public CreatureMesh(Vector3[] positions, Vector3[] normals, Vector2[] texcoords, Vector3[] colours, SkinWeights[] weights, int[] triangles, IReadOnlyList<MeshPart> parts)
+    {
+        this.positions = positions;
+        this.normals = normals;
+        this.texcoords = texcoords;
+        this.colours = colours;
+        this.weights = weights;
+        this.triangles = triangles;
+        Parts = parts;
+        if (normals.Length != positions.Length || texcoords.Length != positions.Length || colours.Length != positions.Length || weights.Length != positions.Length)
+        {
+            throw new ArgumentException("the vertex arrays differ in length; expected one entry per vertex in each");
+        }
+
+        foreach (int index in triangles)
+        {
+            if ((uint)index >= (uint)positions.Length)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"triangle index {index}; expected 0..{positions.Length - 1}"), nameof(triangles));
+            }
+        }
+
+        int next = 0;
+        foreach (MeshPart part in parts)
+        {
+            if (part.FirstIndex != next || part.IndexCount <= 0 || part.IndexCount % 3 != 0)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"part starts at index {part.FirstIndex} with {part.IndexCount} indices; expected a positive multiple of 3 from {next}"), nameof(parts));
+            }
+
+            next += part.IndexCount;
+        }
+
+        if (next != triangles.Length)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"the parts cover {next} of {triangles.Length} indices; expected all"), nameof(parts));
+        }
+    }
+
+    /// <summary>Positions, metres.</summary>
+    public ReadOnlySpan<Vector3> Positions => positions;
+
+    /// <summary>Unit smooth normals.</summary>
+    public ReadOnlySpan<Vector3> Normals => normals;
+
+    /// <summary>Texture coordinates, 0..1, origin at the top left of the picture.</summary>
+    public ReadOnlySpan<Vector2> Texcoords => texcoords;
+
+    /// <summary>Linear RGB, 0..1.</summary>
+    public ReadOnlySpan<Vector3> Colours => colours;
+
+    /// <summary>Joint influences.</summary>
+    public ReadOnlySpan<SkinWeights> Weights => weights;
+
+    /// <summary>Vertex indices, three per triangle.</summary>
+    public ReadOnlySpan<int> Triangles => triangles;
+
+    /// <summary>The triangles by material, in order.</summary>
+    public IReadOnlyList<MeshPart> Parts { get; }
+}

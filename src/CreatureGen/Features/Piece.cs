@@ -1,0 +1,36 @@
+using System.Numerics;
+using CreatureGen.Creatures;
+
+namespace CreatureGen.Features;
+
+/// <summary>How a separate piece follows the skeleton.</summary>
+internal enum PieceBinding
+{
+    /// <summary>Rigid on the joint named in <see cref="Piece.JointName"/>.</summary>
+    Joint,
+
+    /// <summary>Rigid with the weights of the surface vertex in <see cref="Piece.SurfaceVertex"/>.</summary>
+    Surface,
+}
+
+/// <summary>A separate closed mesh that sits on the creature: eye, lid, claw, tooth, horn, antenna.</summary>
+internal sealed class Piece
+{
+    public Vector3[] Positions { get; set; } = System.Array.Empty<Vector3>();
+
+    /// <summary>Unit normals, one per position.</summary>
+    public Vector3[] Normals { get; set; } = System.Array.Empty<Vector3>();
+
+    /// <summary>Linear RGB, one per position.</summary>
+    public Vector3[] Colours { get; set; } = System.Array.Empty<Vector3>();
+
+    public int[] Triangles { get; set; } = System.Array.Empty<int>();
+
+    public MaterialKind Material { get; set; }
+
+    public PieceBinding Binding { get; set; }
+
+    public string JointName { get; set; } = "";
+
+    public int SurfaceVertex { get; set; } = -1;
+}

@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+
+namespace CreatureGen.Geometry;
+
+/// <summary>What a vertex of the surface belongs to.</summary>
+internal enum SurfaceRegion : byte
+{
+    Body,
+    Nose,
+    Lip,
+    Mouth,
+    Leg,
+    Toe,
+    Hoof,
+    Wing,
+    Fin,
+    Ear,
+    EarInside,
+}
+
+/// <summary>Where a vertex of the surface lies, in anatomy instead of in space.</summary>
+internal struct VertexAddress
+{
+    /// <summary>What it belongs to.</summary>
+    public SurfaceRegion Region;
+
+    /// <summary>Index of its appendage, −1 for the body. The mirrored vertex has the same appendage and a negative <see cref="Sign"/>.</summary>
+    public short Appendage;
+
+    /// <summary>+1 on the left (+X) and on the midline, −1 on the right.</summary>
+    public sbyte Sign;
+
+    /// <summary>0..1 along the appendage from its socket (path length), or along the body from nose to tail (arc length).</summary>
+    public float Along;
+
+    /// <summary>Radians around the appendage (0 front, π/2 towards larger segments), or around the body (0 dorsal, π/2 left).</summary>
+    public float Around;
+
+    /// <summary>Ring of the body grid; of an appendage's vertex, the ring of the socket's border that it grew from.</summary>
+    public float Ring;
+
+    /// <summary>Segment of the body grid; of an appendage's vertex, the segment of the socket's border that it grew from.</summary>
+    public float Segment;
+}
+
+/// <summary>A face of the surface: four vertices counter-clockwise seen from outside; a triangle repeats its third.</summary>
+internal readonly struct Face
+{
+    public Face(int a, int b, int c, int d, int chart)
+    {
+        A = a;
+        B = b;
+        C = c;
+        D = d;
+        Chart = chart;
+    }
+
+    public int A { get; }
+
+    public int B { get; }
+
+    public int C { get; }
+
+    public int D { get; }
+
+    /// <summary>The texture chart it is drawn in.</summary>
+    public int Chart { get; }
+}
+
+/// <summary>A closed surface under construction: points, their addresses, their mirror images, and faces.</summary>
+internal sealed class SurfaceBuilder
+{
+    /// <summary>Model space, metres at scale 1.</summary>
+    public List<Vector3> Positions { get; } = new(6000);
+
+    /// <summary>One per position.</summary>
+    public List<VertexAddress> Addresses { get; } = new(6000);
+
+    /// <summary>The vertex on the other side of the sagittal plane; a vertex on the plane is its own.</summary>
+    public List<int> Mirror { get; } = new(6000);
+
+    /// <summary>All faces.</summary>
+    public List<Face> Faces { get; } = new(6000);
+
+    /// <summary>Adds a vertex that is its own mirror image until told otherwise.</summary>
+    public int Add(Vector3 position, in VertexAddress address)
+    {
+        Positions.Add(position);
+        Addresses.Add(address);
+        Mirror.Add(Positions.Count - 1);
+        return Positions.Count - 1;
+    }
+
+    /// <summary>Adds a face of four vertices.</summary>
+    public void Quad(int a, int b, int c, int d, int chart) => Faces.Add(new Face(a, b, c, d, chart));
+}

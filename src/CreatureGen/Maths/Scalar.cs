@@ -1,0 +1,37 @@
+namespace CreatureGen.Maths;
+
+/// <summary>Small functions of one or a few numbers.</summary>
+public static class Scalar
+{
+    /// <summary>Cubic ease x²(3 − 2x) of x clamped to 0..1: zero slope at both ends.</summary>
+    public static double Smooth(double x)
+    {
+        x = Clamp(x, 0, 1);
+        return x * x * (3 - (2 * x));
+    }
+
+    /// <summary>Cubic ease x²(3 − 2x) of x clamped to 0..1: zero slope at both ends.</summary>
+    public static float Smooth(float x)
+    {
+        x = x < 0f ? 0f : x > 1f ? 1f : x;
+        return x * x * (3f - (2f * x));
+    }
+
+    /// <summary>The value between <paramref name="min"/> and <paramref name="max"/> nearest to <paramref name="x"/>.</summary>
+    public static double Clamp(double x, double min, double max) => x < min ? min : x > max ? max : x;
+
+    /// <summary>The value between <paramref name="min"/> and <paramref name="max"/> nearest to <paramref name="x"/>.</summary>
+    public static float Clamp(float x, float min, float max) => x < min ? min : x > max ? max : x;
+
+    /// <summary>The value at <paramref name="t"/> of the way from <paramref name="a"/> to <paramref name="b"/>.</summary>
+    public static double Lerp(double a, double b, double t) => a + ((b - a) * t);
+
+    /// <summary>The value at <paramref name="t"/> of the way from <paramref name="a"/> to <paramref name="b"/>.</summary>
+    public static float Lerp(float a, float b, float t) => a + ((b - a) * t);
+
+    /// <summary>Degrees as radians.</summary>
+    public static double Radians(double degrees) => degrees * (PortableMath.Pi / 180.0);
+
+    /// <summary>Radians as degrees.</summary>
+    public static double Degrees(double radians) => radians * (180.0 / PortableMath.Pi);
+}

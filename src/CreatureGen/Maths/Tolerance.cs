@@ -1,0 +1,14 @@
+namespace CreatureGen.Maths;
+
+/// <summary>Every tolerance of the library, with its unit and its reason.</summary>
+public static class Tolerance
+{
+    /// <summary>Metres. A vector shorter than this has no direction worth normalising.</summary>
+    public const float DirectionLength = 1e-9f;
+
+    /// <summary>Metres. Soles may miss the ground by no more.</summary>
+    public const float GroundMetres = 1e-4f;
+
+    /// <summary>Part of the squared diagonal of the bounding box. A triangle with less area is degenerate for importers.</summary>
+    public const double DegenerateAreaPerDiagonalSquared = 1e-12;
+}

@@ -1,0 +1,57 @@
+using System;
+using System.Numerics;
+
+namespace CreatureGen.Maths;
+
+/// <summary>
+/// Vector arithmetic on <see cref="Vector3"/> in plain scalar operations of fixed order.
+/// </summary>
+/// <remarks>
+/// The methods of <c>System.Numerics</c> with the same names may fuse multiplications with additions or change the order of a sum
+/// with the width of the processor's registers; these never do. The componentwise operators of <see cref="Vector3"/> are exact and are used as they are.
+/// </remarks>
+public static class Vec
+{
+    /// <summary>Scalar product.</summary>
+    public static float Dot(Vector3 a, Vector3 b) => (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);
+
+    /// <summary>Right-handed vector product.</summary>
+    public static Vector3 Cross(Vector3 a, Vector3 b) =>
+        new((a.Y * b.Z) - (a.Z * b.Y), (a.Z * b.X) - (a.X * b.Z), (a.X * b.Y) - (a.Y * b.X));
+
+    /// <summary>Squared Euclidean length.</summary>
+    public static float LengthSquared(Vector3 a) => Dot(a, a);
+
+    /// <summary>Euclidean length.</summary>
+    public static float Length(Vector3 a) => (float)Math.Sqrt(Dot(a, a));
+
+    /// <summary>Distance between two points.</summary>
+    public static float Distance(Vector3 a, Vector3 b) => Length(a - b);
+
+    /// <summary>The unit vector along <paramref name="a"/>, or <paramref name="fallback"/> when <paramref name="a"/> has no direction.</summary>
+    public static Vector3 Normalize(Vector3 a, Vector3 fallback)
+    {
+        float length = Length(a);
+        return length > Tolerance.DirectionLength ? a / length : fallback;
+    }
+
+    /// <summary>The unit vector along <paramref name="a"/>; <paramref name="a"/> must not be zero.</summary>
+    public static Vector3 Normalize(Vector3 a) => a / Length(a);
+
+    /// <summary>The point at <paramref name="t"/> of the way from <paramref name="a"/> to <paramref name="b"/>.</summary>
+    public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => a + ((b - a) * t);
+
+    /// <summary>The point on the other side of the sagittal plane x = 0.</summary>
+    public static Vector3 Mirror(Vector3 a) => new(-a.X, a.Y, a.Z);
+
+    /// <summary><paramref name="a"/> without its component along the unit vector <paramref name="axis"/>.</summary>
+    public static Vector3 Reject(Vector3 a, Vector3 axis) => a - (axis * Dot(a, axis));
+
+    /// <summary>Rotates <paramref name="a"/> about the unit vector <paramref name="axis"/> by <paramref name="angle"/> radians (Rodrigues).</summary>
+    public static Vector3 Rotate(Vector3 a, Vector3 axis, double angle)
+    {
+        float c = (float)PortableMath.Cos(angle);
+        float s = (float)PortableMath.Sin(angle);
+        return (a * c) + (Cross(axis, a) * s) + (axis * (Dot(axis, a) * (1f - c)));
+    }
+}

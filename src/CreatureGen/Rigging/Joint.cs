@@ -1,0 +1,97 @@
+using System.Numerics;
+using CreatureGen.Anatomy;
+
+namespace CreatureGen.Rigging;
+
+/// <summary>What a joint is for, independent of its number.</summary>
+public enum JointRole
+{
+    /// <summary>The creature's place in the world, on the ground.</summary>
+    Root,
+
+    /// <summary>The body's own root: its centre, or the head of a swimmer.</summary>
+    Body,
+
+    /// <summary>Carrier of the hind limbs.</summary>
+    Pelvis,
+
+    /// <summary>Between pelvis and chest.</summary>
+    Spine,
+
+    /// <summary>Carrier of the fore limbs.</summary>
+    Chest,
+
+    /// <summary>Neck.</summary>
+    Neck,
+
+    /// <summary>Head.</summary>
+    Head,
+
+    /// <summary>Lower jaw.</summary>
+    Jaw,
+
+    /// <summary>Eyeball; local +Z of the model is its gaze at rest.</summary>
+    Eye,
+
+    /// <summary>Tail.</summary>
+    Tail,
+
+    /// <summary>Shoulder blade or half of the hips: slides, does not turn.</summary>
+    Girdle,
+
+    /// <summary>Hip or shoulder.</summary>
+    Hip,
+
+    /// <summary>Knee or elbow.</summary>
+    Knee,
+
+    /// <summary>Ankle or wrist.</summary>
+    Ankle,
+
+    /// <summary>Ball of the foot or of the hand, carrying toes or fingers.</summary>
+    Ball,
+
+    /// <summary>Joint of a wing, root to tip.</summary>
+    Wing,
+
+    /// <summary>Joint of a fin.</summary>
+    Fin,
+
+    /// <summary>Joint of an ear.</summary>
+    Ear,
+
+    /// <summary>Joint of an antenna.</summary>
+    Antenna,
+
+    /// <summary>The end of a chain; moves no vertex.</summary>
+    End,
+}
+
+/// <summary>Limits of a joint's rotation away from its rest pose, radians.</summary>
+/// <param name="SwingX">Largest turn about the joint's local X axis, both ways.</param>
+/// <param name="SwingZ">Largest turn about the joint's local Z axis, both ways.</param>
+/// <param name="Twist">Largest turn about the bone (local Y), both ways.</param>
+public sealed record JointLimit(float SwingX, float SwingZ, float Twist);
+
+/// <summary>A joint of a <see cref="Skeleton"/> in its rest pose. Local +Y points at the main child.</summary>
+/// <param name="Name">Unique ASCII name, the same for the same role in every creature.</param>
+/// <param name="Role">What it is for.</param>
+/// <param name="Side">Left, right or on the midline.</param>
+/// <param name="Parent">Index of the parent, always smaller than its own; −1 for the root.</param>
+/// <param name="LocalPosition">Metres, in the parent's space.</param>
+/// <param name="LocalRotation">In the parent's space.</param>
+/// <param name="ModelPosition">Metres, in model space.</param>
+/// <param name="ModelRotation">In model space.</param>
+/// <param name="Length">Distance to the main child, metres; of an end joint 0.</param>
+/// <param name="Limit">Limits of its rotation.</param>
+public sealed record Joint(
+    string Name,
+    JointRole Role,
+    Side Side,
+    int Parent,
+    Vector3 LocalPosition,
+    Quaternion LocalRotation,
+    Vector3 ModelPosition,
+    Quaternion ModelRotation,
+    float Length,
+    JointLimit Limit);
