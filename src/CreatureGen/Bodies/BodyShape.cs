@@ -1,6 +1,6 @@
-using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Bodies;
 
@@ -9,6 +9,20 @@ namespace CreatureGen.Bodies;
 /// </summary>
 internal sealed class BodyShape
 {
+    private readonly float[] sine = new float[BodyGrid.Rings];
+    private readonly float[] cosine = new float[BodyGrid.Rings];
+
+    /// <summary>Takes the pitch of the spine at each ring, radians.</summary>
+    public BodyShape(double[] pitch)
+    {
+        Pitch = pitch;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            sine[i] = (float)PortableMath.Sin(pitch[i]);
+            cosine[i] = (float)PortableMath.Cos(pitch[i]);
+        }
+    }
+
     /// <summary>Height of the spine.</summary>
     public double[] Y { get; } = new double[BodyGrid.Rings];
 
@@ -16,7 +30,7 @@ internal sealed class BodyShape
     public double[] Z { get; } = new double[BodyGrid.Rings];
 
     /// <summary>Pitch of the spine, radians; its forward direction is (0, sin, cos).</summary>
-    public double[] Pitch { get; } = new double[BodyGrid.Rings];
+    public double[] Pitch { get; }
 
     /// <summary>Half width of the section.</summary>
     public double[] Width { get; } = new double[BodyGrid.Rings];
@@ -40,10 +54,10 @@ internal sealed class BodyShape
     public double[] Arc { get; } = new double[BodyGrid.Rings];
 
     /// <summary>Unit forward direction of the spine at a ring.</summary>
-    public Vector3 Forward(int ring) => new(0f, (float)Maths.PortableMath.Sin(Pitch[ring]), (float)Maths.PortableMath.Cos(Pitch[ring]));
+    public Vector3 Forward(int ring) => new(0f, sine[ring], cosine[ring]);
 
     /// <summary>Unit dorsal direction of the spine at a ring.</summary>
-    public Vector3 Up(int ring) => new(0f, (float)Maths.PortableMath.Cos(Pitch[ring]), -(float)Maths.PortableMath.Sin(Pitch[ring]));
+    public Vector3 Up(int ring) => new(0f, cosine[ring], -sine[ring]);
 
     /// <summary>The spine's point at a ring.</summary>
     public Vector3 Centre(int ring) => new(0f, (float)Y[ring], (float)Z[ring]);

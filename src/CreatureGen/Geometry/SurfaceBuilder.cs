@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Geometry;
 
@@ -69,6 +70,26 @@ internal readonly struct Face
     public int Chart { get; }
 }
 
+/// <summary>The texture coordinates of a face's corners within its chart: u around, v along, metres.</summary>
+internal readonly struct FaceTexcoords
+{
+    public FaceTexcoords(Vector2 a, Vector2 b, Vector2 c, Vector2 d)
+    {
+        A = a;
+        B = b;
+        C = c;
+        D = d;
+    }
+
+    public Vector2 A { get; }
+
+    public Vector2 B { get; }
+
+    public Vector2 C { get; }
+
+    public Vector2 D { get; }
+}
+
 /// <summary>A closed surface under construction: points, their addresses, their mirror images, and faces.</summary>
 internal sealed class SurfaceBuilder
 {
@@ -84,6 +105,15 @@ internal sealed class SurfaceBuilder
     /// <summary>All faces.</summary>
     public List<Face> Faces { get; } = new(6000);
 
+    /// <summary>One per face.</summary>
+    public List<FaceTexcoords> Texcoords { get; } = new(6000);
+
+    /// <summary>Number of texture charts handed out.</summary>
+    public int Charts { get; private set; }
+
+    /// <summary>A new texture chart.</summary>
+    public int NewChart() => Charts++;
+
     /// <summary>Adds a vertex that is its own mirror image until told otherwise.</summary>
     public int Add(Vector3 position, in VertexAddress address)
     {
@@ -93,6 +123,42 @@ internal sealed class SurfaceBuilder
         return Positions.Count - 1;
     }
 
+    /// <summary>Makes two vertices mirror images of one another.</summary>
+    public void Pair(int left, int right)
+    {
+        Mirror[left] = right;
+        Mirror[right] = left;
+    }
+
     /// <summary>Adds a face of four vertices.</summary>
-    public void Quad(int a, int b, int c, int d, int chart) => Faces.Add(new Face(a, b, c, d, chart));
+    public void Quad(int a, int b, int c, int d, int chart, FaceTexcoords texcoords)
+    {
+        Faces.Add(new Face(a, b, c, d, chart));
+        Texcoords.Add(texcoords);
+    }
+
+    /// <summary>
+    /// Adds the mirror image of everything that was added since the given counts. Vertices that were there before stand for their own mirror images.
+    /// The faces keep their chart: left and right share their texture.
+    /// </summary>
+    public void MirrorSince(int vertexCount, int faceCount)
+    {
+        int lastVertex = Positions.Count;
+        for (int v = vertexCount; v < lastVertex; v++)
+        {
+            VertexAddress address = Addresses[v];
+            address.Sign = (sbyte)-address.Sign;
+            Pair(v, Add(Vec.Mirror(Positions[v]), address));
+        }
+
+        int lastFace = Faces.Count;
+        for (int f = faceCount; f < lastFace; f++)
+        {
+            Face face = Faces[f];
+            FaceTexcoords t = Texcoords[f];
+
+            // Reversed, and turned by one corner so that both halves split along mirrored diagonals.
+            Quad(Mirror[face.A], Mirror[face.D], Mirror[face.C], Mirror[face.B], face.Chart, new FaceTexcoords(t.A, t.D, t.C, t.B));
+        }
+    }
 }

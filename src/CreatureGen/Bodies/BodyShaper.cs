@@ -1,0 +1,316 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Lattices;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Bodies;
+
+/// <summary>From the blueprint to the sections of the body along its bent spine.</summary>
+internal static class BodyShaper
+{
+    /// <summary>Metres. No section is thinner than this.</summary>
+    private const double ThinnestSection = 0.006;
+
+    /// <summary>Share of the distance between two rings that a bend may take up on its inner side: below 1 rings never cross.</summary>
+    private const double BendLimit = 0.75;
+
+    private const int HeadRings = 16;
+    private const int TailRing = 44;
+
+    private static readonly double[] stationKnots = Array.ConvertAll(BodyGrid.StationRings.ToArray(), r => (double)r);
+    private static readonly int[] stationOfRing = IntervalOfRing();
+
+    /// <summary>The sections of the body.</summary>
+    public static BodyShape Shape(BodyBlueprint body, HeadBlueprint head, TailBlueprint tail)
+    {
+        BodyStations stations = BodyBlender.Blend(body);
+        Span<double> cumulative = stackalloc double[BodyGrid.StationCount];
+        double sum = 0;
+        for (int i = 0; i < BodyGrid.StationCount; i++)
+        {
+            sum += stations.Length[i];
+            cumulative[i] = sum;
+        }
+
+        Span<double> arc = stackalloc double[BodyGrid.Rings];
+        Span<double> step = stackalloc double[BodyGrid.Rings];
+        double[] pitch = new double[BodyGrid.Rings];
+        double[] width = new double[BodyGrid.Rings];
+        double[] top = new double[BodyGrid.Rings];
+        double[] bottom = new double[BodyGrid.Rings];
+        Interpolate(cumulative, arc);
+        Interpolate(stations.Pitch, pitch);
+        Interpolate(stations.Width, width);
+        Interpolate(stations.Top, top);
+        Interpolate(stations.Bottom, bottom);
+        ApplyLattice(body, arc, step, width, top, bottom);
+        ApplyDepth(body.Proportions, width, top, bottom);
+        ShapeTail(tail, width, top, bottom);
+
+        Smooth(pitch);
+        LimitCurvature(pitch, step, top, bottom);
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            pitch[i] += body.Posture.Trunk * Scalar.Smooth((i - 12) / 8.0);
+        }
+
+        var shape = new BodyShape(pitch);
+        width.CopyTo(shape.Width, 0);
+        top.CopyTo(shape.Top, 0);
+        bottom.CopyTo(shape.Bottom, 0);
+        LaySpine(shape, step, body.Elevation);
+        SetExponents(shape, stations, head, tail);
+        return shape;
+    }
+
+    private static void Interpolate(ReadOnlySpan<double> stations, Span<double> rings)
+    {
+        Span<double> slopes = stackalloc double[BodyGrid.StationCount];
+        MonotoneCubic.Slopes(stationKnots, stations, slopes);
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            rings[i] = MonotoneCubic.Evaluate(stationKnots, stations, slopes, stationOfRing[i], i);
+        }
+    }
+
+    private static void ApplyLattice(BodyBlueprint body, Span<double> arc, Span<double> step, double[] width, double[] top, double[] bottom)
+    {
+        Span<double> sliceWidth = stackalloc double[11];
+        Span<double> sliceHeight = stackalloc double[11];
+        Span<double> sliceLength = stackalloc double[11];
+        for (int k = 0; k < 11; k++)
+        {
+            sliceWidth[k] = body.Slices[k].Width;
+            sliceHeight[k] = body.Slices[k].Height;
+            sliceLength[k] = body.Slices[k].Length;
+        }
+
+        Span<double> t = stackalloc double[BodyGrid.Rings];
+        Span<double> widthFactor = stackalloc double[BodyGrid.Rings];
+        Span<double> heightFactor = stackalloc double[BodyGrid.Rings];
+        Span<double> position = stackalloc double[BodyGrid.Rings];
+        double total = arc[BodyGrid.Rings - 1] - arc[0];
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            t[i] = (arc[i] - arc[0]) / total;
+        }
+
+        RingLattice.Evaluate(sliceWidth, sliceHeight, sliceLength, t, widthFactor, heightFactor, position);
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            width[i] = Math.Max(width[i], ThinnestSection) * widthFactor[i];
+            top[i] = Math.Max(top[i], ThinnestSection) * heightFactor[i];
+            bottom[i] = Math.Max(bottom[i], ThinnestSection) * heightFactor[i];
+            step[i] = i == 0 ? 0 : (position[i] - position[i - 1]) * total;
+        }
+    }
+
+    /// <summary>Deepens or flattens the body between the head and the tail, which keep more of their own shape.</summary>
+    private static void ApplyDepth(BodyProportions p, double[] width, double[] top, double[] bottom)
+    {
+        double depth = p.Depth;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            double share = i <= 6 ? Scalar.Lerp(0.08, 0.25, i / 6.0)
+                : i <= 20 ? Scalar.Lerp(0.25, 1, (i - 6) / 14.0)
+                : i <= 34 ? 1
+                : i <= 44 ? Scalar.Lerp(1, 0.4, (i - 34) / 10.0)
+                : Scalar.Lerp(0.4, 0, (i - 44) / 10.0);
+            double factor = 1 + (share * (depth - 1));
+            top[i] *= factor;
+            bottom[i] *= factor;
+            width[i] *= p.Width;
+        }
+    }
+
+    private static void ShapeTail(TailBlueprint tail, double[] width, double[] top, double[] bottom)
+    {
+        const int Start = 46;
+        double width0 = width[Start];
+        double top0 = top[Start];
+        double bottom0 = bottom[Start];
+        switch (tail.Style)
+        {
+            case TailStyle.Fork:
+            case TailStyle.Fan:
+            case TailStyle.Lance:
+                for (int i = Start; i < BodyGrid.Rings; i++)
+                {
+                    double q = Scalar.Smooth((i - 47) / 7.0);
+                    double flare = tail.Size * PortableMath.Pow(q, 1.3);
+                    top[i] = Math.Max(0.03, (top0 * (1 - q)) + flare);
+                    bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (0.95 * flare));
+                    width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
+                }
+
+                break;
+            case TailStyle.Fluke:
+                for (int i = Start; i < BodyGrid.Rings; i++)
+                {
+                    double q = Scalar.Smooth((i - 46) / 7.0);
+                    width[i] = (width0 * (1 - q)) + (tail.Size * PortableMath.Pow(q, 1.2));
+                    top[i] = (top0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
+                    bottom[i] = (bottom0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
+                }
+
+                break;
+            case TailStyle.Feathers:
+                for (int i = Start - 1; i < BodyGrid.Rings; i++)
+                {
+                    double q = Scalar.Smooth((i - 45) / 8.0);
+                    width[i] = (width[i] * (1 - q)) + (tail.Size * PortableMath.Pow(q, 0.8));
+                    top[i] = (top[i] * (1 - q)) + (0.012 * q);
+                    bottom[i] = (bottom[i] * (1 - q)) + (0.012 * q);
+                }
+
+                break;
+            case TailStyle.Plain:
+                break;
+        }
+    }
+
+    private static void Smooth(double[] pitch)
+    {
+        for (int round = 0; round < 3; round++)
+        {
+            double before = pitch[0];
+            for (int i = 1; i < pitch.Length - 1; i++)
+            {
+                double here = pitch[i];
+                pitch[i] = (before + (2 * here) + pitch[i + 1]) / 4;
+                before = here;
+            }
+        }
+    }
+
+    /// <summary>
+    /// Spreads bends that are too sharp for the thickness of the body over their neighbours, so that rings never cross on the inner side of a bend.
+    /// The anchor ring keeps its pitch.
+    /// </summary>
+    private static void LimitCurvature(double[] pitch, ReadOnlySpan<double> step, double[] top, double[] bottom)
+    {
+        const int Rounds = 60;
+        const double Settled = 1e-4;
+        int last = pitch.Length - 1;
+        Span<double> bend = stackalloc double[BodyGrid.Rings];
+        Span<double> clamped = stackalloc double[BodyGrid.Rings];
+        double anchor = pitch[BodyGrid.AnchorRing];
+        for (int i = 1; i <= last; i++)
+        {
+            bend[i] = pitch[i] - pitch[i - 1];
+        }
+
+        for (int round = 0; round < Rounds; round++)
+        {
+            double worst = 0;
+            for (int i = 1; i <= last; i++)
+            {
+                double inner = bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]);
+                double limit = BendLimit * step[i] / inner;
+                clamped[i] = Scalar.Clamp(bend[i], -limit, limit);
+                worst = Math.Max(worst, Math.Abs(clamped[i] - bend[i]));
+            }
+
+            if (worst < Settled)
+            {
+                break;
+            }
+
+            for (int i = 1; i <= last; i++)
+            {
+                double excess = bend[i] - clamped[i];
+                if (i < last)
+                {
+                    clamped[i + 1] += 0.5 * excess;
+                }
+
+                if (i > 1)
+                {
+                    clamped[i - 1] += 0.5 * excess;
+                }
+            }
+
+            clamped.CopyTo(bend);
+        }
+
+        // What could not be spread is cut off: rings never cross, whatever the posture asks for.
+        pitch[0] = 0;
+        for (int i = 1; i <= last; i++)
+        {
+            double inner = bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]);
+            double limit = BendLimit * step[i] / inner;
+            pitch[i] = pitch[i - 1] + Scalar.Clamp(bend[i], -limit, limit);
+        }
+
+        double shift = anchor - pitch[BodyGrid.AnchorRing];
+        for (int i = 0; i <= last; i++)
+        {
+            pitch[i] += shift;
+        }
+    }
+
+    private static void LaySpine(BodyShape shape, ReadOnlySpan<double> step, double elevation)
+    {
+        for (int i = 1; i < BodyGrid.Rings; i++)
+        {
+            double p = (shape.Pitch[i] + shape.Pitch[i - 1]) / 2;
+            shape.Step[i] = step[i];
+            shape.Arc[i] = shape.Arc[i - 1] + step[i];
+            shape.Y[i] = shape.Y[i - 1] - (step[i] * PortableMath.Sin(p));
+            shape.Z[i] = shape.Z[i - 1] - (step[i] * PortableMath.Cos(p));
+        }
+
+        double y = shape.Y[BodyGrid.AnchorRing] - elevation;
+        double z = shape.Z[BodyGrid.AnchorRing];
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            shape.Y[i] -= y;
+            shape.Z[i] -= z;
+        }
+    }
+
+    private static void SetExponents(BodyShape shape, BodyStations stations, HeadBlueprint head, TailBlueprint tail)
+    {
+        bool finned = tail.Style is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance or TailStyle.Fluke;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            double top = stations.TopExponent;
+            double bottom = stations.BottomExponent;
+            if (i < HeadRings)
+            {
+                top = bottom = 2.2;
+                if (i < 9)
+                {
+                    // The muzzle is boxiest at ring 3.
+                    double q = i <= 3 ? i / 3.0 : (8 - i) / 5.0;
+                    top = bottom = 2.2 + (Math.Max(0, q) * (head.MuzzleSquareness - 2.2));
+                }
+            }
+            else if (i >= TailRing)
+            {
+                top = bottom = finned && i >= 46 ? 1.7 : 2;
+            }
+
+            shape.TopExponent[i] = top;
+            shape.BottomExponent[i] = bottom;
+        }
+    }
+
+    private static int[] IntervalOfRing()
+    {
+        int[] intervals = new int[BodyGrid.Rings];
+        int interval = 0;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            while (interval < BodyGrid.StationCount - 2 && i >= BodyGrid.StationRings[interval + 1])
+            {
+                interval++;
+            }
+
+            intervals[i] = interval;
+        }
+
+        return intervals;
+    }
+}

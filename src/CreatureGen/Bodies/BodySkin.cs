@@ -1,0 +1,172 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Bodies;
+
+/// <summary>The points of the body's skin on the grid of rings and segments, exactly mirrored, and points in between.</summary>
+internal sealed class BodySkin
+{
+    private const int Half = BodyGrid.Segments / 2;
+    private static readonly float[] sine = Around(PortableMath.Sin);
+    private static readonly float[] cosine = Around(PortableMath.Cos);
+
+    private readonly Vector3[] grid = new Vector3[BodyGrid.Rings * BodyGrid.Segments];
+
+    private BodySkin(BodyShape shape) => Shape = shape;
+
+    /// <summary>The sections that the skin is spanned over.</summary>
+    public BodyShape Shape { get; }
+
+    /// <summary>The point of a ring and a segment.</summary>
+    public Vector3 this[int ring, int segment] => grid[(ring * BodyGrid.Segments) + segment];
+
+    /// <summary>Spans the skin over the sections and shapes head and tail.</summary>
+    public static BodySkin Span(BodyShape shape, HeadBlueprint head, TailBlueprint tail)
+    {
+        var skin = new BodySkin(shape);
+        Span<float> x = stackalloc float[Half + 1];
+        Span<float> y = stackalloc float[Half + 1];
+        Span<float> powers = stackalloc float[2 * (Half + 1)];
+        double topExponent = 0;
+        double bottomExponent = 0;
+        double tailStep = 0;
+        for (int i = 46; i < 54; i++)
+        {
+            tailStep += shape.Step[i] / 8;
+        }
+
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            if (shape.TopExponent[i] != topExponent || shape.BottomExponent[i] != bottomExponent)
+            {
+                topExponent = shape.TopExponent[i];
+                bottomExponent = shape.BottomExponent[i];
+                Superellipse(topExponent, bottomExponent, powers);
+            }
+
+            for (int j = 0; j <= Half; j++)
+            {
+                x[j] = powers[2 * j] * (float)shape.Width[i];
+                y[j] = powers[(2 * j) + 1] * (float)(j < Half / 2 ? shape.Top[i] : shape.Bottom[i]);
+            }
+
+            if (i < 20)
+            {
+                ApplyBumps(head.Bumps, i, x, y);
+            }
+
+            Vector3 centre = shape.Centre(i);
+            Vector3 up = shape.Up(i);
+            Vector3 forward = shape.Forward(i);
+            for (int j = 0; j <= Half; j++)
+            {
+                float along = i >= 46 ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
+                Vector3 p = centre + (up * y[j]) + (forward * along);
+                p.X = j is 0 or Half ? 0f : x[j];
+                skin.grid[(i * BodyGrid.Segments) + j] = p;
+                skin.grid[(i * BodyGrid.Segments) + BodyGrid.MirrorSegment(j)] = j is 0 or Half ? p : Vec.Mirror(p);
+            }
+        }
+
+        return skin;
+    }
+
+    /// <summary>A point between the grid's points and the skin's outward direction there. The segment may be any number; 0 is dorsal.</summary>
+    public SurfacePoint At(double ring, double segment)
+    {
+        ring = Scalar.Clamp(ring, 0, BodyGrid.Rings - 1);
+        Vector3 alongRings = Point(Math.Min(ring + 0.6, BodyGrid.Rings - 1), segment) - Point(Math.Max(ring - 0.6, 0), segment);
+        Vector3 aroundRing = Point(ring, segment + 0.5) - Point(ring, segment - 0.5);
+        return new SurfacePoint(Point(ring, segment), Vec.Normalize(Vec.Cross(aroundRing, alongRings), Vector3.UnitY));
+    }
+
+    private Vector3 Point(double ring, double segment)
+    {
+        int i = Math.Min((int)ring, BodyGrid.Rings - 2);
+        float u = (float)(ring - i);
+        double floor = Math.Floor(segment);
+        float v = (float)(segment - floor);
+        int j = (((int)floor % BodyGrid.Segments) + BodyGrid.Segments) % BodyGrid.Segments;
+        int k = (j + 1) % BodyGrid.Segments;
+        return Vec.Lerp(Vec.Lerp(this[i, j], this[i, k], v), Vec.Lerp(this[i + 1, j], this[i + 1, k], v), u);
+    }
+
+    private static void Superellipse(double topExponent, double bottomExponent, Span<float> powers)
+    {
+        for (int j = 0; j <= Half; j++)
+        {
+            double n = j < Half / 2 ? topExponent : bottomExponent;
+            powers[2 * j] = (float)PortableMath.Pow(sine[j], 2 / n);
+            powers[(2 * j) + 1] = (float)(cosine[j] < 0 ? -PortableMath.Pow(-cosine[j], 2 / n) : PortableMath.Pow(cosine[j], 2 / n));
+        }
+    }
+
+    private static void ApplyBumps(ValueList<HeadBump> bumps, int ring, Span<float> x, Span<float> y)
+    {
+        Span<double> factor = stackalloc double[Half + 1];
+        factor.Fill(1);
+        foreach (HeadBump bump in bumps)
+        {
+            double u = (ring - bump.Ring) / bump.RingSpread;
+            if (u * u > 9)
+            {
+                continue;
+            }
+
+            for (int j = 0; j <= Half; j++)
+            {
+                double v = (j - bump.Segment) / bump.SegmentSpread;
+                double d = (u * u) + (v * v);
+                if (d < 9)
+                {
+                    factor[j] += bump.Amount * PortableMath.Exp(-d);
+                }
+            }
+        }
+
+        for (int j = 0; j <= Half; j++)
+        {
+            x[j] *= (float)factor[j];
+            y[j] *= (float)factor[j];
+        }
+    }
+
+    /// <summary>Shift of a tail point along the spine, metres: the outline of forks, flukes and feather fans.</summary>
+    private static float TailShift(BodyShape shape, TailBlueprint tail, double tailStep, int ring, float x, float y)
+    {
+        double across = Math.Abs(x) / Math.Max(shape.Width[ring], 0.01);
+        switch (tail.Style)
+        {
+            case TailStyle.Fork:
+            case TailStyle.Fan:
+            case TailStyle.Lance:
+                // Deeper forks than the rings are apart would turn the end inside out.
+                double fork = Math.Min(tail.Fork, 0.85 * tailStep / 0.0328);
+                double height = Math.Abs(y) / Math.Max(shape.Top[ring], 1e-3);
+                return (float)(-Scalar.Smooth((ring - 46) / 8.0) * fork * 0.16 * PortableMath.Pow(height, 1.6));
+            case TailStyle.Fluke:
+                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.03 - (0.13 * tail.Fork * PortableMath.Pow(across, 1.5))));
+            case TailStyle.Feathers:
+                double q = Scalar.Smooth((ring - 46) / 8.0);
+                double edge = Math.Min(1, across);
+                return (float)((-q * 0.10 * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5)));
+            default:
+                return 0f;
+        }
+    }
+
+    private static float[] Around(Func<double, double> function)
+    {
+        float[] values = new float[Half + 1];
+        for (int j = 0; j <= Half; j++)
+        {
+            double value = function(PortableMath.Tau * j / BodyGrid.Segments);
+            values[j] = Math.Abs(value) < 1e-12 ? 0f : (float)value;
+        }
+
+        return values;
+    }
+}

@@ -1,0 +1,311 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Geometry;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Bodies;
+
+/// <summary>
+/// Cuts the head along a line from one lip corner around the nose to the other, opens it as lips and lines it with a dark bag, so that the surface stays closed.
+/// </summary>
+internal sealed class MouthSlit
+{
+    /// <summary>Segment of the slit on the left flank.</summary>
+    public const int LeftSegment = 10;
+
+    private const int RightSegment = BodyGrid.Segments - LeftSegment;
+    private const int CapCells = 8;
+    private const int CapRow = LeftSegment - 4;
+    private const int BagRows = 4;
+
+    /// <summary>Radians. Lips touch without crossing.</summary>
+    private const double LipGap = 0.012;
+
+    private readonly int corner;
+    private readonly int[] upper;
+    private readonly int[] lower;
+
+    private MouthSlit(int corner, int[] upper, int[] lower)
+    {
+        this.corner = corner;
+        this.upper = upper;
+        this.lower = lower;
+    }
+
+    /// <summary>Vertices of the upper lip from the left corner to the right; empty without a mouth.</summary>
+    public IReadOnlyList<int> UpperLip => upper;
+
+    /// <summary>Vertices of the lower lip from the left corner to the right; empty without a mouth.</summary>
+    public IReadOnlyList<int> LowerLip => lower;
+
+    /// <summary>Adds the faces of the body, the caps of nose and tail, and the mouth.</summary>
+    public static MouthSlit CloseBody(BodySurface body, HeadBlueprint head)
+    {
+        SurfaceBuilder surface = body.Surface;
+        BodyShape shape = body.Skin.Shape;
+        int corner = head.Mouth.CornerRing;
+        float noseBulge = (float)shape.Width[0] * 0.75f;
+        int[] cap = CapGrid.Vertices(surface, body.NoseLoop(), CapCells, CapCells, shape.Forward(0), noseBulge, Address(SurfaceRegion.Nose, 0f, 0));
+        PairCap(surface, cap);
+        MouthSlit mouth = corner == 0 ? new MouthSlit(0, Array.Empty<int>(), Array.Empty<int>()) : Split(surface, body, cap, corner);
+        body.AddFaces(mouth);
+        mouth.FillNose(surface, cap, (float)shape.Width[0] * 2f);
+
+        int last = BodyGrid.Rings - 1;
+        int[] tail = CapGrid.Vertices(surface, body.TailLoop(), CapCells, CapCells, -shape.Forward(last), (float)Math.Min(shape.Width[last], Math.Min(shape.Top[last], shape.Bottom[last])) * 0.9f, Address(SurfaceRegion.Body, 1f, last));
+        PairCap(surface, tail);
+        FillMirrored(surface, tail, surface.NewChart(), (float)shape.Width[last] * 2f, (v, _, _) => v);
+        if (corner > 0)
+        {
+            mouth.OpenJaw(surface, body, cap, head.Mouth);
+            mouth.AddBag(surface, shape);
+        }
+
+        return mouth;
+    }
+
+    /// <summary>The vertex of a ring and segment as the given cell of the body sees it: below the slit, the lower lip's copy.</summary>
+    public int Vertex(BodySurface body, int ring, int segment, int cellRing, int cellSegment)
+    {
+        segment &= BodyGrid.Segments - 1;
+        if (cellRing >= corner || cellSegment < LeftSegment || cellSegment >= RightSegment || ring >= corner || (segment != LeftSegment && segment != RightSegment))
+        {
+            return body[ring, segment];
+        }
+
+        return segment == LeftSegment ? lower[corner - ring] : lower[lower.Length - 1 - (corner - ring)];
+    }
+
+    private static VertexAddress Address(SurfaceRegion region, float along, int ring) =>
+        new() { Region = region, Appendage = -1, Sign = 1, Along = along, Ring = ring };
+
+    /// <summary>Tells the inner vertices of a cap their side, mirror image, and place around the body.</summary>
+    private static void PairCap(SurfaceBuilder surface, int[] cap)
+    {
+        const int Stride = CapCells + 1;
+        for (int r = 1; r < CapCells; r++)
+        {
+            for (int c = 1; c < CapCells; c++)
+            {
+                int v = cap[(r * Stride) + c];
+                int m = cap[(r * Stride) + (CapCells - c)];
+                surface.Mirror[v] = m;
+                Vector3 p = surface.Positions[v];
+                surface.Positions[v] = c == CapCells / 2 ? new Vector3(0f, p.Y, p.Z) : c > CapCells / 2 ? Vec.Mirror(surface.Positions[m]) : p;
+                VertexAddress address = surface.Addresses[v];
+                double around = PortableMath.Atan2(Math.Abs(c - (CapCells / 2)), (CapCells / 2) - r);
+                bool left = (surface.Positions[cap[Stride * 4]].X > 0) == (c < CapCells / 2);
+                address.Sign = (sbyte)(c == CapCells / 2 || left ? 1 : -1);
+                address.Around = (float)around;
+                address.Segment = (float)((address.Sign > 0 ? around : PortableMath.Tau - around) * BodyGrid.Segments / PortableMath.Tau);
+                surface.Addresses[v] = address;
+            }
+        }
+    }
+
+    private static MouthSlit Split(SurfaceBuilder surface, BodySurface body, int[] cap, int corner)
+    {
+        var chain = new List<int>();
+        for (int i = corner; i >= 0; i--)
+        {
+            chain.Add(body[i, LeftSegment]);
+        }
+
+        for (int c = 1; c < CapCells; c++)
+        {
+            chain.Add(cap[(CapRow * (CapCells + 1)) + c]);
+        }
+
+        for (int i = 0; i <= corner; i++)
+        {
+            chain.Add(body[i, RightSegment]);
+        }
+
+        int[] upper = chain.ToArray();
+        int[] lower = (int[])upper.Clone();
+        int last = upper.Length - 1;
+        for (int k = 1; k < last; k++)
+        {
+            VertexAddress address = surface.Addresses[upper[k]];
+            address.Region = SurfaceRegion.Lip;
+            surface.Addresses[upper[k]] = address;
+            lower[k] = surface.Add(surface.Positions[upper[k]], address);
+        }
+
+        PairRow(surface, lower, 1, last - 1);
+        return new MouthSlit(corner, upper, lower);
+    }
+
+    private static void PairRow(SurfaceBuilder surface, int[] row, int first, int last)
+    {
+        for (int k = first; k <= last; k++)
+        {
+            surface.Mirror[row[k]] = row[first + last - k];
+        }
+    }
+
+    private void FillNose(SurfaceBuilder surface, int[] cap, float size)
+    {
+        const int Stride = CapCells + 1;
+        FillMirrored(surface, cap, surface.NewChart(), size, (v, row, _) =>
+        {
+            if (row < CapRow || corner == 0)
+            {
+                return v;
+            }
+
+            for (int c = 0; c <= CapCells; c++)
+            {
+                if (cap[(CapRow * Stride) + c] == v)
+                {
+                    return lower[corner + c];
+                }
+            }
+
+            return v;
+        });
+    }
+
+    /// <summary>Fills a cap so that its left and right halves split along mirrored diagonals. <paramref name="replace"/> gets vertex, row and column of the cell.</summary>
+    private static void FillMirrored(SurfaceBuilder surface, int[] cap, int chart, float size, Func<int, int, int, int> replace)
+    {
+        const int Stride = CapCells + 1;
+        for (int r = 0; r < CapCells; r++)
+        {
+            for (int c = 0; c < CapCells; c++)
+            {
+                int a = replace(cap[(r * Stride) + c], r, c);
+                int b = replace(cap[(r * Stride) + c + 1], r, c);
+                int d = replace(cap[((r + 1) * Stride) + c + 1], r, c);
+                int e = replace(cap[((r + 1) * Stride) + c], r, c);
+                FaceTexcoords t = CapGrid.CellTexcoords(r, c, CapCells, CapCells, new Vector2(size, size));
+                if (c < CapCells / 2)
+                {
+                    surface.Quad(a, b, d, e, chart, t);
+                }
+                else
+                {
+                    surface.Quad(b, d, e, a, chart, new FaceTexcoords(t.B, t.C, t.D, t.A));
+                }
+            }
+        }
+    }
+
+    /// <summary>Turns the lower jaw about its hinge and lifts or drops the lip corners.</summary>
+    private void OpenJaw(SurfaceBuilder surface, BodySurface body, int[] cap, MouthBlueprint blueprint)
+    {
+        BodyShape shape = body.Skin.Shape;
+        int hingeRing = Math.Min(corner + 3, 14);
+        Vector3 hinge = body.Skin[hingeRing, LeftSegment];
+        hinge.X = 0f;
+        double angle = blueprint.Opening + LipGap;
+        for (int i = 0; i <= hingeRing; i++)
+        {
+            double along = i <= corner ? 1 : Scalar.Smooth((hingeRing - i) / (hingeRing - corner + 1.0));
+            for (int j = LeftSegment; j <= RightSegment; j++)
+            {
+                bool lip = j is LeftSegment or RightSegment;
+                if (lip && i >= corner)
+                {
+                    continue;
+                }
+
+                int edge = Math.Min(j - LeftSegment, RightSegment - j);
+                double weight = along * (i <= corner ? 1 : Scalar.Smooth(edge / 3.0));
+                Turn(surface, lip ? Vertex(body, i, j, 0, LeftSegment) : body[i, j], hinge, angle * weight);
+            }
+        }
+
+        for (int r = CapRow; r < CapCells; r++)
+        {
+            for (int c = 1; c < CapCells; c++)
+            {
+                Turn(surface, r == CapRow ? lower[corner + c] : cap[(r * (CapCells + 1)) + c], hinge, angle);
+            }
+        }
+
+        float lift = (float)(blueprint.Smile * 0.16 * shape.Width[Math.Min(corner + 3, 13)]);
+        for (int i = 0; i < corner + 3; i++)
+        {
+            double share = PortableMath.Pow(Math.Min(i, corner) / (double)corner, 2.2) * (i <= corner ? 1 : i == corner + 1 ? 0.5 : 0.2);
+            for (int d = -2; d <= 2; d++)
+            {
+                float weight = (float)(share * (d == 0 ? 1 : Math.Abs(d) == 1 ? 0.7 : 0.3));
+                Vector3 shift = shape.Up(i) * (lift * weight);
+                Shift(body[i, LeftSegment + d]);
+                Shift(body[i, RightSegment - d]);
+                if (d == 0 && i < corner)
+                {
+                    Shift(Vertex(body, i, LeftSegment, 0, LeftSegment));
+                    Shift(Vertex(body, i, RightSegment, 0, LeftSegment));
+                }
+
+                void Shift(int v) => surface.Positions[v] += shift;
+            }
+        }
+    }
+
+    private static void Turn(SurfaceBuilder surface, int vertex, Vector3 hinge, double angle) =>
+        surface.Positions[vertex] = hinge + Vec.Rotate(surface.Positions[vertex] - hinge, Vector3.UnitX, angle);
+
+    private void AddBag(SurfaceBuilder surface, BodyShape shape)
+    {
+        int last = upper.Length - 1;
+        int chart = surface.NewChart();
+        int[] previous = upper;
+        for (int row = 1; row <= BagRows; row++)
+        {
+            int[] current = (int[])lower.Clone();
+            if (row < BagRows)
+            {
+                float t = (float)row / BagRows;
+                float pull = 0.5f * (float)PortableMath.Sin(PortableMath.Pi * t);
+                for (int k = 1; k < last; k++)
+                {
+                    Vector3 p = Vec.Lerp(surface.Positions[upper[k]], surface.Positions[lower[k]], t);
+                    int ring = Math.Min(corner, Math.Max(0, Math.Abs(k - (last / 2)) - 4));
+                    int inner = Math.Max(ring, Math.Min(4, corner));
+                    Vector3 axis = shape.Centre(inner) + (shape.Up(inner) * Vec.Dot(p - shape.Centre(ring), shape.Up(ring)));
+                    VertexAddress address = surface.Addresses[upper[k]];
+                    address.Region = SurfaceRegion.Mouth;
+                    address.Around += t * 0.05f;
+                    current[k] = surface.Add(p + ((axis - p) * pull), address);
+                }
+
+                PairRow(surface, current, 1, last - 1);
+            }
+
+            for (int k = 0; k < last / 2; k++)
+            {
+                int m = last - k;
+                AddBagFace(surface, chart, previous[k], current[k], current[k + 1], previous[k + 1], k, row);
+                AddBagFace(surface, chart, previous[m], previous[m - 1], current[m - 1], current[m], k, row);
+            }
+
+            previous = current;
+        }
+    }
+
+    /// <summary>Adds a face of the bag, facing into the mouth; at the lip corners it is a triangle.</summary>
+    private static void AddBagFace(SurfaceBuilder surface, int chart, int a, int b, int c, int d, int column, int row)
+    {
+        FaceTexcoords t = CapGrid.CellTexcoords(row, column, BagRows + 1, 16, new Vector2(0.1f, 0.05f));
+
+        // Reversed: seen from inside the mouth.
+        if (a == b)
+        {
+            surface.Quad(d, c, a, a, chart, new FaceTexcoords(t.D, t.C, t.A, t.A));
+        }
+        else if (a == d)
+        {
+            surface.Quad(c, b, a, a, chart, new FaceTexcoords(t.C, t.B, t.A, t.A));
+        }
+        else
+        {
+            surface.Quad(d, c, b, a, chart, new FaceTexcoords(t.D, t.C, t.B, t.A));
+        }
+    }
+}

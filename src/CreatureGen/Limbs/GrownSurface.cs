@@ -1,0 +1,118 @@
+using System.Collections.Generic;
+using CreatureGen.Bodies;
+using CreatureGen.Blueprints;
+using CreatureGen.Geometry;
+using CreatureGen.Anatomy;
+
+namespace CreatureGen.Limbs;
+
+/// <summary>The welded surface of a whole creature and what grew out of it. Metres at scale 1.</summary>
+internal sealed class GrownSurface
+{
+    private GrownSurface(Surface surface, SurfaceAdjacency adjacency, BodySkin skin, IReadOnlyList<Appendage> appendages, IReadOnlyList<DigitTip> tips, int[] upperLip, int[] lowerLip)
+    {
+        Surface = surface;
+        Adjacency = adjacency;
+        Skin = skin;
+        Appendages = appendages;
+        Tips = tips;
+        UpperLip = upperLip;
+        LowerLip = lowerLip;
+    }
+
+    public Surface Surface { get; }
+
+    public SurfaceAdjacency Adjacency { get; }
+
+    /// <summary>The body without its limbs.</summary>
+    public BodySkin Skin { get; }
+
+    /// <summary>Indexed by <see cref="VertexAddress.Appendage"/>.</summary>
+    public IReadOnlyList<Appendage> Appendages { get; }
+
+    /// <summary>Ends of toes, fingers and tips on the left; <see cref="DigitTip.Vertex"/> indexes <see cref="Surface"/>.</summary>
+    public IReadOnlyList<DigitTip> Tips { get; }
+
+    /// <summary>Vertices of the upper lip from the left corner to the right; empty without a mouth.</summary>
+    public int[] UpperLip { get; }
+
+    /// <summary>Vertices of the lower lip from the left corner to the right; empty without a mouth.</summary>
+    public int[] LowerLip { get; }
+
+    /// <summary>Spans the body, grows all limbs, closes the body and relaxes the seams.</summary>
+    public static GrownSurface Grow(CreatureBlueprint blueprint)
+    {
+        BodyShape shape = BodyShaper.Shape(blueprint.Body, blueprint.Head, blueprint.Tail);
+        BodySkin skin = BodySkin.Span(shape, blueprint.Head, blueprint.Tail);
+        var builder = new SurfaceBuilder();
+        var body = new BodySurface(builder, skin);
+        var appendages = new List<Appendage>();
+        var borders = new List<int>();
+        var tips = new List<DigitTip>();
+        foreach (LegBlueprint leg in blueprint.Legs)
+        {
+            Take(LegGrower.Grow(body, leg, appendages.Count, tips), leg.Socket);
+        }
+
+        foreach (WingBlueprint wing in blueprint.Wings)
+        {
+            Take(WingGrower.Grow(body, wing, appendages.Count), wing.Socket);
+        }
+
+        foreach (FinBlueprint fin in blueprint.Fins)
+        {
+            Take(fin.Place == FinPlace.Pectoral ? PectoralGrower.Grow(body, fin, appendages.Count) : MidlineFinGrower.Grow(body, fin, appendages.Count), fin.Socket);
+        }
+
+        foreach (EarBlueprint ear in blueprint.Ears)
+        {
+            Take(EarGrower.Grow(body, ear, appendages.Count), ear.Socket);
+        }
+
+        MouthSlit mouth = MouthSlit.CloseBody(body, blueprint.Head);
+        Surface surface = Surface.From(builder, out int[] index);
+        var adjacency = new SurfaceAdjacency(surface.Positions.Length, surface.Faces);
+        for (int i = 0; i < borders.Count; i++)
+        {
+            borders[i] = index[borders[i]];
+        }
+
+        SeamRelaxer.Relax(surface, adjacency, borders);
+        for (int i = 0; i < tips.Count; i++)
+        {
+            DigitTip t = tips[i];
+            tips[i] = new DigitTip(t.Position, t.Direction, t.Radius, t.ClawLength, index[t.Vertex]);
+        }
+
+        return new GrownSurface(surface, adjacency, skin, appendages, tips, Indices(mouth.UpperLip), Indices(mouth.LowerLip));
+
+        void Take(Appendage appendage, SocketBlueprint socket)
+        {
+            appendage.Pair = 1 + CountOf(appendages, appendage);
+            appendages.Add(appendage);
+            borders.AddRange(SocketLoop.BorderOf(body, socket));
+        }
+
+        int[] Indices(IReadOnlyList<int> vertices)
+        {
+            int[] result = new int[vertices.Count];
+            for (int i = 0; i < result.Length; i++)
+            {
+                result[i] = index[vertices[i]];
+            }
+
+            return result;
+        }
+    }
+
+    private static int CountOf(List<Appendage> appendages, Appendage one)
+    {
+        int count = 0;
+        foreach (Appendage a in appendages)
+        {
+            count += a.Kind == one.Kind ? 1 : 0;
+        }
+
+        return count;
+    }
+}

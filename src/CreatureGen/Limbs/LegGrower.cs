@@ -1,0 +1,179 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
+using CreatureGen.Blueprints;
+using CreatureGen.Geometry;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Limbs;
+
+/// <summary>The end of a toe, finger or tip, where a claw can sit. Left side, model space, metres at scale 1.</summary>
+internal readonly struct DigitTip
+{
+    public DigitTip(Vector3 position, Vector3 direction, float radius, float clawLength, int vertex)
+    {
+        Position = position;
+        Direction = direction;
+        Radius = radius;
+        ClawLength = clawLength;
+        Vertex = vertex;
+    }
+
+    public Vector3 Position { get; }
+
+    /// <summary>Unit.</summary>
+    public Vector3 Direction { get; }
+
+    public float Radius { get; }
+
+    /// <summary>In radii.</summary>
+    public float ClawLength { get; }
+
+    /// <summary>A vertex of the surface at the tip, whose weights the claw takes.</summary>
+    public int Vertex { get; }
+}
+
+/// <summary>Grows a pair of legs or arms out of the body.</summary>
+internal static class LegGrower
+{
+    private static readonly float[] insectSections = { 0f, 0.5f, 1f, 1.6f, 2.3f, 3f, 3.5f, 4f, 4.5f, 5f, 6f, 7f, 8f };
+
+    /// <summary>Grows the left leg, mirrors it, and says where its joints are.</summary>
+    public static Appendage Grow(BodySurface body, LegBlueprint leg, int index, List<DigitTip> tips)
+    {
+        SurfaceBuilder surface = body.Surface;
+        LegForm form = LegForms.Of(leg.Archetype);
+        SocketLoop socket = SocketLoop.Cut(body, leg.Socket);
+        int firstVertex = surface.Positions.Count;
+        int firstFace = surface.Faces.Count;
+        LegPath path = LegPath.Lay(form, leg, socket, body.Skin.Shape);
+
+        bool standing = leg.Stance == LegStance.Standing;
+        bool vertical = form.End is FootEnd.Hoof or FootEnd.Pad;
+        var sweep = new LimbSweep
+        {
+            Joints = path.Joints,
+            Radii = path.Radii,
+            Sections = SectionsOf(form),
+            Across = socket.Around,
+            Blend = Scalar.Clamp(1.5f * socket.HalfLength / path.Length, 0.1f, 0.42f),
+            Floor = standing ? 0f : float.NegativeInfinity,
+            EndDirection = vertical ? -Vector3.UnitY : Vector3.Zero,
+            LevelFrom = standing && form.End == FootEnd.Toes ? 0.6f : 2f,
+            KeepOut = socket.Centre.X > 0.02f ? new BodyKeepOut(body.Skin.Shape, leg.Socket.Ring - 7, leg.Socket.Ring + leg.Socket.Rows + 7) : null,
+            Address = new VertexAddress { Region = SurfaceRegion.Leg, Appendage = (short)index, Sign = 1 },
+        };
+        SweepResult grown = sweep.Grow(surface, socket.Vertices);
+        Finish(surface, form, leg, path, grown, index, tips);
+        surface.MirrorSince(firstVertex, firstFace);
+        return Describe(form, leg, socket, path, grown);
+    }
+
+    private static void Finish(SurfaceBuilder surface, LegForm form, LegBlueprint leg, LegPath path, SweepResult grown, int index, List<DigitTip> tips)
+    {
+        SweepFrame end = grown.Last;
+        var address = new VertexAddress { Region = SurfaceRegion.Leg, Appendage = (short)index, Sign = 1, Along = 1f };
+        float radius = Math.Min(end.ForeRadius, end.AcrossRadius);
+        switch (form.End)
+        {
+            case FootEnd.Toes:
+                Digits.Grow(surface, form, leg, path.Thickness, grown, index, tips);
+                return;
+            case FootEnd.Hoof:
+                int hoofStart = surface.Positions.Count - (2 * grown.End.Length);
+                for (int v = hoofStart; v < surface.Positions.Count; v++)
+                {
+                    VertexAddress a = surface.Addresses[v];
+                    a.Region = SurfaceRegion.Hoof;
+                    surface.Addresses[v] = a;
+                }
+
+                address.Region = SurfaceRegion.Hoof;
+                Cap(surface, leg.Socket, grown.End, end.Tangent, 0f, address);
+                return;
+            case FootEnd.Pad:
+                Cap(surface, leg.Socket, grown.End, end.Tangent, 0f, address);
+                for (int q = -1; q <= 1; q++)
+                {
+                    double a = q * 0.75;
+                    var p = end.Centre + new Vector3((float)PortableMath.Sin(a) * end.AcrossRadius * 0.95f, 0f, (float)PortableMath.Cos(a) * end.ForeRadius * 0.93f);
+                    p.Y = end.ForeRadius * 0.22f;
+                    tips.Add(new DigitTip(p, new Vector3((float)PortableMath.Sin(a), 0f, (float)PortableMath.Cos(a)), end.ForeRadius * 0.24f, 0f, grown.End[0]));
+                }
+
+                return;
+            default:
+                Cap(surface, leg.Socket, grown.End, end.Tangent, radius, address);
+                tips.Add(new DigitTip(end.Centre, Vec.Normalize(end.Tangent), radius, (float)leg.ClawLength, grown.End[0]));
+                return;
+        }
+    }
+
+    private static void Cap(SurfaceBuilder surface, SocketBlueprint socket, int[] loop, Vector3 outward, float bulge, in VertexAddress address)
+    {
+        int[] cap = CapGrid.Vertices(surface, loop, socket.Rows, socket.Columns, outward, bulge, address);
+        for (int r = 1; r < socket.Rows && outward.Y < -0.99f; r++)
+        {
+            for (int c = 1; c < socket.Columns; c++)
+            {
+                int v = cap[(r * (socket.Columns + 1)) + c];
+                Vector3 p = surface.Positions[v];
+                surface.Positions[v] = new Vector3(p.X, Math.Max(p.Y, 0f), p.Z);
+            }
+        }
+
+        CapGrid.Fill(surface, cap, socket.Rows, socket.Columns, surface.NewChart(), new Vector2(0.05f, 0.05f));
+    }
+
+    private static float[] SectionsOf(LegForm form)
+    {
+        if (form.Archetype == LimbArchetype.Insect)
+        {
+            return insectSections;
+        }
+
+        float[] sections = new float[(2 * form.Rows) - 1];
+        for (int i = 0; i < sections.Length; i++)
+        {
+            sections[i] = i / 2f;
+        }
+
+        return sections;
+    }
+
+    private static Appendage Describe(LegForm form, LegBlueprint leg, SocketLoop socket, LegPath path, SweepResult grown)
+    {
+        Vector3[] joints = path.Joints;
+        int last = form.Rows - 1;
+        Vector3 hip = joints[0];
+        hip.X += (joints[1].X - joints[0].X) / 2f;
+        Vector3 end = joints[last];
+        float reach = Math.Max(form.ToeLength * path.Thickness * (float)leg.FootSize, 0.25f * Vec.Distance(joints[last], joints[form.BallRow]));
+        Vector3 ahead = leg.Stance == LegStance.Standing ? Vec.Normalize(new Vector3(grown.Last.Tangent.X, 0f, grown.Last.Tangent.Z), Vector3.UnitZ) : Vec.Normalize(grown.Last.Tangent, Vector3.UnitZ);
+        end += ahead * Math.Max(reach, 0.01f);
+        Vector3 knee = joints[form.KneeRow];
+        Vector3 line = Vec.Normalize(joints[form.AnkleRow] - hip, -Vector3.UnitY);
+        Vector3 ball = form.BallRow == last ? Vec.Lerp(joints[last - 1], joints[last], 0.8f) : joints[form.BallRow];
+        return new Appendage
+        {
+            Kind = form.Archetype == LimbArchetype.Arm ? LimbKind.Arm : LimbKind.Leg,
+            Paired = true,
+            Archetype = form.Archetype,
+            RootRing = socket.CentreRing,
+            Joints = new[] { hip, knee, joints[form.AnkleRow], ball, end },
+            JointsAlong = new[] { 0f, At(form.KneeRow), At(form.AnkleRow), At(form.BallRow), 1f },
+            Pole = Vec.Normalize(Vec.Reject(knee - hip, line), Vector3.UnitZ),
+            Contact = leg.Stance == LegStance.Standing ? new Vector3(ball.X, 0f, ball.Z) : end,
+            Stands = leg.Stance == LegStance.Standing,
+        };
+
+        float At(int row)
+        {
+            int q = Array.IndexOf(SectionsOf(form), (float)row);
+            return grown.Along[q];
+        }
+    }
+}

@@ -1,0 +1,209 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Limbs;
+
+/// <summary>The joints and radii of one left leg, laid from its socket. Model space, metres at scale 1.</summary>
+internal sealed class LegPath
+{
+    /// <summary>Metres. Least distance of a leg's inner side from the sagittal plane.</summary>
+    private const float InnerGap = 0.012f;
+
+    private LegPath(Vector3[] joints, Vector2[] radii, float thickness)
+    {
+        Joints = joints;
+        Radii = radii;
+        Thickness = thickness;
+        for (int k = 1; k < joints.Length; k++)
+        {
+            Length += Vec.Distance(joints[k], joints[k - 1]);
+        }
+    }
+
+    public Vector3[] Joints { get; }
+
+    /// <summary>Fore-aft and lateral radius at each joint.</summary>
+    public Vector2[] Radii { get; }
+
+    /// <summary>Radius of the thigh after its limits.</summary>
+    public float Thickness { get; }
+
+    /// <summary>Sum of the distances between the joints.</summary>
+    public float Length { get; }
+
+    /// <summary>Lays a leg from its form and blueprint.</summary>
+    public static LegPath Lay(LegForm form, LegBlueprint leg, SocketLoop socket, BodyShape shape)
+    {
+        bool standing = leg.Stance == LegStance.Standing;
+        Vector3 root = socket.Centre;
+        float height = standing ? root.Y : (float)leg.Length;
+        float thickness = Math.Min((float)leg.Thickness, socket.HalfLength * 1.12f);
+        if (form.LeastThickness > 0f)
+        {
+            thickness = Scalar.Clamp(thickness, form.LeastThickness * height, form.MostThickness * height);
+        }
+
+        Vector3[] joints = LayJoints(form, leg, root, height);
+        Vector2[] radii = Radiate(form, leg, socket, thickness);
+        bool lateral = form.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl;
+        if (!lateral)
+        {
+            KeepFromMidline(form, joints, radii);
+        }
+
+        if (standing)
+        {
+            SetFootDown(form, leg, thickness, joints, radii);
+        }
+
+        if (form.Archetype == LimbArchetype.Arm || (form.Archetype == LimbArchetype.Sprawl && !standing))
+        {
+            KeepJointsOut(shape, joints, radii);
+        }
+
+        return new LegPath(joints, radii, thickness);
+    }
+
+    private static Vector3[] LayJoints(LegForm form, LegBlueprint leg, Vector3 root, float height)
+    {
+        float reach = (float)leg.Reach;
+        Vector3 outward = Vector3.UnitX;
+        Vector3 ahead = Vector3.UnitZ;
+        if (form.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl)
+        {
+            outward = new Vector3((float)PortableMath.Cos(leg.Azimuth), 0f, (float)PortableMath.Sin(leg.Azimuth));
+            ahead = form.Archetype == LimbArchetype.Sprawl ? new Vector3(0.25f, 0f, 0.97f) : Vector3.Zero;
+        }
+
+        var joints = new Vector3[form.Rows];
+        for (int k = 0; k < form.Rows; k++)
+        {
+            float down = form.Down[k];
+            if (form.Archetype == LimbArchetype.Insect && k is >= 1 and < 5)
+            {
+                down *= (float)leg.KneeRise;
+            }
+
+            joints[k] = root
+                + (ahead * (form.Forward[k] * reach))
+                - (Vector3.UnitY * (down * height))
+                + (outward * (form.Outward[k] * reach))
+                + (Vector3.UnitZ * ((float)leg.Shear * Scalar.Clamp(form.Down[k], 0f, 1f) * height));
+        }
+
+        return joints;
+    }
+
+    private static Vector2[] Radiate(LegForm form, LegBlueprint leg, SocketLoop socket, float thickness)
+    {
+        var radii = new Vector2[form.Rows];
+        for (int k = 0; k < form.Rows; k++)
+        {
+            float factor = thickness * (float)leg.Stoutness * (k >= 2 ? (float)leg.Slimness : 1f) * (k >= form.Rows - form.FootRows ? (float)leg.FootSize : 1f);
+            radii[k] = new Vector2(form.ForeRadius[k], form.SideRadius[k]) * factor;
+        }
+
+        radii[0] = new Vector2(socket.HalfLength, socket.HalfWidth);
+        return radii;
+    }
+
+    private static void KeepFromMidline(LegForm form, Vector3[] joints, Vector2[] radii)
+    {
+        if (form.End is FootEnd.Hoof or FootEnd.Pad)
+        {
+            // The shank moves out as a whole: a straight leg must not be kinked row by row.
+            float shift = 0f;
+            for (int k = 0; k < joints.Length; k++)
+            {
+                if (form.Down[k] > 0.5f)
+                {
+                    shift = Math.Max(shift, radii[k].Y + InnerGap - joints[k].X);
+                }
+            }
+
+            for (int k = 0; k < joints.Length; k++)
+            {
+                joints[k].X += shift * Scalar.Smooth(form.Down[k] / 0.6f);
+            }
+        }
+
+        for (int k = 1; k < joints.Length; k++)
+        {
+            joints[k].X = Math.Max(joints[k].X, radii[k].Y + InnerGap);
+        }
+    }
+
+    private static void SetFootDown(LegForm form, LegBlueprint leg, float thickness, Vector3[] joints, Vector2[] radii)
+    {
+        int last = joints.Length - 1;
+        if (form.End == FootEnd.Toes)
+        {
+            bool underBody = form.Archetype != LimbArchetype.Sprawl;
+            if (underBody)
+            {
+                float splay = form.Archetype == LimbArchetype.Theropod ? 0.52f : 0.2f;
+                float halfWidth = radii[last].Y + (form.ToeLength * thickness * (float)leg.FootSize * splay) + 0.02f;
+                float shift = Math.Max(0f, halfWidth - joints[last].X);
+                for (int k = 0; k <= last; k++)
+                {
+                    joints[k].X += shift * Scalar.Smooth(form.Down[k] / 0.9f);
+                }
+            }
+
+            joints[last - 1].Y = radii[last - 1].X * 0.66f;
+            joints[last].Y = radii[last].X * (form.Archetype == LimbArchetype.Theropod ? 0.66f : 0.6f);
+            if (underBody && form.Archetype != LimbArchetype.Theropod)
+            {
+                joints[last].Z = Math.Max(joints[last].Z, joints[last - 1].Z + (1.15f * radii[last].X));
+            }
+        }
+        else if (form.End is FootEnd.Hoof or FootEnd.Pad)
+        {
+            joints[last].Y = 0f;
+        }
+        else
+        {
+            // A narrow tip stands on its end.
+            joints[last].Y = radii[last].X * 0.9f;
+        }
+    }
+
+    /// <summary>Moves the joints of a free limb out of the body, each with all that follow it.</summary>
+    private static void KeepJointsOut(BodyShape shape, Vector3[] joints, Vector2[] radii)
+    {
+        for (int k = 1; k < joints.Length; k++)
+        {
+            int ring = 0;
+            double best = double.MaxValue;
+            for (int i = 0; i < BodyGrid.Rings; i++)
+            {
+                double dy = shape.Y[i] - joints[k].Y;
+                double dz = shape.Z[i] - joints[k].Z;
+                double d = (dy * dy) + (dz * dz);
+                if (d < best)
+                {
+                    best = d;
+                    ring = i;
+                }
+            }
+
+            double distance = Math.Sqrt(best);
+            double extent = Math.Max(shape.Top[ring], shape.Bottom[ring]) + (radii[k].X * 0.5);
+            if (distance >= extent)
+            {
+                continue;
+            }
+
+            double ratio = distance / extent;
+            float need = (float)(shape.Width[ring] * Math.Sqrt(1 - (ratio * ratio))) + (radii[k].Y * 1.05f) + InnerGap - joints[k].X;
+            for (int m = k; m < joints.Length && need > 0f; m++)
+            {
+                joints[m].X += need;
+            }
+        }
+    }
+}
