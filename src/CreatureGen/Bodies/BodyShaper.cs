@@ -21,8 +21,8 @@ internal static class BodyShaper
     private static readonly double[] stationKnots = Array.ConvertAll(BodyGrid.StationRings.ToArray(), r => (double)r);
     private static readonly int[] stationOfRing = IntervalOfRing();
 
-    /// <summary>The sections of the body.</summary>
-    public static BodyShape Shape(BodyBlueprint body, HeadBlueprint head, TailBlueprint tail)
+    /// <summary>The sections of the body. The trunk of a legless body lies on the ground ring by ring.</summary>
+    public static BodyShape Shape(BodyPlan plan, BodyBlueprint body, HeadBlueprint head, TailBlueprint tail)
     {
         BodyStations stations = BodyBlender.Blend(body);
         Span<double> cumulative = stackalloc double[BodyGrid.StationCount];
@@ -53,6 +53,7 @@ internal static class BodyShaper
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             pitch[i] += body.Posture.Trunk * Scalar.Smooth((i - 12) / 8.0);
+            pitch[i] *= 1 - Lying(plan, i);
         }
 
         var shape = new BodyShape(pitch);
@@ -60,9 +61,17 @@ internal static class BodyShaper
         top.CopyTo(shape.Top, 0);
         bottom.CopyTo(shape.Bottom, 0);
         LaySpine(shape, step, body.Elevation);
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            shape.Y[i] = Scalar.Lerp(shape.Y[i], bottom[i], Lying(plan, i));
+        }
+
         SetExponents(shape, stations, head, tail);
         return shape;
     }
+
+    /// <summary>How far a ring of a legless body lies on the ground, 0..1.</summary>
+    private static double Lying(BodyPlan plan, int ring) => plan == BodyPlan.Legless ? Scalar.Smooth((ring - 24) / 7.0) : 0;
 
     private static void Interpolate(ReadOnlySpan<double> stations, Span<double> rings)
     {

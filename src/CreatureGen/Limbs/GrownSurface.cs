@@ -42,7 +42,7 @@ internal sealed class GrownSurface
     /// <summary>Spans the body, grows all limbs, closes the body and relaxes the seams.</summary>
     public static GrownSurface Grow(CreatureBlueprint blueprint)
     {
-        BodyShape shape = BodyShaper.Shape(blueprint.Body, blueprint.Head, blueprint.Tail);
+        BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
         BodySkin skin = BodySkin.Span(shape, blueprint.Head, blueprint.Tail);
         var builder = new SurfaceBuilder();
         var body = new BodySurface(builder, skin);

@@ -1,0 +1,261 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Sampling;
+
+/// <summary>Draws the body: which bases are mixed, proportions, posture, lattice slices and the end of the tail.</summary>
+internal static class BodySampler
+{
+    private static readonly double[] partnerWeights = { 0.45, 0.3, 0.15, 0.1 };
+
+    /// <summary>Fills in all of the draft that does not depend on how the creature stands.</summary>
+    public static void Sample(CreatureDraft draft)
+    {
+        draft.Style = draft.Stream("style").Normal(0, 1);
+        draft.Blend = Blend(draft);
+        draft.Signature = DrawSignature(draft);
+        draft.Proportions = Proportions(draft);
+        draft.Posture = Posture(draft);
+        draft.Slices = Slices(draft);
+        draft.Tail = Tail(draft);
+    }
+
+    /// <summary>One dominant body, a partner that mixes well with it, and a touch of any third.</summary>
+    private static BodyBlend Blend(CreatureDraft draft)
+    {
+        RandomStream random = draft.Stream("blend");
+        string second = draft.Family.Partners[random.Weighted(partnerWeights)];
+        var rest = new List<string>();
+        foreach (FamilyProfile family in FamilyProfiles.All)
+        {
+            if (family.Body != draft.Family.Body && family.Body != second)
+            {
+                rest.Add(family.Body);
+            }
+        }
+
+        string third = rest[random.Integer(0, rest.Count)];
+        double dominant = random.Uniform(0.62, 0.88);
+        double share = random.Uniform(0.6, 0.9);
+
+        // lerp(lerp(A, B, w1), C, w2): the second body gets w1 (1 − w2), the third w2.
+        double w2 = (1 - dominant) * (1 - share);
+        double w1 = (1 - dominant) * share / (1 - w2);
+        return new BodyBlend(draft.Family.Body, second, third, w1, w2);
+    }
+
+    private static Signature DrawSignature(CreatureDraft draft)
+    {
+        RandomStream random = draft.Stream("signature");
+        Signature signature = CreatureDraft.Choose(
+            random,
+            (Signature.None, 0.15), (Signature.BigHead, 0.16), (Signature.LongNeck, 0.12), (Signature.BigTail, 0.12), (Signature.Hulk, 0.14),
+            (Signature.Rump, 0.08), (Signature.Hump, 0.08), (Signature.BigEyes, 0.08), (Signature.LongSnout, 0.07));
+        bool unfit = (draft.Kind == LocomotionKind.Swimming && signature is Signature.LongNeck or Signature.Hump or Signature.Hulk)
+            || (draft.Family.Body == "amphibian" && signature is Signature.LongNeck or Signature.LongSnout)
+            || (draft.Plan == BodyPlan.Legless && signature is Signature.Hump or Signature.Rump or Signature.Hulk);
+        return unfit ? (random.Chance(0.5) ? Signature.BigEyes : Signature.None) : signature;
+    }
+
+    private static BodyProportions Proportions(CreatureDraft draft)
+    {
+        RandomStream random = draft.Stream("proportions");
+        string family = draft.Family.Body;
+        double head = Scalar.Clamp(1.26 + (0.14 * draft.Style) + random.Normal(0, 0.05), 0.9, 1.55);
+        double neck = random.LogNormal(0.22, 0.65, 1.7);
+        double tail = random.LogNormal(0.25, 0.55, 1.7);
+        double snout = Scalar.Clamp(PortableMath.Exp(random.Normal(-0.08 * draft.Style, 0.18)), 0.6, 1.5);
+        double girth = CreatureDraft.Around(random, 1, 0.08, 0.85, 1.2);
+        double belly = CreatureDraft.Around(random, 1, 0.07, 0.88, 1.15);
+        double depth = Scalar.Clamp(PortableMath.Exp(random.Normal(-0.02, 0.22)), 0.66, 1.38);
+        double wide = random.LogNormal(0.16, 0.9, 1.45);
+        double neckGirth = 1, chest = 1, hump = 1, rump = 1, tailGirth = 1, width = 1;
+        if (family == "amphibian")
+        {
+            neck = Math.Min(neck, 0.95);
+        }
+
+        if (family == "insect")
+        {
+            girth = wide;
+        }
+
+        switch (draft.Signature)
+        {
+            case Signature.BigHead:
+                head = Math.Min(1.75, head * 1.25);
+                neck *= 0.85;
+                break;
+            case Signature.LongNeck:
+                neck = Math.Max(neck, 1.1) * 1.75;
+                head *= 0.88;
+                neckGirth = 0.84;
+                break;
+            case Signature.BigTail:
+                tail *= 1.35;
+                tailGirth = 1.5;
+                break;
+            case Signature.Hulk:
+                chest = 1.2;
+                rump = 0.9;
+                break;
+            case Signature.Rump:
+                rump = 1.2;
+                chest = 0.95;
+                break;
+            case Signature.Hump:
+                hump = 1.5;
+                break;
+            case Signature.LongSnout:
+                snout = Math.Max(snout, 1) * 1.5;
+                break;
+        }
+
+        if (draft.Plan == BodyPlan.Theropod && family != "avian")
+        {
+            girth *= 1.14;
+            tailGirth = Math.Max(tailGirth, 1.25);
+        }
+
+        if (draft.Plan == BodyPlan.Centaur)
+        {
+            chest = 1.15;
+        }
+
+        if (draft.Kind == LocomotionKind.Swimming)
+        {
+            neck = Math.Min(neck, 1.1);
+            if (family == "fish")
+            {
+                head *= 0.74;
+                snout *= 0.8;
+                width = depth < 1 ? Scalar.Lerp(0.85, 1, (depth - 0.6) / 0.4) : Scalar.Lerp(1, 0.78, (depth - 1) / 0.6);
+            }
+        }
+
+        depth = family == "fish" && draft.Kind == LocomotionKind.Swimming ? depth : 1;
+        if (neck > 1.25)
+        {
+            head *= 0.92;
+        }
+
+        return new BodyProportions(head, snout, neck, neckGirth, girth, belly, chest, hump, rump, tail, tailGirth, depth, width);
+    }
+
+    private static BodyPosture Posture(CreatureDraft draft)
+    {
+        RandomStream random = draft.Stream("posture");
+        double neck = random.Normal(0, 9);
+        double head = random.Normal(0, 6);
+        double tail = random.Normal(0, 14);
+        double torso = 0;
+        double trunk = 0;
+        double upright = random.Uniform(48, 66);
+        double uprightNeck = random.Uniform(-2, 10);
+        double lean = draft.Family.Body == "avian" ? random.Uniform(0, 14) : random.Uniform(6, 22);
+
+        // S1.5: one angle for the neck and one for the tail, in [0, 200° / bones]; here a moderate share of it, either way.
+        double neckBend = random.Uniform(-2, 5);
+        double tailBend = random.Uniform(-6, 9);
+        switch (draft.Plan)
+        {
+            case BodyPlan.Upright:
+                torso = upright;
+                neck = uprightNeck;
+                tail += 18;
+                neckBend = 0;
+                break;
+            case BodyPlan.Theropod:
+                tail *= 0.4;
+                trunk = lean;
+                neck += draft.Family.Body == "avian" ? 0 : 22;
+                tail -= draft.Family.Body == "avian" ? 0 : 6;
+                tailBend = Math.Min(tailBend, 2);
+                break;
+            case BodyPlan.Centaur:
+                neck += 25;
+                break;
+            case BodyPlan.Legless:
+                tailBend = 0;
+                tail = 0;
+                break;
+        }
+
+        if (draft.Signature == Signature.LongNeck)
+        {
+            neck += 8;
+        }
+
+        if (draft.Kind == LocomotionKind.Swimming)
+        {
+            // Swimmers keep a straight spine (S1.5).
+            neck /= 3;
+            head /= 2;
+            tail /= 5;
+            neckBend = 0;
+            tailBend = 0;
+            neck -= draft.Family.Body == "serpent" ? 20 : 0;
+            head = draft.Family.Body == "canine" ? 4 : head;
+        }
+
+        return new BodyPosture(Scalar.Radians(head), Scalar.Radians(neck), Scalar.Radians(torso), Scalar.Radians(tail), Scalar.Radians(trunk), Scalar.Radians(neckBend), Scalar.Radians(tailBend));
+    }
+
+    /// <summary>S1.3: swimmers get smaller ranges in x and z and a larger one in y.</summary>
+    private static ValueList<LatticeSlice> Slices(CreatureDraft draft)
+    {
+        RandomStream random = draft.Stream("lattice");
+        bool swims = draft.Kind == LocomotionKind.Swimming;
+        var slices = new LatticeSlice[11];
+        for (int k = 0; k < slices.Length; k++)
+        {
+            double x = random.Uniform(-1, 1);
+            double y = random.Uniform(-1, 1);
+            double z = random.Uniform(-1, 1);
+            slices[k] = swims
+                ? new LatticeSlice(0.9 + (0.14 * x), 1.06 + (0.28 * y), 1 + (0.14 * z))
+                : new LatticeSlice(1 + (0.22 * x), 1 + (0.22 * y), 1 + (0.22 * z));
+        }
+
+        return new ValueList<LatticeSlice>(slices);
+    }
+
+    private static TailBlueprint Tail(CreatureDraft draft)
+    {
+        RandomStream random = draft.Stream("tail");
+        double size = random.Uniform(0.8, 1.2);
+        double fork = random.Uniform(1.2, 2.2);
+        double fan = random.Uniform(-0.5, 0.1);
+        TailStyle upright = CreatureDraft.Choose(random, (TailStyle.Fork, 0.45), (TailStyle.Fan, 0.3), (TailStyle.Lance, 0.25));
+        double feathers = random.Uniform(0.13, 0.19);
+        bool feathered = random.Chance(0.55);
+        switch (draft.Plan)
+        {
+            case BodyPlan.Fish:
+            case BodyPlan.Eel:
+                return upright switch
+                {
+                    TailStyle.Fork => new TailBlueprint(upright, 0.29 * size, fork),
+                    TailStyle.Fan => new TailBlueprint(upright, 0.24 * size, fan),
+                    _ => new TailBlueprint(upright, 0.15 * size, -1),
+                };
+            case BodyPlan.Whale:
+                return new TailBlueprint(TailStyle.Fluke, 0.34 * size, 1);
+            case BodyPlan.Flipper:
+                return new TailBlueprint(TailStyle.Plain, 0, 0);
+            default:
+                if (draft.Family.Body == "avian" && (draft.Kind == LocomotionKind.Flying || feathered))
+                {
+                    return new TailBlueprint(TailStyle.Feathers, feathers, 0);
+                }
+
+                return draft.Family.Body == "fish" && draft.Plan != BodyPlan.Theropod
+                    ? new TailBlueprint(TailStyle.Fan, 0.2 * size, fan)
+                    : new TailBlueprint(TailStyle.Plain, 0, 0);
+        }
+    }
+}

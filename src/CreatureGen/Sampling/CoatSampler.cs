@@ -1,0 +1,80 @@
+using System;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Sampling;
+
+/// <summary>Draws harmonious colours in OKLCH. Numbers are tendencies of look.md: natural, vivid, pale and dark coats.</summary>
+internal static class CoatSampler
+{
+    private static readonly double[] vividHues = { 25, 45, 70, 110, 145, 175, 200, 230, 260, 290, 330 };
+    private static readonly double[] darkHues = { 30, 60, 150, 220, 260, 300 };
+    private static readonly double[] accentTurns = { 150, 180, 210, -60, 60 };
+    private static readonly double[] irisHues = { 75, 95, 140, 200, 50, 25, 260 };
+
+    /// <summary>The coat of the draft.</summary>
+    public static CoatBlueprint Sample(CreatureDraft draft)
+    {
+        RandomStream random = draft.Stream("coat");
+        int mood = random.Weighted(stackalloc double[] { 0.4, 0.33, 0.12, 0.15 });
+        double hue, lightness, chroma;
+        switch (mood)
+        {
+            case 0:
+                hue = CreatureDraft.Choose(random, (58.0, 0.35), (75.0, 0.3), (92.0, 0.12), (125.0, 0.06), (42.0, 0.2)) + random.Uniform(-8, 8);
+                lightness = random.Uniform(0.48, 0.68);
+                chroma = random.Uniform(0.045, 0.10);
+                break;
+            case 1:
+                hue = Pick(random, vividHues) + random.Uniform(-8, 8);
+                lightness = random.Uniform(0.52, 0.68);
+                chroma = random.Uniform(0.10, 0.15);
+                break;
+            case 2:
+                hue = random.Uniform(0, 360);
+                lightness = random.Uniform(0.74, 0.82);
+                chroma = random.Uniform(0.03, 0.06);
+                break;
+            default:
+                hue = Pick(random, darkHues) + random.Uniform(-10, 10);
+                lightness = random.Uniform(0.34, 0.42);
+                chroma = random.Uniform(0.04, 0.08);
+                break;
+        }
+
+        double bellyHue = mood == 1 ? hue + ((random.Chance(0.5) ? 1 : -1) * random.Uniform(20, 50)) : hue + ((75 - (((hue + 540) % 360) - 180)) * 0.25);
+        double contrast = lightness > 0.5 || random.Chance(0.3) ? -0.27 : 0.25;
+        double accentHue = hue + Pick(random, accentTurns);
+        ColourBlueprint pattern = Colour(Scalar.Clamp(lightness + contrast, 0.2, 0.92), chroma * random.Uniform(0.7, 1.1), hue + random.Uniform(-25, 25));
+        ColourBlueprint accent = Colour(random.Uniform(0.6, 0.74), random.Uniform(0.12, 0.17), accentHue);
+        ColourBlueprint limb = random.Chance(0.7) ? Colour(Math.Max(0.22, lightness - 0.16), chroma * 0.8, hue - 8) : Colour(Math.Min(0.85, lightness + 0.1), chroma, hue + 15);
+        ColourBlueprint claw = random.Chance(0.6) ? Colour(0.27, 0.02, 60) : Colour(0.82, 0.04, 85);
+        ColourBlueprint horn = Colour(random.Uniform(0.35, 0.82), 0.035, 75);
+        ColourBlueprint iris = Colour(random.Uniform(0.62, 0.80), random.Uniform(0.10, 0.17), Pick(random, irisHues));
+        ColourBlueprint muzzle = draft.Family.Body == "avian"
+            ? random.Chance(0.65) ? Colour(0.70, 0.13, CreatureDraft.Choose(random, (60.0, 1), (75.0, 1), (45.0, 1))) : Colour(0.3, 0.02, 60)
+            : Colour(0.25, 0.03, 30);
+        return new CoatBlueprint(
+            Colour(lightness, chroma, hue),
+            Colour(Math.Max(0.2, lightness - 0.13), chroma, hue - 12),
+            Colour(Math.Min(0.9, lightness + 0.20), chroma * 0.55, bellyHue),
+            limb,
+            pattern,
+            accent,
+            claw,
+            horn,
+            muzzle,
+            Colour(0.38, 0.11, 20),
+            iris,
+            CreatureDraft.Choose(random, draft.Family.Patterns),
+            random.Uniform(0.8, 1.3),
+            random.Uniform(0.65, 0.95),
+            random.Integer(0, 1 << 16));
+    }
+
+    private static double Pick(RandomStream random, double[] values) => values[random.Integer(0, values.Length)];
+
+    private static ColourBlueprint Colour(double lightness, double chroma, double hueDegrees) =>
+        new(lightness, chroma, Scalar.Radians(((hueDegrees % 360) + 360) % 360));
+}

@@ -1,0 +1,156 @@
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Sampling;
+
+/// <summary>One trait that a creature is exaggerated in, so that it is remembered.</summary>
+internal enum Signature
+{
+    None,
+    BigHead,
+    LongNeck,
+    BigTail,
+    Hulk,
+    Rump,
+    Hump,
+    BigEyes,
+    LongSnout,
+}
+
+/// <summary>A creature while it is being sampled: what has been decided so far.</summary>
+internal sealed class CreatureDraft
+{
+    public CreatureDraft(Seed seed, LocomotionKind kind, FamilyProfile family, BodyPlan plan)
+    {
+        Seed = seed;
+        Kind = kind;
+        Family = family;
+        Plan = plan;
+    }
+
+    /// <summary>Root of the creature's seed tree.</summary>
+    public Seed Seed { get; }
+
+    public LocomotionKind Kind { get; }
+
+    public FamilyProfile Family { get; }
+
+    public BodyPlan Plan { get; }
+
+    public Signature Signature { get; set; }
+
+    /// <summary>Normal: cute and round when positive, lean when negative. Head, eyes, feet and stoutness follow it together.</summary>
+    public double Style { get; set; }
+
+    public BodyBlend Blend { get; set; } = new("canine", "canine", "canine", 0, 0);
+
+    public BodyProportions Proportions { get; set; } = new(1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1);
+
+    public BodyPosture Posture { get; set; } = new(0, 0, 0, 0, 0, 0, 0);
+
+    public ValueList<LatticeSlice> Slices { get; set; } = ValueList<LatticeSlice>.Empty;
+
+    public TailBlueprint Tail { get; set; } = new(TailStyle.Plain, 0, 0);
+
+    public double Elevation { get; set; }
+
+    /// <summary>The body as it stands, its head still without a face.</summary>
+    public BodyShape Shape { get; set; } = new(new double[BodyGrid.Rings]);
+
+    /// <summary>Length of the torso that heights are measured against, metres.</summary>
+    public double TorsoLength { get; set; }
+
+    /// <summary>Hip height that the plan asks for, metres.</summary>
+    public double HipHeight { get; set; }
+
+    public List<LegBlueprint> Legs { get; } = new();
+
+    public List<WingBlueprint> Wings { get; } = new();
+
+    public List<InsectWingBlueprint> InsectWings { get; } = new();
+
+    public List<FinBlueprint> Fins { get; } = new();
+
+    public List<EarBlueprint> Ears { get; } = new();
+
+    public List<FeatureBlueprint> Features { get; } = new();
+
+    /// <summary>Cells of the body that are taken.</summary>
+    public SocketMap Sockets { get; } = new();
+
+    /// <summary>The random numbers of one named decision.</summary>
+    public RandomStream Stream(string name) => Seed.Child(name).Stream();
+
+    /// <summary>Half of top plus bottom at a ring, metres.</summary>
+    public double HalfDepth(int ring) => (Shape.Top[ring] + Shape.Bottom[ring]) / 2;
+
+    /// <summary>A uniform draw, clamped normal about 1.</summary>
+    public static double Around(RandomStream random, double mean, double deviation, double min, double max) =>
+        Scalar.Clamp(random.Normal(mean, deviation), min, max);
+
+    /// <summary>One of several weighted choices.</summary>
+    public static T Choose<T>(RandomStream random, params (T Value, double Weight)[] choices)
+    {
+        double[] weights = new double[choices.Length];
+        for (int i = 0; i < choices.Length; i++)
+        {
+            weights[i] = choices[i].Weight;
+        }
+
+        return choices[random.Weighted(weights)].Value;
+    }
+
+    /// <summary>One of several weighted choices.</summary>
+    public static T Choose<T>(RandomStream random, Weighted<T>[] choices)
+    {
+        double[] weights = new double[choices.Length];
+        for (int i = 0; i < choices.Length; i++)
+        {
+            weights[i] = choices[i].Weight;
+        }
+
+        return choices[random.Weighted(weights)].Value;
+    }
+}
+
+/// <summary>The cells of the body grid that sockets have taken.</summary>
+internal sealed class SocketMap
+{
+    private readonly bool[] taken = new bool[(BodyGrid.Rings - 1) * BodyGrid.Segments];
+
+    /// <summary>Number of sockets that found no place.</summary>
+    public int Refusals { get; private set; }
+
+    /// <summary>Takes the cells of a socket and of its mirror image if they and a margin of rings are free.</summary>
+    public bool TryTake(SocketBlueprint socket, int margin)
+    {
+        for (int r = -margin; r < socket.Rows + margin; r++)
+        {
+            int ring = socket.Ring + r;
+            for (int c = 0; c < socket.Columns; c++)
+            {
+                if (ring < 1 || ring >= BodyGrid.Rings - 2 || taken[(ring * BodyGrid.Segments) + ((socket.Segment + c) & 31)])
+                {
+                    Refusals++;
+                    return false;
+                }
+            }
+        }
+
+        for (int r = 0; r < socket.Rows; r++)
+        {
+            for (int c = 0; c < socket.Columns; c++)
+            {
+                int cell = (socket.Segment + c) & 31;
+                taken[((socket.Ring + r) * BodyGrid.Segments) + cell] = true;
+                taken[((socket.Ring + r) * BodyGrid.Segments) + (31 - cell)] = true;
+            }
+        }
+
+        return true;
+    }
+}

@@ -1,0 +1,185 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Sampling;
+
+/// <summary>Decides how high the body is carried, and raises head and tail until they clear the ground.</summary>
+internal static class StanceSampler
+{
+    private const int Attempts = 12;
+
+    /// <summary>Radians by which a low head or tail is raised at a time.</summary>
+    private static readonly double lift = Scalar.Radians(7);
+
+    /// <summary>A face does not change how a body stands: the shape is taken without one.</summary>
+    private static readonly HeadBlueprint faceless = new(ValueList<HeadBump>.Empty, 2.2, new EyeBlueprint(EyeStyle.Round, 9, 5, 0.03, 0.5, 0.4, 1, 1, 0), new MouthBlueprint(0, 0, 0, 0), 0);
+
+    /// <summary>Sets the elevation and the final posture.</summary>
+    public static void Settle(CreatureDraft draft)
+    {
+        double draw = draft.Stream("stance").Uniform();
+        for (int attempt = 0; attempt < Attempts; attempt++)
+        {
+            Measure(draft);
+            Place(draft, draw);
+            if (!Adjust(draft))
+            {
+                break;
+            }
+        }
+
+        Measure(draft);
+        Place(draft, draw);
+    }
+
+    /// <summary>The body's shape with the current posture and elevation.</summary>
+    public static BodyShape ShapeOf(CreatureDraft draft) =>
+        BodyShaper.Shape(draft.Plan, new BodyBlueprint(draft.Blend, draft.Proportions, draft.Posture, draft.Slices, draft.Elevation), faceless, draft.Tail);
+
+    private static void Measure(CreatureDraft draft)
+    {
+        draft.Elevation = 0;
+        draft.Shape = ShapeOf(draft);
+        double length = Math.Abs(draft.Shape.Z[22] - draft.Shape.Z[42]);
+        double arc = draft.Shape.Arc[42] - draft.Shape.Arc[22];
+        draft.TorsoLength = draft.Plan switch
+        {
+            BodyPlan.Flapping or BodyPlan.Theropod => Math.Max(length, arc * 0.92),
+            BodyPlan.Upright => arc * 0.95,
+            _ => length,
+        };
+    }
+
+    private static void Place(CreatureDraft draft, double draw)
+    {
+        BodyShape s = draft.Shape;
+        double torso = draft.TorsoLength;
+        double lowest = Lowest(s, 20, 44);
+        (double min, double max) = draft.Plan switch
+        {
+            BodyPlan.Digitigrade => (0.62, 0.92),
+            BodyPlan.Centaur => (0.66, 0.92),
+            BodyPlan.Unguligrade => (0.72, 1.12),
+            BodyPlan.Plantigrade => (0.50, 0.70),
+            BodyPlan.Columnar => (0.58, 0.85),
+            BodyPlan.Upright => (0.46, 0.68),
+            BodyPlan.Theropod => draft.Family.Body == "avian" ? (0.95, 1.4) : (0.78, 1.08),
+            _ => (0.0, 0.0),
+        };
+        double hip = Scalar.Lerp(min, max, draw) * torso / 0.92;
+        draft.HipHeight = hip;
+        double elevation;
+        switch (draft.Plan)
+        {
+            case BodyPlan.Digitigrade:
+            case BodyPlan.Centaur:
+            case BodyPlan.Unguligrade:
+                elevation = Math.Max(hip - s.Y[42], (0.30 * torso) - lowest);
+                break;
+            case BodyPlan.Plantigrade:
+            case BodyPlan.Columnar:
+                elevation = Math.Max(hip - s.Y[42], (0.20 * torso) - lowest);
+                break;
+            case BodyPlan.Upright:
+                elevation = Math.Max(hip - s.Y[42], (0.22 * torso) - lowest);
+                break;
+            case BodyPlan.Theropod:
+                elevation = Math.Max(hip - s.Y[36], (0.3 * torso) - lowest);
+                break;
+            case BodyPlan.Sprawling:
+                elevation = (Scalar.Lerp(0.07, 0.16, draw) * torso) - lowest;
+                break;
+            case BodyPlan.ManyLegged:
+                elevation = 0.10 - lowest;
+                break;
+            case BodyPlan.Legless:
+                elevation = -Lowest(s, 24, 55);
+                break;
+            case BodyPlan.Hexapod:
+                elevation = Math.Max(Scalar.Lerp(0.16, 0.34, draw) - lowest, 0.035 - Lowest(s, 23, 55));
+                break;
+            case BodyPlan.Flapping:
+            case BodyPlan.Buzzing:
+                elevation = (0.55 * torso) + 0.3 - lowest;
+                break;
+            default:
+                elevation = 0.35 - lowest;
+                break;
+        }
+
+        draft.Elevation = elevation;
+        draft.Shape = ShapeOf(draft);
+    }
+
+    /// <summary>Raises a head or a tail that is too low, and straightens an upright trunk that leans too far. True if anything changed.</summary>
+    private static bool Adjust(CreatureDraft draft)
+    {
+        BodyShape s = draft.Shape;
+        BodyPosture p = draft.Posture;
+        double torso = draft.TorsoLength;
+        bool crawls = draft.Plan is BodyPlan.Legless or BodyPlan.Hexapod;
+        double tailGap = crawls ? double.NegativeInfinity : 0.03 * torso;
+        double headGap = crawls ? 0.01 : 0.06 * torso;
+        double tail = p.Tail;
+        double neck = p.Neck;
+        double bend = p.TailBend;
+        double torsoPitch = p.Torso;
+        if (draft.Kind != LocomotionKind.Swimming)
+        {
+            if (Lowest(s, 43, 55) < tailGap)
+            {
+                tail -= lift;
+                bend -= bend > 0 ? lift / 3 : 0;
+            }
+
+            if (Lowest(s, 0, 20) < headGap)
+            {
+                neck += lift;
+            }
+        }
+
+        if (draft.Plan == BodyPlan.Upright && torsoPitch < Scalar.Radians(80))
+        {
+            double ahead = CentreOfMass(s) - s.Z[40];
+            if (ahead > 0.30 * s.Y[40])
+            {
+                torsoPitch += Scalar.Radians(6);
+            }
+        }
+
+        BodyPosture changed = p with { Tail = tail, Neck = neck, TailBend = bend, Torso = torsoPitch };
+        draft.Posture = changed;
+        return !changed.Equals(p);
+    }
+
+    /// <summary>The lowest point of the skin between two rings, the last excluded.</summary>
+    public static double Lowest(BodyShape s, int first, int end)
+    {
+        double lowest = double.MaxValue;
+        for (int i = first; i < end; i++)
+        {
+            lowest = Math.Min(lowest, s.Y[i] - (s.Bottom[i] * Math.Abs(PortableMath.Cos(s.Pitch[i]))));
+        }
+
+        return lowest;
+    }
+
+    /// <summary>The place along z of the body's centre of mass, limbs left aside.</summary>
+    public static double CentreOfMass(BodyShape s)
+    {
+        double mass = 0;
+        double moment = 0;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            double m = s.Width[i] * (s.Top[i] + s.Bottom[i]) * s.Step[i];
+            mass += m;
+            moment += m * s.Z[i];
+        }
+
+        return moment / mass;
+    }
+}
