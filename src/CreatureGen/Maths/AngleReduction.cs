@@ -54,7 +54,7 @@ internal static class AngleReduction
         return QuartersByDigits(x, out left, out rest);
     }
 
-    /// <summary>The same for any finite angle of at least 2^−11, slower.</summary>
+    /// <summary>The same for any finite angle of at least 2^−10, slower.</summary>
     /// <remarks>Based on: M. Payne and R. Hanek, "Radian reduction for trigonometric functions" (1983): only those digits of 2/π are multiplied that lie between whole turns and noise.</remarks>
     internal static int QuartersByDigits(double x, out double left, out double rest)
     {
