@@ -6,6 +6,9 @@ public static class Tolerance
     /// <summary>Metres. A vector shorter than this has no direction worth normalising.</summary>
     public const float DirectionLength = 1e-9f;
 
+    /// <summary>Of unit length. Two unit vectors whose sum is shorter are opposite: single-precision directions are exact to no more.</summary>
+    public const double OppositeDirections = 1e-7;
+
     /// <summary>Metres. Soles may miss the ground by no more.</summary>
     public const float GroundMetres = 1e-4f;
 

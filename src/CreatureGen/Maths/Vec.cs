@@ -44,6 +44,17 @@ public static class Vec
     /// <summary>The point on the other side of the sagittal plane x = 0.</summary>
     public static Vector3 Mirror(Vector3 a) => new(-a.X, a.Y, a.Z);
 
+    /// <summary>A unit vector perpendicular to <paramref name="a"/>, always the same one: its product with the axis it leans on least.</summary>
+    /// <remarks>+X when <paramref name="a"/> has no direction.</remarks>
+    public static Vector3 Perpendicular(Vector3 a)
+    {
+        float x = Math.Abs(a.X);
+        float y = Math.Abs(a.Y);
+        float z = Math.Abs(a.Z);
+        Vector3 axis = x <= y && x <= z ? Vector3.UnitX : y <= z ? Vector3.UnitY : Vector3.UnitZ;
+        return Normalize(Cross(a, axis), Vector3.UnitX);
+    }
+
     /// <summary><paramref name="a"/> without its component along the unit vector <paramref name="axis"/>.</summary>
     public static Vector3 Reject(Vector3 a, Vector3 axis) => a - (axis * Dot(a, axis));
 
