@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Numerics;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
@@ -78,6 +79,11 @@ internal sealed class GrownSurface
         }
 
         SeamRelaxer.Relax(surface, adjacency, borders);
+        if (blueprint.Plan == BodyPlan.Legless)
+        {
+            PressFlat(surface);
+        }
+
         for (int i = 0; i < tips.Count; i++)
         {
             DigitTip t = tips[i];
@@ -102,6 +108,16 @@ internal sealed class GrownSurface
             }
 
             return result;
+        }
+    }
+
+    /// <summary>A belly that lies on the ground does not sink into it.</summary>
+    private static void PressFlat(Surface surface)
+    {
+        for (int v = 0; v < surface.Positions.Length; v++)
+        {
+            Vector3 p = surface.Positions[v];
+            surface.Positions[v] = new Vector3(p.X, System.Math.Max(p.Y, 0f), p.Z);
         }
     }
 

@@ -92,10 +92,10 @@ internal static class LegGrower
                 }
 
                 address.Region = SurfaceRegion.Hoof;
-                Cap(surface, leg.Socket, grown.End, end.Tangent, 0f, address);
+                Cap(surface, leg, grown.End, end.Tangent, 0f, address);
                 return;
             case FootEnd.Pad:
-                Cap(surface, leg.Socket, grown.End, end.Tangent, 0f, address);
+                Cap(surface, leg, grown.End, end.Tangent, 0f, address);
                 for (int q = -1; q <= 1; q++)
                 {
                     double a = q * 0.75;
@@ -106,16 +106,17 @@ internal static class LegGrower
 
                 return;
             default:
-                Cap(surface, leg.Socket, grown.End, end.Tangent, radius, address);
+                Cap(surface, leg, grown.End, end.Tangent, radius, address);
                 tips.Add(new DigitTip(end.Centre, Vec.Normalize(end.Tangent), radius, (float)leg.ClawLength, grown.End[0]));
                 return;
         }
     }
 
-    private static void Cap(SurfaceBuilder surface, SocketBlueprint socket, int[] loop, Vector3 outward, float bulge, in VertexAddress address)
+    private static void Cap(SurfaceBuilder surface, LegBlueprint leg, int[] loop, Vector3 outward, float bulge, in VertexAddress address)
     {
+        SocketBlueprint socket = leg.Socket;
         int[] cap = CapGrid.Vertices(surface, loop, socket.Rows, socket.Columns, outward, bulge, address);
-        for (int r = 1; r < socket.Rows && outward.Y < -0.99f; r++)
+        for (int r = 1; r < socket.Rows && leg.Stance == LegStance.Standing; r++)
         {
             for (int c = 1; c < socket.Columns; c++)
             {

@@ -167,8 +167,8 @@ internal sealed class LegPath
         }
         else
         {
-            // A narrow tip stands on its end.
-            joints[last].Y = radii[last].X * 0.9f;
+            // A narrow tip stands on its end, pressed flat a little.
+            joints[last].Y = radii[last].X * 0.5f;
         }
     }
 

@@ -97,7 +97,7 @@ internal static class StanceSampler
                 elevation = 0.10 - lowest;
                 break;
             case BodyPlan.Legless:
-                elevation = -Lowest(s, 24, 55);
+                elevation = LyingElevation(s);
                 break;
             case BodyPlan.Hexapod:
                 elevation = Math.Max(Scalar.Lerp(0.16, 0.34, draw) - lowest, 0.035 - Lowest(s, 23, 55));
@@ -154,6 +154,19 @@ internal static class StanceSampler
         BodyPosture changed = p with { Tail = tail, Neck = neck, TailBend = bend, Torso = torsoPitch };
         draft.Posture = changed;
         return !changed.Equals(p);
+    }
+
+    /// <summary>The elevation at which the raised front of a legless body just clears the ground; its trunk lies on it anyway.</summary>
+    private static double LyingElevation(BodyShape s)
+    {
+        double elevation = 0;
+        for (int i = 12; i < 30; i++)
+        {
+            double below = s.Bottom[i] - s.Y[i];
+            elevation = Math.Max(elevation, below / (1 - BodyShaper.Lying(BodyPlan.Legless, i)));
+        }
+
+        return elevation;
     }
 
     /// <summary>The lowest point of the skin between two rings, the last excluded.</summary>
