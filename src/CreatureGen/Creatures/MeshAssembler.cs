@@ -5,6 +5,7 @@ using CreatureGen.Appearance;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Rigging;
+using CreatureGen.Skinning;
 
 namespace CreatureGen.Creatures;
 

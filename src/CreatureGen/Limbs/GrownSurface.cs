@@ -4,6 +4,7 @@ using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
 using CreatureGen.Anatomy;
+using CreatureGen.Rigging;
 
 namespace CreatureGen.Limbs;
 

@@ -1,8 +1,7 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Rigging;
 
-namespace CreatureGen.Limbs;
+namespace CreatureGen.Rigging;
 
 /// <summary>
 /// What the rig needs to know of something that grew out of the body. Paired appendages are described on the left side; their right side is the mirror image.
