@@ -53,6 +53,26 @@ internal sealed class BodyShape
     /// <summary>Length of the spine from the nose.</summary>
     public double[] Arc { get; } = new double[BodyGrid.Rings];
 
+    /// <summary>The shape moved along z and then scaled about the origin.</summary>
+    public BodyShape Placed(double shift, double scale)
+    {
+        var placed = new BodyShape(Pitch);
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            placed.Y[i] = Y[i] * scale;
+            placed.Z[i] = (Z[i] + shift) * scale;
+            placed.Width[i] = Width[i] * scale;
+            placed.Top[i] = Top[i] * scale;
+            placed.Bottom[i] = Bottom[i] * scale;
+            placed.TopExponent[i] = TopExponent[i];
+            placed.BottomExponent[i] = BottomExponent[i];
+            placed.Step[i] = Step[i] * scale;
+            placed.Arc[i] = Arc[i] * scale;
+        }
+
+        return placed;
+    }
+
     /// <summary>Unit forward direction of the spine at a ring.</summary>
     public Vector3 Forward(int ring) => new(0f, sine[ring], cosine[ring]);
 

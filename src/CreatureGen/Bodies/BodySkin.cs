@@ -74,6 +74,18 @@ internal sealed class BodySkin
         return skin;
     }
 
+    /// <summary>The skin over a shape that was moved along z and then scaled about the origin.</summary>
+    public BodySkin Placed(double shift, double scale)
+    {
+        var placed = new BodySkin(Shape.Placed(shift, scale));
+        for (int v = 0; v < grid.Length; v++)
+        {
+            placed.grid[v] = (grid[v] + new Vector3(0f, 0f, (float)shift)) * (float)scale;
+        }
+
+        return placed;
+    }
+
     /// <summary>A point between the grid's points and the skin's outward direction there. The segment may be any number; 0 is dorsal.</summary>
     public SurfacePoint At(double ring, double segment)
     {

@@ -112,6 +112,33 @@ internal sealed class GrownSurface
         }
     }
 
+    /// <summary>Moves the creature along z and then scales it about the origin.</summary>
+    public GrownSurface Placed(double shift, double scale)
+    {
+        var offset = new Vector3(0f, 0f, (float)shift);
+        float factor = (float)scale;
+        for (int v = 0; v < Surface.Positions.Length; v++)
+        {
+            Surface.Positions[v] = Place(Surface.Positions[v]);
+        }
+
+        foreach (Appendage appendage in Appendages)
+        {
+            appendage.Joints = System.Array.ConvertAll(appendage.Joints, Place);
+            appendage.Contact = Place(appendage.Contact);
+        }
+
+        var tips = new List<DigitTip>(Tips.Count);
+        foreach (DigitTip t in Tips)
+        {
+            tips.Add(new DigitTip(Place(t.Position), t.Direction, t.Radius * factor, t.ClawLength, t.Vertex));
+        }
+
+        return new GrownSurface(Surface, Adjacency, Skin.Placed(shift, scale), Appendages, tips, UpperLip, LowerLip);
+
+        Vector3 Place(Vector3 p) => (p + offset) * factor;
+    }
+
     /// <summary>A belly that lies on the ground does not sink into it.</summary>
     private static void PressFlat(Surface surface)
     {
