@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 
 namespace CreatureGen.Maths;
 
@@ -9,8 +10,25 @@ namespace CreatureGen.Maths;
 public static class MonotoneCubic
 {
     /// <summary>Slopes at the knots; all spans have the length of <paramref name="knots"/> (at least 2).</summary>
+    /// <param name="knots">Strictly ascending.</param>
+    /// <param name="values">Finite values at the knots.</param>
+    /// <param name="slopes">Filled with the slopes that both <c>Evaluate</c> methods take.</param>
+    /// <exception cref="ArgumentException">The lengths differ or are less than 2, or the knots do not ascend.</exception>
     public static void Slopes(ReadOnlySpan<double> knots, ReadOnlySpan<double> values, Span<double> slopes)
     {
+        if (knots.Length < 2 || values.Length != knots.Length || slopes.Length != knots.Length)
+        {
+            throw new ArgumentException(string.Format(CultureInfo.InvariantCulture, "{0} knots, {1} values and {2} slopes; expected the same number of each, at least 2", knots.Length, values.Length, slopes.Length), nameof(knots));
+        }
+
+        for (int i = 1; i < knots.Length; i++)
+        {
+            if (!(knots[i] > knots[i - 1]))
+            {
+                throw new ArgumentException(string.Format(CultureInfo.InvariantCulture, "knots[{0}] = {1:R} after {2:R}; expected strictly ascending knots", i, knots[i], knots[i - 1]), nameof(knots));
+            }
+        }
+
         int last = knots.Length - 1;
         if (last == 1)
         {
