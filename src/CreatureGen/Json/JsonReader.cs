@@ -1,0 +1,289 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
+
+namespace CreatureGen.Json;
+
+/// <summary>Reads JSON text strictly by RFC 8259. Whatever the text is, the answer is a document or a report, never an exception.</summary>
+internal ref struct JsonReader
+{
+    /// <summary>Objects with more members than this find them by a hash table.</summary>
+    private const int SmallObject = 8;
+
+    /// <summary>Problems beyond these are not told.</summary>
+    private const int MaximumProblems = 100;
+
+    private const string AnyValue = "a value";
+
+    private readonly JsonLimits limits;
+    private readonly List<JsonProblem> problems;
+    private JsonScanner scanner;
+    private int values;
+
+    private JsonReader(ReadOnlySpan<byte> text, JsonLimits limits)
+    {
+        this.limits = limits;
+        problems = new List<JsonProblem>();
+        scanner = new JsonScanner(text);
+        values = 0;
+    }
+
+    /// <summary>Reads a whole document. A byte order mark before it is passed over.</summary>
+    public static JsonReading Read(ReadOnlySpan<byte> utf8, JsonLimits limits)
+    {
+        if (utf8.Length > limits.MaximumBytes)
+        {
+            return TooLong(limits);
+        }
+
+        bool marked = utf8.Length >= 3 && utf8[0] == 0xEF && utf8[1] == 0xBB && utf8[2] == 0xBF;
+        var reader = new JsonReader(marked ? utf8.Slice(3) : utf8, limits);
+        JsonValue? root = reader.ReadDocument();
+        return new JsonReading(root, reader.problems);
+    }
+
+    /// <summary>Reads a whole document.</summary>
+    public static JsonReading Read(string text, JsonLimits limits)
+    {
+        if (text.Length > limits.MaximumBytes)
+        {
+            return TooLong(limits);
+        }
+
+        int broken = LoneSurrogate(text);
+        if (broken >= 0)
+        {
+            var before = new JsonScanner(Encoding.UTF8.GetBytes(text.Substring(0, broken)));
+            before.SkipToEnd();
+            return Rejected(new JsonProblem("", before.Position, "half of a surrogate pair", "whole characters"));
+        }
+
+        return Read(Encoding.UTF8.GetBytes(text), limits);
+    }
+
+    private static JsonReading TooLong(JsonLimits limits)
+    {
+        string most = limits.MaximumBytes.ToString(CultureInfo.InvariantCulture);
+        return Rejected(new JsonProblem("", new JsonPosition(1, 1), "a longer text", "at most " + most + " bytes"));
+    }
+
+    private static JsonReading Rejected(JsonProblem problem) => new(null, new[] { problem });
+
+    private static int LoneSurrogate(string text)
+    {
+        for (int i = 0; i < text.Length; i++)
+        {
+            if (!char.IsSurrogate(text[i]))
+            {
+                continue;
+            }
+
+            if (!char.IsHighSurrogate(text[i]) || i + 1 == text.Length || !char.IsLowSurrogate(text[i + 1]))
+            {
+                return i;
+            }
+
+            i++;
+        }
+
+        return -1;
+    }
+
+    private static bool Contains(List<JsonMember> members, Dictionary<string, JsonValue>? lookup, string name)
+    {
+        if (lookup != null)
+        {
+            return lookup.ContainsKey(name);
+        }
+
+        foreach (JsonMember member in members)
+        {
+            if (string.Equals(member.Name, name, StringComparison.Ordinal))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static Dictionary<string, JsonValue> Lookup(List<JsonMember> members)
+    {
+        var lookup = new Dictionary<string, JsonValue>(StringComparer.Ordinal);
+        foreach (JsonMember member in members)
+        {
+            lookup.Add(member.Name, member.Value);
+        }
+
+        return lookup;
+    }
+
+    private JsonValue? ReadDocument()
+    {
+        scanner.SkipSpace();
+        JsonValue? root = ReadValue(JsonPath.Root, 0);
+        if (root is null)
+        {
+            return null;
+        }
+
+        scanner.SkipSpace();
+        return scanner.IsAtEnd ? root : Fail(JsonPath.Root, "the end of the text");
+    }
+
+    private JsonValue? ReadValue(JsonPath path, int depth)
+    {
+        if (++values > limits.MaximumValues)
+        {
+            return Fail(path, "more values", "at most " + limits.MaximumValues.ToString(CultureInfo.InvariantCulture) + " values");
+        }
+
+        JsonPosition position = scanner.Position;
+        byte next = scanner.Next;
+        switch (next)
+        {
+            case (byte)'{':
+            case (byte)'[':
+                if (depth == JsonLimits.MaximumDepth)
+                {
+                    string most = JsonLimits.MaximumDepth.ToString(CultureInfo.InvariantCulture);
+                    return Fail(path, "deeper nesting", "at most " + most + " levels");
+                }
+
+                scanner.TryTake((char)next);
+                return next == (byte)'{' ? ReadObject(path, position, depth + 1) : ReadArray(path, position, depth + 1);
+            case (byte)'"':
+                string? text = scanner.TakeText();
+                return text is null ? Fail(path, scanner.Expectation) : JsonValue.OfText(text, path, position);
+            case (byte)'t':
+                return ReadWord("true", JsonKind.Boolean, path, position);
+            case (byte)'f':
+                return ReadWord("false", JsonKind.Boolean, path, position);
+            case (byte)'n':
+                return ReadWord("null", JsonKind.Null, path, position);
+            case (byte)'-':
+            case >= (byte)'0' and <= (byte)'9':
+                string? number = scanner.TakeNumber(out double value);
+                return number is null ? Fail(path, scanner.Expectation) : JsonValue.OfNumber(number, value, path, position);
+            default:
+                return Fail(path, AnyValue);
+        }
+    }
+
+    private JsonValue? ReadObject(JsonPath path, JsonPosition position, int depth)
+    {
+        var members = new List<JsonMember>();
+        Dictionary<string, JsonValue>? lookup = null;
+        scanner.SkipSpace();
+        if (scanner.TryTake('}'))
+        {
+            return JsonValue.OfObject(members, null, path, position);
+        }
+
+        while (true)
+        {
+            JsonPosition namePosition = scanner.Position;
+            if (scanner.Next != (byte)'"')
+            {
+                return Fail(path, "a name in quotation marks");
+            }
+
+            string? name = scanner.TakeText();
+            if (name is null)
+            {
+                return Fail(path, scanner.Expectation);
+            }
+
+            JsonPath memberPath = path.Member(name);
+            scanner.SkipSpace();
+            if (!scanner.TryTake(':'))
+            {
+                return Fail(memberPath, "':'");
+            }
+
+            scanner.SkipSpace();
+            JsonValue? value = ReadValue(memberPath, depth);
+            if (value is null)
+            {
+                return null;
+            }
+
+            if (Contains(members, lookup, name))
+            {
+                Report(new JsonProblem(memberPath.ToString(), namePosition, "a second member of this name", "one"));
+            }
+            else
+            {
+                members.Add(new JsonMember(name, value));
+                lookup?.Add(name, value);
+                lookup ??= members.Count > SmallObject ? Lookup(members) : null;
+            }
+
+            scanner.SkipSpace();
+            if (scanner.TryTake('}'))
+            {
+                return JsonValue.OfObject(members, lookup, path, position);
+            }
+
+            if (!scanner.TryTake(','))
+            {
+                return Fail(path, "',' or '}'");
+            }
+
+            scanner.SkipSpace();
+        }
+    }
+
+    private JsonValue? ReadArray(JsonPath path, JsonPosition position, int depth)
+    {
+        var items = new List<JsonValue>();
+        scanner.SkipSpace();
+        if (scanner.TryTake(']'))
+        {
+            return JsonValue.OfArray(items, path, position);
+        }
+
+        while (true)
+        {
+            JsonValue? item = ReadValue(path.Element(items.Count), depth);
+            if (item is null)
+            {
+                return null;
+            }
+
+            items.Add(item);
+            scanner.SkipSpace();
+            if (scanner.TryTake(']'))
+            {
+                return JsonValue.OfArray(items, path, position);
+            }
+
+            if (!scanner.TryTake(','))
+            {
+                return Fail(path, "',' or ']'");
+            }
+
+            scanner.SkipSpace();
+        }
+    }
+
+    private JsonValue? ReadWord(string word, JsonKind kind, JsonPath path, JsonPosition position) =>
+        scanner.TryTakeWord(word) ? JsonValue.OfWord(kind, word, path, position) : Fail(path, AnyValue);
+
+    private JsonValue? Fail(JsonPath path, string expectation) => Fail(path, scanner.FoundHere(), expectation);
+
+    private JsonValue? Fail(JsonPath path, string found, string expectation)
+    {
+        Report(new JsonProblem(path.ToString(), scanner.Position, found, expectation));
+        return null;
+    }
+
+    private void Report(JsonProblem problem)
+    {
+        if (problems.Count < MaximumProblems)
+        {
+            problems.Add(problem);
+        }
+    }
+}
