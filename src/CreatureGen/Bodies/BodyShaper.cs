@@ -48,11 +48,15 @@ internal static class BodyShaper
         ApplyDepth(body.Proportions, width, top, bottom);
         ShapeTail(tail, width, top, bottom);
 
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            pitch[i] += body.Posture.Trunk * Scalar.Smooth((i - 12) / 8.0);
+        }
+
         Smooth(pitch);
         LimitCurvature(pitch, step, top, bottom);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            pitch[i] += body.Posture.Trunk * Scalar.Smooth((i - 12) / 8.0);
             pitch[i] *= 1 - Lying(plan, i);
         }
 

@@ -24,6 +24,9 @@ internal sealed class MouthSlit
     /// <summary>Radians. Lips touch without crossing.</summary>
     private const double LipGap = 0.012;
 
+    /// <summary>Half height of the closed mouth's inside relative to the thickness of the head.</summary>
+    private const float Cavity = 0.5f;
+
     private readonly int corner;
     private readonly int[] upper;
     private readonly int[] lower;
@@ -42,22 +45,19 @@ internal sealed class MouthSlit
     public IReadOnlyList<int> LowerLip => lower;
 
     /// <summary>Adds the faces of the body, the caps of nose and tail, and the mouth.</summary>
-    public static MouthSlit CloseBody(BodySurface body, HeadBlueprint head)
+    public static MouthSlit CloseBody(BodySurface body, HeadBlueprint head, TailStyle tailStyle)
     {
         SurfaceBuilder surface = body.Surface;
         BodyShape shape = body.Skin.Shape;
         int corner = head.Mouth.CornerRing;
         float noseBulge = (float)shape.Width[0] * 0.75f;
         int[] cap = CapGrid.Vertices(surface, body.NoseLoop(), CapCells, CapCells, shape.Forward(0), noseBulge, Address(SurfaceRegion.Nose, 0f, 0));
-        PairCap(surface, cap);
+        PairCap(surface, cap, CapCells, CapCells);
         MouthSlit mouth = corner == 0 ? new MouthSlit(0, Array.Empty<int>(), Array.Empty<int>()) : Split(surface, body, cap, corner);
         body.AddFaces(mouth);
         mouth.FillNose(surface, cap, (float)shape.Width[0] * 2f);
 
-        int last = BodyGrid.Rings - 1;
-        int[] tail = CapGrid.Vertices(surface, body.TailLoop(), CapCells, CapCells, -shape.Forward(last), (float)Math.Min(shape.Width[last], Math.Min(shape.Top[last], shape.Bottom[last])) * 0.9f, Address(SurfaceRegion.Body, 1f, last));
-        PairCap(surface, tail);
-        FillMirrored(surface, tail, surface.NewChart(), (float)shape.Width[last] * 2f, (v, _, _) => v);
+        CloseTail(body, tailStyle);
         if (corner > 0)
         {
             mouth.OpenJaw(surface, body, cap, head.Mouth);
@@ -82,23 +82,42 @@ internal sealed class MouthSlit
     private static VertexAddress Address(SurfaceRegion region, float along, int ring) =>
         new() { Region = region, Appendage = -1, Sign = 1, Along = along, Ring = ring };
 
-    /// <summary>Tells the inner vertices of a cap their side, mirror image, and place around the body.</summary>
-    private static void PairCap(SurfaceBuilder surface, int[] cap)
+    /// <summary>Closes the tip of the tail: round ends with a square grid, flat ones with a narrow grid along their edge.</summary>
+    private static void CloseTail(BodySurface body, TailStyle style)
     {
-        const int Stride = CapCells + 1;
-        for (int r = 1; r < CapCells; r++)
+        SurfaceBuilder surface = body.Surface;
+        BodyShape shape = body.Skin.Shape;
+        int last = BodyGrid.Rings - 1;
+        int rows = style switch { TailStyle.Plain => CapCells, TailStyle.Feathers or TailStyle.Fluke => 2, _ => (2 * CapCells) - 2 };
+        int columns = (2 * CapCells) - rows;
+        float bulge = style == TailStyle.Plain ? (float)Math.Min(shape.Width[last], Math.Min(shape.Top[last], shape.Bottom[last])) * 0.9f : 0f;
+        int[] tail = CapGrid.Vertices(surface, body.TailLoop(), rows, columns, -shape.Forward(last), bulge, Address(SurfaceRegion.Body, 1f, last));
+        if (style != TailStyle.Plain)
         {
-            for (int c = 1; c < CapCells; c++)
+            CapGrid.Rule(surface, tail, rows, columns);
+        }
+
+        PairCap(surface, tail, rows, columns);
+        FillMirrored(surface, tail, rows, columns, surface.NewChart(), (float)shape.Width[last] * 2f, (v, _) => v);
+    }
+
+    /// <summary>Tells the inner vertices of a cap their side, mirror image, and place around the body.</summary>
+    private static void PairCap(SurfaceBuilder surface, int[] cap, int rows, int columns)
+    {
+        int stride = columns + 1;
+        bool leftFirst = surface.Positions[cap[stride * (rows / 2)]].X > 0;
+        for (int r = 1; r < rows; r++)
+        {
+            for (int c = 1; c < columns; c++)
             {
-                int v = cap[(r * Stride) + c];
-                int m = cap[(r * Stride) + (CapCells - c)];
+                int v = cap[(r * stride) + c];
+                int m = cap[(r * stride) + (columns - c)];
                 surface.Mirror[v] = m;
                 Vector3 p = surface.Positions[v];
-                surface.Positions[v] = c == CapCells / 2 ? new Vector3(0f, p.Y, p.Z) : c > CapCells / 2 ? Vec.Mirror(surface.Positions[m]) : p;
+                surface.Positions[v] = 2 * c == columns ? new Vector3(0f, p.Y, p.Z) : 2 * c > columns ? Vec.Mirror(surface.Positions[m]) : p;
                 VertexAddress address = surface.Addresses[v];
-                double around = PortableMath.Atan2(Math.Abs(c - (CapCells / 2)), (CapCells / 2) - r);
-                bool left = (surface.Positions[cap[Stride * 4]].X > 0) == (c < CapCells / 2);
-                address.Sign = (sbyte)(c == CapCells / 2 || left ? 1 : -1);
+                double around = PortableMath.Atan2(Math.Abs((2.0 * c / columns) - 1), 1 - (2.0 * r / rows));
+                address.Sign = (sbyte)(2 * c == columns || leftFirst == (2 * c < columns) ? 1 : -1);
                 address.Around = (float)around;
                 address.Segment = (float)((address.Sign > 0 ? around : PortableMath.Tau - around) * BodyGrid.Segments / PortableMath.Tau);
                 surface.Addresses[v] = address;
@@ -150,7 +169,7 @@ internal sealed class MouthSlit
     private void FillNose(SurfaceBuilder surface, int[] cap, float size)
     {
         const int Stride = CapCells + 1;
-        FillMirrored(surface, cap, surface.NewChart(), size, (v, row, _) =>
+        FillMirrored(surface, cap, CapCells, CapCells, surface.NewChart(), size, (v, row) =>
         {
             if (row < CapRow || corner == 0)
             {
@@ -169,20 +188,20 @@ internal sealed class MouthSlit
         });
     }
 
-    /// <summary>Fills a cap so that its left and right halves split along mirrored diagonals. <paramref name="replace"/> gets vertex, row and column of the cell.</summary>
-    private static void FillMirrored(SurfaceBuilder surface, int[] cap, int chart, float size, Func<int, int, int, int> replace)
+    /// <summary>Fills a cap so that its left and right halves split along mirrored diagonals. <paramref name="replace"/> gets vertex and row of the cell.</summary>
+    private static void FillMirrored(SurfaceBuilder surface, int[] cap, int rows, int columns, int chart, float size, Func<int, int, int> replace)
     {
-        const int Stride = CapCells + 1;
-        for (int r = 0; r < CapCells; r++)
+        int stride = columns + 1;
+        for (int r = 0; r < rows; r++)
         {
-            for (int c = 0; c < CapCells; c++)
+            for (int c = 0; c < columns; c++)
             {
-                int a = replace(cap[(r * Stride) + c], r, c);
-                int b = replace(cap[(r * Stride) + c + 1], r, c);
-                int d = replace(cap[((r + 1) * Stride) + c + 1], r, c);
-                int e = replace(cap[((r + 1) * Stride) + c], r, c);
-                FaceTexcoords t = CapGrid.CellTexcoords(r, c, CapCells, CapCells, new Vector2(size, size));
-                if (c < CapCells / 2)
+                int a = replace(cap[(r * stride) + c], r);
+                int b = replace(cap[(r * stride) + c + 1], r);
+                int d = replace(cap[((r + 1) * stride) + c + 1], r);
+                int e = replace(cap[((r + 1) * stride) + c], r);
+                FaceTexcoords t = CapGrid.CellTexcoords(r, c, rows, columns, new Vector2(size, size));
+                if (2 * c < columns)
                 {
                     surface.Quad(a, b, d, e, chart, t);
                 }
@@ -269,6 +288,10 @@ internal sealed class MouthSlit
                     int ring = Math.Min(corner, Math.Max(0, Math.Abs(k - (last / 2)) - 4));
                     int inner = Math.Max(ring, Math.Min(4, corner));
                     Vector3 axis = shape.Centre(inner) + (shape.Up(inner) * Vec.Dot(p - shape.Centre(ring), shape.Up(ring)));
+
+                    // The bag opens inwards even behind closed lips, or its walls would touch.
+                    float room = Cavity * (float)Math.Min(shape.Top[inner], shape.Bottom[inner]) * Scalar.Smooth(Math.Min(k, last - k) / 3f);
+                    axis += shape.Up(inner) * (room * (1f - (2f * t)));
                     VertexAddress address = surface.Addresses[upper[k]];
                     address.Region = SurfaceRegion.Mouth;
                     address.Around += t * 0.05f;

@@ -56,6 +56,21 @@ internal static class CapGrid
         return grid;
     }
 
+    /// <summary>Lays the inner vertices of a long narrow grid on straight lines across it: right for an end that is thin and wavy.</summary>
+    public static void Rule(SurfaceBuilder surface, int[] grid, int rows, int columns)
+    {
+        int stride = columns + 1;
+        for (int r = 1; r < rows; r++)
+        {
+            for (int c = 1; c < columns; c++)
+            {
+                Vector3 from = surface.Positions[rows < columns ? grid[c] : grid[r * stride]];
+                Vector3 to = surface.Positions[rows < columns ? grid[(rows * stride) + c] : grid[(r * stride) + columns]];
+                surface.Positions[grid[(r * stride) + c]] = Vec.Lerp(from, to, rows < columns ? (float)r / rows : (float)c / columns);
+            }
+        }
+    }
+
     /// <summary>Adds the quads of a grid made by <see cref="Vertices"/>, with flat texture coordinates in the given chart.</summary>
     public static void Fill(SurfaceBuilder surface, int[] grid, int rows, int columns, int chart, Vector2 size)
     {

@@ -71,7 +71,7 @@ internal sealed class GrownSurface
             Take(EarGrower.Grow(body, ear, appendages.Count), ear.Socket);
         }
 
-        MouthSlit mouth = MouthSlit.CloseBody(body, blueprint.Head);
+        MouthSlit mouth = MouthSlit.CloseBody(body, blueprint.Head, blueprint.Tail.Style);
         Surface surface = Surface.From(builder, out int[] index);
         var adjacency = new SurfaceAdjacency(surface.Positions.Length, surface.Faces);
         for (int i = 0; i < borders.Count; i++)

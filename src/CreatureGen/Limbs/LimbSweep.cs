@@ -188,14 +188,11 @@ internal sealed class LimbSweep
                 }
 
                 p = Vec.Lerp(root[k] + (centres[q] - centres[0]), p, blend);
-                if (q > 1)
+                float need = least - Vec.Dot(p - surface.Positions[previous[k]], advance);
+                p += advance * Math.Max(need, 0f);
+                if (KeepOut != null)
                 {
-                    float need = least - Vec.Dot(p - surface.Positions[previous[k]], advance);
-                    p += advance * Math.Max(need, 0f);
-                    if (KeepOut != null)
-                    {
-                        p = KeepOut.Push(p);
-                    }
+                    p = KeepOut.Push(p);
                 }
 
                 p.Y = Math.Max(p.Y, Floor);
