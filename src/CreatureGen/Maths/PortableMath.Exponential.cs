@@ -70,7 +70,7 @@ public static partial class PortableMath
         return LogAsSum(x, out _);
     }
 
-    /// <summary>x to the power y, within 0.7 ulp; whole powers of negative numbers included, other powers of them give NaN.</summary>
+    /// <summary>x to the power y, within 0.8 ulp; whole powers of negative numbers included, other powers of them give NaN.</summary>
     /// <remarks>e to the power of y times the logarithm, the logarithm and the product held to some 100 bits. Powers that a double can hold exactly are exact.</remarks>
     public static double Pow(double x, double y)
     {

@@ -36,7 +36,7 @@ public static partial class PortableMath
         3.061616997868383e-17,
     };
 
-    /// <summary>Angle of the point (x, y), radians, −π..π, within 0.8 ulp.</summary>
+    /// <summary>Angle of the point (x, y), radians, −π..π, within 0.85 ulp.</summary>
     /// <remarks>Zeros keep their signs as in IEEE 754: the angle of (−0, +0) is π, that of (−0, −0) is −π; infinities count as equal to each other.</remarks>
     public static double Atan2(double y, double x)
     {
@@ -69,7 +69,7 @@ public static partial class PortableMath
         return below ? -angle : angle;
     }
 
-    /// <summary>Angle whose tangent is x, radians, −π/2..π/2, within 0.8 ulp; infinities give ±π/2.</summary>
+    /// <summary>Angle whose tangent is x, radians, −π/2..π/2, within 0.85 ulp; infinities give ±π/2.</summary>
     public static double Atan(double x)
     {
         double rise = Math.Abs(x);
@@ -82,7 +82,7 @@ public static partial class PortableMath
         return x < 0 ? -angle : angle;
     }
 
-    /// <summary>Angle whose sine is x, radians, −π/2..π/2, within 0.8 ulp; NaN outside −1..1.</summary>
+    /// <summary>Angle whose sine is x, radians, −π/2..π/2, within 0.85 ulp; NaN outside −1..1.</summary>
     public static double Asin(double x)
     {
         double rise = Math.Abs(x);
@@ -101,7 +101,7 @@ public static partial class PortableMath
         return x < 0 ? -angle : angle;
     }
 
-    /// <summary>Angle whose cosine is x, radians, 0..π, within 0.8 ulp; NaN outside −1..1.</summary>
+    /// <summary>Angle whose cosine is x, radians, 0..π, within 0.85 ulp; NaN outside −1..1.</summary>
     public static double Acos(double x)
     {
         double run = Math.Abs(x);
