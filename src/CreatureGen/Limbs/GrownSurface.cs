@@ -79,6 +79,7 @@ internal sealed class GrownSurface
             borders[i] = index[borders[i]];
         }
 
+        AddToeRoots(surface, adjacency, borders);
         SeamRelaxer.Relax(surface, adjacency, borders);
         if (blueprint.Plan == BodyPlan.Legless)
         {
@@ -137,6 +138,27 @@ internal sealed class GrownSurface
         return new GrownSurface(Surface, Adjacency, Skin.Placed(shift, scale), Appendages, tips, UpperLip, LowerLip);
 
         Vector3 Place(Vector3 p) => (p + offset) * factor;
+    }
+
+    /// <summary>Toes grow out of the end of a leg as a leg does out of the body: their roots are seams too.</summary>
+    private static void AddToeRoots(Surface surface, SurfaceAdjacency adjacency, List<int> borders)
+    {
+        for (int v = 0; v < surface.Positions.Length; v++)
+        {
+            if (surface.Addresses[v].Region != SurfaceRegion.Leg || surface.Addresses[v].Along < 1f || surface.Addresses[v].Sign < 0)
+            {
+                continue;
+            }
+
+            foreach (int n in adjacency.Of(v))
+            {
+                if (surface.Addresses[n].Region == SurfaceRegion.Toe)
+                {
+                    borders.Add(v);
+                    break;
+                }
+            }
+        }
     }
 
     /// <summary>A belly that lies on the ground does not sink into it.</summary>

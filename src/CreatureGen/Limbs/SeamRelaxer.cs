@@ -8,7 +8,7 @@ namespace CreatureGen.Limbs;
 /// <summary>Smooths the surface where limbs grow out of the body: uniform Laplacian steps on the socket's border and two rings on either side of it.</summary>
 internal static class SeamRelaxer
 {
-    private const int Iterations = 3;
+    private const int Iterations = 8;
     private const float Border = 0.55f;
     private const float FirstRing = 0.4f;
     private const float SecondRing = 0.18f;
@@ -77,6 +77,9 @@ internal static class SeamRelaxer
 
                 Vector3 p = moved[i];
                 p.X = surface.Mirror[v] == v ? 0f : p.X;
+
+                // A sole stays on the ground.
+                p.Y = surface.Positions[v].Y == 0f ? 0f : p.Y;
                 surface.Positions[v] = p;
                 surface.Positions[surface.Mirror[v]] = surface.Mirror[v] == v ? p : Vec.Mirror(p);
             }
@@ -96,6 +99,7 @@ internal static class SeamRelaxer
     {
         SurfaceRegion.Fin or SurfaceRegion.Wing => 0.35f,
         SurfaceRegion.Ear or SurfaceRegion.EarInside => 0.3f,
+        SurfaceRegion.Toe => 0.5f,
         SurfaceRegion.Mouth or SurfaceRegion.Lip => 0f,
         _ => 1f,
     };
