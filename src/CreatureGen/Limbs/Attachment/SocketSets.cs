@@ -128,7 +128,7 @@ internal static class SocketSets
         return row;
     }
 
-    /// <summary>Fore and hind legs of a winged quadruped, hanging at 24 to 28 and 38 to 41.</summary>
+    /// <summary>Fore and hind legs of a winged quadruped, two pairs, hanging at 24 to 28 and 38 to 41.</summary>
     public static IReadOnlyList<LimbSocket> DragonLegs()
     {
         var row = new List<LimbSocket>();
@@ -145,13 +145,15 @@ internal static class SocketSets
         return row;
     }
 
-    /// <summary>Legs of a winged insect, hanging at any ring from 23 to 42.</summary>
+    /// <summary>Legs of a winged insect, hanging at any ring from 22 to 39: room for eight pairs.</summary>
     public static IReadOnlyList<LimbSocket> WingedInsectLegs()
     {
+        const int First = 22;
+        const int Last = 39;
         var row = new List<LimbSocket>();
-        for (int ring = 23; ring <= 42; ring++)
+        for (int ring = First; ring <= Last; ring++)
         {
-            double azimuth = 0.45 - (1.15 * (ring - 23) / (42.0 - 23.0));
+            double azimuth = 0.45 - (1.15 * (ring - First) / (Last - First));
             row.Add(Insect(ring, 10.6, azimuth) with { Girth = 0.22 });
         }
 
