@@ -41,7 +41,7 @@ internal static class SocketSets
         };
         LimbSocket rear = Under(41, 10.6, hind, hindGirth);
         LimbSocket front = Under(27, 10.9, fore, foreGirth);
-        var arms = new ArmAnatomy(List(Arm(23, 9.5, 0.42)), List(front with { Ring = 30 }, rear), 0.02, 0.5, 0.45);
+        var arms = new ArmAnatomy(List(Arm(23, 9.5, 0.42)), List(front with { Ring = 30 }, rear), 0.04, 0.6, 0.45);
         return new SocketSet(plan, List(front, rear), 2, arms, new StanceLimits(least, 0.45, -0.12, 0.12, 4, 1.3, BodyPlan.Sprawling, BodyPlan.Theropod));
     }
 
@@ -88,7 +88,7 @@ internal static class SocketSets
             BodyPlan.Theropod,
             hips,
             1,
-            new ArmAnatomy(List(Arm(26, 10.2, 0.40)), hips, 0.05, 0.7, 0.40),
+            new ArmAnatomy(List(Arm(26, 10.2, 0.40)), hips, 0.25, 1, 0.40),
             new StanceLimits(0.28, 0.45, -0.05, 0.5, 22, 1.6, BodyPlan.Sprawling, BodyPlan.Legless));
     }
 

@@ -148,6 +148,14 @@ public sealed class LegRulesTests
     }
 
     [Fact]
+    public void When_no_bone_on_the_other_side_balances_the_nearest_is_taken()
+    {
+        double[] widths = { 0.15, 0.15, 0.15, 0.15, 0.15, 0.15, 0.15, 0.15, 0.15, 0.15, 0.4 };
+        SpineMeasure measure = Spines.Level(widths, 0.15, 0.6, massZ: 3);
+        Assert.Equal(new[] { 10, 4 }, Spines.Choose(measure, Spines.EveryBone(measure)).Sockets);
+    }
+
+    [Fact]
     public void Each_chosen_bone_is_served_by_the_nearest_place_of_the_anatomy()
     {
         // The widest bones are 4 (ring 31) and 9 (ring 41); the places are at rings 28 and 39.
