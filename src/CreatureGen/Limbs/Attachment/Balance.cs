@@ -67,6 +67,12 @@ internal static class Balance
             return new Standing(shift, 0, hull.Margin(0, centreOfMass.Z - shift), 0);
         }
 
+        double margin = hull.Margin(0, centreOfMass.Z - allowed);
+        if (margin >= LeastMargin)
+        {
+            return new Standing(allowed, 0, margin, 0);
+        }
+
         // A centre of mass that lies further back by d needs feet that lie further back by d.
         double missing = shift - allowed;
         double pitch = PitchFor(centreOfMass, limits.Pivot, -missing);
@@ -77,12 +83,13 @@ internal static class Balance
 
         double bound = missing > 0 ? limits.MaximumPitch : -limits.MaximumPitch;
         double moved = Pitched(centreOfMass, limits.Pivot, bound).Z - centreOfMass.Z;
-        bool helps = missing * moved < 0;
-        return new Standing(
-            allowed,
-            helps ? bound : 0,
-            hull.Margin(0, centreOfMass.Z + (helps ? moved : 0) - allowed),
-            missing + (helps ? moved : 0));
+        if (missing * moved >= 0)
+        {
+            return new Standing(allowed, 0, margin, missing);
+        }
+
+        margin = hull.Margin(0, centreOfMass.Z + moved - allowed);
+        return new Standing(allowed, bound, margin, margin >= LeastMargin ? 0 : missing + moved);
     }
 
     /// <summary>A point of the torso after it is pitched up about a pivot.</summary>

@@ -64,7 +64,7 @@ internal sealed record FinAnatomy(
         44,
         midline,
         new CountRange(1, 2),
-        new[] { new FinSite(22, 10, 1), new FinSite(24, 10.5, 0.6), new FinSite(34, 12, 0.35) },
+        new[] { new FinSite(22, 10, 1), new FinSite(24, 10.5, 0.6), new FinSite(34, 12, 0.1) },
         paddle,
         new[] { new TailChoice(TailStyle.Fork, 1), new TailChoice(TailStyle.Fan, 0.8), new TailChoice(TailStyle.Lance, 0.3) });
 

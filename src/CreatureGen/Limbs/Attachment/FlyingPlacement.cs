@@ -38,7 +38,7 @@ internal sealed record FlierLegAnatomy(IReadOnlyList<LimbSocket> Sockets, double
     public static FlierLegAnatomy Bird { get; } = new(SocketSets.BirdLegs(), 0.58, LegSize.Nominal);
 
     /// <summary>Fore and hind legs of a winged quadruped.</summary>
-    public static FlierLegAnatomy Dragon { get; } = new(SocketSets.DragonLegs(), 0.80, LegSize.Nominal);
+    public static FlierLegAnatomy Dragon { get; } = new(SocketSets.DragonLegs(), 0.72, LegSize.Nominal);
 
     /// <summary>Legs of a winged insect.</summary>
     public static FlierLegAnatomy Insect { get; } = new(SocketSets.WingedInsectLegs(), 0.55, LegSize.Nominal with { Foot = 1, Toes = 0 });
@@ -54,6 +54,6 @@ internal sealed record WingPlacement(int Bone, double Ring, SocketBlueprint? Soc
 /// <summary>Where a flier's limbs are.</summary>
 /// <param name="Motion">How its wings beat.</param>
 /// <param name="Wings">Pairs of wings, front to rear.</param>
-/// <param name="Legs">Pairs of hanging legs, front to rear; may be fewer than asked for when no bone is free.</param>
+/// <param name="Legs">Pairs of hanging legs, front to rear; fewer than asked for when no more find a free bone.</param>
 /// <param name="LegFactor">Factor on the size of every leg, already in the placements: the more legs, the smaller.</param>
 internal sealed record FlyingPlacement(WingMotion Motion, IReadOnlyList<WingPlacement> Wings, IReadOnlyList<LegPlacement> Legs, double LegFactor);

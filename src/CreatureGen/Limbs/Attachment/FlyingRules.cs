@@ -71,9 +71,21 @@ internal static class FlyingRules
         RandomStream wingStream = seed.Child("wings").Stream();
         List<WingPlacement> wings = motion == WingMotion.Buzzing ? Buzzing(measure, wingPairs, wingStream) : Flapping(measure, grid, wingStream);
         RandomStream legStream = seed.Child("legs").Stream();
-        (List<LegPlacement> placed, double factor) = legs.Arrangement == LegArrangement.Clustered
-            ? Clustered(measure, legs.Pairs, anatomy, grid, legStream)
-            : Spread(measure, legs.Pairs, anatomy, grid, legStream);
+        double spread = legStream.Uniform(0.9, 1.1);
+        int firstBone = legStream.Integer(0, FrontHalf(measure));
+        var placed = new List<LegPlacement>();
+        double factor = LegFactor(legs.Pairs) * spread;
+        for (int pairs = legs.Pairs; pairs > 0 && placed.Count == 0; pairs--)
+        {
+            // Fewer legs are larger: each number is tried with its own size, and the greatest that finds free bones for all is taken.
+            factor = LegFactor(pairs) * spread;
+            List<LegPlacement> candidates = Hanging(measure, anatomy, factor);
+            List<LegPlacement> trial = legs.Arrangement == LegArrangement.Clustered
+                ? Clustered(candidates, pairs, measure.Along(firstBone), grid.Copy())
+                : Spread(candidates, pairs, grid.Copy());
+            placed = trial.Count == pairs ? trial : placed;
+        }
+
         placed.Sort((a, b) => a.Along.CompareTo(b.Along));
         return new FlyingPlacement(motion, wings, placed, factor);
     }
@@ -125,20 +137,11 @@ internal static class FlyingRules
         return wings;
     }
 
-    private static (List<LegPlacement> Legs, double Factor) Clustered(SpineMeasure measure, int pairs, FlierLegAnatomy anatomy, SocketGrid grid, RandomStream stream)
+    /// <summary>The first pair at the place nearest to a bone, the others around it, the nearest free place first.</summary>
+    private static List<LegPlacement> Clustered(List<LegPlacement> candidates, int pairs, double along, SocketGrid grid)
     {
-        double spread = SizeSpread(stream);
-        int firstBone = stream.Integer(0, FrontHalf(measure));
-        double factor = LegFactor(pairs) * spread;
         var placed = new List<LegPlacement>();
-        if (pairs == 0)
-        {
-            return (placed, factor);
-        }
-
-        // The others gather around the first, the nearest free place first.
-        List<LegPlacement> candidates = Hanging(measure, anatomy, factor);
-        double centre = NearestTo(candidates, measure.Along(firstBone)).Along;
+        double centre = NearestTo(candidates, along).Along;
         candidates.Sort((a, b) =>
         {
             int byDistance = Math.Abs(a.Along - centre).CompareTo(Math.Abs(b.Along - centre));
@@ -149,34 +152,23 @@ internal static class FlyingRules
             TryAdd(candidates[i], placed, grid);
         }
 
-        return (placed, factor);
+        return placed;
     }
 
-    private static (List<LegPlacement> Legs, double Factor) Spread(SpineMeasure measure, int pairs, FlierLegAnatomy anatomy, SocketGrid grid, RandomStream stream)
+    /// <summary>Each pair in the middle of its equal share of the stretch that may carry legs, at the nearest place.</summary>
+    private static List<LegPlacement> Spread(List<LegPlacement> candidates, int pairs, SocketGrid grid)
     {
-        double spread = SizeSpread(stream);
-        for (int count = pairs; count > 0; count--)
+        var placed = new List<LegPlacement>();
+        double first = candidates[0].Along;
+        double stretch = candidates[candidates.Count - 1].Along - first;
+        bool fits = true;
+        for (int k = 0; k < pairs && fits; k++)
         {
-            double factor = LegFactor(count) * spread;
-            SocketGrid trial = grid.Copy();
-            var placed = new List<LegPlacement>();
-            List<LegPlacement> candidates = Hanging(measure, anatomy, factor);
-            bool fits = true;
-            for (int k = 0; k < count && fits; k++)
-            {
-                fits = TryAdd(NearestTo(candidates, measure.SpineLength * (k + 0.5) / count), placed, trial);
-            }
-
-            if (fits)
-            {
-                return (placed, factor);
-            }
+            fits = TryAdd(NearestTo(candidates, first + (stretch * (k + 0.5) / pairs)), placed, grid);
         }
 
-        return (new List<LegPlacement>(), LegFactor(pairs) * spread);
+        return placed;
     }
-
-    private static double SizeSpread(RandomStream stream) => stream.Uniform(0.9, 1.1);
 
     private static List<LegPlacement> Hanging(SpineMeasure measure, FlierLegAnatomy anatomy, double factor)
     {

@@ -41,7 +41,7 @@ internal static class SocketSets
         };
         LimbSocket rear = Under(41, 10.6, hind, hindGirth);
         LimbSocket front = Under(27, 10.9, fore, foreGirth);
-        var arms = new ArmAnatomy(List(Arm(23, 9.5, 0.42)), List(front with { Ring = 30 }, rear), 0.02, 0.5, 0.45);
+        var arms = new ArmAnatomy(List(Arm(23, 9.5, 0.42)), List(front with { Ring = 30 }, rear), 0.04, 0.6, 0.45);
         return new SocketSet(plan, List(front, rear), 2, arms, new StanceLimits(least, 0.45, -0.12, 0.12, 4, 1.3, BodyPlan.Sprawling, BodyPlan.Theropod));
     }
 
@@ -88,7 +88,7 @@ internal static class SocketSets
             BodyPlan.Theropod,
             hips,
             1,
-            new ArmAnatomy(List(Arm(26, 10.2, 0.40)), hips, 0.05, 0.7, 0.40),
+            new ArmAnatomy(List(Arm(26, 10.2, 0.40)), hips, 0.25, 1, 0.40),
             new StanceLimits(0.28, 0.45, -0.05, 0.5, 22, 1.6, BodyPlan.Sprawling, BodyPlan.Legless));
     }
 
@@ -128,7 +128,7 @@ internal static class SocketSets
         return row;
     }
 
-    /// <summary>Fore and hind legs of a winged quadruped, hanging at 24 to 28 and 38 to 41.</summary>
+    /// <summary>Fore and hind legs of a winged quadruped, two pairs, hanging at 24 to 28 and 38 to 41.</summary>
     public static IReadOnlyList<LimbSocket> DragonLegs()
     {
         var row = new List<LimbSocket>();
@@ -145,13 +145,15 @@ internal static class SocketSets
         return row;
     }
 
-    /// <summary>Legs of a winged insect, hanging at any ring from 23 to 42.</summary>
+    /// <summary>Legs of a winged insect, hanging at any ring from 22 to 39: room for eight pairs.</summary>
     public static IReadOnlyList<LimbSocket> WingedInsectLegs()
     {
+        const int First = 22;
+        const int Last = 39;
         var row = new List<LimbSocket>();
-        for (int ring = 23; ring <= 42; ring++)
+        for (int ring = First; ring <= Last; ring++)
         {
-            double azimuth = 0.45 - (1.15 * (ring - 23) / (42.0 - 23.0));
+            double azimuth = 0.45 - (1.15 * (ring - First) / (Last - First));
             row.Add(Insect(ring, 10.6, azimuth) with { Girth = 0.22 });
         }
 

@@ -52,8 +52,8 @@ internal static class SocketSizing
     /// <summary>A paired socket of given size centred at a place of the left flank as nearly as whole cells and the ends of the body allow.</summary>
     public static SocketBlueprint Centre(double ring, double segment, int rows, int columns)
     {
-        int first = Scale(ring - (0.5 * rows));
-        int left = Scale(segment - (0.5 * columns));
+        int first = Whole(ring - (0.5 * rows));
+        int left = Whole(segment - (0.5 * columns));
         first = Math.Max(1, Math.Min(first, BodyGrid.Rings - 2 - rows));
         left = Math.Max(1, Math.Min(left, LastSegment - columns));
         return new SocketBlueprint(first, left, rows, columns);
@@ -71,5 +71,5 @@ internal static class SocketSizing
         return wanted <= minimum ? minimum : wanted >= maximum ? maximum : (int)wanted;
     }
 
-    private static int Scale(double cells) => (int)Math.Round(cells, MidpointRounding.ToEven);
+    private static int Whole(double cells) => (int)Math.Round(cells, MidpointRounding.ToEven);
 }
