@@ -23,6 +23,15 @@ public static class BodyGrid
     /// <summary>The ring that keeps its own pitch when spines are bent, and the origin that spines are integrated from.</summary>
     public const int AnchorRing = 32;
 
+    /// <summary>The segment of the left flank along which the mouth is slit.</summary>
+    public const int LipSegment = 10;
+
+    /// <summary>Number of bones that the bend of a neck is spread over.</summary>
+    public const int NeckBones = 3;
+
+    /// <summary>Number of bones that the bend of a tail is spread over.</summary>
+    public const int TailBones = 6;
+
     private static readonly int[] stationRings = { 0, 2, 4, 7, 10, 13, 16, 19, 22, 26, 30, 34, 38, 42, 45, 48, 51, 54 };
 
     /// <summary>The ring of each station: nose, muzzle front, muzzle middle, stop, brow, cranium, nape, neck middle, neck base, shoulder, ribs, belly, loin, pelvis, tail base, tail third, tail two thirds, tail tip.</summary>

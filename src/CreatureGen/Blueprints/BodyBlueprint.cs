@@ -6,7 +6,11 @@ namespace CreatureGen.Blueprints;
 /// <param name="Posture">Angles added to the mixed body's spine.</param>
 /// <param name="Slices">The 11 slices of the 3 × 3 × 11 lattice, nose to tail.</param>
 /// <param name="Elevation">Height of the spine at the anchor ring above the ground, metres at scale 1.</param>
-public sealed record BodyBlueprint(BodyBlend Blend, BodyProportions Proportions, BodyPosture Posture, ValueList<LatticeSlice> Slices, double Elevation);
+public sealed record BodyBlueprint(BodyBlend Blend, BodyProportions Proportions, BodyPosture Posture, ValueList<LatticeSlice> Slices, double Elevation)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Body);
+}
 
 /// <summary>Three base bodies mixed as lerp(lerp(First, Second, SecondWeight), Third, ThirdWeight).</summary>
 /// <param name="First">Name of the base body that the mix starts from.</param>
@@ -14,7 +18,11 @@ public sealed record BodyBlueprint(BodyBlend Blend, BodyProportions Proportions,
 /// <param name="Third">Name of the third base body.</param>
 /// <param name="SecondWeight">0..1.</param>
 /// <param name="ThirdWeight">0..1.</param>
-public sealed record BodyBlend(string First, string Second, string Third, double SecondWeight, double ThirdWeight);
+public sealed record BodyBlend(string First, string Second, string Third, double SecondWeight, double ThirdWeight)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Blend);
+}
 
 /// <summary>Factors on parts of the body; 1 leaves a part as the base bodies give it.</summary>
 /// <param name="Head">Size of the head.</param>
@@ -43,7 +51,11 @@ public sealed record BodyProportions(
     double Tail,
     double TailGirth,
     double Depth,
-    double Width);
+    double Width)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Proportions);
+}
 
 /// <summary>Angles in radians added to the pitch of parts of the spine; positive raises what lies in front.</summary>
 /// <param name="Head">Tilt of the head.</param>
@@ -53,10 +65,18 @@ public sealed record BodyProportions(
 /// <param name="Trunk">Tilt of all behind the head as one.</param>
 /// <param name="NeckBend">Bend of each neck bone relative to the one behind it; the sum over the neck stays within 100°.</param>
 /// <param name="TailBend">Bend of each tail bone relative to the one before it; the sum over the tail stays within 100°.</param>
-public sealed record BodyPosture(double Head, double Neck, double Torso, double Tail, double Trunk, double NeckBend, double TailBend);
+public sealed record BodyPosture(double Head, double Neck, double Torso, double Tail, double Trunk, double NeckBend, double TailBend)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Posture);
+}
 
 /// <summary>One slice of the lattice: factors on its width and height, and on its distance from the slice before it.</summary>
 /// <param name="Width">Factor in x.</param>
 /// <param name="Height">Factor in y.</param>
 /// <param name="Length">Factor on the step along the body; steps add up, so slices never pass one another.</param>
-public sealed record LatticeSlice(double Width, double Height, double Length);
+public sealed record LatticeSlice(double Width, double Height, double Length)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Slice);
+}

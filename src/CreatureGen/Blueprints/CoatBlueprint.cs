@@ -33,10 +33,18 @@ public sealed record CoatBlueprint(
     PatternKind PatternKind,
     double PatternScale,
     double PatternStrength,
-    int PatternSeed);
+    int PatternSeed)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, CoatFields.Coat);
+}
 
 /// <summary>A colour in OKLCH.</summary>
 /// <param name="Lightness">0 black to 1 white.</param>
 /// <param name="Chroma">0 grey to about 0.3.</param>
 /// <param name="Hue">Radians: about 0.5 red, 1.9 yellow, 2.5 green, 4.6 blue.</param>
-public sealed record ColourBlueprint(double Lightness, double Chroma, double Hue);
+public sealed record ColourBlueprint(double Lightness, double Chroma, double Hue)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, CoatFields.Colour);
+}

@@ -38,4 +38,7 @@ public sealed record CreatureBlueprint(
 {
     /// <summary>The version that this library writes and builds.</summary>
     public const int CurrentVersion = 1;
+
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, CreatureFields.Creature);
 }

@@ -8,7 +8,11 @@ namespace CreatureGen.Blueprints;
 /// <param name="Eyes">Eyes.</param>
 /// <param name="Mouth">Mouth.</param>
 /// <param name="NostrilSize">Radius of a nostril relative to the half width of the muzzle; 0 for none.</param>
-public sealed record HeadBlueprint(ValueList<HeadBump> Bumps, double MuzzleSquareness, EyeBlueprint Eyes, MouthBlueprint Mouth, double NostrilSize);
+public sealed record HeadBlueprint(ValueList<HeadBump> Bumps, double MuzzleSquareness, EyeBlueprint Eyes, MouthBlueprint Mouth, double NostrilSize)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, HeadFields.Head);
+}
 
 /// <summary>A Gaussian swelling of the body's sections, mirrored on both sides.</summary>
 /// <param name="Ring">Ring of its centre.</param>
@@ -16,7 +20,11 @@ public sealed record HeadBlueprint(ValueList<HeadBump> Bumps, double MuzzleSquar
 /// <param name="RingSpread">Standard-like width along the body, rings (the bump is exp(−(d/spread)²)).</param>
 /// <param name="SegmentSpread">Width around the body, segments.</param>
 /// <param name="Amount">Added to the section's factor; negative for a hollow.</param>
-public sealed record HeadBump(double Ring, double Segment, double RingSpread, double SegmentSpread, double Amount);
+public sealed record HeadBump(double Ring, double Segment, double RingSpread, double SegmentSpread, double Amount)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, HeadFields.Bump);
+}
 
 /// <summary>A pair of eyes.</summary>
 /// <param name="Style">How an eye is made.</param>
@@ -28,11 +36,19 @@ public sealed record HeadBump(double Ring, double Segment, double RingSpread, do
 /// <param name="UpperLid">Opening of the upper lid from the gaze, radians.</param>
 /// <param name="LowerLid">Opening of the lower lid from the gaze, radians.</param>
 /// <param name="LidTilt">Roll of the lids, radians; positive frowns.</param>
-public sealed record EyeBlueprint(EyeStyle Style, double Ring, double Segment, double Radius, double Sink, double Forward, double UpperLid, double LowerLid, double LidTilt);
+public sealed record EyeBlueprint(EyeStyle Style, double Ring, double Segment, double Radius, double Sink, double Forward, double UpperLid, double LowerLid, double LidTilt)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, HeadFields.Eyes);
+}
 
 /// <summary>The mouth slit.</summary>
 /// <param name="CornerRing">Ring of the lip corners; 0 for a head without a mouth slit.</param>
 /// <param name="Opening">Angle of the lower jaw at rest, radians.</param>
 /// <param name="Smile">Lift of the lip corners, −1..1.</param>
 /// <param name="Teeth">Length of the teeth relative to the half width of the muzzle; 0 for none.</param>
-public sealed record MouthBlueprint(int CornerRing, double Opening, double Smile, double Teeth);
+public sealed record MouthBlueprint(int CornerRing, double Opening, double Smile, double Teeth)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, HeadFields.Mouth);
+}

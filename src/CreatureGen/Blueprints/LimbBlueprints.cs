@@ -7,7 +7,11 @@ namespace CreatureGen.Blueprints;
 /// <param name="Segment">First segment; a midline socket starts at 31 (back) or 15 (belly) and is two cells wide.</param>
 /// <param name="Rows">Number of cells along the body, even.</param>
 /// <param name="Columns">Number of cells around the body, even.</param>
-public sealed record SocketBlueprint(int Ring, int Segment, int Rows, int Columns);
+public sealed record SocketBlueprint(int Ring, int Segment, int Rows, int Columns)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, LimbFields.Socket);
+}
 
 /// <summary>A pair of legs or arms.</summary>
 /// <param name="Archetype">The built form.</param>
@@ -38,7 +42,11 @@ public sealed record LegBlueprint(
     double FootSize,
     double KneeRise,
     int Toes,
-    double ClawLength);
+    double ClawLength)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, LimbFields.Leg);
+}
 
 /// <summary>A pair of stitched wings, spread at rest.</summary>
 /// <param name="Style">Membrane or feathers.</param>
@@ -47,7 +55,11 @@ public sealed record LegBlueprint(
 /// <param name="Chord">Greatest depth, metres at scale 1.</param>
 /// <param name="Rise">How high the wing is raised, relative to the span.</param>
 /// <param name="Sweep">How far the tip lies back, relative to the span.</param>
-public sealed record WingBlueprint(WingStyle Style, SocketBlueprint Socket, double Span, double Chord, double Rise, double Sweep);
+public sealed record WingBlueprint(WingStyle Style, SocketBlueprint Socket, double Span, double Chord, double Rise, double Sweep)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, LimbFields.Wing);
+}
 
 /// <summary>A pair of thin insect wings on the back.</summary>
 /// <param name="Ring">Ring of the root.</param>
@@ -56,7 +68,11 @@ public sealed record WingBlueprint(WingStyle Style, SocketBlueprint Socket, doub
 /// <param name="Width">Metres at scale 1.</param>
 /// <param name="Azimuth">Direction in the level plane from straight out to the side, radians; positive forward.</param>
 /// <param name="Elevation">Angle above the level plane, radians.</param>
-public sealed record InsectWingBlueprint(double Ring, double Segment, double Length, double Width, double Azimuth, double Elevation);
+public sealed record InsectWingBlueprint(double Ring, double Segment, double Length, double Width, double Azimuth, double Elevation)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, LimbFields.InsectWing);
+}
 
 /// <summary>A fin, single on the midline or a pair on the flanks.</summary>
 /// <param name="Place">Where it grows.</param>
@@ -66,7 +82,11 @@ public sealed record InsectWingBlueprint(double Ring, double Segment, double Len
 /// <param name="Width">Depth of a pectoral fin relative to its length; not used on the midline.</param>
 /// <param name="Drop">How far a pectoral fin points down for each unit out; not used on the midline.</param>
 /// <param name="Sweep">How far the fin lies back for each unit of length.</param>
-public sealed record FinBlueprint(FinPlace Place, FinStyle Style, SocketBlueprint Socket, double Length, double Width, double Drop, double Sweep);
+public sealed record FinBlueprint(FinPlace Place, FinStyle Style, SocketBlueprint Socket, double Length, double Width, double Drop, double Sweep)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, LimbFields.Fin);
+}
 
 /// <summary>A pair of ears.</summary>
 /// <param name="Socket">Where it grows.</param>
@@ -77,7 +97,11 @@ public sealed record FinBlueprint(FinPlace Place, FinStyle Style, SocketBlueprin
 /// <param name="Forward">Component of its direction to the front.</param>
 /// <param name="Droop">How far the tip hangs, relative to the length.</param>
 /// <param name="Roundness">0 for a pointed ear, 1 for a round one.</param>
-public sealed record EarBlueprint(SocketBlueprint Socket, double Length, double Width, double Outward, double Upward, double Forward, double Droop, double Roundness);
+public sealed record EarBlueprint(SocketBlueprint Socket, double Length, double Width, double Outward, double Upward, double Forward, double Droop, double Roundness)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, LimbFields.Ear);
+}
 
 /// <summary>A small solid part on the skin: a tapered, curved horn-like body.</summary>
 /// <param name="Kind">What it is; decides colour and joint.</param>
@@ -108,10 +132,18 @@ public sealed record FeatureBlueprint(
     double BendForward,
     double BendSide,
     double Flatness,
-    double Taper);
+    double Taper)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, LimbFields.Feature);
+}
 
 /// <summary>The end of the tail.</summary>
 /// <param name="Style">Its outline.</param>
 /// <param name="Size">Half height of an upright fin or half width of a level one, metres at scale 1.</param>
 /// <param name="Fork">Depth of the fork; negative makes a rounded end.</param>
-public sealed record TailBlueprint(TailStyle Style, double Size, double Fork);
+public sealed record TailBlueprint(TailStyle Style, double Size, double Fork)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, LimbFields.Tail);
+}

@@ -1,6 +1,8 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using System.Globalization;
+using System.Text;
 
 namespace CreatureGen.Blueprints;
 
@@ -74,6 +76,19 @@ public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
         }
 
         return hash;
+    }
+
+    /// <summary>The elements' own text, the same in every culture: <c>[a, b]</c>.</summary>
+    public override string ToString()
+    {
+        var text = new StringBuilder("[");
+        foreach (T item in items)
+        {
+            text.Append(text.Length > 1 ? ", " : "");
+            text.Append(item is IFormattable formattable ? formattable.ToString(null, CultureInfo.InvariantCulture) : item.ToString());
+        }
+
+        return text.Append(']').ToString();
     }
 
     /// <inheritdoc/>

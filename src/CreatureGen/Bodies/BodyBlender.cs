@@ -8,12 +8,6 @@ namespace CreatureGen.Bodies;
 /// <remarks>Based on: the seed thesis, "Base body": lerp(lerp(A, B, w₁), C, w₂).</remarks>
 internal static class BodyBlender
 {
-    /// <summary>Number of neck and of tail bones that <see cref="BodyPosture.NeckBend"/> and <see cref="BodyPosture.TailBend"/> are counted over.</summary>
-    public const int NeckBones = 3;
-
-    /// <summary>See <see cref="NeckBones"/>.</summary>
-    public const int TailBones = 6;
-
     /// <summary>The stations of the mixed body.</summary>
     public static BodyStations Blend(BodyBlueprint body)
     {
@@ -88,8 +82,8 @@ internal static class BodyBlender
                 + (neck * p.Neck)
                 + (i is >= 9 and <= 12 ? p.Torso : 0)
                 + (tail * p.Tail)
-                + (neckBend * NeckBones * p.NeckBend)
-                + (tailBend * TailBones * p.TailBend);
+                + (neckBend * BodyGrid.NeckBones * p.NeckBend)
+                + (tailBend * BodyGrid.TailBones * p.TailBend);
         }
     }
 

@@ -14,7 +14,7 @@ namespace CreatureGen.Bodies;
 internal sealed class MouthSlit
 {
     /// <summary>Segment of the slit on the left flank.</summary>
-    public const int LeftSegment = 10;
+    public const int LeftSegment = BodyGrid.LipSegment;
 
     private const int RightSegment = BodyGrid.Segments - LeftSegment;
     private const int CapCells = 8;

@@ -51,7 +51,7 @@ internal ref struct JsonReader
             return TooLong(limits);
         }
 
-        int broken = LoneSurrogate(text);
+        int broken = SurrogatePairs.IndexOfLoneHalf(text);
         if (broken >= 0)
         {
             var before = new JsonScanner(Encoding.UTF8.GetBytes(text.Substring(0, broken)));
@@ -69,26 +69,6 @@ internal ref struct JsonReader
     }
 
     private static JsonReading Rejected(JsonProblem problem) => new(null, new[] { problem });
-
-    private static int LoneSurrogate(string text)
-    {
-        for (int i = 0; i < text.Length; i++)
-        {
-            if (!char.IsSurrogate(text[i]))
-            {
-                continue;
-            }
-
-            if (!char.IsHighSurrogate(text[i]) || i + 1 == text.Length || !char.IsLowSurrogate(text[i + 1]))
-            {
-                return i;
-            }
-
-            i++;
-        }
-
-        return -1;
-    }
 
     private static bool Contains(List<JsonMember> members, Dictionary<string, JsonValue>? lookup, string name)
     {

@@ -1,0 +1,93 @@
+using CreatureGen.Anatomy;
+
+namespace CreatureGen.Blueprints;
+
+/// <summary>The names of the vocabulary of anatomy in JSON text.</summary>
+internal static class AnatomyChoices
+{
+    public static readonly ChoiceNames<LocomotionKind> Kind = new(
+        (LocomotionKind.Walking, "walking"),
+        (LocomotionKind.Flying, "flying"),
+        (LocomotionKind.Swimming, "swimming"));
+
+    public static readonly ChoiceNames<BodyPlan> Plan = new(
+        (BodyPlan.Digitigrade, "digitigrade"),
+        (BodyPlan.Unguligrade, "unguligrade"),
+        (BodyPlan.Plantigrade, "plantigrade"),
+        (BodyPlan.Columnar, "columnar"),
+        (BodyPlan.Upright, "upright"),
+        (BodyPlan.Sprawling, "sprawling"),
+        (BodyPlan.Theropod, "theropod"),
+        (BodyPlan.Hexapod, "hexapod"),
+        (BodyPlan.ManyLegged, "manyLegged"),
+        (BodyPlan.Legless, "legless"),
+        (BodyPlan.Centaur, "centaur"),
+        (BodyPlan.Flapping, "flapping"),
+        (BodyPlan.Buzzing, "buzzing"),
+        (BodyPlan.Fish, "fish"),
+        (BodyPlan.Eel, "eel"),
+        (BodyPlan.Whale, "whale"),
+        (BodyPlan.Flipper, "flipper"));
+
+    public static readonly ChoiceNames<LimbArchetype> Archetype = new(
+        (LimbArchetype.DigitigradeHind, "digitigradeHind"),
+        (LimbArchetype.DigitigradeFore, "digitigradeFore"),
+        (LimbArchetype.UnguligradeHind, "unguligradeHind"),
+        (LimbArchetype.UnguligradeFore, "unguligradeFore"),
+        (LimbArchetype.PlantigradeHind, "plantigradeHind"),
+        (LimbArchetype.PlantigradeFore, "plantigradeFore"),
+        (LimbArchetype.Column, "column"),
+        (LimbArchetype.Sprawl, "sprawl"),
+        (LimbArchetype.Theropod, "theropod"),
+        (LimbArchetype.Insect, "insect"),
+        (LimbArchetype.Arm, "arm"));
+
+    public static readonly ChoiceNames<LegStance> Stance = new(
+        (LegStance.Standing, "standing"),
+        (LegStance.Hanging, "hanging"));
+
+    public static readonly ChoiceNames<WingStyle> Wing = new(
+        (WingStyle.Bat, "bat"),
+        (WingStyle.Feathered, "feathered"));
+
+    public static readonly ChoiceNames<FinPlace> FinPlace = new(
+        (Anatomy.FinPlace.Dorsal, "dorsal"),
+        (Anatomy.FinPlace.Ventral, "ventral"),
+        (Anatomy.FinPlace.Pectoral, "pectoral"));
+
+    public static readonly ChoiceNames<FinStyle> Fin = new(
+        (FinStyle.Sail, "sail"),
+        (FinStyle.Shark, "shark"),
+        (FinStyle.Spiny, "spiny"),
+        (FinStyle.Paddle, "paddle"));
+
+    public static readonly ChoiceNames<TailStyle> Tail = new(
+        (TailStyle.Plain, "plain"),
+        (TailStyle.Fork, "fork"),
+        (TailStyle.Fan, "fan"),
+        (TailStyle.Lance, "lance"),
+        (TailStyle.Fluke, "fluke"),
+        (TailStyle.Feathers, "feathers"));
+
+    public static readonly ChoiceNames<EyeStyle> Eye = new(
+        (EyeStyle.Round, "round"),
+        (EyeStyle.Slit, "slit"),
+        (EyeStyle.Compound, "compound"));
+
+    public static readonly ChoiceNames<FeatureKind> Feature = new(
+        (FeatureKind.Horn, "horn"),
+        (FeatureKind.Spike, "spike"),
+        (FeatureKind.Antenna, "antenna"),
+        (FeatureKind.Mandible, "mandible"),
+        (FeatureKind.Tusk, "tusk"),
+        (FeatureKind.Tuft, "tuft"));
+
+    public static readonly ChoiceNames<PatternKind> Pattern = new(
+        (PatternKind.Plain, "plain"),
+        (PatternKind.Spots, "spots"),
+        (PatternKind.Stripes, "stripes"),
+        (PatternKind.Bands, "bands"),
+        (PatternKind.Patches, "patches"),
+        (PatternKind.Mottle, "mottle"),
+        (PatternKind.Saddle, "saddle"));
+}

@@ -1,0 +1,83 @@
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Json;
+using CreatureGen.Maths;
+using static CreatureGen.Blueprints.CommonRanges;
+
+namespace CreatureGen.Blueprints;
+
+/// <summary>The fields of the trunk.</summary>
+internal static class BodyFields
+{
+    /// <summary>Slices of the lattice.</summary>
+    public const int SliceCount = 11;
+
+    /// <summary>Radians that a neck or a tail may bend in all.</summary>
+    private static readonly double wholeBend = Scalar.Radians(100);
+
+    private static readonly NumberRange neckBend = new(-wholeBend / BodyGrid.NeckBones, wholeBend / BodyGrid.NeckBones);
+    private static readonly NumberRange tailBend = new(-wholeBend / BodyGrid.TailBones, wholeBend / BodyGrid.TailBones);
+
+    /// <summary>Mix of base bodies.</summary>
+    public static readonly RecordDescription<BodyBlend> Blend = new(
+        new BodyBlend(BaseBodyNames.All[0], BaseBodyNames.All[0], BaseBodyNames.All[0], 0, 0),
+        JsonLayout.Line,
+        (visit, blend) => new BodyBlend(
+            visit.Word("first", blend.First, BaseBodyNames.All),
+            visit.Word("second", blend.Second, BaseBodyNames.All),
+            visit.Word("third", blend.Third, BaseBodyNames.All),
+            visit.Number("secondWeight", blend.SecondWeight, Share),
+            visit.Number("thirdWeight", blend.ThirdWeight, Share)));
+
+    /// <summary>Factors on parts of the body.</summary>
+    public static readonly RecordDescription<BodyProportions> Proportions = new(
+        new BodyProportions(1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1),
+        JsonLayout.Indented,
+        (visit, body) => new BodyProportions(
+            visit.Number("head", body.Head, Factor),
+            visit.Number("snout", body.Snout, Factor),
+            visit.Number("neck", body.Neck, Factor),
+            visit.Number("neckGirth", body.NeckGirth, Factor),
+            visit.Number("girth", body.Girth, Factor),
+            visit.Number("belly", body.Belly, Factor),
+            visit.Number("chest", body.Chest, Factor),
+            visit.Number("hump", body.Hump, Factor),
+            visit.Number("rump", body.Rump, Factor),
+            visit.Number("tail", body.Tail, Factor),
+            visit.Number("tailGirth", body.TailGirth, Factor),
+            visit.Number("depth", body.Depth, Factor),
+            visit.Number("width", body.Width, Factor)));
+
+    /// <summary>Angles of the spine.</summary>
+    public static readonly RecordDescription<BodyPosture> Posture = new(
+        new BodyPosture(0, 0, 0, 0, 0, 0, 0),
+        JsonLayout.Indented,
+        (visit, posture) => new BodyPosture(
+            visit.Number("head", posture.Head, Angle),
+            visit.Number("neck", posture.Neck, Angle),
+            visit.Number("torso", posture.Torso, Angle),
+            visit.Number("tail", posture.Tail, Angle),
+            visit.Number("trunk", posture.Trunk, Angle),
+            visit.Number("neckBend", posture.NeckBend, neckBend),
+            visit.Number("tailBend", posture.TailBend, tailBend)));
+
+    /// <summary>One slice of the lattice.</summary>
+    public static readonly RecordDescription<LatticeSlice> Slice = new(
+        new LatticeSlice(1, 1, 1),
+        JsonLayout.Line,
+        (visit, slice) => new LatticeSlice(
+            visit.Number("width", slice.Width, Factor),
+            visit.Number("height", slice.Height, Factor),
+            visit.Number("length", slice.Length, Factor)));
+
+    /// <summary>The trunk.</summary>
+    public static readonly RecordDescription<BodyBlueprint> Body = new(
+        new BodyBlueprint(Blend.Neutral, Proportions.Neutral, Posture.Neutral, new ValueList<LatticeSlice>(Enumerable.Repeat(Slice.Neutral, SliceCount)), 0.5),
+        JsonLayout.Indented,
+        (visit, body) => new BodyBlueprint(
+            visit.Record("blend", body.Blend, Blend),
+            visit.Record("proportions", body.Proportions, Proportions),
+            visit.Record("posture", body.Posture, Posture),
+            visit.List("slices", body.Slices, new WholeRange(SliceCount, SliceCount), Slice),
+            visit.Number("elevation", body.Elevation, new NumberRange(0, 10))));
+}

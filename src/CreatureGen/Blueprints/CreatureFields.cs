@@ -1,0 +1,47 @@
+using CreatureGen.Anatomy;
+using CreatureGen.Json;
+
+namespace CreatureGen.Blueprints;
+
+/// <summary>The fields of a whole creature.</summary>
+internal static class CreatureFields
+{
+    /// <summary>The name of the field that says by which version the rest is to be read.</summary>
+    public const string Version = "version";
+
+    /// <summary>The creature.</summary>
+    public static readonly RecordDescription<CreatureBlueprint> Creature = new(
+        new CreatureBlueprint(
+            CreatureBlueprint.CurrentVersion,
+            0,
+            LocomotionKind.Walking,
+            BodyPlan.Legless,
+            1,
+            BodyFields.Body.Neutral,
+            HeadFields.Head.Neutral,
+            LimbFields.Tail.Neutral,
+            ValueList<LegBlueprint>.Empty,
+            ValueList<WingBlueprint>.Empty,
+            ValueList<InsectWingBlueprint>.Empty,
+            ValueList<FinBlueprint>.Empty,
+            ValueList<EarBlueprint>.Empty,
+            ValueList<FeatureBlueprint>.Empty,
+            CoatFields.Coat.Neutral),
+        JsonLayout.Indented,
+        (visit, creature) => new CreatureBlueprint(
+            visit.Whole(Version, creature.Version, new WholeRange(CreatureBlueprint.CurrentVersion, CreatureBlueprint.CurrentVersion)),
+            visit.UnsignedText("seed", creature.Seed),
+            visit.Choice("kind", creature.Kind, AnatomyChoices.Kind),
+            visit.Choice("plan", creature.Plan, AnatomyChoices.Plan),
+            visit.Number("scale", creature.Scale, new NumberRange(0.05, 20)),
+            visit.Record("body", creature.Body, BodyFields.Body),
+            visit.Record("head", creature.Head, HeadFields.Head),
+            visit.Record("tail", creature.Tail, LimbFields.Tail),
+            visit.List("legs", creature.Legs, new WholeRange(0, 16), LimbFields.Leg),
+            visit.List("wings", creature.Wings, new WholeRange(0, 4), LimbFields.Wing),
+            visit.List("insectWings", creature.InsectWings, new WholeRange(0, 4), LimbFields.InsectWing),
+            visit.List("fins", creature.Fins, new WholeRange(0, 12), LimbFields.Fin),
+            visit.List("ears", creature.Ears, new WholeRange(0, 2), LimbFields.Ear),
+            visit.List("features", creature.Features, new WholeRange(0, 64), LimbFields.Feature),
+            visit.Record("coat", creature.Coat, CoatFields.Coat)));
+}

@@ -1,0 +1,35 @@
+using System;
+using System.Collections.Generic;
+
+namespace CreatureGen.Blueprints;
+
+/// <summary>
+/// Goes through the fields of a record. The one description of a record tells every visitor the name, the value and the range of each field and builds a new
+/// record from what the visitor returns: a writer returns the value it was given, a reader the one in the text.
+/// </summary>
+internal interface IFieldVisitor
+{
+    /// <summary>A number.</summary>
+    double Number(string name, double value, NumberRange range);
+
+    /// <summary>A whole number.</summary>
+    int Whole(string name, int value, WholeRange range);
+
+    /// <summary>A whole number of 64 bits; in JSON, whose numbers are doubles to many, a string of its decimal digits.</summary>
+    ulong UnsignedText(string name, ulong value);
+
+    /// <summary>One of the values of an enumeration.</summary>
+    TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
+        where TEnum : struct, Enum;
+
+    /// <summary>One of a number of known words.</summary>
+    string Word(string name, string value, IReadOnlyList<string> known);
+
+    /// <summary>A record.</summary>
+    T Record<T>(string name, T value, RecordDescription<T> description)
+        where T : class, IEquatable<T>;
+
+    /// <summary>A list of records.</summary>
+    ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
+        where T : class, IEquatable<T>;
+}
