@@ -14,4 +14,13 @@ public static class Tolerance
 
     /// <summary>Part of the squared diagonal of the bounding box. A triangle with less area is degenerate for importers.</summary>
     public const double DegenerateAreaPerDiagonalSquared = 1e-12;
+
+    /// <summary>Part of one. A unit vector or unit quaternion computed in floats misses unit length by a few roundings (about 2e-7 each); more means that it was never normalised.</summary>
+    public const float UnitLength = 1e-4f;
+
+    /// <summary>Part of one. Four weights rounded to floats miss a sum of one by a few roundings; more means that they were never normalised.</summary>
+    public const float WeightSum = 1e-5f;
+
+    /// <summary>Part of 1 m plus the distance from the origin, and of one for entries of rotation matrices. A joint's rest pose in its parent's space and in model space may differ by no more, which floats keep with two decimal places to spare.</summary>
+    public const double RestPose = 1e-5;
 }

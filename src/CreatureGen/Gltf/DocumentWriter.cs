@@ -1,0 +1,219 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Numerics;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Json;
+
+namespace CreatureGen.Gltf;
+
+/// <summary>The JSON of a file, property by property in a fixed order.</summary>
+internal static class DocumentWriter
+{
+    /// <summary>The name under which the library keeps what is its own in the asset's extras.</summary>
+    public const string ExtrasName = "creaturegen";
+
+    /// <summary>The name of the blueprint among them.</summary>
+    public const string BlueprintName = "blueprint";
+
+    /// <summary>Of dry skin; nothing is polished.</summary>
+    private const float Roughness = 0.75f;
+
+    private const int ArrayBuffer = 34962;
+    private const int ElementArrayBuffer = 34963;
+
+    /// <summary>Writes the whole document.</summary>
+    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, MeshBuffers buffers, (Vector3 Min, Vector3 Max) box)
+    {
+        List<MaterialKind> materials = Materials(creature.Mesh);
+        json.BeginObject();
+        WriteAsset(json, creature.Blueprint, options);
+        json.Name("scene").Number(0);
+        json.Name("scenes").BeginArray().BeginObject();
+        json.Name("nodes").BeginArray().Number(NodeTree.MeshNode).Number(NodeTree.FirstJointNode).EndArray();
+        json.EndObject().EndArray();
+        json.Name("nodes");
+        NodeTree.Write(json, creature);
+        WriteMesh(json, creature.Mesh, buffers, materials);
+        WriteSkin(json, creature.Skeleton.Joints.Count, buffers);
+        json.Name("materials").BeginArray();
+        foreach (MaterialKind material in materials)
+        {
+            WriteMaterial(json, material);
+        }
+
+        json.EndArray();
+        WriteAccessors(json, plan, buffers.Positions, box);
+        WriteBufferViews(json, plan);
+        json.Name("buffers").BeginArray().BeginObject().Name("byteLength").Number(plan.ByteLength).EndObject().EndArray();
+        json.EndObject();
+    }
+
+    private static void WriteAsset(JsonWriter json, CreatureBlueprint blueprint, GltfOptions options)
+    {
+        json.Name("asset").BeginObject();
+        json.Name("version").Text("2.0");
+        json.Name("generator").Text("CreatureGen");
+        json.Name("extras").BeginObject().Name(ExtrasName).BeginObject();
+        json.Name("seed").Text(blueprint.Seed.ToString(CultureInfo.InvariantCulture));
+        json.Name("algorithmVersion").Number(blueprint.Version);
+        if (options.Provenance != null)
+        {
+            json.Name("options").Text(options.Provenance);
+        }
+
+        json.Name(BlueprintName);
+        WriteBlueprint(json, blueprint);
+        json.EndObject().EndObject().EndObject();
+    }
+
+    private static void WriteBlueprint(JsonWriter json, CreatureBlueprint blueprint)
+    {
+        try
+        {
+            BlueprintJson.Write(json, blueprint);
+        }
+        catch (ArgumentException e)
+        {
+            throw ExportError.At("the blueprint", e.Message, "one that can be kept as text");
+        }
+    }
+
+    private static void WriteMesh(JsonWriter json, CreatureMesh mesh, MeshBuffers buffers, List<MaterialKind> materials)
+    {
+        json.Name("meshes").BeginArray().BeginObject();
+        json.Name("name").Text(NodeTree.MeshName);
+        json.Name("primitives").BeginArray();
+        for (int i = 0; i < mesh.Parts.Count; i++)
+        {
+            json.BeginObject();
+            json.Name("attributes").BeginObject();
+            json.Name("POSITION").Number(buffers.Positions.Index);
+            json.Name("NORMAL").Number(buffers.Normals.Index);
+            json.Name("TEXCOORD_0").Number(buffers.Texcoords.Index);
+            json.Name("COLOR_0").Number(buffers.Colours.Index);
+            json.Name("JOINTS_0").Number(buffers.Joints.Index);
+            json.Name("WEIGHTS_0").Number(buffers.Weights.Index);
+            json.EndObject();
+            json.Name("indices").Number(buffers.Indices[i].Index);
+            json.Name("material").Number(materials.IndexOf(mesh.Parts[i].Material));
+            json.EndObject();
+        }
+
+        json.EndArray();
+        json.EndObject().EndArray();
+    }
+
+    private static void WriteSkin(JsonWriter json, int jointCount, MeshBuffers buffers)
+    {
+        json.Name("skins").BeginArray().BeginObject();
+        json.Name("name").Text("Skeleton");
+        json.Name("inverseBindMatrices").Number(buffers.InverseBinds.Index);
+        json.Name("skeleton").Number(NodeTree.FirstJointNode);
+        json.Name("joints").BeginArray();
+        for (int i = 0; i < jointCount; i++)
+        {
+            json.Number(NodeTree.FirstJointNode + i);
+        }
+
+        json.EndArray();
+        json.EndObject().EndArray();
+    }
+
+    /// <summary>Writes a material. All colour is in the vertices, so that the base colour is white.</summary>
+    private static void WriteMaterial(JsonWriter json, MaterialKind material)
+    {
+        json.BeginObject();
+        json.Name("name").Text(material == MaterialKind.Membrane ? "Membrane" : "Skin");
+        json.Name("pbrMetallicRoughness").BeginObject();
+        json.Name("baseColorFactor").BeginArray().Number(1).Number(1).Number(1).Number(1).EndArray();
+        json.Name("metallicFactor").Number(0);
+        json.Name("roughnessFactor").Number(Roughness);
+        json.EndObject();
+        if (material == MaterialKind.Membrane)
+        {
+            json.Name("doubleSided").Boolean(true);
+        }
+
+        json.EndObject();
+    }
+
+    private static void WriteAccessors(JsonWriter json, BufferPlan plan, Accessor positions, (Vector3 Min, Vector3 Max) box)
+    {
+        json.Name("accessors").BeginArray();
+        foreach (Accessor accessor in plan.Accessors)
+        {
+            json.BeginObject();
+            json.Name("bufferView").Number(accessor.Index);
+            json.Name("componentType").Number(ComponentType(accessor.Format));
+            if (accessor.Format == ComponentFormat.ShortFraction)
+            {
+                json.Name("normalized").Boolean(true);
+            }
+
+            json.Name("count").Number(accessor.Count);
+            json.Name("type").Text(ElementType(accessor.Shape));
+            if (accessor == positions)
+            {
+                json.Name("min").Vector(box.Min);
+                json.Name("max").Vector(box.Max);
+            }
+
+            json.EndObject();
+        }
+
+        json.EndArray();
+    }
+
+    private static void WriteBufferViews(JsonWriter json, BufferPlan plan)
+    {
+        json.Name("bufferViews").BeginArray();
+        foreach (Accessor accessor in plan.Accessors)
+        {
+            json.BeginObject();
+            json.Name("buffer").Number(0);
+            json.Name("byteOffset").Number(accessor.Offset);
+            json.Name("byteLength").Number(accessor.ByteLength);
+            if (accessor.Target != BufferTarget.None)
+            {
+                json.Name("target").Number(accessor.Target == BufferTarget.Vertices ? ArrayBuffer : ElementArrayBuffer);
+            }
+
+            json.EndObject();
+        }
+
+        json.EndArray();
+    }
+
+    private static List<MaterialKind> Materials(CreatureMesh mesh)
+    {
+        var materials = new List<MaterialKind>();
+        foreach (MeshPart part in mesh.Parts)
+        {
+            if (!materials.Contains(part.Material))
+            {
+                materials.Add(part.Material);
+            }
+        }
+
+        return materials;
+    }
+
+    private static int ComponentType(ComponentFormat format) => format switch
+    {
+        ComponentFormat.Byte => 5121,
+        ComponentFormat.Short or ComponentFormat.ShortFraction => 5123,
+        ComponentFormat.Integer => 5125,
+        _ => 5126,
+    };
+
+    private static string ElementType(ElementShape shape) => shape switch
+    {
+        ElementShape.Scalar => "SCALAR",
+        ElementShape.Vector2 => "VEC2",
+        ElementShape.Vector3 => "VEC3",
+        ElementShape.Vector4 => "VEC4",
+        _ => "MAT4",
+    };
+}

@@ -1,0 +1,17 @@
+namespace CreatureGen.Gltf;
+
+/// <summary>How a creature is written as glTF. The same creature and options always give the same bytes.</summary>
+public sealed record GltfOptions
+{
+    /// <summary>Smooth shading, no provenance.</summary>
+    public static GltfOptions Default { get; } = new();
+
+    /// <summary>How light falls on the triangles.</summary>
+    public Shading Shading { get; init; } = Shading.Smooth;
+
+    /// <summary>
+    /// The options that the creature was generated with, as text, kept in the file as <c>asset.extras.creaturegen.options</c>; null leaves it out.
+    /// The writer does not read it: it should depend on nothing but the options, or equal creatures get different files.
+    /// </summary>
+    public string? Provenance { get; init; }
+}

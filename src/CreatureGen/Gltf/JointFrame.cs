@@ -1,0 +1,110 @@
+using System;
+using System.Numerics;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Gltf;
+
+/// <summary>A joint's place in double precision: a rotation as a matrix with columns, and a position.</summary>
+internal readonly struct JointFrame
+{
+    private readonly double xx;
+    private readonly double xy;
+    private readonly double xz;
+    private readonly double yx;
+    private readonly double yy;
+    private readonly double yz;
+    private readonly double zx;
+    private readonly double zy;
+    private readonly double zz;
+    private readonly double px;
+    private readonly double py;
+    private readonly double pz;
+
+    /// <summary>The frame at <paramref name="position"/>, turned by <paramref name="rotation"/>, whose length does not matter but must not be zero.</summary>
+    public JointFrame(Vector3 position, Quaternion rotation)
+    {
+        double x = rotation.X;
+        double y = rotation.Y;
+        double z = rotation.Z;
+        double w = rotation.W;
+        double s = 2.0 / ((x * x) + (y * y) + (z * z) + (w * w));
+        xx = 1.0 - (s * ((y * y) + (z * z)));
+        xy = s * ((x * y) + (w * z));
+        xz = s * ((x * z) - (w * y));
+        yx = s * ((x * y) - (w * z));
+        yy = 1.0 - (s * ((x * x) + (z * z)));
+        yz = s * ((y * z) + (w * x));
+        zx = s * ((x * z) + (w * y));
+        zy = s * ((y * z) - (w * x));
+        zz = 1.0 - (s * ((x * x) + (y * y)));
+        px = position.X;
+        py = position.Y;
+        pz = position.Z;
+    }
+
+    /// <summary>The rest pose of a joint in model space.</summary>
+    public static JointFrame InModel(Joint joint) => new(joint.ModelPosition, joint.ModelRotation);
+
+    /// <summary>The rest pose of a joint in its parent's space.</summary>
+    public static JointFrame InParent(Joint joint) => new(joint.LocalPosition, joint.LocalRotation);
+
+    /// <summary>A direction of the outer space, seen from this frame.</summary>
+    public Vector3 DirectionToLocal(Vector3 d) => new(
+        (float)((xx * d.X) + (xy * d.Y) + (xz * d.Z)),
+        (float)((yx * d.X) + (yy * d.Y) + (yz * d.Z)),
+        (float)((zx * d.X) + (zy * d.Y) + (zz * d.Z)));
+
+    /// <summary>A point of the outer space, seen from this frame.</summary>
+    public Vector3 PointToLocal(Vector3 p)
+    {
+        double x = p.X - px;
+        double y = p.Y - py;
+        double z = p.Z - pz;
+        return new Vector3(
+            (float)((xx * x) + (xy * y) + (xz * z)),
+            (float)((yx * x) + (yy * y) + (yz * z)),
+            (float)((zx * x) + (zy * y) + (zz * z)));
+    }
+
+    /// <summary>Writes the matrix that takes the outer space into this frame: 16 numbers, columns one after the other.</summary>
+    public void WriteInverse(Span<float> matrix)
+    {
+        matrix[0] = (float)xx;
+        matrix[1] = (float)yx;
+        matrix[2] = (float)zx;
+        matrix[3] = 0f;
+        matrix[4] = (float)xy;
+        matrix[5] = (float)yy;
+        matrix[6] = (float)zy;
+        matrix[7] = 0f;
+        matrix[8] = (float)xz;
+        matrix[9] = (float)yz;
+        matrix[10] = (float)zz;
+        matrix[11] = 0f;
+        matrix[12] = (float)-((xx * px) + (xy * py) + (xz * pz));
+        matrix[13] = (float)-((yx * px) + (yy * py) + (yz * pz));
+        matrix[14] = (float)-((zx * px) + (zy * py) + (zz * pz));
+        matrix[15] = 1f;
+    }
+
+    /// <summary>How far this frame is from <paramref name="parent"/> followed by <paramref name="local"/>: the larger of the distance, as a part of 1 m plus the distance from the origin, and the largest difference between matrix entries.</summary>
+    public double Deviation(in JointFrame parent, in JointFrame local)
+    {
+        double x = (parent.xx * local.px) + (parent.yx * local.py) + (parent.zx * local.pz) + parent.px - px;
+        double y = (parent.xy * local.px) + (parent.yy * local.py) + (parent.zy * local.pz) + parent.py - py;
+        double z = (parent.xz * local.px) + (parent.yz * local.py) + (parent.zz * local.pz) + parent.pz - pz;
+        double distance = Math.Sqrt((x * x) + (y * y) + (z * z)) / (1.0 + Math.Sqrt((px * px) + (py * py) + (pz * pz)));
+        double turn = Math.Max(
+            Column(parent, local.xx, local.xy, local.xz, xx, xy, xz),
+            Math.Max(Column(parent, local.yx, local.yy, local.yz, yx, yy, yz), Column(parent, local.zx, local.zy, local.zz, zx, zy, zz)));
+        return Math.Max(distance, turn);
+    }
+
+    private static double Column(in JointFrame frame, double x, double y, double z, double expectedX, double expectedY, double expectedZ)
+    {
+        double dx = Math.Abs((frame.xx * x) + (frame.yx * y) + (frame.zx * z) - expectedX);
+        double dy = Math.Abs((frame.xy * x) + (frame.yy * y) + (frame.zy * z) - expectedY);
+        double dz = Math.Abs((frame.xz * x) + (frame.yz * y) + (frame.zz * z) - expectedZ);
+        return Math.Max(dx, Math.Max(dy, dz));
+    }
+}

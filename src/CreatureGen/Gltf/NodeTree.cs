@@ -1,0 +1,117 @@
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Json;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Gltf;
+
+/// <summary>
+/// The nodes of a file: the skinned mesh, then the joints in the order of the skeleton, then the attachment points as leaves of their joints.
+/// </summary>
+internal static class NodeTree
+{
+    /// <summary>Name of the node that carries the skinned mesh, and of the mesh.</summary>
+    public const string MeshName = "Creature";
+
+    /// <summary>Number of the node that carries the skinned mesh; it is a root of the scene, because a skinned mesh ignores where its node is.</summary>
+    public const int MeshNode = 0;
+
+    /// <summary>Number of the node of joint 0, the other root of the scene.</summary>
+    public const int FirstJointNode = 1;
+
+    /// <summary>Writes the array of nodes.</summary>
+    public static void Write(JsonWriter json, Creature creature)
+    {
+        IReadOnlyList<Joint> joints = creature.Skeleton.Joints;
+        json.BeginArray();
+        json.BeginObject().Name("name").Text(MeshName).Name("mesh").Number(0).Name("skin").Number(0).EndObject();
+        List<int>[] children = Children(creature);
+        for (int i = 0; i < joints.Count; i++)
+        {
+            WriteJoint(json, creature, i, children[i]);
+        }
+
+        foreach (AttachmentPoint point in creature.AttachmentPoints)
+        {
+            WriteAttachmentPoint(json, point, joints[point.Joint]);
+        }
+
+        json.EndArray();
+    }
+
+    private static void WriteJoint(JsonWriter json, Creature creature, int index, List<int> children)
+    {
+        Joint joint = creature.Skeleton.Joints[index];
+        json.BeginObject();
+        json.Name("name").Text(joint.Name);
+        if (children.Count > 0)
+        {
+            json.Name("children").BeginArray();
+            foreach (int child in children)
+            {
+                json.Number(child);
+            }
+
+            json.EndArray();
+        }
+
+        WritePose(json, joint.LocalPosition, joint.LocalRotation);
+        CreatureExtras.WriteJoint(json, creature, index);
+        json.EndObject();
+    }
+
+    private static void WriteAttachmentPoint(JsonWriter json, AttachmentPoint point, Joint joint)
+    {
+        json.BeginObject();
+        json.Name("name").Text(point.Name);
+        WritePose(json, JointFrame.InModel(joint).PointToLocal(point.Position), Upright(point.Normal, joint.ModelRotation));
+        CreatureExtras.WriteAttachmentPoint(json, point);
+        json.EndObject();
+    }
+
+    /// <summary>Writes translation and rotation but for what is identity.</summary>
+    private static void WritePose(JsonWriter json, Vector3 position, Quaternion rotation)
+    {
+        if (position.X != 0f || position.Y != 0f || position.Z != 0f)
+        {
+            json.Name("translation").Vector(position);
+        }
+
+        if (rotation.X != 0f || rotation.Y != 0f || rotation.Z != 0f)
+        {
+            // A rounding error beyond unit length can make a component exceed one, which validators refuse.
+            json.Name("rotation").Vector(Rotation.Normalize(rotation));
+        }
+    }
+
+    /// <summary>
+    /// The rotation, in the space of a joint, whose +Y is <paramref name="normalModel"/>: the smallest turn from up in model space,
+    /// which leaves the front of what stands on the back or on a flank to the front of the creature.
+    /// </summary>
+    private static Quaternion Upright(Vector3 normalModel, Quaternion jointModel) =>
+        Rotation.Multiply(Rotation.Inverse(jointModel), Rotation.FromTo(Vector3.UnitY, normalModel));
+
+    /// <summary>The nodes below each joint: its child joints, then its attachment points, each in their order.</summary>
+    private static List<int>[] Children(Creature creature)
+    {
+        IReadOnlyList<Joint> joints = creature.Skeleton.Joints;
+        var children = new List<int>[joints.Count];
+        for (int i = 0; i < joints.Count; i++)
+        {
+            children[i] = new List<int>();
+            if (i > 0)
+            {
+                children[joints[i].Parent].Add(FirstJointNode + i);
+            }
+        }
+
+        for (int i = 0; i < creature.AttachmentPoints.Count; i++)
+        {
+            children[creature.AttachmentPoints[i].Joint].Add(FirstJointNode + joints.Count + i);
+        }
+
+        return children;
+    }
+}
