@@ -15,11 +15,7 @@ public static class BlueprintSampler
         LocomotionKind chosen = kind ?? CreatureDraft.Choose(root.Child("kind").Stream(), (LocomotionKind.Walking, 0.55), (LocomotionKind.Flying, 0.22), (LocomotionKind.Swimming, 0.23));
         FamilyProfile family = ChooseFamily(root, chosen);
         BodyPlan plan = ChoosePlan(root, chosen, family);
-        var draft = new CreatureDraft(root, chosen, family, plan);
-        BodySampler.Sample(draft);
-        StanceSampler.Settle(draft);
-        LegSampler.Sample(draft);
-        WingSampler.Sample(draft);
+        CreatureDraft draft = Stand(root, chosen, family, plan);
         FinSampler.Sample(draft);
         HeadSampler.AddEars(draft);
         FeatureSampler.Sample(draft);
@@ -30,7 +26,7 @@ public static class BlueprintSampler
             CreatureBlueprint.CurrentVersion,
             seed,
             chosen,
-            plan,
+            draft.Plan,
             scale,
             new BodyBlueprint(draft.Blend, draft.Proportions, draft.Posture, draft.Slices, draft.Elevation),
             head,
@@ -42,6 +38,25 @@ public static class BlueprintSampler
             new ValueList<EarBlueprint>(draft.Ears),
             new ValueList<FeatureBlueprint>(draft.Features),
             coat);
+    }
+
+    /// <summary>Draws body and legs; when the body cannot carry the legs of its plan, that of the plan which it can.</summary>
+    private static CreatureDraft Stand(Seed root, LocomotionKind kind, FamilyProfile family, BodyPlan plan)
+    {
+        const int Changes = 3;
+        for (int change = 0; ; change++)
+        {
+            var draft = new CreatureDraft(root, kind, family, plan);
+            BodySampler.Sample(draft);
+            StanceSampler.Settle(draft);
+            BodyPlan? other = LegSampler.Sample(draft);
+            if (other == null || change == Changes)
+            {
+                return draft;
+            }
+
+            plan = other.Value;
+        }
     }
 
     private static FamilyProfile ChooseFamily(Seed root, LocomotionKind kind)

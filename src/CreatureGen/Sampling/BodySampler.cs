@@ -224,38 +224,24 @@ internal static class BodySampler
         return new ValueList<LatticeSlice>(slices);
     }
 
+    /// <summary>The end of the tail of walkers and fliers; swimmers get theirs with their fins.</summary>
     private static TailBlueprint Tail(CreatureDraft draft)
     {
         RandomStream random = draft.Stream("tail");
-        double size = random.Uniform(0.8, 1.2);
-        double fork = random.Uniform(1.2, 2.2);
-        double fan = random.Uniform(-0.5, 0.1);
-        TailStyle upright = CreatureDraft.Choose(random, (TailStyle.Fork, 0.45), (TailStyle.Fan, 0.3), (TailStyle.Lance, 0.25));
         double feathers = random.Uniform(0.13, 0.19);
-        bool feathered = random.Chance(0.55);
-        switch (draft.Plan)
+        bool feathered = draft.Kind == LocomotionKind.Flying || random.Chance(0.55);
+        double size = random.Uniform(0.16, 0.24);
+        double fork = random.Uniform(-0.5, 0.1);
+        if (draft.Kind == LocomotionKind.Swimming)
         {
-            case BodyPlan.Fish:
-            case BodyPlan.Eel:
-                return upright switch
-                {
-                    TailStyle.Fork => new TailBlueprint(upright, 0.29 * size, fork),
-                    TailStyle.Fan => new TailBlueprint(upright, 0.24 * size, fan),
-                    _ => new TailBlueprint(upright, 0.15 * size, -1),
-                };
-            case BodyPlan.Whale:
-                return new TailBlueprint(TailStyle.Fluke, 0.34 * size, 1);
-            case BodyPlan.Flipper:
-                return new TailBlueprint(TailStyle.Plain, 0, 0);
-            default:
-                if (draft.Family.Body == "avian" && (draft.Kind == LocomotionKind.Flying || feathered))
-                {
-                    return new TailBlueprint(TailStyle.Feathers, feathers, 0);
-                }
-
-                return draft.Family.Body == "fish" && draft.Plan != BodyPlan.Theropod
-                    ? new TailBlueprint(TailStyle.Fan, 0.2 * size, fan)
-                    : new TailBlueprint(TailStyle.Plain, 0, 0);
+            return new TailBlueprint(TailStyle.Plain, 0, 0);
         }
+
+        return draft.Family.Body switch
+        {
+            "avian" when feathered => new TailBlueprint(TailStyle.Feathers, feathers, 0),
+            "fish" when draft.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),
+            _ => new TailBlueprint(TailStyle.Plain, 0, 0),
+        };
     }
 }

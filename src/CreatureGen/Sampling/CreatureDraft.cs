@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
+using CreatureGen.Limbs.Attachment;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
 
@@ -80,7 +81,7 @@ internal sealed class CreatureDraft
     public List<FeatureBlueprint> Features { get; } = new();
 
     /// <summary>Cells of the body that are taken.</summary>
-    public SocketMap Sockets { get; } = new();
+    public SocketGrid Sockets { get; } = new();
 
     /// <summary>The random numbers of one named decision.</summary>
     public RandomStream Stream(string name) => Seed.Child(name).Stream();
@@ -114,43 +115,5 @@ internal sealed class CreatureDraft
         }
 
         return choices[random.Weighted(weights)].Value;
-    }
-}
-
-/// <summary>The cells of the body grid that sockets have taken.</summary>
-internal sealed class SocketMap
-{
-    private readonly bool[] taken = new bool[(BodyGrid.Rings - 1) * BodyGrid.Segments];
-
-    /// <summary>Number of sockets that found no place.</summary>
-    public int Refusals { get; private set; }
-
-    /// <summary>Takes the cells of a socket and of its mirror image if they and a margin of rings are free.</summary>
-    public bool TryTake(SocketBlueprint socket, int margin)
-    {
-        for (int r = -margin; r < socket.Rows + margin; r++)
-        {
-            int ring = socket.Ring + r;
-            for (int c = 0; c < socket.Columns; c++)
-            {
-                if (ring < 1 || ring >= BodyGrid.Rings - 2 || taken[(ring * BodyGrid.Segments) + ((socket.Segment + c) & 31)])
-                {
-                    Refusals++;
-                    return false;
-                }
-            }
-        }
-
-        for (int r = 0; r < socket.Rows; r++)
-        {
-            for (int c = 0; c < socket.Columns; c++)
-            {
-                int cell = (socket.Segment + c) & 31;
-                taken[((socket.Ring + r) * BodyGrid.Segments) + cell] = true;
-                taken[((socket.Ring + r) * BodyGrid.Segments) + (31 - cell)] = true;
-            }
-        }
-
-        return true;
     }
 }

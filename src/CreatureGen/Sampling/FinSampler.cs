@@ -1,95 +1,90 @@
 using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Limbs.Attachment;
 using CreatureGen.Seeding;
 
 namespace CreatureGen.Sampling;
 
-/// <summary>Draws the fins of swimmers and of fish out of water.</summary>
+/// <summary>Gives swimmers, and fish out of water, their fins where the attachment rules put them.</summary>
 internal static class FinSampler
 {
-    /// <summary>Fills in the fins of the draft.</summary>
+    /// <summary>Fills in the fins and the tail fin of the draft.</summary>
     public static void Sample(CreatureDraft draft)
     {
+        if (draft.Kind == LocomotionKind.Swimming)
+        {
+            Swim(draft);
+        }
+        else if (draft.Family.Body == "fish")
+        {
+            Crest(draft, draft.Stream("fins"));
+        }
+    }
+
+    private static void Swim(CreatureDraft draft)
+    {
         RandomStream random = draft.Stream("fins");
-        bool fish = draft.Family.Body == "fish";
-        switch (draft.Plan)
-        {
-            case BodyPlan.Eel:
-                Midline(draft, FinPlace.Dorsal, random.Chance(0.5) ? FinStyle.Sail : FinStyle.Spiny, 24, 22, random.Uniform(0.10, 0.16));
-                Pectoral(draft, 20, 10, random.Uniform(0.22, 0.34), random.Uniform(0.45, 0.65), random);
-                break;
-            case BodyPlan.Whale:
-                Midline(draft, FinPlace.Dorsal, FinStyle.Shark, 33, 8, random.Uniform(0.12, 0.2));
-                Pectoral(draft, 24, 10, random.Uniform(0.35, 0.5), random.Uniform(0.4, 0.5), random);
-                break;
-            case BodyPlan.Flipper:
-                if (random.Chance(0.35))
-                {
-                    Midline(draft, FinPlace.Dorsal, FinStyle.Shark, 32, 8, random.Uniform(0.08, 0.16));
-                }
-
-                Pectoral(draft, 25, 10, random.Uniform(0.55, 0.75), random.Uniform(0.36, 0.46), random);
-                Pectoral(draft, 41, 10, random.Uniform(0.38, 0.55), 0.42, random);
-                break;
-            case BodyPlan.Fish:
-                Dorsals(draft, random);
-                if (random.Chance(0.6))
-                {
-                    Midline(draft, FinPlace.Ventral, FinStyle.Shark, 37, 6, 0.13);
-                }
-
-                Pectoral(draft, 22, 10, random.Uniform(0.26, 0.42), random.Uniform(0.45, 0.65), random);
-                if (random.Chance(0.55))
-                {
-                    Pectoral(draft, 34, 12, random.Uniform(0.16, 0.24), 0.55, random);
-                }
-
-                break;
-            default:
-                if (fish)
-                {
-                    Midline(draft, FinPlace.Dorsal, CreatureDraft.Choose(random, (FinStyle.Sail, 1), (FinStyle.Spiny, 1), (FinStyle.Shark, 1)), random.Integer(24, 30), 2 * random.Integer(4, 7), random.Uniform(0.14, 0.26));
-                }
-
-                break;
-        }
-    }
-
-    private static void Dorsals(CreatureDraft draft, RandomStream random)
-    {
-        if (random.Chance(0.5))
-        {
-            FinStyle style = CreatureDraft.Choose(random, (FinStyle.Sail, 1), (FinStyle.Spiny, 1), (FinStyle.Shark, 1));
-            Midline(draft, FinPlace.Dorsal, style, random.Integer(24, 30), CreatureDraft.Choose(random, (8, 1), (12, 1), (16, 1)), random.Uniform(0.14, 0.28));
-            return;
-        }
-
-        Midline(draft, FinPlace.Dorsal, CreatureDraft.Choose(random, (FinStyle.Shark, 1), (FinStyle.Spiny, 1), (FinStyle.Sail, 0.6)), random.Integer(23, 25), 8, random.Uniform(0.15, 0.25));
-        Midline(draft, FinPlace.Dorsal, FinStyle.Shark, 36, 6, random.Uniform(0.10, 0.16));
-    }
-
-    private static void Midline(CreatureDraft draft, FinPlace place, FinStyle style, int ring, int rows, double height)
-    {
-        int end = Math.Min(ring + rows, 47);
-        rows = end - ring;
-        rows -= rows % 2;
-        var socket = new SocketBlueprint(ring, place == FinPlace.Dorsal ? 31 : 15, rows, 2);
-        if (rows >= 4 && draft.Sockets.TryTake(socket, 0))
-        {
-            double sweep = style switch { FinStyle.Sail => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
-            draft.Fins.Add(new FinBlueprint(place, style, socket, height, 0, 0, sweep));
-        }
-    }
-
-    private static void Pectoral(CreatureDraft draft, int ring, double segment, double length, double width, RandomStream random)
-    {
-        var socket = new SocketBlueprint(ring - 2, (int)segment - 1, 4, 2);
+        SwimmingPlacement placement = SwimmingRules.Place(LegSampler.Measure(draft), FinAnatomy.Of(draft.Plan), draft.Sockets, draft.Seed.Child("swimmer"));
         double drop = random.Uniform(0.25, 0.6);
         double sweep = random.Uniform(0.4, 0.8);
-        if (draft.Sockets.TryTake(socket, 0))
+        foreach (FinPlacement fin in placement.Fins)
         {
-            draft.Fins.Add(new FinBlueprint(FinPlace.Pectoral, FinStyle.Paddle, socket, length, width, drop, sweep));
+            if (!draft.Sockets.TryReserve(fin.Socket, 0))
+            {
+                continue;
+            }
+
+            if (fin.Place == FinPlace.Pectoral)
+            {
+                bool front = fin.Socket.Ring < BodyGrid.AnchorRing - 2;
+                (double length, double width) = draft.Plan switch
+                {
+                    BodyPlan.Flipper => front ? (0.65, 0.41) : (0.46, 0.42),
+                    BodyPlan.Whale => (0.42, 0.45),
+                    BodyPlan.Eel => (0.28, 0.55),
+                    _ => front ? (0.34, 0.55) : (0.2, 0.55),
+                };
+                draft.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, length * fin.Scale.X, width * fin.Scale.Z, drop, sweep));
+            }
+            else
+            {
+                double height = draft.Plan == BodyPlan.Eel ? 0.13 : fin.Place == FinPlace.Ventral ? 0.12 : draft.Plan == BodyPlan.Whale ? 0.16 : 0.2;
+                draft.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, height * fin.Scale.Y, 0, 0, SweepOf(fin.Style)));
+            }
+        }
+
+        double fork = placement.Tail.Style switch
+        {
+            TailStyle.Fork => random.Uniform(1.2, 2.2),
+            TailStyle.Fan => random.Uniform(-0.5, 0.1),
+            TailStyle.Lance => -1,
+            TailStyle.Fluke => 1,
+            _ => 0,
+        };
+        double size = placement.Tail.Style switch
+        {
+            TailStyle.Fork => 0.29 * placement.Tail.Scale.Y,
+            TailStyle.Fan => 0.24 * placement.Tail.Scale.Y,
+            TailStyle.Lance => 0.15 * placement.Tail.Scale.Y,
+            TailStyle.Fluke => 0.34 * placement.Tail.Scale.X,
+            _ => 0,
+        };
+        draft.Tail = new TailBlueprint(placement.Tail.Style, size, fork);
+        draft.Shape = StanceSampler.ShapeOf(draft);
+    }
+
+    /// <summary>A fish that walks or flies keeps the fin on its back.</summary>
+    private static void Crest(CreatureDraft draft, RandomStream random)
+    {
+        FinStyle style = CreatureDraft.Choose(random, (FinStyle.Sail, 1), (FinStyle.Spiny, 1), (FinStyle.Shark, 1));
+        var socket = new SocketBlueprint(random.Integer(24, 30), 31, 2 * random.Integer(4, 7), 2);
+        double height = random.Uniform(0.14, 0.26);
+        if (draft.Sockets.TryReserve(socket, 0))
+        {
+            draft.Fins.Add(new FinBlueprint(FinPlace.Dorsal, style, socket, height, 0, 0, SweepOf(style)));
         }
     }
+
+    private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
 }

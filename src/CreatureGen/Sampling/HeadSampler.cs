@@ -48,7 +48,7 @@ internal static class HeadSampler
             "sideways" => new EarBlueprint(socket, 1.15 * size, 0.36 * head, 1, 0.12, -0.25, 0.35, 0),
             _ => new EarBlueprint(socket, 1.15 * size, 0.42 * head, 0.38, 1, -0.25, 0, 0),
         };
-        if (draft.Sockets.TryTake(socket, 0))
+        if (draft.Sockets.TryReserve(socket, 0))
         {
             draft.Ears.Add(ear);
         }
