@@ -72,6 +72,12 @@ internal static class CreatureRigger
             int inChain = CountOf(nodes, nodes[k].Role);
             bool chained = nodes[k].Role is JointRole.Neck or JointRole.Tail || (nodes[k].Role == JointRole.Spine && inChain > 5);
             JointLimit limit = chained ? JointLimits.Chain(inChain) : JointLimits.Body(nodes[k].Role);
+            if (k > 0)
+            {
+                float behind = Vec.Distance(position, PivotOf(nodes[k - 1], line, shape));
+                limit = JointLimits.WithinGirth(limit, Math.Min(behind, Vec.Length(direction)), shape, nodes[k].Ring);
+            }
+
             joints[k] = skeleton.Add(k == 0 ? parent : joints[k - 1], Side.Median, new JointDraft(nodes[k].Name, nodes[k].Role, position, JointFrame.Median(direction), Vec.Length(direction), limit));
         }
 

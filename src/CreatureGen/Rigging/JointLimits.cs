@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Rigging;
@@ -19,6 +20,7 @@ internal static class JointLimits
 {
     private const double BendPerChain = 200;
     private const double MostPerBone = 60;
+    private const double SkinStretch = 0.64;
 
     // Archetype: hip, knee, ankle, ball; each X least and most, Z least and most, twist least and most.
     private static readonly (LimbArchetype Archetype, short[] Degrees)[] legs =
@@ -90,6 +92,27 @@ internal static class JointLimits
     {
         float bend = (float)Scalar.Radians(Math.Min(BendPerChain / Math.Max(bones, 1), MostPerBone));
         return new JointLimit(bend, bend, bend / 2);
+    }
+
+    /// <summary>
+    /// A limit of a bend of the body, narrowed so that the skin on the inner side of the bend does not fold: half the girth there may turn by no more than
+    /// 0.64 of the shorter of the two bones that meet (the steepest part of the stretch over which the skin goes over from one to the other).
+    /// </summary>
+    /// <param name="limit">The limit to narrow.</param>
+    /// <param name="bone">Length of the shorter bone.</param>
+    /// <param name="shape">The sections.</param>
+    /// <param name="ring">Where the body bends.</param>
+    public static JointLimit WithinGirth(JointLimit limit, float bone, BodyShape shape, double ring)
+    {
+        float Bend(double[] extent) => (float)(SkinStretch * bone / Math.Max(BodyShape.At(extent, ring), 1e-3));
+        float up = Bend(shape.Top);
+        float down = Bend(shape.Bottom);
+        float side = Bend(shape.Width);
+        float most = Math.Min(up, down);
+        return new JointLimit(
+            new AngleRange(Math.Max(limit.SwingX.Min, -most), Math.Min(limit.SwingX.Max, most)),
+            new AngleRange(Math.Max(limit.SwingZ.Min, -side), Math.Min(limit.SwingZ.Max, side)),
+            limit.Twist);
     }
 
     private static JointLimit Row(short[] degrees, int row)
