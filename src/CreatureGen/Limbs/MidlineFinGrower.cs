@@ -183,6 +183,13 @@ internal static class MidlineFinGrower
             int v = grid[(3 * r) + 1];
             Vector3 p = surface.Positions[v];
             surface.Positions[v] = new Vector3(0f, p.Y, p.Z);
+
+            // The rows of the cap grew from the rings beside them.
+            VertexAddress inner = surface.Addresses[v];
+            VertexAddress border = surface.Addresses[grid[3 * r]];
+            inner.Ring = border.Ring;
+            inner.Segment = border.Segment;
+            surface.Addresses[v] = inner;
         }
 
         for (int r = 0; r < rows; r++)

@@ -67,12 +67,6 @@ public enum JointRole
     End,
 }
 
-/// <summary>Limits of a joint's rotation away from its rest pose, radians.</summary>
-/// <param name="SwingX">Largest turn about the joint's local X axis, both ways.</param>
-/// <param name="SwingZ">Largest turn about the joint's local Z axis, both ways.</param>
-/// <param name="Twist">Largest turn about the bone (local Y), both ways.</param>
-public sealed record JointLimit(float SwingX, float SwingZ, float Twist);
-
 /// <summary>A joint of a <see cref="Skeleton"/> in its rest pose. Local +Y points at the main child.</summary>
 /// <param name="Name">Unique ASCII name, the same for the same role in every creature.</param>
 /// <param name="Role">What it is for.</param>
@@ -82,7 +76,7 @@ public sealed record JointLimit(float SwingX, float SwingZ, float Twist);
 /// <param name="LocalRotation">In the parent's space.</param>
 /// <param name="ModelPosition">Metres, in model space.</param>
 /// <param name="ModelRotation">In model space.</param>
-/// <param name="Length">Distance to the main child, metres; of an end joint 0.</param>
+/// <param name="Length">Distance to the main child, metres; 0 of an end joint and of the frames of the whole creature (root and body).</param>
 /// <param name="Limit">Limits of its rotation.</param>
 public sealed record Joint(
     string Name,

@@ -1,0 +1,123 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Rigging;
+
+/// <summary>
+/// How far joints turn from their rest pose, by what they are: data in degrees, for the left side.
+/// </summary>
+/// <remarks>
+/// <para>Signs follow <see cref="JointFrame"/>. Under the body, a positive turn about X swings a hanging bone backward and a foot's tip down: knees, carpi and fetlocks fold with
+/// positive angles, elbows and hocks with negative ones; a positive turn about Z draws the limb in. Out to the side, a positive turn about X raises, a positive turn about Z sweeps back.</para>
+/// <para>Four-footed legs: the ranges of motion of dogs (hip 50–162°, stifle 42–162°, tarsus 39–164°, shoulder 57–165°, elbow 36–165°, carpus 32–196°; G. Jaegger, D. Marcellin-Little and
+/// D. Levine, "Reliability of goniometry in Labrador Retrievers", Am. J. Vet. Res. 63, 2002) less a standing dog's angles of about 115, 135, 135, 115, 138 and 180°, rounded to 5°.
+/// Bears and uprights have human knees and ankles; the rest is set to what their gaits need with a margin.</para>
+/// <para>Neck and tail: the thesis's rule that a chain of n bones bends by 200°/n at most in each, so that it looks natural while its sum stays near 100°.</para>
+/// </remarks>
+internal static class JointLimits
+{
+    private const double BendPerChain = 200;
+    private const double MostPerBone = 60;
+    private const double SkinStretch = 0.64;
+
+    // Archetype: hip, knee, ankle, ball; each X least and most, Z least and most, twist least and most.
+    private static readonly (LimbArchetype Archetype, short[] Degrees)[] legs =
+    {
+        (LimbArchetype.DigitigradeHind, new short[] { -65, 55, -50, 20, -25, 25, -27, 100, -5, 5, -10, 10, -100, 30, -8, 8, -10, 10, -95, 60, -15, 15, -5, 5 }),
+        (LimbArchetype.DigitigradeFore, new short[] { -60, 60, -35, 20, -20, 20, -105, 27, -5, 5, -10, 10, -20, 140, -10, 10, -15, 15, -95, 60, -15, 15, -5, 5 }),
+        (LimbArchetype.UnguligradeHind, new short[] { -55, 50, -35, 15, -20, 20, -25, 100, -5, 5, -8, 8, -110, 25, -5, 5, -8, 8, -60, 95, -8, 8, -5, 5 }),
+        (LimbArchetype.UnguligradeFore, new short[] { -50, 50, -25, 15, -15, 15, -95, 20, -5, 5, -8, 8, -8, 130, -5, 5, -8, 8, -60, 100, -8, 8, -5, 5 }),
+        (LimbArchetype.PlantigradeHind, new short[] { -100, 40, -45, 25, -35, 35, -15, 130, -5, 5, -10, 10, -35, 55, -15, 15, -12, 12, -80, 45, -10, 10, -5, 5 }),
+        (LimbArchetype.PlantigradeFore, new short[] { -90, 60, -60, 30, -30, 30, -115, 25, -5, 5, -15, 15, -35, 95, -20, 20, -20, 20, -80, 50, -10, 10, -5, 5 }),
+        (LimbArchetype.Column, new short[] { -45, 45, -25, 12, -15, 15, -8, 85, -4, 4, -6, 6, -45, 50, -6, 6, -6, 6, -30, 30, -5, 5, -5, 5 }),
+        (LimbArchetype.Sprawl, new short[] { -45, 60, -60, 70, -60, 60, -60, 80, -15, 15, -20, 20, -60, 70, -35, 35, -25, 25, -70, 60, -25, 25, -10, 10 }),
+        (LimbArchetype.Theropod, new short[] { -60, 60, -30, 15, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -5, 5, -8, 8, -95, 70, -15, 15, -5, 5 }),
+        (LimbArchetype.Insect, new short[] { -60, 60, -60, 60, -40, 40, -80, 80, -10, 10, -10, 10, -50, 50, -10, 10, -10, 10, -40, 40, -10, 10, -10, 10 }),
+        (LimbArchetype.Arm, new short[] { -170, 60, -110, 40, -80, 80, -80, 70, -5, 5, -8, 8, -70, 80, -30, 25, -80, 80, -60, 90, -20, 20, -10, 10 }),
+    };
+
+    // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back.
+    private static readonly short[] wing = { -80, 85, -45, 95, -45, 45, -60, 40, -140, 25, -45, 45, -60, 40, -25, 150, -45, 45, -50, 40, -25, 60, -45, 45 };
+
+    private static readonly short[] pelvis = { -40, 40, -35, 35, -30, 30 };
+    private static readonly short[] spine = { -20, 20, -25, 25, -15, 15 };
+    private static readonly short[] chest = { -30, 30, -30, 30, -20, 20 };
+    private static readonly short[] head = { -45, 55, -60, 60, -40, 40 };
+    private static readonly short[] jaw = { -22, 40, -4, 4, -3, 3 };
+    private static readonly short[] eye = { -25, 25, -35, 35, -10, 10 };
+    private static readonly short[] fin = { -70, 70, -70, 70, -75, 75 };
+    private static readonly short[] finTip = { -45, 45, -30, 30, -35, 35 };
+    private static readonly short[] insectWing = { -100, 100, -110, 60, -95, 95 };
+    private static readonly short[] ear = { -50, 50, -50, 50, -70, 70 };
+    private static readonly short[] antenna = { -60, 60, -60, 60, -30, 30 };
+
+    /// <summary>Limits of a joint of a leg or arm.</summary>
+    public static JointLimit Leg(LimbArchetype archetype, JointRole role)
+    {
+        int row = role switch { JointRole.Hip => 0, JointRole.Knee => 1, JointRole.Ankle => 2, JointRole.Ball => 3, _ => throw new ArgumentOutOfRangeException(nameof(role), role, "expected hip, knee, ankle or ball") };
+        short[] degrees = Array.Find(legs, l => l.Archetype == archetype).Degrees ?? throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there are no limits for this archetype");
+        return Row(degrees, row);
+    }
+
+    /// <summary>Limits of a joint of a stitched wing, 0 shoulder to 3 hand.</summary>
+    public static JointLimit Wing(int joint) => Row(wing, Math.Min(joint, 3));
+
+    /// <summary>Limits of a joint of a fin, ear, antenna or insect wing, 0 the root.</summary>
+    public static JointLimit Soft(JointRole role, int joint) => role switch
+    {
+        JointRole.Fin => Row(joint == 0 ? fin : finTip, 0),
+        JointRole.Ear => Row(ear, 0),
+        JointRole.Antenna => Row(antenna, 0),
+        JointRole.Wing => Row(joint == 0 ? insectWing : finTip, 0),
+        _ => throw new ArgumentOutOfRangeException(nameof(role), role, "expected fin, ear, antenna or wing"),
+    };
+
+    /// <summary>Limits of a joint of trunk and head.</summary>
+    public static JointLimit Body(JointRole role) => role switch
+    {
+        JointRole.Root or JointRole.Body => JointLimit.Free,
+        JointRole.Pelvis => Row(pelvis, 0),
+        JointRole.Spine => Row(spine, 0),
+        JointRole.Chest => Row(chest, 0),
+        JointRole.Head => Row(head, 0),
+        JointRole.Jaw => Row(jaw, 0),
+        JointRole.Eye => Row(eye, 0),
+        _ => throw new ArgumentOutOfRangeException(nameof(role), role, "expected a joint of trunk or head"),
+    };
+
+    /// <summary>Limits of a joint of a neck, a tail or the body of a swimmer: a chain of so many bones.</summary>
+    public static JointLimit Chain(int bones)
+    {
+        float bend = (float)Scalar.Radians(Math.Min(BendPerChain / Math.Max(bones, 1), MostPerBone));
+        return new JointLimit(bend, bend, bend / 2);
+    }
+
+    /// <summary>
+    /// A limit of a bend of the body, narrowed so that the skin on the inner side of the bend does not fold: half the girth there may turn by no more than
+    /// 0.64 of the shorter of the two bones that meet (the steepest part of the stretch over which the skin goes over from one to the other).
+    /// </summary>
+    /// <param name="limit">The limit to narrow.</param>
+    /// <param name="bone">Length of the shorter bone.</param>
+    /// <param name="shape">The sections.</param>
+    /// <param name="ring">Where the body bends.</param>
+    public static JointLimit WithinGirth(JointLimit limit, float bone, BodyShape shape, double ring)
+    {
+        float Bend(double[] extent) => (float)(SkinStretch * bone / Math.Max(BodyShape.At(extent, ring), 1e-3));
+        float up = Bend(shape.Top);
+        float down = Bend(shape.Bottom);
+        float side = Bend(shape.Width);
+        float most = Math.Min(up, down);
+        return new JointLimit(
+            new AngleRange(Math.Max(limit.SwingX.Min, -most), Math.Min(limit.SwingX.Max, most)),
+            new AngleRange(Math.Max(limit.SwingZ.Min, -side), Math.Min(limit.SwingZ.Max, side)),
+            limit.Twist);
+    }
+
+    private static JointLimit Row(short[] degrees, int row)
+    {
+        AngleRange Range(int column) => new((float)Scalar.Radians(degrees[(6 * row) + column]), (float)Scalar.Radians(degrees[(6 * row) + column + 1]));
+        return new JointLimit(Range(0), Range(2), Range(4));
+    }
+}

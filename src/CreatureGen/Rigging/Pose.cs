@@ -1,0 +1,48 @@
+using System;
+using System.Numerics;
+
+namespace CreatureGen.Rigging;
+
+/// <summary>
+/// Rotations and positions of all joints of a skeleton, in spans that the caller owns: one entry per joint, in the skeleton's order.
+/// In the parents' space (a local pose) or in model space, as the user of the pose says. Rotations are unit quaternions, positions metres.
+/// </summary>
+public readonly ref struct Pose
+{
+    /// <summary>Lays a pose over two spans.</summary>
+    /// <exception cref="ArgumentException">The spans differ in length.</exception>
+    public Pose(Span<Quaternion> rotations, Span<Vector3> positions)
+    {
+        if (rotations.Length != positions.Length)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{rotations.Length} rotations and {positions.Length} positions; expected one of each per joint"), nameof(positions));
+        }
+
+        Rotations = rotations;
+        Positions = positions;
+    }
+
+    /// <summary>One rotation per joint.</summary>
+    public Span<Quaternion> Rotations { get; }
+
+    /// <summary>One position per joint.</summary>
+    public Span<Vector3> Positions { get; }
+
+    /// <summary>Fills a local pose with the rest pose.</summary>
+    /// <exception cref="ArgumentException">The pose is not as long as the skeleton.</exception>
+    public void SetToRest(Skeleton skeleton)
+    {
+        Require(skeleton);
+        skeleton.LocalRotations.CopyTo(Rotations);
+        skeleton.LocalPositions.CopyTo(Positions);
+    }
+
+    /// <summary>Throws unless the pose has one entry per joint of the skeleton.</summary>
+    internal void Require(Skeleton skeleton)
+    {
+        if (Rotations.Length != skeleton.Count)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"a pose of {Rotations.Length} joints; expected the {skeleton.Count} of the skeleton"));
+        }
+    }
+}
