@@ -11,8 +11,8 @@ namespace CreatureGen.Appearance;
 /// </remarks>
 internal static class OklchColour
 {
-    // How far a channel may leave 0..1 by rounding of the published matrices alone.
-    private const double GamutSlack = 1e-4;
+    // How far a channel may leave 0..1 unnoticed: far less than the darkest colours differ by.
+    private const double GamutSlack = 1e-6;
     private const int BisectionSteps = 24;
 
     /// <summary>Linear RGB, each channel 0..1, of a colour of a blueprint.</summary>
