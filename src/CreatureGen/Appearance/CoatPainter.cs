@@ -1,0 +1,142 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Geometry;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Appearance;
+
+/// <summary>The colour of every vertex of a creature's surface, as a function of where the vertex lies and nothing else.</summary>
+/// <remarks>
+/// From the ground up: countershading (dark back, pale belly), pattern, extremities in the limb colour, then head, tail, fins and wings.
+/// Both sides of the body get identical colours, in whatever order the vertices are painted.
+/// </remarks>
+internal sealed class CoatPainter
+{
+    private const float DarkestChannel = 0.003f;
+
+    private readonly CoatPalette palette;
+    private readonly CoatSubject subject;
+    private readonly PatternField pattern;
+    private readonly HeadCoat head;
+    private readonly BladeCoat blades;
+    private readonly TailCoat tail;
+    private readonly float strength;
+    private readonly int salt;
+
+    /// <summary>Prepares the coat of one creature.</summary>
+    public CoatPainter(CoatBlueprint coat, CoatSubject subject)
+    {
+        this.subject = subject;
+        palette = new CoatPalette(coat);
+        pattern = new PatternField(coat.PatternKind, coat.PatternScale, coat.PatternSeed);
+        strength = Scalar.Clamp((float)coat.PatternStrength, 0f, 1f);
+        salt = unchecked((coat.PatternSeed * 16) + 8);
+        head = new HeadCoat(palette, subject, coat.PatternSeed);
+        blades = new BladeCoat(palette, subject, coat.PatternSeed);
+        tail = new TailCoat(palette, subject, coat.PatternSeed);
+    }
+
+    /// <summary>Paints all vertices of a surface.</summary>
+    /// <param name="surface">Addresses, rest positions and mirror images.</param>
+    /// <param name="normals">Unit, one per vertex.</param>
+    /// <param name="colours">Receives linear RGB, 0..1, one per vertex.</param>
+    public void Paint(SurfaceBuilder surface, ReadOnlySpan<Vector3> normals, Span<Vector3> colours)
+    {
+        for (int v = 0; v < surface.Positions.Count; v++)
+        {
+            // A vertex of the right side takes the colour of its mirror image, which is exact even where the two addresses were rounded differently.
+            int source = surface.Addresses[v].Sign < 0 ? surface.Mirror[v] : v;
+            colours[v] = source < v ? colours[source] : At(surface.Addresses[source], surface.Positions[source], normals[source]);
+        }
+    }
+
+    /// <summary>Linear RGB, 0..1, of one vertex.</summary>
+    /// <param name="address">Where it lies.</param>
+    /// <param name="position">Rest position, model space, metres at scale 1.</param>
+    /// <param name="normal">Unit normal.</param>
+    public Vector3 At(in VertexAddress address, Vector3 position, Vector3 normal)
+    {
+        var place = new SkinPlace(address, position, normal, subject.Body);
+        Vector3 colour = place.Region switch
+        {
+            SurfaceRegion.Mouth => palette.MouthInside,
+            SurfaceRegion.Hoof => palette.Claw * Scalar.Lerp(1.15f, 0.8f, Scalar.Smooth(place.Normal.Y + 0.5f)),
+            SurfaceRegion.EarInside => palette.EarInside,
+            _ => Skin(place),
+        };
+        float grain = 0.94f + (0.12f * ValueNoise.At(place.Position * 9f, salt));
+        colour *= grain;
+        return new Vector3(Limit(colour.X), Limit(colour.Y), Limit(colour.Z));
+    }
+
+    private Vector3 Skin(in SkinPlace place)
+    {
+        Vector3 colour = Undercoat(place);
+        if (place.IsTrunk)
+        {
+            return head.Over(tail.Over(colour, place), place);
+        }
+
+        return place.IsLimb ? Limb(colour, place) : blades.Over(colour, place);
+    }
+
+    private Vector3 Undercoat(in SkinPlace place)
+    {
+        float ventral = Countershade(place) + (0.10f * (ValueNoise.At(place.Position * 5f, salt + 1) - 0.5f));
+        float belly = Scalar.Smooth((ventral - 0.52f) / 0.30f);
+        float back = 0.62f * Scalar.Smooth((0.26f - ventral) / 0.26f);
+
+        // Broad, faint drifts of tone keep a plain skin alive.
+        float drift = ValueNoise.At(place.Position * 2.3f, salt + 2) - 0.5f;
+        Vector3 colour = Vec.Lerp(palette.Base, drift > 0f ? palette.Back : palette.Belly, 0.34f * Math.Abs(drift));
+        colour = Vec.Lerp(colour, palette.Back, back);
+        float mask = pattern.At(new PatternPlace(place.Position, Run(place), place.Around)) * strength * (1f - (0.75f * belly));
+        if (place.IsLimb)
+        {
+            mask *= 1f - (0.6f * Scalar.Smooth((place.Along - 0.45f) / 0.4f));
+        }
+
+        colour = Vec.Lerp(colour, palette.Pattern, mask);
+        return Vec.Lerp(colour, palette.Belly, 0.9f * belly);
+    }
+
+    // 0 where the back is to 1 where the belly is; limbs and blades leave the shade of their root for one of their own.
+    private static float Countershade(in SkinPlace place)
+    {
+        if (place.IsTrunk)
+        {
+            return place.Ventral;
+        }
+
+        if (place.IsLimb)
+        {
+            float inner = 0.16f * Scalar.Smooth(-place.Normal.X) * (1f - place.Along);
+            return Scalar.Lerp(place.Ventral, 0.35f + (0.12f * place.Along) + inner, Scalar.Smooth(place.Along / 0.26f));
+        }
+
+        return Scalar.Lerp(place.Ventral, 0.45f, Scalar.Smooth(place.Along / 0.22f));
+    }
+
+    // What stripes count: metres along the body, and down a limb so that they ring it.
+    private float Run(in SkinPlace place)
+    {
+        if (!place.IsLimb)
+        {
+            return place.Arc;
+        }
+
+        float drop = (float)Bodies.BodyShape.At(subject.Body.Y, place.Ring) - place.Position.Y;
+        float reach = (float)Math.Sqrt((place.Position.X * place.Position.X) + (drop * drop));
+        return place.Arc + (reach * Scalar.Smooth(place.Along / 0.3f));
+    }
+
+    private Vector3 Limb(Vector3 undercoat, in SkinPlace place)
+    {
+        float share = place.Region == SurfaceRegion.Toe ? 0.85f : 0.8f * Scalar.Smooth((place.Along - 0.35f) / 0.4f);
+        return Vec.Lerp(undercoat, palette.Limb, share);
+    }
+
+    private static float Limit(float channel) => Scalar.Clamp(channel, DarkestChannel, 1f);
+}

@@ -1,0 +1,45 @@
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
+
+namespace CreatureGen.Appearance;
+
+/// <summary>What covers the front of the head.</summary>
+internal enum SnoutCoat
+{
+    /// <summary>The same skin as the rest of the head.</summary>
+    Bare,
+
+    /// <summary>A soft muzzle with a dark nose.</summary>
+    Leather,
+
+    /// <summary>A beak.</summary>
+    Beak,
+}
+
+/// <summary>What a coat has to know of the body that wears it.</summary>
+internal sealed class CoatSubject
+{
+    public CoatSubject(BodyShape body) => Body = body;
+
+    /// <summary>Sections of the body in rest pose, metres at scale 1.</summary>
+    public BodyShape Body { get; }
+
+    public SnoutCoat Snout { get; set; }
+
+    /// <summary>Marking of the head; <see cref="HeadMarks.FromSeed"/> chooses one.</summary>
+    public HeadMark Mark { get; set; }
+
+    /// <summary>End of the tail.</summary>
+    public TailStyle Tail { get; set; }
+
+    /// <summary>Style of the wing with the appendage number of the index; entries of other appendages are not looked at.</summary>
+    public IReadOnlyList<WingStyle> WingStyles { get; set; } = System.Array.Empty<WingStyle>();
+
+    /// <summary>Centre of the left eye, metres at scale 1.</summary>
+    public Vector3 EyeCentre { get; set; }
+
+    /// <summary>Radius of the eye, metres at scale 1; 0 for a head without eyes.</summary>
+    public float EyeRadius { get; set; }
+}

@@ -1,0 +1,119 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Appearance;
+
+/// <summary>A place of the skin as patterns see it: the same for both sides of the body.</summary>
+internal readonly struct PatternPlace
+{
+    /// <summary>Folds a place onto the left side.</summary>
+    /// <param name="position">Rest position, model space, metres at scale 1; either side.</param>
+    /// <param name="run">Metres along the body from the nose, or down a limb: what stripes and bands count.</param>
+    /// <param name="around">Angle around the body, radians, 0 dorsal to π ventral.</param>
+    public PatternPlace(Vector3 position, float run, float around)
+    {
+        Position = new Vector3(Math.Abs(position.X), position.Y, position.Z);
+        Run = run;
+        Around = around;
+    }
+
+    /// <summary>Rest position with x ≥ 0.</summary>
+    public Vector3 Position { get; }
+
+    /// <summary>Metres along the body or down a limb.</summary>
+    public float Run { get; }
+
+    /// <summary>Radians, 0 dorsal to π ventral.</summary>
+    public float Around { get; }
+}
+
+/// <summary>Where the pattern colour of a coat shows, from 0 to 1, as a function of the place alone.</summary>
+internal sealed class PatternField
+{
+    // Waves per metre of torso, radians.
+    private const float StripeFrequency = 26f;
+    private const float BandFrequency = 15f;
+
+    private readonly PatternKind kind;
+    private readonly float scale;
+    private readonly int salt;
+
+    /// <summary>Chooses the pattern.</summary>
+    /// <param name="kind">What it looks like.</param>
+    /// <param name="scale">Factor on its frequency.</param>
+    /// <param name="seed">Which one of its kind.</param>
+    public PatternField(PatternKind kind, double scale, int seed)
+    {
+        this.kind = kind;
+        this.scale = (float)scale;
+        salt = unchecked(seed * 16);
+    }
+
+    /// <summary>Share of the pattern colour at a place, 0..1.</summary>
+    public float At(in PatternPlace place)
+    {
+        switch (kind)
+        {
+            case PatternKind.Plain:
+                return 0.30f * Scalar.Smooth((Clouds(place, 4.5f, 11f, 0.65f) - 0.46f) / 0.30f);
+            case PatternKind.Spots:
+                return Spots(place);
+            case PatternKind.Stripes:
+                return Stripes(place);
+            case PatternKind.Bands:
+                return Bands(place);
+            case PatternKind.Patches:
+                return Scalar.Smooth((Clouds(place, 3.2f, 7f, 0.65f) - 0.51f) / 0.045f);
+            case PatternKind.Mottle:
+                return 0.85f * Scalar.Smooth((Clouds(place, 8f, 18f, 0.55f) - 0.42f) / 0.24f);
+            case PatternKind.Saddle:
+                return Saddle(place);
+            default:
+                throw new InvalidOperationException("pattern kind " + kind + " is not known; expected one of " + nameof(PatternKind));
+        }
+    }
+
+    private float Clouds(in PatternPlace place, float coarse, float fine, float share) =>
+        (share * ValueNoise.At(place.Position * (coarse * scale), salt)) + ((1f - share) * ValueNoise.At(place.Position * (fine * scale), salt + 1));
+
+    private float Spots(in PatternPlace place)
+    {
+        NearestPoint point = WorleyNoise.Nearest(place.Position * (7.5f * scale), salt + 2);
+
+        // A quarter of the cells stay empty; the others differ in size.
+        if (point.Value < 0.25f)
+        {
+            return 0f;
+        }
+
+        float radius = 0.26f + (0.20f * point.Value);
+        return Scalar.Smooth((radius - point.Distance) / 0.10f);
+    }
+
+    private float Stripes(in PatternPlace place)
+    {
+        float waver = ValueNoise.At(place.Position * (4f * scale), salt + 3);
+        float phase = (place.Run * StripeFrequency * scale) + (4.5f * waver) + (0.8f * (float)PortableMath.Sin(place.Around));
+        float wave = (float)PortableMath.Sin(phase);
+
+        // Stripes narrow towards the belly, and some break off earlier than others.
+        float taper = 0.55f * Scalar.Smooth((place.Around - 1.2f) / 1.3f) * (0.5f + waver);
+        return Scalar.Smooth((wave - 0.15f - taper) / 0.40f);
+    }
+
+    private float Bands(in PatternPlace place)
+    {
+        float waver = ValueNoise.At(place.Position * (3f * scale), salt + 4);
+        float wave = (float)PortableMath.Sin((place.Run * BandFrequency * scale) + (1.2f * waver));
+        return Scalar.Smooth((wave - 0.10f) / 0.30f);
+    }
+
+    private float Saddle(in PatternPlace place)
+    {
+        float ragged = Clouds(place, 5f, 14f, 0.7f) - 0.5f;
+        float height = (float)PortableMath.Cos(place.Around);
+        return Scalar.Smooth((height - 0.15f + (0.75f * ragged)) / 0.25f);
+    }
+}

@@ -1,0 +1,53 @@
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Appearance;
+
+/// <summary>What the end of the tail wears: a tip, a fin with rays, or a fan of feathers.</summary>
+internal sealed class TailCoat
+{
+    private const int FirstRing = 44;
+
+    private readonly CoatPalette palette;
+    private readonly CoatSubject subject;
+    private readonly Vector3 finColour;
+    private readonly Vector3 tipColour;
+    private readonly float tipShare;
+
+    public TailCoat(CoatPalette palette, CoatSubject subject, int patternSeed)
+    {
+        this.palette = palette;
+        this.subject = subject;
+        finColour = BladeCoat.FinColour(palette, patternSeed);
+        float tip = CoatChoice.Of(patternSeed, CoatChoice.TailTip);
+        tipColour = tip < 0.45f ? palette.Limb : palette.Belly;
+        tipShare = tip < 0.70f ? 0.85f : 0f;
+    }
+
+    /// <summary>The colour of a place of the trunk with the tail's own colours laid over <paramref name="colour"/>.</summary>
+    public Vector3 Over(Vector3 colour, in SkinPlace place)
+    {
+        if (place.Ring < FirstRing)
+        {
+            return colour;
+        }
+
+        switch (subject.Tail)
+        {
+            case TailStyle.Plain:
+                return Vec.Lerp(colour, tipColour, tipShare * Between(place, 50, 53));
+            case TailStyle.Feathers:
+                return Vec.Lerp(colour, palette.Limb * 0.85f, 0.85f * Between(place, 49, 52));
+            default:
+                float rays = 1f - (0.16f * (1f - (float)PortableMath.Cos(place.Around * 11f)) * Scalar.Smooth((place.Ring - 47f) / 2f));
+                return Vec.Lerp(colour, finColour, 0.85f * Between(place, 47, 52)) * rays;
+        }
+    }
+
+    private float Between(in SkinPlace place, int from, int to)
+    {
+        double[] arc = subject.Body.Arc;
+        return Scalar.Smooth((float)((place.Arc - arc[from]) / (arc[to] - arc[from])));
+    }
+}

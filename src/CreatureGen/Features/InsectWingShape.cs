@@ -1,0 +1,173 @@
+using System;
+using System.Numerics;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Features;
+
+/// <summary>A thin wing of an insect: a closed leaf of two layers that share their edge, veined in the colours of its vertices.</summary>
+/// <remarks>
+/// The outline follows from how broad the wing is: slender ones are straight (dragonfly), middling ones round off behind (wasp),
+/// broad ones fan out and have a dark margin (butterfly). Material <see cref="Creatures.MaterialKind.Membrane"/>.
+/// </remarks>
+internal static class InsectWingShape
+{
+    private const int Rows = 8;
+    private const int Lines = 7;
+    private const int Strips = Lines - 1;
+
+    // Metres at the size of a creature with a torso of one metre.
+    private const float RootDepth = 0.012f;
+
+    /// <summary>Appends a wing of the left side.</summary>
+    /// <param name="builder">Where the wing goes.</param>
+    /// <param name="skin">The body's surface at its root.</param>
+    /// <param name="wing">Length, width and direction.</param>
+    /// <param name="scale">Factor from the blueprint's metres to those of <paramref name="skin"/>.</param>
+    /// <param name="membrane">Linear RGB between the veins.</param>
+    /// <param name="vein">Linear RGB of the veins.</param>
+    public static void Append(PieceBuilder builder, SurfacePoint skin, InsectWingBlueprint wing, float scale, Vector3 membrane, Vector3 vein)
+    {
+        ReadOnlySpan<float> stations = stackalloc float[Rows] { 0f, 0.10f, 0.25f, 0.42f, 0.60f, 0.77f, 0.91f, 1f };
+        ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.62f, 0.65f, 1f };
+        float length = (float)wing.Length * scale;
+        float width = (float)wing.Width * scale;
+        float aspect = width / length;
+        Vector3 along = Direction(wing);
+        Vector3 back = Trailing(wing, along);
+        Vector3 up = Vec.Cross(along, back);
+        Vector3 root = skin.Position - (skin.Normal * (RootDepth * scale));
+
+        Span<Vector3> grid = stackalloc Vector3[Rows * Lines];
+        for (int i = 0; i < Rows; i++)
+        {
+            Outline(stations[i], aspect, out float lead, out float trail);
+            for (int j = 0; j < Lines; j++)
+            {
+                float u = lines[j];
+                float camber = 0.045f * length * 2f * u * (1f - u) * stations[i];
+                grid[(i * Lines) + j] = root + (along * (stations[i] * length)) + (back * (width * Scalar.Lerp(lead, trail, u))) + (up * camber);
+            }
+        }
+
+        float thickness = 0.004f * scale;
+        AppendLayer(builder, grid, stations, lines, up, thickness, aspect, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, -thickness, aspect, membrane, vein);
+    }
+
+    /// <summary>Root, middle and tip of the wing's axis, its joints.</summary>
+    public static Vector3[] JointPoints(SurfacePoint skin, InsectWingBlueprint wing, float scale)
+    {
+        Vector3 reach = Direction(wing) * ((float)wing.Length * scale);
+        return new[] { skin.Position, skin.Position + (reach * 0.5f), skin.Position + reach };
+    }
+
+    private static void AppendLayer(
+        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, float aspect, Vector3 membrane, Vector3 vein)
+    {
+        const int RowLength = 2 * Strips;
+        int first = builder.VertexCount;
+        float side = thickness > 0f ? 1f : -1f;
+        for (int i = 0; i < Rows; i++)
+        {
+            for (int strip = 0; strip < Strips; strip++)
+            {
+                for (int edge = 0; edge < 2; edge++)
+                {
+                    // Every strip has vertices of its own, so that veins have sharp borders.
+                    int j = strip + edge;
+                    bool border = i == 0 || i == Rows - 1 || j == 0 || j == Lines - 1;
+                    Vector3 position = grid[(i * Lines) + j] + (up * (border ? 0f : thickness));
+                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], i, aspect, membrane, vein));
+                }
+            }
+        }
+
+        for (int i = 0; i + 1 < Rows; i++)
+        {
+            for (int strip = 0; strip < Strips; strip++)
+            {
+                int a = first + (i * RowLength) + (2 * strip);
+                int b = thickness > 0f ? a + RowLength : a + 1;
+                int c = a + RowLength + 1;
+                int d = thickness > 0f ? a + 1 : a + RowLength;
+
+                // At the corners of the leaf the diagonal has to leave the border, or both layers would share it.
+                if ((i == 0 && strip == Strips - 1) || (i == Rows - 2 && strip == 0))
+                {
+                    builder.Quad(b, c, d, a);
+                }
+                else
+                {
+                    builder.Quad(a, b, c, d);
+                }
+            }
+        }
+    }
+
+    private static Vector3 Normal(ReadOnlySpan<Vector3> grid, int i, int j)
+    {
+        Vector3 alongRow = grid[(Math.Min(i + 1, Rows - 1) * Lines) + j] - grid[(Math.Max(i - 1, 0) * Lines) + j];
+        Vector3 acrossRow = grid[(i * Lines) + Math.Min(j + 1, Lines - 1)] - grid[(i * Lines) + Math.Max(j - 1, 0)];
+        return Vec.Normalize(Vec.Cross(alongRow / Vec.Length(alongRow), acrossRow / Vec.Length(acrossRow)));
+    }
+
+    private static Vector3 Shade(int strip, float s, float u, int row, float aspect, Vector3 membrane, Vector3 vein)
+    {
+        if ((strip & 1) == 0 && strip < 5)
+        {
+            return vein * (1f - (0.15f * s));
+        }
+
+        float broad = Broadness(aspect);
+        float dark = 0.22f * ((row & 1) == 0 ? 1f : 0f);
+        dark = Math.Max(dark, 0.45f * Scalar.Smooth((u - 0.8f) / 0.2f));
+        if (strip == 1)
+        {
+            // The pterostigma, a dark cell near the tip of the leading edge.
+            dark = Math.Max(dark, 0.85f * (1f - broad) * Scalar.Smooth(1f - (Math.Abs(s - 0.77f) / 0.12f)));
+        }
+
+        float margin = Math.Max(Scalar.Smooth((s - 0.74f) / 0.14f), Scalar.Smooth((u - 0.7f) / 0.3f));
+        dark = Math.Max(dark, 0.95f * broad * margin);
+        Vector3 sheen = membrane * (1.06f - (0.16f * s));
+        return Vec.Lerp(sheen, vein, dark);
+    }
+
+    private static float Broadness(float aspect) => Scalar.Smooth((aspect - 0.32f) / 0.20f);
+
+    // Leading and trailing edge at s along the wing, in widths behind the axis.
+    private static void Outline(float s, float aspect, out float lead, out float trail)
+    {
+        float broad = Broadness(aspect);
+        float slender = Scalar.Smooth((0.21f - aspect) / 0.07f);
+        float bow = Sine(Power(s, 0.8));
+        float lobe = (1.40f * Power(Sine(0.98f * Power(s, 0.62)), 0.8) * (0.35f + (0.65f * s))) + 0.07f;
+        float blade = (0.80f + (0.32f * Sine(s))) * Math.Min(1f, Power(6f * s, 0.6) + 0.09f) * (float)Math.Sqrt(1f - (0.97f * s * s * s * s * s * s));
+        float fan = (0.16f + (0.86f * Power(s, 0.7))) * (1f - (0.58f * Scalar.Smooth((s - 0.82f) / 0.18f)));
+        lead = Scalar.Lerp(-0.15f * bow, -0.28f * Power(Sine(Power(s, 1.5)), 0.8), broad);
+        trail = Scalar.Lerp(Scalar.Lerp(lobe, blade, slender), fan, broad);
+    }
+
+    private static float Sine(float halfTurns) => (float)PortableMath.Sin(PortableMath.Pi * Math.Min(1f, halfTurns));
+
+    private static float Power(float x, double exponent) => x <= 0f ? 0f : (float)PortableMath.Pow(x, exponent);
+
+    private static Vector3 Direction(InsectWingBlueprint wing)
+    {
+        float level = (float)PortableMath.Cos(wing.Elevation);
+        return new Vector3(
+            (float)PortableMath.Cos(wing.Azimuth) * level,
+            (float)PortableMath.Sin(wing.Elevation),
+            (float)PortableMath.Sin(wing.Azimuth) * level);
+    }
+
+    // Straight back from a spread wing, its rear edge a little raised; of a wing laid back over the body, towards the midline and down.
+    private static Vector3 Trailing(InsectWingBlueprint wing, Vector3 along)
+    {
+        float folded = Scalar.Smooth((-(float)wing.Azimuth - 0.6f) / 0.5f);
+        var back = new Vector3((float)PortableMath.Sin(wing.Azimuth), Scalar.Lerp(0.22f, -0.28f, folded), -(float)PortableMath.Cos(wing.Azimuth));
+        return Vec.Normalize(Vec.Reject(back, along), Vector3.UnitZ);
+    }
+}

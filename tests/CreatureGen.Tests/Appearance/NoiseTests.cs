@@ -1,0 +1,139 @@
+using System;
+using System.Numerics;
+using CreatureGen.Appearance;
+using CreatureGen.Seeding;
+using Xunit;
+
+namespace CreatureGen.Tests.Appearance;
+
+public sealed class NoiseTests
+{
+    // Worked out by an independent implementation with unbounded integers.
+    [Theory]
+    [InlineData(0, 0, 0, 0, 0x01FCE552u)]
+    [InlineData(1, 2, 3, 4, 0x06378CCDu)]
+    [InlineData(-1, -2, -3, -4, 0x5D71F205u)]
+    [InlineData(int.MaxValue, int.MinValue, 0, 7, 0x44CFA843u)]
+    [InlineData(100, -7, 12, 1603, 0xC21A6D40u)]
+    public void The_bits_of_a_cell_are_fixed(int x, int y, int z, int salt, uint bits) => Assert.Equal(bits, LatticeHash.Bits(x, y, z, salt));
+
+    [Theory]
+    [InlineData(0f, 0f, 0f, 0.3697049021720886)]
+    [InlineData(0.5f, 0.25f, 0.75f, 0.3375194755499251)]
+    [InlineData(-3.3f, 2.7f, -0.1f, 0.48274234567327906)]
+    [InlineData(17.25f, -8.5f, 1000.125f, 0.5029758304190182)]
+    public void Clouds_have_known_values(float x, float y, float z, double value) =>
+        Assert.Equal(value, ValueNoise.At(new Vector3(x, y, z), 5), 1e-5);
+
+    [Fact]
+    public void Clouds_stay_in_range_average_one_half_and_use_most_of_it()
+    {
+        RandomStream random = new Seed(1).Stream();
+        double sum = 0;
+        float low = 1f;
+        float high = 0f;
+        const int Count = 20000;
+        for (int n = 0; n < Count; n++)
+        {
+            float v = ValueNoise.At(Point(random, 50), 9);
+            sum += v;
+            low = Math.Min(low, v);
+            high = Math.Max(high, v);
+        }
+
+        Assert.InRange(low, 0f, 0.08f);
+        Assert.InRange(high, 0.92f, 1f);
+        Assert.Equal(0.5, sum / Count, 0.01);
+    }
+
+    [Fact]
+    public void Clouds_are_continuous_everywhere_and_across_zero()
+    {
+        for (int n = -400; n < 400; n++)
+        {
+            float t = n * 0.01f;
+            float step = Math.Abs(ValueNoise.At(new Vector3(t, -t, 0.3f), 2) - ValueNoise.At(new Vector3(t + 0.001f, -t - 0.001f, 0.3f), 2));
+            Assert.InRange(step, 0f, 0.006f);
+        }
+    }
+
+    [Fact]
+    public void The_nearest_point_is_the_one_that_a_wide_search_finds()
+    {
+        RandomStream random = new Seed(2).Stream();
+        int close = 0;
+        for (int n = 0; n < 4000; n++)
+        {
+            Vector3 point = Point(random, 30);
+            NearestPoint found = WorleyNoise.Nearest(point, 3);
+            double wide = WideSearch(point, 3);
+            Assert.True(found.Distance >= wide - 1e-5);
+            if (wide < 1 - WorleyNoise.Jitter)
+            {
+                Assert.Equal(wide, found.Distance, 1e-4);
+                close++;
+            }
+        }
+
+        Assert.InRange(close, 2500, 4000);
+    }
+
+    [Fact]
+    public void All_places_near_one_point_share_its_value()
+    {
+        RandomStream random = new Seed(4).Stream();
+        for (int n = 0; n < 200; n++)
+        {
+            Vector3 point = Point(random, 10);
+            NearestPoint here = WorleyNoise.Nearest(point, 3);
+            NearestPoint beside = WorleyNoise.Nearest(point + new Vector3(1e-4f, 0f, 0f), 3);
+            if (here.Value != beside.Value)
+            {
+                // Only a border between two points may part them, and there both are equally far.
+                Assert.Equal(here.Distance, beside.Distance, 1e-3f);
+            }
+        }
+    }
+
+    [Fact]
+    public void Salts_give_unrelated_fields()
+    {
+        int equal = 0;
+        for (int n = 0; n < 100; n++)
+        {
+            var point = new Vector3(n * 0.37f, n * 0.11f, n * -0.23f);
+            equal += Math.Abs(ValueNoise.At(point, 1) - ValueNoise.At(point, 2)) < 0.02f ? 1 : 0;
+        }
+
+        Assert.InRange(equal, 0, 20);
+    }
+
+    private static Vector3 Point(RandomStream random, double range) =>
+        new((float)random.Uniform(-range, range), (float)random.Uniform(-range, range), (float)random.Uniform(-range, range));
+
+    private static double WideSearch(Vector3 point, int salt)
+    {
+        double best = double.MaxValue;
+        int cx = (int)Math.Floor(point.X);
+        int cy = (int)Math.Floor(point.Y);
+        int cz = (int)Math.Floor(point.Z);
+        for (int x = cx - 2; x <= cx + 2; x++)
+        {
+            for (int y = cy - 2; y <= cy + 2; y++)
+            {
+                for (int z = cz - 2; z <= cz + 2; z++)
+                {
+                    uint bits = LatticeHash.Bits(x, y, z, salt);
+                    double dx = x + Offset(bits >> 22) - point.X;
+                    double dy = y + Offset((bits >> 12) & 1023) - point.Y;
+                    double dz = z + Offset((bits >> 2) & 1023) - point.Z;
+                    best = Math.Min(best, Math.Sqrt((dx * dx) + (dy * dy) + (dz * dz)));
+                }
+            }
+        }
+
+        return best;
+    }
+
+    private static double Offset(uint tenBits) => 0.5 + (WorleyNoise.Jitter * ((tenBits / 511.5) - 1));
+}

@@ -1,0 +1,89 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Creatures;
+using CreatureGen.Features;
+using Xunit;
+
+namespace CreatureGen.Tests.Features;
+
+public sealed class InsectWingShapeTests
+{
+    private static readonly SurfacePoint back = new(new Vector3(0.05f, 0.5f, 0.1f), Vector3.Normalize(new Vector3(0.4f, 0.9f, 0f)));
+    private static readonly Vector3 membrane = new(0.6f, 0.7f, 0.8f);
+    private static readonly Vector3 vein = new(0.1f, 0.05f, 0.02f);
+
+    [Fact]
+    public void A_wing_is_a_closed_leaf_at_every_breadth_and_direction()
+    {
+        foreach (double aspect in new[] { 0.08, 0.14, 0.2, 0.3, 0.45, 0.7 })
+        {
+            foreach (double azimuth in new[] { -1.4, -0.6, 0.0, 0.5 })
+            {
+                foreach (double elevation in new[] { -0.3, 0.2, 0.9 })
+                {
+                    Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.8 * aspect, azimuth, elevation));
+                    PieceChecks.IsSound(wing);
+                    PieceChecks.NormalsFollowFaces(wing, 0.95);
+                    Assert.InRange(PieceChecks.TriangleCount(wing), 120, 170);
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void A_wing_reaches_its_tip_and_is_about_as_wide_as_the_blueprint_says()
+    {
+        var blueprint = new InsectWingBlueprint(26, 2.5, 0.8, 0.2, 0, 0);
+        Piece wing = Build(blueprint);
+        Vector3[] joints = InsectWingShape.JointPoints(back, blueprint, 1f);
+        Assert.Equal(3, joints.Length);
+        Assert.Equal(0.8f, Vector3.Distance(joints[0], joints[2]), 5);
+        Assert.Equal(joints[2].X, wing.Positions.Max(p => p.X), 0.02f);
+        Assert.InRange(wing.Positions.Max(p => p.Z) - wing.Positions.Min(p => p.Z), 0.15f, 0.25f);
+    }
+
+    [Fact]
+    public void A_wing_is_thin()
+    {
+        Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.2, 0.3, 0.5));
+        Vector3 centre = wing.Positions.Aggregate(Vector3.Zero, (a, b) => a + b) / wing.Positions.Length;
+        double volume = 0;
+        double area = 0;
+        for (int t = 0; t < wing.Triangles.Length; t += 3)
+        {
+            Vector3 a = wing.Positions[wing.Triangles[t]] - centre;
+            Vector3 b = wing.Positions[wing.Triangles[t + 1]] - centre;
+            Vector3 c = wing.Positions[wing.Triangles[t + 2]] - centre;
+            volume += Vector3.Dot(a, Vector3.Cross(b, c)) / 6.0;
+            area += Vector3.Cross(b - a, c - a).Length() / 2.0;
+        }
+
+        Assert.InRange(2.0 * volume / area, 0.002, 0.008);
+    }
+
+    [Fact]
+    public void Veins_and_membrane_both_show()
+    {
+        Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.16, 0, 0.3));
+        Assert.True(wing.Colours.Count(c => c.X < 0.12f) > 30);
+        Assert.True(wing.Colours.Count(c => c.X > 0.4f) > 60);
+    }
+
+    [Fact]
+    public void A_folded_wing_lies_back_and_inward()
+    {
+        Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.7, 0.15, -1.2, 0.2));
+        Assert.True(wing.Positions.Min(p => p.Z) < back.Position.Z - 0.55f);
+        Assert.True(wing.Positions.Min(p => p.X) < back.Position.X);
+    }
+
+    private static Piece Build(InsectWingBlueprint blueprint)
+    {
+        var builder = new PieceBuilder();
+        InsectWingShape.Append(builder, back, blueprint, 1f, membrane, vein);
+        return builder.ToPiece(MaterialKind.Membrane);
+    }
+}

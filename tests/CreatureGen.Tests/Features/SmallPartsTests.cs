@@ -1,0 +1,105 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Bodies;
+using CreatureGen.Creatures;
+using CreatureGen.Features;
+using CreatureGen.Seeding;
+using Xunit;
+
+namespace CreatureGen.Tests.Features;
+
+public sealed class SmallPartsTests
+{
+    private static readonly Vector3 ivory = new(0.8f, 0.75f, 0.6f);
+
+    [Fact]
+    public void A_claw_is_closed_small_and_never_below_the_floor()
+    {
+        RandomStream random = new Seed(3).Stream();
+        for (int n = 0; n < 60; n++)
+        {
+            Vector3 direction = Vector3.Normalize(new Vector3((float)random.Uniform(-1, 1), (float)random.Uniform(-0.9, 0.4), (float)random.Uniform(0.05, 1)));
+            float radius = (float)random.Uniform(0.006, 0.03);
+            var builder = new PieceBuilder();
+            ClawShape.Append(builder, new Vector3(0.2f, radius * 0.6f, 0.1f), direction, radius, radius * (float)random.Uniform(0.5, 3), 0f, ivory);
+            Piece claw = builder.ToPiece(MaterialKind.Skin);
+            PieceChecks.IsSound(claw);
+            Assert.InRange(PieceChecks.TriangleCount(claw), 10, 30);
+            Assert.All(claw.Positions, p => Assert.InRange(p.Y, -1e-6f, 1f));
+        }
+    }
+
+    [Fact]
+    public void A_claw_of_a_hanging_foot_can_point_straight_down()
+    {
+        var builder = new PieceBuilder();
+        ClawShape.Append(builder, new Vector3(0.2f, 0.5f, 0.1f), new Vector3(0f, -1f, 0f), 0.01f, 0.02f, float.NegativeInfinity, ivory);
+        Piece claw = builder.ToPiece(MaterialKind.Skin);
+        PieceChecks.IsSound(claw);
+        Assert.True(claw.Positions.Min(p => p.Y) < 0.485f);
+    }
+
+    [Fact]
+    public void A_claw_reaches_as_far_as_its_length()
+    {
+        var builder = new PieceBuilder();
+        ClawShape.Append(builder, new Vector3(0f, 0.5f, 0f), Vector3.UnitZ, 0.01f, 0.03f, float.NegativeInfinity, ivory);
+        Assert.Equal(0.03f, builder.ToPiece(MaterialKind.Skin).Positions.Max(p => p.Z), 5);
+    }
+
+    [Fact]
+    public void A_nail_is_closed_and_stands_on_the_floor()
+    {
+        var builder = new PieceBuilder();
+        NailShape.Append(builder, new Vector3(0.1f, 0.02f, 0.3f), Vector3.Normalize(new Vector3(0.4f, 0.1f, 0.9f)), 0.03f, 0f, ivory);
+        Piece nail = builder.ToPiece(MaterialKind.Skin);
+        PieceChecks.IsSound(nail);
+        Assert.InRange(PieceChecks.TriangleCount(nail), 30, 80);
+        Assert.Equal(0f, nail.Positions.Min(p => p.Y), 5);
+    }
+
+    [Fact]
+    public void Teeth_are_closed_and_grow_from_their_lip()
+    {
+        SurfacePoint[] lip = Lip(9);
+        var builder = new PieceBuilder();
+        ToothRow.Append(builder, lip, -Vector3.UnitY, 0.03f, ivory);
+        Piece left = builder.ToPiece(MaterialKind.Skin);
+        PieceChecks.IsSound(left);
+        Assert.InRange(PieceChecks.TriangleCount(left) / lip.Length, 8, 16);
+        Assert.InRange(left.Positions.Min(p => p.Y), 0.9699f, 0.975f);
+        Assert.True(left.Positions.Max(p => p.Y) > 1f, "roots are hidden in the lip");
+    }
+
+    [Fact]
+    public void The_other_half_of_a_row_is_its_exact_mirror_image()
+    {
+        var builder = new PieceBuilder();
+        ToothRow.Append(builder, Lip(6), Vector3.UnitY, 0.03f, ivory);
+        builder.AppendMirrored(0, 0);
+        Piece row = builder.ToPiece(MaterialKind.Skin);
+        PieceChecks.IsSound(row);
+        PieceChecks.IsSymmetric(row);
+    }
+
+    [Fact]
+    public void A_nostril_is_closed_dark_within_and_lies_close_to_the_skin()
+    {
+        var builder = new PieceBuilder();
+        var at = new SurfacePoint(new Vector3(0.02f, 1f, 0.8f), Vector3.Normalize(new Vector3(0.4f, 0.2f, 0.9f)));
+        NostrilShape.Append(builder, at, Vector3.UnitY, 0.01f, ivory);
+        Piece nostril = builder.ToPiece(MaterialKind.Skin);
+        PieceChecks.IsSound(nostril);
+        Assert.InRange(PieceChecks.TriangleCount(nostril), 30, 130);
+        Assert.All(nostril.Positions, p => Assert.InRange(Vector3.Dot(p - at.Position, at.Normal), -0.004f, 0.002f));
+        Assert.True(nostril.Colours.Last().Length() < 0.02f);
+    }
+
+    private static SurfacePoint[] Lip(int count) => Enumerable.Range(0, count)
+        .Select(i => 0.1f + (1.2f * i / count))
+        .Select(a => new SurfacePoint(
+            new Vector3(0.1f * MathF.Sin(a), 1f, 0.3f * MathF.Cos(a)),
+            Vector3.Normalize(new Vector3(3f * MathF.Sin(a), 0f, MathF.Cos(a)))))
+        .ToArray();
+}
