@@ -53,21 +53,21 @@ internal sealed class BodyShape
     /// <summary>Length of the spine from the nose.</summary>
     public double[] Arc { get; } = new double[BodyGrid.Rings];
 
-    /// <summary>The shape moved along z and then scaled about the origin.</summary>
-    public BodyShape Placed(double shift, double scale)
+    /// <summary>The shape moved along z.</summary>
+    public BodyShape Placed(double shift)
     {
         var placed = new BodyShape(Pitch);
+        Y.CopyTo(placed.Y, 0);
+        Width.CopyTo(placed.Width, 0);
+        Top.CopyTo(placed.Top, 0);
+        Bottom.CopyTo(placed.Bottom, 0);
+        TopExponent.CopyTo(placed.TopExponent, 0);
+        BottomExponent.CopyTo(placed.BottomExponent, 0);
+        Step.CopyTo(placed.Step, 0);
+        Arc.CopyTo(placed.Arc, 0);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            placed.Y[i] = Y[i] * scale;
-            placed.Z[i] = (Z[i] + shift) * scale;
-            placed.Width[i] = Width[i] * scale;
-            placed.Top[i] = Top[i] * scale;
-            placed.Bottom[i] = Bottom[i] * scale;
-            placed.TopExponent[i] = TopExponent[i];
-            placed.BottomExponent[i] = BottomExponent[i];
-            placed.Step[i] = Step[i] * scale;
-            placed.Arc[i] = Arc[i] * scale;
+            placed.Z[i] = Z[i] + shift;
         }
 
         return placed;

@@ -74,13 +74,13 @@ internal sealed class BodySkin
         return skin;
     }
 
-    /// <summary>The skin over a shape that was moved along z and then scaled about the origin.</summary>
-    public BodySkin Placed(double shift, double scale)
+    /// <summary>The skin moved along z.</summary>
+    public BodySkin Placed(double shift)
     {
-        var placed = new BodySkin(Shape.Placed(shift, scale));
+        var placed = new BodySkin(Shape.Placed(shift));
         for (int v = 0; v < grid.Length; v++)
         {
-            placed.grid[v] = (grid[v] + new Vector3(0f, 0f, (float)shift)) * (float)scale;
+            placed.grid[v] = grid[v] + new Vector3(0f, 0f, (float)shift);
         }
 
         return placed;

@@ -1,16 +1,93 @@
 using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Appearance;
 using CreatureGen.Blueprints;
+using CreatureGen.Features;
+using CreatureGen.Geometry;
+using CreatureGen.Limbs;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+using CreatureGen.Skinning;
 
 namespace CreatureGen.Creatures;
 
 /// <summary>Builds creatures from blueprints: runs the stages in order and nothing else. The same blueprint gives the same creature, bit for bit.</summary>
 public static class CreatureAssembler
 {
+    /// <summary>Kilograms per cubic metre of a creature.</summary>
+    public const float Density = 1000f;
+
     /// <summary>Builds a creature.</summary>
     /// <exception cref="ArgumentException">The blueprint has problems; the message lists them all.</exception>
     public static Creature Assemble(CreatureBlueprint blueprint) => Assemble(blueprint, null);
 
     /// <summary>Builds a creature and tells an observer after each stage.</summary>
     /// <exception cref="ArgumentException">The blueprint has problems; the message lists them all.</exception>
-    public static Creature Assemble(CreatureBlueprint blueprint, IAssemblyObserver? observer) => throw new NotImplementedException();
+    public static Creature Assemble(CreatureBlueprint blueprint, IAssemblyObserver? observer)
+    {
+        BlueprintValidator.ThrowIfInvalid(blueprint);
+        float scale = (float)blueprint.Scale;
+        GrownSurface grown = GrownSurface.Grow(blueprint);
+        Surface surface = grown.Surface;
+        observer?.StageFinished(AssemblyStage.Surface);
+
+        Vector3[] normals = new Vector3[surface.Positions.Length];
+        SurfaceNormals.Smooth(surface.Positions, surface.Triangles, normals);
+        var palette = new CoatPalette(blueprint.Coat);
+        (IReadOnlyList<Piece> pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(blueprint, grown, palette, normals);
+        observer?.StageFinished(AssemblyStage.Features);
+
+        EyeFrame eye = FeatureSetter.EyeOf(blueprint, grown);
+        var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages, grown.Mouth, new EyeSocket(eye.Centre, eye.Gaze, eye.Radius));
+        Rig rig = CreatureRigger.Build(input);
+        FinishedRig finished = rig.Scaled(scale);
+        observer?.StageFinished(AssemblyStage.Rig);
+
+        SkinWeights[] weights = AnatomicalWeights.Solve(input, rig);
+        observer?.StageFinished(AssemblyStage.Skin);
+
+        Vector3[] colours = new CoatPainter(blueprint.Coat, Subject(blueprint, grown, eye)).Paint(surface, normals);
+        CreatureMesh mesh = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
+        observer?.StageFinished(AssemblyStage.Appearance);
+
+        MassProperties mass = Weigh(surface, scale);
+        IReadOnlyList<CapsuleCollider> bones = BoneCapsules.Fit(finished.Skeleton, mesh.Weights, mesh.Positions);
+        var creature = new Creature(blueprint, mesh, finished.Skeleton, finished.Limbs, finished.AttachmentPoints, finished.Body, bones, mass, finished.StandingHeight, LocomotionSpeed.Of(blueprint, finished));
+        observer?.StageFinished(AssemblyStage.Finish);
+        return creature;
+    }
+
+    private static CoatSubject Subject(CreatureBlueprint blueprint, GrownSurface grown, EyeFrame eye)
+    {
+        var wings = new WingStyle[grown.Appendages.Count];
+        for (int i = 0; i < blueprint.Wings.Count; i++)
+        {
+            wings[blueprint.Legs.Count + i] = blueprint.Wings[i].Style;
+        }
+
+        return new CoatSubject(grown.Skin.Shape)
+        {
+            Snout = blueprint.Head.Snout,
+            Mark = HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
+            Tail = blueprint.Tail.Style,
+            WingStyles = wings,
+            EyeCentre = eye.Centre,
+            EyeRadius = eye.Radius,
+        };
+    }
+
+    private static MassProperties Weigh(Surface surface, float scale)
+    {
+        SolidProperties solid = SolidProperties.Of(surface.Positions, surface.Triangles);
+        double volume = solid.Volume * scale * scale * scale;
+        double moment = Density * scale * scale * scale * scale * scale;
+        return new MassProperties(
+            (float)(volume * Density),
+            (float)volume,
+            solid.Centroid * scale,
+            solid.InertiaDiagonal * (float)moment,
+            solid.InertiaProducts * (float)moment);
+    }
 }

@@ -1,19 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Geometry;
 using CreatureGen.Skinning;
 
 namespace CreatureGen.Creatures;
-
-/// <summary>How a part of the mesh is drawn.</summary>
-public enum MaterialKind
-{
-    /// <summary>Opaque skin and all that is solid.</summary>
-    Skin,
-
-    /// <summary>Thin, double-sided membrane.</summary>
-    Membrane,
-}
 
 /// <summary>Triangles of one material.</summary>
 /// <param name="Material">How they are drawn.</param>

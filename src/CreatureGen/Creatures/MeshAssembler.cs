@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
@@ -12,8 +13,8 @@ namespace CreatureGen.Creatures;
 /// <summary>Turns the welded surface and the pieces set on it into vertex buffers: splits vertices where texture charts part, and groups triangles by material.</summary>
 internal static class MeshAssembler
 {
-    /// <summary>Builds the buffers. Normals, colours and weights have one entry per vertex of the surface.</summary>
-    public static CreatureMesh Assemble(Surface surface, Vector3[] normals, Vector3[] colours, SkinWeights[] weights, IReadOnlyList<Piece> pieces, Skeleton skeleton)
+    /// <summary>Builds the buffers, larger by a factor than what they are built from. Normals, colours and weights have one entry per vertex of the surface.</summary>
+    public static CreatureMesh Assemble(Surface surface, Vector3[] normals, Vector3[] colours, SkinWeights[] weights, IReadOnlyList<Piece> pieces, Rig rig, float scale)
     {
         ChartPacking packing = ChartPacking.Pack(surface);
         int capacity = surface.Positions.Length * 5 / 4;
@@ -30,12 +31,10 @@ internal static class MeshAssembler
         foreach (Piece piece in pieces)
         {
             int first = buffers.Positions.Count;
-            SkinWeights rigid = piece.Binding == PieceBinding.Surface
-                ? weights[piece.SurfaceVertex]
-                : new SkinWeights(IndexOf(skeleton, piece.JointName), 0, 0, 0, Vector4.UnitX);
+            SkinWeights[] followed = Follow(piece, weights, rig);
             for (int v = 0; v < piece.Positions.Length; v++)
             {
-                buffers.Add(piece.Positions[v], piece.Normals[v], Vector2.Zero, piece.Colours[v], rigid);
+                buffers.Add(piece.Positions[v], piece.Normals[v], Vector2.Zero, piece.Colours[v], followed[followed.Length == 1 ? 0 : v]);
             }
 
             List<int> target = piece.Material == MaterialKind.Membrane ? membranes : triangles;
@@ -52,14 +51,35 @@ internal static class MeshAssembler
             triangles.AddRange(membranes);
         }
 
+        Vector3[] positions = buffers.Positions.ToArray();
+        for (int v = 0; v < positions.Length; v++)
+        {
+            positions[v] *= scale;
+        }
+
         return new CreatureMesh(
-            buffers.Positions.ToArray(),
+            positions,
             buffers.Normals.ToArray(),
             buffers.Texcoords.ToArray(),
             buffers.Colours.ToArray(),
             buffers.Weights.ToArray(),
             triangles.ToArray(),
             parts);
+    }
+
+    /// <summary>The weights of a piece: one for each of its vertices, or a single one for all.</summary>
+    private static SkinWeights[] Follow(Piece piece, SkinWeights[] surface, Rig rig)
+    {
+        switch (piece.Binding)
+        {
+            case PieceBinding.Surface:
+                return new[] { surface[piece.SurfaceVertex] };
+            case PieceBinding.Chain:
+                AppendageJoints joints = rig.Appendages[piece.Appendage];
+                return ChainWeights.Solve(rig.Skeleton, piece.Side == Side.Right ? joints.Right : joints.Left, piece.Positions);
+            default:
+                return new[] { new SkinWeights(IndexOf(rig.Skeleton, piece.JointName), 0, 0, 0, Vector4.UnitX) };
+        }
     }
 
     private static int IndexOf(Skeleton skeleton, string joint)

@@ -1,7 +1,8 @@
-using System;
 using System.Numerics;
+using System;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
+using CreatureGen.Geometry;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Features;
@@ -9,7 +10,7 @@ namespace CreatureGen.Features;
 /// <summary>A thin wing of an insect: a closed leaf of two layers that share their edge, veined in the colours of its vertices.</summary>
 /// <remarks>
 /// The outline follows from how broad the wing is: slender ones are straight (dragonfly), middling ones round off behind (wasp),
-/// broad ones fan out and have a dark margin (butterfly). Material <see cref="Creatures.MaterialKind.Membrane"/>.
+/// broad ones fan out and have a dark margin (butterfly). Material <see cref="MaterialKind.Membrane"/>.
 /// </remarks>
 internal static class InsectWingShape
 {

@@ -1,5 +1,5 @@
 using System.Numerics;
-using CreatureGen.Creatures;
+using CreatureGen.Geometry;
 
 namespace CreatureGen.Features;
 
@@ -11,6 +11,9 @@ internal enum PieceBinding
 
     /// <summary>Rigid with the weights of the surface vertex in <see cref="Piece.SurfaceVertex"/>.</summary>
     Surface,
+
+    /// <summary>Bending along the joints of the appendage in <see cref="Piece.Appendage"/>.</summary>
+    Chain,
 }
 
 /// <summary>A separate closed mesh that sits on the creature: eye, lid, claw, tooth, horn, antenna.</summary>
@@ -33,4 +36,10 @@ internal sealed class Piece
     public string JointName { get; set; } = "";
 
     public int SurfaceVertex { get; set; } = -1;
+
+    /// <summary>Index of the appendage whose chain it bends along, and on which side.</summary>
+    public int Appendage { get; set; } = -1;
+
+    /// <summary>Side of that chain.</summary>
+    public Anatomy.Side Side { get; set; } = Anatomy.Side.Left;
 }

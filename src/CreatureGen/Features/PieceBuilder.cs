@@ -1,6 +1,7 @@
-using System;
 using System.Numerics;
+using System;
 using CreatureGen.Creatures;
+using CreatureGen.Geometry;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Features;

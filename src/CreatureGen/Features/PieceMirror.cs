@@ -36,6 +36,8 @@ internal static class PieceMirror
             Binding = piece.Binding,
             JointName = piece.JointName,
             SurfaceVertex = piece.SurfaceVertex,
+            Appendage = piece.Appendage,
+            Side = piece.Side == Anatomy.Side.Left ? Anatomy.Side.Right : piece.Side,
         };
     }
 }

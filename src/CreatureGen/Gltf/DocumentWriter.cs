@@ -1,9 +1,10 @@
-using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Numerics;
+using System;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
+using CreatureGen.Geometry;
 using CreatureGen.Json;
 
 namespace CreatureGen.Gltf;

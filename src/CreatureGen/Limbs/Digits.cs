@@ -102,7 +102,7 @@ internal static class Digits
             int[] cap = CapGrid.Vertices(surface, grown.End, rows, 2, direction, Math.Min(tipRadius, radii[3].Y) * 0.5f, address);
             KeepAboveFloor(surface, cap, standing);
             CapGrid.Fill(surface, cap, rows, 2, surface.NewChart(), new Vector2(tipRadius * 2f, tipRadius * 2f));
-            tips.Add(new DigitTip(joints[3], direction, Math.Min(tipRadius, radii[2].Y), (float)leg.ClawLength, grown.End[0]));
+            tips.Add(new DigitTip(DigitTipKind.Claw, joints[3], direction, Math.Min(tipRadius, radii[2].Y), (float)leg.ClawLength, grown.End[0]));
         }
     }
 

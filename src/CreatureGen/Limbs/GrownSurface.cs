@@ -11,15 +11,17 @@ namespace CreatureGen.Limbs;
 /// <summary>The welded surface of a whole creature and what grew out of it. Metres at scale 1.</summary>
 internal sealed class GrownSurface
 {
-    private GrownSurface(Surface surface, SurfaceAdjacency adjacency, BodySkin skin, IReadOnlyList<Appendage> appendages, IReadOnlyList<DigitTip> tips, int[] upperLip, int[] lowerLip)
+    private readonly int[] bodyVertices;
+
+    private GrownSurface(Surface surface, SurfaceAdjacency adjacency, BodySkin skin, IReadOnlyList<Appendage> appendages, IReadOnlyList<DigitTip> tips, MouthSeam mouth, int[] bodyVertices)
     {
         Surface = surface;
         Adjacency = adjacency;
         Skin = skin;
         Appendages = appendages;
         Tips = tips;
-        UpperLip = upperLip;
-        LowerLip = lowerLip;
+        Mouth = mouth;
+        this.bodyVertices = bodyVertices;
     }
 
     public Surface Surface { get; }
@@ -35,11 +37,19 @@ internal sealed class GrownSurface
     /// <summary>Ends of toes, fingers and tips on the left; <see cref="DigitTip.Vertex"/> indexes <see cref="Surface"/>.</summary>
     public IReadOnlyList<DigitTip> Tips { get; }
 
-    /// <summary>Vertices of the upper lip from the left corner to the right; empty without a mouth.</summary>
-    public int[] UpperLip { get; }
+    /// <summary>Its lips.</summary>
+    public MouthSeam Mouth { get; }
 
-    /// <summary>Vertices of the lower lip from the left corner to the right; empty without a mouth.</summary>
-    public int[] LowerLip { get; }
+    /// <summary>The vertex of the surface at a ring and segment of the body, or the next one forward of it that no socket has taken.</summary>
+    public int BodyVertex(int ring, int segment)
+    {
+        while (bodyVertices[(ring * BodyGrid.Segments) + (segment & (BodyGrid.Segments - 1))] < 0)
+        {
+            ring--;
+        }
+
+        return bodyVertices[(ring * BodyGrid.Segments) + (segment & (BodyGrid.Segments - 1))];
+    }
 
     /// <summary>Spans the body, grows all limbs, closes the body and relaxes the seams.</summary>
     public static GrownSurface Grow(CreatureBlueprint blueprint)
@@ -89,10 +99,17 @@ internal sealed class GrownSurface
         for (int i = 0; i < tips.Count; i++)
         {
             DigitTip t = tips[i];
-            tips[i] = new DigitTip(t.Position, t.Direction, t.Radius, t.ClawLength, index[t.Vertex]);
+            tips[i] = new DigitTip(t.Kind, t.Position, t.Direction, t.Radius, t.ClawLength, index[t.Vertex]);
         }
 
-        return new GrownSurface(surface, adjacency, skin, appendages, tips, Indices(mouth.UpperLip), Indices(mouth.LowerLip));
+        int[] bodyVertices = new int[BodyGrid.Rings * BodyGrid.Segments];
+        for (int v = 0; v < bodyVertices.Length; v++)
+        {
+            bodyVertices[v] = index[body[v / BodyGrid.Segments, v % BodyGrid.Segments]];
+        }
+
+        var seam = new MouthSeam(blueprint.Head.Mouth.CornerRing, Indices(mouth.UpperLip), Indices(mouth.LowerLip));
+        return new GrownSurface(surface, adjacency, skin, appendages, tips, seam, bodyVertices);
 
         void Take(Appendage appendage, SocketBlueprint socket)
         {
@@ -113,11 +130,10 @@ internal sealed class GrownSurface
         }
     }
 
-    /// <summary>Moves the creature along z and then scales it about the origin.</summary>
-    public GrownSurface Placed(double shift, double scale)
+    /// <summary>Moves the creature along z; the surface and the appendages are moved in place.</summary>
+    public GrownSurface Placed(double shift)
     {
         var offset = new Vector3(0f, 0f, (float)shift);
-        float factor = (float)scale;
         for (int v = 0; v < Surface.Positions.Length; v++)
         {
             Surface.Positions[v] = Place(Surface.Positions[v]);
@@ -132,12 +148,12 @@ internal sealed class GrownSurface
         var tips = new List<DigitTip>(Tips.Count);
         foreach (DigitTip t in Tips)
         {
-            tips.Add(new DigitTip(Place(t.Position), t.Direction, t.Radius * factor, t.ClawLength, t.Vertex));
+            tips.Add(new DigitTip(t.Kind, Place(t.Position), t.Direction, t.Radius, t.ClawLength, t.Vertex));
         }
 
-        return new GrownSurface(Surface, Adjacency, Skin.Placed(shift, scale), Appendages, tips, UpperLip, LowerLip);
+        return new GrownSurface(Surface, Adjacency, Skin.Placed(shift), Appendages, tips, Mouth, bodyVertices);
 
-        Vector3 Place(Vector3 p) => (p + offset) * factor;
+        Vector3 Place(Vector3 p) => p + offset;
     }
 
     /// <summary>Toes grow out of the end of a leg as a leg does out of the body: their roots are seams too.</summary>

@@ -10,17 +10,30 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Limbs;
 
+/// <summary>What a limb's end may carry.</summary>
+internal enum DigitTipKind
+{
+    /// <summary>A claw, as long as the blueprint says.</summary>
+    Claw,
+
+    /// <summary>A flat nail.</summary>
+    Nail,
+}
+
 /// <summary>The end of a toe, finger or tip, where a claw can sit. Left side, model space, metres at scale 1.</summary>
 internal readonly struct DigitTip
 {
-    public DigitTip(Vector3 position, Vector3 direction, float radius, float clawLength, int vertex)
+    public DigitTip(DigitTipKind kind, Vector3 position, Vector3 direction, float radius, float clawLength, int vertex)
     {
+        Kind = kind;
         Position = position;
         Direction = direction;
         Radius = radius;
         ClawLength = clawLength;
         Vertex = vertex;
     }
+
+    public DigitTipKind Kind { get; }
 
     public Vector3 Position { get; }
 
@@ -29,7 +42,7 @@ internal readonly struct DigitTip
 
     public float Radius { get; }
 
-    /// <summary>In radii.</summary>
+    /// <summary>In radii; 0 for none.</summary>
     public float ClawLength { get; }
 
     /// <summary>A vertex of the surface at the tip, whose weights the claw takes.</summary>
@@ -101,13 +114,13 @@ internal static class LegGrower
                     double a = q * 0.75;
                     var p = end.Centre + new Vector3((float)PortableMath.Sin(a) * end.AcrossRadius * 0.95f, 0f, (float)PortableMath.Cos(a) * end.ForeRadius * 0.93f);
                     p.Y = end.ForeRadius * 0.22f;
-                    tips.Add(new DigitTip(p, new Vector3((float)PortableMath.Sin(a), 0f, (float)PortableMath.Cos(a)), end.ForeRadius * 0.24f, 0f, grown.End[0]));
+                    tips.Add(new DigitTip(DigitTipKind.Nail, p, new Vector3((float)PortableMath.Sin(a), 0f, (float)PortableMath.Cos(a)), end.ForeRadius * 0.24f, 0f, grown.End[0]));
                 }
 
                 return;
             default:
                 Cap(surface, leg, grown.End, end.Tangent, radius, address);
-                tips.Add(new DigitTip(end.Centre, Vec.Normalize(end.Tangent), radius, (float)leg.ClawLength, grown.End[0]));
+                tips.Add(new DigitTip(DigitTipKind.Claw, end.Centre, Vec.Normalize(end.Tangent), radius, (float)leg.ClawLength, grown.End[0]));
                 return;
         }
     }

@@ -1,10 +1,11 @@
-using System;
 using System.Linq;
 using System.Numerics;
+using System;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Creatures;
 using CreatureGen.Features;
+using CreatureGen.Geometry;
 using Xunit;
 
 namespace CreatureGen.Tests.Features;

@@ -1,10 +1,11 @@
-using System;
 using System.Linq;
 using System.Numerics;
+using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Features;
+using CreatureGen.Geometry;
 using CreatureGen.Maths;
 using Xunit;
 

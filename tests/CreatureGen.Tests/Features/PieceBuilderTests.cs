@@ -1,6 +1,7 @@
 using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Features;
+using CreatureGen.Geometry;
 using Xunit;
 
 namespace CreatureGen.Tests.Features;

@@ -1,9 +1,10 @@
-using System;
 using System.Linq;
 using System.Numerics;
+using System;
 using CreatureGen.Bodies;
 using CreatureGen.Creatures;
 using CreatureGen.Features;
+using CreatureGen.Geometry;
 using CreatureGen.Seeding;
 using Xunit;
 

@@ -1,10 +1,11 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
-using System.Text;
 using System.Text.Json;
+using System.Text;
+using System;
 using CreatureGen.Creatures;
+using CreatureGen.Geometry;
 using CreatureGen.Gltf;
 using Xunit;
 

@@ -6,6 +6,7 @@ using System.Text.Json;
 using System.Threading.Tasks;
 using System;
 using CreatureGen.Creatures;
+using CreatureGen.Geometry;
 using CreatureGen.Gltf;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using System;
 using CreatureGen.Creatures;
+using CreatureGen.Geometry;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 

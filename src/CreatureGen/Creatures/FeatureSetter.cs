@@ -1,0 +1,254 @@
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Appearance;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Features;
+using CreatureGen.Geometry;
+using CreatureGen.Limbs;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Creatures;
+
+/// <summary>Sets eyes, claws, teeth, horns and wings of insects on a grown surface. Everything at scale 1.</summary>
+internal sealed class FeatureSetter
+{
+    private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
+
+    private readonly CreatureBlueprint blueprint;
+    private readonly GrownSurface grown;
+    private readonly CoatPalette palette;
+    private readonly Vector3[] normals;
+    private readonly List<Piece> pieces = new();
+    private readonly List<Appendage> appendages;
+    private readonly PieceBuilder builder = new();
+
+    private FeatureSetter(CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette, Vector3[] normals)
+    {
+        this.blueprint = blueprint;
+        this.grown = grown;
+        this.palette = palette;
+        this.normals = normals;
+        appendages = new List<Appendage>(grown.Appendages);
+    }
+
+    /// <summary>The eye of a creature's left side.</summary>
+    public static EyeFrame EyeOf(CreatureBlueprint blueprint, GrownSurface grown)
+    {
+        EyeBlueprint eye = blueprint.Head.Eyes;
+        return EyeFrame.On(grown.Skin.At(eye.Ring, eye.Segment), eye, grown.Skin.Shape.Forward((int)eye.Ring), 1f);
+    }
+
+    /// <summary>All pieces, and the appendages of the creature with those of antennae and insect wings behind them.</summary>
+    public static (IReadOnlyList<Piece> Pieces, IReadOnlyList<Appendage> Appendages) Set(CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette, Vector3[] normals)
+    {
+        var setter = new FeatureSetter(blueprint, grown, palette, normals);
+        setter.AddEyes();
+        setter.AddNostrils();
+        setter.AddTeeth();
+        setter.AddClaws();
+        foreach (FeatureBlueprint feature in blueprint.Features)
+        {
+            setter.AddFeature(feature);
+        }
+
+        foreach (InsectWingBlueprint wing in blueprint.InsectWings)
+        {
+            setter.AddInsectWing(wing);
+        }
+
+        return (setter.pieces, setter.appendages);
+    }
+
+    private void AddEyes()
+    {
+        EyeBlueprint eye = blueprint.Head.Eyes;
+        EyeFrame frame = EyeOf(blueprint, grown);
+        builder.Clear();
+        EyeShape.Append(builder, frame, eye.Style, palette.Iris);
+        Piece left = builder.ToPiece(MaterialKind.Skin);
+        left.JointName = "Eye_L";
+        pieces.Add(left);
+        Piece right = PieceMirror.Mirror(left);
+        right.JointName = "Eye_R";
+        pieces.Add(right);
+        if (eye.Style != EyeStyle.Compound)
+        {
+            builder.Clear();
+            LidShape.Append(builder, frame, eye, LidPart.Upper, palette.Lid);
+            LidShape.Append(builder, frame, eye, LidPart.Lower, palette.Lid);
+            builder.AppendMirrored(0, 0);
+            AddRigid("Head");
+        }
+    }
+
+    private void AddNostrils()
+    {
+        double size = blueprint.Head.NostrilSize;
+        if (size == 0)
+        {
+            return;
+        }
+
+        BodyShape shape = grown.Skin.Shape;
+        bool leather = blueprint.Head.MuzzleSquareness > 2.5;
+        SurfacePoint at = grown.Skin.At(leather ? 0.25 : blueprint.Body.Blend.First == "avian" ? 3.5 : 1.2, leather ? 5.4 : 4.6);
+        if (leather)
+        {
+            // On the front of the nose, not on its bridge.
+            Vector3 forward = shape.Forward(0);
+            Vector3 normal = Vec.Normalize((at.Normal * 0.5f) + (forward * 0.85f));
+            Vector3 p = at.Position + (forward * (float)(shape.Width[0] * 0.22));
+            at = new SurfacePoint(new Vector3(p.X * 0.62f, p.Y, p.Z), normal);
+        }
+
+        builder.Clear();
+        NostrilShape.Append(builder, at, shape.Up(1), (float)(shape.Width[1] * size * 0.8), leather ? palette.Muzzle : palette.Base);
+        builder.AppendMirrored(0, 0);
+        AddRigid("Head");
+    }
+
+    private void AddTeeth()
+    {
+        MouthBlueprint mouth = blueprint.Head.Mouth;
+        if (mouth.Teeth == 0 || !grown.Mouth.Opens)
+        {
+            return;
+        }
+
+        BodyShape shape = grown.Skin.Shape;
+        float length = (float)(mouth.Teeth * shape.Width[4] * 1.4);
+        Row(grown.Mouth.UpperLip, -shape.Up(2), "Head");
+        Row(grown.Mouth.LowerLip, shape.Up(2), "Jaw");
+
+        void Row(int[] lip, Vector3 direction, string joint)
+        {
+            var points = new List<SurfacePoint>();
+            for (int k = (lip.Length / 2) - 1; k > 2; k -= 2)
+            {
+                points.Add(new SurfacePoint(grown.Surface.Positions[lip[k]], normals[lip[k]]));
+            }
+
+            builder.Clear();
+            ToothRow.Append(builder, points.ToArray(), direction, length, toothColour);
+            builder.AppendMirrored(0, 0);
+            AddRigid(joint);
+        }
+    }
+
+    private void AddClaws()
+    {
+        foreach (DigitTip tip in grown.Tips)
+        {
+            float floor = tip.Position.Y < 3f * tip.Radius ? 0f : float.NegativeInfinity;
+            builder.Clear();
+            if (tip.Kind == DigitTipKind.Nail)
+            {
+                NailShape.Append(builder, tip.Position, tip.Direction, tip.Radius, floor, palette.Claw);
+            }
+            else if (tip.ClawLength > 0f)
+            {
+                ClawShape.Append(builder, tip.Position, tip.Direction, tip.Radius, tip.Radius * tip.ClawLength * 1.6f, floor, palette.Claw);
+            }
+            else
+            {
+                continue;
+            }
+
+            AddOnSurface(tip.Vertex);
+        }
+    }
+
+    private void AddFeature(FeatureBlueprint feature)
+    {
+        BodyShape shape = grown.Skin.Shape;
+        int ring = (int)feature.Ring;
+        bool median = feature.Segment is 0 or 16;
+        var curve = new FeatureCurve(feature, grown.Skin.At(feature.Ring, feature.Segment), shape.Forward(ring), Vector3.UnitY, 1f);
+        builder.Clear();
+        if (feature.Kind == FeatureKind.Antenna)
+        {
+            AntennaShape.Append(builder, feature, curve, 1f, palette.Limb * 0.8f, palette.Accent);
+            AddChain(LimbKind.Antenna, feature.Ring, curve.JointPoints(), MaterialKind.Skin);
+            return;
+        }
+
+        Vector3 colour = feature.Kind switch
+        {
+            FeatureKind.Tuft => palette.Accent,
+            FeatureKind.Mandible => palette.Claw,
+            FeatureKind.Tusk => toothColour,
+            _ => palette.Horn,
+        };
+        HornShape.Append(builder, feature, curve, 1f, colour);
+        int vertex = grown.BodyVertex(ring, (int)System.Math.Round(feature.Segment));
+        if (median)
+        {
+            Piece piece = builder.ToPiece(MaterialKind.Skin);
+            piece.Binding = PieceBinding.Surface;
+            piece.SurfaceVertex = vertex;
+            pieces.Add(piece);
+        }
+        else
+        {
+            AddOnSurface(vertex);
+        }
+    }
+
+    private void AddInsectWing(InsectWingBlueprint wing)
+    {
+        SurfacePoint skin = grown.Skin.At(wing.Ring, wing.Segment);
+        builder.Clear();
+        InsectWingShape.Append(builder, skin, wing, 1f, Vec.Lerp(palette.Accent, Vector3.One, 0.55f), palette.Base * 0.4f);
+        AddChain(LimbKind.InsectWing, wing.Ring, InsectWingShape.JointPoints(skin, wing, 1f), MaterialKind.Membrane);
+    }
+
+    /// <summary>Adds what the builder holds, left and right, as one piece on a joint of the midline.</summary>
+    private void AddRigid(string joint)
+    {
+        Piece piece = builder.ToPiece(MaterialKind.Skin);
+        piece.JointName = joint;
+        pieces.Add(piece);
+    }
+
+    /// <summary>Adds what the builder holds on a vertex of the left side, and its mirror image.</summary>
+    private void AddOnSurface(int vertex)
+    {
+        Piece left = builder.ToPiece(MaterialKind.Skin);
+        left.Binding = PieceBinding.Surface;
+        left.SurfaceVertex = vertex;
+        pieces.Add(left);
+        Piece right = PieceMirror.Mirror(left);
+        right.SurfaceVertex = grown.Surface.Mirror[vertex];
+        pieces.Add(right);
+    }
+
+    /// <summary>Adds what the builder holds as an appendage with joints of its own, and its mirror image.</summary>
+    private void AddChain(LimbKind kind, double ring, Vector3[] joints, MaterialKind material)
+    {
+        int pair = 1;
+        foreach (Appendage other in appendages)
+        {
+            pair += other.Kind == kind ? 1 : 0;
+        }
+
+        Piece left = builder.ToPiece(material);
+        left.Binding = PieceBinding.Chain;
+        left.Appendage = appendages.Count;
+        pieces.Add(left);
+        pieces.Add(PieceMirror.Mirror(left));
+        appendages.Add(new Appendage
+        {
+            Kind = kind,
+            Pair = pair,
+            Paired = true,
+            RootRing = ring,
+            Joints = joints,
+            JointsAlong = new[] { 0f, 0.5f, 1f },
+            Pole = Vec.Normalize(Vec.Reject(Vector3.UnitY, Vec.Normalize(joints[2] - joints[0])), Vector3.UnitZ),
+            Contact = joints[2],
+        });
+    }
+}
