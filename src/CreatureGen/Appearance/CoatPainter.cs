@@ -33,7 +33,7 @@ internal sealed class CoatPainter
         pattern = new PatternField(coat.PatternKind, coat.PatternScale, coat.PatternSeed);
         strength = Scalar.Clamp((float)coat.PatternStrength, 0f, 1f);
         salt = unchecked((coat.PatternSeed * 16) + 8);
-        head = new HeadCoat(palette, subject, coat.PatternSeed);
+        head = new HeadCoat(palette, subject, coat);
         blades = new BladeCoat(palette, subject, coat.PatternSeed);
         tail = new TailCoat(palette, subject, coat.PatternSeed);
     }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 
@@ -9,23 +10,28 @@ internal sealed class HeadCoat
 {
     private const int LastRing = 28;
 
+    // Metres at scale 1.
+    private const float WidestRing = 0.04f;
+
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
     private readonly Vector3 markColour;
     private readonly Vector3 ringColour;
     private readonly Vector3 muzzleColour;
 
-    public HeadCoat(CoatPalette palette, CoatSubject subject, int patternSeed)
+    public HeadCoat(CoatPalette palette, CoatSubject subject, CoatBlueprint coat)
     {
         this.palette = palette;
         this.subject = subject;
+        int patternSeed = coat.PatternSeed;
         float mark = CoatChoice.Of(patternSeed, CoatChoice.MarkColour);
 
-        // A whole head in the accent colour clashes more often than not.
-        float accent = subject.Mark == HeadMark.Hood ? 0.12f : 0.42f;
+        // The accent colour in a face suits vivid coats; on natural ones, and on a whole head, it clashes more often than not.
+        float vivid = Scalar.Smooth(((float)coat.Base.Chroma - 0.085f) / 0.035f);
+        float accent = vivid * (subject.Mark == HeadMark.Hood ? 0.12f : 0.42f);
         bool bright = subject.Mark != HeadMark.None && mark < accent;
         markColour = mark < accent ? palette.Accent : mark < 0.8f ? palette.Pattern : subject.Mark == HeadMark.Hood ? palette.Limb : palette.Belly;
-        ringColour = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) < 0.65f ? palette.Limb * 0.6f : palette.Accent;
+        ringColour = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) > 0.4f * vivid ? palette.Limb * 0.6f : palette.Accent;
         muzzleColour = CoatChoice.Of(patternSeed, CoatChoice.Muzzle) < 0.5f ? palette.Belly : palette.Limb;
     }
 
@@ -50,8 +56,10 @@ internal sealed class HeadCoat
             return colour;
         }
 
-        float distance = Vec.Distance(place.Position, subject.EyeCentre) / subject.EyeRadius;
-        return Vec.Lerp(colour, ringColour, 0.65f * Scalar.Smooth((2.0f - distance) / 0.8f));
+        // As wide as the eye's radius, but no halo around the huge eyes of insects.
+        float width = System.Math.Min(subject.EyeRadius, WidestRing);
+        float beyond = Vec.Distance(place.Position, subject.EyeCentre) - subject.EyeRadius;
+        return Vec.Lerp(colour, ringColour, 0.65f * Scalar.Smooth((width - beyond) / (0.8f * width)));
     }
 
     private Vector3 Snout(Vector3 colour, in SkinPlace place)

@@ -53,16 +53,16 @@ internal static class HeadMarks
             case HeadMark.Crown:
                 return Scalar.Smooth((0.75f - around) / 0.2f) * Scalar.Smooth((18f - ring) / 2f) * Scalar.Smooth((ring - 5f) / 2f);
             case HeadMark.Cheek:
-                float dr = (ring - 13f) / 2.4f;
-                float da = (around - 1.75f) / 0.42f;
-                return Scalar.Smooth((1f - (float)System.Math.Sqrt((dr * dr) + (da * da))) / 0.3f);
+                float dr = (ring - 12.8f) / 3.0f;
+                float da = (around - 1.75f) / 0.55f;
+                return Scalar.Smooth((1f - (float)System.Math.Sqrt((dr * dr) + (da * da))) / 0.5f);
             case HeadMark.EyeLine:
                 float off = System.Math.Abs(around - 1.27f - (0.02f * (ring - 9f)));
-                return Scalar.Smooth((0.20f - off) / 0.08f) * Scalar.Smooth((17.5f - ring) / 2f) * Scalar.Smooth((ring - 2f) / 2f);
+                return Scalar.Smooth((0.27f - off) / 0.20f) * Scalar.Smooth((17.5f - ring) / 2f) * Scalar.Smooth((ring - 2f) / 2f);
             case HeadMark.Bib:
-                return Scalar.Smooth((around - 2.15f) / 0.2f) * Scalar.Smooth((ring - 15f) / 2f) * Scalar.Smooth((27f - ring) / 3f);
+                return Scalar.Smooth((around - 2.10f) / 0.25f) * Scalar.Smooth((ring - 15f) / 2f) * Scalar.Smooth((27f - ring) / 3f);
             case HeadMark.Blaze:
-                return Scalar.Smooth((0.30f - around) / 0.12f) * Scalar.Smooth((12f - ring) / 2f);
+                return Scalar.Smooth((0.38f - around) / 0.22f) * Scalar.Smooth((12f - ring) / 2f);
             default:
                 return 0f;
         }

@@ -4,17 +4,22 @@ namespace CreatureGen.Appearance;
 internal static class LatticeHash
 {
     /// <summary>32 well mixed bits of a cell; any signs of the coordinates.</summary>
-    /// <remarks>Mixing steps of C. Wellons, "Prospecting for hash functions" (2018), lowbias32.</remarks>
-    public static uint Bits(int x, int y, int z, int salt)
-    {
-        unchecked
-        {
-            uint h = ((uint)x * 0x8DA6B343u) ^ ((uint)y * 0xD8163841u) ^ ((uint)z * 0xCB1AB31Fu) ^ ((uint)salt * 0x9E3779B9u);
-            return Mix(h);
-        }
-    }
+    public static uint Bits(int x, int y, int z, int salt) => Mix(AlongX(x) ^ AlongY(y) ^ AlongZ(z) ^ Salt(salt));
 
-    /// <summary>The bits that follow some others, for a second number of the same cell.</summary>
+    /// <summary>Part of a cell's bits before mixing; neighbours share it.</summary>
+    public static uint AlongX(int x) => unchecked((uint)x * 0x8DA6B343u);
+
+    /// <summary>Part of a cell's bits before mixing; neighbours share it.</summary>
+    public static uint AlongY(int y) => unchecked((uint)y * 0xD8163841u);
+
+    /// <summary>Part of a cell's bits before mixing; neighbours share it.</summary>
+    public static uint AlongZ(int z) => unchecked((uint)z * 0xCB1AB31Fu);
+
+    /// <summary>Part of all cells' bits before mixing.</summary>
+    public static uint Salt(int salt) => unchecked((uint)salt * 0x9E3779B9u);
+
+    /// <summary>Mixes the exclusive or of the four parts, or other bits for one more number of the same cell.</summary>
+    /// <remarks>Mixing steps of C. Wellons, "Prospecting for hash functions" (2018), lowbias32.</remarks>
     public static uint Mix(uint h)
     {
         unchecked

@@ -65,7 +65,7 @@ internal sealed class PatternField
             case PatternKind.Bands:
                 return Bands(place);
             case PatternKind.Patches:
-                return Scalar.Smooth((Clouds(place, 3.2f, 7f, 0.65f) - 0.51f) / 0.045f);
+                return Scalar.Smooth((Clouds(place, 3.2f, 7f, 0.65f) - 0.505f) / 0.07f);
             case PatternKind.Mottle:
                 return 0.85f * Scalar.Smooth((Clouds(place, 8f, 18f, 0.55f) - 0.42f) / 0.24f);
             case PatternKind.Saddle:
@@ -88,8 +88,8 @@ internal sealed class PatternField
             return 0f;
         }
 
-        float radius = 0.26f + (0.20f * point.Value);
-        return Scalar.Smooth((radius - point.Distance) / 0.10f);
+        float radius = 0.30f + (0.20f * point.Value);
+        return Scalar.Smooth((radius + 0.03f - point.Distance) / 0.15f);
     }
 
     private float Stripes(in PatternPlace place)

@@ -15,23 +15,21 @@ internal static class ValueNoise
         float u = Ease(point.X - x);
         float v = Ease(point.Y - y);
         float w = Ease(point.Z - z);
-        float low = Layer(x, y, z, salt, u, v);
-        float high = Layer(x, y, unchecked(z + 1), salt, u, v);
-        return low + ((high - low) * w);
+        uint x0 = LatticeHash.AlongX(x);
+        uint x1 = LatticeHash.AlongX(unchecked(x + 1));
+        uint y0 = LatticeHash.AlongY(y);
+        uint y1 = LatticeHash.AlongY(unchecked(y + 1));
+        uint low = LatticeHash.AlongZ(z) ^ LatticeHash.Salt(salt);
+        uint high = LatticeHash.AlongZ(unchecked(z + 1)) ^ LatticeHash.Salt(salt);
+        float below = Lerp(Edge(x0, x1, y0 ^ low, u), Edge(x0, x1, y1 ^ low, u), v);
+        float above = Lerp(Edge(x0, x1, y0 ^ high, u), Edge(x0, x1, y1 ^ high, u), v);
+        return Lerp(below, above, w);
     }
 
-    private static float Layer(int x, int y, int z, int salt, float u, float v)
-    {
-        int x1 = unchecked(x + 1);
-        int y1 = unchecked(y + 1);
-        float a = LatticeHash.Unit(LatticeHash.Bits(x, y, z, salt));
-        float b = LatticeHash.Unit(LatticeHash.Bits(x1, y, z, salt));
-        float c = LatticeHash.Unit(LatticeHash.Bits(x, y1, z, salt));
-        float d = LatticeHash.Unit(LatticeHash.Bits(x1, y1, z, salt));
-        float near = a + ((b - a) * u);
-        float far = c + ((d - c) * u);
-        return near + ((far - near) * v);
-    }
+    private static float Edge(uint x0, uint x1, uint rest, float u) =>
+        Lerp(LatticeHash.Unit(LatticeHash.Mix(x0 ^ rest)), LatticeHash.Unit(LatticeHash.Mix(x1 ^ rest)), u);
+
+    private static float Lerp(float a, float b, float t) => a + ((b - a) * t);
 
     private static float Ease(float x) => x * x * (3f - (2f * x));
 
