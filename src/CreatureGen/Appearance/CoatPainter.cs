@@ -39,16 +39,18 @@ internal sealed class CoatPainter
     }
 
     /// <summary>Paints all vertices of a surface.</summary>
-    /// <param name="surface">Addresses, rest positions and mirror images.</param>
+    /// <param name="addresses">Where each vertex lies.</param>
+    /// <param name="positions">Rest positions, metres at scale 1.</param>
+    /// <param name="mirror">The vertex on the other side.</param>
     /// <param name="normals">Unit, one per vertex.</param>
     /// <param name="colours">Receives linear RGB, 0..1, one per vertex.</param>
-    public void Paint(SurfaceBuilder surface, ReadOnlySpan<Vector3> normals, Span<Vector3> colours)
+    public void Paint(ReadOnlySpan<VertexAddress> addresses, ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> mirror, ReadOnlySpan<Vector3> normals, Span<Vector3> colours)
     {
-        for (int v = 0; v < surface.Positions.Count; v++)
+        for (int v = 0; v < positions.Length; v++)
         {
             // A vertex of the right side takes the colour of its mirror image, which is exact even where the two addresses were rounded differently.
-            int source = surface.Addresses[v].Sign < 0 ? surface.Mirror[v] : v;
-            colours[v] = source < v ? colours[source] : At(surface.Addresses[source], surface.Positions[source], normals[source]);
+            int source = addresses[v].Sign < 0 ? mirror[v] : v;
+            colours[v] = source < v ? colours[source] : At(addresses[source], positions[source], normals[source]);
         }
     }
 

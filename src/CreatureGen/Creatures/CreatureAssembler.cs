@@ -48,7 +48,8 @@ public static class CreatureAssembler
         SkinWeights[] weights = AnatomicalWeights.Solve(input, rig);
         observer?.StageFinished(AssemblyStage.Skin);
 
-        Vector3[] colours = new CoatPainter(blueprint.Coat, Subject(blueprint, grown, eye)).Paint(surface, normals);
+        var colours = new Vector3[surface.Positions.Length];
+        new CoatPainter(blueprint.Coat, Subject(blueprint, grown, eye)).Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
         CreatureMesh mesh = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
         observer?.StageFinished(AssemblyStage.Appearance);
 
@@ -69,7 +70,7 @@ public static class CreatureAssembler
 
         return new CoatSubject(grown.Skin.Shape)
         {
-            Snout = blueprint.Head.Snout,
+            Snout = SnoutOf(blueprint.Body.Blend.First),
             Mark = HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
             Tail = blueprint.Tail.Style,
             WingStyles = wings,
@@ -77,6 +78,13 @@ public static class CreatureAssembler
             EyeRadius = eye.Radius,
         };
     }
+
+    private static SnoutCoat SnoutOf(string body) => body switch
+    {
+        "canine" or "feline" or "bovine" => SnoutCoat.Leather,
+        "avian" => SnoutCoat.Beak,
+        _ => SnoutCoat.Bare,
+    };
 
     private static MassProperties Weigh(Surface surface, float scale)
     {

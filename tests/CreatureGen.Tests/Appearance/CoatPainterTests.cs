@@ -232,7 +232,7 @@ public sealed class CoatPainterTests
     private static Vector3[] Paint(SurfaceBuilder surface, Vector3[] normals, CoatBlueprint coat, CoatSubject subject)
     {
         var colours = new Vector3[surface.Positions.Count];
-        new CoatPainter(coat, subject).Paint(surface, normals, colours);
+        new CoatPainter(coat, subject).Paint(surface.Addresses.ToArray(), surface.Positions.ToArray(), surface.Mirror.ToArray(), normals, colours);
         return colours;
     }
 }
