@@ -72,7 +72,7 @@ internal static class BodySampler
         double girth = CreatureDraft.Around(random, 1, 0.08, 0.85, 1.2);
         double belly = CreatureDraft.Around(random, 1, 0.07, 0.88, 1.15);
         double depth = Scalar.Clamp(PortableMath.Exp(random.Normal(-0.02, 0.22)), 0.66, 1.38);
-        double wide = random.LogNormal(0.16, 0.9, 1.45);
+        double wide = random.LogNormal(0.12, 0.85, 1.25);
         double neckGirth = 1, chest = 1, hump = 1, rump = 1, tailGirth = 1, width = 1;
         if (family == "amphibian")
         {
@@ -82,6 +82,7 @@ internal static class BodySampler
         if (family == "insect")
         {
             girth = wide;
+            head = Math.Min(head, 1.22);
         }
 
         switch (draft.Signature)
@@ -164,8 +165,8 @@ internal static class BodySampler
         switch (draft.Plan)
         {
             case BodyPlan.Upright:
-                torso = upright;
-                neck = uprightNeck;
+                torso = upright - (draft.Family.Body == "amphibian" ? 12 : 0);
+                neck = uprightNeck - (draft.Family.Body == "amphibian" ? 12 : 0);
                 tail += 18;
                 neckBend = 0;
                 break;

@@ -81,7 +81,7 @@ internal static class FamilyProfiles
             Partners = new[] { "amphibian", "reptile", "avian", "fish" },
             WalkingPlans = Plans((BodyPlan.Hexapod, 1)),
             SwimmingPlans = Plans((BodyPlan.Fish, 1)),
-            Eye = (9, 6.6), EyeSize = 0.56, EyeSink = 0.45, EyeForward = 0.4, LidDegrees = (70, 80), Bone = 0,
+            Eye = (9, 6.8), EyeSize = 0.44, EyeSink = 0.45, EyeForward = 0.4, LidDegrees = (70, 80), Bone = 0,
             Nostril = 0,
             Patterns = Patterns((PatternKind.Bands, 1.2), (PatternKind.Plain, 0.8), (PatternKind.Spots, 0.6), (PatternKind.Saddle, 0.5)),
         },
@@ -100,7 +100,7 @@ internal static class FamilyProfiles
         {
             Frequency = (0.8, 0, 0.45),
             Partners = new[] { "reptile", "fish", "bovine", "feline" },
-            WalkingPlans = Plans((BodyPlan.Sprawling, 0.72), (BodyPlan.Upright, 0.28)),
+            WalkingPlans = Plans((BodyPlan.Sprawling, 0.8), (BodyPlan.Upright, 0.2)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.45), (BodyPlan.Whale, 0.3), (BodyPlan.Fish, 0.25)),
             Eye = (9.5, 4.2), EyeSize = 0.30, EyeSink = 0.25, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.5, Bone = 0,
             Swelling = (0.16, 0.06), MouthCorner = 9, Nostril = 0.12,

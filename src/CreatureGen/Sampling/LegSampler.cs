@@ -15,6 +15,9 @@ internal static class LegSampler
     /// <summary>Rounds of placing legs and moving the body for them.</summary>
     private const int Rounds = 4;
 
+    /// <summary>Last ring of an insect's thorax.</summary>
+    private const int ThoraxEnd = 34;
+
     /// <summary>Fills in the legs of the draft; gives the plan to try instead when the body cannot carry the legs of its own.</summary>
     public static BodyPlan? Sample(CreatureDraft draft)
     {
@@ -123,6 +126,12 @@ internal static class LegSampler
             : CreatureDraft.Choose(random, (1, 0.36), (2, 0.48), (0, 0.12), (3, 0.04));
         LegArrangement arrangement = insect && random.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread;
         FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : FlierLegAnatomy.Dragon;
+        if (insect && pairs <= 4)
+        {
+            // Few legs all grow from the thorax.
+            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).FindAll(site => site.Ring <= ThoraxEnd) };
+        }
+
         anatomy = anatomy with { Size = anatomy.Size with { Toes = insect ? 0 : style.Toes } };
         WingMotion motion = draft.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
         FlyingPlacement placement = FlyingRules.Place(Measure(draft), motion, motion == WingMotion.Buzzing ? 2 : 1, new FlyingLegs(pairs, arrangement), anatomy, draft.Sockets, draft.Seed.Child("flier"));
