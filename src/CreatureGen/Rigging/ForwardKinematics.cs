@@ -29,26 +29,37 @@ public static class ForwardKinematics
         modelRotations[0] = localRotations[0];
         modelPositions[0] = localPositions[0];
 
-        // Written out: calls that pass structures cost several times the arithmetic on interpreters.
+        // Written out and by reference: calls and copies of structures cost several times the arithmetic on interpreters, and registers of four floats are slow to take apart.
         for (int i = 1; i < count; i++)
         {
             int parent = parents[i];
-            Quaternion a = modelRotations[parent];
-            Quaternion b = localRotations[i];
-            Vector3 v = localPositions[i];
-            Vector3 o = modelPositions[parent];
-            float tx = 2f * ((a.Y * v.Z) - (a.Z * v.Y));
-            float ty = 2f * ((a.Z * v.X) - (a.X * v.Z));
-            float tz = 2f * ((a.X * v.Y) - (a.Y * v.X));
-            modelPositions[i] = new Vector3(
-                o.X + (v.X + (a.W * tx) + ((a.Y * tz) - (a.Z * ty))),
-                o.Y + (v.Y + (a.W * ty) + ((a.Z * tx) - (a.X * tz))),
-                o.Z + (v.Z + (a.W * tz) + ((a.X * ty) - (a.Y * tx))));
-            modelRotations[i] = new Quaternion(
-                (a.W * b.X) + (a.X * b.W) + (a.Y * b.Z) - (a.Z * b.Y),
-                (a.W * b.Y) - (a.X * b.Z) + (a.Y * b.W) + (a.Z * b.X),
-                (a.W * b.Z) + (a.X * b.Y) - (a.Y * b.X) + (a.Z * b.W),
-                (a.W * b.W) - (a.X * b.X) - (a.Y * b.Y) - (a.Z * b.Z));
+            ref readonly Quaternion a = ref modelRotations[parent];
+            ref readonly Vector3 o = ref modelPositions[parent];
+            ref readonly Quaternion b = ref localRotations[i];
+            ref readonly Vector3 v = ref localPositions[i];
+            float ax = a.X;
+            float ay = a.Y;
+            float az = a.Z;
+            float aw = a.W;
+            float bx = b.X;
+            float by = b.Y;
+            float bz = b.Z;
+            float bw = b.W;
+            float vx = v.X;
+            float vy = v.Y;
+            float vz = v.Z;
+            float tx = 2f * ((ay * vz) - (az * vy));
+            float ty = 2f * ((az * vx) - (ax * vz));
+            float tz = 2f * ((ax * vy) - (ay * vx));
+            ref Vector3 p = ref modelPositions[i];
+            p.X = o.X + (vx + (aw * tx) + ((ay * tz) - (az * ty)));
+            p.Y = o.Y + (vy + (aw * ty) + ((az * tx) - (ax * tz)));
+            p.Z = o.Z + (vz + (aw * tz) + ((ax * ty) - (ay * tx)));
+            ref Quaternion q = ref modelRotations[i];
+            q.X = (aw * bx) + (ax * bw) + (ay * bz) - (az * by);
+            q.Y = (aw * by) - (ax * bz) + (ay * bw) + (az * bx);
+            q.Z = (aw * bz) + (ax * by) - (ay * bx) + (az * bw);
+            q.W = (aw * bw) - (ax * bx) - (ay * by) - (az * bz);
         }
     }
 }

@@ -74,13 +74,22 @@ public static class CpuSkinning
                 }
             }
 
-            Vector3 p = positions[i];
+            ref readonly Vector3 p = ref positions[i];
             Vector4 q = (r0 * p.X) + (r1 * p.Y) + (r2 * p.Z) + r3;
             movedPositions[i] = new Vector3(q.X, q.Y, q.Z);
-            Vector3 n = normals[i];
+            ref readonly Vector3 n = ref normals[i];
             Vector4 d = (r0 * n.X) + (r1 * n.Y) + (r2 * n.Z);
-            float length = (float)Math.Sqrt((d.X * d.X) + (d.Y * d.Y) + (d.Z * d.Z));
-            movedNormals[i] = length > 0f ? new Vector3(d.X / length, d.Y / length, d.Z / length) : n;
+            Vector4 squares = d * d;
+            float squared = squares.X + squares.Y + squares.Z;
+            if (squared > 0f)
+            {
+                d *= 1f / (float)Math.Sqrt(squared);
+                movedNormals[i] = new Vector3(d.X, d.Y, d.Z);
+            }
+            else
+            {
+                movedNormals[i] = n;
+            }
         }
     }
 }

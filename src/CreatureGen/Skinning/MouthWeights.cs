@@ -31,6 +31,7 @@ internal static class MouthWeights
 
         float[] shares = new float[surface.Positions.Length];
         int[] steps = new int[surface.Positions.Length];
+        int[] queue = new int[surface.Positions.Length];
         int corner = mouth.CornerRing;
         int hinge = mouth.HingeRing;
         for (int v = 0; v < shares.Length; v++)
@@ -53,7 +54,7 @@ internal static class MouthWeights
         shares[mouth.LowerLip[last]] = Corner;
 
         // The front of the jaw: what the lower lip reaches through the nose's cap.
-        Flood(surface, adjacency, mouth.LowerLip, SurfaceRegion.Nose, steps);
+        Flood(surface, adjacency, mouth.LowerLip, SurfaceRegion.Nose, steps, queue);
         for (int v = 0; v < shares.Length; v++)
         {
             if (steps[v] > 0)
@@ -65,8 +66,8 @@ internal static class MouthWeights
         // The bag: steps from the upper lip against steps from the lower.
         Array.Clear(steps, 0, steps.Length);
         int[] below = new int[steps.Length];
-        Flood(surface, adjacency, mouth.UpperLip, SurfaceRegion.Mouth, steps);
-        Flood(surface, adjacency, mouth.LowerLip, SurfaceRegion.Mouth, below);
+        Flood(surface, adjacency, mouth.UpperLip, SurfaceRegion.Mouth, steps, queue);
+        Flood(surface, adjacency, mouth.LowerLip, SurfaceRegion.Mouth, below, queue);
         for (int v = 0; v < shares.Length; v++)
         {
             if (steps[v] + below[v] > 0)
@@ -95,9 +96,8 @@ internal static class MouthWeights
     }
 
     /// <summary>Steps along edges from the inner vertices of a lip, through vertices of one region only; 0 for what is not reached.</summary>
-    private static void Flood(Surface surface, SurfaceAdjacency adjacency, int[] lip, SurfaceRegion region, int[] steps)
+    private static void Flood(Surface surface, SurfaceAdjacency adjacency, int[] lip, SurfaceRegion region, int[] steps, int[] queue)
     {
-        int[] queue = new int[surface.Positions.Length];
         int end = 0;
         for (int k = 1; k < lip.Length - 1; k++)
         {

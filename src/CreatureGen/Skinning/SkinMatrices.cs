@@ -27,16 +27,24 @@ public static class SkinMatrices
         ReadOnlySpan<Vector3> positions = model.Positions;
         for (int i = 0; i < count; i++)
         {
-            Quaternion a = rotations[i];
-            Quaternion b = bindRotations[i];
-            Vector3 p = positions[i];
-            Vector3 o = bindPositions[i];
+            ref readonly Quaternion a = ref rotations[i];
+            ref readonly Quaternion b = ref bindRotations[i];
+            ref readonly Vector3 p = ref positions[i];
+            ref readonly Vector3 o = ref bindPositions[i];
+            float ax = a.X;
+            float ay = a.Y;
+            float az = a.Z;
+            float aw = a.W;
+            float bx = b.X;
+            float by = b.Y;
+            float bz = b.Z;
+            float bw = b.W;
 
             // a times the conjugate of b; at rest exactly (0, 0, 0, w).
-            float x = (a.X * b.W) - (a.W * b.X) + ((a.Z * b.Y) - (a.Y * b.Z));
-            float y = (a.Y * b.W) - (a.W * b.Y) + ((a.X * b.Z) - (a.Z * b.X));
-            float z = (a.Z * b.W) - (a.W * b.Z) + ((a.Y * b.X) - (a.X * b.Y));
-            float w = (a.W * b.W) + (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);
+            float x = (ax * bw) - (aw * bx) + ((az * by) - (ay * bz));
+            float y = (ay * bw) - (aw * by) + ((ax * bz) - (az * bx));
+            float z = (az * bw) - (aw * bz) + ((ay * bx) - (ax * by));
+            float w = (aw * bw) + (ax * bx) + (ay * by) + (az * bz);
             float m11 = 1f - (2f * ((y * y) + (z * z)));
             float m12 = 2f * ((x * y) + (w * z));
             float m13 = 2f * ((x * z) - (w * y));
@@ -46,14 +54,26 @@ public static class SkinMatrices
             float m31 = 2f * ((x * z) + (w * y));
             float m32 = 2f * ((y * z) - (w * x));
             float m33 = 1f - (2f * ((x * x) + (y * y)));
-            matrices[i] = new Matrix4x4(
-                m11, m12, m13, 0f,
-                m21, m22, m23, 0f,
-                m31, m32, m33, 0f,
-                p.X - ((o.X * m11) + (o.Y * m21) + (o.Z * m31)),
-                p.Y - ((o.X * m12) + (o.Y * m22) + (o.Z * m32)),
-                p.Z - ((o.X * m13) + (o.Y * m23) + (o.Z * m33)),
-                1f);
+            float ox = o.X;
+            float oy = o.Y;
+            float oz = o.Z;
+            ref Matrix4x4 m = ref matrices[i];
+            m.M11 = m11;
+            m.M12 = m12;
+            m.M13 = m13;
+            m.M14 = 0f;
+            m.M21 = m21;
+            m.M22 = m22;
+            m.M23 = m23;
+            m.M24 = 0f;
+            m.M31 = m31;
+            m.M32 = m32;
+            m.M33 = m33;
+            m.M34 = 0f;
+            m.M41 = p.X - ((ox * m11) + (oy * m21) + (oz * m31));
+            m.M42 = p.Y - ((ox * m12) + (oy * m22) + (oz * m32));
+            m.M43 = p.Z - ((ox * m13) + (oy * m23) + (oz * m33));
+            m.M44 = 1f;
         }
     }
 }

@@ -1,0 +1,102 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Limbs;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using CreatureGen.Skinning;
+using Xunit;
+
+namespace CreatureGen.Tests.Rigging;
+
+/// <summary>A creature of a body plan, grown and rigged: the first that the sampler draws for the plan.</summary>
+internal sealed class RigSubject
+{
+    private static readonly ConcurrentDictionary<BodyPlan, Lazy<RigSubject>> subjects = new();
+
+    private readonly Lazy<SkinWeights[]> weights;
+
+    private RigSubject(CreatureBlueprint blueprint)
+    {
+        Input = InputOf(blueprint);
+        Rig = CreatureRigger.Build(Input);
+        weights = new Lazy<SkinWeights[]>(() => AnatomicalWeights.Solve(Input, Rig));
+    }
+
+    /// <summary>Every plan, as theory data.</summary>
+    public static TheoryData<BodyPlan> Plans { get; } = new(Enum.GetValues<BodyPlan>());
+
+    public RigInput Input { get; }
+
+    public Rig Rig { get; }
+
+    public Skeleton Skeleton => Rig.Skeleton;
+
+    /// <summary>Anatomical weights.</summary>
+    public SkinWeights[] Weights => weights.Value;
+
+    public static RigSubject Of(BodyPlan plan) => subjects.GetOrAdd(plan, p => new Lazy<RigSubject>(() => new RigSubject(BlueprintOf(p)))).Value;
+
+    /// <summary>The first blueprint of a plan.</summary>
+    public static CreatureBlueprint BlueprintOf(BodyPlan plan)
+    {
+        for (ulong seed = 0; seed < 2000; seed++)
+        {
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, null);
+            if (blueprint.Plan == plan)
+            {
+                return blueprint;
+            }
+        }
+
+        throw new InvalidOperationException($"no seed below 2000 gives the plan {plan}");
+    }
+
+    /// <summary>What the assembler hands to the rigger, with an eye laid into the skin.</summary>
+    public static RigInput InputOf(CreatureBlueprint blueprint)
+    {
+        GrownSurface grown = GrownSurface.Grow(blueprint);
+        EyeBlueprint eye = blueprint.Head.Eyes;
+        SurfacePoint skin = grown.Skin.At(eye.Ring, eye.Segment);
+        MouthSeam mouth = grown.LowerLip.Length > 0 ? new MouthSeam(blueprint.Head.Mouth.CornerRing, grown.UpperLip, grown.LowerLip) : MouthSeam.None;
+        var socket = new EyeSocket(skin.Position - (skin.Normal * (float)(eye.Sink * eye.Radius)), skin.Normal, (float)eye.Radius);
+        return new RigInput(blueprint, grown.Skin, grown.Surface, grown.Adjacency, grown.Appendages, mouth, socket);
+    }
+
+    /// <summary>The joint of a name.</summary>
+    public Joint Joint(string name)
+    {
+        int index = Skeleton.IndexOf(name);
+        return index >= 0 ? Skeleton.Joints[index] : throw new InvalidOperationException($"there is no joint {name}");
+    }
+
+    /// <summary>The surface after joints were turned about their own axes, and its normals.</summary>
+    public (Vector3[] Positions, Vector3[] Normals) Bend(SkinWeights[] skin, Vector3[] restNormals, Func<Joint, Quaternion?> turn)
+    {
+        Skeleton skeleton = Skeleton;
+        var rotations = new Quaternion[skeleton.Count];
+        var positions = new Vector3[skeleton.Count];
+        var pose = new Pose(rotations, positions);
+        pose.SetToRest(skeleton);
+        for (int j = 0; j < skeleton.Count; j++)
+        {
+            Quaternion? q = turn(skeleton.Joints[j]);
+            if (q.HasValue)
+            {
+                rotations[j] = CreatureGen.Maths.Rotation.Multiply(rotations[j], q.Value);
+            }
+        }
+
+        ForwardKinematics.LocalToModel(skeleton, pose, pose);
+        var matrices = new Matrix4x4[skeleton.Count];
+        SkinMatrices.Fill(skeleton, pose, matrices);
+        var moved = new Vector3[skin.Length];
+        var normals = new Vector3[skin.Length];
+        CpuSkinning.Skin(matrices, skin, Input.Surface.Positions, restNormals, moved, normals);
+        return (moved, normals);
+    }
+}
