@@ -196,7 +196,7 @@ public sealed class CoatPainterTests
 
     private static CoatSubject Subject()
     {
-        var body = new BodyShape();
+        var body = new BodyShape(new double[BodyGrid.Rings]);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             body.Y[i] = 1;
