@@ -32,7 +32,7 @@ public sealed record HeadBump(double Ring, double Segment, double RingSpread, do
 /// <param name="Segment">Segment of its centre.</param>
 /// <param name="Radius">Metres at scale 1.</param>
 /// <param name="Sink">How deep the centre lies below the skin, in radii.</param>
-/// <param name="Forward">Share of the head's forward direction in the gaze; 0 looks straight out of the skin.</param>
+/// <param name="Forward">Share of the head's forward direction in the gaze beside ¾ of the skin's outward direction; 0 looks straight out of the skin.</param>
 /// <param name="UpperLid">Opening of the upper lid from the gaze, radians.</param>
 /// <param name="LowerLid">Opening of the lower lid from the gaze, radians.</param>
 /// <param name="LidTilt">Roll of the lids, radians; positive frowns.</param>

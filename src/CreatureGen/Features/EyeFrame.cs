@@ -8,6 +8,9 @@ namespace CreatureGen.Features;
 /// <summary>Where an eye of the left side sits, how large it is and where it looks. The right eye is its mirror image.</summary>
 internal readonly struct EyeFrame
 {
+    // Share of the skin's outward direction in the gaze.
+    private const float SkinShare = 0.75f;
+
     /// <summary>Levels the frame of an eye with the given gaze, which must not be vertical.</summary>
     /// <param name="centre">Centre of the eyeball, model space, metres.</param>
     /// <param name="radius">Radius of the eyeball, metres.</param>
@@ -53,7 +56,7 @@ internal readonly struct EyeFrame
     public static EyeFrame On(SurfacePoint skin, EyeBlueprint eye, Vector3 headForward, float scale)
     {
         float radius = (float)eye.Radius * scale;
-        Vector3 gaze = Vec.Normalize(Vec.Lerp(skin.Normal, headForward, (float)eye.Forward), skin.Normal);
+        Vector3 gaze = Vec.Normalize((skin.Normal * SkinShare) + (headForward * (float)eye.Forward), skin.Normal);
         return new EyeFrame(skin.Position - (skin.Normal * (radius * (float)eye.Sink)), radius, gaze);
     }
 

@@ -12,8 +12,8 @@ internal readonly struct FeatureCurve
     /// <summary>The curve of a feature on the left side or on the midline.</summary>
     /// <param name="feature">Direction, length and bend.</param>
     /// <param name="skin">The surface at the ring and segment of the feature.</param>
-    /// <param name="forward">Unit direction that the feature's front components follow, usually the body's forward direction at the ring.</param>
-    /// <param name="up">Unit direction that its upward components follow.</param>
+    /// <param name="forward">Unit direction that the feature's front components follow: the body's forward direction at the ring.</param>
+    /// <param name="up">Unit direction that its upward components follow: up.</param>
     /// <param name="scale">Factor from the blueprint's metres to the metres of <paramref name="skin"/>.</param>
     public FeatureCurve(FeatureBlueprint feature, SurfacePoint skin, Vector3 forward, Vector3 up, float scale)
     {

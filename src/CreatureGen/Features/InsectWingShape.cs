@@ -132,7 +132,7 @@ internal static class InsectWingShape
 
         float margin = Math.Max(Scalar.Smooth((s - 0.74f) / 0.14f), Scalar.Smooth((u - 0.7f) / 0.3f));
         dark = Math.Max(dark, 0.95f * broad * margin);
-        Vector3 sheen = membrane * (1.06f - (0.16f * s));
+        Vector3 sheen = membrane * (1f - (0.12f * s));
         return Vec.Lerp(sheen, vein, dark);
     }
 

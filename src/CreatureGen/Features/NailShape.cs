@@ -34,11 +34,11 @@ internal static class NailShape
                 Vector3 point = position + (across * (radius * widths[i])) + (outward * (radius * lifts[i]));
                 point.Y = Math.Max(point.Y, floor);
                 Vector3 normal = Vec.Normalize((across * (i == 0 ? 1f : 0.7f)) + (outward * (0.5f * i)));
-                builder.Vertex(point, normal, colour * (i == 0 ? 0.55f : 1f));
+                builder.Vertex(point, normal, colour * (i == 0 ? 0.5f : 0.9f));
             }
         }
 
-        int pole = builder.Vertex(position + (outward * (0.56f * radius)), outward, colour * 1.1f);
+        int pole = builder.Vertex(position + (outward * (0.56f * radius)), outward, colour);
         builder.FillBelow(first, Sides);
         builder.Band(first, first + Sides, Sides);
         builder.Band(first + Sides, first + (2 * Sides), Sides);

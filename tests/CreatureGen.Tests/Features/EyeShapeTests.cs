@@ -103,10 +103,10 @@ public sealed class EyeShapeTests
         Assert.Equal(0.08f, straight.Radius);
         Assert.Equal(new Vector3(0.16f, 1f, 0.5f), straight.Centre);
         Assert.Equal(Vector3.UnitX, straight.Gaze);
-        EyeFrame forward = EyeFrame.On(skin, eye with { Forward = 1 }, Vector3.UnitZ, 1f);
-        Assert.Equal(Vector3.UnitZ, forward.Gaze);
-        Assert.Equal(Vector3.UnitX, forward.Outward);
-        Assert.Equal(Vector3.UnitY, forward.Up);
+        EyeFrame forward = EyeFrame.On(skin, eye with { Forward = 0.75 }, Vector3.UnitZ, 1f);
+        Assert.True(Vector3.Distance(Vector3.Normalize(new Vector3(1f, 0f, 1f)), forward.Gaze) < 1e-6f);
+        Assert.True(Vector3.Distance(Vector3.Normalize(new Vector3(1f, 0f, -1f)), forward.Outward) < 1e-6f);
+        Assert.True(Vector3.Distance(Vector3.UnitY, forward.Up) < 1e-6f);
     }
 
     private static Vector3 Direction(float across, float up)
