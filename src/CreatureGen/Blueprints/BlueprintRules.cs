@@ -25,6 +25,14 @@ internal static class BlueprintRules
         SocketRules.Check(blueprint, problems);
     }
 
+    /// <summary>How creatures of a plan move; null for an undefined plan.</summary>
+    public static LocomotionKind? KindOf(BodyPlan plan) => plan switch
+    {
+        BodyPlan.Flapping or BodyPlan.Buzzing => LocomotionKind.Flying,
+        BodyPlan.Fish or BodyPlan.Eel or BodyPlan.Whale or BodyPlan.Flipper => LocomotionKind.Swimming,
+        _ => AnatomyChoices.Plan.NameOf(plan) is null ? null : LocomotionKind.Walking,
+    };
+
     private static void CheckPlan(CreatureBlueprint blueprint, ProblemList problems)
     {
         LocomotionKind? kind = KindOf(blueprint.Plan);
@@ -37,13 +45,6 @@ internal static class BlueprintRules
         RequireWings("wings", blueprint.Plan == BodyPlan.Flapping, blueprint.Wings?.Count, problems);
         RequireWings("insectWings", blueprint.Plan == BodyPlan.Buzzing, blueprint.InsectWings?.Count, problems);
     }
-
-    private static LocomotionKind? KindOf(BodyPlan plan) => plan switch
-    {
-        BodyPlan.Flapping or BodyPlan.Buzzing => LocomotionKind.Flying,
-        BodyPlan.Fish or BodyPlan.Eel or BodyPlan.Whale or BodyPlan.Flipper => LocomotionKind.Swimming,
-        _ => AnatomyChoices.Plan.NameOf(plan) is null ? null : LocomotionKind.Walking,
-    };
 
     private static void RequireWings(string path, bool needed, int? count, ProblemList problems)
     {

@@ -12,6 +12,21 @@ internal sealed class ChoiceNames<TEnum>
 
     public ChoiceNames(params (TEnum Value, string Name)[] all) => this.all = all;
 
+    /// <summary>Number of values.</summary>
+    public int Count => all.Length;
+
+    /// <summary>All values, in the order of the names.</summary>
+    public IEnumerable<TEnum> Values
+    {
+        get
+        {
+            foreach ((TEnum value, _) in all)
+            {
+                yield return value;
+            }
+        }
+    }
+
     /// <summary>The name of a value; null if the enumeration does not define it.</summary>
     public string? NameOf(TEnum value)
     {

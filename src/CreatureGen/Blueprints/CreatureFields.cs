@@ -9,6 +9,12 @@ internal static class CreatureFields
     /// <summary>The name of the field that says by which version the rest is to be read.</summary>
     public const string Version = "version";
 
+    /// <summary>Most pairs of legs and arms.</summary>
+    public const int MostLegs = 16;
+
+    /// <summary>Size of a whole creature.</summary>
+    public static readonly NumberRange Scale = new(0.05, 20);
+
     /// <summary>The creature.</summary>
     public static readonly RecordDescription<CreatureBlueprint> Creature = new(
         new CreatureBlueprint(
@@ -33,11 +39,11 @@ internal static class CreatureFields
             visit.UnsignedText("seed", creature.Seed),
             visit.Choice("kind", creature.Kind, AnatomyChoices.Kind),
             visit.Choice("plan", creature.Plan, AnatomyChoices.Plan),
-            visit.Number("scale", creature.Scale, new NumberRange(0.05, 20)),
+            visit.Number("scale", creature.Scale, Scale),
             visit.Record("body", creature.Body, BodyFields.Body),
             visit.Record("head", creature.Head, HeadFields.Head),
             visit.Record("tail", creature.Tail, LimbFields.Tail),
-            visit.List("legs", creature.Legs, new WholeRange(0, 16), LimbFields.Leg),
+            visit.List("legs", creature.Legs, new WholeRange(0, MostLegs), LimbFields.Leg),
             visit.List("wings", creature.Wings, new WholeRange(0, 4), LimbFields.Wing),
             visit.List("insectWings", creature.InsectWings, new WholeRange(0, 4), LimbFields.InsectWing),
             visit.List("fins", creature.Fins, new WholeRange(0, 12), LimbFields.Fin),

@@ -160,7 +160,8 @@ internal sealed class FieldReader : IFieldVisitor
         var items = new T[field.Items.Count];
         for (int i = 0; i < items.Length; i++)
         {
-            items[i] = Read(field.Items[i], description, missing, problems);
+            // An element that leaves something out is not asking for a default, it is unfinished.
+            items[i] = Read(field.Items[i], description, MissingField.Reported, problems);
         }
 
         return new ValueList<T>(items);

@@ -35,7 +35,7 @@ internal static class RecordJson
     {
         var problems = new ProblemList(what);
         FieldWriter.Write(writer, record ?? throw new ArgumentNullException(what), description, problems);
-        ThrowIfAny(problems.All, "this " + what + " cannot be written", what);
+        ThrowIfAny(problems.All, "the " + what + " cannot be written", what);
     }
 
     /// <summary>The root of a document, or null and problems.</summary>

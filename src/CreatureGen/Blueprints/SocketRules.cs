@@ -83,17 +83,17 @@ internal static class SocketRules
         }
     }
 
-    /// <summary>The lips are vertices of their own: a border that ran along them would tear the surface.</summary>
+    /// <summary>Below the slit the body uses the lower lip's vertices, which no socket's border knows: a socket across the slit or right below it would tear the surface.</summary>
     private static void CheckMouth(Place place, int cornerRing, ProblemList problems)
     {
         SocketBlueprint socket = place.Socket;
-        bool touchesLips = socket.Segment <= BodyGrid.LipSegment && socket.Segment + socket.Columns >= BodyGrid.LipSegment;
-        if (touchesLips && socket.Ring < cornerRing)
+        bool tearsLips = socket.Segment <= BodyGrid.LipSegment && socket.Segment + socket.Columns > BodyGrid.LipSegment;
+        if (tearsLips && socket.Ring < cornerRing)
         {
             problems.Add(
                 place.Path,
                 place.ToString(),
-                FormattableString.Invariant($"rings from {cornerRing} on, or segments clear of {BodyGrid.LipSegment}, where the mouth is"));
+                FormattableString.Invariant($"rings from {cornerRing} on, or segments up to {BodyGrid.LipSegment} or from {BodyGrid.LipSegment + 1} on, clear of the mouth"));
         }
     }
 
