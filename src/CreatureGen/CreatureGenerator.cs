@@ -8,7 +8,11 @@ namespace CreatureGen;
 public static class CreatureGenerator
 {
     /// <summary>The creature of a seed, of any kind.</summary>
-    public static Creature Generate(ulong seed) => CreatureAssembler.Assemble(BlueprintSampler.Sample(seed, null));
+    public static Creature Generate(ulong seed) => Generate(seed, CreatureOptions.Default);
+
+    /// <summary>The creature of a seed within options.</summary>
+    /// <exception cref="System.ArgumentException">The options are not valid, or no creature meets them; the message says why.</exception>
+    public static Creature Generate(ulong seed, CreatureOptions options) => CreatureAssembler.Assemble(BlueprintSampler.Sample(seed, options));
 
     /// <summary>The creature of a blueprint.</summary>
     /// <exception cref="System.ArgumentException">The blueprint has problems; the message lists them all.</exception>

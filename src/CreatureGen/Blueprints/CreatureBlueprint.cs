@@ -9,6 +9,7 @@ namespace CreatureGen.Blueprints;
 /// <param name="Kind">How the creature moves.</param>
 /// <param name="Plan">How it carries its body.</param>
 /// <param name="Scale">Size of the whole creature.</param>
+/// <param name="TriangleBudget">Triangles that the finest level of detail may have.</param>
 /// <param name="Body">Trunk, neck, head outline and tail outline.</param>
 /// <param name="Head">Face.</param>
 /// <param name="Tail">End of the tail.</param>
@@ -25,6 +26,7 @@ public sealed record CreatureBlueprint(
     LocomotionKind Kind,
     BodyPlan Plan,
     double Scale,
+    int TriangleBudget,
     BodyBlueprint Body,
     HeadBlueprint Head,
     TailBlueprint Tail,

@@ -15,6 +15,9 @@ internal static class CreatureFields
     /// <summary>Size of a whole creature.</summary>
     public static readonly NumberRange Scale = new(0.05, 20);
 
+    /// <summary>Triangles at the finest level of detail.</summary>
+    public static readonly WholeRange TriangleBudget = new(6000, 100000);
+
     /// <summary>The creature.</summary>
     public static readonly RecordDescription<CreatureBlueprint> Creature = new(
         new CreatureBlueprint(
@@ -23,6 +26,7 @@ internal static class CreatureFields
             LocomotionKind.Walking,
             BodyPlan.Legless,
             1,
+            20000,
             BodyFields.Body.Neutral,
             HeadFields.Head.Neutral,
             LimbFields.Tail.Neutral,
@@ -40,6 +44,7 @@ internal static class CreatureFields
             visit.Choice("kind", creature.Kind, AnatomyChoices.Kind),
             visit.Choice("plan", creature.Plan, AnatomyChoices.Plan),
             visit.Number("scale", creature.Scale, Scale),
+            visit.Whole("triangleBudget", creature.TriangleBudget, TriangleBudget),
             visit.Record("body", creature.Body, BodyFields.Body),
             visit.Record("head", creature.Head, HeadFields.Head),
             visit.Record("tail", creature.Tail, LimbFields.Tail),

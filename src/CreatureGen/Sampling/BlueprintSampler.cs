@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
@@ -6,28 +7,81 @@ using CreatureGen.Seeding;
 namespace CreatureGen.Sampling;
 
 /// <summary>From a seed to a blueprint: the only place where anything is random.</summary>
+/// <remarks>Every decision draws from a stream of its own, found by name in the seed tree: a decision added tomorrow changes none of today's.</remarks>
 public static class BlueprintSampler
 {
-    /// <summary>The blueprint of a seed.</summary>
-    public static CreatureBlueprint Sample(ulong seed, LocomotionKind? kind)
+    /// <summary>How often a creature is drawn anew until its number of legs is what the options ask for.</summary>
+    private const int Attempts = 200;
+
+    /// <summary>How often a body may change to the plan that it can carry.</summary>
+    private const int PlanChanges = 3;
+
+    /// <summary>The blueprint of a seed that asks for nothing in particular.</summary>
+    public static CreatureBlueprint Sample(ulong seed) => Sample(seed, CreatureOptions.Default);
+
+    /// <summary>The blueprint of a seed that asks for a kind alone.</summary>
+    public static CreatureBlueprint Sample(ulong seed, LocomotionKind kind) =>
+        Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking + (int)kind });
+
+    /// <summary>The blueprint of a seed within options. Options that the seed's own creature meets do not change it.</summary>
+    /// <exception cref="ArgumentException">The options are not valid, or no creature meets them; the message says why.</exception>
+    public static CreatureBlueprint Sample(ulong seed, CreatureOptions options)
     {
-        var root = new Seed(seed);
-        LocomotionKind chosen = kind ?? CreatureDraft.Choose(root.Child("kind").Stream(), (LocomotionKind.Walking, 0.55), (LocomotionKind.Flying, 0.22), (LocomotionKind.Swimming, 0.23));
-        FamilyProfile family = ChooseFamily(root, chosen);
-        BodyPlan plan = ChoosePlan(root, chosen, family);
-        CreatureDraft draft = Stand(root, chosen, family, plan);
+        options.ThrowIfInvalid();
+        var choice = new PlanChoice(options);
+        for (int attempt = 0; attempt < Attempts; attempt++)
+        {
+            var root = new Seed(seed);
+            CreatureDraft? draft = Stand(attempt == 0 ? root : root.Child("attempt").Child(attempt), choice, options);
+            if (draft != null)
+            {
+                return Finish(seed, draft, options);
+            }
+        }
+
+        throw new ArgumentException(
+            FormattableString.Invariant($"seed {seed} gave no creature with {options.MinLegPairs} to {options.MaxLegPairs} pairs of limbs in {Attempts} attempts; expected options that leave more choice"),
+            nameof(options));
+    }
+
+    /// <summary>Draws body and legs; null when the number of limbs is not what the options ask for.</summary>
+    private static CreatureDraft? Stand(Seed root, PlanChoice choice, CreatureOptions options)
+    {
+        LocomotionKind kind = choice.Kind(root.Child("kind").Stream());
+        FamilyProfile family = choice.Family(root.Child("family").Stream(), kind);
+        BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, family);
+        for (int change = 0; ; change++)
+        {
+            var draft = new CreatureDraft(root, kind, family, plan);
+            BodySampler.Sample(draft);
+            StanceSampler.Settle(draft);
+            BodyPlan? other = LegSampler.Sample(draft);
+            if (other is BodyPlan next && change < PlanChanges && choice.Allows(next))
+            {
+                plan = next;
+                continue;
+            }
+
+            bool fits = other == null && draft.Legs.Count >= options.MinLegPairs && draft.Legs.Count <= options.MaxLegPairs;
+            return fits ? draft : null;
+        }
+    }
+
+    private static CreatureBlueprint Finish(ulong seed, CreatureDraft draft, CreatureOptions options)
+    {
         FinSampler.Sample(draft);
         HeadSampler.AddEars(draft);
-        FeatureSampler.Sample(draft);
+        FeatureSampler.Sample(draft, options.Ornaments);
         HeadBlueprint head = HeadSampler.Sample(draft);
-        CoatBlueprint coat = CoatSampler.Sample(draft);
-        double scale = draft.Stream("scale").Uniform(0.5, 2);
+        CoatBlueprint coat = CoatSampler.Sample(draft, options.Palette);
+        double scale = draft.Stream("scale").Uniform(options.MinScale, options.MaxScale);
         return new CreatureBlueprint(
             CreatureBlueprint.CurrentVersion,
             seed,
-            chosen,
+            draft.Kind,
             draft.Plan,
             scale,
+            options.TriangleBudget,
             new BodyBlueprint(draft.Blend, draft.Proportions, draft.Posture, draft.Slices, draft.Elevation),
             head,
             draft.Tail,
@@ -38,48 +92,5 @@ public static class BlueprintSampler
             new ValueList<EarBlueprint>(draft.Ears),
             new ValueList<FeatureBlueprint>(draft.Features),
             coat);
-    }
-
-    /// <summary>Draws body and legs; when the body cannot carry the legs of its plan, that of the plan which it can.</summary>
-    private static CreatureDraft Stand(Seed root, LocomotionKind kind, FamilyProfile family, BodyPlan plan)
-    {
-        const int Changes = 3;
-        for (int change = 0; ; change++)
-        {
-            var draft = new CreatureDraft(root, kind, family, plan);
-            BodySampler.Sample(draft);
-            StanceSampler.Settle(draft);
-            BodyPlan? other = LegSampler.Sample(draft);
-            if (other == null || change == Changes)
-            {
-                return draft;
-            }
-
-            plan = other.Value;
-        }
-    }
-
-    private static FamilyProfile ChooseFamily(Seed root, LocomotionKind kind)
-    {
-        IReadOnlyList<FamilyProfile> families = FamilyProfiles.All;
-        double[] weights = new double[families.Count];
-        for (int i = 0; i < weights.Length; i++)
-        {
-            (double walking, double flying, double swimming) = families[i].Frequency;
-            weights[i] = kind switch { LocomotionKind.Walking => walking, LocomotionKind.Flying => flying, _ => swimming };
-        }
-
-        return families[root.Child("family").Stream().Weighted(weights)];
-    }
-
-    private static BodyPlan ChoosePlan(Seed root, LocomotionKind kind, FamilyProfile family)
-    {
-        RandomStream random = root.Child("plan").Stream();
-        return kind switch
-        {
-            LocomotionKind.Walking => CreatureDraft.Choose(random, family.WalkingPlans),
-            LocomotionKind.Flying => family.Body == "insect" || random.Chance(0.06) ? BodyPlan.Buzzing : BodyPlan.Flapping,
-            _ => CreatureDraft.Choose(random, family.SwimmingPlans),
-        };
     }
 }

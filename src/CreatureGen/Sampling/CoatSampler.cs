@@ -13,25 +13,26 @@ internal static class CoatSampler
     private static readonly double[] accentTurns = { 150, 180, 210, -60, 60 };
     private static readonly double[] irisHues = { 75, 95, 140, 200, 50, 25, 260 };
 
-    /// <summary>The coat of the draft.</summary>
-    public static CoatBlueprint Sample(CreatureDraft draft)
+    /// <summary>The coat of the draft, in the mood that is asked for.</summary>
+    public static CoatBlueprint Sample(CreatureDraft draft, PaletteMood palette)
     {
         RandomStream random = draft.Stream("coat");
-        int mood = random.Weighted(stackalloc double[] { 0.4, 0.33, 0.12, 0.15 });
+        int drawn = random.Weighted(stackalloc double[] { 0.4, 0.33, 0.12, 0.15 });
+        PaletteMood mood = palette == PaletteMood.Any ? PaletteMood.Natural + drawn : palette;
         double hue, lightness, chroma;
         switch (mood)
         {
-            case 0:
+            case PaletteMood.Natural:
                 hue = CreatureDraft.Choose(random, (58.0, 0.35), (75.0, 0.3), (92.0, 0.12), (125.0, 0.06), (42.0, 0.2)) + random.Uniform(-8, 8);
                 lightness = random.Uniform(0.48, 0.68);
                 chroma = random.Uniform(0.045, 0.10);
                 break;
-            case 1:
+            case PaletteMood.Vivid:
                 hue = Pick(random, vividHues) + random.Uniform(-8, 8);
                 lightness = random.Uniform(0.52, 0.68);
                 chroma = random.Uniform(0.10, 0.15);
                 break;
-            case 2:
+            case PaletteMood.Pale:
                 hue = random.Uniform(0, 360);
                 lightness = random.Uniform(0.74, 0.82);
                 chroma = random.Uniform(0.03, 0.06);
@@ -43,7 +44,7 @@ internal static class CoatSampler
                 break;
         }
 
-        double bellyHue = mood == 1 ? hue + ((random.Chance(0.5) ? 1 : -1) * random.Uniform(20, 50)) : hue + ((75 - (((hue + 540) % 360) - 180)) * 0.25);
+        double bellyHue = mood == PaletteMood.Vivid ? hue + ((random.Chance(0.5) ? 1 : -1) * random.Uniform(20, 50)) : hue + ((75 - (((hue + 540) % 360) - 180)) * 0.25);
         double contrast = lightness > 0.5 || random.Chance(0.3) ? -0.27 : 0.25;
         double accentHue = hue + Pick(random, accentTurns);
         ColourBlueprint pattern = Colour(Scalar.Clamp(lightness + contrast, 0.2, 0.92), chroma * random.Uniform(0.7, 1.1), hue + random.Uniform(-25, 25));

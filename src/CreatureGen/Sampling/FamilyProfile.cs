@@ -36,6 +36,17 @@ internal sealed class FamilyProfile
     /// <summary>Plans of its swimmers.</summary>
     public Weighted<BodyPlan>[] SwimmingPlans { get; init; } = System.Array.Empty<Weighted<BodyPlan>>();
 
+    /// <summary>Plans of its fliers.</summary>
+    public Weighted<BodyPlan>[] FlyingPlans { get; init; } = { new(BodyPlan.Flapping, 0.94), new(BodyPlan.Buzzing, 0.06) };
+
+    /// <summary>Plans of a kind.</summary>
+    public Weighted<BodyPlan>[] PlansOf(LocomotionKind kind) => kind switch
+    {
+        LocomotionKind.Walking => WalkingPlans,
+        LocomotionKind.Flying => FlyingPlans,
+        _ => SwimmingPlans,
+    };
+
     /// <summary>Ring and segment of the eye.</summary>
     public (double Ring, double Segment) Eye { get; init; }
 

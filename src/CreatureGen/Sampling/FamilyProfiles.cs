@@ -80,6 +80,7 @@ internal static class FamilyProfiles
             Frequency = (0.9, 1.4, 0),
             Partners = new[] { "amphibian", "reptile", "avian", "fish" },
             WalkingPlans = Plans((BodyPlan.Hexapod, 1)),
+            FlyingPlans = Plans((BodyPlan.Buzzing, 1)),
             SwimmingPlans = Plans((BodyPlan.Fish, 1)),
             Eye = (9, 6.8), EyeSize = 0.44, EyeSink = 0.45, EyeForward = 0.4, LidDegrees = (70, 80), Bone = 0,
             Nostril = 0,

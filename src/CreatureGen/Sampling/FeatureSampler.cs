@@ -9,9 +9,10 @@ namespace CreatureGen.Sampling;
 /// <summary>Draws ornaments, at most one kind on the head and one on the back, so that a creature looks designed.</summary>
 internal static class FeatureSampler
 {
-    /// <summary>Fills in the features of the draft.</summary>
-    public static void Sample(CreatureDraft draft)
+    /// <summary>Fills in the features of the draft, as many as are asked for.</summary>
+    public static void Sample(CreatureDraft draft, OrnamentLevel level)
     {
+        double plenty = level switch { OrnamentLevel.None => 0, OrnamentLevel.Sparse => 0.4, OrnamentLevel.Rich => 2, _ => 1 };
         double head = draft.Shape.Width[13];
         if (draft.Family.Body == "insect")
         {
@@ -19,14 +20,14 @@ internal static class FeatureSampler
             return;
         }
 
-        bool horned = Horns(draft, head, draft.Stream("horns"));
-        Tuft(draft, head, horned, draft.Stream("tuft"));
-        Back(draft, horned, draft.Stream("back"));
+        bool horned = Horns(draft, head, plenty, draft.Stream("horns"));
+        Tuft(draft, head, horned, plenty, draft.Stream("tuft"));
+        Back(draft, horned, plenty, draft.Stream("back"));
     }
 
-    private static bool Horns(CreatureDraft draft, double head, RandomStream random)
+    private static bool Horns(CreatureDraft draft, double head, double plenty, RandomStream random)
     {
-        double chance = draft.Family.HeadOrnament.Horns;
+        double chance = draft.Family.HeadOrnament.Horns * plenty;
         chance *= draft.Signature == Signature.BigEyes ? 0.4 : 1;
         chance *= draft.Kind == LocomotionKind.Swimming ? 0.25 : 1;
         bool eared = draft.Ears.Count > 0 && draft.Family.Body != "bovine";
@@ -49,11 +50,11 @@ internal static class FeatureSampler
         return true;
     }
 
-    private static void Tuft(CreatureDraft draft, double head, bool horned, RandomStream random)
+    private static void Tuft(CreatureDraft draft, double head, bool horned, double plenty, RandomStream random)
     {
         bool bird = draft.Family.Body == "avian";
         bool furred = draft.Family.Body is "feline" or "canine";
-        if (draft.Kind == LocomotionKind.Swimming || horned || !(bird || furred) || !random.Chance(bird ? 0.45 : 0.2))
+        if (draft.Kind == LocomotionKind.Swimming || horned || !(bird || furred) || !random.Chance((bird ? 0.45 : 0.2) * plenty))
         {
             return;
         }
@@ -67,11 +68,11 @@ internal static class FeatureSampler
         }
     }
 
-    private static void Back(CreatureDraft draft, bool horned, RandomStream random)
+    private static void Back(CreatureDraft draft, bool horned, double plenty, RandomStream random)
     {
         bool plain = draft.Kind == LocomotionKind.Swimming || draft.Family.Body is "avian" or "fish";
         bool furred = draft.Family.Body is "canine" or "feline";
-        double chance = plain ? 0 : furred ? 0.12 : 0.3;
+        double chance = (plain ? 0 : furred ? 0.12 : 0.3) * plenty;
         int count = random.Integer(7, 13);
         double height = random.Uniform(0.06, 0.13);
         if (!random.Chance(horned ? chance * 0.4 : chance))

@@ -60,6 +60,6 @@ internal static class OptionsFields
             BaseBodies = visit.List("baseBodies", options.BaseBodies, new WholeRange(0, BaseBodyNames.All.Count), BodyWeight),
             Palette = visit.Choice("palette", options.Palette, palettes),
             Ornaments = visit.Choice("ornaments", options.Ornaments, levels),
-            TriangleBudget = visit.Whole("triangleBudget", options.TriangleBudget, new WholeRange(6000, 100000)),
+            TriangleBudget = visit.Whole("triangleBudget", options.TriangleBudget, CreatureFields.TriangleBudget),
         });
 }

@@ -5,6 +5,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Creatures;
 using CreatureGen.Features;
+using CreatureGen.Geometry;
 using CreatureGen.Sampling;
 using Xunit;
 

@@ -38,7 +38,7 @@ internal static class SampleCreature
         CreatureMesh mesh = new SampleSurface(shape, length, radius, height).Build(skeleton, bones);
         float volume = length * radius * radius * 2f;
         return new Creature(
-            BlueprintSampler.Sample(ulong.MaxValue - (ulong)shape.Number, null),
+            BlueprintSampler.Sample(ulong.MaxValue - (ulong)shape.Number),
             mesh,
             skeleton,
             limbs,

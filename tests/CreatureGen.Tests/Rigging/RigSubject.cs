@@ -46,7 +46,7 @@ internal sealed class RigSubject
     {
         for (ulong seed = 0; seed < 2000; seed++)
         {
-            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, null);
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed);
             if (blueprint.Plan == plan)
             {
                 return blueprint;
@@ -62,9 +62,8 @@ internal sealed class RigSubject
         GrownSurface grown = GrownSurface.Grow(blueprint);
         EyeBlueprint eye = blueprint.Head.Eyes;
         SurfacePoint skin = grown.Skin.At(eye.Ring, eye.Segment);
-        MouthSeam mouth = grown.LowerLip.Length > 0 ? new MouthSeam(blueprint.Head.Mouth.CornerRing, grown.UpperLip, grown.LowerLip) : MouthSeam.None;
         var socket = new EyeSocket(skin.Position - (skin.Normal * (float)(eye.Sink * eye.Radius)), skin.Normal, (float)eye.Radius);
-        return new RigInput(blueprint, grown.Skin, grown.Surface, grown.Adjacency, grown.Appendages, mouth, socket);
+        return new RigInput(blueprint, grown.Skin, grown.Surface, grown.Adjacency, grown.Appendages, grown.Mouth, socket);
     }
 
     /// <summary>The joint of a name.</summary>

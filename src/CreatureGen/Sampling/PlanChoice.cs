@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Sampling;
+
+/// <summary>Kinds, families and plans with their probabilities, as options narrow them.</summary>
+internal sealed class PlanChoice
+{
+    /// <summary>How often kinds are drawn when any is asked for.</summary>
+    private static readonly double[] kindWeights = { 0.55, 0.22, 0.23 };
+
+    private readonly CreatureOptions options;
+
+    /// <summary>Narrows the choice.</summary>
+    /// <exception cref="ArgumentException">Nothing is left.</exception>
+    public PlanChoice(CreatureOptions options)
+    {
+        this.options = options;
+        double total = 0;
+        for (int kind = 0; kind < kindWeights.Length; kind++)
+        {
+            total += WeightOf((LocomotionKind)kind);
+        }
+
+        if (!(total > 0))
+        {
+            throw new ArgumentException("no creature has the kind, body plans, base bodies and number of limbs that the options ask for; expected options that leave at least one", nameof(options));
+        }
+    }
+
+    /// <summary>Whether options leave a plan.</summary>
+    public bool Allows(BodyPlan plan) => FactorOf(plan) > 0;
+
+    /// <summary>Draws a kind.</summary>
+    public LocomotionKind Kind(RandomStream random)
+    {
+        double[] weights = new double[kindWeights.Length];
+        for (int kind = 0; kind < weights.Length; kind++)
+        {
+            weights[kind] = WeightOf((LocomotionKind)kind) > 0 ? kindWeights[kind] * Asked((LocomotionKind)kind) : 0;
+        }
+
+        return (LocomotionKind)random.Weighted(weights);
+    }
+
+    /// <summary>Draws a family.</summary>
+    public FamilyProfile Family(RandomStream random, LocomotionKind kind)
+    {
+        IReadOnlyList<FamilyProfile> families = FamilyProfiles.All;
+        double[] weights = new double[families.Count];
+        for (int i = 0; i < weights.Length; i++)
+        {
+            weights[i] = WeightOf(kind, families[i]);
+        }
+
+        return families[random.Weighted(weights)];
+    }
+
+    /// <summary>Draws a plan.</summary>
+    public BodyPlan Plan(RandomStream random, LocomotionKind kind, FamilyProfile family)
+    {
+        Weighted<BodyPlan>[] plans = family.PlansOf(kind);
+        double[] weights = new double[plans.Length];
+        for (int i = 0; i < weights.Length; i++)
+        {
+            weights[i] = plans[i].Weight * FactorOf(plans[i].Value);
+        }
+
+        return plans[random.Weighted(weights)].Value;
+    }
+
+    /// <summary>Fewest and most pairs of legs and arms of a plan.</summary>
+    private static (int Least, int Most) PairsOf(BodyPlan plan) => plan switch
+    {
+        BodyPlan.Centaur => (3, 3),
+        BodyPlan.Theropod or BodyPlan.Upright => (1, 2),
+        BodyPlan.Hexapod => (3, 4),
+        BodyPlan.ManyLegged => (3, 9),
+        BodyPlan.Flapping => (0, 4),
+        BodyPlan.Buzzing => (0, 8),
+        BodyPlan.Legless or BodyPlan.Fish or BodyPlan.Eel or BodyPlan.Whale or BodyPlan.Flipper => (0, 0),
+        _ => (2, 2),
+    };
+
+    private double Asked(LocomotionKind kind) => options.Kind switch
+    {
+        RequestedKind.Any => 1,
+        RequestedKind.Walking => kind == LocomotionKind.Walking ? 1 : 0,
+        RequestedKind.Flying => kind == LocomotionKind.Flying ? 1 : 0,
+        _ => kind == LocomotionKind.Swimming ? 1 : 0,
+    };
+
+    private double WeightOf(LocomotionKind kind)
+    {
+        double sum = 0;
+        foreach (FamilyProfile family in FamilyProfiles.All)
+        {
+            sum += WeightOf(kind, family);
+        }
+
+        return sum * Asked(kind);
+    }
+
+    private double WeightOf(LocomotionKind kind, FamilyProfile family)
+    {
+        double all = 0;
+        double left = 0;
+        foreach (Weighted<BodyPlan> plan in family.PlansOf(kind))
+        {
+            all += plan.Weight;
+            left += plan.Weight * FactorOf(plan.Value);
+        }
+
+        double frequency = kind switch { LocomotionKind.Walking => family.Frequency.Walking, LocomotionKind.Flying => family.Frequency.Flying, _ => family.Frequency.Swimming };
+        double factor = 1;
+        foreach (BaseBodyWeight body in options.BaseBodies)
+        {
+            factor = body.Name == family.Body ? body.Weight : factor;
+        }
+
+        return frequency * factor * left / all;
+    }
+
+    private double FactorOf(BodyPlan plan)
+    {
+        (int least, int most) = PairsOf(plan);
+        if (most < options.MinLegPairs || least > options.MaxLegPairs)
+        {
+            return 0;
+        }
+
+        foreach (BodyPlanWeight weight in options.BodyPlans)
+        {
+            if (weight.Plan == plan)
+            {
+                return weight.Weight;
+            }
+        }
+
+        return 1;
+    }
+}
