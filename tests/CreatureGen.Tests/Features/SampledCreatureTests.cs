@@ -3,8 +3,8 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
-using CreatureGen.Creatures;
 using CreatureGen.Features;
+using CreatureGen.Geometry;
 using CreatureGen.Sampling;
 using Xunit;
 
