@@ -138,11 +138,12 @@ internal static class EyeShape
         builder.FanBelow(previous, back, Segments);
     }
 
+    // Facets swallow light: even the brightest are darker than an iris of the same colour.
     private static Vector3 Facet(Vector3 colour, float height, float towardsSheen, int parity)
     {
         float light = Scalar.Smooth((height + 0.55f) / 1.45f);
         float sparkle = (parity & 1) == 0 ? 1.06f : 0.94f;
-        Vector3 shade = Vec.Lerp(colour * 0.30f, colour * 1.45f, light) * sparkle;
+        Vector3 shade = Vec.Lerp(colour * 0.10f, colour * 0.62f, light) * sparkle;
         return Saturate(Vec.Lerp(shade, Vector3.One, 0.30f * Scalar.Smooth((towardsSheen - 0.78f) / 0.22f)));
     }
 

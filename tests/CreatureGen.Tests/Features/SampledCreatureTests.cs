@@ -3,7 +3,6 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
-using CreatureGen.Creatures;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Sampling;
