@@ -71,7 +71,7 @@ public static class CreatureAssembler
         return new CoatSubject(grown.Skin.Shape)
         {
             Snout = SnoutOf(blueprint.Body.Blend.First),
-            Mark = HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
+            Mark = blueprint.Body.Blend.First == "insect" ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
             Tail = blueprint.Tail.Style,
             WingStyles = wings,
             EyeCentre = eye.Centre,

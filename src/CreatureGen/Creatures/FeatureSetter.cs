@@ -74,7 +74,7 @@ internal sealed class FeatureSetter
         Piece right = PieceMirror.Mirror(left);
         right.JointName = "Eye_R";
         pieces.Add(right);
-        if (eye.Style != EyeStyle.Compound)
+        if (eye.Style != EyeStyle.Compound && blueprint.Body.Blend.First != "insect")
         {
             builder.Clear();
             LidShape.Append(builder, frame, eye, LidPart.Upper, palette.Lid);

@@ -112,7 +112,7 @@ internal static class HeadSampler
         double radius = family.EyeSize * half * Scalar.Clamp(1 + (0.14 * draft.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (draft.Signature == Signature.BigEyes ? 1.7 : 1.25);
         bool insect = family.Body == "insect";
         radius = Math.Min(radius, (insect ? 0.85 : 0.46) * half);
-        EyeStyle style = insect && random.Chance(0.6) ? EyeStyle.Compound : random.Chance(family.SlitPupils) ? EyeStyle.Slit : EyeStyle.Round;
+        EyeStyle style = insect && random.Chance(0.85) ? EyeStyle.Compound : random.Chance(family.SlitPupils) ? EyeStyle.Slit : EyeStyle.Round;
         double upper = Scalar.Clamp(family.LidDegrees.Upper - (9 * mood), 34, 72);
         return new EyeBlueprint(style, family.Eye.Ring, family.Eye.Segment, radius, family.EyeSink, family.EyeForward, Scalar.Radians(upper), Scalar.Radians(family.LidDegrees.Lower), 0.42 * mood);
     }

@@ -165,7 +165,7 @@ public sealed class BlueprintValidatorTests
     [Fact]
     public void A_blueprint_of_nothing_but_null_is_reported()
     {
-        var nothing = new CreatureBlueprint(1, 0, 0, 0, 1, null!, null!, null!, null!, null!, null!, null!, null!, null!, null!);
+        var nothing = new CreatureBlueprint(1, 0, 0, 0, 1, 20000, null!, null!, null!, null!, null!, null!, null!, null!, null!, null!);
         Assert.Equal(10, BlueprintValidator.Validate(nothing).Count);
         CreatureBlueprint hollow = Samples.Small with
         {
