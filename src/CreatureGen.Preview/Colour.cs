@@ -1,5 +1,0 @@
-namespace CreatureGen.Preview;
-
-internal static class Colour
-{
-}

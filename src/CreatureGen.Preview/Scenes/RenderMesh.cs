@@ -1,0 +1,184 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Preview.Scenes;
+
+/// <summary>A surface ready to be drawn: arrays with one entry per vertex, and triangles counter-clockwise seen from outside. Model space, metres.</summary>
+public sealed class RenderMesh
+{
+    // An eyeball is wet; lids and the skin around it belong to other joints.
+    private const float EyeGloss = 1f;
+
+    private readonly Vector3[] positions;
+    private readonly Vector3[] normals;
+    private readonly Vector3[] colours;
+    private readonly int[] triangles;
+    private readonly float[] gloss;
+    private readonly Vector2[] texcoords;
+
+    /// <summary>Takes ownership of the arrays.</summary>
+    /// <param name="positions">Metres.</param>
+    /// <param name="normals">Unit smooth normals.</param>
+    /// <param name="colours">Linear RGB, 0..1.</param>
+    /// <param name="triangles">Vertex indices, three per triangle.</param>
+    /// <param name="parts">The triangles by material, in order, covering all.</param>
+    /// <param name="gloss">Gloss of each vertex, 0..1; null for that of the parts alone.</param>
+    /// <param name="texcoords">Texture coordinates, origin at the top left of the texture; null when there is no texture.</param>
+    /// <param name="texture">Colours that take the place of <paramref name="colours"/>; null for none.</param>
+    /// <exception cref="ArgumentException">Arrays differ in length, a position or normal is not finite, an index is out of range, or the parts do not cover the triangles.</exception>
+    public RenderMesh(
+        Vector3[] positions,
+        Vector3[] normals,
+        Vector3[] colours,
+        int[] triangles,
+        IReadOnlyList<RenderPart> parts,
+        float[]? gloss = null,
+        Vector2[]? texcoords = null,
+        Texture? texture = null)
+    {
+        this.positions = positions;
+        this.normals = normals;
+        this.colours = colours;
+        this.triangles = triangles;
+        this.gloss = gloss ?? [];
+        this.texcoords = texcoords ?? [];
+        Parts = parts;
+        Texture = texture;
+        CheckLength(normals.Length, nameof(normals));
+        CheckLength(colours.Length, nameof(colours));
+        if (gloss is not null)
+        {
+            CheckLength(gloss.Length, nameof(gloss));
+        }
+
+        if (texcoords is not null || texture is not null)
+        {
+            CheckLength(this.texcoords.Length, nameof(texcoords));
+        }
+
+        CheckFinite(positions, nameof(positions));
+        CheckFinite(normals, nameof(normals));
+        CheckFinite(colours, nameof(colours));
+        CheckTriangles();
+        Bounds = positions.Length == 0 ? default : BoundingBox.Of(positions);
+    }
+
+    /// <summary>Metres.</summary>
+    public ReadOnlySpan<Vector3> Positions => positions;
+
+    /// <summary>Unit smooth normals.</summary>
+    public ReadOnlySpan<Vector3> Normals => normals;
+
+    /// <summary>Linear RGB, 0..1.</summary>
+    public ReadOnlySpan<Vector3> Colours => colours;
+
+    /// <summary>Vertex indices, three per triangle.</summary>
+    public ReadOnlySpan<int> Triangles => triangles;
+
+    /// <summary>Gloss of each vertex, 0..1; empty when only the parts have gloss.</summary>
+    public ReadOnlySpan<float> Gloss => gloss;
+
+    /// <summary>Texture coordinates; empty when there is no texture.</summary>
+    public ReadOnlySpan<Vector2> Texcoords => texcoords;
+
+    /// <summary>The triangles by material, in order.</summary>
+    public IReadOnlyList<RenderPart> Parts { get; }
+
+    /// <summary>Colours that take the place of those of the vertices, or null.</summary>
+    public Texture? Texture { get; }
+
+    /// <summary>The smallest box around all positions.</summary>
+    public BoundingBox Bounds { get; }
+
+    /// <summary>The surface of a creature in rest pose.</summary>
+    public static RenderMesh From(Creature creature)
+    {
+        ArgumentNullException.ThrowIfNull(creature);
+        return From(creature, creature.Mesh.Positions, creature.Mesh.Normals);
+    }
+
+    /// <summary>The surface of a creature in another pose.</summary>
+    /// <param name="creature">The creature.</param>
+    /// <param name="posedPositions">Where its vertices are, model space, metres; one per vertex of its mesh. Copied.</param>
+    /// <param name="posedNormals">Unit normals in that pose; one per vertex of its mesh. Copied.</param>
+    /// <exception cref="ArgumentException">The arrays are not of the length of the mesh.</exception>
+    public static RenderMesh From(Creature creature, ReadOnlySpan<Vector3> posedPositions, ReadOnlySpan<Vector3> posedNormals)
+    {
+        ArgumentNullException.ThrowIfNull(creature);
+        CreatureMesh mesh = creature.Mesh;
+        if (posedPositions.Length != mesh.Positions.Length || posedNormals.Length != mesh.Positions.Length)
+        {
+            throw new ArgumentException(
+                FormattableString.Invariant($"{posedPositions.Length} positions and {posedNormals.Length} normals; expected {mesh.Positions.Length}, one per vertex of the creature's mesh"), nameof(posedPositions));
+        }
+
+        var parts = new List<RenderPart>(mesh.Parts.Count);
+        foreach (MeshPart part in mesh.Parts)
+        {
+            parts.Add(new RenderPart(part.Material == MaterialKind.Membrane ? SurfaceMaterial.Membrane : SurfaceMaterial.Skin, part.FirstIndex, part.IndexCount));
+        }
+
+        var gloss = new float[mesh.Positions.Length];
+        for (int i = 0; i < gloss.Length; i++)
+        {
+            gloss[i] = creature.Skeleton.Joints[mesh.Weights[i].Joint0].Role == JointRole.Eye ? EyeGloss : 0f;
+        }
+
+        return new RenderMesh(posedPositions.ToArray(), posedNormals.ToArray(), mesh.Colours.ToArray(), mesh.Triangles.ToArray(), parts, gloss, mesh.Texcoords.ToArray());
+    }
+
+    /// <summary>This surface with the colours of a texture in the place of those of its vertices. The arrays are shared.</summary>
+    /// <exception cref="ArgumentException">The mesh has no texture coordinates.</exception>
+    public RenderMesh WithTexture(Texture texture) =>
+        new(positions, normals, colours, triangles, Parts, gloss.Length == 0 ? null : gloss, texcoords, texture);
+
+    private void CheckLength(int length, string name)
+    {
+        if (length != positions.Length)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{length} {name}; expected {positions.Length}, one per position"), name);
+        }
+    }
+
+    private static void CheckFinite(ReadOnlySpan<Vector3> values, string name)
+    {
+        for (int i = 0; i < values.Length; i++)
+        {
+            Vector3 v = values[i];
+            if (!float.IsFinite(v.X) || !float.IsFinite(v.Y) || !float.IsFinite(v.Z))
+            {
+                throw new ArgumentException(FormattableString.Invariant($"{name}[{i}] = {v}; expected finite numbers"), name);
+            }
+        }
+    }
+
+    private void CheckTriangles()
+    {
+        for (int i = 0; i < triangles.Length; i++)
+        {
+            if ((uint)triangles[i] >= (uint)positions.Length)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"triangles[{i}] = {triangles[i]}; expected 0..{positions.Length - 1}"), nameof(triangles));
+            }
+        }
+
+        int next = 0;
+        foreach (RenderPart part in Parts)
+        {
+            if (part.FirstIndex != next || part.IndexCount < 0 || part.IndexCount % 3 != 0)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"part starts at index {part.FirstIndex} with {part.IndexCount} indices; expected a multiple of 3 from {next}"), nameof(Parts));
+            }
+
+            next += part.IndexCount;
+        }
+
+        if (next != triangles.Length)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"the parts cover {next} of {triangles.Length} indices; expected all"), nameof(Parts));
+        }
+    }
+}
