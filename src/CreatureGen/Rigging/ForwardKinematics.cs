@@ -26,6 +26,11 @@ public static class ForwardKinematics
         localPositions = localPositions.Slice(0, count);
         modelRotations = modelRotations.Slice(0, count);
         modelPositions = modelPositions.Slice(0, count);
+        if (count == 0)
+        {
+            return;
+        }
+
         modelRotations[0] = localRotations[0];
         modelPositions[0] = localPositions[0];
 

@@ -18,16 +18,11 @@ public sealed class Skeleton
     private readonly Vector3[] modelPositions;
 
     /// <summary>Takes the joints in order.</summary>
-    /// <exception cref="ArgumentException">A parent does not precede its child, a name is empty, not plain ASCII or used twice, a transform is not finite, or there is no single root.</exception>
+    /// <exception cref="ArgumentException">A parent does not precede its child, a name is empty, not plain ASCII or used twice, or there are several roots.</exception>
     public Skeleton(IReadOnlyList<Joint> joints)
     {
         this.joints = new List<Joint>(joints).ToArray();
         int count = this.joints.Length;
-        if (count == 0)
-        {
-            throw new ArgumentException("there is no joint; expected at least the root", nameof(joints));
-        }
-
         parents = new int[count];
         mirrors = new int[count];
         localRotations = new Quaternion[count];
@@ -107,16 +102,7 @@ public sealed class Skeleton
         {
             throw new ArgumentException($"joint name \"{joint.Name}\" is empty or used twice; expected unique names", "joints");
         }
-
-        Quaternion q = joint.ModelRotation;
-        Quaternion r = joint.LocalRotation;
-        if (!IsFinite(joint.ModelPosition + joint.LocalPosition) || !IsFinite(new Vector3(q.X + r.X, q.Y + r.Y, q.Z + r.Z)) || !IsFinite(new Vector3(q.W, r.W, joint.Length)))
-        {
-            throw new ArgumentException($"joint \"{joint.Name}\" has a transform that is not finite; expected numbers", "joints");
-        }
     }
-
-    private static bool IsFinite(Vector3 v) => float.IsFinite(v.X) && float.IsFinite(v.Y) && float.IsFinite(v.Z);
 
     /// <summary>Left and right names differ in one letter.</summary>
     private void FindMirrors()

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
@@ -136,9 +137,18 @@ internal sealed class SkeletonBuilder
         for (int i = 0; i < count; i++)
         {
             JointDraft draft = drafts[i];
+            RequireFinite(draft.Name, modelPositions[i], modelRotations[i]);
             joints[i] = new Joint(draft.Name, draft.Role, sides[i], parents[i], localPositions[i], localRotations[i], modelPositions[i], modelRotations[i], draft.Length * factor, draft.Limit);
         }
 
         return new Skeleton(joints);
+    }
+
+    private static void RequireFinite(string joint, Vector3 p, Quaternion q)
+    {
+        if (!float.IsFinite(p.X + p.Y + p.Z) || !float.IsFinite(q.X + q.Y + q.Z + q.W))
+        {
+            throw new InvalidOperationException($"joint \"{joint}\" has a place or an orientation that is not finite; expected numbers");
+        }
     }
 }

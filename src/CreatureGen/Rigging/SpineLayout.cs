@@ -40,6 +40,9 @@ internal sealed class SpineLayout
     private const double SwimmerRootRing = 20;
     private const double LastTailRing = 52;
 
+    /// <summary>Rings per bone at least: a bone between two rings would hold no skin.</summary>
+    private const double RingsPerBone = 1.2;
+
     /// <summary>Metres of trunk from which on the spine has 3, 4 and 5 bones.</summary>
     private static readonly double[] trunkSteps = { 0.4, 1.1, 1.7 };
 
@@ -103,6 +106,7 @@ internal sealed class SpineLayout
         var forward = new List<SpineNode> { new("Pelvis", JointRole.Pelvis, pelvis) };
         double trunk = (line.ArcAt(pelvis) - line.ArcAt(chest)) * scale;
         int bones = plan == BodyPlan.Legless ? 6 + StepsBelow(leglessSteps, trunk) : 2 + StepsBelow(trunkSteps, trunk);
+        bones = Math.Min(bones, MostBones(pelvis - chest) - 1);
         AddEvenly(forward, line, "Spine_", JointRole.Spine, pelvis, chest, bones);
         forward.Add(new SpineNode("Chest", JointRole.Chest, chest));
         AddNeck(forward, line, Math.Min(chest, 26), scale);
@@ -111,7 +115,7 @@ internal sealed class SpineLayout
         double first = TailRootOf(pelvis);
         double last = Math.Max(LastTailRing, first);
         double tail = (line.Length - line.ArcAt(first)) * scale;
-        int tailBones = last - first < 1 ? 1 : 3 + StepsBelow(tailSteps, tail);
+        int tailBones = Math.Min(3 + StepsBelow(tailSteps, tail), MostBones(last - first));
         var backward = new List<SpineNode>();
         AddThrough(backward, line, "Tail_", JointRole.Tail, first, last, tailBones);
         double root = line.RingAt((line.ArcAt(pelvis) + line.ArcAt(chest)) / 2);
@@ -137,7 +141,7 @@ internal sealed class SpineLayout
         double length = (line.Length - line.ArcAt(SwimmerRootRing)) * scale;
         if (plan == BodyPlan.Eel)
         {
-            AddThrough(backward, line, "Spine_", JointRole.Spine, SwimmerRootRing, 53, 18 + (2 * StepsBelow(eelSteps, length)));
+            AddThrough(backward, line, "Spine_", JointRole.Spine, SwimmerRootRing, 53, Math.Min(18 + (2 * StepsBelow(eelSteps, length)), MostBones(53 - SwimmerRootRing)));
         }
         else
         {
@@ -191,7 +195,8 @@ internal sealed class SpineLayout
         int bones = 3 + StepsBelow(neckSteps, length);
         if (bones > 3)
         {
-            AddThrough(nodes, line, "Neck_", JointRole.Neck, from > neckRings[0] + 2 ? neckRings[0] : from - 1, HeadRing + 1.4, bones);
+            double first = from > neckRings[0] + 2 ? neckRings[0] : from - 1;
+            AddThrough(nodes, line, "Neck_", JointRole.Neck, first, HeadRing + 1.4, Math.Min(bones, MostBones(first - HeadRing - 1.4)));
             return;
         }
 
@@ -226,6 +231,8 @@ internal sealed class SpineLayout
             nodes.Add(new SpineNode(Numbered(name, i + 1), role, count == 1 ? first : line.RingAt(a + ((b - a) * i / (count - 1)))));
         }
     }
+
+    private static int MostBones(double rings) => 1 + (int)Math.Max(rings / RingsPerBone, 0);
 
     private static int StepsBelow(double[] steps, double value)
     {

@@ -29,6 +29,7 @@ internal static class AnatomicalWeights
     {
         Surface surface = input.Surface;
         var profiles = new LimbProfile?[input.Appendages.Count];
+        MidlineFin?[] fins = MidlineFin.Measure(input, rig);
         var spread = SocketSpread.Measure(surface, input.Adjacency, input.Appendages);
         float[] jaw = MouthWeights.Solve(surface, input.Adjacency, input.Mouth);
         Span<SpineBlend> rings = stackalloc SpineBlend[BodyGrid.Rings];
@@ -58,7 +59,7 @@ internal static class AnatomicalWeights
                 {
                     double arc = rig.Line.ArcAt(MidlineFin.RingOf(input.Skin.Shape, surface.Positions[v], address.Ring));
                     body = rig.Spine.At(arc);
-                    hold = MidlineFin.HoldAt(rig, appendage, arc);
+                    hold = fins[address.Appendage]!.HoldAt(arc);
                 }
 
                 profile.Add(ref list, surface.Positions[v], address, body, hold);

@@ -2,17 +2,66 @@ using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Bodies;
+using CreatureGen.Geometry;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Skinning;
 
 /// <summary>
-/// Fins on the back and the belly. Such a fin bends about one joint, but the body below it bends everywhere: only the part within a bone's length of the joint belongs to it,
-/// the rest follows the body where it stands.
+/// A fin on the back or the belly. It bends about one joint, but the body below it bends everywhere. A short fin is one piece; of a fin much longer than the bones below it only the part
+/// around the joint is, and the rest follows the body where it stands.
 /// </summary>
-internal static class MidlineFin
+internal sealed class MidlineFin
 {
+    /// <summary>Half length of the base in bones up to which a fin is one piece.</summary>
+    private const double ShortFin = 2;
+
+    /// <summary>Half length of the base in bones from which on only the part around the joint is.</summary>
+    private const double LongFin = 5;
+
+    private readonly double root;
+    private readonly double reach;
+
+    private MidlineFin(double root, double reach)
+    {
+        this.root = root;
+        this.reach = reach;
+    }
+
+    /// <summary>Measures the fins on the midline; one entry per appendage, null for all others.</summary>
+    public static MidlineFin?[] Measure(RigInput input, Rig rig)
+    {
+        int count = input.Appendages.Count;
+        var fins = new MidlineFin?[count];
+        float[] first = new float[count];
+        float[] last = new float[count];
+        Array.Fill(first, BodyGrid.Rings);
+        foreach (VertexAddress address in input.Surface.Addresses)
+        {
+            int a = address.Appendage;
+            if (a >= 0 && !input.Appendages[a].Paired)
+            {
+                first[a] = Math.Min(first[a], address.Ring);
+                last[a] = Math.Max(last[a], address.Ring);
+            }
+        }
+
+        for (int a = 0; a < count; a++)
+        {
+            if (first[a] < BodyGrid.Rings)
+            {
+                double root = rig.Line.ArcAt(input.Appendages[a].RootRing);
+                int bone = rig.Spine.BoneOf(rig.Spine.At(root).Dominant);
+                double length = Math.Max(rig.Spine.End(bone) - rig.Spine.Start(bone), 1e-6);
+                double half = (rig.Line.ArcAt(last[a]) - rig.Line.ArcAt(first[a])) / 2;
+                fins[a] = new MidlineFin(root, length * (3 - (2 * Scalar.Smooth(((half / length) - ShortFin) / (LongFin - ShortFin)))));
+            }
+        }
+
+        return fins;
+    }
+
     /// <summary>
     /// The ring (fractional) in whose plane a point of a fin lies. The tip of a swept fin stands over other rings than its base; columns that meet at the tip must move as one.
     /// </summary>
@@ -37,14 +86,8 @@ internal static class MidlineFin
         return ring + Scalar.Clamp(here / (double)Math.Min(here - next, -1e-9f), 0, 1);
     }
 
-    /// <summary>Share of the fin's own joints at an arc length of the spine.</summary>
-    public static float HoldAt(Rig rig, Appendage fin, double arc)
-    {
-        double root = rig.Line.ArcAt(fin.RootRing);
-        int bone = rig.Spine.BoneOf(rig.Spine.At(root).Dominant);
-        double reach = Math.Max(rig.Spine.End(bone) - rig.Spine.Start(bone), 1e-6);
-        return 1f - (float)Scalar.Smooth((Math.Abs(arc - root) / reach) - 0.5);
-    }
+    /// <summary>Share of the fin's own joints at an arc length of the spine: all within half the reach of the root, none beyond one and a half.</summary>
+    public float HoldAt(double arc) => 1f - (float)Scalar.Smooth((Math.Abs(arc - root) / reach) - 0.5);
 
     /// <summary>How far a point lies ahead of a ring's plane.</summary>
     private static float Ahead(BodyShape shape, Vector3 position, int ring) => Vec.Dot(position - shape.Centre(ring), shape.Forward(ring));

@@ -34,13 +34,21 @@ public sealed class SkeletonTests
     [Fact]
     public void Joints_that_are_no_tree_of_plain_names_are_refused()
     {
-        Refused("expected at least the root");
         Refused("joint 0 (A) has parent 0; expected", Make("A", Side.Median, 0));
         Refused("joint 1 (B) has parent -1; expected", Make("A", Side.Median, -1), Make("B", Side.Median, -1));
         Refused("\"A\" is empty or used twice", Make("A", Side.Median, -1), Make("A", Side.Median, 0));
         Refused("\"Knee 1\"; expected letters", Make("Knee 1", Side.Median, -1));
-        Refused("\"A\" has a transform that is not finite", Make("A", Side.Median, -1) with { LocalPosition = new Vector3(0f, float.NaN, 0f) });
-        Refused("\"A\" has a transform that is not finite", Make("A", Side.Median, -1) with { ModelRotation = new Quaternion(0f, 0f, 0f, float.PositiveInfinity) });
+    }
+
+    [Theory]
+    [InlineData(float.NaN)]
+    [InlineData(float.PositiveInfinity)]
+    public void A_joint_that_is_nowhere_never_leaves_the_rigger(float y)
+    {
+        var builder = new SkeletonBuilder();
+        builder.Add(-1, Side.Median, new JointDraft("Lost", JointRole.Root, new Vector3(0f, y, 0f), Quaternion.Identity, 1f, JointLimit.Free));
+        InvalidOperationException error = Assert.Throws<InvalidOperationException>(() => builder.Build());
+        Assert.Contains("\"Lost\" has a place or an orientation that is not finite", error.Message, StringComparison.Ordinal);
     }
 
     private static void Refused(string message, params Joint[] joints)

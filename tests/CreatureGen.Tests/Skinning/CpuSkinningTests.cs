@@ -1,0 +1,132 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Geometry;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+using CreatureGen.Seeding;
+using CreatureGen.Skinning;
+using CreatureGen.Tests.Rigging;
+using Xunit;
+
+namespace CreatureGen.Tests.Skinning;
+
+public sealed class CpuSkinningTests
+{
+    [Theory]
+    [MemberData(nameof(RigSubject.Plans), MemberType = typeof(RigSubject))]
+    public void The_rest_pose_reproduces_the_rest_mesh(BodyPlan plan)
+    {
+        RigSubject subject = RigSubject.Of(plan);
+        Vector3[] rest = subject.Input.Surface.Positions;
+        Vector3[] normals = SkinFacts.Normals(rest, subject.Input.Surface.Triangles);
+        (Vector3[] moved, Vector3[] movedNormals) = subject.Bend(subject.Weights, normals, _ => null);
+        for (int v = 0; v < rest.Length; v++)
+        {
+            Assert.True(Vec.Distance(rest[v], moved[v]) <= 1e-6f);
+            Assert.True(Vec.Distance(normals[v], movedNormals[v]) <= 1e-6f);
+        }
+    }
+
+    [Fact]
+    public void At_rest_the_matrices_are_exactly_the_identity()
+    {
+        Skeleton skeleton = RigSubject.Of(BodyPlan.Centaur).Skeleton;
+        var pose = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
+        pose.SetToRest(skeleton);
+        ForwardKinematics.LocalToModel(skeleton, pose, pose);
+        var matrices = new Matrix4x4[skeleton.Count];
+        SkinMatrices.Fill(skeleton, pose, matrices);
+        Assert.All(matrices, m => Assert.Equal(Matrix4x4.Identity, m));
+    }
+
+    [Fact]
+    public void Any_pose_agrees_with_transforming_by_every_joint_and_taking_the_mean()
+    {
+        RigSubject subject = RigSubject.Of(BodyPlan.Sprawling);
+        Skeleton skeleton = subject.Skeleton;
+        Surface surface = subject.Input.Surface;
+        Vector3[] normals = SkinFacts.Normals(surface.Positions, surface.Triangles);
+        (Quaternion[] rotations, Vector3[] positions) = Anything(skeleton);
+        var matrices = new Matrix4x4[skeleton.Count];
+        SkinMatrices.Fill(skeleton, new Pose(rotations, positions), matrices);
+        var moved = new Vector3[surface.Positions.Length];
+        var movedNormals = new Vector3[surface.Positions.Length];
+        CpuSkinning.Skin(matrices, subject.Weights, surface.Positions, normals, moved, movedNormals);
+        for (int v = 0; v < moved.Length; v++)
+        {
+            Vector3 p = Vector3.Zero;
+            Vector3 n = Vector3.Zero;
+            foreach ((int joint, float weight) in subject.Weights[v].Influences())
+            {
+                Quaternion inverse = Rotation.Inverse(skeleton.ModelRotations[joint]);
+                Vector3 local = Rotation.Rotate(inverse, surface.Positions[v] - skeleton.ModelPositions[joint]);
+                p += (Rotation.Rotate(rotations[joint], local) + positions[joint]) * weight;
+                n += Rotation.Rotate(rotations[joint], Rotation.Rotate(inverse, normals[v])) * weight;
+            }
+
+            Assert.True(Vec.Distance(p, moved[v]) < 5e-6f);
+            Assert.True(Vec.Length(n) < 0.02f || Vec.Distance(Vec.Normalize(n), movedNormals[v]) < 2e-4f);
+            Assert.Equal(1f, Vec.Length(movedNormals[v]), 1e-5f);
+        }
+    }
+
+    [Fact]
+    public void Turning_the_root_turns_the_skin_as_one()
+    {
+        RigSubject subject = RigSubject.Of(BodyPlan.Flapping);
+        Vector3[] rest = subject.Input.Surface.Positions;
+        Quaternion turn = Rotation.FromAxisAngle(Vec.Normalize(new Vector3(1f, 2f, -1f)), 1.1);
+        (Vector3[] moved, _) = subject.Bend(subject.Weights, SkinFacts.Normals(rest, subject.Input.Surface.Triangles), j => j.Role == JointRole.Root ? turn : null);
+        for (int v = 0; v < rest.Length; v++)
+        {
+            Assert.True(Vec.Distance(Rotation.Rotate(turn, rest[v]), moved[v]) < 5e-6f);
+        }
+    }
+
+    [Fact]
+    public void Skinning_allocates_nothing()
+    {
+        RigSubject subject = RigSubject.Of(BodyPlan.Fish);
+        Vector3[] rest = subject.Input.Surface.Positions;
+        Vector3[] normals = SkinFacts.Normals(rest, subject.Input.Surface.Triangles);
+        var pose = new Pose(subject.Skeleton.ModelRotations.ToArray(), subject.Skeleton.ModelPositions.ToArray());
+        var matrices = new Matrix4x4[subject.Skeleton.Count];
+        var moved = new Vector3[rest.Length];
+        var movedNormals = new Vector3[rest.Length];
+        SkinWeights[] weights = subject.Weights;
+        SkinMatrices.Fill(subject.Skeleton, pose, matrices);
+        CpuSkinning.Skin(matrices, weights, rest, normals, moved, movedNormals);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        SkinMatrices.Fill(subject.Skeleton, pose, matrices);
+        CpuSkinning.Skin(matrices, weights, rest, normals, moved, movedNormals);
+        Assert.Equal(before, GC.GetAllocatedBytesForCurrentThread());
+    }
+
+    [Fact]
+    public void Spans_that_do_not_fit_are_refused()
+    {
+        var one = new Vector3[1];
+        var weights = new SkinWeights[] { new(5, 0, 0, 0, Vector4.UnitX) };
+        ArgumentException error = Assert.Throws<ArgumentException>(() => CpuSkinning.Skin(new Matrix4x4[1], weights, one, new Vector3[2], one, one));
+        Assert.Contains("1 weights, 1 and 1 positions, 2 and 1 normals; expected one of each", error.Message, StringComparison.Ordinal);
+        Assert.ThrowsAny<ArgumentException>(() => CpuSkinning.Skin(new Matrix4x4[1], weights, one, one, one, one));
+        Skeleton skeleton = RigSubject.Of(BodyPlan.Fish).Skeleton;
+        Assert.Throws<ArgumentException>(() => SkinMatrices.Fill(skeleton, new Pose(skeleton.ModelRotations.ToArray(), skeleton.ModelPositions.ToArray()), new Matrix4x4[3]));
+    }
+
+    private static (Quaternion[] Rotations, Vector3[] Positions) Anything(Skeleton skeleton)
+    {
+        RandomStream random = new Seed(17).Stream();
+        var rotations = new Quaternion[skeleton.Count];
+        var positions = new Vector3[skeleton.Count];
+        for (int j = 0; j < skeleton.Count; j++)
+        {
+            float N() => (float)random.Normal(0, 1);
+            rotations[j] = Rotation.Normalize(new Quaternion(N(), N(), N(), N()));
+            positions[j] = new Vector3(N(), N(), N());
+        }
+
+        return (rotations, positions);
+    }
+}
