@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Creatures;
+using CreatureGen.Geometry;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Preview.Scenes;
