@@ -101,7 +101,7 @@ internal static class FamilyProfiles
         {
             Frequency = (0.8, 0, 0.45),
             Partners = new[] { "reptile", "fish", "bovine", "feline" },
-            WalkingPlans = Plans((BodyPlan.Sprawling, 0.8), (BodyPlan.Upright, 0.2)),
+            WalkingPlans = Plans((BodyPlan.Sprawling, 0.86), (BodyPlan.Plantigrade, 0.14)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.45), (BodyPlan.Whale, 0.3), (BodyPlan.Fish, 0.25)),
             Eye = (9.5, 4.2), EyeSize = 0.30, EyeSink = 0.25, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.5, Bone = 0,
             Swelling = (0.16, 0.06), MouthCorner = 9, Nostril = 0.12,

@@ -160,7 +160,7 @@ internal sealed record LegStyle
     {
         RandomStream random = draft.Stream("leg style");
         Stoutness = CreatureDraft.Around(random, 1 + (0.05 * draft.Style), 0.08, 0.85, 1.25);
-        FootSize = CreatureDraft.Around(random, 1.25 + (0.1 * draft.Style), 0.1, 1, 1.65);
+        FootSize = CreatureDraft.Around(random, 1.25 + (0.1 * draft.Style), 0.1, 1, draft.Plan == BodyPlan.Columnar ? 1.12 : 1.65);
         Slimness = CreatureDraft.Around(random, draft.Plan == BodyPlan.Unguligrade ? 1.02 : 1.12, 0.1, 0.85, 1.35);
         Toes = draft.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || draft.Family.Body == "avian" ? 3 : random.Integer(3, 5);
         Reach = random.Uniform(0.85, 1.15);
