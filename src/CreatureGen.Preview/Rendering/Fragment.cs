@@ -12,6 +12,9 @@ internal struct Fragment
     /// <summary>Samples of the pixel in which it is seen.</summary>
     public int Mask;
 
+    /// <summary>Distance along the camera's axis, metres.</summary>
+    public float Depth;
+
     /// <summary>Weights of the second and third corner of the source triangle.</summary>
     public float B, C;
 

@@ -57,7 +57,7 @@ public static class Renderer
         private readonly RenderOptions options;
         private readonly SamplePattern pattern;
         private readonly VisibleSurface surface;
-        private readonly AmbientOcclusion? occlusion;
+        private readonly SurfaceLight? light;
         private readonly StudioShader shader;
         private readonly Backdrop backdrop;
         private readonly Vector3 flatLight;
@@ -77,8 +77,10 @@ public static class Renderer
             float size = Math.Max(bounds.Size.X, Math.Max(bounds.Size.Y, bounds.Size.Z));
             HeightRaster? fromLight = mesh.Triangles.Length > 0 && (studio || ground) ? new HeightRaster(mesh, rig.Key, ShadowSize(options), ShadowBorder) : null;
             GroundContact? contact = ground ? new GroundContact(mesh) : null;
-            occlusion = studio ? AmbientOcclusion.Measure(surface, camera, size * OcclusionPart, options.Threads) : null;
-            shader = new StudioShader(rig, fromLight is null ? null : new ShadowMap(fromLight), contact, camera);
+            light = studio && fromLight is not null
+                ? SurfaceLight.Measure(surface, camera, new ShadowMap(fromLight, options.Lighting.KeySize), size * OcclusionPart, options.Threads)
+                : null;
+            shader = new StudioShader(rig, contact, camera);
             GroundShadow? shadow = ground && fromLight is not null ? new GroundShadow(fromLight, options.Lighting.KeySize) : null;
             backdrop = new Backdrop(rig, camera, shadow, contact, bounds, options.Width, options.Height);
         }
@@ -101,7 +103,8 @@ public static class Renderer
                     while (next < fragments.Length && fragments[next].Pixel == pixel)
                     {
                         int samples = BitOperations.PopCount((uint)fragments[next].Mask);
-                        sum += Colour(in fragments[next]) * samples;
+                        Vector2 open = light is null ? Vector2.One : covered == 0 ? light.AtPixel(pixel) : light.Near(pixel, fragments[next].Depth);
+                        sum += Colour(in fragments[next], open) * samples;
                         covered += samples;
                         next++;
                     }
@@ -153,7 +156,8 @@ public static class Renderer
             row[(4 * x) + 3] = (byte)((total * 255f) + 0.5f);
         }
 
-        private Vector3 Colour(in Fragment fragment)
+        // What a fragment shows; open is how open it is to the light around it (X) and to the key light (Y).
+        private Vector3 Colour(in Fragment fragment, Vector2 open)
         {
             ref readonly ScreenTriangle triangle = ref surface.Triangles[fragment.Triangle];
             int i0 = mesh.Triangles[triangle.Source];
@@ -189,8 +193,7 @@ public static class Renderer
                 gloss = Math.Max(gloss, (mesh.Gloss[i0] * a) + (mesh.Gloss[i1] * b) + (mesh.Gloss[i2] * c));
             }
 
-            float openness = occlusion!.Openness[fragment.Pixel];
-            return ToneCurve.Apply(shader.Light(point, normal, colour, gloss, material.Translucency, openness));
+            return ToneCurve.Apply(shader.Light(point, normal, colour, gloss, material.Translucency, open.X, open.Y));
         }
 
         private Vector3 Textured(in ScreenTriangle triangle, float a, float b, float c, int i0, int i1, int i2)

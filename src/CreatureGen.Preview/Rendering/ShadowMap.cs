@@ -4,57 +4,85 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Preview.Rendering;
 
-/// <summary>How much of the key light reaches points of the creature past the creature itself.</summary>
-/// <remarks>Percentage-closer filtering (Reeves, Salesin and Cook 1987) over a square of texels with its edge texels weighted by the part inside.</remarks>
+/// <summary>How much of the key light reaches points of the creature past the creature itself: shadows are sharp near what throws them and soft far from it.</summary>
+/// <remarks>
+/// Based on: Fernando 2005, "Percentage-closer soft shadows": the mean distance of what is in the way gives the radius over which to average.
+/// Heights are compared with the plane of the surface, not with the point alone, so that a slope does not shade itself.
+/// </remarks>
 internal sealed class ShadowMap
 {
-    // Texels on each side of the one that holds the point.
-    private const int Radius = 2;
+    private const float SmallestRadius = 1.5f;
+    private const float LargestRadius = 24f;
+
+    // Part of the height of the map that what throws a shadow may be away for its softness to be found.
+    private const float SearchPart = 0.25f;
+
+    // Cosine of the steepest slope to the light whose plane is followed.
+    private const float LeastCosine = 0.2f;
+
+    private static readonly SunflowerPattern SearchPattern = new(6);
+    private static readonly SunflowerPattern AveragePattern = new(8);
 
     private readonly HeightRaster raster;
+    private readonly float searchRadius;
+    private readonly float radiusPerMetre;
     private readonly float bias;
 
-    public ShadowMap(HeightRaster raster)
+    public ShadowMap(HeightRaster raster, float lightSize)
     {
         this.raster = raster;
-
-        // Along a surface that is 45° to the light height changes by a texel per texel; steeper ones are dark by their normal.
+        radiusPerMetre = lightSize / raster.TexelSize;
+        searchRadius = Math.Clamp(raster.Size * SearchPart * lightSize, SmallestRadius, LargestRadius);
         bias = raster.TexelSize * 1.5f;
     }
 
-    /// <summary>The part of the key light, 0..1, that reaches a point with the given unit normal.</summary>
-    public float Light(Vector3 point, Vector3 normal)
+    /// <summary>The part of the key light, 0..1, that reaches a point with the given unit normal; a rough estimate to be averaged over the square of <see cref="SunflowerPattern"/>.</summary>
+    public float Light(Vector3 point, Vector3 normal, int x, int y)
     {
-        Vector3 lifted = point + (normal * (raster.TexelSize * (Radius + 0.5f)));
-        float height = Vec.Dot(lifted, raster.Direction) + bias;
+        float cosine = Vec.Dot(normal, raster.Direction);
+        if (cosine <= 0f)
+        {
+            return 0f;
+        }
+
+        Vector3 lifted = point + (normal * raster.TexelSize);
         raster.Locate(lifted, out float u, out float v);
-        u -= 0.5f;
-        v -= 0.5f;
-        int size = raster.Size;
-        int x = (int)MathF.Floor(u);
-        int y = (int)MathF.Floor(v);
-        if (x < Radius || y < Radius || x + Radius + 1 >= size || y + Radius + 1 >= size)
-        {
-            return 1f;
-        }
+        float height = Vec.Dot(lifted, raster.Direction) + bias;
+        float slope = -raster.TexelSize / Math.Max(LeastCosine, cosine);
+        float slopeU = slope * Vec.Dot(normal, raster.AxisU);
+        float slopeV = slope * Vec.Dot(normal, raster.AxisV);
 
-        float fu = u - x;
-        float fv = v - y;
-        float[] heights = raster.Highest;
-        float sum = 0f;
-        for (int j = -Radius; j <= Radius + 1; j++)
+        float distance = 0f;
+        int blockers = 0;
+        foreach (Vector2 offset in SearchPattern[x, y])
         {
-            ReadOnlySpan<float> row = heights.AsSpan(((y + j) * size) + x - Radius, (2 * Radius) + 2);
-            float inRow = (row[0] <= height ? 1f - fu : 0f) + (row[^1] <= height ? fu : 0f);
-            for (int i = 1; i < row.Length - 1; i++)
+            float du = offset.X * searchRadius;
+            float dv = offset.Y * searchRadius;
+            float over = HeightAt(u + du, v + dv) - (height + (slopeU * du) + (slopeV * dv));
+            if (over > 0f)
             {
-                inRow += row[i] <= height ? 1f : 0f;
+                distance += over;
+                blockers++;
             }
-
-            sum += inRow * (j == -Radius ? 1f - fv : j == Radius + 1 ? fv : 1f);
         }
 
-        const float Width = (2 * Radius) + 1;
-        return sum * (1f / (Width * Width));
+        float radius = blockers == 0 ? SmallestRadius : Math.Clamp(distance / blockers * radiusPerMetre, SmallestRadius, searchRadius);
+        ReadOnlySpan<Vector2> offsets = AveragePattern[x, y];
+        int open = 0;
+        foreach (Vector2 offset in offsets)
+        {
+            float du = offset.X * radius;
+            float dv = offset.Y * radius;
+            open += HeightAt(u + du, v + dv) <= height + (slopeU * du) + (slopeV * dv) ? 1 : 0;
+        }
+
+        return open / (float)offsets.Length;
+    }
+
+    private float HeightAt(float u, float v)
+    {
+        int x = (int)u;
+        int y = (int)v;
+        return u >= 0f && v >= 0f && x < raster.Size && y < raster.Size ? raster.Highest[(y * raster.Size) + x] : float.NegativeInfinity;
     }
 }

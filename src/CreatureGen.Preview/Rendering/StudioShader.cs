@@ -15,14 +15,12 @@ internal sealed class StudioShader
     private static readonly Vector3 Wrap = new(0.30f, 0.22f, 0.18f);
 
     private readonly LightRig rig;
-    private readonly ShadowMap? shadow;
     private readonly GroundContact? contact;
     private readonly Vector3 eye;
 
-    public StudioShader(LightRig rig, ShadowMap? shadow, GroundContact? contact, Camera camera)
+    public StudioShader(LightRig rig, GroundContact? contact, Camera camera)
     {
         this.rig = rig;
-        this.shadow = shadow;
         this.contact = contact;
         eye = camera.Eye;
     }
@@ -34,7 +32,8 @@ internal sealed class StudioShader
     /// <param name="gloss">0..1.</param>
     /// <param name="translucency">0..1.</param>
     /// <param name="openness">How open the place is to the light around it, 0..1.</param>
-    public Vector3 Light(Vector3 point, Vector3 normal, Vector3 colour, float gloss, float translucency, float openness)
+    /// <param name="lit">How much of the key light reaches it, 0..1.</param>
+    public Vector3 Light(Vector3 point, Vector3 normal, Vector3 colour, float gloss, float translucency, float openness, float lit)
     {
         Lighting lighting = rig.Lighting;
         Vector3 toEye = eye - point;
@@ -43,12 +42,6 @@ internal sealed class StudioShader
         float towardsKey = Vec.Dot(normal, rig.Key);
 
         // Where light grazes, wrapped light takes over from the shadow map, which cannot tell there.
-        float lit = 1f;
-        if (shadow is not null && towardsKey > -0.1f)
-        {
-            lit = shadow.Light(point, normal);
-        }
-
         float grazing = Scalar.Clamp((0.22f - towardsKey) * (1f / 0.32f), 0f, 1f);
         float diffuseLit = lit + ((1f - lit) * grazing * 0.85f);
         diffuseLit *= 0.65f + (0.35f * openness);
@@ -66,8 +59,7 @@ internal sealed class StudioShader
 
         if (translucency > 0f)
         {
-            float behind = Math.Max(0f, -towardsKey) * (shadow?.Light(point, -normal) ?? 1f);
-            result += colour * colour * lighting.Key * (behind * translucency);
+            result += colour * colour * lighting.Key * (Math.Max(0f, -towardsKey) * openness * translucency);
         }
 
         float roughness = 0.68f - (0.56f * gloss);

@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using System.Threading.Tasks;
 using CreatureGen.Maths;
 using CreatureGen.Preview.Scenes;
 
@@ -122,11 +121,9 @@ internal sealed class VisibleSurface
         }
 
         (scratch.Fragments[first], scratch.Fragments[largest]) = (scratch.Fragments[largest], scratch.Fragments[first]);
-        (scratch.Depths[first % Scratch.Ring], scratch.Depths[largest % Scratch.Ring]) = (scratch.Depths[largest % Scratch.Ring], scratch.Depths[first % Scratch.Ring]);
         ref Fragment main = ref scratch.Fragments[first];
-        float depth = scratch.Depths[first % Scratch.Ring];
         int pixel = main.Pixel;
-        Depths[pixel] = depth;
+        Depths[pixel] = main.Depth;
         var normal = new Vector3(main.NormalX, main.NormalY, main.NormalZ);
         Normals[pixel] = new Vector3(Vec.Dot(normal, camera.Right), Vec.Dot(normal, camera.Up), Vec.Dot(normal, camera.Forward));
         if (shading is ShadingMode.Smooth or ShadingMode.Unlit)
@@ -170,19 +167,18 @@ internal sealed class VisibleSurface
         }
 
         Vector3 normal = NormalAt(t.Source, b, c) * t.Side;
-        scratch.Add(
-            new Fragment
-            {
-                Triangle = triangle,
-                Pixel = (y * Bins.Width) + x,
-                Mask = mask,
-                B = b,
-                C = c,
-                NormalX = normal.X,
-                NormalY = normal.Y,
-                NormalZ = normal.Z,
-            },
-            depth);
+        scratch.Add(new Fragment
+        {
+            Triangle = triangle,
+            Pixel = (y * Bins.Width) + x,
+            Mask = mask,
+            Depth = depth,
+            B = b,
+            C = c,
+            NormalX = normal.X,
+            NormalY = normal.Y,
+            NormalZ = normal.Z,
+        });
     }
 
     private Vector3 NormalAt(int source, float b, float c)
@@ -207,24 +203,21 @@ internal sealed class VisibleSurface
     private void Merge(Scratch scratch, int first)
     {
         ref Fragment main = ref scratch.Fragments[first];
-        float depth = scratch.Depths[first % Scratch.Ring];
-        float limit = depth * OneSurfacePixels / camera.PixelsPerTangent(Bins.Height);
+        float limit = main.Depth * OneSurfacePixels / camera.PixelsPerTangent(Bins.Height);
         int kept = first + 1;
         for (int i = first + 1; i < scratch.Count; i++)
         {
             ref Fragment other = ref scratch.Fragments[i];
             float cosine = (main.NormalX * other.NormalX) + (main.NormalY * other.NormalY) + (main.NormalZ * other.NormalZ);
             if (cosine > OneSurfaceCosine
-                && Math.Abs(scratch.Depths[i % Scratch.Ring] - depth) < limit
+                && Math.Abs(other.Depth - main.Depth) < limit
                 && Triangles[main.Triangle].Part == Triangles[other.Triangle].Part)
             {
                 main.Mask |= other.Mask;
             }
             else
             {
-                scratch.Fragments[kept] = other;
-                scratch.Depths[kept % Scratch.Ring] = scratch.Depths[i % Scratch.Ring];
-                kept++;
+                scratch.Fragments[kept++] = other;
             }
         }
 
@@ -234,18 +227,13 @@ internal sealed class VisibleSurface
     /// <summary>What one thread needs.</summary>
     private sealed class Scratch(SamplePattern pattern)
     {
-        // Depths are only needed for the fragments of the present pixel, of which there are at most eight.
-        public const int Ring = 16;
-
         public Rasteriser Rasteriser { get; } = new(pattern);
 
         public Fragment[] Fragments { get; private set; } = new Fragment[2048];
 
-        public float[] Depths { get; } = new float[Ring];
-
         public int Count { get; set; }
 
-        public void Add(Fragment fragment, float depth)
+        public void Add(in Fragment fragment)
         {
             if (Count == Fragments.Length)
             {
@@ -254,7 +242,6 @@ internal sealed class VisibleSurface
                 Fragments = larger;
             }
 
-            Depths[Count % Ring] = depth;
             Fragments[Count++] = fragment;
         }
     }
