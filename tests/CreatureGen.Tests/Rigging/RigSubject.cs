@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Concurrent;
-using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;

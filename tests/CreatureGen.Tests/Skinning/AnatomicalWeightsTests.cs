@@ -220,7 +220,7 @@ public sealed class AnatomicalWeightsTests
     [Fact]
     public void A_swept_fins_tip_moves_as_one_however_the_body_bends()
     {
-        RigSubject subject = RigSubject.Of(BodyPlan.Whale);
+        RigSubject subject = RigSubject.WithSharkFin();
         int fin = Enumerable.Range(0, subject.Input.Appendages.Count).First(a => subject.Input.Appendages[a].Kind == LimbKind.Dorsal);
         int[] tip = Enumerable.Range(0, subject.Weights.Length).Where(v => subject.Input.Surface.Addresses[v].Appendage == fin && subject.Input.Surface.Addresses[v].Along == 1f).ToArray();
         foreach (int v in tip)
