@@ -72,8 +72,9 @@ internal static class LegSampler
             LegBuild build = LegBuild.Of(leg.Site.Archetype);
             bool splayed = build.Carriage == LegCarriage.Splayed;
             double shear = biped ? UnderMass(draft, leg) : leg.Shear;
+            double azimuth = leg.Site.Archetype == LimbArchetype.Insect && leg == placement.Legs[placement.Legs.Count - 1] ? UnderAbdomen(draft, leg, placement.Legs[0]) : leg.Site.Azimuth;
             double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing ? 1.05 : 1);
-            Add(draft, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, leg.Site.Azimuth, shear, leg.Site.Bounds.Pad);
+            Add(draft, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
         }
 
         if (placement.Arms is ArmPlacement arms)
@@ -94,6 +95,19 @@ internal static class LegSampler
         double middle = leg.Foot.Z + ((leg.Foot.Toe - leg.Foot.Heel) / 2);
         double ideal = leg.Shear + ((Measure(draft).CentreOfMass.Z - middle) / leg.Length);
         return Scalar.Clamp(ideal, Math.Min(leg.Shear, -0.1), Math.Max(leg.Shear, 0.5));
+    }
+
+    /// <summary>The turn of an insect's last legs, radians: far enough back to carry a heavy abdomen.</summary>
+    private static double UnderAbdomen(CreatureDraft draft, LegPlacement last, LegPlacement first)
+    {
+        LegBuild build = LegBuild.Of(last.Site.Archetype);
+        double step = build.FootOutward * last.Reach;
+        double front = first.RootZ + (step * PortableMath.Sin(first.Site.Azimuth));
+        double mass = Measure(draft).CentreOfMass.Z;
+
+        // Behind the centre of mass by a fifth of what lies before it.
+        double sine = (mass - (0.2 * (front - mass)) - last.RootZ) / step;
+        return Math.Min(last.Site.Azimuth, PortableMath.Asin(Scalar.Clamp(sine, -0.97, 0.97)));
     }
 
     private static SocketSet SetOf(CreatureDraft draft)
