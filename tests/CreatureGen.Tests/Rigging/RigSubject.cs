@@ -42,19 +42,10 @@ internal sealed class RigSubject
     public static RigSubject Of(BodyPlan plan) => subjects.GetOrAdd(plan, p => new Lazy<RigSubject>(() => new RigSubject(BlueprintOf(p)))).Value;
 
     /// <summary>The first blueprint of a plan.</summary>
-    public static CreatureBlueprint BlueprintOf(BodyPlan plan)
-    {
-        for (ulong seed = 0; seed < 2000; seed++)
-        {
-            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed);
-            if (blueprint.Plan == plan)
-            {
-                return blueprint;
-            }
-        }
+    public static CreatureBlueprint BlueprintOf(BodyPlan plan) => First(b => b.Plan == plan);
 
-        throw new InvalidOperationException($"no seed below 2000 gives the plan {plan}");
-    }
+    /// <summary>The first creature with a fin on the back that ends in a swept tip.</summary>
+    public static RigSubject WithSharkFin() => new(First(b => b.Fins.Any(f => f.Place == FinPlace.Dorsal && f.Style == FinStyle.Shark)));
 
     /// <summary>What the assembler hands to the rigger, with an eye laid into the skin.</summary>
     public static RigInput InputOf(CreatureBlueprint blueprint)
@@ -97,5 +88,19 @@ internal sealed class RigSubject
         var normals = new Vector3[skin.Length];
         CpuSkinning.Skin(matrices, skin, Input.Surface.Positions, restNormals, moved, normals);
         return (moved, normals);
+    }
+
+    private static CreatureBlueprint First(Func<CreatureBlueprint, bool> wanted)
+    {
+        for (ulong seed = 0; seed < 2000; seed++)
+        {
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed);
+            if (wanted(blueprint))
+            {
+                return blueprint;
+            }
+        }
+
+        throw new InvalidOperationException("no seed below 2000 gives such a creature");
     }
 }
