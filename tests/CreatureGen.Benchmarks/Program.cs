@@ -1,0 +1,31 @@
+using System;
+using System.Globalization;
+using BenchmarkDotNet.Running;
+using CreatureGen.Benchmarks.Table;
+
+namespace CreatureGen.Benchmarks;
+
+/// <summary><c>table</c> prints ours against the targets; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
+public static class Program
+{
+    private const int DefaultDigestSeeds = 300;
+
+    /// <summary>Runs what the arguments ask for.</summary>
+    public static int Main(string[] args)
+    {
+        string verb = args.Length > 0 ? args[0] : "";
+        switch (verb)
+        {
+            case "table":
+                FiguresTable.Print(Console.Out);
+                return 0;
+            case "digest":
+                int seeds = args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) : DefaultDigestSeeds;
+                GlbDigest.Print(Console.Out, seeds);
+                return 0;
+            default:
+                BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(args);
+                return 0;
+        }
+    }
+}

@@ -1,0 +1,28 @@
+using System.Numerics;
+using BenchmarkDotNet.Attributes;
+using CreatureGen.Appearance;
+using CreatureGen.Geometry;
+
+namespace CreatureGen.Benchmarks.Stages;
+
+/// <summary>The colour of each vertex.</summary>
+public class CoatBenchmarks : StageBenchmark
+{
+    private Vector3[] colours = System.Array.Empty<Vector3>();
+
+    /// <summary>Room for the colours.</summary>
+    [GlobalSetup]
+    public void MakeRoom()
+    {
+        SetUp();
+        colours = new Vector3[Subject.Normals.Length];
+    }
+
+    /// <summary>Colours of all vertices of the surface.</summary>
+    [Benchmark]
+    public void Paint()
+    {
+        Surface surface = Subject.Grown.Surface;
+        new CoatPainter(Subject.Blueprint.Coat, Subject.Coat).Paint(surface.Addresses, surface.Positions, surface.Mirror, Subject.Normals, colours);
+    }
+}
