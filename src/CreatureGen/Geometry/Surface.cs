@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Numerics;
 
 namespace CreatureGen.Geometry;
@@ -39,7 +38,7 @@ internal sealed class Surface
     public static Surface From(SurfaceBuilder builder, out int[] newIndex)
     {
         int[] index = new int[builder.Positions.Count];
-        foreach (Face face in builder.Faces)
+        foreach (Face face in builder.Faces.Items)
         {
             index[face.A] = index[face.B] = index[face.C] = index[face.D] = 1;
         }
@@ -76,20 +75,27 @@ internal sealed class Surface
 
     private static int[] Triangulate(Face[] faces)
     {
-        var triangles = new List<int>(faces.Length * 6);
+        int count = 0;
         foreach (Face face in faces)
         {
-            triangles.Add(face.A);
-            triangles.Add(face.B);
-            triangles.Add(face.C);
+            count += face.D == face.C ? 3 : 6;
+        }
+
+        int[] triangles = new int[count];
+        int at = 0;
+        foreach (Face face in faces)
+        {
+            triangles[at++] = face.A;
+            triangles[at++] = face.B;
+            triangles[at++] = face.C;
             if (face.D != face.C)
             {
-                triangles.Add(face.A);
-                triangles.Add(face.C);
-                triangles.Add(face.D);
+                triangles[at++] = face.A;
+                triangles[at++] = face.C;
+                triangles[at++] = face.D;
             }
         }
 
-        return triangles.ToArray();
+        return triangles;
     }
 }
