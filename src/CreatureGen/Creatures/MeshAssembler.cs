@@ -32,12 +32,13 @@ internal static class MeshAssembler
         Split(surface, sources, splitTexcoords, triangles);
         vertices += sources.Count;
         var buffers = new Buffers(vertices);
-        for (int v = 0; v < sources.Count; v++)
+        ReadOnlySpan<int> copied = sources.Items;
+        splitTexcoords.Items.CopyTo(buffers.Texcoords);
+        for (int v = 0; v < copied.Length; v++)
         {
-            int source = sources[v];
+            int source = copied[v];
             buffers.Positions[v] = surface.Positions[source] * scale;
             buffers.Normals[v] = normals[source];
-            buffers.Texcoords[v] = splitTexcoords[v];
             buffers.Colours[v] = colours[source];
             buffers.Weights[v] = weights[source];
         }

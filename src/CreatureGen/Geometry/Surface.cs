@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 
 namespace CreatureGen.Geometry;
@@ -37,8 +38,12 @@ internal sealed class Surface
     /// <summary>Takes the vertices that faces use, in their order, and gives for each old vertex its new index or −1.</summary>
     public static Surface From(SurfaceBuilder builder, out int[] newIndex)
     {
-        int[] index = new int[builder.Positions.Count];
-        foreach (Face face in builder.Faces.Items)
+        ReadOnlySpan<Vector3> oldPositions = builder.Positions.Items;
+        ReadOnlySpan<VertexAddress> oldAddresses = builder.Addresses.Items;
+        ReadOnlySpan<int> oldMirror = builder.Mirror.Items;
+        ReadOnlySpan<Face> oldFaces = builder.Faces.Items;
+        int[] index = new int[oldPositions.Length];
+        foreach (ref readonly Face face in oldFaces)
         {
             index[face.A] = index[face.B] = index[face.C] = index[face.D] = 1;
         }
@@ -54,18 +59,19 @@ internal sealed class Surface
         int[] mirror = new int[count];
         for (int i = 0; i < index.Length; i++)
         {
-            if (index[i] >= 0)
+            int at = index[i];
+            if (at >= 0)
             {
-                positions[index[i]] = builder.Positions[i];
-                addresses[index[i]] = builder.Addresses[i];
-                mirror[index[i]] = index[builder.Mirror[i]];
+                positions[at] = oldPositions[i];
+                addresses[at] = oldAddresses[i];
+                mirror[at] = index[oldMirror[i]];
             }
         }
 
-        var faces = new Face[builder.Faces.Count];
+        var faces = new Face[oldFaces.Length];
         for (int f = 0; f < faces.Length; f++)
         {
-            Face face = builder.Faces[f];
+            ref readonly Face face = ref oldFaces[f];
             faces[f] = new Face(index[face.A], index[face.B], index[face.C], index[face.D], face.Chart);
         }
 
