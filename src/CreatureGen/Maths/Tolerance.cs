@@ -14,4 +14,10 @@ public static class Tolerance
 
     /// <summary>Part of the squared diagonal of the bounding box. A triangle with less area is degenerate for importers.</summary>
     public const double DegenerateAreaPerDiagonalSquared = 1e-12;
+
+    /// <summary>Part of the diagonal of the bounding box. Triangles that have a shorter segment in common touch, and do not cross.</summary>
+    public const double CrossingLengthPerDiagonal = 1e-9;
+
+    /// <summary>Part of the product of area and the bounding box's diagonal. A smaller volume is the rounding of single-precision positions.</summary>
+    public const double VolumePerAreaAndDiagonal = 1e-12;
 }
