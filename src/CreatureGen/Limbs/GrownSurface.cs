@@ -96,6 +96,8 @@ internal sealed class GrownSurface
             PressFlat(surface);
         }
 
+        SurfaceUntangler.Untangle(surface);
+
         for (int i = 0; i < tips.Count; i++)
         {
             DigitTip t = tips[i];
