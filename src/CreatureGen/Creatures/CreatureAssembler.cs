@@ -49,7 +49,7 @@ public static class CreatureAssembler
         observer?.StageFinished(AssemblyStage.Skin);
 
         var colours = new Vector3[surface.Positions.Length];
-        new CoatPainter(blueprint.Coat, Subject(blueprint, grown, eye)).Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
+        new CoatPainter(blueprint.Coat, CoatSubjects.Of(blueprint, grown, eye)).Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
         CreatureMesh mesh = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
         observer?.StageFinished(AssemblyStage.Appearance);
 
@@ -59,32 +59,6 @@ public static class CreatureAssembler
         observer?.StageFinished(AssemblyStage.Finish);
         return creature;
     }
-
-    private static CoatSubject Subject(CreatureBlueprint blueprint, GrownSurface grown, EyeFrame eye)
-    {
-        var wings = new WingStyle[grown.Appendages.Count];
-        for (int i = 0; i < blueprint.Wings.Count; i++)
-        {
-            wings[blueprint.Legs.Count + i] = blueprint.Wings[i].Style;
-        }
-
-        return new CoatSubject(grown.Skin.Shape)
-        {
-            Snout = SnoutOf(blueprint.Body.Blend.First),
-            Mark = blueprint.Body.Blend.First == "insect" ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
-            Tail = blueprint.Tail.Style,
-            WingStyles = wings,
-            EyeCentre = eye.Centre,
-            EyeRadius = eye.Radius,
-        };
-    }
-
-    private static SnoutCoat SnoutOf(string body) => body switch
-    {
-        "canine" or "feline" or "bovine" => SnoutCoat.Leather,
-        "avian" => SnoutCoat.Beak,
-        _ => SnoutCoat.Bare,
-    };
 
     private static MassProperties Weigh(Surface surface, float scale)
     {
