@@ -67,8 +67,8 @@ public sealed class CreatureTextures
         var painter = new TexturePainter(coat, CoatSubjects.ReliefOf(creature.Blueprint), pictures);
         ChartPacking packing = ChartPacking.Pack(surface);
         PaintLeft(surface, normals, packing, coat, painter);
-        pictures.Emboss(1f / (packing.Density * size));
         pictures.Bleed(Math.Max(2, size / 256));
+        pictures.Emboss(1f / (packing.Density * size));
         return new CreatureTextures(pictures);
     }
 

@@ -68,7 +68,7 @@ internal sealed class AtlasPictures
         }
     }
 
-    /// <summary>Makes the normals of all painted texels from the heights of the painted ones beside them.</summary>
+    /// <summary>Makes the normals of all texels from the heights of those beside them.</summary>
     /// <param name="texel">Side of a texel on the surface, metres.</param>
     public void Emboss(float texel)
     {
@@ -77,15 +77,12 @@ internal sealed class AtlasPictures
             for (int x = 0; x < Size; x++)
             {
                 int at = (y * Size) + x;
-                if (painted[at])
-                {
-                    float du = Slope(at, x, 1) / texel;
-                    float dv = Slope(at, y, Size) / texel;
-                    float scale = 127f / (float)Math.Sqrt(1f + (du * du) + (dv * dv));
-                    Normal[3 * at] = (byte)((-du * scale) + 128.5f);
-                    Normal[(3 * at) + 1] = (byte)((dv * scale) + 128.5f);
-                    Normal[(3 * at) + 2] = (byte)(scale + 128.5f);
-                }
+                float du = Slope(at, x, 1) / texel;
+                float dv = Slope(at, y, Size) / texel;
+                float scale = 127f / (float)Math.Sqrt(1f + (du * du) + (dv * dv));
+                Normal[3 * at] = (byte)((-du * scale) + 128.5f);
+                Normal[(3 * at) + 1] = (byte)((dv * scale) + 128.5f);
+                Normal[(3 * at) + 2] = (byte)(scale + 128.5f);
             }
         }
     }
@@ -120,17 +117,20 @@ internal sealed class AtlasPictures
             if (!painted[texel])
             {
                 BaseColour.AsSpan(3 * texel, 3).Fill(128);
-                Normal[3 * texel] = Normal[(3 * texel) + 1] = 128;
-                Normal[(3 * texel) + 2] = 255;
                 Roughness[3 * texel] = 255;
                 Roughness[(3 * texel) + 1] = 191;
             }
         }
     }
 
-    /// <summary>Change of the height from one texel to the next, in the middle where both neighbours are painted.</summary>
+    /// <summary>Change of the height from one texel to the next: in the middle where both neighbours have one.</summary>
     private float Slope(int texel, int along, int stride)
     {
+        if (!painted[texel])
+        {
+            return 0f;
+        }
+
         int before = along > 0 && painted[texel - stride] ? texel - stride : texel;
         int after = along < Size - 1 && painted[texel + stride] ? texel + stride : texel;
         return before == after ? 0f : (heights[after] - heights[before]) * stride / (after - before);
@@ -138,8 +138,9 @@ internal sealed class AtlasPictures
 
     private bool Average(int x, int y, int texel)
     {
-        Span<int> sums = stackalloc int[9];
+        Span<int> sums = stackalloc int[6];
         sums.Clear();
+        float height = 0f;
         int count = 0;
         for (int k = 0; k < 4; k++)
         {
@@ -154,19 +155,20 @@ internal sealed class AtlasPictures
             for (int c = 0; c < 3; c++)
             {
                 sums[c] += BaseColour[from + c];
-                sums[3 + c] += Normal[from + c];
-                sums[6 + c] += Roughness[from + c];
+                sums[3 + c] += Roughness[from + c];
             }
 
+            height += heights[(ny * Size) + nx];
             count++;
         }
 
         for (int c = 0; c < 3 && count > 0; c++)
         {
             BaseColour[(3 * texel) + c] = (byte)(sums[c] / count);
-            Normal[(3 * texel) + c] = (byte)(sums[3 + c] / count);
-            Roughness[(3 * texel) + c] = (byte)(sums[6 + c] / count);
+            Roughness[(3 * texel) + c] = (byte)(sums[3 + c] / count);
         }
+
+        heights[texel] = count > 0 ? height / count : 0f;
 
         return count > 0;
     }
