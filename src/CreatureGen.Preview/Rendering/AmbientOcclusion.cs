@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.Intrinsics;
 using CreatureGen.Preview.Scenes;
 
 namespace CreatureGen.Preview.Rendering;
@@ -15,6 +16,7 @@ internal sealed class AmbientOcclusion
     // Part of the radius by which a sample must rise above the surface to count: hides the facets.
     private const float Bias = 0.02f;
 
+    // A multiple of four points, which are measured four at a time.
     private static readonly SunflowerPattern Pattern = new(12);
 
     private readonly VisibleSurface surface;
@@ -42,7 +44,10 @@ internal sealed class AmbientOcclusion
         float[] depths = surface.Depths;
         int pixel = (y * width) + x;
         float z = depths[pixel];
-        float reach = Math.Min(LargestRadiusPixels, radius * pixelsPerTangent / z);
+
+        // Where nothing is seen depth is zero: beyond the radius, as long as that is smaller than the distance to the camera.
+        float within = Math.Min(radius, z * 0.5f);
+        float reach = Math.Min(LargestRadiusPixels, within * pixelsPerTangent / z);
         if (reach < SmallestRadiusPixels)
         {
             return 1f;
@@ -51,43 +56,41 @@ internal sealed class AmbientOcclusion
         float scale = 1f / pixelsPerTangent;
         float halfWidth = (width * 0.5f) - 0.5f;
         float halfHeight = (height * 0.5f) - 0.5f;
-        float zScale = z * scale;
-        float px = (x - halfWidth) * zScale;
-        float py = (halfHeight - y) * zScale;
+        Vector128<float> px = Vector128.Create((x - halfWidth) * z * scale);
+        Vector128<float> py = Vector128.Create((halfHeight - y) * z * scale);
         Vector3 normal = surface.Normals[pixel];
-        float inverseSquare = 1f / (radius * radius);
-        float bias = radius * Bias;
-        float sum = 0f;
-        ReadOnlySpan<Vector2> points = Pattern[x, y];
-        foreach (Vector2 point in points)
+        Vector128<float> inverseSquare = Vector128.Create(1f / (within * within));
+        Vector128<float> bias = Vector128.Create(within * Bias);
+        Vector128<float> sum = Vector128<float>.Zero;
+        Vector128<int> lastX = Vector128.Create(width - 1);
+        Vector128<int> lastY = Vector128.Create(height - 1);
+        Pattern.Points(x, y, out ReadOnlySpan<float> pointX, out ReadOnlySpan<float> pointY);
+        for (int i = 0; i < Pattern.Count; i += Vector128<float>.Count)
         {
-            // Rounded by way of positive numbers.
-            int sx = (int)(x + (point.X * reach) + 256.5f) - 256;
-            int sy = (int)(y + (point.Y * reach) + 256.5f) - 256;
-            if ((uint)sx >= (uint)width || (uint)sy >= (uint)height)
-            {
-                continue;
-            }
-
-            float sz = depths[(sy * width) + sx];
-            if (sz == 0f)
-            {
-                continue;
-            }
-
-            float sScale = sz * scale;
-            float dx = ((sx - halfWidth) * sScale) - px;
-            float dy = ((halfHeight - sy) * sScale) - py;
-            float dz = sz - z;
-            float rise = (dx * normal.X) + (dy * normal.Y) + (dz * normal.Z) - bias;
-            float square = ((dx * dx) + (dy * dy) + (dz * dz)) * inverseSquare;
-            float near = 1f - square;
-            if (rise > 0f && near > 0f)
-            {
-                sum += near * near * near * rise / (square + 0.01f);
-            }
+            // Rounded to the nearest pixel by way of positive numbers; beyond the frame its edge is taken.
+            Vector128<int> sx = Round(Vector128.Create(pointX.Slice(i, 4)) * reach, x);
+            Vector128<int> sy = Round(Vector128.Create(pointY.Slice(i, 4)) * reach, y);
+            sx = Vector128.Min(Vector128.Max(sx, Vector128<int>.Zero), lastX);
+            sy = Vector128.Min(Vector128.Max(sy, Vector128<int>.Zero), lastY);
+            Vector128<int> at = (sy * width) + sx;
+            Vector128<float> sz = Vector128.Create(depths[at[0]], depths[at[1]], depths[at[2]], depths[at[3]]);
+            Vector128<float> sScale = sz * scale;
+            Vector128<float> dx = ((Vector128.ConvertToSingle(sx) - Vector128.Create(halfWidth)) * sScale) - px;
+            Vector128<float> dy = ((Vector128.Create(halfHeight) - Vector128.ConvertToSingle(sy)) * sScale) - py;
+            Vector128<float> dz = sz - Vector128.Create(z);
+            Vector128<float> rise = (dx * normal.X) + (dy * normal.Y) + (dz * normal.Z) - bias;
+            Vector128<float> square = ((dx * dx) + (dy * dy) + (dz * dz)) * inverseSquare;
+            Vector128<float> near = Vector128.Max(Vector128<float>.One - square, Vector128<float>.Zero);
+            sum += near * near * near * Vector128.Max(rise, Vector128<float>.Zero) / (square + Vector128.Create(0.01f));
         }
 
-        return Math.Max(0f, 1f - (sum * (Strength / (points.Length * radius))));
+        float total = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+        return Math.Max(0f, 1f - (total * (Strength / (Pattern.Count * within))));
+    }
+
+    private static Vector128<int> Round(Vector128<float> offset, int centre)
+    {
+        const int Positive = 256;
+        return Vector128.ConvertToInt32(offset + Vector128.Create(centre + Positive + 0.5f)) - Vector128.Create(Positive);
     }
 }

@@ -8,6 +8,9 @@ namespace CreatureGen.Preview.Rendering;
 /// <summary>What is behind the creature: a soft studio without a horizon, whose floor shows by the shadows on it.</summary>
 internal sealed class Backdrop
 {
+    // Middle of the glow, part of the picture's height from the top.
+    private const float GlowHeight = 0.48f;
+
     private readonly LightRig rig;
     private readonly Camera camera;
     private readonly GroundShadow? shadow;
@@ -17,6 +20,9 @@ internal sealed class Backdrop
     private readonly int width;
     private readonly int height;
     private readonly float tangentPerPixel;
+    private readonly Vector3[] rows;
+    private readonly float[] rowDistances;
+    private readonly float[] columnDistances;
 
     public Backdrop(LightRig rig, Camera camera, GroundShadow? shadow, GroundContact? contact, BoundingBox bounds, int width, int height)
     {
@@ -29,18 +35,28 @@ internal sealed class Backdrop
         size = Math.Max(1e-6f, bounds.Diagonal);
         centre = bounds.Centre;
         tangentPerPixel = 1f / camera.PixelsPerTangent(height);
+        rows = new Vector3[height];
+        rowDistances = new float[height];
+        columnDistances = new float[width];
+        for (int y = 0; y < height; y++)
+        {
+            float down = (y + 0.5f) / height;
+            rows[y] = Vec.Lerp(rig.Lighting.BackdropTop, rig.Lighting.BackdropBottom, Scalar.Smooth(down));
+            rowDistances[y] = (down - GlowHeight) * (down - GlowHeight) * 5f;
+        }
+
+        for (int x = 0; x < width; x++)
+        {
+            float side = ((x + 0.5f) / width) - 0.5f;
+            columnDistances[x] = side * side * 4.2f;
+        }
     }
 
     /// <summary>The backdrop without shadows, linear RGB as displayed.</summary>
     public Vector3 Colour(int x, int y)
     {
-        float down = (y + 0.5f) / height;
-        float side = ((x + 0.5f) / width) - 0.5f;
-        float fromGlow = down - 0.48f;
-        float square = (side * side * 1.9f) + (fromGlow * fromGlow * 2.3f);
-        float glow = 1f / (1f + (square * 2.2f));
-        Vector3 colour = rig.Lighting.BackdropTop + ((rig.Lighting.BackdropBottom - rig.Lighting.BackdropTop) * Scalar.Smooth(down));
-        return colour * (1f + (rig.Lighting.BackdropGlow * ((2f * glow) - 1f)));
+        float glow = 1f / (1f + rowDistances[y] + columnDistances[x]);
+        return rows[y] * (1f + (rig.Lighting.BackdropGlow * ((2f * glow) - 1f)));
     }
 
     /// <summary>What shadows leave of the floor's light at a pixel; 1 where there is none.</summary>

@@ -15,16 +15,16 @@ public sealed record Lighting
     public Vector3 KeyDirection { get; init; } = new(-0.5f, 0.85f, 0.5f);
 
     /// <summary>Colour of the key light.</summary>
-    public Vector3 Key { get; init; } = new(1.24f, 1.13f, 0.98f);
+    public Vector3 Key { get; init; } = new(1.28f, 1.17f, 1.02f);
 
     /// <summary>Radius of the key light divided by its distance: how soft shadows are.</summary>
     public float KeySize { get; init; } = 0.07f;
 
     /// <summary>Light from above.</summary>
-    public Vector3 Sky { get; init; } = new(0.44f, 0.49f, 0.57f);
+    public Vector3 Sky { get; init; } = new(0.46f, 0.505f, 0.58f);
 
     /// <summary>Light from the floor.</summary>
-    public Vector3 Bounce { get; init; } = new(0.27f, 0.25f, 0.235f);
+    public Vector3 Bounce { get; init; } = new(0.29f, 0.27f, 0.25f);
 
     /// <summary>Light from the side of the camera, without shadow.</summary>
     public Vector3 Fill { get; init; } = new(0.10f, 0.105f, 0.115f);

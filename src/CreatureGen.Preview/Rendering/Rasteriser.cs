@@ -1,4 +1,6 @@
 using System;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
 
 namespace CreatureGen.Preview.Rendering;
 
@@ -7,18 +9,34 @@ namespace CreatureGen.Preview.Rendering;
 /// (no gap and no double cover along shared edges; Pineda 1988, "A parallel algorithm for polygon rasterization"), and a buffer of 1/depth.
 /// Of equal depths the earlier triangle stays.
 /// </summary>
+/// <remarks>
+/// The samples of a pixel are the lanes of a vector; with fewer than eight the last are never covered. Lanes only add, multiply and compare, so that
+/// the result does not depend on what the processor offers.
+/// </remarks>
 internal sealed class Rasteriser
 {
     /// <summary>Side of a tile, pixels.</summary>
     public const int TileSize = 32;
 
+    /// <summary>Places for samples in each pixel, used or not.</summary>
+    public const int Lanes = 8;
+
     private const int SubPixel = ScreenProjection.SubPixel;
 
+    // Sides up to which edge functions fit 32 bits, 1/256 pixel: 2 · (2^14 + 2^8) · 2^14 < 2^31.
+    private const int LargestSmall = 1 << 14;
+
+    // Below every value of an edge function: keeps a lane from being covered.
+    private const int Never = int.MinValue / 2;
+
     private readonly SamplePattern pattern;
-    private readonly float[] depths;
-    private readonly int[] triangles;
-    private readonly long[] offsets;
-    private readonly float[] depthOffsets;
+    private readonly Vector256<int> sampleX;
+    private readonly Vector256<int> sampleY;
+    private readonly Vector256<float> sampleXInPixels;
+    private readonly Vector256<float> sampleYInPixels;
+    private readonly Vector256<int> unused;
+    private readonly Vector256<float>[] depths = new Vector256<float>[TileSize * TileSize];
+    private readonly Vector256<int>[] triangles = new Vector256<int>[TileSize * TileSize];
     private int left;
     private int top;
     private int right;
@@ -27,10 +45,20 @@ internal sealed class Rasteriser
     public Rasteriser(SamplePattern pattern)
     {
         this.pattern = pattern;
-        depths = new float[TileSize * TileSize * pattern.Count];
-        triangles = new int[TileSize * TileSize * pattern.Count];
-        offsets = new long[3 * pattern.Count];
-        depthOffsets = new float[pattern.Count];
+        Span<int> x = stackalloc int[Lanes];
+        Span<int> y = stackalloc int[Lanes];
+        Span<int> never = stackalloc int[Lanes];
+        x.Clear();
+        y.Clear();
+        never.Fill(-1);
+        pattern.X.CopyTo(x);
+        pattern.Y.CopyTo(y);
+        never[..pattern.Count].Clear();
+        sampleX = Vector256.Create<int>(x);
+        sampleY = Vector256.Create<int>(y);
+        unused = Vector256.Create<int>(never);
+        sampleXInPixels = Vector256.ConvertToSingle(sampleX) * Vector256.Create(1f / SubPixel);
+        sampleYInPixels = Vector256.ConvertToSingle(sampleY) * Vector256.Create(1f / SubPixel);
     }
 
     /// <summary>Empties the buffers for the tile whose pixels are <paramref name="left"/>..<paramref name="right"/> − 1 and <paramref name="top"/>..<paramref name="bottom"/> − 1.</summary>
@@ -41,67 +69,24 @@ internal sealed class Rasteriser
         this.right = right;
         this.bottom = bottom;
         Array.Clear(depths);
-        Array.Fill(triangles, -1);
+        Array.Fill(triangles, Vector256.Create(-1));
     }
 
-    /// <summary>The triangle seen at each sample of a pixel; −1 for none.</summary>
-    public ReadOnlySpan<int> Seen(int x, int y) => triangles.AsSpan((((y - top) * TileSize) + x - left) * pattern.Count, pattern.Count);
+    /// <summary>The triangle seen at each sample of a pixel; −1 for none and at lanes that are not used.</summary>
+    public Vector256<int> Seen(int x, int y) => triangles[((y - top) * TileSize) + x - left];
 
     /// <summary>Draws a triangle into the buffers.</summary>
     public void Draw(in ScreenTriangle t, int index)
     {
-        int minX = Math.Max(left, t.MinX);
-        int minY = Math.Max(top, t.MinY);
-        int maxX = Math.Min(right - 1, t.MaxX);
-        int maxY = Math.Min(bottom - 1, t.MaxY);
-        int centreX = (minX * SubPixel) + (SubPixel / 2);
-        int centreY = (minY * SubPixel) + (SubPixel / 2);
-        long row0 = Edge(t.X0, t.Y0, t.X1, t.Y1, centreX, centreY);
-        long row1 = Edge(t.X1, t.Y1, t.X2, t.Y2, centreX, centreY);
-        long row2 = Edge(t.X2, t.Y2, t.X0, t.Y0, centreX, centreY);
-        long stepX0 = (long)(t.Y0 - t.Y1) * SubPixel;
-        long stepX1 = (long)(t.Y1 - t.Y2) * SubPixel;
-        long stepX2 = (long)(t.Y2 - t.Y0) * SubPixel;
-        long stepY0 = (long)(t.X1 - t.X0) * SubPixel;
-        long stepY1 = (long)(t.X2 - t.X1) * SubPixel;
-        long stepY2 = (long)(t.X0 - t.X2) * SubPixel;
-        SetOffsets(0, t.X1 - t.X0, t.Y1 - t.Y0, out long least0, out long most0);
-        SetOffsets(1, t.X2 - t.X1, t.Y2 - t.Y1, out long least1, out long most1);
-        SetOffsets(2, t.X0 - t.X2, t.Y0 - t.Y2, out long least2, out long most2);
-        for (int s = 0; s < depthOffsets.Length; s++)
+        int spanX = Math.Max(t.X0, Math.Max(t.X1, t.X2)) - Math.Min(t.X0, Math.Min(t.X1, t.X2));
+        int spanY = Math.Max(t.Y0, Math.Max(t.Y1, t.Y2)) - Math.Min(t.Y0, Math.Min(t.Y1, t.Y2));
+        if (spanX <= LargestSmall && spanY <= LargestSmall)
         {
-            depthOffsets[s] = ((t.DepthX * pattern.X[s]) + (t.DepthY * pattern.Y[s])) * (1f / SubPixel);
+            DrawSmall(in t, index);
         }
-
-        for (int y = minY; y <= maxY; y++)
+        else
         {
-            long e0 = row0;
-            long e1 = row1;
-            long e2 = row2;
-            for (int x = minX; x <= maxX; x++)
-            {
-                if (e0 + most0 >= 0 && e1 + most1 >= 0 && e2 + most2 >= 0)
-                {
-                    float depth = t.Depth + (t.DepthX * (x - t.MinX)) + (t.DepthY * (y - t.MinY));
-                    int at = (((y - top) * TileSize) + x - left) * depthOffsets.Length;
-                    if (e0 + least0 >= 0 && e1 + least1 >= 0 && e2 + least2 >= 0)
-                    {
-                        Cover(at, depth, t.DepthMin, t.DepthMax, index);
-                    }
-                    else
-                    {
-                        CoverPart(at, depth, t.DepthMin, t.DepthMax, index, e0, e1, e2);
-                    }
-                }
-
-                e0 += stepX0;
-                e1 += stepX1;
-                e2 += stepX2;
-            }
-
-            row0 += stepY0;
-            row1 += stepY1;
-            row2 += stepY2;
+            DrawLarge(in t, index);
         }
     }
 
@@ -113,46 +98,95 @@ internal sealed class Rasteriser
         return (dx * (y - ay)) - (dy * (x - ax)) - (topLeft ? 0 : 1);
     }
 
-    private void SetOffsets(int edge, long dx, long dy, out long least, out long most)
+    private void DrawSmall(in ScreenTriangle t, int index)
     {
-        least = long.MaxValue;
-        most = long.MinValue;
-        int count = pattern.Count;
-        for (int s = 0; s < count; s++)
+        int minX = Math.Max(left, t.MinX);
+        int minY = Math.Max(top, t.MinY);
+        int maxX = Math.Min(right - 1, t.MaxX);
+        int maxY = Math.Min(bottom - 1, t.MaxY);
+        int centreX = (minX * SubPixel) + (SubPixel / 2);
+        int centreY = (minY * SubPixel) + (SubPixel / 2);
+        Vector256<int> off0 = Offsets(t.X1 - t.X0, t.Y1 - t.Y0, (int)Edge(t.X0, t.Y0, t.X1, t.Y1, centreX, centreY));
+        Vector256<int> off1 = Offsets(t.X2 - t.X1, t.Y2 - t.Y1, (int)Edge(t.X1, t.Y1, t.X2, t.Y2, centreX, centreY));
+        Vector256<int> off2 = Offsets(t.X0 - t.X2, t.Y0 - t.Y2, (int)Edge(t.X2, t.Y2, t.X0, t.Y0, centreX, centreY));
+        off0 = Vector256.ConditionalSelect(unused, Vector256.Create(Never), off0);
+        Vector256<int> stepX0 = Vector256.Create((t.Y0 - t.Y1) * SubPixel);
+        Vector256<int> stepX1 = Vector256.Create((t.Y1 - t.Y2) * SubPixel);
+        Vector256<int> stepX2 = Vector256.Create((t.Y2 - t.Y0) * SubPixel);
+        Vector256<int> stepY0 = Vector256.Create((t.X1 - t.X0) * SubPixel);
+        Vector256<int> stepY1 = Vector256.Create((t.X2 - t.X1) * SubPixel);
+        Vector256<int> stepY2 = Vector256.Create((t.X0 - t.X2) * SubPixel);
+        stepX0 = Vector256.ConditionalSelect(unused, Vector256<int>.Zero, stepX0);
+        stepY0 = Vector256.ConditionalSelect(unused, Vector256<int>.Zero, stepY0);
+        Vector256<float> depthOffsets = DepthOffsets(in t);
+        Vector256<float> least = Vector256.Create(t.DepthMin);
+        Vector256<float> most = Vector256.Create(t.DepthMax);
+        Vector256<int> name = Vector256.Create(index);
+        for (int y = minY; y <= maxY; y++)
         {
-            long offset = (dx * pattern.Y[s]) - (dy * pattern.X[s]);
-            offsets[(edge * count) + s] = offset;
-            least = Math.Min(least, offset);
-            most = Math.Max(most, offset);
-        }
-    }
-
-    private void Cover(int at, float depth, float least, float most, int index)
-    {
-        Span<float> depthSpan = depths.AsSpan(at, depthOffsets.Length);
-        for (int s = 0; s < depthSpan.Length; s++)
-        {
-            float d = Math.Clamp(depth + depthOffsets[s], least, most);
-            if (d > depthSpan[s])
+            Vector256<int> e0 = off0;
+            Vector256<int> e1 = off1;
+            Vector256<int> e2 = off2;
+            Span<Vector256<float>> depthRow = depths.AsSpan(((y - top) * TileSize) + minX - left, maxX - minX + 1);
+            Span<Vector256<int>> triangleRow = triangles.AsSpan(((y - top) * TileSize) + minX - left, depthRow.Length);
+            float rowDepth = t.Depth + (t.DepthY * (y - t.MinY));
+            for (int x = 0; x < depthRow.Length; x++)
             {
-                depthSpan[s] = d;
-                triangles[at + s] = index;
-            }
-        }
-    }
-
-    private void CoverPart(int at, float depth, float least, float most, int index, long e0, long e1, long e2)
-    {
-        int count = depthOffsets.Length;
-        for (int s = 0; s < count; s++)
-        {
-            if ((e0 + offsets[s] | e1 + offsets[count + s] | e2 + offsets[(2 * count) + s]) >= 0)
-            {
-                float d = Math.Clamp(depth + depthOffsets[s], least, most);
-                if (d > depths[at + s])
+                // Covered lanes are those where no edge function is negative.
+                Vector256<int> outside = (e0 | e1 | e2) >> 31;
+                if (outside != Vector256<int>.AllBitsSet)
                 {
-                    depths[at + s] = d;
-                    triangles[at + s] = index;
+                    Vector256<float> d = Vector256.Create(rowDepth + (t.DepthX * (x + minX - t.MinX))) + depthOffsets;
+                    d = Vector256.Min(Vector256.Max(d, least), most);
+                    ref Vector256<float> depth = ref depthRow[x];
+                    Vector256<float> nearer = Vector256.AndNot(Vector256.GreaterThan(d, depth), outside.AsSingle());
+                    depth = Vector256.ConditionalSelect(nearer, d, depth);
+                    triangleRow[x] = Vector256.ConditionalSelect(nearer.AsInt32(), name, triangleRow[x]);
+                }
+
+                e0 += stepX0;
+                e1 += stepX1;
+                e2 += stepX2;
+            }
+
+            off0 += stepY0;
+            off1 += stepY1;
+            off2 += stepY2;
+        }
+    }
+
+    private Vector256<int> Offsets(int dx, int dy, int atCentre) =>
+        Vector256.Create(atCentre) + (Vector256.Create(dx) * sampleY) - (Vector256.Create(dy) * sampleX);
+
+    private Vector256<float> DepthOffsets(in ScreenTriangle t) =>
+        (Vector256.Create(t.DepthX) * sampleXInPixels) + (Vector256.Create(t.DepthY) * sampleYInPixels);
+
+    private void DrawLarge(in ScreenTriangle t, int index)
+    {
+        Span<float> offsets = stackalloc float[Lanes];
+        DepthOffsets(in t).CopyTo(offsets);
+        for (int y = Math.Max(top, t.MinY); y <= Math.Min(bottom - 1, t.MaxY); y++)
+        {
+            float rowDepth = t.Depth + (t.DepthY * (y - t.MinY));
+            for (int x = Math.Max(left, t.MinX); x <= Math.Min(right - 1, t.MaxX); x++)
+            {
+                int at = ((y - top) * TileSize) + x - left;
+                Span<float> depth = MemoryMarshal.Cast<Vector256<float>, float>(depths.AsSpan(at, 1));
+                Span<int> seen = MemoryMarshal.Cast<Vector256<int>, int>(triangles.AsSpan(at, 1));
+                float centreDepth = rowDepth + (t.DepthX * (x - t.MinX));
+                for (int s = 0; s < pattern.Count; s++)
+                {
+                    int sx = (x * SubPixel) + (SubPixel / 2) + pattern.X[s];
+                    int sy = (y * SubPixel) + (SubPixel / 2) + pattern.Y[s];
+                    if ((Edge(t.X0, t.Y0, t.X1, t.Y1, sx, sy) | Edge(t.X1, t.Y1, t.X2, t.Y2, sx, sy) | Edge(t.X2, t.Y2, t.X0, t.Y0, sx, sy)) >= 0)
+                    {
+                        float d = Math.Min(Math.Max(centreDepth + offsets[s], t.DepthMin), t.DepthMax);
+                        if (d > depth[s])
+                        {
+                            depth[s] = d;
+                            seen[s] = index;
+                        }
+                    }
                 }
             }
         }

@@ -119,7 +119,9 @@ public static class Renderer
                     {
                         if (opacity < 1f)
                         {
-                            Vector3 behind = backdrop.Colour(x, y) * backdrop.Floor(x, y);
+                            // A half transparent creature does not show its own shadow through itself.
+                            Vector3 floor = Vec.Lerp(backdrop.Floor(x, y), Vector3.One, (1f - options.Opacity) * covered / pattern.Count);
+                            Vector3 behind = backdrop.Colour(x, y) * floor;
                             colour = (colour * opacity) + (behind * (1f - opacity));
                         }
 

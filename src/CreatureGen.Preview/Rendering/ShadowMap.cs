@@ -54,35 +54,40 @@ internal sealed class ShadowMap
 
         float distance = 0f;
         int blockers = 0;
-        foreach (Vector2 offset in SearchPattern[x, y])
+        SearchPattern.Points(x, y, out ReadOnlySpan<float> offsetX, out ReadOnlySpan<float> offsetY);
+        for (int i = 0; i < offsetX.Length; i++)
         {
-            float du = offset.X * searchRadius;
-            float dv = offset.Y * searchRadius;
+            float du = offsetX[i] * searchRadius;
+            float dv = offsetY[i] * searchRadius;
             float over = HeightAt(u + du, v + dv) - (height + (slopeU * du) + (slopeV * dv));
-            if (over > 0f)
-            {
-                distance += over;
-                blockers++;
-            }
+            distance += Math.Max(0f, over);
+            blockers += over > 0f ? 1 : 0;
         }
 
-        float radius = blockers == 0 ? SmallestRadius : Math.Clamp(distance / blockers * radiusPerMetre, SmallestRadius, searchRadius);
-        ReadOnlySpan<Vector2> offsets = AveragePattern[x, y];
-        int open = 0;
-        foreach (Vector2 offset in offsets)
+        if (blockers == 0)
         {
-            float du = offset.X * radius;
-            float dv = offset.Y * radius;
+            return 1f;
+        }
+
+        float radius = Math.Clamp(distance / blockers * radiusPerMetre, SmallestRadius, searchRadius);
+        AveragePattern.Points(x, y, out offsetX, out offsetY);
+        int open = 0;
+        for (int i = 0; i < offsetX.Length; i++)
+        {
+            float du = offsetX[i] * radius;
+            float dv = offsetY[i] * radius;
             open += HeightAt(u + du, v + dv) <= height + (slopeU * du) + (slopeV * dv) ? 1 : 0;
         }
 
-        return open / (float)offsets.Length;
+        return open / (float)offsetX.Length;
     }
 
+    // Beyond the grid its edge is taken, where there is nothing.
     private float HeightAt(float u, float v)
     {
-        int x = (int)u;
-        int y = (int)v;
-        return u >= 0f && v >= 0f && x < raster.Size && y < raster.Size ? raster.Highest[(y * raster.Size) + x] : float.NegativeInfinity;
+        int last = raster.Size - 1;
+        int x = Math.Min(Math.Max((int)u, 0), last);
+        int y = Math.Min(Math.Max((int)v, 0), last);
+        return raster.Highest[(y * raster.Size) + x];
     }
 }

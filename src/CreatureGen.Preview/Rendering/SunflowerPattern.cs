@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Preview.Rendering;
@@ -15,13 +14,14 @@ internal sealed class SunflowerPattern
 
     private const double GoldenAngle = 2.39996322972865332;
 
-    private readonly Vector2[] points;
-    private readonly int count;
+    private readonly float[] x;
+    private readonly float[] y;
 
     public SunflowerPattern(int count)
     {
-        this.count = count;
-        points = new Vector2[Side * Side * count];
+        Count = count;
+        x = new float[Side * Side * count];
+        y = new float[Side * Side * count];
         for (int pixel = 0; pixel < Side * Side; pixel++)
         {
             // Multiples that are prime to 16 shuffle turns and radii so that neighbours differ much.
@@ -31,11 +31,20 @@ internal sealed class SunflowerPattern
             {
                 double angle = (i * GoldenAngle) + turn;
                 double distance = Math.Sqrt((i + shift) / count);
-                points[(pixel * count) + i] = new Vector2((float)(PortableMath.Cos(angle) * distance), (float)(PortableMath.Sin(angle) * distance));
+                x[(pixel * count) + i] = (float)(PortableMath.Cos(angle) * distance);
+                y[(pixel * count) + i] = (float)(PortableMath.Sin(angle) * distance);
             }
         }
     }
 
+    /// <summary>Points of a pixel.</summary>
+    public int Count { get; }
+
     /// <summary>The points of a pixel, from the middle outwards.</summary>
-    public ReadOnlySpan<Vector2> this[int x, int y] => points.AsSpan((((y % Side) * Side) + (x % Side)) * count, count);
+    public void Points(int column, int row, out ReadOnlySpan<float> pointX, out ReadOnlySpan<float> pointY)
+    {
+        int first = (((row % Side) * Side) + (column % Side)) * Count;
+        pointX = x.AsSpan(first, Count);
+        pointY = y.AsSpan(first, Count);
+    }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.Intrinsics;
 using CreatureGen.Maths;
 using CreatureGen.Preview.Scenes;
 
@@ -85,26 +86,21 @@ internal sealed class VisibleSurface
 
     private void FindPixel(int x, int y, Scratch scratch)
     {
-        ReadOnlySpan<int> seen = scratch.Rasteriser.Seen(x, y);
+        Vector256<int> seen = scratch.Rasteriser.Seen(x, y);
         int first = scratch.Count;
         int open = pattern.All;
-        for (int s = 0; s < seen.Length; s++)
+        do
         {
-            int triangle = seen[s];
-            if (triangle < 0 || (open >> s & 1) == 0)
-            {
-                continue;
-            }
-
-            int mask = 1 << s;
-            for (int other = s + 1; other < seen.Length; other++)
-            {
-                mask |= seen[other] == triangle ? 1 << other : 0;
-            }
-
+            // The samples that show the same triangle as the first one left.
+            int triangle = seen[BitOperations.TrailingZeroCount(open)];
+            int mask = (int)Vector256.Equals(seen, Vector256.Create(triangle)).ExtractMostSignificantBits() & open;
             open &= ~mask;
-            Add(scratch, triangle, x, y, mask);
+            if (triangle >= 0)
+            {
+                Add(scratch, triangle, x, y, mask);
+            }
         }
+        while (open != 0);
 
         if (scratch.Count == first)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.ExceptionServices;
 using System.Threading;
 using System.Threading.Tasks;
 
@@ -7,7 +8,7 @@ namespace CreatureGen.Preview.Rendering;
 /// <summary>Shares independent jobs between threads. Each job writes only what is its own, so that the result is the same for any number of threads.</summary>
 internal static class Work
 {
-    /// <summary>Does jobs 0..<paramref name="count"/> − 1, each with the scratch memory of the thread that does it.</summary>
+    /// <summary>Does jobs 0..<paramref name="count"/> − 1, each with the scratch memory of the thread that does it. The first exception of a job ends the work and is thrown as it is.</summary>
     public static void Share<TScratch>(int count, int threads, Func<TScratch> scratch, Action<int, TScratch> job)
     {
         if (threads <= 1 || count <= 1)
@@ -22,14 +23,22 @@ internal static class Work
         }
 
         int next = -1;
-        Parallel.For(0, Math.Min(threads, count), new ParallelOptions { MaxDegreeOfParallelism = threads }, _ =>
+        int workers = Math.Min(threads, count);
+        try
         {
-            TScratch own = scratch();
-            for (int i = Interlocked.Increment(ref next); i < count; i = Interlocked.Increment(ref next))
+            Parallel.For(0, workers, new ParallelOptions { MaxDegreeOfParallelism = workers }, (_, state) =>
             {
-                job(i, own);
-            }
-        });
+                TScratch own = scratch();
+                for (int i = Interlocked.Increment(ref next); i < count && !state.IsExceptional; i = Interlocked.Increment(ref next))
+                {
+                    job(i, own);
+                }
+            });
+        }
+        catch (AggregateException several)
+        {
+            ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
+        }
     }
 
     /// <summary>Does jobs 0..<paramref name="count"/> − 1.</summary>

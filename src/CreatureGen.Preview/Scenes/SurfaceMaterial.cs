@@ -17,7 +17,7 @@ public enum Facing
 public sealed record SurfaceMaterial(Facing Facing, float Gloss, float Translucency)
 {
     /// <summary>Skin and all that is solid.</summary>
-    public static SurfaceMaterial Skin { get; } = new(Facing.Front, 0.32f, 0f);
+    public static SurfaceMaterial Skin { get; } = new(Facing.Front, 0.28f, 0f);
 
     /// <summary>Thin membranes and feathers, seen from both sides.</summary>
     public static SurfaceMaterial Membrane { get; } = new(Facing.Both, 0.3f, 0.55f);

@@ -40,20 +40,21 @@ internal sealed class ChartPacking
         var high = new Vector2[count];
         Array.Fill(low, new Vector2(float.MaxValue));
         Array.Fill(high, new Vector2(float.MinValue));
-        for (int f = 0; f < surface.Faces.Length; f++)
+        for (int f = 0; f < surface.Faces.Length; )
         {
+            // The faces of a chart mostly follow one another.
             int chart = surface.Faces[f].Chart;
-            FaceTexcoords t = surface.Texcoords[f];
-            Grow(t.A);
-            Grow(t.B);
-            Grow(t.C);
-            Grow(t.D);
-
-            void Grow(Vector2 p)
+            Vector2 least = low[chart];
+            Vector2 most = high[chart];
+            for (; f < surface.Faces.Length && surface.Faces[f].Chart == chart; f++)
             {
-                low[chart] = new Vector2(Math.Min(low[chart].X, p.X), Math.Min(low[chart].Y, p.Y));
-                high[chart] = new Vector2(Math.Max(high[chart].X, p.X), Math.Max(high[chart].Y, p.Y));
+                FaceTexcoords t = surface.Texcoords[f];
+                least = new Vector2(Least(least.X, t.A.X, t.B.X, t.C.X, t.D.X), Least(least.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
+                most = new Vector2(Most(most.X, t.A.X, t.B.X, t.C.X, t.D.X), Most(most.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
             }
+
+            low[chart] = least;
+            high[chart] = most;
         }
 
         int[] order = new int[count];
@@ -90,6 +91,10 @@ internal sealed class ChartPacking
         Shelve(order, low, high, fits, place);
         return new ChartPacking(low, place, fits);
     }
+
+    private static float Least(float bound, float a, float b, float c, float d) => Math.Min(bound, Math.Min(Math.Min(a, b), Math.Min(c, d)));
+
+    private static float Most(float bound, float a, float b, float c, float d) => Math.Max(bound, Math.Max(Math.Max(a, b), Math.Max(c, d)));
 
     private static bool Shelve(int[] order, Vector2[] low, Vector2[] high, float density, Vector2[] place)
     {

@@ -10,6 +10,8 @@ namespace CreatureGen.Appearance;
 /// <summary>A vertex of the surface as the coat sees it, folded onto the left side.</summary>
 internal readonly struct SkinPlace
 {
+    private readonly float aroundAppendage;
+
     public SkinPlace(in VertexAddress address, Vector3 position, Vector3 normal, BodyShape body)
     {
         Region = address.Region;
@@ -26,7 +28,7 @@ internal readonly struct SkinPlace
         Ventral = 0.5f * (1f - (float)PortableMath.Cos(Around));
         Arc = (float)BodyShape.At(body.Arc, Ring);
         Along = Scalar.Clamp(address.Along, 0f, 1f);
-        Chord = 0.5f * (1f - (float)PortableMath.Cos(address.Around));
+        aroundAppendage = address.Around;
     }
 
     public SurfaceRegion Region { get; }
@@ -55,7 +57,7 @@ internal readonly struct SkinPlace
     public float Along { get; }
 
     /// <summary>Of a wing or fin: 0 at the leading edge to 1 at the trailing edge.</summary>
-    public float Chord { get; }
+    public float Chord => 0.5f * (1f - (float)PortableMath.Cos(aroundAppendage));
 
     /// <summary>Whether the vertex belongs to trunk, neck, head or tail, outside of the mouth.</summary>
     public bool IsTrunk => Region is SurfaceRegion.Body or SurfaceRegion.Nose or SurfaceRegion.Lip;

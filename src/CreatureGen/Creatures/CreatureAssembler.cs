@@ -95,7 +95,7 @@ public static class CreatureAssembler
             (float)(volume * Density),
             (float)volume,
             solid.Centroid * scale,
-            solid.InertiaDiagonal * (float)moment,
-            solid.InertiaProducts * (float)moment);
+            new Vector3((float)(solid.InertiaXX * moment), (float)(solid.InertiaYY * moment), (float)(solid.InertiaZZ * moment)),
+            new Vector3((float)(solid.InertiaXY * moment), (float)(solid.InertiaYZ * moment), (float)(solid.InertiaZX * moment)));
     }
 }

@@ -16,55 +16,68 @@ internal static class MeshAssembler
     /// <summary>Builds the buffers, larger by a factor than what they are built from. Normals, colours and weights have one entry per vertex of the surface.</summary>
     public static CreatureMesh Assemble(Surface surface, Vector3[] normals, Vector3[] colours, SkinWeights[] weights, IReadOnlyList<Piece> pieces, Rig rig, float scale)
     {
-        ChartPacking packing = ChartPacking.Pack(surface);
-        int capacity = surface.Positions.Length * 5 / 4;
+        using var sources = new PooledList<int>(surface.Positions.Length * 3 / 2);
+        using var splitTexcoords = new PooledList<Vector2>(surface.Positions.Length * 3 / 2);
+        int vertices = 0;
+        int skinIndices = surface.Triangles.Length;
+        int membraneIndices = 0;
         foreach (Piece piece in pieces)
         {
-            capacity += piece.Positions.Length;
+            vertices += piece.Positions.Length;
+            membraneIndices += piece.Material == MaterialKind.Membrane ? piece.Triangles.Length : 0;
+            skinIndices += piece.Material == MaterialKind.Membrane ? 0 : piece.Triangles.Length;
         }
 
-        var buffers = new Buffers(capacity);
-        int[] skin = Split(surface, packing, normals, colours, weights, buffers);
-        var triangles = new List<int>(skin.Length * 5 / 4);
-        triangles.AddRange(skin);
-        var membranes = new List<int>();
+        int[] triangles = new int[skinIndices + membraneIndices];
+        Split(surface, sources, splitTexcoords, triangles);
+        vertices += sources.Count;
+        var buffers = new Buffers(vertices);
+        ReadOnlySpan<int> copied = sources.Items;
+        splitTexcoords.Items.CopyTo(buffers.Texcoords);
+        for (int v = 0; v < copied.Length; v++)
+        {
+            int source = copied[v];
+            buffers.Positions[v] = surface.Positions[source] * scale;
+            buffers.Normals[v] = normals[source];
+            buffers.Colours[v] = colours[source];
+            buffers.Weights[v] = weights[source];
+        }
+
+        int first = sources.Count;
+        int nextSkin = surface.Triangles.Length;
+        int nextMembrane = skinIndices;
         foreach (Piece piece in pieces)
         {
-            int first = buffers.Positions.Count;
             SkinWeights[] followed = Follow(piece, weights, rig);
             for (int v = 0; v < piece.Positions.Length; v++)
             {
-                buffers.Add(piece.Positions[v], piece.Normals[v], Vector2.Zero, piece.Colours[v], followed[followed.Length == 1 ? 0 : v]);
+                buffers.Positions[first + v] = piece.Positions[v] * scale;
+                buffers.Normals[first + v] = piece.Normals[v];
+                buffers.Colours[first + v] = piece.Colours[v];
+                buffers.Weights[first + v] = followed[followed.Length == 1 ? 0 : v];
             }
 
-            List<int> target = piece.Material == MaterialKind.Membrane ? membranes : triangles;
+            ref int next = ref nextSkin;
+            if (piece.Material == MaterialKind.Membrane)
+            {
+                next = ref nextMembrane;
+            }
+
             foreach (int index in piece.Triangles)
             {
-                target.Add(first + index);
+                triangles[next++] = first + index;
             }
+
+            first += piece.Positions.Length;
         }
 
-        var parts = new List<MeshPart> { new(MaterialKind.Skin, 0, triangles.Count) };
-        if (membranes.Count > 0)
+        var parts = new List<MeshPart> { new(MaterialKind.Skin, 0, skinIndices) };
+        if (membraneIndices > 0)
         {
-            parts.Add(new MeshPart(MaterialKind.Membrane, triangles.Count, membranes.Count));
-            triangles.AddRange(membranes);
+            parts.Add(new MeshPart(MaterialKind.Membrane, skinIndices, membraneIndices));
         }
 
-        Vector3[] positions = buffers.Positions.ToArray();
-        for (int v = 0; v < positions.Length; v++)
-        {
-            positions[v] *= scale;
-        }
-
-        return new CreatureMesh(
-            positions,
-            buffers.Normals.ToArray(),
-            buffers.Texcoords.ToArray(),
-            buffers.Colours.ToArray(),
-            buffers.Weights.ToArray(),
-            triangles.ToArray(),
-            parts);
+        return new CreatureMesh(buffers.Positions, buffers.Normals, buffers.Texcoords, buffers.Colours, buffers.Weights, triangles, parts);
     }
 
     /// <summary>The weights of a piece: one for each of its vertices, or a single one for all.</summary>
@@ -88,12 +101,13 @@ internal static class MeshAssembler
         return index >= 0 ? index : throw new InvalidOperationException($"a piece is bound to joint \"{joint}\", which the skeleton does not have");
     }
 
-    private static int[] Split(Surface surface, ChartPacking packing, Vector3[] normals, Vector3[] colours, SkinWeights[] weights, Buffers buffers)
+    /// <summary>Gives each vertex as many copies as it has places in the texture: adds what each copy is a copy of and its place, and writes the triangles.</summary>
+    private static void Split(Surface surface, PooledList<int> sources, PooledList<Vector2> texcoords, int[] triangles)
     {
+        ChartPacking packing = ChartPacking.Pack(surface);
         int[] firstCopy = new int[surface.Positions.Length];
         Array.Fill(firstCopy, -1);
-        var nextCopy = new List<int>(surface.Positions.Length * 5 / 4);
-        int[] triangles = new int[surface.Triangles.Length];
+        using var nextCopy = new PooledList<int>(surface.Positions.Length * 3 / 2);
         int at = 0;
         for (int f = 0; f < surface.Faces.Length; f++)
         {
@@ -116,15 +130,16 @@ internal static class MeshAssembler
             {
                 Vector2 uv = packing.Map(face.Chart, texcoord);
                 int copy = firstCopy[vertex];
-                while (copy >= 0 && buffers.Texcoords[copy] != uv)
+                while (copy >= 0 && texcoords[copy] != uv)
                 {
                     copy = nextCopy[copy];
                 }
 
                 if (copy < 0)
                 {
-                    copy = buffers.Positions.Count;
-                    buffers.Add(surface.Positions[vertex], normals[vertex], uv, colours[vertex], weights[vertex]);
+                    copy = sources.Count;
+                    sources.Add(vertex);
+                    texcoords.Add(uv);
                     nextCopy.Add(firstCopy[vertex]);
                     firstCopy[vertex] = copy;
                 }
@@ -132,38 +147,27 @@ internal static class MeshAssembler
                 return copy;
             }
         }
-
-        return triangles;
     }
 
     private sealed class Buffers
     {
-        public Buffers(int capacity)
+        public Buffers(int vertices)
         {
-            Positions = new List<Vector3>(capacity);
-            Normals = new List<Vector3>(capacity);
-            Texcoords = new List<Vector2>(capacity);
-            Colours = new List<Vector3>(capacity);
-            Weights = new List<SkinWeights>(capacity);
+            Positions = new Vector3[vertices];
+            Normals = new Vector3[vertices];
+            Texcoords = new Vector2[vertices];
+            Colours = new Vector3[vertices];
+            Weights = new SkinWeights[vertices];
         }
 
-        public List<Vector3> Positions { get; }
+        public Vector3[] Positions { get; }
 
-        public List<Vector3> Normals { get; }
+        public Vector3[] Normals { get; }
 
-        public List<Vector2> Texcoords { get; }
+        public Vector2[] Texcoords { get; }
 
-        public List<Vector3> Colours { get; }
+        public Vector3[] Colours { get; }
 
-        public List<SkinWeights> Weights { get; }
-
-        public void Add(Vector3 position, Vector3 normal, Vector2 texcoord, Vector3 colour, SkinWeights weights)
-        {
-            Positions.Add(position);
-            Normals.Add(normal);
-            Texcoords.Add(texcoord);
-            Colours.Add(colour);
-            Weights.Add(weights);
-        }
+        public SkinWeights[] Weights { get; }
     }
 }

@@ -1,4 +1,4 @@
-using System.Collections.Generic;
+using System;
 using System.Numerics;
 
 namespace CreatureGen.Geometry;
@@ -38,8 +38,12 @@ internal sealed class Surface
     /// <summary>Takes the vertices that faces use, in their order, and gives for each old vertex its new index or −1.</summary>
     public static Surface From(SurfaceBuilder builder, out int[] newIndex)
     {
-        int[] index = new int[builder.Positions.Count];
-        foreach (Face face in builder.Faces)
+        ReadOnlySpan<Vector3> oldPositions = builder.Positions.Items;
+        ReadOnlySpan<VertexAddress> oldAddresses = builder.Addresses.Items;
+        ReadOnlySpan<int> oldMirror = builder.Mirror.Items;
+        ReadOnlySpan<Face> oldFaces = builder.Faces.Items;
+        int[] index = new int[oldPositions.Length];
+        foreach (ref readonly Face face in oldFaces)
         {
             index[face.A] = index[face.B] = index[face.C] = index[face.D] = 1;
         }
@@ -55,18 +59,19 @@ internal sealed class Surface
         int[] mirror = new int[count];
         for (int i = 0; i < index.Length; i++)
         {
-            if (index[i] >= 0)
+            int at = index[i];
+            if (at >= 0)
             {
-                positions[index[i]] = builder.Positions[i];
-                addresses[index[i]] = builder.Addresses[i];
-                mirror[index[i]] = index[builder.Mirror[i]];
+                positions[at] = oldPositions[i];
+                addresses[at] = oldAddresses[i];
+                mirror[at] = index[oldMirror[i]];
             }
         }
 
-        var faces = new Face[builder.Faces.Count];
+        var faces = new Face[oldFaces.Length];
         for (int f = 0; f < faces.Length; f++)
         {
-            Face face = builder.Faces[f];
+            ref readonly Face face = ref oldFaces[f];
             faces[f] = new Face(index[face.A], index[face.B], index[face.C], index[face.D], face.Chart);
         }
 
@@ -76,20 +81,27 @@ internal sealed class Surface
 
     private static int[] Triangulate(Face[] faces)
     {
-        var triangles = new List<int>(faces.Length * 6);
+        int count = 0;
         foreach (Face face in faces)
         {
-            triangles.Add(face.A);
-            triangles.Add(face.B);
-            triangles.Add(face.C);
+            count += face.D == face.C ? 3 : 6;
+        }
+
+        int[] triangles = new int[count];
+        int at = 0;
+        foreach (Face face in faces)
+        {
+            triangles[at++] = face.A;
+            triangles[at++] = face.B;
+            triangles[at++] = face.C;
             if (face.D != face.C)
             {
-                triangles.Add(face.A);
-                triangles.Add(face.C);
-                triangles.Add(face.D);
+                triangles[at++] = face.A;
+                triangles[at++] = face.C;
+                triangles[at++] = face.D;
             }
         }
 
-        return triangles.ToArray();
+        return triangles;
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 
@@ -90,23 +89,26 @@ internal readonly struct FaceTexcoords
     public Vector2 D { get; }
 }
 
-/// <summary>A closed surface under construction: points, their addresses, their mirror images, and faces.</summary>
-internal sealed class SurfaceBuilder
+/// <summary>A closed surface under construction: points, their addresses, their mirror images, and faces. Disposing gives its memory back to the pool.</summary>
+internal sealed class SurfaceBuilder : IDisposable
 {
+    // What most creatures need; larger ones grow.
+    private const int Capacity = 8192;
+
     /// <summary>Model space, metres at scale 1.</summary>
-    public List<Vector3> Positions { get; } = new(6000);
+    public PooledList<Vector3> Positions { get; } = new(Capacity);
 
     /// <summary>One per position.</summary>
-    public List<VertexAddress> Addresses { get; } = new(6000);
+    public PooledList<VertexAddress> Addresses { get; } = new(Capacity);
 
     /// <summary>The vertex on the other side of the sagittal plane; a vertex on the plane is its own.</summary>
-    public List<int> Mirror { get; } = new(6000);
+    public PooledList<int> Mirror { get; } = new(Capacity);
 
     /// <summary>All faces.</summary>
-    public List<Face> Faces { get; } = new(6000);
+    public PooledList<Face> Faces { get; } = new(Capacity);
 
     /// <summary>One per face.</summary>
-    public List<FaceTexcoords> Texcoords { get; } = new(6000);
+    public PooledList<FaceTexcoords> Texcoords { get; } = new(Capacity);
 
     /// <summary>Number of texture charts handed out.</summary>
     public int Charts { get; private set; }
@@ -121,6 +123,16 @@ internal sealed class SurfaceBuilder
         Addresses.Add(address);
         Mirror.Add(Positions.Count - 1);
         return Positions.Count - 1;
+    }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        Positions.Dispose();
+        Addresses.Dispose();
+        Mirror.Dispose();
+        Faces.Dispose();
+        Texcoords.Dispose();
     }
 
     /// <summary>Makes two vertices mirror images of one another.</summary>

@@ -12,9 +12,20 @@ internal sealed class BodyKeepOut
     /// <summary>Metres between the skin and a point that was pushed.</summary>
     private const double Gap = 0.007;
 
+    /// <summary>Steps between rings that a section reaches along the spine.</summary>
+    private const double NearestSteps = 1.2;
+
+    /// <summary>Keeps quick answers clear of rounding.</summary>
+    private const double Slack = 1.001;
+
     private readonly BodyShape shape;
     private readonly int first;
     private readonly int last;
+
+    // What no section reaches beyond: a plane to the side, and a circle about a point of the sagittal plane.
+    private readonly double widest;
+    private readonly Vector3 middle;
+    private readonly double reach;
 
     /// <summary>Guards the given rings, both included.</summary>
     public BodyKeepOut(BodyShape shape, int first, int last)
@@ -22,12 +33,21 @@ internal sealed class BodyKeepOut
         this.shape = shape;
         this.first = Math.Max(first, 1);
         this.last = Math.Min(last, BodyGrid.Rings - 2);
+        middle = (shape.Centre(this.first) + shape.Centre(this.last)) / 2f;
+        for (int i = this.first; i <= this.last; i++)
+        {
+            double extent = Math.Max(shape.Top[i], shape.Bottom[i]);
+            double step = NearestSteps * shape.Step[i];
+            widest = Math.Max(widest, Slack * (shape.Width[i] + Gap));
+            reach = Math.Max(reach, Slack * (Vec.Distance(shape.Centre(i), middle) + Math.Sqrt((extent * extent) + (step * step))));
+        }
     }
 
     /// <summary>The point itself, or its image on the skin at the same height and length.</summary>
     public Vector3 Push(Vector3 p)
     {
-        if (p.X <= 0f)
+        Vector3 beside = p - middle;
+        if (p.X <= 0f || p.X > widest || ((double)beside.Y * beside.Y) + ((double)beside.Z * beside.Z) > reach * reach)
         {
             return p;
         }
@@ -39,6 +59,11 @@ internal sealed class BodyKeepOut
         {
             Vector3 d = p - shape.Centre(i);
             double a = Math.Abs(Vec.Dot(d, shape.Forward(i)));
+            if (a >= best)
+            {
+                continue;
+            }
+
             double score = a + (0.25 * Math.Sqrt((d.Y * d.Y) + (d.Z * d.Z)));
             if (score < best)
             {
@@ -48,7 +73,7 @@ internal sealed class BodyKeepOut
             }
         }
 
-        if (axial >= shape.Step[ring] * 1.2)
+        if (axial >= shape.Step[ring] * NearestSteps)
         {
             return p;
         }

@@ -56,7 +56,7 @@ internal sealed class GrownSurface
     {
         BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
         BodySkin skin = BodySkin.Span(shape, blueprint.Head, blueprint.Tail);
-        var builder = new SurfaceBuilder();
+        using var builder = new SurfaceBuilder();
         var body = new BodySurface(builder, skin);
         var appendages = new List<Appendage>();
         var borders = new List<int>();
@@ -95,6 +95,8 @@ internal sealed class GrownSurface
         {
             PressFlat(surface);
         }
+
+        SurfaceUntangler.Untangle(surface);
 
         for (int i = 0; i < tips.Count; i++)
         {

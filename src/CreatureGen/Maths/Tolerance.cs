@@ -23,4 +23,10 @@ public static class Tolerance
 
     /// <summary>Part of 1 m plus the distance from the origin, and of one for entries of rotation matrices. A joint's rest pose in its parent's space and in model space may differ by no more, which floats keep with two decimal places to spare.</summary>
     public const double RestPose = 1e-5;
+
+    /// <summary>Part of the diagonal of the bounding box. Triangles that have a shorter segment in common touch, and do not cross.</summary>
+    public const double CrossingLengthPerDiagonal = 1e-9;
+
+    /// <summary>Part of the product of area and the bounding box's diagonal. A smaller volume is the rounding of single-precision positions.</summary>
+    public const double VolumePerAreaAndDiagonal = 1e-12;
 }

@@ -120,7 +120,19 @@ internal static class LimbRigger
     /// <summary>Leg_L1_Knee, Wing_R1_2, Dorsal_1_End; the first pair of ears and antennae goes without a number: Ear_L_1.</summary>
     private static string NameOf(Appendage appendage, Side side, string suffix)
     {
-        string kind = appendage.Kind == LimbKind.Pectoral ? "Fin" : appendage.Kind.ToString();
+        string kind = appendage.Kind switch
+        {
+            LimbKind.Leg => "Leg",
+            LimbKind.Arm => "Arm",
+            LimbKind.Wing => "Wing",
+            LimbKind.InsectWing => "InsectWing",
+            LimbKind.Pectoral => "Fin",
+            LimbKind.Dorsal => "Dorsal",
+            LimbKind.Ventral => "Ventral",
+            LimbKind.Ear => "Ear",
+            LimbKind.Antenna => "Antenna",
+            _ => throw new ArgumentOutOfRangeException(nameof(appendage), appendage.Kind, "expected a kind of limb"),
+        };
         string letter = side switch { Side.Left => "L", Side.Right => "R", _ => "" };
         bool numbered = !(appendage.Kind is LimbKind.Ear or LimbKind.Antenna) || appendage.Pair > 1;
         return kind + "_" + letter + (numbered ? appendage.Pair.ToString(CultureInfo.InvariantCulture) : "") + "_" + suffix;

@@ -10,11 +10,10 @@ public class CoatBenchmarks : StageBenchmark
 {
     private Vector3[] colours = System.Array.Empty<Vector3>();
 
-    /// <summary>Room for the colours.</summary>
-    [GlobalSetup]
-    public void MakeRoom()
+    /// <inheritdoc/>
+    public override void SetUp()
     {
-        SetUp();
+        base.SetUp();
         colours = new Vector3[Subject.Normals.Length];
     }
 

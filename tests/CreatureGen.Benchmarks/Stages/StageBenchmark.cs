@@ -15,5 +15,5 @@ public abstract class StageBenchmark
 
     /// <summary>Builds what the stage starts from.</summary>
     [GlobalSetup]
-    public void SetUp() => Subject = new Subject(42, Kind);
+    public virtual void SetUp() => Subject = new Subject(42, Kind);
 }

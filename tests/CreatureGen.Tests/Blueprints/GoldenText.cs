@@ -11,6 +11,7 @@ internal static class GoldenText
           "kind": "flying",
           "plan": "flapping",
           "scale": 1.25,
+          "triangleBudget": 20000,
           "body": {
             "blend": { "first": "canine", "second": "canine", "third": "canine", "secondWeight": 0, "thirdWeight": 0 },
             "proportions": {

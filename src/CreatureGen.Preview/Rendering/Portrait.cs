@@ -1,0 +1,82 @@
+using System;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Preview.Pictures;
+using CreatureGen.Preview.Scenes;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Preview.Rendering;
+
+/// <summary>Pictures of whole creatures in one call.</summary>
+public static class Portrait
+{
+    // Opacity of the creature around its bones.
+    private const float GhostOpacity = 0.42f;
+
+    // Room around the head, part of the radius of the ball around it.
+    private const float FaceRoom = 0.86f;
+
+    /// <summary>The creature in rest pose from a named side, as large as the frame allows.</summary>
+    public static Picture Take(Creature creature, View view, RenderOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        RenderMesh mesh = RenderMesh.From(creature);
+        return Renderer.Render(mesh, Fit(mesh, view, options), options);
+    }
+
+    /// <summary>The creature in rest pose, half transparent, and its bones and joints.</summary>
+    public static Picture TakeSkeleton(Creature creature, View view, RenderOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(creature);
+        ArgumentNullException.ThrowIfNull(options);
+        RenderMesh mesh = RenderMesh.From(creature);
+        return WithSkeleton(mesh, SkeletonFigure.From(creature.Skeleton), Fit(mesh, view, options), options);
+    }
+
+    /// <summary>A half transparent surface with the figure of a skeleton drawn over it.</summary>
+    /// <param name="mesh">The creature's surface.</param>
+    /// <param name="figure">Its skeleton in the same pose, from <see cref="SkeletonFigure"/>.</param>
+    /// <param name="camera">From where.</param>
+    /// <param name="options">How; its opacity is reduced.</param>
+    public static Picture WithSkeleton(RenderMesh mesh, RenderMesh figure, Camera camera, RenderOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        Picture picture = Renderer.Render(mesh, camera, options with { Opacity = options.Opacity * GhostOpacity });
+        Picture bones = Renderer.Render(figure, camera, options with { Shading = ShadingMode.Smooth, Backdrop = BackdropKind.Transparent, Ground = GroundKind.None });
+        picture.Overlay(bones, 0, 0);
+        return picture;
+    }
+
+    /// <summary>The head of the creature in rest pose from a named side.</summary>
+    public static Picture TakeFace(Creature creature, View view, RenderOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(creature);
+        ArgumentNullException.ThrowIfNull(options);
+        RenderMesh mesh = RenderMesh.From(creature);
+        BoundingBox head = HeadBounds(creature);
+        Camera camera = Camera.CloseUp(view, head.Centre, head.Diagonal * 0.5f * FaceRoom, options.Width / (float)options.Height);
+        return Renderer.Render(mesh, camera, options);
+    }
+
+    private static Camera Fit(RenderMesh mesh, View view, RenderOptions options) =>
+        Camera.Fit(Views.Angle(view), mesh.Positions, options.Width / (float)options.Height);
+
+    // Around what the head, the jaw and the eyes move most; around everything when there is no head.
+    private static BoundingBox HeadBounds(Creature creature)
+    {
+        BoundingBox bounds = default;
+        bool any = false;
+        for (int i = 0; i < creature.Mesh.Positions.Length; i++)
+        {
+            if (creature.Skeleton.Joints[creature.Mesh.Weights[i].Joint0].Role is JointRole.Head or JointRole.Jaw or JointRole.Eye)
+            {
+                Vector3 p = creature.Mesh.Positions[i];
+                var point = new BoundingBox(p, p);
+                bounds = any ? bounds.Around(point) : point;
+                any = true;
+            }
+        }
+
+        return any ? bounds : BoundingBox.Of(creature.Mesh.Positions);
+    }
+}

@@ -1,0 +1,44 @@
+using System;
+
+namespace CreatureGen.Geometry;
+
+/// <summary>Disjoint sets of the numbers 0..n−1 in a caller's buffer.</summary>
+/// <remarks>Based on: R. E. Tarjan and J. van Leeuwen 1984, "Worst-case analysis of set union algorithms" (path halving; the lower number leads).</remarks>
+internal readonly ref struct DisjointSets
+{
+    private readonly Span<int> parents;
+
+    /// <summary>Puts each number in a set of its own.</summary>
+    public DisjointSets(Span<int> parents)
+    {
+        this.parents = parents;
+        for (int i = 0; i < parents.Length; i++)
+        {
+            parents[i] = i;
+        }
+    }
+
+    /// <summary>Joins two sets. One when they were two, zero when they were the same.</summary>
+    public int Join(int a, int b)
+    {
+        a = Root(a);
+        b = Root(b);
+        if (a == b)
+        {
+            return 0;
+        }
+
+        parents[Math.Max(a, b)] = Math.Min(a, b);
+        return 1;
+    }
+
+    private int Root(int i)
+    {
+        while (parents[i] != i)
+        {
+            i = parents[i] = parents[parents[i]];
+        }
+
+        return i;
+    }
+}
