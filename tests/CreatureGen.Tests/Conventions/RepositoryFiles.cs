@@ -27,7 +27,7 @@ internal static class RepositoryFiles
 
     private static void Collect(string folder, string pattern, List<string> found)
     {
-        found.AddRange(Directory.EnumerateFiles(folder, pattern).Select(f => Path.GetRelativePath(Root, f).Replace('\\', '/')));
+        found.AddRange(Directory.EnumerateFiles(folder, pattern).Where(f => !NotOurs.Contains(Path.GetFileName(f), StringComparer.Ordinal)).Select(f => Path.GetRelativePath(Root, f).Replace('\\', '/')));
         foreach (string inner in Directory.EnumerateDirectories(folder).Where(d => !NotOurs.Contains(Path.GetFileName(d), StringComparer.Ordinal)))
         {
             Collect(inner, pattern, found);

@@ -47,8 +47,20 @@ internal sealed class RoomTable
         return new RoomTable(rows);
     }
 
-    /// <summary>The room of a namespace; null for one outside the library.</summary>
-    public static string? RoomOf(string? space)
+    /// <summary>The room that a folder of the library is in: the nearest folder upwards that has a row; null when none has.</summary>
+    public string? RoomOf(string? folder)
+    {
+        while (folder != null && !known.ContainsKey(folder))
+        {
+            int slash = folder.LastIndexOf('/');
+            folder = slash < 0 ? null : folder[..slash];
+        }
+
+        return folder;
+    }
+
+    /// <summary>The folder of a namespace, with forward slashes; null for one outside the library.</summary>
+    public static string? FolderOf(string? space)
     {
         if (space == "CreatureGen")
         {

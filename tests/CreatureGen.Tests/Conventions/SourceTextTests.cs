@@ -8,7 +8,7 @@ public sealed class SourceTextTests
     [InlineData("a // b\nc", "a     \nc")]
     [InlineData("a /* b\nc */ d", "a     \n     d")]
     [InlineData("f(\"x\\\"y\") z", "f(      ) z")]
-    [InlineData("f(@\"x\"\"\\\") z", "f(        ) z")]
+    [InlineData("f(@\"x\"\"\\\") z", "f(       ) z")]
     [InlineData("f('\"') z", "f(   ) z")]
     [InlineData("\"\"\"a\"b\"\"\" z", "          z")]
     [InlineData("a / b", "a / b")]
