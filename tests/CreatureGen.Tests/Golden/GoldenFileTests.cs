@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using CreatureGen.Anatomy;
 using CreatureGen.Digest;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Conventions;
@@ -29,6 +30,14 @@ public sealed class GoldenFileTests
         Assert.True(seeds.Distinct().Count() == seeds.Length && seeds.Length >= 12, $"{seeds.Length} seeds");
         Assert.Contains(0UL, seeds);
         Assert.Contains(ulong.MaxValue, seeds);
+    }
+
+    /// <summary>A body plan that no seed of the file draws any more wants a seed that does.</summary>
+    [Fact]
+    public void Every_body_plan_is_among_them()
+    {
+        BodyPlan[] found = GoldenFile.Entries.Select(e => BlueprintSampler.Sample(e.Seed, CreatureOptions.Default with { Kind = e.Kind }).Plan).Distinct().ToArray();
+        Assert.Empty(Enum.GetValues<BodyPlan>().Except(found));
     }
 
     [Fact]
