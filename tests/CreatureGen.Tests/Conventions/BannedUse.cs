@@ -39,6 +39,7 @@ internal static class BannedUse
         ["System.Linq.ParallelEnumerable"] = Threads,
         ["System.Numerics.Vector"] = Vectors,
         ["System.Numerics.Vector`1"] = Vectors,
+        ["System.Collections.Generic.KeyValuePair`2"] = HashOrder,
         ["System.Collections.Concurrent.ConcurrentDictionary`2"] = HashOrder,
         ["System.Collections.Concurrent.ConcurrentBag`1"] = HashOrder,
     };

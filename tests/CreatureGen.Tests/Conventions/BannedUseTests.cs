@@ -100,6 +100,8 @@ public sealed class BannedUseTests
             return sum;
         }
 
+        public static int[] Values(Dictionary<string, int> map) => map.Select(p => p.Value).ToArray();
+
         public static int Members(HashSet<int> set)
         {
             int sum = 0;
