@@ -1,6 +1,5 @@
 using System.Numerics;
 using System;
-using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 
