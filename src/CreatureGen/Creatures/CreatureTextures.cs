@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using System.Threading.Tasks;
 using CreatureGen.Appearance;
 using CreatureGen.Appearance.Textures;
 using CreatureGen.Features;
@@ -40,7 +39,7 @@ public sealed class CreatureTextures
     /// <summary>Roughness in the green channel, metalness (none) in the blue one.</summary>
     public ReadOnlySpan<byte> Roughness => pictures.Roughness;
 
-    /// <summary>Paints the atlas of a creature. The same creature and size give the same bytes, on any number of threads.</summary>
+    /// <summary>Paints the atlas of a creature. The same creature and size give the same bytes.</summary>
     /// <param name="creature">The creature; its blueprint says all that is needed.</param>
     /// <param name="size">Texels along a side, a power of two 256..4096.</param>
     /// <exception cref="ArgumentNullException">There is no creature.</exception>
@@ -66,28 +65,25 @@ public sealed class CreatureTextures
         var pictures = new AtlasPictures(size);
         var painter = new TexturePainter(coat, CoatSubjects.ReliefOf(creature.Blueprint), pictures);
         ChartPacking packing = ChartPacking.Pack(surface);
-        PaintLeft(surface, normals, packing, coat, painter);
+        Paint(surface, normals, packing, coat, painter);
         pictures.Bleed(Math.Max(2, size / 256));
         pictures.Emboss(1f / (packing.Density * size));
         return new CreatureTextures(pictures);
     }
 
     /// <summary>The right side shares the texels of the left. Charts do not overlap, so each can be painted by a thread of its own.</summary>
-    private static void PaintLeft(Surface surface, Vector3[] normals, ChartPacking packing, CoatPainter coat, TexturePainter painter)
+    private static void Paint(Surface surface, Vector3[] normals, ChartPacking packing, CoatPainter coat, TexturePainter painter)
     {
-        Parallel.For(0, surface.Charts, chart =>
+        for (int pass = 0; pass < 2; pass++)
         {
-            for (int pass = 0; pass < 2; pass++)
+            for (int f = 0; f < surface.Faces.Length; f++)
             {
-                for (int f = 0; f < surface.Faces.Length; f++)
+                if (IsRight(surface, f) == (pass == 1))
                 {
-                    if (surface.Faces[f].Chart == chart && IsRight(surface, f) == (pass == 1))
-                    {
-                        painter.Paint(ChartFace.Of(surface, normals, packing, f, coat));
-                    }
+                    painter.Paint(ChartFace.Of(surface, normals, packing, f, coat));
                 }
             }
-        });
+        }
     }
 
     private static bool IsRight(Surface surface, int f)
