@@ -47,9 +47,9 @@ internal sealed class AtlasPictures
         int texel = (y * Size) + x;
         painted[texel] = true;
         int at = 3 * texel;
-        BaseColour[at] = SrgbBytes.Encode(colour.X);
-        BaseColour[at + 1] = SrgbBytes.Encode(colour.Y);
-        BaseColour[at + 2] = SrgbBytes.Encode(colour.Z);
+        BaseColour[at] = SrgbCurve.Encode(colour.X);
+        BaseColour[at + 1] = SrgbCurve.Encode(colour.Y);
+        BaseColour[at + 2] = SrgbCurve.Encode(colour.Z);
         heights[texel] = height;
         Roughness[at] = 255;
         Roughness[at + 1] = (byte)((Scalar.Clamp(roughness, 0f, 1f) * 255f) + 0.5f);

@@ -1,10 +1,13 @@
 using System;
 
-namespace CreatureGen.Preview.Png;
+namespace CreatureGen.Png;
 
 /// <summary>Collects bits into bytes, lowest bit first, as deflate packs them.</summary>
 internal sealed class BitSink
 {
+    // What the runtime allows for arrays of bytes.
+    private const int LongestArray = 0x7FFFFFC7;
+
     private byte[] bytes;
     private int count;
     private ulong pending;
@@ -64,7 +67,7 @@ internal sealed class BitSink
     {
         if (bytes.Length - count < more)
         {
-            Array.Resize(ref bytes, Math.Max(checked(count + more), (int)Math.Min(Array.MaxLength, bytes.Length * 2L)));
+            Array.Resize(ref bytes, Math.Max(checked(count + more), (int)Math.Min(LongestArray, bytes.Length * 2L)));
         }
     }
 }

@@ -1,6 +1,6 @@
 using System;
 
-namespace CreatureGen.Preview.Png;
+namespace CreatureGen.Png;
 
 /// <summary>Where a block stands in its stream.</summary>
 internal enum DeflateBlockPlace
@@ -124,8 +124,8 @@ internal sealed class DeflateBlock
 
     private void CountSymbols(ReadOnlySpan<int> tokens)
     {
-        Array.Clear(literalCounts);
-        Array.Clear(distanceCounts);
+        literalCounts.AsSpan().Clear();
+        distanceCounts.AsSpan().Clear();
         foreach (int token in tokens)
         {
             if (token < 1 << 16)
@@ -144,7 +144,7 @@ internal sealed class DeflateBlock
 
     private void CodeRuns(int literalUsed, int distanceUsed)
     {
-        Array.Clear(lengthCounts);
+        lengthCounts.AsSpan().Clear();
         runCount = 0;
         int total = literalUsed + distanceUsed;
         for (int i = 0; i < total;)

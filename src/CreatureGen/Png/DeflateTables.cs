@@ -1,6 +1,6 @@
 using System;
 
-namespace CreatureGen.Preview.Png;
+namespace CreatureGen.Png;
 
 /// <summary>The fixed tables of deflate (RFC 1951): symbols of match lengths and distances, and the code without a header.</summary>
 internal static class DeflateTables
@@ -41,7 +41,12 @@ internal static class DeflateTables
             return distance - 1;
         }
 
-        int log = 31 - System.Numerics.BitOperations.LeadingZeroCount((uint)(distance - 1));
+        int log = 1;
+        while ((distance - 1) >> (log + 1) != 0)
+        {
+            log++;
+        }
+
         return (2 * log) + (((distance - 1) >> (log - 1)) & 1);
     }
 

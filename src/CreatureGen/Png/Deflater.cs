@@ -1,6 +1,7 @@
 using System;
+using System.Buffers.Binary;
 
-namespace CreatureGen.Preview.Png;
+namespace CreatureGen.Png;
 
 /// <summary>
 /// Compresses bytes to a zlib stream (RFC 1950 around RFC 1951). The same bytes in give the same bytes out on every platform, which the
@@ -139,7 +140,7 @@ internal sealed class Deflater
             ReadOnlySpan<byte> there = bytes.Slice(candidate, most);
             if (there[best] == here[best] && there[0] == here[0])
             {
-                int length = here.CommonPrefixLength(there);
+                int length = CommonPrefix(here, there);
                 if (length > best)
                 {
                     best = length;
@@ -174,5 +175,22 @@ internal sealed class Deflater
     {
         uint four = (uint)(bytes[at] | (bytes[at + 1] << 8) | (bytes[at + 2] << 16) | (bytes[at + 3] << 24));
         return (int)((four * 2654435761u) >> (32 - HashBits));
+    }
+
+    /// <summary>How many bytes two spans of equal length have in common from their start.</summary>
+    private static int CommonPrefix(ReadOnlySpan<byte> a, ReadOnlySpan<byte> b)
+    {
+        int i = 0;
+        while (i + 8 <= a.Length && BinaryPrimitives.ReadUInt64LittleEndian(a.Slice(i)) == BinaryPrimitives.ReadUInt64LittleEndian(b.Slice(i)))
+        {
+            i += 8;
+        }
+
+        while (i < a.Length && a[i] == b[i])
+        {
+            i++;
+        }
+
+        return i;
     }
 }

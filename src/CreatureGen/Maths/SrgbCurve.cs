@@ -1,7 +1,6 @@
 using System;
-using CreatureGen.Maths;
 
-namespace CreatureGen.Preview.Pictures;
+namespace CreatureGen.Maths;
 
 /// <summary>The transfer curve of sRGB (IEC 61966-2-1) between linear light and encoded bytes.</summary>
 public static class SrgbCurve

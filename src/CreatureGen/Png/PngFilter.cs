@@ -1,6 +1,6 @@
 using System;
 
-namespace CreatureGen.Preview.Png;
+namespace CreatureGen.Png;
 
 /// <summary>The row filters of PNG: each byte becomes its difference from a guess made of its neighbours.</summary>
 internal static class PngFilter

@@ -1,6 +1,6 @@
 using System;
 
-namespace CreatureGen.Preview.Png;
+namespace CreatureGen.Png;
 
 /// <summary>A canonical prefix code (RFC 1951, 3.2.2) for given frequencies, no code longer than a limit.</summary>
 internal sealed class HuffmanCode
@@ -29,7 +29,7 @@ internal sealed class HuffmanCode
     /// <summary>Makes the code for the frequencies (one per symbol, at least two symbols). With fewer than two symbols in use, two get codes of one bit, which decoders need.</summary>
     public void Build(ReadOnlySpan<int> frequencies, int longest)
     {
-        Array.Clear(Lengths);
+        Lengths.AsSpan().Clear();
         int used = 0;
         for (int i = 0; i < frequencies.Length; i++)
         {
@@ -81,13 +81,13 @@ internal sealed class HuffmanCode
     // Huffman's tree by two queues: sorted leaves, and inner nodes, which come into being in order of weight.
     private void AssignLengths(ReadOnlySpan<int> frequencies, int used, int longest)
     {
-        Span<long> keys = stackalloc long[used];
+        long[] keys = new long[used];
         for (int i = 0; i < used; i++)
         {
             keys[i] = ((long)frequencies[leaves[i]] << 16) | (uint)leaves[i];
         }
 
-        keys.Sort();
+        Array.Sort(keys);
         for (int i = 0; i < used; i++)
         {
             leaves[i] = (int)(keys[i] & 0xFFFF);

@@ -1,21 +1,20 @@
 using System;
 using System.IO;
-using CreatureGen.Preview.Pictures;
 
-namespace CreatureGen.Preview.Png;
+namespace CreatureGen.Png;
 
 /// <summary>The signature and the chunks of a PNG file (ISO/IEC 15948), in the order they are written.</summary>
 internal static class PngChunks
 {
     /// <summary>Writes the signature, the header, and that colours are sRGB.</summary>
-    public static void WriteStart(Stream stream, int width, int height, PixelLayout layout)
+    public static void WriteStart(Stream stream, int width, int height, PngPixels pixels)
     {
         stream.Write([0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A]);
         Span<byte> header = stackalloc byte[13];
         PutBigEndian(header, (uint)width);
         PutBigEndian(header[4..], (uint)height);
         header[8] = 8;
-        header[9] = (byte)(layout == PixelLayout.Rgb ? 2 : 6);
+        header[9] = (byte)(pixels == PngPixels.Rgb ? 2 : 6);
         header[10] = header[11] = header[12] = 0;
         Write(stream, "IHDR"u8, header, default);
         Write(stream, "sRGB"u8, [0], default);

@@ -1,6 +1,6 @@
 using System;
 
-namespace CreatureGen.Preview.Png;
+namespace CreatureGen.Png;
 
 /// <summary>The checksum of a zlib stream (RFC 1950).</summary>
 internal static class Adler32
