@@ -40,6 +40,11 @@ internal static class Application
         {
             return Complain(surroundings, ["interrupted; no unfinished file is left"], ExitCode.Interrupted);
         }
+        catch (InvalidOperationException defect)
+        {
+            // The library refuses to finish or to write a creature that is not whole.
+            return Complain(surroundings, ["a defect of CreatureGen: " + defect.Message], ExitCode.CheckFailed);
+        }
     }
 
     private static int Dispatch(IReadOnlyList<string> arguments, Surroundings surroundings)

@@ -11,6 +11,9 @@ namespace CreatureGen.Console.Files;
 /// </summary>
 internal sealed class FileSet : IDisposable
 {
+    // Where Unix keeps devices. Some can seek, so that they look like files, and none must be replaced by one.
+    private const string Devices = "/dev/";
+
     private readonly List<(string Temporary, string Target, string Path)> staged = [];
 
     /// <summary>Writes one file, whole.</summary>
@@ -61,6 +64,10 @@ internal sealed class FileSet : IDisposable
             using var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None);
             staged.Add((temporary, target, path));
             content(stream);
+        }
+        catch (FileNotFoundException problem)
+        {
+            throw WriteFailure.At(path, "no file can be made there", problem);
         }
         catch (Exception problem) when (Reason.IsOfFiles(problem))
         {
@@ -121,6 +128,11 @@ internal sealed class FileSet : IDisposable
             return path;
         }
 
+        if (path.StartsWith(Devices, StringComparison.Ordinal))
+        {
+            throw WriteFailure.At(path, "it is a device; expected a file");
+        }
+
         string target = File.ResolveLinkTarget(path, returnFinalTarget: true)?.FullName ?? path;
         if ((File.GetAttributes(target) & FileAttributes.ReadOnly) != 0)
         {
@@ -128,6 +140,6 @@ internal sealed class FileSet : IDisposable
         }
 
         using var stream = new FileStream(target, FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete);
-        return stream.CanSeek && !target.StartsWith("/dev/", StringComparison.Ordinal) ? target : throw WriteFailure.At(path, "it is a device; expected a file");
+        return stream.CanSeek && !target.StartsWith(Devices, StringComparison.Ordinal) ? target : throw WriteFailure.At(path, "it is a device; expected a file");
     }
 }

@@ -22,6 +22,7 @@ internal sealed class SheetVerb : IVerb
     private const int DefaultSize = 340;
     private const int LeastSize = 32;
     private const int MostSize = 4096;
+    private const int MostPixels = 100_000_000;
 
     private static readonly OptionSyntax view = new("--view", "VIEW", "three-quarter (the default), side, front, back or top");
     private static readonly OptionSyntax skeleton = new("--skeleton", null, "show the bones through the skin");
@@ -34,7 +35,7 @@ internal sealed class SheetVerb : IVerb
         null,
         "draw the creatures of seeds on one picture",
         [
-            new("sheet --seeds 1-36 --out sheet.png", "a first look"),
+            new("sheet --seeds 1-36 --out sheet.png", "a first look at many"),
             new("sheet --seeds 1-24 --kind swimming --view side --out swimmers.png", "swimmers from the side"),
             new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
         ],
@@ -84,10 +85,10 @@ internal sealed class SheetVerb : IVerb
         UInt128 rows = (count + (UInt128)layout.Columns - 1) / (UInt128)layout.Columns;
         UInt128 width = UInt128.Min(count, (UInt128)layout.Columns) * (UInt128)layout.CellWidth;
         UInt128 height = rows * (UInt128)layout.CellHeight;
-        if (width > Picture.LargestSide || height > Picture.LargestSide || width * height * 3 > int.MaxValue / 2)
+        if (width > Picture.LargestSide || height > Picture.LargestSide || width * height > MostPixels)
         {
             throw arguments.Wrong(FormattableString.Invariant(
-                $"a sheet of {count} creatures would be {width} x {height} pixels; expected at most {Picture.LargestSide} on a side and 357 million in all: fewer seeds, other --columns or a smaller --size"));
+                $"a sheet of {count} creatures would be {width} x {height} pixels; expected at most {Picture.LargestSide} on a side and 100 million in all: fewer seeds, other --columns or a smaller --size"));
         }
     }
 

@@ -23,8 +23,8 @@ internal sealed class VerifyVerb : IVerb
         null,
         "check all invariants of the creatures of seeds",
         [
-            new("verify --seeds 1-1000", "each seed's natural kind"),
-            new("verify --seeds 1-100000 --kind walking --threads 8 --json > report.json", "a long run for a script"),
+            new("verify --seeds 1-1000", "check a thousand creatures, each of its seed's natural kind"),
+            new("verify --seeds 1-100000 --kind walking --threads 8 --json > report.json", "a long run, for a script"),
         ],
         [SeedOptions.Seed, SeedOptions.Seeds, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Json]);
 
