@@ -15,7 +15,7 @@ namespace CreatureGen.Console.Verbs;
 internal sealed class VerifyVerb : IVerb
 {
     /// <summary>The invariant of a blueprint that cannot be built at all.</summary>
-    public const string Builds = "Builds";
+    public const string Builds = "builds";
 
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(

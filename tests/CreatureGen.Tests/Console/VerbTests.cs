@@ -205,7 +205,7 @@ public sealed class VerbTests
         using var run = new ConsoleRun { Checks = new(["A"], _ => throw new InvalidOperationException("broken"), _ => 0) };
         Assert.Equal(ExitCode.CheckFailed, run.Run("verify", "--seed", "1", "--json"));
         JsonElement problem = run.Json().GetProperty("problems")[0];
-        Assert.Equal("Builds", problem.GetProperty("invariant").GetString());
+        Assert.Equal("builds", problem.GetProperty("invariant").GetString());
         Assert.Equal("InvalidOperationException: broken", problem.GetProperty("detail").GetString());
     }
 
