@@ -45,6 +45,12 @@ internal static class VerificationText
             output.WriteLine($"... and {Units.Count(verification.Problems.Count - ProblemsShown)} more; --json lists all");
         }
 
+        if (verification.Crossing.Count > 0)
+        {
+            string more = verification.Crossing.Count > ProblemsShown ? ", ..." : "";
+            output.WriteLine("Self-intersecting: " + string.Join(", ", verification.Crossing.Take(ProblemsShown).Select(creature => $"{WordList<LocomotionKind>.Instance[creature.Kind]} {SeedText.Of(creature.Seed)}")) + more);
+        }
+
         output.WriteLine(verification.Failed == 0
             ? ink.Good("All invariants hold.")
             : ink.Bad($"{Units.Count(verification.Failed)} of {Units.Count(verification.Checked)} creatures break an invariant."));

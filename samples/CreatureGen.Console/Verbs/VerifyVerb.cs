@@ -63,12 +63,12 @@ internal sealed class VerifyVerb : IVerb
         {
             CheckResult result = CheckResult.Of(CreatureAssembler.Assemble(blueprint), checks);
             VerificationProblem[] problems = result.Violations.Select(violation => new VerificationProblem(blueprint.Kind, seed, violation.Invariant, violation.Detail)).ToArray();
-            return new VerifiedCreature(blueprint.Kind, problems, result.SelfIntersections > 0);
+            return new VerifiedCreature(blueprint.Kind, seed, problems, result.SelfIntersections > 0);
         }
         catch (Exception problem) when (problem is not OutOfMemoryException)
         {
             // Whatever a stage throws is a defect of the creature, to be reported with all others.
-            return new VerifiedCreature(blueprint.Kind, [new VerificationProblem(blueprint.Kind, seed, Builds, problem.GetType().Name + ": " + problem.Message)], false);
+            return new VerifiedCreature(blueprint.Kind, seed, [new VerificationProblem(blueprint.Kind, seed, Builds, problem.GetType().Name + ": " + problem.Message)], false);
         }
     }
 }

@@ -11,17 +11,18 @@ internal sealed record VerificationProblem(LocomotionKind Kind, ulong Seed, stri
 
 /// <summary>What came of checking one creature.</summary>
 /// <param name="Kind">How it moves.</param>
+/// <param name="Seed">Its seed.</param>
 /// <param name="Problems">What it breaks.</param>
 /// <param name="CrossesItself">Whether its surface crosses itself.</param>
-internal sealed record VerifiedCreature(LocomotionKind Kind, IReadOnlyList<VerificationProblem> Problems, bool CrossesItself);
+internal sealed record VerifiedCreature(LocomotionKind Kind, ulong Seed, IReadOnlyList<VerificationProblem> Problems, bool CrossesItself);
 
 /// <summary>What came of checking many creatures.</summary>
 internal sealed class Verification
 {
     private readonly List<VerificationProblem> problems = [];
+    private readonly List<(LocomotionKind Kind, ulong Seed)> crossing = [];
     private readonly long[] checkedByKind = new long[Enum.GetValues<LocomotionKind>().Length];
     private readonly long[] failedByKind = new long[Enum.GetValues<LocomotionKind>().Length];
-    private readonly long[] crossingByKind = new long[Enum.GetValues<LocomotionKind>().Length];
 
     /// <summary>Creatures that were checked.</summary>
     public long Checked => checkedByKind.Sum();
@@ -30,10 +31,13 @@ internal sealed class Verification
     public long Failed => failedByKind.Sum();
 
     /// <summary>Creatures whose surface crosses itself.</summary>
-    public long SelfIntersecting => crossingByKind.Sum();
+    public long SelfIntersecting => crossing.Count;
 
     /// <summary>All that is broken, in the order of the seeds.</summary>
     public IReadOnlyList<VerificationProblem> Problems => problems;
+
+    /// <summary>The creatures whose surface crosses itself, in the order of the seeds.</summary>
+    public IReadOnlyList<(LocomotionKind Kind, ulong Seed)> Crossing => crossing;
 
     /// <summary>Creatures of a kind that were checked.</summary>
     public long CheckedOf(LocomotionKind kind) => checkedByKind[(int)kind];
@@ -42,7 +46,7 @@ internal sealed class Verification
     public long FailedOf(LocomotionKind kind) => failedByKind[(int)kind];
 
     /// <summary>Creatures of a kind whose surface crosses itself.</summary>
-    public long SelfIntersectingOf(LocomotionKind kind) => crossingByKind[(int)kind];
+    public long SelfIntersectingOf(LocomotionKind kind) => crossing.Count(creature => creature.Kind == kind);
 
     /// <summary>Creatures of a kind that break one invariant.</summary>
     public int FailedOf(LocomotionKind kind, string invariant) =>
@@ -54,7 +58,11 @@ internal sealed class Verification
         int kind = (int)creature.Kind;
         checkedByKind[kind]++;
         failedByKind[kind] += creature.Problems.Count > 0 ? 1 : 0;
-        crossingByKind[kind] += creature.CrossesItself ? 1 : 0;
+        if (creature.CrossesItself)
+        {
+            crossing.Add((creature.Kind, creature.Seed));
+        }
+
         problems.AddRange(creature.Problems);
     }
 }
