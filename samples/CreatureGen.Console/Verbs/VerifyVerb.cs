@@ -17,6 +17,9 @@ internal sealed class VerifyVerb : IVerb
     /// <summary>The invariant of a blueprint that cannot be built at all.</summary>
     public const string Builds = "builds";
 
+    /// <summary>The invariant that every limb that the rules ask for has a socket of its own.</summary>
+    public const string Sockets = "sockets";
+
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
         "verify",
@@ -50,7 +53,7 @@ internal sealed class VerifyVerb : IVerb
         }
         else
         {
-            VerificationText.Write(surroundings.Out, verification, surroundings.Checks.Names, Ink.For(surroundings, surroundings.OutIsTerminal));
+            VerificationText.Write(surroundings.Out, verification, surroundings.Checks.Names.Prepend(Sockets).ToArray(), Ink.For(surroundings, surroundings.OutIsTerminal));
         }
 
         return verification.Failed == 0 ? ExitCode.Done : ExitCode.CheckFailed;
@@ -58,7 +61,13 @@ internal sealed class VerifyVerb : IVerb
 
     private static VerifiedCreature Verify(ulong seed, CreatureOptions options, CreatureChecks checks)
     {
-        CreatureBlueprint blueprint = Growing.Sample(seed, options);
+        CreatureBlueprint blueprint = Growing.Sample(seed, options, out SocketTally sockets);
+        if (sockets.LimbRefusals > 0)
+        {
+            string detail = FormattableString.Invariant($"{sockets.LimbRefusals} sockets of legs, wings or fins ran into others; expected none");
+            return new VerifiedCreature(blueprint.Kind, seed, [new VerificationProblem(blueprint.Kind, seed, Sockets, detail)], false);
+        }
+
         try
         {
             CheckResult result = CheckResult.Of(CreatureAssembler.Assemble(blueprint), checks);

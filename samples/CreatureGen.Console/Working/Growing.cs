@@ -10,11 +10,15 @@ internal static class Growing
 {
     /// <summary>The blueprint of a seed within options.</summary>
     /// <exception cref="UsageError">No creature meets the options.</exception>
-    public static CreatureBlueprint Sample(ulong seed, CreatureOptions options)
+    public static CreatureBlueprint Sample(ulong seed, CreatureOptions options) => Sample(seed, options, out _);
+
+    /// <summary>The same, and how the sockets of its limbs were given out.</summary>
+    /// <exception cref="UsageError">No creature meets the options.</exception>
+    public static CreatureBlueprint Sample(ulong seed, CreatureOptions options, out SocketTally sockets)
     {
         try
         {
-            return BlueprintSampler.Sample(seed, options);
+            return BlueprintSampler.Sample(seed, options, out sockets);
         }
         catch (ArgumentException problem)
         {
