@@ -53,6 +53,7 @@ public sealed class CreatureLevel
         var texcoords = new Vector2[count];
         var colours = new Vector3[count];
         var weights = new SkinWeights[count];
+        float[]? attention = mesh.Attention is null ? null : new float[count];
         for (int v = 0; v < index.Length; v++)
         {
             int at = index[v];
@@ -63,9 +64,13 @@ public sealed class CreatureLevel
                 texcoords[at] = mesh.Texcoords[v];
                 colours[at] = mesh.Colours[v];
                 weights[at] = mesh.Weights[v];
+                if (attention != null)
+                {
+                    attention[at] = mesh.Attention![v];
+                }
             }
         }
 
-        return new CreatureMesh(positions, normals, texcoords, colours, weights, Array.ConvertAll(triangles, v => index[v]), Parts);
+        return new CreatureMesh(positions, normals, texcoords, colours, weights, Array.ConvertAll(triangles, v => index[v]), Parts) { Attention = attention };
     }
 }

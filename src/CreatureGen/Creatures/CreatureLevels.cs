@@ -30,6 +30,20 @@ public sealed class CreatureLevels
         ? levels[level]
         : throw new ArgumentOutOfRangeException(nameof(level), FormattableString.Invariant($"level {level}; expected 0..{levels.Length - 1}"));
 
+    /// <summary>The mesh itself when it has no more triangles than a budget, or else one that does, with the vertices that it still uses.</summary>
+    /// <remarks>A closed surface cannot be made of any number of triangles: what is left when nothing can go without damage is returned, whatever the budget.</remarks>
+    internal static CreatureMesh Within(int budget, CreatureMesh mesh)
+    {
+        if (mesh.Triangles.Length <= 3 * (long)budget)
+        {
+            return mesh;
+        }
+
+        var reduction = new MeshReduction(mesh);
+        reduction.ReduceTo(budget);
+        return reduction.ToLevel().ToMesh();
+    }
+
     /// <summary>Makes the levels of a mesh. Takes some milliseconds; <see cref="CreatureMesh.Levels"/> does it once.</summary>
     public static CreatureLevels Of(CreatureMesh mesh)
     {

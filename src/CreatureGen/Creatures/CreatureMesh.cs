@@ -92,6 +92,9 @@ public sealed class CreatureMesh
     /// <summary>The triangles by material, in order.</summary>
     public IReadOnlyList<MeshPart> Parts { get; }
 
+    /// <summary>How much larger a viewer takes each vertex's piece for than it is; null when all are taken as they are.</summary>
+    internal float[]? Attention { get; init; }
+
     /// <summary>Coarser triangles over the same vertices. Made when first asked for.</summary>
     public CreatureLevels Levels
     {
@@ -102,4 +105,8 @@ public sealed class CreatureMesh
             return made ?? Interlocked.CompareExchange(ref levels, CreatureLevels.Of(this), null) ?? levels;
         }
     }
+
+    /// <summary>Other triangles over the same vertices, which are shared.</summary>
+    internal CreatureMesh With(int[] otherTriangles, IReadOnlyList<MeshPart> otherParts) =>
+        new(positions, normals, texcoords, colours, weights, otherTriangles, otherParts) { Attention = Attention };
 }

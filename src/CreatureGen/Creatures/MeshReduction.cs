@@ -201,7 +201,7 @@ internal sealed class MeshReduction
         {
             if (area[p] > 0 && p != largest && pieceOf[twin[p]] != largest && p <= pieceOf[twin[p]])
             {
-                queue.Add(positions.Length + p, ReductionCost.OfLoss(area[p], Vec.Distance(min[p], max[p])));
+                queue.Add(positions.Length + p, cost.OfLoss(p, area[p], Vec.Distance(min[p], max[p])));
             }
         }
     }

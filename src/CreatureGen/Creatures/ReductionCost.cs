@@ -12,7 +12,7 @@ namespace CreatureGen.Creatures;
 /// </summary>
 /// <remarks>
 /// The distance to the planes of all triangles that the point has stood for (shape), the part of its weights that changes (how it bends), its colour, and whether it leaves its place in the
-/// texture. The area grows with every point that is pulled onto it.
+/// texture. The area grows with every point that is pulled onto it. What draws a viewer's attention counts as if it were larger.
 /// </remarks>
 internal sealed class ReductionCost
 {
@@ -23,7 +23,7 @@ internal sealed class ReductionCost
     private const double Stretch = 0.03;
 
     /// <summary>Metres that a change from black to white counts for, per metre of the creature's diagonal.</summary>
-    private const double Contrast = 0.004;
+    private const double Contrast = 0.012;
 
     /// <summary>Metres that leaving the place in the texture counts for, per metre of the creature's diagonal.</summary>
     private const double Tear = 0.02;
@@ -34,6 +34,7 @@ internal sealed class ReductionCost
     private readonly Vector3[] positions;
     private readonly Quadric[] quadrics;
     private readonly double[] areas;
+    private readonly double[] attention;
     private readonly SkinWeights[] weights;
     private readonly Vector3[] colours;
     private readonly double contrast;
@@ -63,10 +64,13 @@ internal sealed class ReductionCost
         }
 
         weights = new SkinWeights[positions.Length];
+        attention = new double[positions.Length];
         colours = new Vector3[pointOf.Length];
         for (int v = 0; v < pointOf.Length; v++)
         {
             weights[pointOf[v]] = mesh.Weights[v];
+            double seen = mesh.Attention is null ? 1 : mesh.Attention[v];
+            attention[pointOf[v]] = seen * seen * seen * seen;
 
             // The root is nearer to what the eye makes of brightness.
             Vector3 c = mesh.Colours[v];
@@ -94,17 +98,18 @@ internal sealed class ReductionCost
         }
 
         double seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour / pairs.Count * contrast * contrast) + (torn ? tear * tear : 0);
-        return quadrics[from].At(positions[to]) + (areas[from] * seeming);
+        return attention[from] * (quadrics[from].At(positions[to]) + (areas[from] * seeming));
     }
 
     /// <summary>A cost that <see cref="Of"/> does not fall below.</summary>
     public double LeastOf(int from, int to) =>
-        quadrics[from].At(positions[to]) + (areas[from] * Vec.LengthSquared(positions[from] - positions[to]) * Stretch * Stretch);
+        attention[from] * (quadrics[from].At(positions[to]) + (areas[from] * Vec.LengthSquared(positions[from] - positions[to]) * Stretch * Stretch));
 
     /// <summary>The cost of the loss of a piece.</summary>
+    /// <param name="point">One of its points.</param>
     /// <param name="area">Its area, square metres.</param>
     /// <param name="diagonal">Diagonal of its box, metres.</param>
-    public static double OfLoss(double area, double diagonal) => area * Loss * diagonal * Loss * diagonal;
+    public double OfLoss(int point, double area, double diagonal) => attention[point] * area * Loss * diagonal * Loss * diagonal;
 
     /// <summary>Squared difference of two vertices' colours as the eye sees it.</summary>
     public double Difference(int vertex, int other) => Vec.LengthSquared(colours[vertex] - colours[other]);
