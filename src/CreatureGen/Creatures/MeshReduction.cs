@@ -27,6 +27,7 @@ internal sealed class MeshReduction
     private readonly int[] pieceOf;
     private readonly bool[] lost;
     private readonly int[] remap;
+    private readonly int[] standsFor;
     private readonly CostQueue queue;
     private readonly bool[] queued;
     private readonly double[] neighbourCosts = new double[64];
@@ -58,7 +59,7 @@ internal sealed class MeshReduction
 
         cost = new ReductionCost(mesh, positions, pointOf, corners);
         surface = new CollapsingMesh(positions, normals, corners, vertices);
-        twin = Twins(positions);
+        twin = SagittalTwins.Find(positions);
         mirrored = Array.IndexOf(twin, -1) < 0;
         for (int p = 0; p < twin.Length && !mirrored; p++)
         {
@@ -71,17 +72,15 @@ internal sealed class MeshReduction
             side[p] = (sbyte)Math.Sign(positions[p].X);
         }
 
-        remap = new int[pointOf.Length];
-        for (int v = 0; v < remap.Length; v++)
-        {
-            remap[v] = v;
-        }
+        remap = Identity(pointOf.Length);
+        standsFor = Identity(positions.Length);
 
-        pieceOf = new int[positions.Length];
+        var pieces = new SurfacePieces(positions, corners);
+        pieceOf = pieces.PieceOf;
         lost = new bool[positions.Length];
         queued = new bool[positions.Length];
         queue = new CostQueue(positions.Length);
-        FindPieces(positions);
+        OfferPieces(pieces);
         for (int p = 0; p < positions.Length; p++)
         {
             if (!mirrored || side[p] >= 0)
@@ -141,67 +140,26 @@ internal sealed class MeshReduction
         return new CreatureLevel(mesh, triangles, parts, FinalRemap());
     }
 
-    /// <summary>The point on the other side of the sagittal plane, −1 when there is none.</summary>
-    private static int[] Twins(Vector3[] positions)
+    private static int[] Identity(int count)
     {
-        int count = positions.Length;
-        var both = new Vector3[2 * count];
-        for (int p = 0; p < count; p++)
+        int[] identity = new int[count];
+        for (int i = 0; i < count; i++)
         {
-            both[p] = positions[p];
-            both[count + p] = Vec.Mirror(positions[p]);
+            identity[i] = i;
         }
 
-        int[] twin = new int[count];
-        ReadOnlySpan<int> index = VertexWelding.Weld(both).NewIndex;
-        for (int p = 0; p < count; p++)
-        {
-            twin[p] = index[count + p] < count ? index[count + p] : -1;
-        }
-
-        return twin;
+        return identity;
     }
 
-    /// <summary>Finds what hangs together and lets all but the largest piece be lost.</summary>
-    private void FindPieces(Vector3[] positions)
+    /// <summary>Lets all pieces but the largest be lost, each together with its mirror image.</summary>
+    private void OfferPieces(SurfacePieces pieces)
     {
-        var sets = new DisjointSets(pieceOf);
-        for (int c = 0; c < corners.Length; c += 3)
+        for (int p = 0; p < twin.Length; p++)
         {
-            sets.Join(corners[c], corners[c + 1]);
-            sets.Join(corners[c], corners[c + 2]);
-        }
-
-        double[] area = new double[positions.Length];
-        var min = new Vector3[positions.Length];
-        var max = new Vector3[positions.Length];
-        for (int p = 0; p < positions.Length; p++)
-        {
-            int piece = sets.Root(p);
-            pieceOf[p] = piece;
-            Vector3 at = positions[p];
-            min[piece] = p == piece ? at : Vector3.Min(min[piece], at);
-            max[piece] = p == piece ? at : Vector3.Max(max[piece], at);
-        }
-
-        int largest = 0;
-        for (int c = 0; c < corners.Length; c += 3)
-        {
-            Vector3 a = positions[corners[c]];
-            int piece = pieceOf[corners[c]];
-            area[piece] += Vec.Length(Vec.Cross(positions[corners[c + 1]] - a, positions[corners[c + 2]] - a)) / 2.0;
-        }
-
-        for (int p = 0; p < positions.Length; p++)
-        {
-            largest = area[p] > area[largest] ? p : largest;
-        }
-
-        for (int p = 0; p < positions.Length; p++)
-        {
-            if (area[p] > 0 && p != largest && pieceOf[twin[p]] != largest && p <= pieceOf[twin[p]])
+            int other = pieceOf[twin[p]];
+            if (pieceOf[p] == p && p <= other && p != pieces.Largest && other != pieces.Largest)
             {
-                queue.Add(positions.Length + p, cost.OfLoss(p, area[p], Vec.Distance(min[p], max[p])));
+                queue.Add(twin.Length + p, cost.OfLoss(p, pieces.AreaOf(p), pieces.DiagonalOf(p)));
             }
         }
     }
@@ -309,6 +267,7 @@ internal sealed class MeshReduction
     private void Accept(int from, int to, List<(int From, int To)> taken)
     {
         cost.Merge(from, to);
+        standsFor[from] = to;
         foreach ((int vertex, int other) in taken)
         {
             remap[vertex] = other;
@@ -323,24 +282,26 @@ internal sealed class MeshReduction
             return true;
         }
 
-        surface.VerticesOf(to, around);
         for (int i = 0; i < found.Count; i++)
         {
-            if (found[i].To >= 0)
-            {
-                continue;
-            }
-
-            int best = around[0];
-            foreach (int v in around)
-            {
-                best = cost.Difference(found[i].From, v) < cost.Difference(found[i].From, best) ? v : best;
-            }
-
-            found[i] = (found[i].From, best);
+            (int vertex, int other) = found[i];
+            found[i] = (vertex, other >= 0 ? other : MostAlike(vertex, to));
         }
 
         return false;
+    }
+
+    /// <summary>The vertex of a point that looks most like another vertex.</summary>
+    private int MostAlike(int vertex, int point)
+    {
+        surface.VerticesOf(point, around);
+        int best = around[0];
+        foreach (int v in around)
+        {
+            best = cost.Difference(vertex, v) < cost.Difference(vertex, best) ? v : best;
+        }
+
+        return best;
     }
 
     /// <summary>Gives the points around a step another chance.</summary>
@@ -374,18 +335,37 @@ internal sealed class MeshReduction
     /// <summary>For each vertex of the mesh the one that stands for it, −1 when its piece is lost.</summary>
     private int[] FinalRemap()
     {
+        bool[] used = new bool[remap.Length];
+        for (int c = 0; c < vertices.Length; c++)
+        {
+            used[vertices[c]] |= !surface.IsGone(c / 3);
+        }
+
         int[] final = new int[remap.Length];
         for (int v = 0; v < final.Length; v++)
         {
-            int at = v;
-            while (remap[at] != at)
+            int point = End(pointOf[v], standsFor);
+            if (lost[pieceOf[point]])
             {
-                at = remap[at];
+                final[v] = -1;
+                continue;
             }
 
-            final[v] = lost[pieceOf[pointOf[v]]] ? -1 : at;
+            // The last triangle of a vertex may have gone while its point stayed with others.
+            int at = End(v, remap);
+            final[v] = used[at] ? at : MostAlike(v, point);
         }
 
         return final;
+    }
+
+    private static int End(int at, int[] chain)
+    {
+        while (chain[at] != at)
+        {
+            at = chain[at];
+        }
+
+        return at;
     }
 }

@@ -23,13 +23,13 @@ internal sealed class ReductionCost
     private const double Stretch = 0.03;
 
     /// <summary>Metres that a change from black to white counts for, per metre of the creature's diagonal.</summary>
-    private const double Contrast = 0.012;
+    private const double Contrast = 0.008;
 
     /// <summary>Metres that leaving the place in the texture counts for, per metre of the creature's diagonal.</summary>
     private const double Tear = 0.02;
 
     /// <summary>Metres that a piece which vanishes counts for, per metre of its diagonal.</summary>
-    private const double Loss = 0.35;
+    private const double Loss = 1;
 
     private readonly Vector3[] positions;
     private readonly Quadric[] quadrics;
