@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Maths;
 
@@ -30,8 +31,11 @@ internal sealed class SurfacePieces
         {
             int piece = sets.Root(p);
             PieceOf[p] = piece;
-            min[piece] = Vector3.Min(min[piece], positions[p]);
-            max[piece] = Vector3.Max(max[piece], positions[p]);
+            Vector3 at = positions[p];
+            Vector3 low = min[piece];
+            Vector3 high = max[piece];
+            min[piece] = new Vector3(Math.Min(low.X, at.X), Math.Min(low.Y, at.Y), Math.Min(low.Z, at.Z));
+            max[piece] = new Vector3(Math.Max(high.X, at.X), Math.Max(high.Y, at.Y), Math.Max(high.Z, at.Z));
         }
 
         for (int c = 0; c < corners.Length; c += 3)

@@ -26,7 +26,7 @@ internal static class NodeTree
     /// <summary>The extension that ties the levels of detail together.</summary>
     public const string LevelExtension = "MSFT_lod";
 
-    /// <summary>Part of the screen's area down to which each level is drawn: until then it strays about two pixels of 1920 × 1080 from the finest at most. The last is drawn however small it is.</summary>
+    /// <summary>Part of the screen's area down to which each level is drawn: until then it typically strays about two pixels of 1920 × 1080 from the finest. The last is drawn however small it is.</summary>
     private static readonly double[] screenCoverage = { 0.1, 0.03, 0.006, 0 };
 
     /// <summary>Name of the node and of the mesh of a level.</summary>
