@@ -50,11 +50,12 @@ public static class CreatureAssembler
 
         var colours = new Vector3[surface.Positions.Length];
         new CoatPainter(blueprint.Coat, CoatSubjects.Of(blueprint, grown, eye)).Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
-        CreatureMesh mesh = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
+        CreatureMesh full = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
         observer?.StageFinished(AssemblyStage.Appearance);
 
         MassProperties mass = Weigh(surface, scale);
-        IReadOnlyList<CapsuleCollider> bones = BoneCapsules.Fit(finished.Skeleton, mesh.Weights, mesh.Positions);
+        IReadOnlyList<CapsuleCollider> bones = BoneCapsules.Fit(finished.Skeleton, full.Weights, full.Positions);
+        CreatureMesh mesh = CreatureLevels.Within(blueprint.TriangleBudget, full);
         var creature = new Creature(blueprint, mesh, finished.Skeleton, finished.Limbs, finished.AttachmentPoints, finished.Body, bones, mass, finished.StandingHeight, LocomotionSpeed.Of(blueprint, finished));
         observer?.StageFinished(AssemblyStage.Finish);
         return creature;

@@ -17,6 +17,9 @@ internal sealed class FeatureSetter
 {
     private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
 
+    /// <summary>Eyes that look are looked at first; a face without them is none.</summary>
+    private const float EyeAttention = 3f;
+
     private readonly CreatureBlueprint blueprint;
     private readonly GrownSurface grown;
     private readonly CoatPalette palette;
@@ -70,6 +73,7 @@ internal sealed class FeatureSetter
         EyeShape.Append(builder, frame, eye.Style, palette.Iris);
         Piece left = builder.ToPiece(MaterialKind.Skin);
         left.JointName = "Eye_L";
+        left.Attention = eye.Style == EyeStyle.Compound ? 1f : EyeAttention;
         pieces.Add(left);
         Piece right = PieceMirror.Mirror(left);
         right.JointName = "Eye_R";

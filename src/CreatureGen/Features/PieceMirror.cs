@@ -33,6 +33,7 @@ internal static class PieceMirror
             Colours = piece.Colours,
             Triangles = triangles,
             Material = piece.Material,
+            Attention = piece.Attention,
             Binding = piece.Binding,
             JointName = piece.JointName,
             SurfaceVertex = piece.SurfaceVertex,

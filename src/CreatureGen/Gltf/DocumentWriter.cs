@@ -25,18 +25,29 @@ internal static class DocumentWriter
     private const int ElementArrayBuffer = 34963;
 
     /// <summary>Writes the whole document.</summary>
-    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, MeshBuffers buffers, (Vector3 Min, Vector3 Max) box)
+    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, LevelStack levels, MeshBuffers buffers, (Vector3 Min, Vector3 Max) box)
     {
-        List<MaterialKind> materials = Materials(creature.Mesh);
+        List<MaterialKind> materials = Materials(levels.Mesh);
         json.BeginObject();
         WriteAsset(json, creature.Blueprint, options);
+        if (levels.Count > 1)
+        {
+            json.Name("extensionsUsed").BeginArray().Text(NodeTree.LevelExtension).EndArray();
+        }
+
         json.Name("scene").Number(0);
         json.Name("scenes").BeginArray().BeginObject();
         json.Name("nodes").BeginArray().Number(NodeTree.MeshNode).Number(NodeTree.FirstJointNode).EndArray();
         json.EndObject().EndArray();
         json.Name("nodes");
-        NodeTree.Write(json, creature);
-        WriteMesh(json, creature.Mesh, buffers, materials);
+        NodeTree.Write(json, creature, levels.Count);
+        json.Name("meshes").BeginArray();
+        for (int i = 0; i < levels.Count; i++)
+        {
+            WriteMesh(json, levels, i, buffers, materials);
+        }
+
+        json.EndArray();
         WriteSkin(json, creature.Skeleton.Joints.Count, buffers);
         json.Name("materials").BeginArray();
         foreach (MaterialKind material in materials)
@@ -81,12 +92,13 @@ internal static class DocumentWriter
         }
     }
 
-    private static void WriteMesh(JsonWriter json, CreatureMesh mesh, MeshBuffers buffers, List<MaterialKind> materials)
+    private static void WriteMesh(JsonWriter json, LevelStack levels, int level, MeshBuffers buffers, List<MaterialKind> materials)
     {
-        json.Name("meshes").BeginArray().BeginObject();
-        json.Name("name").Text(NodeTree.MeshName);
+        json.BeginObject();
+        json.Name("name").Text(NodeTree.NameOfLevel(level));
         json.Name("primitives").BeginArray();
-        for (int i = 0; i < mesh.Parts.Count; i++)
+        (int first, int count) = levels.PartsOf(level);
+        for (int i = first; i < first + count; i++)
         {
             json.BeginObject();
             json.Name("attributes").BeginObject();
@@ -98,12 +110,12 @@ internal static class DocumentWriter
             json.Name("WEIGHTS_0").Number(buffers.Weights.Index);
             json.EndObject();
             json.Name("indices").Number(buffers.Indices[i].Index);
-            json.Name("material").Number(materials.IndexOf(mesh.Parts[i].Material));
+            json.Name("material").Number(materials.IndexOf(levels.Mesh.Parts[i].Material));
             json.EndObject();
         }
 
         json.EndArray();
-        json.EndObject().EndArray();
+        json.EndObject();
     }
 
     private static void WriteSkin(JsonWriter json, int jointCount, MeshBuffers buffers)

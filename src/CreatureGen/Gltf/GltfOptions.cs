@@ -9,6 +9,9 @@ public sealed record GltfOptions
     /// <summary>How light falls on the triangles.</summary>
     public Shading Shading { get; init; } = Shading.Smooth;
 
+    /// <summary>Which levels of detail are written. Default: <see cref="LevelChoice.Finest"/>.</summary>
+    public LevelChoice Levels { get; init; } = LevelChoice.Finest;
+
     /// <summary>
     /// The options that the creature was generated with, as text, kept in the file as <c>asset.extras.creaturegen.options</c>; null leaves it out.
     /// The writer does not read it: it should depend on nothing but the options, or equal creatures get different files.
