@@ -28,6 +28,9 @@ internal sealed class ReductionCost
     /// <summary>Metres that leaving the place in the texture counts for, per metre of the creature's diagonal.</summary>
     private const double Tear = 0.02;
 
+    /// <summary>Metres that leaving the ground counts for, per metre of the creature's diagonal: soles stay where they stand.</summary>
+    private const double Lift = 0.2;
+
     /// <summary>Metres that a piece which vanishes counts for, per metre of its diagonal.</summary>
     private const double Loss = 1;
 
@@ -39,6 +42,7 @@ internal sealed class ReductionCost
     private readonly Vector3[] colours;
     private readonly double contrast;
     private readonly double tear;
+    private readonly double lift;
 
     /// <summary>Measures the surface.</summary>
     /// <param name="mesh">What is drawn.</param>
@@ -80,6 +84,7 @@ internal sealed class ReductionCost
         double diagonal = PointBounds.Of(positions).Diagonal;
         contrast = Contrast * diagonal;
         tear = Tear * diagonal;
+        lift = Lift * diagonal;
     }
 
     /// <summary>The cost of a step.</summary>
@@ -98,6 +103,7 @@ internal sealed class ReductionCost
         }
 
         double seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour / pairs.Count * contrast * contrast) + (torn ? tear * tear : 0);
+        seeming += positions[from].Y == 0f && positions[to].Y != 0f ? lift * lift : 0;
         return attention[from] * (quadrics[from].At(positions[to]) + (areas[from] * seeming));
     }
 

@@ -13,6 +13,9 @@ internal static class MeshChecks
     /// <summary>How far a normal may be from unit length.</summary>
     private const float NormalLength = 1e-3f;
 
+    /// <summary>How far the mass may be from that of the mesh, which has lost a little of its volume when it was thinned out to fit its budget.</summary>
+    private const double VolumeShare = 0.02;
+
     /// <summary>False when a number of the mesh is not finite: nothing else can be measured then.</summary>
     public static bool AreFinite(CreatureMesh mesh, ViolationList found)
     {
@@ -49,7 +52,7 @@ internal static class MeshChecks
         }
 
         double volume = VolumeOf(skin);
-        if (!(volume > 0) || Math.Abs(volume - creature.Mass.Volume) > 1e-3 * volume)
+        if (!(volume > 0) || Math.Abs(volume - creature.Mass.Volume) > VolumeShare * volume)
         {
             found.Add(CreatureInspection.PositiveVolume, $"body and limbs enclose {volume} m³ and the creature says {creature.Mass.Volume} m³; expected the same volume above zero");
         }

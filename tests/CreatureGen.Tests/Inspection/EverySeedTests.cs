@@ -54,7 +54,7 @@ public sealed class EverySeedTests
     }
 
     [Theory]
-    [InlineData(0.5, 20000)]
+    [InlineData(0.5, 6000)]
     [InlineData(0.05, 20000)]
     [InlineData(20, 20000)]
     public void Size_breaks_no_invariant(double scale, int budget)
