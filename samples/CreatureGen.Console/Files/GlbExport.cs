@@ -3,6 +3,7 @@ using System.Buffers.Binary;
 using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
+using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 
 namespace CreatureGen.Console.Files;
@@ -25,8 +26,17 @@ internal static class GlbExport
         stream.ReadExactly(text);
         using JsonDocument document = JsonDocument.Parse(text, new JsonDocumentOptions { MaxDepth = DeepestJson });
         JsonElement root = document.RootElement;
-        return new GltfOptions { Provenance = Provenance(root), Shading = IsFlat(root) ? Shading.Flat : Shading.Smooth };
+        JsonElement extras = root.GetProperty("asset").GetProperty("extras").GetProperty("creaturegen");
+        return new GltfOptions
+        {
+            Provenance = Provenance(root),
+            Shading = IsFlat(root) ? Shading.Flat : Shading.Smooth,
+            Levels = extras.TryGetProperty("levels", out JsonElement levels) && Enum.TryParse(levels.ToString(), true, out LevelChoice choice) && Enum.IsDefined(choice) ? choice : LevelChoice.Finest,
+            TextureSize = extras.TryGetProperty("textureSize", out JsonElement size) && size.ValueKind == JsonValueKind.Number && size.TryGetInt32(out int texels) && IsTextureSize(texels) ? texels : 0,
+        };
     }
+
+    private static bool IsTextureSize(int size) => size is >= CreatureTextures.SmallestSize and <= CreatureTextures.LargestSize && (size & (size - 1)) == 0;
 
     private static string? Provenance(JsonElement root)
     {

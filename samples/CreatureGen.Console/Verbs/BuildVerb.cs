@@ -20,7 +20,7 @@ internal sealed class BuildVerb : IVerb
             new("build creature-42.glb --out again.glb", "build the creature in a file anew: the same bytes"),
             new("build creature-42.glb --flat --out flat.glb", "the same creature with flat shading"),
         ],
-        [CommonOptions.OutFile, CommonOptions.Flat]);
+        [CommonOptions.OutFile, .. ExportOptions.Syntax]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -30,7 +30,7 @@ internal sealed class BuildVerb : IVerb
         FileSet.RequireWritable(path);
         var times = new StageTimes();
         Creature creature = CreatureAssembler.Assemble(source.Blueprint, times);
-        byte[] glb = CreatureFiles.Glb(creature, arguments.Has(CommonOptions.Flat.Name) ? source.Export with { Shading = Shading.Flat } : source.Export);
+        byte[] glb = CreatureFiles.Glb(creature, ExportOptions.Read(arguments, source.Export));
         times.Finished("glb");
         FileSet.Write(path, stream => stream.Write(glb), surroundings.Cancellation);
         times.Finished("files");

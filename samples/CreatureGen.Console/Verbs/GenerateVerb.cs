@@ -25,11 +25,12 @@ internal sealed class GenerateVerb : IVerb
         "write creature-<seed>.glb, .png and .json for each seed",
         [
             new("generate --seed 7", "one creature in the current folder"),
+            new("generate --seed 7 --textures 1024", "with scales, fur or feathers in a texture atlas"),
             new("generate --seeds 1-100 --kind flying --out birds", "a hundred fliers in a folder"),
             new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
             new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, folder, .. CreatureArguments.Syntax, CommonOptions.Flat, noPicture, CommonOptions.Threads, CommonOptions.Json]);
+        [SeedOptions.Seed, SeedOptions.Seeds, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, noPicture, CommonOptions.Threads, CommonOptions.Json]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -41,7 +42,7 @@ internal sealed class GenerateVerb : IVerb
         var task = new Task(
             surroundings.Locate(arguments.Value(folder.Name) ?? "."),
             options,
-            new GltfOptions { Provenance = OptionsJson.Write(options), Shading = arguments.Has(CommonOptions.Flat.Name) ? Shading.Flat : Shading.Smooth },
+            ExportOptions.Read(arguments, new GltfOptions { Provenance = OptionsJson.Write(options) }),
             arguments.Has(noPicture.Name) ? PictureChoice.None : PictureChoice.Portrait,
             one ? threads : 1);
         FileSet.MakeFolder(task.Folder);

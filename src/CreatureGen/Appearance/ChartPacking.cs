@@ -19,6 +19,9 @@ internal sealed class ChartPacking
 
     private const int Bisections = 16;
 
+    /// <summary>Places for plain texels in the free row above all charts, where pieces without a chart lie.</summary>
+    private const int Swatches = 8;
+
     private readonly Vector2[] low;
     private readonly Vector2[] place;
     private readonly float density;
@@ -35,6 +38,16 @@ internal sealed class ChartPacking
 
     /// <summary>Where a point of a chart lies in the picture, 0..1.</summary>
     public Vector2 Map(int chart, Vector2 texcoord) => place[chart] + ((texcoord - low[chart]) * density);
+
+    /// <summary>The middle of a place for plain texels.</summary>
+    /// <param name="swatch">0..7.</param>
+    public static Vector2 Swatch(int swatch) => new((swatch + 0.5f) * Margin, 0.5f * Margin);
+
+    /// <summary>Whether texture coordinates are those of plain texels.</summary>
+    public static bool IsSwatch(Vector2 texcoord) => texcoord.Y < Margin && texcoord.X < Swatches * Margin;
+
+    /// <summary>Texels along a side of a place for plain texels, in a picture of a size.</summary>
+    public static int SwatchSide(int size) => (int)(Margin * size);
 
     /// <summary>Packs all charts of a surface.</summary>
     public static ChartPacking Pack(Surface surface)

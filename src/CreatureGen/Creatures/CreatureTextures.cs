@@ -65,11 +65,35 @@ public sealed class CreatureTextures
         var pictures = new AtlasPictures(size);
         var painter = new TexturePainter(coat, CoatSubjects.ReliefOf(creature.Blueprint), pictures);
         ChartPacking packing = ChartPacking.Pack(surface);
+        PaintSwatches(pictures);
         Paint(surface, normals, packing, coat, painter);
         pictures.Bleed(Math.Max(2, size / 256));
         pictures.Emboss(1f / (packing.Density * size));
         return new CreatureTextures(pictures);
     }
+
+    /// <summary>
+    /// Whether a vertex with these texture coordinates lies on white texels and keeps its own colour, as eyes, claws and teeth do; all others have their colour in the base colour picture.
+    /// </summary>
+    public static bool KeepsItsColour(Vector2 texcoord) => ChartPacking.IsSwatch(texcoord);
+
+    private static void PaintSwatches(AtlasPictures pictures)
+    {
+        int side = ChartPacking.SwatchSide(pictures.Size);
+        foreach (SurfaceFinish finish in new[] { SurfaceFinish.Skin, SurfaceFinish.Horn, SurfaceFinish.Tooth, SurfaceFinish.Eye, SurfaceFinish.Wing })
+        {
+            pictures.SetPlain((int)finish * side, 0, side, RoughnessOf(finish));
+        }
+    }
+
+    private static float RoughnessOf(SurfaceFinish finish) => finish switch
+    {
+        SurfaceFinish.Horn => 0.4f,
+        SurfaceFinish.Tooth => 0.25f,
+        SurfaceFinish.Eye => 0.07f,
+        SurfaceFinish.Wing => 0.3f,
+        _ => 0.65f,
+    };
 
     /// <summary>The right side shares the texels of the left. Charts do not overlap, so each can be painted by a thread of its own.</summary>
     private static void Paint(Surface surface, Vector3[] normals, ChartPacking packing, CoatPainter coat, TexturePainter painter)

@@ -69,7 +69,7 @@ internal sealed class FeatureSetter
     {
         EyeBlueprint eye = blueprint.Head.Eyes;
         EyeFrame frame = EyeOf(blueprint, grown);
-        builder.Clear();
+        builder.Clear(SurfaceFinish.Eye);
         EyeShape.Append(builder, frame, eye.Style, palette.Iris);
         Piece left = builder.ToPiece(MaterialKind.Skin);
         left.JointName = "Eye_L";
@@ -135,7 +135,7 @@ internal sealed class FeatureSetter
                 points.Add(new SurfacePoint(grown.Surface.Positions[lip[k]], normals[lip[k]]));
             }
 
-            builder.Clear();
+            builder.Clear(SurfaceFinish.Tooth);
             ToothRow.Append(builder, points.ToArray(), direction, length, toothColour);
             builder.AppendMirrored(0, 0);
             AddRigid(joint);
@@ -147,7 +147,7 @@ internal sealed class FeatureSetter
         foreach (DigitTip tip in grown.Tips)
         {
             float floor = tip.Position.Y < 3f * tip.Radius ? 0f : float.NegativeInfinity;
-            builder.Clear();
+            builder.Clear(SurfaceFinish.Horn);
             if (tip.Kind == DigitTipKind.Nail)
             {
                 NailShape.Append(builder, tip.Position, tip.Direction, tip.Radius, floor, palette.Claw);
@@ -171,7 +171,7 @@ internal sealed class FeatureSetter
         int ring = (int)feature.Ring;
         bool median = feature.Segment is 0 or 16;
         var curve = new FeatureCurve(feature, grown.Skin.At(feature.Ring, feature.Segment), shape.Forward(ring), Vector3.UnitY, 1f);
-        builder.Clear();
+        builder.Clear(SurfaceFinish.Horn);
         if (feature.Kind == FeatureKind.Antenna)
         {
             AntennaShape.Append(builder, feature, curve, 1f, palette.Limb * 0.8f, palette.Accent);
@@ -204,7 +204,7 @@ internal sealed class FeatureSetter
     private void AddInsectWing(InsectWingBlueprint wing)
     {
         SurfacePoint skin = grown.Skin.At(wing.Ring, wing.Segment);
-        builder.Clear();
+        builder.Clear(SurfaceFinish.Wing);
         InsectWingShape.Append(builder, skin, wing, 1f, Vec.Lerp(palette.Accent, Vector3.One, 0.55f), palette.Base * 0.4f);
         AddChain(LimbKind.InsectWing, wing.Ring, InsectWingShape.JointPoints(skin, wing, 1f), MaterialKind.Membrane);
     }

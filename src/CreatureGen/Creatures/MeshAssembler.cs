@@ -51,6 +51,7 @@ internal static class MeshAssembler
         {
             SkinWeights[] followed = Follow(piece, weights, rig);
             buffers.Attention.AsSpan(first, piece.Positions.Length).Fill(piece.Attention);
+            buffers.Texcoords.AsSpan(first, piece.Positions.Length).Fill(ChartPacking.Swatch((int)piece.Finish));
             for (int v = 0; v < piece.Positions.Length; v++)
             {
                 buffers.Positions[first + v] = piece.Positions[v] * scale;

@@ -52,10 +52,15 @@ internal static class DocumentWriter
         json.Name("materials").BeginArray();
         foreach (MaterialKind material in materials)
         {
-            WriteMaterial(json, material);
+            WriteMaterial(json, material, plan.Blocks.Count > 0);
         }
 
         json.EndArray();
+        if (plan.Blocks.Count > 0)
+        {
+            TextureWriter.Write(json, plan);
+        }
+
         WriteAccessors(json, plan, buffers.Positions, box);
         WriteBufferViews(json, plan);
         json.Name("buffers").BeginArray().BeginObject().Name("byteLength").Number(plan.ByteLength).EndObject().EndArray();
@@ -73,6 +78,16 @@ internal static class DocumentWriter
         if (options.Provenance != null)
         {
             json.Name("options").Text(options.Provenance);
+        }
+
+        if (options.Levels != LevelChoice.Finest)
+        {
+            json.Name("levels").Text(options.Levels.ToString().ToLowerInvariant());
+        }
+
+        if (options.TextureSize != 0)
+        {
+            json.Name("textureSize").Number(options.TextureSize);
         }
 
         json.Name(BlueprintName);
@@ -104,6 +119,11 @@ internal static class DocumentWriter
             json.Name("attributes").BeginObject();
             json.Name("POSITION").Number(buffers.Positions.Index);
             json.Name("NORMAL").Number(buffers.Normals.Index);
+            if (buffers.Tangents != null)
+            {
+                json.Name("TANGENT").Number(buffers.Tangents.Index);
+            }
+
             json.Name("TEXCOORD_0").Number(buffers.Texcoords.Index);
             json.Name("COLOR_0").Number(buffers.Colours.Index);
             json.Name("JOINTS_0").Number(buffers.Joints.Index);
@@ -134,16 +154,27 @@ internal static class DocumentWriter
         json.EndObject().EndArray();
     }
 
-    /// <summary>Writes a material. All colour is in the vertices, so that the base colour is white.</summary>
-    private static void WriteMaterial(JsonWriter json, MaterialKind material)
+    /// <summary>Writes a material. All colour is in the vertices or the atlas, so that the base colour is white.</summary>
+    private static void WriteMaterial(JsonWriter json, MaterialKind material, bool textured)
     {
         json.BeginObject();
         json.Name("name").Text(material == MaterialKind.Membrane ? "Membrane" : "Skin");
         json.Name("pbrMetallicRoughness").BeginObject();
         json.Name("baseColorFactor").BeginArray().Number(1).Number(1).Number(1).Number(1).EndArray();
         json.Name("metallicFactor").Number(0);
-        json.Name("roughnessFactor").Number(Roughness);
+        json.Name("roughnessFactor").Number(textured ? 1 : Roughness);
+        if (textured)
+        {
+            TextureWriter.Refer(json, "baseColorTexture", TextureImages.BaseColour);
+            TextureWriter.Refer(json, "metallicRoughnessTexture", TextureImages.Roughness);
+        }
+
         json.EndObject();
+        if (textured)
+        {
+            TextureWriter.Refer(json, "normalTexture", TextureImages.Normal);
+        }
+
         if (material == MaterialKind.Membrane)
         {
             json.Name("doubleSided").Boolean(true);
@@ -193,6 +224,15 @@ internal static class DocumentWriter
                 json.Name("target").Number(accessor.Target == BufferTarget.Vertices ? ArrayBuffer : ElementArrayBuffer);
             }
 
+            json.EndObject();
+        }
+
+        foreach ((int offset, int byteLength) in plan.Blocks)
+        {
+            json.BeginObject();
+            json.Name("buffer").Number(0);
+            json.Name("byteOffset").Number(offset);
+            json.Name("byteLength").Number(byteLength);
             json.EndObject();
         }
 

@@ -30,7 +30,7 @@ public static class GlbWriter
     /// <param name="options">How it is written.</param>
     /// <param name="destination">Takes the bytes; is neither flushed nor closed.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">The destination cannot be written to, or the shading or the choice of levels is none of the known ones.</exception>
+    /// <exception cref="ArgumentException">The destination cannot be written to, the size of textures is out of its range, or the shading or the choice of levels is none of the known ones.</exception>
     /// <exception cref="InvalidOperationException">The creature holds something that a file must not, such as a number that is not finite or weights that do not sum to one. The message says what and where.</exception>
     public static void Write(Creature creature, GltfOptions options, Stream destination)
     {
@@ -44,14 +44,27 @@ public static class GlbWriter
 
         ExportCheck.Require(creature);
         LevelStack levels = LevelStack.Of(creature.Mesh, options);
+        TextureImages? images = options.TextureSize == 0 ? null : TextureImages.Of(creature, options.TextureSize);
+        TangentFrames? frames = images == null ? null : TangentFrames.Of(levels.Mesh);
+        levels = frames == null ? levels : levels.Over(frames.Mesh);
         var plan = new BufferPlan();
-        var buffers = new MeshBuffers(levels.Mesh, creature.Skeleton, plan);
+        var buffers = new MeshBuffers(levels.Mesh, frames?.Tangents ?? default, creature.Skeleton, plan);
+        foreach (byte[] file in images?.Files ?? Array.Empty<byte[]>())
+        {
+            plan.AddBlock(file.Length);
+        }
+
         byte[] rented = ArrayPool<byte>.Shared.Rent(plan.ByteLength);
         try
         {
             Span<byte> binary = rented.AsSpan(0, plan.ByteLength);
             plan.Pad(binary);
             (Vector3 Min, Vector3 Max) box = buffers.Write(binary);
+            for (int i = 0; i < plan.Blocks.Count; i++)
+            {
+                images!.Files[i].CopyTo(binary.Slice(plan.Blocks[i].Offset));
+            }
+
             var json = new JsonWriter(JsonLayout.Compact);
             DocumentWriter.Write(json, creature, options, plan, levels, buffers, box);
             GlbContainer.Write(destination, json.ToUtf8(), binary);

@@ -55,6 +55,9 @@ internal sealed class LevelStack
         return (first, partCounts[level]);
     }
 
+    /// <summary>The same levels over other vertices: the parts of the mesh are the same.</summary>
+    public LevelStack Over(CreatureMesh mesh) => new(mesh, partCounts);
+
     private static LevelStack Single(CreatureLevel level)
     {
         CreatureMesh mesh = level.ToMesh();

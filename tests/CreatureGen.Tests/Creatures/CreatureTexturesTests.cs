@@ -70,7 +70,7 @@ public sealed class CreatureTexturesTests
         for (int v = 0; v < mesh.Positions.Length; v++)
         {
             Vector2 t = mesh.Texcoords[v];
-            if (t == Vector2.Zero)
+            if (CreatureTextures.KeepsItsColour(t))
             {
                 continue;
             }
