@@ -173,9 +173,12 @@ public static class Renderer
                 a = b = c = 1f / 3f;
             }
 
-            Vector3 colour = mesh.Texture is null
-                ? (mesh.Colours[i0] * a) + (mesh.Colours[i1] * b) + (mesh.Colours[i2] * c)
-                : Textured(in triangle, a, b, c, i0, i1, i2);
+            Vector3 colour = (mesh.Colours[i0] * a) + (mesh.Colours[i1] * b) + (mesh.Colours[i2] * c);
+            if (mesh.Texture is not null)
+            {
+                colour *= Sample(mesh.Texture, in triangle, a, b, c, i0, i1, i2);
+            }
+
             if (options.Shading == ShadingMode.Unlit)
             {
                 return colour;
@@ -185,6 +188,11 @@ public static class Renderer
             if (options.Shading == ShadingMode.Flat)
             {
                 return FlatShading.Lit(normal, flatLight, colour);
+            }
+
+            if (mesh.NormalMap is not null && options.Shading == ShadingMode.Smooth)
+            {
+                normal = Embossed(normal, Sample(mesh.NormalMap, in triangle, a, b, c, i0, i1, i2), i0, i1, i2);
             }
 
             Vector3 point = (mesh.Positions[i0] * a) + (mesh.Positions[i1] * b) + (mesh.Positions[i2] * c);
@@ -198,9 +206,27 @@ public static class Renderer
             return ToneCurve.Apply(shader.Light(point, normal, colour, gloss, material.Translucency, open.X, open.Y));
         }
 
-        private Vector3 Textured(in ScreenTriangle triangle, float a, float b, float c, int i0, int i1, int i2)
+        // The normal turned as the normal map says, in the frame of the directions in which u and v grow over the triangle.
+        private Vector3 Embossed(Vector3 normal, Vector3 texel, int i0, int i1, int i2)
         {
-            Texture texture = mesh.Texture!;
+            Vector2 g = mesh.Texcoords[i1] - mesh.Texcoords[i0];
+            Vector2 h = mesh.Texcoords[i2] - mesh.Texcoords[i0];
+            float area = (g.X * h.Y) - (g.Y * h.X);
+            if (area == 0f)
+            {
+                return normal;
+            }
+
+            Vector3 e = mesh.Positions[i1] - mesh.Positions[i0];
+            Vector3 f = mesh.Positions[i2] - mesh.Positions[i0];
+            float sign = area < 0f ? -1f : 1f;
+            Vector3 alongU = Vec.Normalize(Vec.Reject(((e * h.Y) - (f * g.Y)) * sign, normal), Vector3.Zero);
+            Vector3 alongV = Vec.Normalize(Vec.Reject(((f * g.X) - (e * h.X)) * sign, normal), Vector3.Zero);
+            return Vec.Normalize((normal * ((2f * texel.Z) - 1f)) + (alongU * ((2f * texel.X) - 1f)) - (alongV * ((2f * texel.Y) - 1f)), normal);
+        }
+
+        private Vector3 Sample(Texture texture, in ScreenTriangle triangle, float a, float b, float c, int i0, int i1, int i2)
+        {
             Vector2 t0 = mesh.Texcoords[i0];
             Vector2 t1 = mesh.Texcoords[i1];
             Vector2 t2 = mesh.Texcoords[i2];

@@ -28,7 +28,8 @@ public sealed class RenderMesh
     /// <param name="parts">The triangles by material, in order, covering all.</param>
     /// <param name="gloss">Gloss of each vertex, 0..1; null for that of the parts alone.</param>
     /// <param name="texcoords">Texture coordinates, origin at the top left of the texture; null when there is no texture.</param>
-    /// <param name="texture">Colours that take the place of <paramref name="colours"/>; null for none.</param>
+    /// <param name="texture">Colours that <paramref name="colours"/> are multiplied with; null for none.</param>
+    /// <param name="normalMap">Normals in tangent space, as glTF has them; null for none.</param>
     /// <exception cref="ArgumentException">Arrays differ in length, a position or normal is not finite, an index is out of range, or the parts do not cover the triangles.</exception>
     public RenderMesh(
         Vector3[] positions,
@@ -38,7 +39,8 @@ public sealed class RenderMesh
         IReadOnlyList<RenderPart> parts,
         float[]? gloss = null,
         Vector2[]? texcoords = null,
-        Texture? texture = null)
+        Texture? texture = null,
+        Texture? normalMap = null)
     {
         this.positions = positions;
         this.normals = normals;
@@ -48,6 +50,7 @@ public sealed class RenderMesh
         this.texcoords = texcoords ?? [];
         Parts = parts;
         Texture = texture;
+        NormalMap = normalMap;
         CheckLength(normals.Length, nameof(normals));
         CheckLength(colours.Length, nameof(colours));
         if (gloss is not null)
@@ -88,8 +91,11 @@ public sealed class RenderMesh
     /// <summary>The triangles by material, in order.</summary>
     public IReadOnlyList<RenderPart> Parts { get; }
 
-    /// <summary>Colours that take the place of those of the vertices, or null.</summary>
+    /// <summary>Colours that those of the vertices are multiplied with, or null.</summary>
     public Texture? Texture { get; }
+
+    /// <summary>Normals in tangent space, or null.</summary>
+    public Texture? NormalMap { get; }
 
     /// <summary>The smallest box around all positions.</summary>
     public BoundingBox Bounds { get; }
@@ -131,10 +137,26 @@ public sealed class RenderMesh
         return new RenderMesh(posedPositions.ToArray(), posedNormals.ToArray(), mesh.Colours.ToArray(), mesh.Triangles.ToArray(), parts, gloss, mesh.Texcoords.ToArray());
     }
 
-    /// <summary>This surface with the colours of a texture in the place of those of its vertices. The arrays are shared.</summary>
+    /// <summary>This surface with the colours of its vertices multiplied with those of a texture. The arrays are shared.</summary>
     /// <exception cref="ArgumentException">The mesh has no texture coordinates.</exception>
     public RenderMesh WithTexture(Texture texture) =>
         new(positions, normals, colours, triangles, Parts, gloss.Length == 0 ? null : gloss, texcoords, texture);
+
+    /// <summary>This surface of a creature under its texture atlas: pieces set into the skin keep their colours, all else has those of the atlas, and its relief.</summary>
+    /// <exception cref="ArgumentException">The mesh has no texture coordinates.</exception>
+    public RenderMesh WithTextures(CreatureTextures textures)
+    {
+        ArgumentNullException.ThrowIfNull(textures);
+        var tints = new Vector3[colours.Length];
+        for (int i = 0; i < tints.Length; i++)
+        {
+            tints[i] = i < texcoords.Length && CreatureTextures.KeepsItsColour(texcoords[i]) ? colours[i] : Vector3.One;
+        }
+
+        var colour = new Texture(textures.BaseColour, textures.Size, textures.Size, TexelMeaning.Colour);
+        var relief = new Texture(textures.Normal, textures.Size, textures.Size, TexelMeaning.Number);
+        return new RenderMesh(positions, normals, tints, triangles, Parts, gloss.Length == 0 ? null : gloss, texcoords, colour, relief);
+    }
 
     private void CheckLength(int length, string name)
     {

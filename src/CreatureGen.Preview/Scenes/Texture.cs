@@ -6,6 +6,16 @@ using CreatureGen.Preview.Pictures;
 
 namespace CreatureGen.Preview.Scenes;
 
+/// <summary>What the bytes of a texture mean.</summary>
+public enum TexelMeaning
+{
+    /// <summary>sRGB colours; samples are linear light.</summary>
+    Colour,
+
+    /// <summary>Numbers of 0..1; samples are these numbers.</summary>
+    Number,
+}
+
 /// <summary>A picture laid over a surface, with its smaller copies. Coordinates beyond 0..1 take the colour of the nearest edge.</summary>
 public sealed class Texture
 {
@@ -24,13 +34,34 @@ public sealed class Texture
             texels[i] = new Vector3(SrgbCurve.Decode(picture.Bytes[at]), SrgbCurve.Decode(picture.Bytes[at + 1]), SrgbCurve.Decode(picture.Bytes[at + 2]));
         }
 
-        var level = new Level(picture.Width, picture.Height, texels);
-        levels.Add(level);
-        while (level.Width > 1 || level.Height > 1)
+        AddLevels(new Level(picture.Width, picture.Height, texels));
+    }
+
+    /// <summary>Takes rows of three bytes per texel, the first at the top.</summary>
+    /// <param name="bytes">Red, green and blue of each texel.</param>
+    /// <param name="width">Columns.</param>
+    /// <param name="height">Rows.</param>
+    /// <param name="meaning">What the bytes are.</param>
+    /// <exception cref="ArgumentException">The bytes are not as many as the size asks for.</exception>
+    public Texture(ReadOnlySpan<byte> bytes, int width, int height, TexelMeaning meaning)
+    {
+        if (width < 1 || height < 1 || bytes.Length != 3L * width * height)
         {
-            level = Halve(level);
-            levels.Add(level);
+            throw new ArgumentException(FormattableString.Invariant($"{bytes.Length} bytes for {width} × {height} texels; expected three for each"), nameof(bytes));
         }
+
+        Width = width;
+        Height = height;
+        var texels = new Vector3[width * height];
+        for (int i = 0; i < texels.Length; i++)
+        {
+            byte r = bytes[3 * i], g = bytes[(3 * i) + 1], b = bytes[(3 * i) + 2];
+            texels[i] = meaning == TexelMeaning.Colour
+                ? new Vector3(SrgbCurve.Decode(r), SrgbCurve.Decode(g), SrgbCurve.Decode(b))
+                : new Vector3(r, g, b) * (1f / 255f);
+        }
+
+        AddLevels(new Level(width, height, texels));
     }
 
     /// <summary>Columns of the picture.</summary>
@@ -74,6 +105,16 @@ public sealed class Texture
         }
 
         return level;
+    }
+
+    private void AddLevels(Level level)
+    {
+        levels.Add(level);
+        while (level.Width > 1 || level.Height > 1)
+        {
+            level = Halve(level);
+            levels.Add(level);
+        }
     }
 
     private static Level Halve(Level source)

@@ -35,8 +35,8 @@ internal static class CoatSubjects
     {
         (SkinCover cover, float size) = blueprint.Body.Blend.First switch
         {
-            "canine" or "feline" => (SkinCover.Fur, 0.035f),
-            "bovine" => (SkinCover.Fur, 0.022f),
+            "canine" or "feline" => (SkinCover.Fur, 0.022f),
+            "bovine" => (SkinCover.Fur, 0.016f),
             "avian" => (SkinCover.Feathers, 0.04f),
             "reptile" => (SkinCover.Scales, 0.04f),
             "serpent" => (SkinCover.Scales, 0.034f),

@@ -25,7 +25,7 @@ internal static class DocumentWriter
     private const int ElementArrayBuffer = 34963;
 
     /// <summary>Writes the whole document.</summary>
-    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, LevelStack levels, MeshBuffers buffers, (Vector3 Min, Vector3 Max) box)
+    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, LevelStack levels, MeshBuffers buffers, ClipBuffers clips, (Vector3 Min, Vector3 Max) box)
     {
         List<MaterialKind> materials = Materials(levels.Mesh);
         json.BeginObject();
@@ -61,7 +61,12 @@ internal static class DocumentWriter
             TextureWriter.Write(json, plan);
         }
 
-        WriteAccessors(json, plan, buffers.Positions, box);
+        if (clips.Clips.Count > 0)
+        {
+            ClipWriter.Write(json, clips);
+        }
+
+        WriteAccessors(json, plan, buffers.Positions, clips, box);
         WriteBufferViews(json, plan);
         json.Name("buffers").BeginArray().BeginObject().Name("byteLength").Number(plan.ByteLength).EndObject().EndArray();
         json.EndObject();
@@ -183,7 +188,7 @@ internal static class DocumentWriter
         json.EndObject();
     }
 
-    private static void WriteAccessors(JsonWriter json, BufferPlan plan, Accessor positions, (Vector3 Min, Vector3 Max) box)
+    private static void WriteAccessors(JsonWriter json, BufferPlan plan, Accessor positions, ClipBuffers clips, (Vector3 Min, Vector3 Max) box)
     {
         json.Name("accessors").BeginArray();
         foreach (Accessor accessor in plan.Accessors)
@@ -202,6 +207,11 @@ internal static class DocumentWriter
             {
                 json.Name("min").Vector(box.Min);
                 json.Name("max").Vector(box.Max);
+            }
+            else if (clips.AreTimes(accessor))
+            {
+                json.Name("min").BeginArray().Number(0).EndArray();
+                json.Name("max").BeginArray().Number(ClipBuffers.TimeOf(accessor.Count - 1)).EndArray();
             }
 
             json.EndObject();

@@ -49,6 +49,7 @@ public static class GlbWriter
         levels = frames == null ? levels : levels.Over(frames.Mesh);
         var plan = new BufferPlan();
         var buffers = new MeshBuffers(levels.Mesh, frames?.Tangents ?? default, creature.Skeleton, plan);
+        var clips = new ClipBuffers(options.Clips, creature.Skeleton, plan);
         foreach (byte[] file in images?.Files ?? Array.Empty<byte[]>())
         {
             plan.AddBlock(file.Length);
@@ -60,13 +61,14 @@ public static class GlbWriter
             Span<byte> binary = rented.AsSpan(0, plan.ByteLength);
             plan.Pad(binary);
             (Vector3 Min, Vector3 Max) box = buffers.Write(binary);
+            clips.Write(binary);
             for (int i = 0; i < plan.Blocks.Count; i++)
             {
                 images!.Files[i].CopyTo(binary.Slice(plan.Blocks[i].Offset));
             }
 
             var json = new JsonWriter(JsonLayout.Compact);
-            DocumentWriter.Write(json, creature, options, plan, levels, buffers, box);
+            DocumentWriter.Write(json, creature, options, plan, levels, buffers, clips, box);
             GlbContainer.Write(destination, json.ToUtf8(), binary);
         }
         finally

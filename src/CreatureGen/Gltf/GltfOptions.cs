@@ -1,3 +1,7 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Animation.Clips;
+
 namespace CreatureGen.Gltf;
 
 /// <summary>How a creature is written as glTF. The same creature and options always give the same bytes.</summary>
@@ -17,6 +21,9 @@ public sealed record GltfOptions
     /// With an atlas, vertices of the skin are white and those of eyes, claws and teeth keep their colour.
     /// </summary>
     public int TextureSize { get; init; }
+
+    /// <summary>Motion in the file, one animation for each clip. Default: none.</summary>
+    public IReadOnlyList<Clip> Clips { get; init; } = Array.Empty<Clip>();
 
     /// <summary>
     /// The options that the creature was generated with, as text, kept in the file as <c>asset.extras.creaturegen.options</c>; null leaves it out.
