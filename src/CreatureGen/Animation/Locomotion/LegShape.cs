@@ -1,0 +1,139 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>A standing leg as the walk needs it: joints, rest places, sole. Model space, metres.</summary>
+internal sealed class LegShape
+{
+    private const double LeastBend = 0.2094;
+    private const double MostBend = 2.618;
+
+    public LegShape(Skeleton skeleton, LimbChain chain, int row, int trunkSlot, SoleExtent sole)
+    {
+        Girdle = chain.Joints[0];
+        Hip = chain.Joints[1];
+        Knee = chain.Joints[2];
+        Ankle = chain.Joints[3];
+        Ball = chain.Joints[4];
+        End = chain.Joints[5];
+        Pair = chain.Pair;
+        Row = row;
+        Side = chain.Side;
+        TrunkSlot = trunkSlot;
+        Traits = LegTraits.Of(chain.Archetype!.Value);
+        ReadOnlySpan<Vector3> p = skeleton.ModelPositions;
+        HipRest = p[Hip];
+        Home = new Vector3(p[Ball].X, 0f, p[Ball].Z);
+        BallHeight = p[Ball].Y;
+        Thigh = p[Knee] - p[Hip];
+        Shank = p[Ankle] - p[Knee];
+        Metatarsus = p[Ball] - p[Ankle];
+        Length = Vec.Distance(HipRest, Home);
+        Lateral = Traits.Archetype is LimbArchetype.Sprawl or LimbArchetype.Insect;
+        FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Archetype is not LimbArchetype.Insect and not LimbArchetype.Column;
+
+        // A foot out to the side rolls over the tip of its own toes.
+        Vector3 toes = p[End] - p[Ball];
+        toes.Y = 0f;
+        ToeDirection = Traits.Archetype == LimbArchetype.Insect ? Vec.Normalize(new Vector3(Home.X - HipRest.X, 0f, Home.Z - HipRest.Z), Vector3.UnitZ) : Vec.Normalize(toes, Vector3.UnitZ);
+        if (ToeDirection.Z < 0.3f && Traits.Archetype != LimbArchetype.Insect)
+        {
+            ToeDirection = Vector3.UnitZ;
+        }
+
+        RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
+        Toe = Math.Max(sole.Toe, 0.02f * Length);
+        Heel = Math.Max(sole.Heel, 0.02f * Length);
+        Hinge = Lateral ? Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX) : Vector3.UnitX;
+        Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
+        RestAcross = Vec.Cross(upper + Shank, Vector3.UnitY);
+        Vector3 a = Vec.Reject(upper, Hinge);
+        Vector3 b = Vec.Reject(Shank, Hinge);
+        float turn = Vec.Dot(Vec.Cross(a, b), Hinge);
+        bool foreColumn = Traits.Archetype == LimbArchetype.Column && row > 0;
+        BendSign = Traits.Bend == 0 ? Math.Sign(turn) >= 0 ? 1 : -1 : foreColumn ? -1 : Traits.Bend;
+        double la = Vec.Length(a);
+        double lb = Vec.Length(b);
+        Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(LeastBend)));
+        LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
+    }
+
+    public int Girdle { get; }
+
+    public int Hip { get; }
+
+    public int Knee { get; }
+
+    public int Ankle { get; }
+
+    public int Ball { get; }
+
+    public int End { get; }
+
+    /// <summary>Number of the pair from the front, 1 the foremost.</summary>
+    public int Pair { get; }
+
+    /// <summary>Number of the pair from the rear, 0 the rearmost.</summary>
+    public int Row { get; }
+
+    public Side Side { get; }
+
+    /// <summary>The trunk joint that carries it, as a place in the trunk's chain.</summary>
+    public int TrunkSlot { get; }
+
+    public LegTraits Traits { get; }
+
+    /// <summary>Whether it stands out to the side.</summary>
+    public bool Lateral { get; }
+
+    /// <summary>Whether the whole sole is on the ground: the heel rises first, about the ball.</summary>
+    public bool FlatFoot { get; }
+
+    public Vector3 HipRest { get; }
+
+    /// <summary>Point on the ground under the ball.</summary>
+    public Vector3 Home { get; }
+
+    /// <summary>Height of the ball's joint above the ground.</summary>
+    public float BallHeight { get; }
+
+    public Vector3 Thigh { get; }
+
+    public Vector3 Shank { get; }
+
+    public Vector3 Metatarsus { get; }
+
+    /// <summary>From the hip to the ground under the ball.</summary>
+    public float Length { get; }
+
+    /// <summary>Level unit direction in which the toes point.</summary>
+    public Vector3 ToeDirection { get; }
+
+    /// <summary>Axis of the foot's roll: a positive turn puts the toes down.</summary>
+    public Vector3 RollAxis { get; }
+
+    /// <summary>From the ball to the tip of the toes, level.</summary>
+    public float Toe { get; }
+
+    /// <summary>From the ball back to the heel, level.</summary>
+    public float Heel { get; }
+
+    /// <summary>Axis about which knee and metatarsus turn.</summary>
+    public Vector3 Hinge { get; }
+
+    /// <summary>Across the leg's plane at rest, for legs out to the side.</summary>
+    public Vector3 RestAcross { get; }
+
+    /// <summary>Sign of the knee's bend about the hinge.</summary>
+    public int BendSign { get; }
+
+    /// <summary>Greatest distance that the two solved parts span, nearly straight.</summary>
+    public float Reach { get; }
+
+    /// <summary>Least distance that they span, folded.</summary>
+    public float LeastReach { get; }
+}
