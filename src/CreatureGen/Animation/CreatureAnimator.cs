@@ -3,6 +3,7 @@ using System.Numerics;
 using CreatureGen.Animation.Events;
 using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -15,7 +16,7 @@ namespace CreatureGen.Animation;
 /// </summary>
 /// <remarks>
 /// <para>Configured by the creature's build alone. An update allocates nothing. The same calls give the same bits.</para>
-/// <para>The pose is in the creature's own space, with its root joint at rest: <see cref="Placement"/> says where that is in the world.</para>
+/// <para>The pose is in the creature's own space, with its root joint at rest: <see cref="Root"/> says where that is in the world.</para>
 /// </remarks>
 public sealed class CreatureAnimator
 {
@@ -25,6 +26,7 @@ public sealed class CreatureAnimator
     private readonly Vector3[] modelPositions;
     private readonly EventQueue events;
     private readonly Locomotion.LeggedMotion? legs;
+    private readonly SecondaryMotion secondary;
     private LocomotionSettings settings = LocomotionSettings.Default;
 
     /// <summary>An animator for a creature, standing at the origin.</summary>
@@ -48,7 +50,8 @@ public sealed class CreatureAnimator
         ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
         int feet = profile.Legs?.Legs.Length ?? 0;
         events = new EventQueue(2 * feet * Locomotion.LeggedMotion.MostSteps);
-        Placement = Placement.Identity;
+        Root = RootPlace.Identity;
+        secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         if (profile.Legs != null)
         {
             legs = new Locomotion.LeggedMotion(profile.Legs, profile.Gaits!, events);
@@ -58,8 +61,8 @@ public sealed class CreatureAnimator
     /// <summary>What is known of the creature's way of going.</summary>
     public MotionProfile Profile { get; }
 
-    /// <summary>Where the creature's root is in the world: on the ground below its middle.</summary>
-    public Placement Placement { get; private set; }
+    /// <summary>Where the creature's root is in the world: on the ground below its middle; set it by <see cref="Teleport"/> or <see cref="Follow"/>. Speeds and gravity are those of the world, whatever the scale.</summary>
+    public RootPlace Root { get; private set; }
 
     /// <summary>What can be set; taken up by the next update.</summary>
     /// <exception cref="ArgumentException">A setting is not finite or out of its range.</exception>
@@ -89,7 +92,7 @@ public sealed class CreatureAnimator
     public int FootCount => legs?.FootCount ?? 0;
 
     /// <summary>Metres per second ahead at present.</summary>
-    public float Speed => legs?.Speed ?? 0f;
+    public float Speed => (legs?.Speed ?? 0f) * Root.Scale;
 
     /// <summary>Place in the gait's cycle, 0..1.</summary>
     public float Phase => legs?.Phase ?? 0f;
@@ -118,13 +121,13 @@ public sealed class CreatureAnimator
     public void Update(float dt, in MotionInput input, IGround ground)
     {
         Check(ref dt, ground);
-        InputCheck.Finite(input.Speed, nameof(input.Speed));
-        InputCheck.Finite(input.Sideways, nameof(input.Sideways));
-        InputCheck.Finite(input.TurnRate, nameof(input.TurnRate));
-        InputCheck.Finite(input.ClimbRate, nameof(input.ClimbRate));
+        Finite.Require(input.Speed, nameof(input.Speed));
+        Finite.Require(input.Sideways, nameof(input.Sideways));
+        Finite.Require(input.TurnRate, nameof(input.TurnRate));
+        Finite.Require(input.ClimbRate, nameof(input.ClimbRate));
         if (legs != null)
         {
-            Placement = legs.Drive(Placement, dt, input, settings, ground);
+            Root = legs.Drive(Root, dt, input, settings, ground);
             Finish(dt);
         }
     }
@@ -135,36 +138,37 @@ public sealed class CreatureAnimator
     /// <param name="ground">Where feet find footing.</param>
     /// <exception cref="ArgumentException">A number is not finite, the rotation is not unit, or dt is negative.</exception>
     /// <exception cref="ArgumentNullException">There is no ground.</exception>
-    public void Follow(float dt, in Placement placement, IGround ground)
+    public void Follow(float dt, in RootPlace placement, IGround ground)
     {
         Check(ref dt, ground);
-        CheckPlace(placement);
+        placement.Require(nameof(placement));
         if (legs != null)
         {
-            Placement = legs.Follow(Placement, dt, placement, settings, ground);
+            Root = legs.Follow(Root, dt, placement, settings, ground);
             Finish(dt);
         }
         else
         {
-            Placement = placement;
+            Root = placement;
         }
     }
 
     /// <summary>Puts the creature somewhere else, standing on its feet there as if it had always been.</summary>
     /// <exception cref="ArgumentException">A number is not finite, or the rotation is not unit.</exception>
     /// <exception cref="ArgumentNullException">There is no ground.</exception>
-    public void Teleport(in Placement placement, IGround ground)
+    public void Teleport(in RootPlace placement, IGround ground)
     {
         if (ground == null)
         {
             throw new ArgumentNullException(nameof(ground));
         }
 
-        CheckPlace(placement);
-        Placement = placement;
+        placement.Require(nameof(placement));
+        Root = placement;
         events.Clear();
         if (legs != null)
         {
+            secondary.Reset();
             legs.Stand(placement, settings, ground);
             Finish(0f);
         }
@@ -175,16 +179,12 @@ public sealed class CreatureAnimator
     /// <exception cref="ArgumentException">A number is not finite.</exception>
     public void Rebase(Vector3 offset)
     {
-        InputCheck.Finite(offset, nameof(offset));
-        Placement = new Placement(Placement.Position + offset, Placement.Rotation);
+        Finite.Require(offset, nameof(offset));
+        Root = new RootPlace(Root.Position + offset, Root.Rotation, Root.Scale);
         legs?.Rebase(offset);
+        secondary.Rebase(offset);
     }
 
-    private static void CheckPlace(in Placement placement)
-    {
-        InputCheck.Finite(placement.Position, "placement.Position");
-        InputCheck.Unit(placement.Rotation, "placement.Rotation");
-    }
 
     private void Check(ref float dt, IGround ground)
     {
@@ -204,7 +204,8 @@ public sealed class CreatureAnimator
 
     private void Finish(float dt)
     {
-        legs!.Pose(Placement, dt, settings, LocalPose);
+        legs!.Pose(Root, dt, settings, LocalPose);
         ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
+        secondary.Update(Root, Rotation.Rotate(Root.Rotation, Vector3.UnitY), dt, LocalPose, ModelPose);
     }
 }

@@ -72,24 +72,24 @@ public struct LocomotionSettings
     /// <exception cref="ArgumentException">A number is not finite or out of its range; the message says which.</exception>
     public readonly void ThrowIfInvalid()
     {
-        InputCheck.Finite(Up, nameof(Up));
+        Finite.Require(Up, nameof(Up));
         if (!(Math.Abs(Vec.LengthSquared(Up) - 1f) < 1e-3f))
         {
             throw new ArgumentOutOfRangeException(nameof(Up), FormattableString.Invariant($"({Up.X}, {Up.Y}, {Up.Z})"), "expected a unit vector");
         }
 
-        InputCheck.Within(Gravity, 0.1f, 1000f, nameof(Gravity));
-        InputCheck.Within(SpeedResponse, 0.1f, 100f, nameof(SpeedResponse));
-        InputCheck.Within(TurnResponse, 0.1f, 100f, nameof(TurnResponse));
-        InputCheck.Within(Lift, 0f, 4f, nameof(Lift));
-        InputCheck.Within(Bounce, 0f, 4f, nameof(Bounce));
-        InputCheck.Within(Sway, 0f, 4f, nameof(Sway));
-        InputCheck.Within(SpineMotion, 0f, 2f, nameof(SpineMotion));
-        InputCheck.Within(HeadSteadiness, 0f, 1.3f, nameof(HeadSteadiness));
-        InputCheck.Within(TailMotion, 0f, 4f, nameof(TailMotion));
-        InputCheck.Within(Idle, 0f, 4f, nameof(Idle));
-        InputCheck.Within(Bank, 0f, 2f, nameof(Bank));
-        InputCheck.Within(Stride, 0.3f, 1.5f, nameof(Stride));
+        Finite.RequireWithin(Gravity, 0.1f, 1000f, nameof(Gravity));
+        Finite.RequireWithin(SpeedResponse, 0.1f, 100f, nameof(SpeedResponse));
+        Finite.RequireWithin(TurnResponse, 0.1f, 100f, nameof(TurnResponse));
+        Finite.RequireWithin(Lift, 0f, 4f, nameof(Lift));
+        Finite.RequireWithin(Bounce, 0f, 4f, nameof(Bounce));
+        Finite.RequireWithin(Sway, 0f, 4f, nameof(Sway));
+        Finite.RequireWithin(SpineMotion, 0f, 2f, nameof(SpineMotion));
+        Finite.RequireWithin(HeadSteadiness, 0f, 1.3f, nameof(HeadSteadiness));
+        Finite.RequireWithin(TailMotion, 0f, 4f, nameof(TailMotion));
+        Finite.RequireWithin(Idle, 0f, 4f, nameof(Idle));
+        Finite.RequireWithin(Bank, 0f, 2f, nameof(Bank));
+        Finite.RequireWithin(Stride, 0.3f, 1.5f, nameof(Stride));
         Gait?.ThrowIfInvalid();
     }
 }

@@ -27,6 +27,8 @@ public sealed class MotionProfile
         {
             Gaits = gaits ?? GaitChoice.For(Legs, LocomotionSettings.Default.Gravity);
         }
+
+        (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null);
     }
 
     /// <summary>The creature.</summary>
@@ -37,6 +39,12 @@ public sealed class MotionProfile
 
     /// <summary>Length of its rearmost legs from hip to ground, metres; 0 without legs.</summary>
     public float LegLength => Legs?.LegLength ?? 0f;
+
+    /// <summary>What swings by itself.</summary>
+    internal Springs.SpringRig[] SpringRigs { get; }
+
+    /// <summary>How each of these swings.</summary>
+    internal Springs.SpringSettings[] SpringSettings { get; }
 
     /// <summary>The body as its walk sees it; null without legs.</summary>
     internal LeggedBody? Legs { get; }

@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Gaits;
 
@@ -67,25 +68,25 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
             throw new ArgumentException("a gait has no name or no phases; expected both");
         }
 
-        InputCheck.Within(Duty.Least, 0.05f, 0.95f, Name + ".Duty.Least");
-        InputCheck.Within(Duty.Most, Duty.Least, 0.95f, Name + ".Duty.Most");
-        InputCheck.Finite(Duty.Intercept, Name + ".Duty.Intercept");
-        InputCheck.Finite(Duty.Slope, Name + ".Duty.Slope");
-        InputCheck.Within(Stride.Factor, 0.1f, 20f, Name + ".Stride.Factor");
-        InputCheck.Within(Stride.Exponent, 0f, 0.5f, Name + ".Stride.Exponent");
-        InputCheck.Within(Comfortable, 1e-3f, 100f, Name + ".Comfortable");
-        InputCheck.Within(Fastest, Comfortable, 100f, Name + ".Fastest");
-        InputCheck.Within(Lift, 0f, 5f, Name + ".Lift");
-        InputCheck.Within(Track, 0f, 2f, Name + ".Track");
-        InputCheck.Within(Crouch, 0f, 0.3f, Name + ".Crouch");
-        InputCheck.Within(ForceDip, 0f, 1f, Name + ".ForceDip");
-        InputCheck.Within(Bounce, 0f, 2f, Name + ".Bounce");
-        InputCheck.Within(BounceCap, 0f, 0.5f, Name + ".BounceCap");
-        InputCheck.Within(Emphasis, 0f, 3f, Name + ".Emphasis");
-        InputCheck.Within(ForeBias, -0.5f, 0.5f, Name + ".ForeBias");
-        InputCheck.Within(HindBias, -0.5f, 0.5f, Name + ".HindBias");
-        InputCheck.Within(Lean, -10f, 10f, Name + ".Lean");
-        InputCheck.Within(ElbowBend, 0f, 2f, Name + ".ElbowBend");
+        Finite.RequireWithin(Duty.Least, 0.05f, 0.95f, Name + ".Duty.Least");
+        Finite.RequireWithin(Duty.Most, Duty.Least, 0.95f, Name + ".Duty.Most");
+        Finite.Require(Duty.Intercept, Name + ".Duty.Intercept");
+        Finite.Require(Duty.Slope, Name + ".Duty.Slope");
+        Finite.RequireWithin(Stride.Factor, 0.1f, 20f, Name + ".Stride.Factor");
+        Finite.RequireWithin(Stride.Exponent, 0f, 0.5f, Name + ".Stride.Exponent");
+        Finite.RequireWithin(Comfortable, 1e-3f, 100f, Name + ".Comfortable");
+        Finite.RequireWithin(Fastest, Comfortable, 100f, Name + ".Fastest");
+        Finite.RequireWithin(Lift, 0f, 5f, Name + ".Lift");
+        Finite.RequireWithin(Track, 0f, 2f, Name + ".Track");
+        Finite.RequireWithin(Crouch, 0f, 0.3f, Name + ".Crouch");
+        Finite.RequireWithin(ForceDip, 0f, 1f, Name + ".ForceDip");
+        Finite.RequireWithin(Bounce, 0f, 2f, Name + ".Bounce");
+        Finite.RequireWithin(BounceCap, 0f, 0.5f, Name + ".BounceCap");
+        Finite.RequireWithin(Emphasis, 0f, 3f, Name + ".Emphasis");
+        Finite.RequireWithin(ForeBias, -0.5f, 0.5f, Name + ".ForeBias");
+        Finite.RequireWithin(HindBias, -0.5f, 0.5f, Name + ".HindBias");
+        Finite.RequireWithin(Lean, -10f, 10f, Name + ".Lean");
+        Finite.RequireWithin(ElbowBend, 0f, 2f, Name + ".ElbowBend");
     }
 }
 

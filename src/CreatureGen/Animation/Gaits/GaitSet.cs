@@ -29,9 +29,9 @@ public sealed class GaitSet
             throw new ArgumentException("there are no gaits; expected at least one", nameof(steps));
         }
 
-        InputCheck.Within(legLength, 1e-4f, 1e4f, nameof(legLength));
-        InputCheck.Within(mass, 1e-9f, 1e12f, nameof(mass));
-        InputCheck.Within(gravity, 1e-3f, 1e3f, nameof(gravity));
+        Finite.RequireWithin(legLength, 1e-4f, 1e4f, nameof(legLength));
+        Finite.RequireWithin(mass, 1e-9f, 1e12f, nameof(mass));
+        Finite.RequireWithin(gravity, 1e-3f, 1e3f, nameof(gravity));
         this.steps = new List<GaitStep>(steps).ToArray();
         for (int i = 0; i < this.steps.Length; i++)
         {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Gaits;
 
@@ -32,7 +33,7 @@ public sealed class ListedPhases : LegPhases
 
         foreach (float lag in lags)
         {
-            InputCheck.Finite(lag, nameof(lags));
+            Finite.Require(lag, nameof(lags));
         }
 
         this.lags = (float[])lags.Clone();
@@ -75,7 +76,7 @@ public sealed class WavePhases : LegPhases
     /// <param name="waves">Waves from the first pair to the last; 0 for each pair a swing later than its neighbour.</param>
     public WavePhases(WaveDirection direction, float waves)
     {
-        InputCheck.Within(waves, 0f, 64f, nameof(waves));
+        Finite.RequireWithin(waves, 0f, 64f, nameof(waves));
         this.direction = direction;
         this.waves = waves;
     }

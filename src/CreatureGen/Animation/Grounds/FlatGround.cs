@@ -18,8 +18,8 @@ public sealed class FlatGround : IGround
     /// <exception cref="ArgumentException">A number is not finite, or the normal has no direction.</exception>
     public FlatGround(Vector3 point, Vector3 normal, int surface = 0)
     {
-        InputCheck.Finite(point, nameof(point));
-        InputCheck.Finite(normal, nameof(normal));
+        Finite.Require(point, nameof(point));
+        Finite.Require(normal, nameof(normal));
         if (!(Vec.Length(normal) > Tolerance.DirectionLength))
         {
             throw new ArgumentException("the normal has no length; expected a direction out of the ground", nameof(normal));

@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Animation.RootMotion;
 
 namespace CreatureGen.Animation.Grounds;
 
@@ -21,5 +22,5 @@ public interface IMovingGround : IGround
     /// <param name="platform">Its number, from <see cref="GroundHit.Platform"/>; not 0.</param>
     /// <param name="placement">Its place; any fixed point and axes of it will do.</param>
     /// <returns>Whether there still is such a part.</returns>
-    bool TryLocate(int platform, out Placement placement);
+    bool TryLocate(int platform, out RootPlace placement);
 }

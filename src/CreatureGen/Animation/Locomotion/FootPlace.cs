@@ -1,5 +1,6 @@
 using System.Numerics;
 using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Locomotion;
@@ -29,7 +30,7 @@ internal struct FootPlace
     /// <summary>Takes note of where the place is on its platform.</summary>
     public void Attach(IMovingGround? ground)
     {
-        if (Platform == 0 || ground == null || !ground.TryLocate(Platform, out Placement at))
+        if (Platform == 0 || ground == null || !ground.TryLocate(Platform, out RootPlace at))
         {
             Platform = 0;
             return;
@@ -49,7 +50,7 @@ internal struct FootPlace
             return;
         }
 
-        if (!ground.TryLocate(Platform, out Placement at))
+        if (!ground.TryLocate(Platform, out RootPlace at))
         {
             Platform = 0;
             return;

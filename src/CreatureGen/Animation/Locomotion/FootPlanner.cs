@@ -3,6 +3,7 @@ using System.Numerics;
 using CreatureGen.Animation.Events;
 using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -48,7 +49,7 @@ internal sealed class FootPlanner
     public Foot[] Feet => feet;
 
     /// <summary>Whether a foot is in the air or away from its home.</summary>
-    public bool IsUnsettled(in Placement frame, float activity, GaitClock clock)
+    public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
     {
         for (int i = 0; i < feet.Length; i++)
         {
@@ -230,7 +231,7 @@ internal sealed class FootPlanner
 
     private void Tell(MotionEventKind kind, int leg, in StepContext step, in FootPlace place, float ago)
     {
-        float speed = (float)Math.Sqrt((step.Travel.Speed * step.Travel.Speed) + (step.Travel.Sideways * step.Travel.Sideways));
+        float speed = (float)Math.Sqrt((step.Travel.Speed * step.Travel.Speed) + (step.Travel.Sideways * step.Travel.Sideways)) * step.Frame.Scale;
         float strength = (float)PortableMath.Pi / (2f * feet.Length * step.Clock.Duty);
         strength = Scalar.Lerp(1f / feet.Length, strength, step.Activity);
         events.Add(new MotionEvent(kind, leg, body.Legs[leg].Ball, place.Position, place.Normal, place.Surface, speed, strength, step.Left + ago));
@@ -285,7 +286,7 @@ internal sealed class FootPlanner
     }
 
     /// <summary>Yaw of a heading from that of the body, radians, small angles.</summary>
-    private static float YawOf(in Placement frame, Quaternion heading)
+    private static float YawOf(in RootPlace frame, Quaternion heading)
     {
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(frame.Rotation), heading);
         return 2f * (turn.W < 0f ? -turn.Y : turn.Y);

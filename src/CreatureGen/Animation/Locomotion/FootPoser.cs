@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Locomotion;
@@ -35,17 +36,17 @@ internal static class FootPoser
     private const float BumpRate = 12f;
 
     /// <summary>Poses a foot.</summary>
-    public static void Pose(LegShape leg, ref Foot foot, in Placement frame, in GaitNumbers gait, out FootPose pose)
+    public static void Pose(LegShape leg, ref Foot foot, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
     {
         Quaternion inverse = Rotation.Inverse(frame.Rotation);
-        Vector3 from = Rotation.Rotate(inverse, foot.From.Position - frame.Position);
+        Vector3 from = frame.ToModel(foot.From.Position);
         Quaternion heading = Rotation.Multiply(inverse, foot.From.Heading);
         Vector3 normal = Rotation.Rotate(inverse, foot.From.Normal);
         foot.Lift = 0f;
         if (foot.Phase == FootPhase.Swing)
         {
             float u = foot.Swing;
-            Vector3 to = Rotation.Rotate(inverse, foot.To.Position - frame.Position);
+            Vector3 to = frame.ToModel(foot.To.Position);
             float r = Scalar.Smooth(u * (0.93f + (0.07f * u)));
             float climb = to.Y > from.Y ? Scalar.Smooth(u / 0.6f) : Scalar.Smooth((u - 0.4f) / 0.6f);
             float height = from.Y + ((to.Y - from.Y) * climb);

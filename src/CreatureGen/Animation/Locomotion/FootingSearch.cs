@@ -92,7 +92,7 @@ internal sealed class FootingSearch
     private void KeepOffEdges(in StepContext step, LegShape shape, Vector3 target, Vector3 ahead, in GroundHit hit, ref float nudge)
     {
         float most = 0.5f * (shape.Toe + shape.Heel);
-        float drop = EdgeDrop * shape.Length;
+        float drop = EdgeDrop * shape.Length * step.Frame.Scale;
         bool toes = Hangs(step, target + (ahead * (0.9f * shape.Toe)), hit, drop);
         bool heel = Hangs(step, target - (ahead * (0.9f * shape.Heel)), hit, drop);
         if (toes != heel)
@@ -116,6 +116,6 @@ internal sealed class FootingSearch
         float above = Above * body.LegLength;
         Vector3 up = step.Settings.Up;
         Vector3 origin = step.Frame.ToWorld(new Vector3(point.X, above, point.Z));
-        return step.Ground.Cast(origin, -up, above + (Below * body.LegLength), out hit) && Vec.Dot(hit.Normal, up) > Steepest;
+        return step.Ground.Cast(origin, -up, (above + (Below * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
     }
 }

@@ -3,6 +3,7 @@ using System.Numerics;
 using CreatureGen.Animation.Events;
 using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -78,7 +79,7 @@ internal sealed class LeggedMotion
     }
 
     /// <summary>Puts all feet down at home.</summary>
-    public void Stand(in Placement placement, in LocomotionSettings settings, IGround ground)
+    public void Stand(in RootPlace placement, in LocomotionSettings settings, IGround ground)
     {
         travel = default;
         activity = 0f;
@@ -104,13 +105,16 @@ internal sealed class LeggedMotion
     }
 
     /// <summary>Goes as asked.</summary>
-    public Placement Drive(Placement placement, float dt, in MotionInput input, in LocomotionSettings settings, IGround ground)
+    public RootPlace Drive(RootPlace placement, float dt, in MotionInput input, LocomotionSettings settings, IGround ground)
     {
+        // From here on in metres of the model.
+        float scale = placement.Scale;
+        settings.Gravity /= scale;
         Begin(placement, settings, ground);
         float top = settings.Gait == null ? gaits.TopSpeed : (float)Math.Sqrt(settings.Gait.Fastest * settings.Gravity * body.LegLength);
         float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
-        travel.GoalSpeed = Scalar.Clamp(input.Speed, -back, top);
-        travel.GoalSideways = Scalar.Clamp(input.Sideways, -back, back);
+        travel.GoalSpeed = Scalar.Clamp(input.Speed / scale, -back, top);
+        travel.GoalSideways = Scalar.Clamp(input.Sideways / scale, -back, back);
         travel.GoalTurn = input.TurnRate;
         travel.Rate = settings.SpeedResponse;
         int steps = dt > 0f ? Math.Max(1, (int)Math.Ceiling((dt / LongestStep) - 1e-3f)) : 0;
@@ -120,7 +124,7 @@ internal sealed class LeggedMotion
         {
             Vector3 way = travel.Advance(h, out float yaw);
             Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisTurn.Y(yaw));
-            placement = new Placement(placement.ToWorld(way), Upright(rotation, settings.Up));
+            placement = new RootPlace(placement.ToWorld(way), Upright(rotation, settings.Up), scale);
             placement = FollowGround(placement, h, settings);
             Step(placement, h, dt - ((i + 1) * h), settings, ground);
         }
@@ -130,8 +134,10 @@ internal sealed class LeggedMotion
     }
 
     /// <summary>Goes where it is put.</summary>
-    public Placement Follow(Placement placement, float dt, in Placement goal, in LocomotionSettings settings, IGround ground)
+    public RootPlace Follow(RootPlace placement, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground)
     {
+        settings.Gravity /= goal.Scale;
+        settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
         Begin(goal, settings, ground);
         if (dt > 0f)
         {
@@ -154,8 +160,9 @@ internal sealed class LeggedMotion
     }
 
     /// <summary>Writes the pose.</summary>
-    public void Pose(in Placement placement, float dt, in LocomotionSettings settings, in Pose local)
+    public void Pose(in RootPlace placement, float dt, LocomotionSettings settings, in Pose local)
     {
+        settings.Gravity /= placement.Scale;
         seconds += dt;
         local.SetToRest(body.Skeleton);
         IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle);
@@ -173,7 +180,7 @@ internal sealed class LeggedMotion
         TailCarriage.Pose(body, turns, placer, context, local);
     }
 
-    private void Begin(in Placement placement, in LocomotionSettings settings, IGround ground)
+    private void Begin(in RootPlace placement, in LocomotionSettings settings, IGround ground)
     {
         if (!standing)
         {
@@ -181,7 +188,7 @@ internal sealed class LeggedMotion
         }
     }
 
-    private void Step(in Placement placement, float h, float left, in LocomotionSettings settings, IGround ground)
+    private void Step(in RootPlace placement, float h, float left, in LocomotionSettings settings, IGround ground)
     {
         float unit = settings.Gravity * body.LegLength;
         float speed = (float)Math.Sqrt((travel.Speed * travel.Speed) + (travel.Sideways * travel.Sideways));
@@ -224,7 +231,7 @@ internal sealed class LeggedMotion
         }
     }
 
-    private void PoseFeet(in Placement placement, float dt, in LocomotionSettings settings)
+    private void PoseFeet(in RootPlace placement, float dt, in LocomotionSettings settings)
     {
         var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Lift, activity, 0f, dt);
         for (int i = 0; i < poses.Length; i++)
@@ -234,7 +241,7 @@ internal sealed class LeggedMotion
     }
 
     /// <summary>Keeps the root on the ground under the feet.</summary>
-    private Placement FollowGround(in Placement placement, float h, in LocomotionSettings settings)
+    private RootPlace FollowGround(in RootPlace placement, float h, in LocomotionSettings settings)
     {
         float height = 0.5f * (placer.HindGround + placer.ForeGround) * (1f - (float)PortableMath.Exp(-RootRate * h));
         if (height == 0f)
@@ -243,7 +250,7 @@ internal sealed class LeggedMotion
         }
 
         placer.RootRaised(height);
-        return new Placement(placement.Position + (settings.Up * height), placement.Rotation);
+        return new RootPlace(placement.Position + (settings.Up * (height * placement.Scale)), placement.Rotation, placement.Scale);
     }
 
     /// <summary>Brings the body's up onto that of the world.</summary>

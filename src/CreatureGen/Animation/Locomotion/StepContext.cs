@@ -1,12 +1,13 @@
 using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
 
 namespace CreatureGen.Animation.Locomotion;
 
 /// <summary>What the feet are told in a step of time.</summary>
 internal readonly struct StepContext
 {
-    public StepContext(Placement frame, Travel travel, GaitClock clock, LocomotionSettings settings, IGround ground, float step, float left, float activity, bool moving)
+    public StepContext(RootPlace frame, Travel travel, GaitClock clock, LocomotionSettings settings, IGround ground, float step, float left, float activity, bool moving)
     {
         Frame = frame;
         Travel = travel;
@@ -20,7 +21,7 @@ internal readonly struct StepContext
     }
 
     /// <summary>Where the creature is at the end of the step.</summary>
-    public Placement Frame { get; }
+    public RootPlace Frame { get; }
 
     public Travel Travel { get; }
 
