@@ -28,7 +28,7 @@ public sealed class MotionProfile
             Gaits = gaits ?? GaitChoice.For(Legs, LocomotionSettings.Default.Gravity);
         }
 
-        (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null);
+        (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null && !Legs.HasAbdomen);
     }
 
     /// <summary>The creature.</summary>

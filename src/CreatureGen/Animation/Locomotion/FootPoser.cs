@@ -84,11 +84,7 @@ internal static class FootPoser
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
             pose.Fold = FootRoll.Fold(foot, leg.Traits) * gait.Activity;
-            PortableMath.SinCos(pose.Fold, out double sine, out double cosine);
-            Vector3 m = leg.Metatarsus;
-
-            // The hinge of these legs is the left axis.
-            pose.Upper = leg.Thigh + new Vector3(m.X, (float)((m.Y * cosine) - (m.Z * sine)), (float)((m.Y * sine) + (m.Z * cosine)));
+            pose.Upper = leg.Thigh + (pose.Fold == 0f ? leg.Metatarsus : Vec.Rotate(leg.Metatarsus, leg.Hinge, pose.Fold));
             pose.Target = pose.Ball;
         }
         else

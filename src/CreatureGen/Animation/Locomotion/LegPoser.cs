@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.Ik;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -8,6 +9,9 @@ namespace CreatureGen.Animation.Locomotion;
 /// <summary>Writes the trunk and the legs into a local pose.</summary>
 internal sealed class LegPoser
 {
+    /// <summary>Share of the body's own axis in the plane of a leg out to the side.</summary>
+    private const float BodyShare = 0.3f;
+
     private readonly LeggedBody body;
     private readonly RestTurns turns;
 
@@ -40,20 +44,23 @@ internal sealed class LegPoser
         LegShape leg = body.Legs[index];
         Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
         Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
+        Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
+        Vector3 chord = pose.Target - hip;
         Vector3 side;
         if (leg.Lateral)
         {
-            side = Rotation.Rotate(carrier, Vector3.UnitY);
+            // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
+            Vector3 across = Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)) * (leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
+            side = across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyShare);
         }
         else
         {
             // Half with the pelvis, half with the foot.
-            Vector3 ofFoot = Rotation.Rotate(foot.Heading, Vector3.UnitX);
-            side = Rotation.Rotate(carrier, Vector3.UnitX) + (ofFoot * 0.5f) + (Vector3.UnitX * 0.5f);
+            side = carried + (Rotation.Rotate(foot.Heading, leg.Hinge) * 0.5f) + (leg.Hinge * 0.5f);
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
-        LegSolver.Solve(leg, pose.Upper, pose.Target - hip, side, slack, out LegTurns solved);
+        LegSolver.Solve(leg, pose.Upper, chord, side, slack, out LegTurns solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Slide(local, leg.Girdle, slide);
@@ -62,7 +69,7 @@ internal sealed class LegPoser
         Quaternion metatarsus;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
-            metatarsus = Rotation.Multiply(solved.Thigh, AxisTurn.X(pose.Fold));
+            metatarsus = Rotation.Multiply(solved.Thigh, Rotation.FromAxisAngle(leg.Hinge, pose.Fold));
         }
         else
         {
@@ -71,5 +78,11 @@ internal sealed class LegPoser
 
         turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
         turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
+        if (foot.Phase == FootPhase.Swing)
+        {
+            // In the air the foot gives way to the limits of its joints.
+            local.Rotations[leg.Ankle] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ankle], leg.AnkleJoint);
+            local.Rotations[leg.Ball] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ball], leg.BallJoint);
+        }
     }
 }

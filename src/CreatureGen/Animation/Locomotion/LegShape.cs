@@ -12,6 +12,9 @@ internal sealed class LegShape
     private const double LeastBend = 0.2094;
     private const double MostBend = 2.618;
 
+    /// <summary>Sine of a bend at rest that says nothing of the side to which a knee folds.</summary>
+    private const float Straight = 0.1f;
+
     public LegShape(Skeleton skeleton, LimbChain chain, int row, int trunkSlot, SoleExtent sole)
     {
         Girdle = chain.Joints[0];
@@ -48,14 +51,19 @@ internal sealed class LegShape
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
-        Hinge = Lateral ? Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX) : Vector3.UnitX;
+        Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
         Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
-        RestAcross = Vec.Cross(upper + Shank, Vector3.UnitY);
+        Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
+        AcrossSign = Vec.Dot(across, Hinge) < 0f ? -1f : 1f;
+        Skew = Hinge - (across * AcrossSign);
+        AnkleJoint = skeleton.Joints[Ankle];
+        BallJoint = skeleton.Joints[Ball];
         Vector3 a = Vec.Reject(upper, Hinge);
         Vector3 b = Vec.Reject(Shank, Hinge);
         float turn = Vec.Dot(Vec.Cross(a, b), Hinge);
-        bool foreColumn = Traits.Archetype == LimbArchetype.Column && row > 0;
-        BendSign = Traits.Bend == 0 ? Math.Sign(turn) >= 0 ? 1 : -1 : foreColumn ? -1 : Traits.Bend;
+        AngleRange fold = skeleton.Joints[Knee].Limit.SwingX;
+        bool straight = Math.Abs(turn) < Straight * Vec.Length(a) * Vec.Length(b);
+        BendSign = straight || Traits.Linkage == LegLinkage.Pantograph ? (fold.Max >= -fold.Min ? 1 : -1) : turn >= 0f ? 1 : -1;
         double la = Vec.Length(a);
         double lb = Vec.Length(b);
         Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(LeastBend)));
@@ -125,8 +133,17 @@ internal sealed class LegShape
     /// <summary>Axis about which knee and metatarsus turn.</summary>
     public Vector3 Hinge { get; }
 
-    /// <summary>Across the leg's plane at rest, for legs out to the side.</summary>
-    public Vector3 RestAcross { get; }
+    /// <summary>Of legs out to the side: whether the hinge points along the product of leg and up, or against it.</summary>
+    public float AcrossSign { get; }
+
+    /// <summary>What the hinge of a leg out to the side is off that product at rest.</summary>
+    public Vector3 Skew { get; }
+
+    /// <summary>Limits and rest of the ankle.</summary>
+    public Joint AnkleJoint { get; }
+
+    /// <summary>Limits and rest of the ball.</summary>
+    public Joint BallJoint { get; }
 
     /// <summary>Sign of the knee's bend about the hinge.</summary>
     public int BendSign { get; }

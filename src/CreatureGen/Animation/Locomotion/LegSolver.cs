@@ -42,7 +42,7 @@ internal static class LegSolver
     /// <param name="leg">At rest.</param>
     /// <param name="upper">First part at rest, from the hip to the hinge (or, with the metatarsus folded, their sum).</param>
     /// <param name="target">Where the end has to be, from the hip.</param>
-    /// <param name="side">Where the hinge has to point: for legs under the body the left axis, for legs out to the side up of the body.</param>
+    /// <param name="side">Where the hinge has to point.</param>
     /// <param name="slack">0..1: how early the reach is eased.</param>
     /// <param name="turns">The turns.</param>
     public static void Solve(LegShape leg, Vector3 upper, Vector3 target, Vector3 side, float slack, out LegTurns turns)
@@ -86,9 +86,7 @@ internal static class LegSolver
         turns.Knee = new Quaternion(n.X * halfSine, n.Y * halfSine, n.Z * halfSine, halfCosine);
 
         Vector3 chord = upper + Rotation.Rotate(turns.Knee, lower);
-        Vector3 fromSide = leg.Lateral ? Vec.Cross(chord, Vector3.UnitY) : n;
-        Vector3 toSide = leg.Lateral ? Vec.Cross(target, side) : side;
-        turns.Thigh = FrameToFrame(chord, fromSide, target, toSide);
+        turns.Thigh = FrameToFrame(chord, n, target, side);
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
     }
 

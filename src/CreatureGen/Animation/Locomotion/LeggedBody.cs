@@ -112,6 +112,9 @@ internal sealed class LeggedBody
     /// <summary>Lowest point of the trunk at rest, metres above the ground.</summary>
     public float BellyHeight { get; }
 
+    /// <summary>Whether what follows the hips is an abdomen, which does not swing like a tail.</summary>
+    public bool HasAbdomen => Creature.Blueprint.Plan is BodyPlan.Hexapod or BodyPlan.Buzzing;
+
     /// <summary>Whether it is built to hop: upright, with long feet under it and a tail to counter them.</summary>
     public bool Hops { get; }
 
