@@ -13,6 +13,9 @@ internal sealed class SecondaryMotion
     /// <summary>Part of a chain's length that its tips keep from the ground.</summary>
     private const float Thickness = 0.03f;
 
+    /// <summary>Part of a joint's limit that its spring may take up.</summary>
+    private const float SwingShare = 0.55f;
+
     private readonly SpringRig[] rigs;
     private readonly SpringSettings[] settings;
     private readonly SpringState[] states;
@@ -45,7 +48,7 @@ internal sealed class SecondaryMotion
             if (wanted && rig.Joints.Length > 0 && rig.Length > 0f)
             {
                 rigs.Add(rig);
-                settings.Add(role switch { JointRole.Tail => SpringSettings.Tail(rig.Length), JointRole.Ear => SpringSettings.Ear(rig.Length), _ => SpringSettings.Antenna(rig.Length) });
+                settings.Add(Within(role switch { JointRole.Tail => SpringSettings.Tail(rig.Length), JointRole.Ear => SpringSettings.Ear(rig.Length), _ => SpringSettings.Antenna(rig.Length) }, rig));
             }
         }
     }
@@ -77,6 +80,20 @@ internal sealed class SecondaryMotion
         {
             state.Rebase(offset);
         }
+    }
+
+    /// <summary>Settings whose swing leaves room for the motion within the narrowest joint's limits.</summary>
+    private static SpringSettings Within(in SpringSettings settings, SpringRig rig)
+    {
+        float most = settings.MostSwing;
+        foreach (int joint in rig.Joints)
+        {
+            JointLimit limit = rig.Skeleton.Joints[joint].Limit;
+            float least = Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+            most = Math.Min(most, Math.Max(SwingShare * least, 0.02f));
+        }
+
+        return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, most, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle);
     }
 
     private JointRole SkeletonRole(int chain) => rigs[chain].Skeleton.Joints[rigs[chain].Joints[0]].Role;

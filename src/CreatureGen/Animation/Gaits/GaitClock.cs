@@ -20,6 +20,9 @@ internal sealed class GaitClock
     /// <summary>Part of a gait's comfortable Froude number below which steps get shorter instead of slower.</summary>
     private const float SlowestShare = 0.25f;
 
+    /// <summary>Strides are not shortened for short legs below this part of what the gait asks for.</summary>
+    private const float ShortestShare = 0.5f;
+
     private readonly LeggedBody body;
     private readonly float[] lags;
     private float frequencyRest;
@@ -115,6 +118,8 @@ internal sealed class GaitClock
     {
         float fr = Math.Max(froude, SlowestShare * gait.Comfortable);
         float stride = body.LegLength * gait.Stride.At(fr);
+        float most = body.LongestStance(gait) / gait.Duty.At(froude);
+        stride = Math.Max(Math.Min(stride, most), ShortestShare * stride);
         return (float)Math.Sqrt(fr * gravity * body.LegLength) / stride;
     }
 

@@ -339,9 +339,10 @@ internal sealed class BodyPlacer
             float soft = 0.5f * (excess + (float)Math.Sqrt((excess * excess) + (width * width))) - (0.5f * (-4f * width + (float)Math.Sqrt(17f) * width));
             float steep = Math.Max(-chord.Y / distance, 0.35f);
             float drop = weight * Math.Min(Math.Max(soft, 0f) / steep, 0.35f * leg.Length);
-            float front = body.Rows == 1 ? 0f : leg.Row / (float)(body.Rows - 1);
-            hindDrop = Math.Max(hindDrop, drop * Math.Min(1f, 2f * (1f - front)));
-            foreDrop = Math.Max(foreDrop, drop * Math.Min(1f, 2f * front));
+
+            // Bodies on many legs come down level.
+            hindDrop = body.Rows == 2 && leg.Row == 1 ? hindDrop : Math.Max(hindDrop, drop);
+            foreDrop = body.Rows == 2 && leg.Row == 0 ? foreDrop : Math.Max(foreDrop, drop);
         }
     }
 

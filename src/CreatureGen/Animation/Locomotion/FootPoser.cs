@@ -59,7 +59,21 @@ internal static class FootPoser
                 + (foot.BumpNow * LegTraits.BumpCurve.At(u));
         }
 
-        foot.Base = from;
+        if (leg.Traits.Archetype == Anatomy.LimbArchetype.Insect)
+        {
+            // A claw is a point: the foot turns on it with the leg.
+            Vector3 claw = leg.ToeDirection * (0.5f * (leg.Toe - leg.Heel));
+            Vector3 contact = from + Rotation.Rotate(heading, claw);
+            var rest = new Vector3(leg.Home.X - leg.HipRest.X, 0f, leg.Home.Z - leg.HipRest.Z);
+            heading = Rotation.FromTo(rest, new Vector3(from.X - leg.HipRest.X, 0f, from.Z - leg.HipRest.Z));
+            foot.Base = from;
+            from = contact - Rotation.Rotate(heading, claw);
+        }
+        else
+        {
+            foot.Base = from;
+        }
+
         foot.Heading = heading;
         foot.Normal = normal;
         float pitch = (FootRoll.Pitch(foot, leg.Traits, gait.Duty) * gait.Activity) + gait.RestPitch;

@@ -12,6 +12,18 @@ internal sealed class LegShape
     private const double LeastBend = 0.2094;
     private const double MostBend = 2.618;
 
+    /// <summary>Part of the reach that a step may take up.</summary>
+    private const float Stretch = 0.975f;
+
+    /// <summary>Lowering of the body beyond its crouch that long steps may cost, leg lengths.</summary>
+    private const float MostDrop = 0.05f;
+
+    /// <summary>Part of the stance behind its middle at which the heel has begun to rise and gives length.</summary>
+    private const float RearEnd = 0.36f;
+
+    /// <summary>How far legs out to the side sweep ahead and back (tan 36°).</summary>
+    private const float SweepTangent = 0.72f;
+
     /// <summary>Sine of a bend at rest that says nothing of the side to which a knee folds.</summary>
     private const float Straight = 0.1f;
 
@@ -68,6 +80,37 @@ internal sealed class LegShape
         double lb = Vec.Length(b);
         Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(LeastBend)));
         LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
+    }
+
+    /// <summary>The longest way that the foot can go along the ground in a stance before the leg reaches too far, metres.</summary>
+    /// <param name="bias">Where the foot comes down, stance lengths ahead of home.</param>
+    /// <param name="crouch">Lowering of the body, leg lengths.</param>
+    /// <param name="slide">Share of the foot's way that the girdle goes along.</param>
+    /// <param name="track">Factor on the distance of the tracks.</param>
+    /// <param name="yaw">Yaw of the girdle with its feet, radians for each leg length: it gives legs out to the side more way.</param>
+    public float LongestStance(float bias, float crouch, float slide, float track, float yaw)
+    {
+        bool pantograph = Traits.Linkage == LegLinkage.Pantograph;
+        Vector3 rest = Thigh + Shank + (pantograph ? Metatarsus : Vector3.Zero);
+        float drop = (crouch + (Lateral ? 0.012f : MostDrop)) * Length;
+        float height = Math.Max(-rest.Y - drop, 0.2f * Length);
+        float aside = Lateral ? rest.X : rest.X + ((track - 1f) * Home.X);
+        float room = (Stretch * Stretch * Reach * Reach) - (height * height) - (aside * aside);
+        float level = (float)Math.Sqrt(Math.Max(room, 0.01f * Length * Length));
+
+        // The foot of a sprawler is set down ahead of its hip, not of its home.
+        float middle = Traits.Archetype == LimbArchetype.Sprawl ? 0.06f * Length : rest.Z;
+        float goes = Math.Max(1f - slide, 0.3f);
+        float ahead = (level - middle) / Math.Max((0.5f + bias) * goes, 0.05f);
+        float behind = (level + middle) / Math.Max((RearEnd - bias) * goes, 0.05f);
+        float most = Math.Min(ahead, behind);
+        if (Lateral)
+        {
+            float away = (float)Math.Sqrt(((Home.X - HipRest.X) * (Home.X - HipRest.X)) + ((Home.Z - HipRest.Z) * (Home.Z - HipRest.Z)));
+            most = Math.Min(most, 2f * SweepTangent * away / Math.Max(1f - (2f * yaw), 0.4f));
+        }
+
+        return Math.Max(most, 0.1f * Length);
     }
 
     public int Girdle { get; }
