@@ -14,7 +14,7 @@ internal sealed class SecondaryMotion
     private const float Thickness = 0.03f;
 
     /// <summary>Part of a joint's limit that its spring may take up.</summary>
-    private const float SwingShare = 0.55f;
+    private const float SwingShare = 0.38f;
 
     private readonly SpringRig[] rigs;
     private readonly SpringSettings[] settings;

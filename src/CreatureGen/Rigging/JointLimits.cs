@@ -25,15 +25,15 @@ internal static class JointLimits
     // Archetype: hip, knee, ankle, ball; each X least and most, Z least and most, twist least and most.
     private static readonly (LimbArchetype Archetype, short[] Degrees)[] legs =
     {
-        (LimbArchetype.DigitigradeHind, new short[] { -65, 55, -50, 20, -25, 25, -27, 100, -5, 5, -10, 10, -100, 30, -8, 8, -10, 10, -95, 60, -15, 15, -5, 5 }),
-        (LimbArchetype.DigitigradeFore, new short[] { -60, 60, -35, 20, -20, 20, -105, 27, -5, 5, -10, 10, -20, 140, -10, 10, -15, 15, -95, 60, -15, 15, -5, 5 }),
+        (LimbArchetype.DigitigradeHind, new short[] { -65, 55, -50, 20, -25, 25, -27, 100, -5, 5, -10, 10, -100, 30, -8, 8, -10, 10, -95, 60, -15, 15, -12, 12 }),
+        (LimbArchetype.DigitigradeFore, new short[] { -60, 60, -35, 20, -20, 20, -105, 27, -5, 5, -10, 10, -20, 140, -10, 10, -15, 15, -95, 60, -15, 15, -12, 12 }),
         (LimbArchetype.UnguligradeHind, new short[] { -55, 50, -35, 15, -20, 20, -25, 100, -5, 5, -8, 8, -110, 25, -5, 5, -8, 8, -60, 95, -8, 8, -5, 5 }),
         (LimbArchetype.UnguligradeFore, new short[] { -50, 50, -25, 15, -15, 15, -95, 20, -5, 5, -8, 8, -8, 130, -5, 5, -8, 8, -60, 100, -8, 8, -5, 5 }),
         (LimbArchetype.PlantigradeHind, new short[] { -100, 40, -45, 25, -35, 35, -15, 130, -5, 5, -10, 10, -35, 55, -15, 15, -12, 12, -80, 45, -10, 10, -5, 5 }),
         (LimbArchetype.PlantigradeFore, new short[] { -90, 60, -60, 30, -30, 30, -115, 25, -5, 5, -15, 15, -35, 95, -20, 20, -20, 20, -80, 50, -10, 10, -5, 5 }),
         (LimbArchetype.Column, new short[] { -45, 45, -25, 12, -15, 15, -8, 85, -4, 4, -6, 6, -45, 50, -6, 6, -6, 6, -30, 30, -5, 5, -5, 5 }),
         (LimbArchetype.Sprawl, new short[] { -45, 60, -60, 70, -60, 60, -60, 80, -15, 15, -20, 20, -60, 70, -35, 35, -25, 25, -70, 60, -25, 25, -10, 10 }),
-        (LimbArchetype.Theropod, new short[] { -60, 60, -30, 15, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -5, 5, -8, 8, -95, 70, -15, 15, -5, 5 }),
+        (LimbArchetype.Theropod, new short[] { -60, 60, -30, 15, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -5, 5, -8, 8, -95, 70, -15, 15, -12, 12 }),
         (LimbArchetype.Insect, new short[] { -60, 60, -60, 60, -40, 40, -80, 80, -10, 10, -10, 10, -50, 50, -10, 10, -10, 10, -40, 40, -10, 10, -10, 10 }),
         (LimbArchetype.Arm, new short[] { -170, 60, -110, 40, -80, 80, -80, 70, -5, 5, -8, 8, -70, 80, -30, 25, -80, 80, -60, 90, -20, 20, -10, 10 }),
     };

@@ -21,6 +21,10 @@ internal sealed class BodyPlacer
     /// <summary>Part of its reach beyond which a standing leg draws the body down.</summary>
     private const float MostStretch = 0.972f;
 
+    /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
+    private const float MostDrop = 0.35f;
+
+    private const float LateralDrop = 0.025f;
     private const float SurgeCap = 0.04f;
 
     private readonly LeggedBody body;
@@ -338,7 +342,7 @@ internal sealed class BodyPlacer
             // Softened, so that the body does not jerk as a leg comes to its end.
             float soft = 0.5f * (excess + (float)Math.Sqrt((excess * excess) + (width * width))) - (0.5f * (-4f * width + (float)Math.Sqrt(17f) * width));
             float steep = Math.Max(-chord.Y / distance, 0.35f);
-            float drop = weight * Math.Min(Math.Max(soft, 0f) / steep, 0.35f * leg.Length);
+            float drop = weight * Math.Min(Math.Max(soft, 0f) / steep, (leg.Lateral ? LateralDrop : MostDrop) * leg.Length);
 
             // Bodies on many legs come down level.
             hindDrop = body.Rows == 2 && leg.Row == 1 ? hindDrop : Math.Max(hindDrop, drop);

@@ -59,19 +59,15 @@ internal static class FootPoser
                 + (foot.BumpNow * LegTraits.BumpCurve.At(u));
         }
 
-        if (leg.Traits.Archetype == Anatomy.LimbArchetype.Insect)
+        foot.Base = from;
+        if (leg.FollowShare > 0f)
         {
-            // A claw is a point: the foot turns on it with the leg.
-            Vector3 claw = leg.ToeDirection * (0.5f * (leg.Toe - leg.Heel));
-            Vector3 contact = from + Rotation.Rotate(heading, claw);
+            // The foot turns with the leg on the middle of its sole.
+            Vector3 contact = from + Rotation.Rotate(heading, leg.SoleMiddle);
             var rest = new Vector3(leg.Home.X - leg.HipRest.X, 0f, leg.Home.Z - leg.HipRest.Z);
-            heading = Rotation.FromTo(rest, new Vector3(from.X - leg.HipRest.X, 0f, from.Z - leg.HipRest.Z));
-            foot.Base = from;
-            from = contact - Rotation.Rotate(heading, claw);
-        }
-        else
-        {
-            foot.Base = from;
+            Quaternion sweep = Rotation.FromTo(rest, new Vector3(from.X - leg.HipRest.X, 0f, from.Z - leg.HipRest.Z));
+            heading = Rotation.Nlerp(heading, sweep, leg.FollowShare);
+            from = contact - Rotation.Rotate(heading, leg.SoleMiddle);
         }
 
         foot.Heading = heading;

@@ -13,13 +13,17 @@ internal sealed class LegShape
     private const double MostBend = 2.618;
 
     /// <summary>Part of the reach that a step may take up.</summary>
-    private const float Stretch = 0.975f;
+    private const float Stretch = 0.97f;
+
+    private const float ClawStretch = 0.94f;
 
     /// <summary>Lowering of the body beyond its crouch that long steps may cost, leg lengths.</summary>
     private const float MostDrop = 0.05f;
 
     /// <summary>Part of the stance behind its middle at which the heel has begun to rise and gives length.</summary>
-    private const float RearEnd = 0.36f;
+    private const float RearEnd = 0.40f;
+
+    private const float SprawlFollow = 0.4f;
 
     /// <summary>How far legs out to the side sweep ahead and back (tan 36°).</summary>
     private const float SweepTangent = 0.72f;
@@ -63,6 +67,8 @@ internal sealed class LegShape
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
+        SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
+        FollowShare = Traits.Archetype == LimbArchetype.Insect ? 1f : Traits.Archetype == LimbArchetype.Sprawl ? SprawlFollow : 0f;
         Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
         Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
         Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
@@ -95,14 +101,16 @@ internal sealed class LegShape
         float drop = (crouch + (Lateral ? 0.012f : MostDrop)) * Length;
         float height = Math.Max(-rest.Y - drop, 0.2f * Length);
         float aside = Lateral ? rest.X : rest.X + ((track - 1f) * Home.X);
-        float room = (Stretch * Stretch * Reach * Reach) - (height * height) - (aside * aside);
+        float share = Traits.Archetype == LimbArchetype.Insect ? ClawStretch : Stretch;
+        float room = (share * share * Reach * Reach) - (height * height) - (aside * aside);
         float level = (float)Math.Sqrt(Math.Max(room, 0.01f * Length * Length));
 
         // The foot of a sprawler is set down ahead of its hip, not of its home.
         float middle = Traits.Archetype == LimbArchetype.Sprawl ? 0.06f * Length : rest.Z;
         float goes = Math.Max(1f - slide, 0.3f);
         float ahead = (level - middle) / Math.Max((0.5f + bias) * goes, 0.05f);
-        float behind = (level + middle) / Math.Max((RearEnd - bias) * goes, 0.05f);
+        float rear = Traits.Archetype == LimbArchetype.Insect ? 0.5f : RearEnd;
+        float behind = (level + middle) / Math.Max((rear - bias) * goes, 0.05f);
         float most = Math.Min(ahead, behind);
         if (Lateral)
         {
@@ -172,6 +180,12 @@ internal sealed class LegShape
 
     /// <summary>From the ball back to the heel, level.</summary>
     public float Heel { get; }
+
+    /// <summary>From the ball to the middle of the sole, level.</summary>
+    public Vector3 SoleMiddle { get; }
+
+    /// <summary>Share of the leg's sweep that its foot turns along, on the middle of its sole: all of it for claws.</summary>
+    public float FollowShare { get; }
 
     /// <summary>Axis about which knee and metatarsus turn.</summary>
     public Vector3 Hinge { get; }

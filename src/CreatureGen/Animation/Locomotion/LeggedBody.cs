@@ -56,6 +56,13 @@ internal sealed class LeggedBody
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         Neck = NeckOf(Skeleton);
         Tail = ChainOf(Skeleton, JointRole.Tail);
+        TailLimits = new float[Tail.Length];
+        for (int i = 0; i < Tail.Length; i++)
+        {
+            JointLimit limit = Skeleton.Joints[Tail[i]].Limit;
+            TailLimits[i] = Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+        }
+
         Vector3 chest = Skeleton.ModelPositions[Trunk[Trunk.Length - 1]];
         Vector3 head = Skeleton.ModelPositions[Neck.Length > 0 ? Neck[Neck.Length - 1] : Trunk[Trunk.Length - 1]];
         NeckLength = Math.Max(Vec.Distance(chest, head), 0.05f * LegLength);
@@ -89,6 +96,9 @@ internal sealed class LeggedBody
     public int[] Neck { get; }
 
     public int[] Tail { get; }
+
+    /// <summary>How far each tail joint bends to its narrowest side, radians.</summary>
+    public float[] TailLimits { get; }
 
     /// <summary>Shoulder, elbow and wrist of each arm.</summary>
     public ArmShape[] Arms { get; }

@@ -13,11 +13,21 @@ internal readonly struct SoleExtent
     /// <summary>Height below which skin is sole, part of the ball's height.</summary>
     private const float SoleShare = 0.55f;
 
-    private SoleExtent(float toe, float heel)
+    /// <summary>Layer above its lowest point that counts as the sole's surface, part of the leg's length.</summary>
+    private const float LayerShare = 0.02f;
+
+    /// <summary>Weight from which on a vertex is of the foot alone.</summary>
+    private const float Firm = 0.9f;
+
+    private SoleExtent(float toe, float heel, Vector3 middle)
     {
         Toe = toe;
         Heel = heel;
+        Middle = middle;
     }
+
+    /// <summary>From the ball to the middle of the sole's surface, level.</summary>
+    public Vector3 Middle { get; }
 
     public float Toe { get; }
 
@@ -43,6 +53,10 @@ internal readonly struct SoleExtent
 
         var toe = new float[legs.Length];
         var heel = new float[legs.Length];
+        var sum = new Vector3[legs.Length];
+        var count = new int[legs.Length];
+        var surface = new float[legs.Length];
+        Array.Fill(surface, float.MaxValue);
         ReadOnlySpan<SkinWeights> weights = creature.Mesh.Weights;
         ReadOnlySpan<Vector3> positions = creature.Mesh.Positions;
         for (int v = 0; v < positions.Length; v++)
@@ -62,12 +76,31 @@ internal readonly struct SoleExtent
             float along = Vec.Dot(positions[v] - ball, ahead[leg]);
             toe[leg] = Math.Max(toe[leg], along);
             heel[leg] = Math.Max(heel[leg], -along);
+            if (weights[v].Weights.X > Firm)
+            {
+                surface[leg] = Math.Min(surface[leg], positions[v].Y);
+            }
+        }
+
+        for (int v = 0; v < positions.Length; v++)
+        {
+            int leg = legOf[weights[v].Joint0];
+            if (leg >= 0 && weights[v].Weights.X > Firm)
+            {
+                Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
+                Vector3 hip = skeleton.ModelPositions[legs[leg].Joints[1]];
+                if (positions[v].Y < surface[leg] + (LayerShare * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z))))
+                {
+                    sum[leg] += positions[v] - ball;
+                    count[leg]++;
+                }
+            }
         }
 
         var extents = new SoleExtent[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {
-            extents[i] = new SoleExtent(toe[i], heel[i]);
+            extents[i] = new SoleExtent(toe[i], heel[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])));
         }
 
         return extents;

@@ -13,6 +13,9 @@ internal static class TailCarriage
     /// <summary>Part of the pelvis's pitch and roll that the tail takes back.</summary>
     private const float Steadiness = 0.5f;
 
+    /// <summary>Part of a joint's limit that is used; the rest is for its swing.</summary>
+    private const float MostShare = 0.4f;
+
     /// <summary>Writes the tail.</summary>
     public static void Pose(LeggedBody body, RestTurns turns, BodyPlacer placer, in BodyContext context, in Pose local)
     {
@@ -30,7 +33,8 @@ internal static class TailCarriage
         float share = 1f / count;
         for (int i = 0; i < count; i++)
         {
-            turns.Set(local, body.Tail[i], AxisTurn.YawPitchRoll(yaw * share, pitch * share, roll * share));
+            float most = MostShare * body.TailLimits[i];
+            turns.Set(local, body.Tail[i], AxisTurn.YawPitchRoll(Scalar.Clamp(yaw * share, -most, most), Scalar.Clamp(pitch * share, -most, most), roll * share));
         }
     }
 }
