@@ -54,13 +54,13 @@ public static class PantographIk
     {
         local.Require(skeleton);
         model.Require(skeleton);
-        Limbs.Require(skeleton, hip, knee);
-        Limbs.Require(skeleton, knee, ankle);
+        JointRelations.Require(skeleton, hip, knee);
+        JointRelations.Require(skeleton, knee, ankle);
         IkResult result = Solve(leg, target - model.Positions[hip], side, fold, reach, out Quaternion thigh, out Quaternion shank, out Quaternion metatarsus);
         Quaternion thighModel = Rotation.Multiply(thigh, skeleton.ModelRotations[hip]);
         Quaternion shankModel = Rotation.Multiply(shank, skeleton.ModelRotations[knee]);
         Quaternion metatarsusModel = Rotation.Multiply(metatarsus, skeleton.ModelRotations[ankle]);
-        local.Rotations[hip] = Rotation.Normalize(Rotation.Multiply(Limbs.ParentInverse(skeleton, hip, model), thighModel));
+        local.Rotations[hip] = Rotation.Normalize(Rotation.Multiply(JointRelations.ParentInverse(skeleton, hip, model), thighModel));
         local.Rotations[knee] = Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(thighModel), shankModel));
         local.Rotations[ankle] = Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(shankModel), metatarsusModel));
         Subtree.LocalToModel(skeleton, hip, local, model);

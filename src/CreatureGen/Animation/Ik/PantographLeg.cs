@@ -51,9 +51,9 @@ public readonly struct PantographLeg
     /// <exception cref="ArgumentException">The joints are not a limb.</exception>
     public static PantographLeg Of(Skeleton skeleton, int hip, int knee, int ankle, int ball)
     {
-        Limbs.Require(skeleton, hip, knee);
-        Limbs.Require(skeleton, knee, ankle);
-        Limbs.Require(skeleton, ankle, ball);
+        JointRelations.Require(skeleton, hip, knee);
+        JointRelations.Require(skeleton, knee, ankle);
+        JointRelations.Require(skeleton, ankle, ball);
         ReadOnlySpan<Vector3> p = skeleton.ModelPositions;
         Vector3 hinge = Rotation.Rotate(skeleton.ModelRotations[knee], HingeAxis.Of(skeleton.Joints[knee].Limit));
         return new PantographLeg(p[knee] - p[hip], p[ankle] - p[knee], p[ball] - p[ankle], Vec.Normalize(hinge));

@@ -59,8 +59,8 @@ public static class TwoBoneIk
     {
         local.Require(skeleton);
         model.Require(skeleton);
-        Limbs.Require(skeleton, upper, lower);
-        Limbs.Require(skeleton, lower, end);
+        JointRelations.Require(skeleton, upper, lower);
+        JointRelations.Require(skeleton, lower, end);
         Finite.RequireWithin(weight, 0f, 1f, nameof(weight));
         Quaternion lowerModel = model.Rotations[lower];
         Vector3 hinge = Rotation.Rotate(lowerModel, HingeAxis.Of(skeleton.Joints[lower].Limit));
@@ -73,7 +73,7 @@ public static class TwoBoneIk
         ReadOnlySpan<int> parents = skeleton.Parents;
         Quaternion upperModel = Rotation.Multiply(upperTurn, model.Rotations[upper]);
         Quaternion carrier = parents[lower] == upper ? upperModel : Rotation.Multiply(upperTurn, model.Rotations[parents[lower]]);
-        Quaternion upperLocal = Rotation.Multiply(Limbs.ParentInverse(skeleton, upper, model), upperModel);
+        Quaternion upperLocal = Rotation.Multiply(JointRelations.ParentInverse(skeleton, upper, model), upperModel);
         Quaternion lowerLocal = Rotation.Multiply(Rotation.Inverse(carrier), Rotation.Multiply(lowerTurn, lowerModel));
         local.Rotations[upper] = weight == 1f ? Rotation.Normalize(upperLocal) : Rotation.Slerp(local.Rotations[upper], upperLocal, weight);
         local.Rotations[lower] = weight == 1f ? Rotation.Normalize(lowerLocal) : Rotation.Slerp(local.Rotations[lower], lowerLocal, weight);

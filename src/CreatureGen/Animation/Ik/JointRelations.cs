@@ -6,7 +6,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Animation.Ik;
 
 /// <summary>What solvers ask of a skeleton.</summary>
-internal static class Limbs
+internal static class JointRelations
 {
     /// <summary>Throws unless one joint lies below another.</summary>
     public static void Require(Skeleton skeleton, int above, int below)
