@@ -30,10 +30,10 @@ public static class AimAt
             return aim;
         }
 
-        // Both lie across the aim, so the roll is about it; from opposite to opposite it is half a turn about the aim itself.
-        Quaternion roll = Vec.Dot(now, wanted) < 0f && Vec.LengthSquared(Vec.Cross(now, wanted)) <= 1e-12f * Vec.LengthSquared(now) * Vec.LengthSquared(wanted)
-            ? new Quaternion(to.X, to.Y, to.Z, 0f)
-            : Rotation.FromTo(now, wanted);
+        // Both lie across the aim, so the roll is about it and cannot tilt it, however far it goes.
+        double product = System.Math.Sqrt((double)Vec.LengthSquared(now) * Vec.LengthSquared(wanted));
+        HalfAngle.Of(Vec.Dot(now, wanted) / product, Vec.Dot(Vec.Cross(now, wanted), to) / product, out double c, out double s);
+        var roll = new Quaternion((float)(to.X * s), (float)(to.Y * s), (float)(to.Z * s), (float)c);
         return Rotation.Normalize(Rotation.Multiply(roll, aim));
     }
 }

@@ -52,7 +52,7 @@ internal static class HingedLimb
         double sinNow = Vec.Dot(Vec.Cross(a, b), hinge) / product;
         double cosThen = Scalar.Clamp(((taken * taken) - (lengthA * lengthA) - (lengthB * lengthB)) / (2 * product), -1, 1);
         double sinThen = Math.Sqrt((1 - cosThen) * (1 + cosThen));
-        HalfOf((cosThen * cosNow) + (sinThen * sinNow), (sinThen * cosNow) - (cosThen * sinNow), out double halfCos, out double halfSin);
+        HalfAngle.Of((cosThen * cosNow) + (sinThen * sinNow), (sinThen * cosNow) - (cosThen * sinNow), out double halfCos, out double halfSin);
         var bend = new Quaternion((float)(hinge.X * halfSin), (float)(hinge.Y * halfSin), (float)(hinge.Z * halfSin), (float)halfCos);
 
         Vector3 chord = upper + Rotation.Rotate(bend, lower);
@@ -89,24 +89,5 @@ internal static class HingedLimb
         Vector3 across = Vec.Reject(v, axis);
         float squared = Vec.LengthSquared(across);
         return squared > (float)(LeastSine * LeastSine) * Vec.LengthSquared(v) ? across / (float)Math.Sqrt(squared) : fallback;
-    }
-
-    /// <summary>Cosine and sine of half an angle in −π..π from those of the angle.</summary>
-    private static void HalfOf(double cosine, double sine, out double halfCosine, out double halfSine)
-    {
-        double c = Math.Sqrt(Math.Max(0, 0.5 * (1 + cosine)));
-        double s = Math.Sqrt(Math.Max(0, 0.5 * (1 - cosine)));
-
-        // The smaller of the two roots has lost its digits; the sine gives them back.
-        if (c > s)
-        {
-            halfCosine = c;
-            halfSine = 0.5 * sine / c;
-        }
-        else
-        {
-            halfCosine = 0.5 * Math.Abs(sine) / s;
-            halfSine = sine < 0 ? -s : s;
-        }
     }
 }

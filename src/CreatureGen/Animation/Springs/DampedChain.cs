@@ -23,7 +23,7 @@ public static class DampedChain
     /// <param name="model">The animated pose in model space.</param>
     /// <param name="remembered">Receives one world rotation per joint of the chain.</param>
     /// <exception cref="ArgumentException">There are not as many rotations as joints.</exception>
-    public static void Reset(ReadOnlySpan<int> joints, in Placement root, in Pose model, Span<Quaternion> remembered)
+    public static void Reset(ReadOnlySpan<int> joints, in RootPlace root, in Pose model, Span<Quaternion> remembered)
     {
         root.Require(nameof(root));
         Require(joints, remembered.Length);
@@ -44,7 +44,7 @@ public static class DampedChain
     /// <param name="local">The animated pose in the parents' space; the joints are turned.</param>
     /// <param name="model">The same in model space; brought up to date from the first joint outwards.</param>
     /// <exception cref="ArgumentException">A pose is not as long as the skeleton, there are not as many rotations as joints, or a number is not finite.</exception>
-    public static void Update(Skeleton skeleton, ReadOnlySpan<int> joints, ChainCurve rate, float most, in Placement root, float seconds, Span<Quaternion> remembered, in Pose local, in Pose model)
+    public static void Update(Skeleton skeleton, ReadOnlySpan<int> joints, ChainCurve rate, float most, in RootPlace root, float seconds, Span<Quaternion> remembered, in Pose local, in Pose model)
     {
         local.Require(skeleton);
         model.Require(skeleton);

@@ -31,13 +31,13 @@ public static class SpringBones
     /// <param name="rig">The joints.</param>
     /// <param name="state">Made for this rig; kept by the caller.</param>
     /// <param name="settings">How they move.</param>
-    /// <param name="root">Where the creature is now; <see cref="Placement.Identity"/> to feel nothing of its movement.</param>
+    /// <param name="root">Where the creature is now; <see cref="RootPlace.Identity"/> to feel nothing of its movement.</param>
     /// <param name="colliders">What they stay out of; none of it carried by the joints themselves.</param>
     /// <param name="seconds">Time since the last call; 0 poses again without moving on.</param>
     /// <param name="local">The animated pose in the parents' space; the joints are turned.</param>
     /// <param name="model">The same in model space; the joints and what hangs on them are brought up to date.</param>
     /// <exception cref="ArgumentException">The state is of another rig, a pose is not as long as the skeleton, or a number is not finite.</exception>
-    public static void Update(SpringRig rig, SpringState state, in SpringSettings settings, in Placement root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
+    public static void Update(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
     {
         local.Require(rig.Skeleton);
         model.Require(rig.Skeleton);
@@ -55,6 +55,7 @@ public static class SpringBones
         }
 
         ReadAnimation(rig, state, root, model);
+        ReadOnlySpan<SpringCollider> around = Place(colliders, state, root, model);
         if (!state.Started)
         {
             Start(rig, state, root);
@@ -66,19 +67,19 @@ public static class SpringBones
 
         if (seconds > LongestStep)
         {
-            Resume(rig, state, root, local);
+            Resume(rig, state, settings, root, local);
         }
         else
         {
-            Simulate(rig, state, settings, root, Place(colliders, state, root, model), seconds, local);
+            Simulate(rig, state, settings, root, around, seconds, local);
         }
 
-        Show(rig, state, settings, root, local, model);
+        Show(rig, state, settings, root, around, local, model);
         state.NowRotations.AsSpan().CopyTo(state.PastRotations);
         state.NowPositions.AsSpan().CopyTo(state.PastPositions);
     }
 
-    private static bool IsJump(in Placement past, in Placement now, in SpringSettings settings, float seconds)
+    private static bool IsJump(in RootPlace past, in RootPlace now, in SpringSettings settings, float seconds)
     {
         if (seconds > LongestStep || Vec.Distance(past.Position, now.Position) > settings.TeleportDistance)
         {
@@ -88,7 +89,7 @@ public static class SpringBones
         return Rotation.Angle(Rotation.Multiply(Rotation.Inverse(past.Rotation), now.Rotation)) > settings.TeleportAngle;
     }
 
-    private static void ReadAnimation(SpringRig rig, SpringState state, in Placement root, in Pose model)
+    private static void ReadAnimation(SpringRig rig, SpringState state, in RootPlace root, in Pose model)
     {
         float nought = 0f;
         for (int i = 0; i < rig.Joints.Length; i++)
@@ -106,7 +107,7 @@ public static class SpringBones
         }
     }
 
-    private static void Start(SpringRig rig, SpringState state, in Placement root)
+    private static void Start(SpringRig rig, SpringState state, in RootPlace root)
     {
         state.Started = true;
         state.Root = root;
@@ -124,13 +125,15 @@ public static class SpringBones
     }
 
     /// <summary>After a pause: shapes as they were, no velocities.</summary>
-    private static void Resume(SpringRig rig, SpringState state, in Placement root, in Pose local)
+    private static void Resume(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, in Pose local)
     {
+        float between = state.Debt / Substep;
         state.Debt = 0f;
         for (int i = 0; i < rig.Joints.Length; i++)
         {
             state.Velocities[i] = Vector3.Zero;
             state.GoalVelocities[i] = Vector3.Zero;
+            state.Offsets[i] = Vec.Lerp(state.OffsetsBefore[i], state.Offsets[i], between);
             state.OffsetsBefore[i] = state.Offsets[i];
         }
 
@@ -138,14 +141,14 @@ public static class SpringBones
         state.NowPositions.AsSpan().CopyTo(state.PastPositions);
         for (int i = 0; i < rig.Joints.Length; i++)
         {
-            Quaternion goal = Goal(rig, state, i, 1f, 0.5f, root.Scale, local, out Vector3 place);
+            Quaternion goal = Goal(rig, state, i, 1f, settings.Inherit, root.Scale, local, out Vector3 place);
             Vector3 tail = Rotation.Rotate(goal, rig.Tails[i]) * root.Scale;
             state.Goals[i] = place + tail;
             state.Rotations[i] = Rotation.Multiply(Rotation.FromTo(tail, tail + state.Offsets[i]), goal);
         }
     }
 
-    private static ReadOnlySpan<SpringCollider> Place(ReadOnlySpan<SpringCollider> colliders, SpringState state, in Placement root, in Pose model)
+    private static ReadOnlySpan<SpringCollider> Place(ReadOnlySpan<SpringCollider> colliders, SpringState state, in RootPlace root, in Pose model)
     {
         if (state.Colliders.Length < colliders.Length)
         {
@@ -178,7 +181,7 @@ public static class SpringBones
         return state.Colliders.AsSpan(0, colliders.Length);
     }
 
-    private static void Simulate(SpringRig rig, SpringState state, in SpringSettings settings, in Placement root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local)
+    private static void Simulate(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local)
     {
         float debt = state.Debt + seconds;
         int steps = (int)(debt / Substep);
@@ -221,16 +224,9 @@ public static class SpringBones
         float length = Vec.Length(tail);
         Vector3 along = tail / length;
         Vector3 bone = InCone(tail + free, along, length, cosine, sine);
-        float radius = Math.Max(settings.Radius.At(rig.Along[i]), 0f) * scale;
-        for (int round = 0; round < CollisionRounds && colliders.Length > 0; round++)
+        if (colliders.Length > 0)
         {
-            Vector3 tip = place + bone;
-            for (int c = 0; c < colliders.Length; c++)
-            {
-                tip = colliders[c].Push(tip, radius);
-            }
-
-            bone = Vec.Normalize(tip - place, along) * length;
+            bone = Outside(colliders, place, bone, length, Math.Max(settings.Radius.At(rig.Along[i]), 0f) * scale);
         }
 
         Vector3 held = bone - tail;
@@ -274,17 +270,45 @@ public static class SpringBones
         return ((axis * cosine) + (across * sine)) * length;
     }
 
+    private static Vector3 Outside(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 bone, float length, float radius)
+    {
+        for (int round = 0; round < CollisionRounds; round++)
+        {
+            for (int c = 0; c < colliders.Length; c++)
+            {
+                bone = colliders[c].Turn(place, bone, length, radius);
+            }
+        }
+
+        // Between a body and the ground, the ground wins.
+        for (int c = 0; c < colliders.Length; c++)
+        {
+            if (colliders[c].Kind == SpringColliderKind.Plane)
+            {
+                bone = colliders[c].Turn(place, bone, length, radius);
+            }
+        }
+
+        return bone;
+    }
+
     /// <summary>Poses the joints for the moment of the frame.</summary>
-    private static void Show(SpringRig rig, SpringState state, in SpringSettings settings, in Placement root, in Pose local, in Pose model)
+    private static void Show(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, in Pose local, in Pose model)
     {
         float between = state.Debt / Substep;
         Quaternion toModel = Rotation.Inverse(root.Rotation);
         for (int i = 0; i < rig.Joints.Length; i++)
         {
-            Quaternion goal = Goal(rig, state, i, 1f, settings.Inherit, root.Scale, local, out _);
+            Quaternion goal = Goal(rig, state, i, 1f, settings.Inherit, root.Scale, local, out Vector3 place);
             Vector3 tail = Rotation.Rotate(goal, rig.Tails[i]) * root.Scale;
-            Vector3 offset = Vec.Lerp(state.OffsetsBefore[i], state.Offsets[i], between);
-            state.Rotations[i] = Rotation.Normalize(Rotation.Multiply(Rotation.FromTo(tail, tail + offset), goal));
+            Vector3 bone = tail + Vec.Lerp(state.OffsetsBefore[i], state.Offsets[i], between);
+            if (colliders.Length > 0)
+            {
+                float length = Vec.Length(tail);
+                bone = Outside(colliders, place, Vec.Normalize(bone, tail / length) * length, length, Math.Max(settings.Radius.At(rig.Along[i]), 0f) * root.Scale);
+            }
+
+            state.Rotations[i] = Rotation.Normalize(Rotation.Multiply(Rotation.FromTo(tail, bone), goal));
             int joint = rig.Joints[i];
             Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(state.NowRotations[i], state.Rotations[i], settings.Weight) : state.Rotations[i];
             Quaternion inModel = Rotation.Multiply(toModel, shown);

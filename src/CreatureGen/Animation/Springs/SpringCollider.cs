@@ -7,6 +7,9 @@ namespace CreatureGen.Animation.Springs;
 /// <summary>Something that spring bones stay out of: a sphere or capsule that a joint carries or that stands in the world, or a plane with everything behind it.</summary>
 public readonly struct SpringCollider
 {
+    // Pushing a tip out and bringing its bone back to length undo a part of each other; a few rounds settle it.
+    private const int Rounds = 4;
+
     private SpringCollider(SpringColliderKind kind, int joint, Vector3 start, Vector3 end, float radius)
     {
         Kind = kind;
@@ -61,15 +64,43 @@ public readonly struct SpringCollider
         return new SpringCollider(SpringColliderKind.Plane, -1, point, Vec.Normalize(normal, Vector3.UnitY), 0f);
     }
 
-    /// <summary>A point with a radius, moved out of it; all in one space.</summary>
-    internal Vector3 Push(Vector3 point, float radius)
+    /// <summary>A bone turned about its joint until its tip, with a radius, is out of the collider, as far as a bone of its length can be; all in one space.</summary>
+    /// <param name="place">Of the joint.</param>
+    /// <param name="bone">From the joint to the tip.</param>
+    /// <param name="length">Of the bone.</param>
+    /// <param name="radius">Of the tip.</param>
+    internal Vector3 Turn(Vector3 place, Vector3 bone, float length, float radius)
     {
         if (Kind == SpringColliderKind.Plane)
         {
-            float height = Vec.Dot(point - Start, End) - radius;
-            return height < 0f ? point - (End * height) : point;
+            float rise = Vec.Dot(bone, End);
+            float least = System.Math.Min(radius - Vec.Dot(place - Start, End), length);
+            if (rise >= least)
+            {
+                return bone;
+            }
+
+            Vector3 along = Vec.Normalize(Vec.Reject(bone, End), Vec.Perpendicular(End));
+            return (End * least) + (along * (float)System.Math.Sqrt(System.Math.Max(0f, (length * length) - (least * least))));
         }
 
+        for (int round = 0; round < Rounds; round++)
+        {
+            Vector3 pushed = Push(place + bone, radius) - place;
+            if (pushed == bone)
+            {
+                break;
+            }
+
+            bone = Vec.Normalize(pushed, bone / length) * length;
+        }
+
+        return bone;
+    }
+
+    /// <summary>A point with a radius, moved out of the capsule.</summary>
+    private Vector3 Push(Vector3 point, float radius)
+    {
         Vector3 axis = End - Start;
         float squared = Vec.LengthSquared(axis);
         float t = squared > 0f ? Scalar.Clamp(Vec.Dot(point - Start, axis) / squared, 0f, 1f) : 0f;

@@ -39,7 +39,7 @@ public sealed class SpringState
     internal float Debt { get; set; }
 
     /// <summary>Where the creature was.</summary>
-    internal Placement Root { get; set; }
+    internal RootPlace Root { get; set; }
 
     /// <summary>From the goal of each tip to the tip, world axes, world metres.</summary>
     internal Vector3[] Offsets { get; }
@@ -92,13 +92,13 @@ public sealed class SpringState
         Finite.Require(offset, nameof(offset));
         if (Started)
         {
-            Root = new Placement(Root.Position + offset, Root.Rotation, Root.Scale);
+            Root = new RootPlace(Root.Position + offset, Root.Rotation, Root.Scale);
         }
     }
 
     /// <summary>Tells the springs that the creature was put elsewhere: its hanging parts keep their shape and their motion relative to it.</summary>
     /// <param name="root">Where it is now.</param>
-    public void Teleport(in Placement root)
+    public void Teleport(in RootPlace root)
     {
         root.Require(nameof(root));
         if (Started)
@@ -108,7 +108,7 @@ public sealed class SpringState
     }
 
     /// <summary>Goes over to a new place, as if the creature had only moved and turned by a share of the way.</summary>
-    internal void Carry(in Placement root, float felt)
+    internal void Carry(in RootPlace root, float felt)
     {
         Quaternion turn = Rotation.Multiply(root.Rotation, Rotation.Inverse(Root.Rotation));
         Quaternion silent = felt < 1f ? Rotation.Slerp(Quaternion.Identity, turn, 1 - felt) : Quaternion.Identity;

@@ -5,14 +5,14 @@ using CreatureGen.Maths;
 namespace CreatureGen.Animation.RootMotion;
 
 /// <summary>Where a creature's model space is in the world: turned, grown by one factor, and moved.</summary>
-public readonly struct Placement
+public readonly struct RootPlace
 {
     /// <summary>Places a creature.</summary>
     /// <param name="position">Of the model's origin, world space, metres.</param>
     /// <param name="rotation">From model to world, unit.</param>
     /// <param name="scale">World metres per model metre, above 0.</param>
     /// <exception cref="ArgumentException">A number is not finite, or the rotation is not a unit quaternion.</exception>
-    public Placement(Vector3 position, Quaternion rotation, float scale = 1f)
+    public RootPlace(Vector3 position, Quaternion rotation, float scale = 1f)
     {
         Finite.Require(position, nameof(position));
         Finite.RequireUnit(rotation, nameof(rotation));
@@ -23,7 +23,7 @@ public readonly struct Placement
     }
 
     /// <summary>At the origin, unturned, at its own size.</summary>
-    public static Placement Identity { get; } = new(Vector3.Zero, Quaternion.Identity);
+    public static RootPlace Identity { get; } = new(Vector3.Zero, Quaternion.Identity);
 
     /// <summary>Of the model's origin, world space, metres.</summary>
     public Vector3 Position { get; }
@@ -45,7 +45,7 @@ public readonly struct Placement
     {
         if (!(Scale > 0f))
         {
-            throw new ArgumentException("a placement without size; expected Placement.Identity or one made by its constructor", name);
+            throw new ArgumentException("a place without size; expected RootPlace.Identity or one made by its constructor", name);
         }
     }
 }
