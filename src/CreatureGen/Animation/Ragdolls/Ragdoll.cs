@@ -25,7 +25,8 @@ public static class Ragdoll
     private const int Rounds = 2;
     private const float AllowanceRate = 2f;
     private const float CalmSeconds = 0.5f;
-    private const float CalmShare = 0.03f;
+    private const float CalmShare = 0.012f;
+    private const float TurningArm = 0.1f;
 
     /// <summary>Takes over from a motion.</summary>
     /// <param name="rig">The parts.</param>
@@ -130,10 +131,10 @@ public static class Ragdoll
 
         state.Debt += Math.Min(seconds, LongestStep);
         float letOut = Damping.Left(AllowanceRate, Substep);
-        while (state.Debt >= Substep)
+        while (state.Debt >= RagdollTuning.Substep)
         {
-            state.Debt -= Substep;
-            RagdollSolver.Advance(state, settings, Substep, Rounds, ground);
+            state.Debt -= RagdollTuning.Substep;
+            RagdollSolver.Advance(state, settings, RagdollTuning.Substep, RagdollTuning.Rounds, ground);
             for (int c = 0; c < state.Allowances.Length; c++)
             {
                 state.Allowances[c] *= letOut;
@@ -234,11 +235,15 @@ public static class Ragdoll
     {
         float size = rig.Size * state.Scale;
         float speed = 0f;
+        float mass = 0f;
         for (int i = 0; i < rig.Count; i++)
         {
-            speed = Math.Max(speed, Vec.Length(state.Velocities[i]) + (Vec.Length(state.Spins[i]) * 0.1f * size));
+            float turning = Vec.LengthSquared(state.Spins[i]) * TurningArm * TurningArm * size * size;
+            speed += (Vec.LengthSquared(state.Velocities[i]) + turning) / rig.Parts[i].InverseMass;
+            mass += 1f / rig.Parts[i].InverseMass;
         }
 
+        speed = (float)Math.Sqrt(speed / mass);
         state.Speed = speed;
         float calm = CalmShare * (float)Math.Sqrt(size * Vec.Length(settings.Gravity));
         state.Calm = speed <= calm ? state.Calm + Substep : 0f;
