@@ -10,12 +10,14 @@ namespace CreatureGen.Animation.Ragdolls;
 /// <summary>A creature as rigid parts that hang together at its joints. Immutable.</summary>
 /// <remarks>
 /// Every joint that holds skin and can turn makes a part, with mass and inertia of its capsule; eyes, jaws, ears, feelers and fins are one with what carries them. No part is lighter than
-/// 1/500 of the whole, and thin ones resist turning as if they were stouter: toes on a trunk would otherwise take many more rounds to solve, and nobody sees the difference.
+/// 1/250 of the whole, and all resist turning as much as an ellipsoid that reaches 1.2 times as far as their farthest joint: with a joint far out on a part that is easily turned, positions would take many rounds
+/// to solve, and nobody sees the difference.
 /// </remarks>
 public sealed class RagdollRig
 {
-    private const float LeastMassShare = 0.002f;
+    private const float LeastMassShare = 0.004f;
     private const float LeastStoutness = 0.35f;
+    private const float LeastArmShare = 1.2f;
     private readonly RagdollPart[] parts;
     private readonly RagdollContact[] contacts;
     private readonly int[] partOfJoint;
@@ -142,9 +144,9 @@ public sealed class RagdollRig
     private RagdollPart Part(Skeleton skeleton, List<int> owners, PartMass[] masses, int i, int parent, float total)
     {
         int joint = owners[i];
-        float mass = Math.Max(masses[i].Volume / total, RagdollTuning.Mass);
+        float mass = Math.Max(masses[i].Volume / total, LeastMassShare);
         Vector3 centre = masses[i].Centre;
-        Vector3 inertia = masses[i].Inertia(RagdollTuning.Stout, mass, RagdollTuning.Arm * Arm(skeleton, owners, centre, i));
+        Vector3 inertia = masses[i].Inertia(LeastStoutness, mass, LeastArmShare * Arm(skeleton, owners, centre, i));
         if (parent < 0)
         {
             return new RagdollPart(joint, -1, centre, mass, inertia, Vector3.Zero, Quaternion.Identity, JointLimit.Free);
