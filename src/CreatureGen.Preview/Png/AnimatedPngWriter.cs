@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using CreatureGen.Png;
 using CreatureGen.Preview.Pictures;
 
 namespace CreatureGen.Preview.Png;
@@ -63,7 +64,7 @@ public sealed class AnimatedPngWriter
         int height = frame.Height;
         if (last is null)
         {
-            PngChunks.WriteStart(stream, width, height, frame.Layout);
+            PngChunks.WriteStart(stream, width, height, frame.Layout == PixelLayout.Rgb ? PngPixels.Rgb : PngPixels.Rgba);
             Span<byte> control = stackalloc byte[8];
             PngChunks.PutBigEndian(control, (uint)frames);
             PngChunks.PutBigEndian(control[4..], 0);

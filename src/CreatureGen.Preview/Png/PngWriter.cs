@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using CreatureGen.Preview.Pictures;
+using CreatureGen.Png;
 
 namespace CreatureGen.Preview.Png;
 
@@ -12,16 +13,7 @@ public static class PngWriter
     public static void Write(Picture picture, Stream stream)
     {
         ArgumentNullException.ThrowIfNull(picture);
-        ArgumentNullException.ThrowIfNull(stream);
-        if (!stream.CanWrite)
-        {
-            throw new ArgumentException("the stream cannot be written; expected one that can", nameof(stream));
-        }
-
-        byte[] filtered = PngFilter.Apply(picture.Bytes, picture.Stride, picture.Stride, picture.Height, picture.BytesPerPixel);
-        PngChunks.WriteStart(stream, picture.Width, picture.Height, picture.Layout);
-        PngChunks.Write(stream, "IDAT"u8, Deflater.Compress(filtered).Bytes, default);
-        PngChunks.WriteEnd(stream);
+        PngEncoder.Write(picture.Bytes, picture.Width, picture.Height, picture.Layout == PixelLayout.Rgb ? PngPixels.Rgb : PngPixels.Rgba, stream);
     }
 
     /// <summary>The bytes of the PNG file of <paramref name="picture"/>.</summary>

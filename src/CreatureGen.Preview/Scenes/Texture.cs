@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Maths;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Preview.Pictures;

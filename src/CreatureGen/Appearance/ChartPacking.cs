@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Geometry;
 
@@ -7,13 +8,19 @@ namespace CreatureGen.Appearance;
 /// <summary>
 /// Lays the texture charts of a surface side by side in the unit square, all at one density.
 /// </summary>
-/// <remarks>Charts stand on shelves, the tallest first; the density is the largest, found by bisection, at which all shelves fit.</remarks>
+/// <remarks>
+/// The tallest chart comes first, each as high up as it fits under the outline of those before it; the density is the largest, found by bisection, at which all fit.
+/// Based on: J. Jylänki 2010, "A thousand ways to pack the bin" (skyline, bottom left).
+/// </remarks>
 internal sealed class ChartPacking
 {
     /// <summary>Free space around a chart, as a part of the picture's side: two texels of a picture of 512.</summary>
     private const float Margin = 2f / 512f;
 
     private const int Bisections = 16;
+
+    /// <summary>Places for plain texels in the free row above all charts, where pieces without a chart lie.</summary>
+    private const int Swatches = 8;
 
     private readonly Vector2[] low;
     private readonly Vector2[] place;
@@ -31,6 +38,16 @@ internal sealed class ChartPacking
 
     /// <summary>Where a point of a chart lies in the picture, 0..1.</summary>
     public Vector2 Map(int chart, Vector2 texcoord) => place[chart] + ((texcoord - low[chart]) * density);
+
+    /// <summary>The middle of a place for plain texels.</summary>
+    /// <param name="swatch">0..7.</param>
+    public static Vector2 Swatch(int swatch) => new((swatch + 0.5f) * Margin, 0.5f * Margin);
+
+    /// <summary>Whether texture coordinates are those of plain texels.</summary>
+    public static bool IsSwatch(Vector2 texcoord) => texcoord.Y < Margin && texcoord.X < Swatches * Margin;
+
+    /// <summary>Texels along a side of a place for plain texels, in a picture of a size.</summary>
+    public static int SwatchSide(int size) => (int)(Margin * size);
 
     /// <summary>Packs all charts of a surface.</summary>
     public static ChartPacking Pack(Surface surface)
@@ -73,12 +90,13 @@ internal sealed class ChartPacking
 
         Array.Sort(order, (a, b) => height[a] != height[b] ? height[b].CompareTo(height[a]) : a.CompareTo(b));
         var place = new Vector2[count];
+        var outline = new List<Step>(count + 2);
         float fits = 0f;
         float tooLarge = 1f / (float)Math.Sqrt(Math.Max(area, 1e-6f));
         for (int round = 0; round < Bisections; round++)
         {
             float middle = (fits + tooLarge) / 2f;
-            if (Shelve(order, low, high, middle, place))
+            if (Place(order, low, high, middle, place, outline))
             {
                 fits = middle;
             }
@@ -88,7 +106,7 @@ internal sealed class ChartPacking
             }
         }
 
-        Shelve(order, low, high, fits, place);
+        Place(order, low, high, fits, place, outline);
         return new ChartPacking(low, place, fits);
     }
 
@@ -96,31 +114,86 @@ internal sealed class ChartPacking
 
     private static float Most(float bound, float a, float b, float c, float d) => Math.Max(bound, Math.Max(Math.Max(a, b), Math.Max(c, d)));
 
-    private static bool Shelve(int[] order, Vector2[] low, Vector2[] high, float density, Vector2[] place)
+    /// <summary>Puts each chart as high up as it fits, left before right, under the outline of those already placed; false when one does not fit.</summary>
+    private static bool Place(int[] order, Vector2[] low, Vector2[] high, float density, Vector2[] place, List<Step> outline)
     {
-        float x = Margin;
-        float y = Margin;
-        float shelf = 0f;
+        outline.Clear();
+        outline.Add(new Step(0f, 1f, 0f));
         foreach (int chart in order)
         {
-            Vector2 size = (high[chart] - low[chart]) * density;
-            if (x + size.X + Margin > 1f)
+            Vector2 room = ((high[chart] - low[chart]) * density) + new Vector2(Margin, Margin);
+            int best = -1;
+            float least = 1f - Margin - room.Y;
+            for (int i = 0; i < outline.Count; i++)
             {
-                x = Margin;
-                y += shelf + Margin;
-                shelf = 0f;
+                float below = Lowest(outline, i, room.X);
+                if (below < least)
+                {
+                    best = i;
+                    least = below;
+                }
             }
 
-            if (x + size.X + Margin > 1f || y + size.Y + Margin > 1f)
+            if (best < 0)
             {
                 return false;
             }
 
-            place[chart] = new Vector2(x, y);
-            x += size.X + Margin;
-            shelf = Math.Max(shelf, size.Y);
+            place[chart] = new Vector2(outline[best].From + Margin, least + Margin);
+            Cover(outline, best, new Step(outline[best].From, outline[best].From + room.X, least + room.Y));
         }
 
         return true;
+    }
+
+    /// <summary>Where a chart that starts at a step may begin downwards; infinite when it does not fit to the right of there.</summary>
+    private static float Lowest(List<Step> outline, int first, float width)
+    {
+        float end = outline[first].From + width;
+        if (end > 1f - Margin)
+        {
+            return float.PositiveInfinity;
+        }
+
+        float below = 0f;
+        for (int i = first; i < outline.Count && outline[i].From < end; i++)
+        {
+            below = Math.Max(below, outline[i].Below);
+        }
+
+        return below;
+    }
+
+    /// <summary>Lays a new step over the outline.</summary>
+    private static void Cover(List<Step> outline, int at, Step step)
+    {
+        outline.Insert(at, step);
+        int next = at + 1;
+        while (next < outline.Count && outline[next].To <= step.To)
+        {
+            outline.RemoveAt(next);
+        }
+
+        if (next < outline.Count)
+        {
+            outline[next] = new Step(step.To, outline[next].To, outline[next].Below);
+        }
+    }
+
+    /// <summary>A level part of the outline: how far down the picture is taken between two places.</summary>
+    private readonly struct Step
+    {
+        public Step(float from, float to, float below)
+        {
+            From = from;
+            To = to;
+            Below = below;
+        }
+
+        public float From { get; }
+
+        public float To { get; }
+
+        public float Below { get; }
     }
 }

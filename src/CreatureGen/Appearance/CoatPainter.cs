@@ -61,21 +61,38 @@ internal sealed class CoatPainter
     public Vector3 At(in VertexAddress address, Vector3 position, Vector3 normal)
     {
         var place = new SkinPlace(address, position, normal, subject.Body);
+        return Colour(place, pattern.At(PatternAt(place)));
+    }
+
+    /// <summary>The two colours of a place between which the pattern goes, linearly: without and with the full pattern. They change slowly over the surface; the pattern does not.</summary>
+    public CoatRange RangeAt(in VertexAddress address, Vector3 position, Vector3 normal)
+    {
+        var place = new SkinPlace(address, position, normal, subject.Body);
+        return new CoatRange(Colour(place, 0f), Colour(place, 1f), PatternAt(place));
+    }
+
+    /// <summary>Share of the full pattern at a place, 0..1.</summary>
+    public float PatternShare(in PatternPlace place) => pattern.At(place);
+
+    private PatternPlace PatternAt(in SkinPlace place) => new(place.Position, Run(place), place.Around);
+
+    private Vector3 Colour(in SkinPlace place, float patternShare)
+    {
         Vector3 colour = place.Region switch
         {
             SurfaceRegion.Mouth => palette.MouthInside,
             SurfaceRegion.Hoof => palette.Claw * Scalar.Lerp(1.15f, 0.8f, Scalar.Smooth(place.Normal.Y + 0.5f)),
             SurfaceRegion.EarInside => palette.EarInside,
-            _ => Skin(place),
+            _ => Skin(place, patternShare),
         };
         float grain = 0.94f + (0.12f * ValueNoise.At(place.Position * 9f, salt));
         colour *= grain;
         return new Vector3(Limit(colour.X), Limit(colour.Y), Limit(colour.Z));
     }
 
-    private Vector3 Skin(in SkinPlace place)
+    private Vector3 Skin(in SkinPlace place, float patternShare)
     {
-        Vector3 colour = Undercoat(place);
+        Vector3 colour = Undercoat(place, patternShare);
         if (place.IsTrunk)
         {
             return head.Over(tail.Over(colour, place), place);
@@ -84,7 +101,7 @@ internal sealed class CoatPainter
         return place.IsLimb ? Limb(colour, place) : blades.Over(colour, place);
     }
 
-    private Vector3 Undercoat(in SkinPlace place)
+    private Vector3 Undercoat(in SkinPlace place, float patternShare)
     {
         float ventral = Countershade(place) + (0.10f * (ValueNoise.At(place.Position * 5f, salt + 1) - 0.5f));
         float belly = Scalar.Smooth((ventral - 0.52f) / 0.30f);
@@ -94,7 +111,7 @@ internal sealed class CoatPainter
         float drift = ValueNoise.At(place.Position * 2.3f, salt + 2) - 0.5f;
         Vector3 colour = Vec.Lerp(palette.Base, drift > 0f ? palette.Back : palette.Belly, 0.34f * Math.Abs(drift));
         colour = Vec.Lerp(colour, palette.Back, back);
-        float mask = pattern.At(new PatternPlace(place.Position, Run(place), place.Around)) * strength * (1f - (0.75f * belly));
+        float mask = patternShare * strength * (1f - (0.75f * belly));
         if (place.IsLimb)
         {
             mask *= 1f - (0.6f * Scalar.Smooth((place.Along - 0.45f) / 0.4f));

@@ -26,6 +26,19 @@ internal static class ValueNoise
         return Lerp(below, above, w);
     }
 
+    /// <summary>The same over a plane.</summary>
+    public static float At(Vector2 point, int salt)
+    {
+        int x = Floor(point.X);
+        int y = Floor(point.Y);
+        float u = Ease(point.X - x);
+        float v = Ease(point.Y - y);
+        uint x0 = LatticeHash.AlongX(x);
+        uint x1 = LatticeHash.AlongX(unchecked(x + 1));
+        uint rest = LatticeHash.Salt(salt);
+        return Lerp(Edge(x0, x1, LatticeHash.AlongY(y) ^ rest, u), Edge(x0, x1, LatticeHash.AlongY(unchecked(y + 1)) ^ rest, u), v);
+    }
+
     private static float Edge(uint x0, uint x1, uint rest, float u) =>
         Lerp(LatticeHash.Unit(LatticeHash.Mix(x0 ^ rest)), LatticeHash.Unit(LatticeHash.Mix(x1 ^ rest)), u);
 

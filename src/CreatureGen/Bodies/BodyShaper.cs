@@ -75,7 +75,7 @@ internal static class BodyShaper
     }
 
     /// <summary>How far a ring of a legless body lies on the ground, 0..1.</summary>
-    public static double Lying(BodyPlan plan, int ring) => plan == BodyPlan.Legless ? Scalar.Smooth((ring - 24) / 7.0) : 0;
+    public static double Lying(BodyPlan plan, int ring) => plan == BodyPlan.Legless ? Scalar.Smooth((ring - 21) / 7.0) : 0;
 
     private static void Interpolate(ReadOnlySpan<double> stations, Span<double> rings)
     {

@@ -49,42 +49,17 @@ public static class CreatureAssembler
         observer?.StageFinished(AssemblyStage.Skin);
 
         var colours = new Vector3[surface.Positions.Length];
-        new CoatPainter(blueprint.Coat, Subject(blueprint, grown, eye)).Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
-        CreatureMesh mesh = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
+        new CoatPainter(blueprint.Coat, CoatSubjects.Of(blueprint, grown, eye)).Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
+        CreatureMesh full = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
         observer?.StageFinished(AssemblyStage.Appearance);
 
         MassProperties mass = Weigh(surface, scale);
-        IReadOnlyList<CapsuleCollider> bones = BoneCapsules.Fit(finished.Skeleton, mesh.Weights, mesh.Positions);
+        IReadOnlyList<CapsuleCollider> bones = BoneCapsules.Fit(finished.Skeleton, full.Weights, full.Positions);
+        CreatureMesh mesh = CreatureLevels.Within(blueprint.TriangleBudget, full);
         var creature = new Creature(blueprint, mesh, finished.Skeleton, finished.Limbs, finished.AttachmentPoints, finished.Body, bones, mass, finished.StandingHeight, LocomotionSpeed.Of(blueprint, finished));
         observer?.StageFinished(AssemblyStage.Finish);
         return creature;
     }
-
-    private static CoatSubject Subject(CreatureBlueprint blueprint, GrownSurface grown, EyeFrame eye)
-    {
-        var wings = new WingStyle[grown.Appendages.Count];
-        for (int i = 0; i < blueprint.Wings.Count; i++)
-        {
-            wings[blueprint.Legs.Count + i] = blueprint.Wings[i].Style;
-        }
-
-        return new CoatSubject(grown.Skin.Shape)
-        {
-            Snout = SnoutOf(blueprint.Body.Blend.First),
-            Mark = blueprint.Body.Blend.First == "insect" ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
-            Tail = blueprint.Tail.Style,
-            WingStyles = wings,
-            EyeCentre = eye.Centre,
-            EyeRadius = eye.Radius,
-        };
-    }
-
-    private static SnoutCoat SnoutOf(string body) => body switch
-    {
-        "canine" or "feline" or "bovine" => SnoutCoat.Leather,
-        "avian" => SnoutCoat.Beak,
-        _ => SnoutCoat.Bare,
-    };
 
     private static MassProperties Weigh(Surface surface, float scale)
     {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Threading;
 using CreatureGen.Geometry;
 using CreatureGen.Skinning;
 
@@ -27,6 +28,7 @@ public sealed class CreatureMesh
     private readonly Vector3[] colours;
     private readonly SkinWeights[] weights;
     private readonly int[] triangles;
+    private CreatureLevels? levels;
 
     /// <summary>Takes ownership of the arrays.</summary>
     /// <exception cref="ArgumentException">Arrays differ in length, an index is out of range, or the parts do not cover the triangles.</exception>
@@ -89,4 +91,22 @@ public sealed class CreatureMesh
 
     /// <summary>The triangles by material, in order.</summary>
     public IReadOnlyList<MeshPart> Parts { get; }
+
+    /// <summary>How much larger a viewer takes each vertex's piece for than it is; null when all are taken as they are.</summary>
+    internal float[]? Attention { get; init; }
+
+    /// <summary>Coarser triangles over the same vertices. Made when first asked for.</summary>
+    public CreatureLevels Levels
+    {
+        get
+        {
+            // Threads that ask at the same time make the same levels; the first to finish is kept.
+            CreatureLevels? made = Volatile.Read(ref levels);
+            return made ?? Interlocked.CompareExchange(ref levels, CreatureLevels.Of(this), null) ?? levels;
+        }
+    }
+
+    /// <summary>Other triangles over the same vertices, which are shared.</summary>
+    internal CreatureMesh With(int[] otherTriangles, IReadOnlyList<MeshPart> otherParts) =>
+        new(positions, normals, texcoords, colours, weights, otherTriangles, otherParts) { Attention = Attention };
 }

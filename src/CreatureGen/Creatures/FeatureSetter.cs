@@ -17,6 +17,9 @@ internal sealed class FeatureSetter
 {
     private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
 
+    /// <summary>Eyes that look are looked at first; a face without them is none.</summary>
+    private const float EyeAttention = 3f;
+
     private readonly CreatureBlueprint blueprint;
     private readonly GrownSurface grown;
     private readonly CoatPalette palette;
@@ -66,10 +69,11 @@ internal sealed class FeatureSetter
     {
         EyeBlueprint eye = blueprint.Head.Eyes;
         EyeFrame frame = EyeOf(blueprint, grown);
-        builder.Clear();
+        builder.Clear(SurfaceFinish.Eye);
         EyeShape.Append(builder, frame, eye.Style, palette.Iris);
         Piece left = builder.ToPiece(MaterialKind.Skin);
         left.JointName = "Eye_L";
+        left.Attention = eye.Style == EyeStyle.Compound ? 1f : EyeAttention;
         pieces.Add(left);
         Piece right = PieceMirror.Mirror(left);
         right.JointName = "Eye_R";
@@ -131,7 +135,7 @@ internal sealed class FeatureSetter
                 points.Add(new SurfacePoint(grown.Surface.Positions[lip[k]], normals[lip[k]]));
             }
 
-            builder.Clear();
+            builder.Clear(SurfaceFinish.Tooth);
             ToothRow.Append(builder, points.ToArray(), direction, length, toothColour);
             builder.AppendMirrored(0, 0);
             AddRigid(joint);
@@ -143,7 +147,7 @@ internal sealed class FeatureSetter
         foreach (DigitTip tip in grown.Tips)
         {
             float floor = tip.Position.Y < 3f * tip.Radius ? 0f : float.NegativeInfinity;
-            builder.Clear();
+            builder.Clear(SurfaceFinish.Horn);
             if (tip.Kind == DigitTipKind.Nail)
             {
                 NailShape.Append(builder, tip.Position, tip.Direction, tip.Radius, floor, palette.Claw);
@@ -167,7 +171,7 @@ internal sealed class FeatureSetter
         int ring = (int)feature.Ring;
         bool median = feature.Segment is 0 or 16;
         var curve = new FeatureCurve(feature, grown.Skin.At(feature.Ring, feature.Segment), shape.Forward(ring), Vector3.UnitY, 1f);
-        builder.Clear();
+        builder.Clear(SurfaceFinish.Horn);
         if (feature.Kind == FeatureKind.Antenna)
         {
             AntennaShape.Append(builder, feature, curve, 1f, palette.Limb * 0.8f, palette.Accent);
@@ -200,7 +204,7 @@ internal sealed class FeatureSetter
     private void AddInsectWing(InsectWingBlueprint wing)
     {
         SurfacePoint skin = grown.Skin.At(wing.Ring, wing.Segment);
-        builder.Clear();
+        builder.Clear(SurfaceFinish.Wing);
         InsectWingShape.Append(builder, skin, wing, 1f, Vec.Lerp(palette.Accent, Vector3.One, 0.55f), palette.Base * 0.4f);
         AddChain(LimbKind.InsectWing, wing.Ring, InsectWingShape.JointPoints(skin, wing, 1f), MaterialKind.Membrane);
     }

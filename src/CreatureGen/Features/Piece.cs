@@ -31,6 +31,12 @@ internal sealed class Piece
 
     public MaterialKind Material { get; set; }
 
+    /// <summary>What it feels like.</summary>
+    public SurfaceFinish Finish { get; set; }
+
+    /// <summary>How much larger a viewer takes it for than it is: what is looked at keeps its detail longer.</summary>
+    public float Attention { get; set; } = 1f;
+
     public PieceBinding Binding { get; set; }
 
     public string JointName { get; set; } = "";

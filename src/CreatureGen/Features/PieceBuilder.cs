@@ -1,6 +1,5 @@
 using System.Numerics;
 using System;
-using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 
@@ -16,6 +15,7 @@ internal sealed class PieceBuilder
     private Vector3[] normals = new Vector3[512];
     private Vector3[] colours = new Vector3[512];
     private int[] triangles = new int[3072];
+    private SurfaceFinish finish;
 
     /// <summary>Number of vertices so far.</summary>
     public int VertexCount { get; private set; }
@@ -26,9 +26,11 @@ internal sealed class PieceBuilder
     /// <summary>Place of a vertex.</summary>
     public Vector3 Position(int vertex) => positions[vertex];
 
-    /// <summary>Forgets all vertices and triangles, keeps the buffers.</summary>
-    public void Clear()
+    /// <summary>Begins another piece: forgets all vertices and triangles, keeps the buffers.</summary>
+    /// <param name="finish">What the next piece feels like.</param>
+    public void Clear(SurfaceFinish finish = SurfaceFinish.Skin)
     {
+        this.finish = finish;
         VertexCount = 0;
         IndexCount = 0;
     }
@@ -166,6 +168,7 @@ internal sealed class PieceBuilder
             Normals = normals.AsSpan(0, VertexCount).ToArray(),
             Colours = colours.AsSpan(0, VertexCount).ToArray(),
             Triangles = triangles.AsSpan(0, IndexCount).ToArray(),
+            Finish = finish,
             Material = material,
         };
     }

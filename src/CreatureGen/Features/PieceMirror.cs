@@ -33,6 +33,8 @@ internal static class PieceMirror
             Colours = piece.Colours,
             Triangles = triangles,
             Material = piece.Material,
+            Finish = piece.Finish,
+            Attention = piece.Attention,
             Binding = piece.Binding,
             JointName = piece.JointName,
             SurfaceVertex = piece.SurfaceVertex,

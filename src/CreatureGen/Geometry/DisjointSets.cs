@@ -32,7 +32,8 @@ internal readonly ref struct DisjointSets
         return 1;
     }
 
-    private int Root(int i)
+    /// <summary>The number that stands for the set of another: equal for two numbers of one set.</summary>
+    public int Root(int i)
     {
         while (parents[i] != i)
         {

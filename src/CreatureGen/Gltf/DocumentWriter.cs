@@ -25,26 +25,42 @@ internal static class DocumentWriter
     private const int ElementArrayBuffer = 34963;
 
     /// <summary>Writes the whole document.</summary>
-    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, MeshBuffers buffers, (Vector3 Min, Vector3 Max) box)
+    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, LevelStack levels, MeshBuffers buffers, (Vector3 Min, Vector3 Max) box)
     {
-        List<MaterialKind> materials = Materials(creature.Mesh);
+        List<MaterialKind> materials = Materials(levels.Mesh);
         json.BeginObject();
         WriteAsset(json, creature.Blueprint, options);
+        if (levels.Count > 1)
+        {
+            json.Name("extensionsUsed").BeginArray().Text(NodeTree.LevelExtension).EndArray();
+        }
+
         json.Name("scene").Number(0);
         json.Name("scenes").BeginArray().BeginObject();
         json.Name("nodes").BeginArray().Number(NodeTree.MeshNode).Number(NodeTree.FirstJointNode).EndArray();
         json.EndObject().EndArray();
         json.Name("nodes");
-        NodeTree.Write(json, creature);
-        WriteMesh(json, creature.Mesh, buffers, materials);
+        NodeTree.Write(json, creature, levels.Count);
+        json.Name("meshes").BeginArray();
+        for (int i = 0; i < levels.Count; i++)
+        {
+            WriteMesh(json, levels, i, buffers, materials);
+        }
+
+        json.EndArray();
         WriteSkin(json, creature.Skeleton.Joints.Count, buffers);
         json.Name("materials").BeginArray();
         foreach (MaterialKind material in materials)
         {
-            WriteMaterial(json, material);
+            WriteMaterial(json, material, plan.Blocks.Count > 0);
         }
 
         json.EndArray();
+        if (plan.Blocks.Count > 0)
+        {
+            TextureWriter.Write(json, plan);
+        }
+
         WriteAccessors(json, plan, buffers.Positions, box);
         WriteBufferViews(json, plan);
         json.Name("buffers").BeginArray().BeginObject().Name("byteLength").Number(plan.ByteLength).EndObject().EndArray();
@@ -64,6 +80,16 @@ internal static class DocumentWriter
             json.Name("options").Text(options.Provenance);
         }
 
+        if (options.Levels != LevelChoice.Finest)
+        {
+            json.Name("levels").Text(options.Levels.ToString().ToLowerInvariant());
+        }
+
+        if (options.TextureSize != 0)
+        {
+            json.Name("textureSize").Number(options.TextureSize);
+        }
+
         json.Name(BlueprintName);
         WriteBlueprint(json, blueprint);
         json.EndObject().EndObject().EndObject();
@@ -81,29 +107,35 @@ internal static class DocumentWriter
         }
     }
 
-    private static void WriteMesh(JsonWriter json, CreatureMesh mesh, MeshBuffers buffers, List<MaterialKind> materials)
+    private static void WriteMesh(JsonWriter json, LevelStack levels, int level, MeshBuffers buffers, List<MaterialKind> materials)
     {
-        json.Name("meshes").BeginArray().BeginObject();
-        json.Name("name").Text(NodeTree.MeshName);
+        json.BeginObject();
+        json.Name("name").Text(NodeTree.NameOfLevel(level));
         json.Name("primitives").BeginArray();
-        for (int i = 0; i < mesh.Parts.Count; i++)
+        (int first, int count) = levels.PartsOf(level);
+        for (int i = first; i < first + count; i++)
         {
             json.BeginObject();
             json.Name("attributes").BeginObject();
             json.Name("POSITION").Number(buffers.Positions.Index);
             json.Name("NORMAL").Number(buffers.Normals.Index);
+            if (buffers.Tangents != null)
+            {
+                json.Name("TANGENT").Number(buffers.Tangents.Index);
+            }
+
             json.Name("TEXCOORD_0").Number(buffers.Texcoords.Index);
             json.Name("COLOR_0").Number(buffers.Colours.Index);
             json.Name("JOINTS_0").Number(buffers.Joints.Index);
             json.Name("WEIGHTS_0").Number(buffers.Weights.Index);
             json.EndObject();
             json.Name("indices").Number(buffers.Indices[i].Index);
-            json.Name("material").Number(materials.IndexOf(mesh.Parts[i].Material));
+            json.Name("material").Number(materials.IndexOf(levels.Mesh.Parts[i].Material));
             json.EndObject();
         }
 
         json.EndArray();
-        json.EndObject().EndArray();
+        json.EndObject();
     }
 
     private static void WriteSkin(JsonWriter json, int jointCount, MeshBuffers buffers)
@@ -122,16 +154,27 @@ internal static class DocumentWriter
         json.EndObject().EndArray();
     }
 
-    /// <summary>Writes a material. All colour is in the vertices, so that the base colour is white.</summary>
-    private static void WriteMaterial(JsonWriter json, MaterialKind material)
+    /// <summary>Writes a material. All colour is in the vertices or the atlas, so that the base colour is white.</summary>
+    private static void WriteMaterial(JsonWriter json, MaterialKind material, bool textured)
     {
         json.BeginObject();
         json.Name("name").Text(material == MaterialKind.Membrane ? "Membrane" : "Skin");
         json.Name("pbrMetallicRoughness").BeginObject();
         json.Name("baseColorFactor").BeginArray().Number(1).Number(1).Number(1).Number(1).EndArray();
         json.Name("metallicFactor").Number(0);
-        json.Name("roughnessFactor").Number(Roughness);
+        json.Name("roughnessFactor").Number(textured ? 1 : Roughness);
+        if (textured)
+        {
+            TextureWriter.Refer(json, "baseColorTexture", TextureImages.BaseColour);
+            TextureWriter.Refer(json, "metallicRoughnessTexture", TextureImages.Roughness);
+        }
+
         json.EndObject();
+        if (textured)
+        {
+            TextureWriter.Refer(json, "normalTexture", TextureImages.Normal);
+        }
+
         if (material == MaterialKind.Membrane)
         {
             json.Name("doubleSided").Boolean(true);
@@ -181,6 +224,15 @@ internal static class DocumentWriter
                 json.Name("target").Number(accessor.Target == BufferTarget.Vertices ? ArrayBuffer : ElementArrayBuffer);
             }
 
+            json.EndObject();
+        }
+
+        foreach ((int offset, int byteLength) in plan.Blocks)
+        {
+            json.BeginObject();
+            json.Name("buffer").Number(0);
+            json.Name("byteOffset").Number(offset);
+            json.Name("byteLength").Number(byteLength);
             json.EndObject();
         }
 

@@ -68,7 +68,12 @@ internal static class ExportCheck
 
     private static void RequireAttachmentPoints(Creature creature)
     {
-        var names = new HashSet<string>(StringComparer.Ordinal) { NodeTree.MeshName };
+        var names = new HashSet<string>(StringComparer.Ordinal);
+        for (int level = 0; level < CreatureLevels.Shares.Count; level++)
+        {
+            names.Add(NodeTree.NameOfLevel(level));
+        }
+
         foreach (Joint joint in creature.Skeleton.Joints)
         {
             RequireNew(joint.Name, names, "joint " + joint.Name);

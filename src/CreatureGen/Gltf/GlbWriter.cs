@@ -7,7 +7,7 @@ using CreatureGen.Json;
 
 namespace CreatureGen.Gltf;
 
-/// <summary>Writes creatures as binary glTF 2.0 (GLB), core features only, one creature to a file.</summary>
+/// <summary>Writes creatures as binary glTF 2.0 (GLB), core features only unless levels of detail are asked for, one creature to a file.</summary>
 /// <remarks>
 /// The scene has two roots: the node <c>Creature</c> with the skinned mesh, and the root joint. Every joint is a node of its own name; attachment
 /// points are leaves of their joints, turned so that their +Y is the outward direction of the skin. Lengths are in metres, +Y is up, the creature faces +Z.
@@ -16,8 +16,12 @@ namespace CreatureGen.Gltf;
 /// (<c>normal</c> in model space, <c>width</c>); on the root joint <c>body</c> (its capsule), <c>limbs</c>, <c>massProperties</c>, <c>standingHeight</c> and <c>defaultSpeed</c>, in model space;
 /// and on the asset <c>creaturegen</c> with the seed, the version of the algorithm, the options and the blueprint, which <see cref="GlbReader"/> reads back.
 /// </para>
+/// <para>
+/// With <see cref="LevelChoice.All"/> the node <c>Creature</c> has the extension <c>MSFT_lod</c>, which names the nodes <c>Creature_LOD1</c> to <c>Creature_LOD3</c>; these are in no scene,
+/// and their meshes share the vertices and the skin of the first.
+/// </para>
 /// <para>The bytes depend on nothing but the arguments. Safe to call from several threads at once, with different streams.</para>
-/// Based on: Khronos Group, "glTF 2.0 Specification" (2021).
+/// Based on: Khronos Group, "glTF 2.0 Specification" (2021); Microsoft, "MSFT_lod" (glTF vendor extension).
 /// </remarks>
 public static class GlbWriter
 {
@@ -26,7 +30,7 @@ public static class GlbWriter
     /// <param name="options">How it is written.</param>
     /// <param name="destination">Takes the bytes; is neither flushed nor closed.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">The destination cannot be written to, or the shading is none of the known ones.</exception>
+    /// <exception cref="ArgumentException">The destination cannot be written to, the size of textures is out of its range, or the shading or the choice of levels is none of the known ones.</exception>
     /// <exception cref="InvalidOperationException">The creature holds something that a file must not, such as a number that is not finite or weights that do not sum to one. The message says what and where.</exception>
     public static void Write(Creature creature, GltfOptions options, Stream destination)
     {
@@ -39,22 +43,30 @@ public static class GlbWriter
         }
 
         ExportCheck.Require(creature);
-        CreatureMesh mesh = options.Shading switch
-        {
-            Shading.Smooth => creature.Mesh,
-            Shading.Flat => FlatShading.Split(creature.Mesh),
-            _ => throw new ArgumentException(FormattableString.Invariant($"shading {(int)options.Shading}; expected Smooth or Flat"), nameof(options)),
-        };
+        LevelStack levels = LevelStack.Of(creature.Mesh, options);
+        TextureImages? images = options.TextureSize == 0 ? null : TextureImages.Of(creature, options.TextureSize);
+        TangentFrames? frames = images == null ? null : TangentFrames.Of(levels.Mesh);
+        levels = frames == null ? levels : levels.Over(frames.Mesh);
         var plan = new BufferPlan();
-        var buffers = new MeshBuffers(mesh, creature.Skeleton, plan);
+        var buffers = new MeshBuffers(levels.Mesh, frames?.Tangents ?? default, creature.Skeleton, plan);
+        foreach (byte[] file in images?.Files ?? Array.Empty<byte[]>())
+        {
+            plan.AddBlock(file.Length);
+        }
+
         byte[] rented = ArrayPool<byte>.Shared.Rent(plan.ByteLength);
         try
         {
             Span<byte> binary = rented.AsSpan(0, plan.ByteLength);
             plan.Pad(binary);
             (Vector3 Min, Vector3 Max) box = buffers.Write(binary);
+            for (int i = 0; i < plan.Blocks.Count; i++)
+            {
+                images!.Files[i].CopyTo(binary.Slice(plan.Blocks[i].Offset));
+            }
+
             var json = new JsonWriter(JsonLayout.Compact);
-            DocumentWriter.Write(json, creature, options, plan, buffers, box);
+            DocumentWriter.Write(json, creature, options, plan, levels, buffers, box);
             GlbContainer.Write(destination, json.ToUtf8(), binary);
         }
         finally

@@ -9,6 +9,15 @@ public sealed record GltfOptions
     /// <summary>How light falls on the triangles.</summary>
     public Shading Shading { get; init; } = Shading.Smooth;
 
+    /// <summary>Which levels of detail are written. Default: <see cref="LevelChoice.Finest"/>.</summary>
+    public LevelChoice Levels { get; init; } = LevelChoice.Finest;
+
+    /// <summary>
+    /// Texels along a side of the texture atlas in the file (base colour, normals, roughness as PNG), a power of two 256..4096. Default: 0, no atlas: all colour is in the vertices.
+    /// With an atlas, vertices of the skin are white and those of eyes, claws and teeth keep their colour.
+    /// </summary>
+    public int TextureSize { get; init; }
+
     /// <summary>
     /// The options that the creature was generated with, as text, kept in the file as <c>asset.extras.creaturegen.options</c>; null leaves it out.
     /// The writer does not read it: it should depend on nothing but the options, or equal creatures get different files.

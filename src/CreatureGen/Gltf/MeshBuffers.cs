@@ -13,19 +13,26 @@ internal sealed class MeshBuffers
     private const int LastShortIndex = ushort.MaxValue - 1;
 
     private readonly CreatureMesh mesh;
+    private readonly ReadOnlyMemory<Vector4> tangents;
     private readonly Skeleton skeleton;
     private readonly List<Accessor> indices = new();
 
     /// <summary>Appends the accessors of <paramref name="mesh"/> and of the skin of <paramref name="skeleton"/> to <paramref name="plan"/>.</summary>
-    public MeshBuffers(CreatureMesh mesh, Skeleton skeleton, BufferPlan plan)
+    /// <param name="mesh">What is drawn.</param>
+    /// <param name="tangents">One per vertex; empty for a mesh without a normal map.</param>
+    /// <param name="skeleton">Its joints.</param>
+    /// <param name="plan">Takes the accessors.</param>
+    public MeshBuffers(CreatureMesh mesh, ReadOnlyMemory<Vector4> tangents, Skeleton skeleton, BufferPlan plan)
     {
         this.mesh = mesh;
+        this.tangents = tangents;
         this.skeleton = skeleton;
         int vertices = mesh.Positions.Length;
         ComponentFormat joint = skeleton.Joints.Count > byte.MaxValue ? ComponentFormat.Short : ComponentFormat.Byte;
         ComponentFormat index = vertices - 1 > LastShortIndex ? ComponentFormat.Integer : ComponentFormat.Short;
         Positions = plan.Add(ElementShape.Vector3, ComponentFormat.Float, vertices, BufferTarget.Vertices);
         Normals = plan.Add(ElementShape.Vector3, ComponentFormat.Float, vertices, BufferTarget.Vertices);
+        Tangents = tangents.IsEmpty ? null : plan.Add(ElementShape.Vector4, ComponentFormat.Float, vertices, BufferTarget.Vertices);
         Texcoords = plan.Add(ElementShape.Vector2, ComponentFormat.Float, vertices, BufferTarget.Vertices);
         Colours = plan.Add(ElementShape.Vector4, ComponentFormat.ShortFraction, vertices, BufferTarget.Vertices);
         Joints = plan.Add(ElementShape.Vector4, joint, vertices, BufferTarget.Vertices);
@@ -41,6 +48,9 @@ internal sealed class MeshBuffers
     public Accessor Positions { get; }
 
     public Accessor Normals { get; }
+
+    /// <summary>Null without a normal map.</summary>
+    public Accessor? Tangents { get; }
 
     public Accessor Texcoords { get; }
 
@@ -62,6 +72,11 @@ internal sealed class MeshBuffers
     {
         (Vector3 Min, Vector3 Max) box = VertexWriter.Positions(mesh.Positions, BufferPlan.Bytes(Positions, binary));
         VertexWriter.Normals(mesh.Normals, BufferPlan.Bytes(Normals, binary));
+        if (Tangents != null)
+        {
+            VertexWriter.Tangents(tangents.Span, BufferPlan.Bytes(Tangents, binary));
+        }
+
         VertexWriter.Texcoords(mesh.Texcoords, BufferPlan.Bytes(Texcoords, binary));
         VertexWriter.Colours(mesh.Colours, BufferPlan.Bytes(Colours, binary));
         WriteJoints(BufferPlan.Bytes(Joints, binary));

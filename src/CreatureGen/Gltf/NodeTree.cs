@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Creatures;
@@ -8,7 +9,8 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Gltf;
 
 /// <summary>
-/// The nodes of a file: the skinned mesh, then the joints in the order of the skeleton, then the attachment points as leaves of their joints.
+/// The nodes of a file: the skinned mesh, then the joints in the order of the skeleton, then the attachment points as leaves of their joints,
+/// then one for each coarser level of detail.
 /// </summary>
 internal static class NodeTree
 {
@@ -21,12 +23,21 @@ internal static class NodeTree
     /// <summary>Number of the node of joint 0, the other root of the scene.</summary>
     public const int FirstJointNode = 1;
 
+    /// <summary>The extension that ties the levels of detail together.</summary>
+    public const string LevelExtension = "MSFT_lod";
+
+    /// <summary>Part of the screen's area down to which each level is drawn: until then it typically strays about two pixels of 1920 × 1080 from the finest. The last is drawn however small it is.</summary>
+    private static readonly double[] screenCoverage = { 0.1, 0.03, 0.006, 0 };
+
+    /// <summary>Name of the node and of the mesh of a level.</summary>
+    public static string NameOfLevel(int level) => level == 0 ? MeshName : FormattableString.Invariant($"{MeshName}_LOD{level}");
+
     /// <summary>Writes the array of nodes.</summary>
-    public static void Write(JsonWriter json, Creature creature)
+    public static void Write(JsonWriter json, Creature creature, int levels)
     {
         IReadOnlyList<Joint> joints = creature.Skeleton.Joints;
         json.BeginArray();
-        json.BeginObject().Name("name").Text(MeshName).Name("mesh").Number(0).Name("skin").Number(0).EndObject();
+        WriteLevel(json, 0, levels, FirstJointNode + joints.Count + creature.AttachmentPoints.Count);
         List<int>[] children = Children(creature);
         for (int i = 0; i < joints.Count; i++)
         {
@@ -38,7 +49,37 @@ internal static class NodeTree
             WriteAttachmentPoint(json, point, joints[point.Joint]);
         }
 
+        for (int level = 1; level < levels; level++)
+        {
+            WriteLevel(json, level, 0, 0);
+        }
+
         json.EndArray();
+    }
+
+    /// <summary>Writes the node of a skinned mesh; the finest of several levels names the nodes of the others.</summary>
+    private static void WriteLevel(JsonWriter json, int level, int levels, int firstOther)
+    {
+        json.BeginObject().Name("name").Text(NameOfLevel(level)).Name("mesh").Number(level).Name("skin").Number(0);
+        if (levels > 1)
+        {
+            json.Name("extensions").BeginObject().Name(LevelExtension).BeginObject().Name("ids").BeginArray();
+            for (int i = 1; i < levels; i++)
+            {
+                json.Number(firstOther + i - 1);
+            }
+
+            json.EndArray().EndObject().EndObject();
+            json.Name("extras").BeginObject().Name("MSFT_screencoverage").BeginArray();
+            for (int i = 0; i < levels; i++)
+            {
+                json.Number(screenCoverage[i]);
+            }
+
+            json.EndArray().EndObject();
+        }
+
+        json.EndObject();
     }
 
     private static void WriteJoint(JsonWriter json, Creature creature, int index, List<int> children)

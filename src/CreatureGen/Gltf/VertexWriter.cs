@@ -49,6 +49,24 @@ internal static class VertexWriter
         }
     }
 
+    /// <summary>Writes tangents, four floats each.</summary>
+    /// <exception cref="InvalidOperationException">A tangent is not of unit length, or its side is not ±1.</exception>
+    public static void Tangents(ReadOnlySpan<Vector4> tangents, Span<byte> destination)
+    {
+        for (int i = 0; i < tangents.Length; i++)
+        {
+            Vector4 t = tangents[i];
+            var direction = new Vector3(t.X, t.Y, t.Z);
+            if (!(Math.Abs(Vec.LengthSquared(direction) - 1f) <= 2f * Tolerance.UnitLength) || Math.Abs(t.W) != 1f)
+            {
+                throw ExportError.At(Vertex(i), "its tangent is " + ExportError.Text(direction) + FormattableString.Invariant($" with side {t.W}"), "a unit vector and a side of 1 or −1");
+            }
+
+            Write(destination.Slice(16 * i, 12), direction);
+            LittleEndian.Write(destination, (16 * i) + 12, t.W);
+        }
+    }
+
     /// <summary>Writes texture coordinates, two floats each.</summary>
     /// <exception cref="InvalidOperationException">A coordinate is not finite.</exception>
     public static void Texcoords(ReadOnlySpan<Vector2> texcoords, Span<byte> destination)

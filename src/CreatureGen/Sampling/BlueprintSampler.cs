@@ -25,7 +25,11 @@ public static class BlueprintSampler
 
     /// <summary>The blueprint of a seed within options. Options that the seed's own creature meets do not change it.</summary>
     /// <exception cref="ArgumentException">The options are not valid, or no creature meets them; the message says why.</exception>
-    public static CreatureBlueprint Sample(ulong seed, CreatureOptions options)
+    public static CreatureBlueprint Sample(ulong seed, CreatureOptions options) => Sample(seed, options, out _);
+
+    /// <summary>The same, and how the sockets of its limbs were given out.</summary>
+    /// <exception cref="ArgumentException">The options are not valid, or no creature meets them; the message says why.</exception>
+    public static CreatureBlueprint Sample(ulong seed, CreatureOptions options, out SocketTally sockets)
     {
         options.ThrowIfInvalid();
         var choice = new PlanChoice(options);
@@ -35,7 +39,7 @@ public static class BlueprintSampler
             CreatureDraft? draft = Stand(attempt == 0 ? root : root.Child("attempt").Child(attempt), choice, options);
             if (draft != null)
             {
-                return Finish(seed, draft, options);
+                return Finish(seed, draft, options, out sockets);
             }
         }
 
@@ -67,10 +71,12 @@ public static class BlueprintSampler
         }
     }
 
-    private static CreatureBlueprint Finish(ulong seed, CreatureDraft draft, CreatureOptions options)
+    private static CreatureBlueprint Finish(ulong seed, CreatureDraft draft, CreatureOptions options, out SocketTally sockets)
     {
         FinSampler.Sample(draft);
+        int refused = draft.Sockets.Refusals;
         HeadSampler.AddEars(draft);
+        sockets = new SocketTally(refused, draft.Sockets.Refusals - refused, draft.Sockets.TakenCells);
         FeatureSampler.Sample(draft, options.Ornaments);
         HeadBlueprint head = HeadSampler.Sample(draft);
         CoatBlueprint coat = CoatSampler.Sample(draft, options.Palette);

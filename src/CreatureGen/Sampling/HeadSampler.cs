@@ -11,6 +11,9 @@ namespace CreatureGen.Sampling;
 /// <summary>Draws the face: bumps of the skull, eyes, mouth, nostrils, ears.</summary>
 internal static class HeadSampler
 {
+    /// <summary>Metres between an open jaw and the ground, with room for the chin and the gap between closed lips.</summary>
+    private const double JawClearance = 0.05;
+
     /// <summary>The face of the draft.</summary>
     public static HeadBlueprint Sample(CreatureDraft draft)
     {
@@ -125,6 +128,21 @@ internal static class HeadSampler
         double beak = CreatureDraft.Choose(random, (0.0, 1), (0.06, 1), (0.2, 1));
         bool toothed = random.Chance(family.Teeth);
         opening = family.Body switch { "bovine" => 0, "fish" => Math.Min(opening, 0.12), "avian" => beak, _ => opening };
-        return new MouthBlueprint(family.MouthCorner, family.MouthCorner == 0 ? 0 : opening, smile, toothed && opening > 0.05 ? 0.14 : 0);
+        opening = family.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(draft));
+        return new MouthBlueprint(family.MouthCorner, opening, smile, toothed && opening > 0.05 ? 0.14 : 0);
+    }
+
+    /// <summary>How far a walker may open its mouth before the lower jaw touches the ground, radians.</summary>
+    private static double WidestOpening(CreatureDraft draft)
+    {
+        if (draft.Kind != LocomotionKind.Walking)
+        {
+            return double.PositiveInfinity;
+        }
+
+        BodyShape s = draft.Shape;
+        int hinge = Math.Min(draft.Family.MouthCorner + 3, 14);
+        double jaw = s.Arc[hinge] - s.Arc[0] + s.Bottom[0];
+        return Math.Max(0, (StanceSampler.Lowest(s, 0, hinge) - JawClearance) / jaw);
     }
 }

@@ -115,7 +115,14 @@ internal static class StanceSampler
         draft.Shape = ShapeOf(draft);
     }
 
-    /// <summary>Raises a head or a tail that is too low, and straightens an upright trunk that leans too far. True if anything changed.</summary>
+    /// <summary>Whether the raised front of a legless body nearly tips it over the front end of the trunk that lies on the ground.</summary>
+    private static bool IsFrontHeavy(BodyShape s)
+    {
+        double front = s.Z[26];
+        return CentreOfMass(s) > front - (0.12 * (front - s.Z[BodyGrid.Rings - 1]));
+    }
+
+    /// <summary>Raises a head or a tail that is too low, rears up a legless body that is heavy in front, and straightens an upright trunk that leans too far. True if anything changed.</summary>
     private static bool Adjust(CreatureDraft draft)
     {
         BodyShape s = draft.Shape;
@@ -142,6 +149,11 @@ internal static class StanceSampler
             }
         }
 
+        if (draft.Plan == BodyPlan.Legless && IsFrontHeavy(s))
+        {
+            neck += lift;
+        }
+
         if (draft.Plan == BodyPlan.Upright && torsoPitch < Scalar.Radians(80))
         {
             double ahead = CentreOfMass(s) - s.Z[40];
@@ -160,7 +172,7 @@ internal static class StanceSampler
     private static double LyingElevation(BodyShape s)
     {
         double elevation = 0;
-        for (int i = 12; i < 30; i++)
+        for (int i = 12; i < 27; i++)
         {
             double below = s.Bottom[i] - s.Y[i];
             elevation = Math.Max(elevation, below / (1 - BodyShaper.Lying(BodyPlan.Legless, i)));

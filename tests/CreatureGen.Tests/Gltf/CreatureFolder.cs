@@ -1,21 +1,31 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using CreatureGen.Tests.Gltf;
+using Xunit;
+
+[assembly: AssemblyFixture(typeof(CreatureFolder))]
 
 namespace CreatureGen.Tests.Gltf;
 
-/// <summary>A temporary folder of creature files, which goes when the tests that share it are done.</summary>
+/// <summary>A temporary folder of creature files, written when a test first wants one; it goes when all tests are done.</summary>
 public sealed class CreatureFolder : IDisposable
 {
-    public CreatureFolder()
+    private readonly Lazy<(string Path, IReadOnlyList<CreatureFile> Files)> content = new(() =>
     {
-        Path = Directory.CreateTempSubdirectory("creaturegen-").FullName;
-        Files = CreatureFiles.Write(Path);
+        string path = Directory.CreateTempSubdirectory("creaturegen-").FullName;
+        return (path, CreatureFiles.Write(path));
+    });
+
+    public string Path => content.Value.Path;
+
+    internal IReadOnlyList<CreatureFile> Files => content.Value.Files;
+
+    public void Dispose()
+    {
+        if (content.IsValueCreated)
+        {
+            Directory.Delete(content.Value.Path, recursive: true);
+        }
     }
-
-    public string Path { get; }
-
-    internal IReadOnlyList<CreatureFile> Files { get; }
-
-    public void Dispose() => Directory.Delete(Path, recursive: true);
 }

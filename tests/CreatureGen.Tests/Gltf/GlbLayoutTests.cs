@@ -138,7 +138,9 @@ public sealed class GlbLayoutTests
         {
             MeshPart part = creature.Mesh.Parts[i];
             Assert.Equal(primitives[0].GetProperty("attributes").GetRawText(), primitives[i].GetProperty("attributes").GetRawText());
-            Assert.Equal(creature.Mesh.Triangles.Slice(part.FirstIndex, part.IndexCount).ToArray().Select(x => (double)x), file.Numbers(primitives[i].GetProperty("indices").GetInt32()));
+            Assert.Equal(
+                creature.Mesh.Triangles.Slice(part.FirstIndex, part.IndexCount).ToArray().Select(x => (double)x).Chunk(3).Select(t => (t[0], t[1], t[2])).Order(),
+                file.Numbers(primitives[i].GetProperty("indices").GetInt32()).Chunk(3).Select(t => (t[0], t[1], t[2])).Order());
             JsonElement material = file.Json.GetProperty("materials")[primitives[i].GetProperty("material").GetInt32()];
             Assert.Equal(part.Material.ToString(), material.GetProperty("name").GetString());
             Assert.Equal(part.Material == MaterialKind.Membrane, material.TryGetProperty("doubleSided", out JsonElement both) && both.GetBoolean());
@@ -182,7 +184,7 @@ public sealed class GlbLayoutTests
         triangles[0] = vertices - 1;
         GlbFile file = GlbFile.Of(SampleCreature.With(creature, Grow(mesh.Positions), Grow(mesh.Normals), Grow(mesh.Texcoords), Grow(mesh.Colours), Grow(mesh.Weights), triangles));
         int indices = file.Primitive.GetProperty("indices").GetInt32();
-        Assert.Equal(vertices - 1, file.Numbers(indices)[0]);
+        Assert.Contains(vertices - 1, file.Numbers(indices));
         return (file.Accessor(indices).GetProperty("componentType").GetInt32(), file.Accessor(file.Attribute("POSITION")).GetProperty("count").GetInt32());
     }
 

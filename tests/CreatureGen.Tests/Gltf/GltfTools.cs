@@ -15,20 +15,10 @@ internal static class GltfTools
     /// <summary>The folder of the programs, found upwards from that of the tests.</summary>
     public static string Folder { get; } = Find();
 
-    /// <summary>Runs a script on a folder and returns its exit code and what it printed. Skips the test when there is no Node, but fails it in CI.</summary>
+    /// <summary>Runs a script on a folder and returns its exit code and what it printed. Skips the test where Node or the packages cannot be had, but fails it when the environment variable CI is set.</summary>
     public static async Task<(int ExitCode, string Output, string Errors)> RunAsync(string script, string argument, CancellationToken cancellation)
     {
-        try
-        {
-            await StartAsync("node", ["--version"], cancellation);
-        }
-        catch (Win32Exception)
-        {
-            const string Missing = "Node is not installed; it runs the glTF validator and the independent reader";
-            Assert.True(string.IsNullOrEmpty(Environment.GetEnvironmentVariable("CI")), Missing);
-            Assert.Skip(Missing);
-        }
-
+        await RequireAsync("node", "Node is not installed; it runs the glTF validator and the independent reader", cancellation);
         await InstallAsync(cancellation);
         return await StartAsync("node", [script, argument], cancellation);
     }
@@ -45,8 +35,30 @@ internal static class GltfTools
         }
 
         string npm = OperatingSystem.IsWindows() ? "npm.cmd" : "npm";
+        await RequireAsync(npm, "npm is not installed; it installs the glTF validator and the independent reader", cancellation);
         (int code, string output, string errors) = await StartAsync(npm, ["ci", "--prefer-offline", "--no-audit", "--no-fund"], cancellation);
-        Assert.True(code == 0, "npm ci failed in tests/gltf-tools: " + output + errors);
+        if (code != 0)
+        {
+            Miss("npm ci failed in tests/gltf-tools: " + output + errors);
+        }
+    }
+
+    private static async Task RequireAsync(string program, string missing, CancellationToken cancellation)
+    {
+        try
+        {
+            await StartAsync(program, ["--version"], cancellation);
+        }
+        catch (Win32Exception)
+        {
+            Miss(missing);
+        }
+    }
+
+    private static void Miss(string reason)
+    {
+        Assert.True(string.IsNullOrEmpty(Environment.GetEnvironmentVariable("CI")), reason);
+        Assert.Skip(reason);
     }
 
     private static async Task<FileStream> LockAsync(string path, CancellationToken cancellation)

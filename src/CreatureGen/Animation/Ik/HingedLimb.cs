@@ -14,7 +14,6 @@ namespace CreatureGen.Animation.Ik;
 /// </remarks>
 internal static class HingedLimb
 {
-    private const double LeastSine = 1e-4;
     private const double ReachedShare = 1e-4;
 
     /// <summary>Solves for the turns that take each part from where it is to where it has to be.</summary>
@@ -56,10 +55,11 @@ internal static class HingedLimb
         var bend = new Quaternion((float)(hinge.X * halfSin), (float)(hinge.Y * halfSin), (float)(hinge.Z * halfSin), (float)halfCos);
 
         Vector3 chord = upper + Rotation.Rotate(bend, lower);
-        Vector3 along = asked > 1e-6 * (lengthA + lengthB) ? target / (float)asked : Vec.Normalize(upper + lower, upper / Vec.Length(upper));
-        Vector3 chordAlong = Vec.Normalize(chord, Vec.Perpendicular(hinge));
-        upperTurn = FrameToFrame(chordAlong, hinge, along, side);
-        lowerTurn = Rotation.Normalize(Rotation.Multiply(upperTurn, bend));
+        Vector3 along = asked > 1e-6 * (lengthA + lengthB) ? target / (float)asked : Vec.Normalize(upper + lower, Vec.Normalize(upper));
+        float chordLength = Vec.Length(chord);
+        Vector3 chordAlong = chordLength > 1e-6f * (float)(lengthA + lengthB) ? chord / chordLength : Vec.Perpendicular(hinge);
+        upperTurn = UnitTurn.Frame(chordAlong, hinge, along, side);
+        lowerTurn = Rotation.Multiply(upperTurn, bend);
         double residual = Math.Abs(asked - Math.Sqrt((taken * taken) + (offset * offset)));
         if (residual <= ReachedShare * (lengthA + lengthB))
         {
@@ -71,23 +71,5 @@ internal static class HingedLimb
         }
 
         return new IkResult(status, (float)residual);
-    }
-
-    /// <summary>The rotation that takes one unit vector onto another and a second vector as near as it can to another second.</summary>
-    private static Quaternion FrameToFrame(Vector3 from, Vector3 fromSide, Vector3 to, Vector3 toSide)
-    {
-        Vector3 x = Across(fromSide, from, Vec.Perpendicular(from));
-        Vector3 wanted = Vec.Reject(toSide, to);
-        Vector3 y = Vec.LengthSquared(wanted) > LeastSine * LeastSine * Vec.LengthSquared(toSide) ? Vec.Normalize(wanted, x) : Across(fromSide, to, Vec.Perpendicular(to));
-        Quaternion a = Rotation.FromBasis(x, from, Vec.Cross(x, from));
-        Quaternion b = Rotation.FromBasis(y, to, Vec.Cross(y, to));
-        return Rotation.Normalize(Rotation.Multiply(b, Rotation.Inverse(a)));
-    }
-
-    private static Vector3 Across(Vector3 v, Vector3 axis, Vector3 fallback)
-    {
-        Vector3 across = Vec.Reject(v, axis);
-        float squared = Vec.LengthSquared(across);
-        return squared > (float)(LeastSine * LeastSine) * Vec.LengthSquared(v) ? across / (float)Math.Sqrt(squared) : fallback;
     }
 }

@@ -34,7 +34,7 @@ public readonly struct Reach
     /// <summary>Bends by 12° to 150°, easing over the last 3.2 % of the reach.</summary>
     public static Reach Default { get; } = new(0.2094f);
 
-    /// <summary>Straight to folded flat, with a hard end.</summary>
+    /// <summary>Straight to folded flat, with a hard end; also the default value.</summary>
     public static Reach Hard { get; } = default;
 
     /// <summary>The distance that a limb of two bones takes up for a target at some distance.</summary>

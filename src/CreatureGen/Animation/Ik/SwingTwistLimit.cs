@@ -21,6 +21,9 @@ public static class SwingTwistLimit
     public const float Slack = 1e-5f;
 
     private const int NewtonSteps = 24;
+
+    // 2 · asin(1/2) / (1/2), rounded up: below half, no angle is more than so many times the sine of its half.
+    private const float AnglePerHalfSine = 2.0944f;
     private const double Hair = 1e-9;
 
     /// <summary>The turn within the limit nearest to a turn.</summary>
@@ -29,6 +32,11 @@ public static class SwingTwistLimit
     /// <returns>The turn itself, to the bit, when it is within the limit.</returns>
     public static Quaternion Clamp(Quaternion turn, JointLimit limit)
     {
+        if (IsWellWithin(turn, limit))
+        {
+            return turn;
+        }
+
         Split(turn, out double x, out double z, out double twist);
         double boundedTwist = Scalar.Clamp(twist, limit.Twist.Min, limit.Twist.Max);
         double boundedX = x;
@@ -71,6 +79,29 @@ public static class SwingTwistLimit
         {
             local.Rotations[i] = ClampLocal(local.Rotations[i], skeleton.Joints[i]);
         }
+    }
+
+    /// <summary>Whether a turn is certainly within its limit, from bounds of its angles that cost no inverse function.</summary>
+    private static bool IsWellWithin(Quaternion turn, JointLimit limit)
+    {
+        // |(x, z)| is the sine of half the swing; y over the length of (y, w) that of half the twist.
+        float across = (turn.X * turn.X) + (turn.Z * turn.Z);
+        float along = (turn.Y * turn.Y) + (turn.W * turn.W);
+        if (across > 0.25f || turn.Y * turn.Y > 0.25f * along)
+        {
+            return false;
+        }
+
+        float inverse = 1f / (float)Math.Sqrt(along);
+        float sign = turn.W < 0f ? -inverse : inverse;
+        float twist = AnglePerHalfSine * sign * turn.Y;
+        float x = AnglePerHalfSine * sign * ((turn.X * turn.W) + (turn.Z * turn.Y));
+        float z = AnglePerHalfSine * sign * ((turn.Z * turn.W) - (turn.X * turn.Y));
+        float a = x < 0f ? limit.SwingX.Min : limit.SwingX.Max;
+        float b = z < 0f ? limit.SwingZ.Min : limit.SwingZ.Max;
+        float aa = a * a;
+        float bb = b * b;
+        return twist >= limit.Twist.Min && twist <= limit.Twist.Max && (x * x * bb) + (z * z * aa) < aa * bb;
     }
 
     /// <summary>The parts of a turn: swing as axis times angle across local Y, then twist, radians.</summary>

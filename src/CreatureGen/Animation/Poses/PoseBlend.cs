@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -37,34 +38,9 @@ public static class PoseBlend
         int count = from.Rotations.Length;
         PoseCheck.Mask(mask, count);
         weight = Scalar.Clamp(weight, 0f, 1f);
-        ReadOnlySpan<Quaternion> a = from.Rotations;
-        ReadOnlySpan<Quaternion> b = to.Rotations.Slice(0, count);
-        ReadOnlySpan<Vector3> p = from.Positions.Slice(0, count);
-        ReadOnlySpan<Vector3> q = to.Positions.Slice(0, count);
-        Span<Quaternion> rotations = result.Rotations.Slice(0, count);
-        Span<Vector3> positions = result.Positions.Slice(0, count);
-        float nought = 0f;
-        for (int i = 0; i < count; i++)
-        {
-            float t = mask.IsEmpty ? weight : weight * Scalar.Clamp(mask[i], 0f, 1f);
-            ref readonly Quaternion x = ref a[i];
-            ref readonly Quaternion y = ref b[i];
-            float dot = (x.X * y.X) + (x.Y * y.Y) + (x.Z * y.Z) + (x.W * y.W);
-            float u = 1f - t;
-            float v = dot < 0f ? -t : t;
-            float qx = (x.X * u) + (y.X * v);
-            float qy = (x.Y * u) + (y.Y * v);
-            float qz = (x.Z * u) + (y.Z * v);
-            float qw = (x.W * u) + (y.W * v);
-            float squared = (qx * qx) + (qy * qy) + (qz * qz) + (qw * qw);
-            float scale = 1f / (float)Math.Sqrt(squared);
-            nought += scale * 0f;
-            rotations[i] = new Quaternion(qx * scale, qy * scale, qz * scale, qw * scale);
-            Vector3 place = (p[i] * u) + (q[i] * t);
-            nought += (place.X + place.Y + place.Z) * 0f;
-            positions[i] = place;
-        }
-
+        float nought = mask.IsEmpty
+            ? Mix(Rows(from.Rotations), Rows(to.Rotations), from.Positions, to.Positions, weight, MemoryMarshal.Cast<Quaternion, Vector4>(result.Rotations), result.Positions)
+            : Mix(Rows(from.Rotations), Rows(to.Rotations), from.Positions, to.Positions, weight, mask, MemoryMarshal.Cast<Quaternion, Vector4>(result.Rotations), result.Positions);
         if (nought != 0f)
         {
             PoseCheck.Refuse(result, mask);
@@ -97,5 +73,54 @@ public static class PoseBlend
                 throw PoseCheck.NotFinite(i);
             }
         }
+    }
+
+    private static ReadOnlySpan<Vector4> Rows(Span<Quaternion> rotations) => MemoryMarshal.Cast<Quaternion, Vector4>(rotations);
+
+    private static float Mix(ReadOnlySpan<Vector4> a, ReadOnlySpan<Vector4> b, ReadOnlySpan<Vector3> p, ReadOnlySpan<Vector3> q, float weight, Span<Vector4> rotations, Span<Vector3> positions)
+    {
+        int count = a.Length;
+        b = b.Slice(0, count);
+        p = p.Slice(0, count);
+        q = q.Slice(0, count);
+        rotations = rotations.Slice(0, count);
+        positions = positions.Slice(0, count);
+        float nought = 0f;
+        for (int i = 0; i < count; i++)
+        {
+            nought += Between(a[i], b[i], weight, out rotations[i]);
+            Vector3 place = (p[i] * (1f - weight)) + (q[i] * weight);
+            nought += (place.X + place.Y + place.Z) * 0f;
+            positions[i] = place;
+        }
+
+        return nought;
+    }
+
+    private static float Mix(ReadOnlySpan<Vector4> a, ReadOnlySpan<Vector4> b, ReadOnlySpan<Vector3> p, ReadOnlySpan<Vector3> q, float weight, ReadOnlySpan<float> mask, Span<Vector4> rotations, Span<Vector3> positions)
+    {
+        float nought = 0f;
+        for (int i = 0; i < a.Length; i++)
+        {
+            float t = weight * Scalar.Clamp(mask[i], 0f, 1f);
+            nought += Between(a[i], b[i], t, out rotations[i]);
+            Vector3 place = (p[i] * (1f - t)) + (q[i] * t);
+            nought += (place.X + place.Y + place.Z) * 0f;
+            positions[i] = place;
+        }
+
+        return nought;
+    }
+
+    /// <summary>The unit quaternion between two; 0, or NaN if it is none. By component, which is exact on every platform.</summary>
+    private static float Between(Vector4 a, Vector4 b, float t, out Vector4 result)
+    {
+        Vector4 product = a * b;
+        float v = (product.X + product.Y) + (product.Z + product.W) < 0f ? -t : t;
+        Vector4 sum = (a * (1f - t)) + (b * v);
+        Vector4 squares = sum * sum;
+        float scale = 1f / (float)Math.Sqrt((squares.X + squares.Y) + (squares.Z + squares.W));
+        result = sum * scale;
+        return scale * 0f;
     }
 }

@@ -37,12 +37,12 @@ internal struct PartMass
     /// <summary>Moments of inertia of an ellipsoid of the same extent, none thinner than a share of the longest axis.</summary>
     /// <param name="stoutness">Least axis over longest.</param>
     /// <param name="mass">Of the part.</param>
-    /// <param name="halfAxis">Half axis of a part without a capsule.</param>
-    public readonly Vector3 Inertia(float stoutness, float mass, float halfAxis)
+    /// <param name="leastHalfAxis">No half axis is shorter.</param>
+    public readonly Vector3 Inertia(float stoutness, float mass, float leastHalfAxis)
     {
-        Vector3 half = Volume > 0f ? (most - least) * 0.5f : new Vector3(halfAxis);
+        Vector3 half = (most - least) * 0.5f;
         float longest = Math.Max(half.X, Math.Max(half.Y, half.Z));
-        half = Max(half, new Vector3(longest * stoutness));
+        half = Max(half, new Vector3(Math.Max(longest * stoutness, leastHalfAxis)));
         Vector3 squares = half * half * (mass / 5f);
         return new Vector3(squares.Y + squares.Z, squares.X + squares.Z, squares.X + squares.Y);
     }

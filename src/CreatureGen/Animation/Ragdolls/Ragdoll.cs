@@ -17,15 +17,18 @@ namespace CreatureGen.Animation.Ragdolls;
 public static class Ragdoll
 {
     /// <summary>Length of a substep, seconds.</summary>
-    public const float Substep = 1f / 240f;
+    public const float Substep = 1f / 480f;
 
     /// <summary>More than this is not simulated in one call, seconds: the ragdoll falls in slow motion rather than take ever longer to compute.</summary>
     public const float LongestStep = 0.25f;
 
-    private const int Rounds = 2;
+    private const int Rounds = 1;
     private const float AllowanceRate = 2f;
     private const float CalmSeconds = 0.5f;
-    private const float CalmShare = 0.03f;
+    private const float CalmShare = 0.012f;
+    private const float TurningArm = 0.1f;
+    private const float TiredShare = 4f;
+    private const float TiredDamping = 3f;
 
     /// <summary>Takes over from a motion.</summary>
     /// <param name="rig">The parts.</param>
@@ -50,6 +53,7 @@ public static class Ragdoll
         state.Scale = root.Scale;
         state.Debt = 0f;
         state.Calm = 0f;
+        state.Speed = 0f;
         state.IsActive = true;
         state.IsAsleep = false;
         float perSecond = seconds > 0f ? 1f / seconds : 0f;
@@ -133,7 +137,7 @@ public static class Ragdoll
         while (state.Debt >= Substep)
         {
             state.Debt -= Substep;
-            RagdollSolver.Advance(state, settings, Substep, Rounds, ground);
+            RagdollSolver.Advance(state, Tired(rig, state, settings), Substep, Rounds, ground);
             for (int c = 0; c < state.Allowances.Length; c++)
             {
                 state.Allowances[c] *= letOut;
@@ -230,18 +234,29 @@ public static class Ragdoll
         return new RootPlace(new Vector3(under.X, height, under.Z), facing, state.Scale);
     }
 
+    /// <summary>Below this speed a creature has all but come to rest.</summary>
+    private static float CalmSpeed(RagdollRig rig, RagdollState state, in RagdollSettings settings) =>
+        CalmShare * (float)Math.Sqrt(rig.Size * state.Scale * Vec.Length(settings.Gravity));
+
+    /// <summary>Slow motion dies faster than fast motion: flesh rolls and rocks badly.</summary>
+    private static RagdollSettings Tired(RagdollRig rig, RagdollState state, in RagdollSettings settings) =>
+        state.Speed > TiredShare * CalmSpeed(rig, state, settings) ? settings : settings.Slowed(TiredDamping);
+
     private static bool Rests(RagdollRig rig, RagdollState state, in RagdollSettings settings)
     {
         float size = rig.Size * state.Scale;
         float speed = 0f;
+        float mass = 0f;
         for (int i = 0; i < rig.Count; i++)
         {
-            speed = Math.Max(speed, Vec.Length(state.Velocities[i]) + (Vec.Length(state.Spins[i]) * 0.1f * size));
+            float turning = Vec.LengthSquared(state.Spins[i]) * TurningArm * TurningArm * size * size;
+            speed += (Vec.LengthSquared(state.Velocities[i]) + turning) / rig.Parts[i].InverseMass;
+            mass += 1f / rig.Parts[i].InverseMass;
         }
 
+        speed = (float)Math.Sqrt(speed / mass);
         state.Speed = speed;
-        float calm = CalmShare * (float)Math.Sqrt(size * Vec.Length(settings.Gravity));
-        state.Calm = speed <= calm ? state.Calm + Substep : 0f;
+        state.Calm = speed <= CalmSpeed(rig, state, settings) ? state.Calm + Substep : 0f;
         state.IsAsleep = state.Calm > CalmSeconds;
         if (state.IsAsleep)
         {

@@ -10,12 +10,14 @@ namespace CreatureGen.Animation.Ragdolls;
 /// <summary>A creature as rigid parts that hang together at its joints. Immutable.</summary>
 /// <remarks>
 /// Every joint that holds skin and can turn makes a part, with mass and inertia of its capsule; eyes, jaws, ears, feelers and fins are one with what carries them. No part is lighter than
-/// 1/500 of the whole, and thin ones resist turning as if they were stouter: toes on a trunk would otherwise take many more rounds to solve, and nobody sees the difference.
+/// 1/250 of the whole, and all resist turning as much as an ellipsoid that reaches 1.2 times as far as their farthest joint: with a joint far out on a part that is easily turned, positions would take many rounds
+/// to solve, and nobody sees the difference.
 /// </remarks>
 public sealed class RagdollRig
 {
-    private const float LeastMassShare = 0.002f;
+    private const float LeastMassShare = 0.004f;
     private const float LeastStoutness = 0.35f;
+    private const float LeastArmShare = 1.2f;
     private readonly RagdollPart[] parts;
     private readonly RagdollContact[] contacts;
     private readonly int[] partOfJoint;
@@ -101,12 +103,19 @@ public sealed class RagdollRig
 
         int body = skeleton.Count > 1 && skeleton.Joints[0].Role == JointRole.Root ? 1 : 0;
         var owners = new List<int> { body };
+        bool firstIsSolid = solid[body];
         for (int i = body + 1; i < skeleton.Count; i++)
         {
             Joint joint = skeleton.Joints[i];
             int parent = Math.Max(joint.Parent, body);
             bool turns = joint.Limit != JointLimit.Fixed && joint.Role is not (JointRole.End or JointRole.Girdle or JointRole.Eye or JointRole.Jaw or JointRole.Ear or JointRole.Antenna or JointRole.Fin);
-            if (turns && solid[i])
+            if (turns && solid[i] && !firstIsSolid)
+            {
+                // A body joint without skin of its own is one with the first that has some.
+                firstIsSolid = true;
+                partOfJoint[i] = 0;
+            }
+            else if (turns && solid[i])
             {
                 partOfJoint[i] = owners.Count;
                 owners.Add(i);
@@ -132,12 +141,12 @@ public sealed class RagdollRig
         return size;
     }
 
-    private static RagdollPart Part(Skeleton skeleton, List<int> owners, PartMass[] masses, int i, int parent, float total)
+    private RagdollPart Part(Skeleton skeleton, List<int> owners, PartMass[] masses, int i, int parent, float total)
     {
         int joint = owners[i];
         float mass = Math.Max(masses[i].Volume / total, LeastMassShare);
         Vector3 centre = masses[i].Centre;
-        Vector3 inertia = masses[i].Inertia(LeastStoutness, mass, SizeOf(skeleton) * 0.1f);
+        Vector3 inertia = masses[i].Inertia(LeastStoutness, mass, LeastArmShare * Arm(skeleton, owners, centre, i));
         if (parent < 0)
         {
             return new RagdollPart(joint, -1, centre, mass, inertia, Vector3.Zero, Quaternion.Identity, JointLimit.Free);
@@ -148,6 +157,24 @@ public sealed class RagdollRig
         Vector3 pivot = Rotation.Rotate(toParent, skeleton.ModelPositions[joint] - skeleton.ModelPositions[above]) - masses[parent].Centre;
         Quaternion rest = Rotation.Normalize(Rotation.Multiply(toParent, skeleton.ModelRotations[joint]));
         return new RagdollPart(joint, parent, centre, mass, inertia, pivot, rest, skeleton.Joints[joint].Limit);
+    }
+
+    /// <summary>The longest way from a part's centre of mass to a joint on it.</summary>
+    private float Arm(Skeleton skeleton, List<int> owners, Vector3 centre, int part)
+    {
+        int own = owners[part];
+        Quaternion toOwn = Rotation.Inverse(skeleton.ModelRotations[own]);
+        float arm = Vec.Length(centre);
+        for (int k = part + 1; k < owners.Count; k++)
+        {
+            if (partOfJoint[skeleton.Parents[owners[k]]] == part)
+            {
+                Vector3 pivot = Rotation.Rotate(toOwn, skeleton.ModelPositions[owners[k]] - skeleton.ModelPositions[own]);
+                arm = Math.Max(arm, Vec.Distance(pivot, centre));
+            }
+        }
+
+        return arm;
     }
 
     /// <summary>A capsule in the axes of the joint that owns its part.</summary>

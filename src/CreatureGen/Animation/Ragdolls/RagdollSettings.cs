@@ -14,7 +14,7 @@ public readonly struct RagdollSettings
     /// <param name="friction">Coefficient on the ground.</param>
     /// <param name="tone">s⁻¹ at which joints go to the pose given, as if by muscles; 0 is limp.</param>
     /// <exception cref="ArgumentException">A number is outside its range or not finite.</exception>
-    public RagdollSettings(Vector3 gravity, float jointDamping = 6f, float airDamping = 0.3f, float friction = 0.7f, float tone = 0f)
+    public RagdollSettings(Vector3 gravity, float jointDamping = 12f, float airDamping = 0.5f, float friction = 0.7f, float tone = 0f)
     {
         Finite.Require(gravity, nameof(gravity));
         Finite.RequireWithin(jointDamping, 0f, 1e4f, nameof(jointDamping));
@@ -30,6 +30,9 @@ public readonly struct RagdollSettings
 
     /// <summary>Limp flesh on dry ground, on Earth.</summary>
     public static RagdollSettings Default { get; } = new(new Vector3(0f, -9.81f, 0f));
+
+    /// <summary>The same with more damping of everything.</summary>
+    internal RagdollSettings Slowed(float damping) => new(Gravity, JointDamping, AirDamping + damping, Friction, Tone);
 
     /// <summary>World space, m/s².</summary>
     public Vector3 Gravity { get; }

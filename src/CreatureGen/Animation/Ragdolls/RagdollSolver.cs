@@ -17,6 +17,9 @@ internal static class RagdollSolver
     private const float MostTurn = 0.5f;
     private const float MostShift = 0.5f;
 
+    // Muscles reach the speed they want so many times faster than they reach their pose, so that they do not swing through.
+    private const float FirmnessPerTone = 4f;
+
     /// <summary>Advances by a substep.</summary>
     public static void Advance<TGround>(RagdollState state, in RagdollSettings settings, float h, int rounds, TGround ground)
         where TGround : IRagdollGround
@@ -34,12 +37,11 @@ internal static class RagdollSolver
             state.Rotations[i] = Turned(state.Rotations[i], Shortened(w * h, MostTurn));
         }
 
-        float tone = settings.Tone > 0f ? 1f - Damping.Left(settings.Tone, h / rounds) : 0f;
         for (int round = 0; round < rounds; round++)
         {
             for (int i = 1; i < parts.Length; i++)
             {
-                Angle(state, parts, i, tone);
+                Angle(state, parts, i);
             }
 
             for (int i = 1; i < parts.Length; i++)
@@ -62,7 +64,7 @@ internal static class RagdollSolver
             state.Spins[i] = new Vector3(turn.X, turn.Y, turn.Z) * (2f * perSecond * (turn.W < 0f ? -1f : 1f));
         }
 
-        Rub(state, parts, 1f - Damping.Left(settings.JointDamping, h));
+        Rub(state, parts, settings.Tone, 1f - Damping.Left(settings.JointDamping + (FirmnessPerTone * settings.Tone), h));
     }
 
     /// <summary>Changes velocity and spin of a part as an impulse would that changes the velocity at a point by so much.</summary>
@@ -83,13 +85,13 @@ internal static class RagdollSolver
         state.Spins[part] += Spun(own, state.Rotations[part], Vec.Cross(arm, impulse), state.Scale);
     }
 
-    /// <summary>Brings the relative rotation of a part within its limit, and some way to where muscles pull it.</summary>
-    private static void Angle(RagdollState state, ReadOnlySpan<RagdollPart> parts, int i, float tone)
+    /// <summary>Brings the relative rotation of a part within its limit.</summary>
+    private static void Angle(RagdollState state, ReadOnlySpan<RagdollPart> parts, int i)
     {
         ref readonly RagdollPart child = ref parts[i];
         Quaternion carrier = Rotation.Multiply(state.Rotations[child.Parent], child.RestInParent);
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(carrier), state.Rotations[i]);
-        Quaternion wanted = Bounded(tone > 0f ? Rotation.Nlerp(turn, state.Targets[i], tone) : turn, child.Limit, state.Excesses[i]);
+        Quaternion wanted = Bounded(turn, child.Limit, state.Excesses[i]);
         if (wanted == turn)
         {
             return;
@@ -192,8 +194,8 @@ internal static class RagdollSolver
         }
     }
 
-    /// <summary>Takes from neighbouring parts a share of their turning against each other.</summary>
-    private static void Rub(RagdollState state, ReadOnlySpan<RagdollPart> parts, float share)
+    /// <summary>Brings the turning of neighbouring parts against each other some way to that which muscles want: none at all, or towards their pose.</summary>
+    private static void Rub(RagdollState state, ReadOnlySpan<RagdollPart> parts, float tone, float share)
     {
         if (share <= 0f)
         {
@@ -204,6 +206,13 @@ internal static class RagdollSolver
         {
             ref readonly RagdollPart child = ref parts[i];
             Vector3 against = state.Spins[i] - state.Spins[child.Parent];
+            if (tone > 0f)
+            {
+                Quaternion carrier = Rotation.Multiply(state.Rotations[child.Parent], child.RestInParent);
+                Quaternion left = Rotation.Multiply(Rotation.Multiply(carrier, state.Targets[i]), Rotation.Inverse(state.Rotations[i]));
+                against -= new Vector3(left.X, left.Y, left.Z) * (left.W < 0f ? -2f * tone : 2f * tone);
+            }
+
             float own = Sum(child.InverseInertia);
             float other = Sum(parts[child.Parent].InverseInertia);
             state.Spins[i] -= against * (share * own / (own + other));

@@ -29,7 +29,7 @@ public sealed class RagdollState
     /// <summary>Whether everything has come to rest; a push wakes it.</summary>
     public bool IsAsleep { get; internal set; }
 
-    /// <summary>Speed of the fastest part, world m/s, its turning counted at the creature's size.</summary>
+    /// <summary>Root mean square of the speed over the mass, world m/s, turning counted at a tenth of the creature's size.</summary>
     public float Speed { get; internal set; }
 
     internal RagdollRig Rig { get; }

@@ -190,7 +190,14 @@ public static class SpringBones
             for (int i = 0; i < rig.Joints.Length; i++)
             {
                 float along = rig.Along[i];
-                state.Steps[i] = new DampedSpring((float)(Math.Max(settings.Frequency.At(along), 0f) * PortableMath.Tau), Math.Max(settings.DampingRatio.At(along), 0f), Substep);
+                float frequency = Math.Max(settings.Frequency.At(along), 0f);
+                float ratio = Math.Max(settings.DampingRatio.At(along), 0f);
+                if (frequency != state.Frequencies[i] || ratio != state.Ratios[i])
+                {
+                    state.Frequencies[i] = frequency;
+                    state.Ratios[i] = ratio;
+                    state.Steps[i] = new DampedSpring((float)(frequency * PortableMath.Tau), ratio, Substep);
+                }
             }
         }
 
@@ -235,13 +242,13 @@ public static class SpringBones
         state.Velocities[i] = velocity + ((held - free) * (1f / Substep));
         state.GoalVelocities[i] = goalVelocity;
         state.Goals[i] = goal;
-        state.Rotations[i] = Rotation.Multiply(Rotation.FromTo(along, bone), goalRotation);
+        state.Rotations[i] = Rotation.Multiply(UnitTurn.FromTo(along, bone / length), goalRotation);
     }
 
     /// <summary>Where the animation would have a bone within the frame, with its parent as simulated.</summary>
     private static Quaternion Goal(SpringRig rig, SpringState state, int i, float share, float inherit, float scale, in Pose local, out Vector3 place)
     {
-        Quaternion animated = share >= 1f ? state.NowRotations[i] : Rotation.Nlerp(state.PastRotations[i], state.NowRotations[i], share);
+        Quaternion animated = share >= 1f ? state.NowRotations[i] : UnitTurn.Nlerp(state.PastRotations[i], state.NowRotations[i], share);
         state.Animated[i] = animated;
         int parent = rig.Parents[i];
         if (parent < 0)
@@ -254,7 +261,7 @@ public static class SpringBones
         place = state.Positions[parent] + (Rotation.Rotate(state.Rotations[parent], local.Positions[rig.Joints[i]]) * scale);
         state.Positions[i] = place;
         Quaternion deviation = Rotation.Multiply(state.Rotations[parent], Rotation.Inverse(state.Animated[parent]));
-        return Rotation.Multiply(Rotation.Nlerp(Quaternion.Identity, deviation, inherit), animated);
+        return Rotation.Multiply(UnitTurn.Nlerp(Quaternion.Identity, deviation, inherit), animated);
     }
 
     /// <summary>A bone of the right length whose direction is no farther from another than the cone allows.</summary>
@@ -302,13 +309,15 @@ public static class SpringBones
             Quaternion goal = Goal(rig, state, i, 1f, settings.Inherit, root.Scale, local, out Vector3 place);
             Vector3 tail = Rotation.Rotate(goal, rig.Tails[i]) * root.Scale;
             Vector3 bone = tail + Vec.Lerp(state.OffsetsBefore[i], state.Offsets[i], between);
+            float length = Vec.Length(tail);
+            Vector3 along = tail / length;
+            Vector3 direction = Vec.Normalize(bone, along);
             if (colliders.Length > 0)
             {
-                float length = Vec.Length(tail);
-                bone = Outside(colliders, place, Vec.Normalize(bone, tail / length) * length, length, Math.Max(settings.Radius.At(rig.Along[i]), 0f) * root.Scale);
+                direction = Outside(colliders, place, direction * length, length, Math.Max(settings.Radius.At(rig.Along[i]), 0f) * root.Scale) / length;
             }
 
-            state.Rotations[i] = Rotation.Normalize(Rotation.Multiply(Rotation.FromTo(tail, bone), goal));
+            state.Rotations[i] = Rotation.Multiply(UnitTurn.FromTo(along, direction), goal);
             int joint = rig.Joints[i];
             Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(state.NowRotations[i], state.Rotations[i], settings.Weight) : state.Rotations[i];
             Quaternion inModel = Rotation.Multiply(toModel, shown);

@@ -27,6 +27,9 @@ public sealed class SpringState
         Rotations = new Quaternion[count];
         Positions = new Vector3[count];
         Steps = new DampedSpring[count];
+        Frequencies = new float[count];
+        Ratios = new float[count];
+        System.Array.Fill(Frequencies, -1f);
         Colliders = System.Array.Empty<SpringCollider>();
     }
 
@@ -78,6 +81,12 @@ public sealed class SpringState
     /// <summary>One substep of each bone's spring.</summary>
     internal DampedSpring[] Steps { get; }
 
+    /// <summary>Hz that <see cref="Steps"/> was worked out for.</summary>
+    internal float[] Frequencies { get; }
+
+    /// <summary>Damping ratio that <see cref="Steps"/> was worked out for.</summary>
+    internal float[] Ratios { get; }
+
     /// <summary>Colliders from the creature's place, world axes; grows to the most that were ever given.</summary>
     internal SpringCollider[] Colliders { get; set; }
 
@@ -114,6 +123,18 @@ public sealed class SpringState
         Quaternion silent = felt < 1f ? Rotation.Slerp(Quaternion.Identity, turn, 1 - felt) : Quaternion.Identity;
         float grown = root.Scale / Root.Scale;
         Vector3 shift = (root.Position - Root.Position) * felt;
+        if (felt >= 1f && grown == 1f)
+        {
+            for (int i = 0; i < Goals.Length; i++)
+            {
+                Goals[i] -= shift;
+                PastPositions[i] -= shift;
+            }
+
+            Root = root;
+            return;
+        }
+
         for (int i = 0; i < Offsets.Length; i++)
         {
             Offsets[i] = Rotation.Rotate(silent, Offsets[i]) * grown;

@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using CreatureGen.Blueprints;
+using CreatureGen.Console.Arguments;
+using CreatureGen.Creatures;
+using CreatureGen.Gltf;
+
+namespace CreatureGen.Console.Files;
+
+/// <summary>What a file is in which a creature is kept.</summary>
+internal enum SourceForm
+{
+    /// <summary>A blueprint as JSON.</summary>
+    Blueprint,
+
+    /// <summary>A creature as GLB.</summary>
+    Glb,
+}
+
+/// <summary>A file in which a creature is kept.</summary>
+/// <param name="Path">Where it is.</param>
+/// <param name="Form">What it is.</param>
+/// <param name="Bytes">Its size.</param>
+/// <param name="Blueprint">The creature.</param>
+/// <param name="Export">How the creature was written as GLB, and would be again.</param>
+internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, CreatureBlueprint Blueprint, GltfOptions Export)
+{
+    private const string Expectation = "a blueprint (.json) or a creature (.glb) written by creaturegen";
+
+    /// <summary>Reads a file, whatever its name, by what it begins with.</summary>
+    /// <exception cref="UsageError">It cannot be read; the message tells all that is wrong with it.</exception>
+    public static CreatureSource Read(string path)
+    {
+        try
+        {
+            using FileStream stream = SourceFile.Open(path, Expectation);
+            return IsGlb(stream) || path.EndsWith(".glb", StringComparison.OrdinalIgnoreCase) ? ReadGlb(path, stream) : ReadBlueprint(path, stream);
+        }
+        catch (Exception problem) when (Reason.IsOfFiles(problem))
+        {
+            throw new UsageError($"cannot read '{path}': {Reason.Of(problem)}; expected {Expectation}");
+        }
+    }
+
+    /// <summary>Whether the file is, byte for byte, what would be written for a creature now.</summary>
+    public bool IsWhatWouldBeWritten(Creature creature)
+    {
+        var expected = new MemoryStream();
+        GlbWriter.Write(creature, Export, expected);
+        return expected.Length == Bytes && File.ReadAllBytes(Path).AsSpan().SequenceEqual(expected.GetBuffer().AsSpan(0, (int)expected.Length));
+    }
+
+    private static bool IsGlb(FileStream stream)
+    {
+        Span<byte> start = stackalloc byte[4];
+        int read = stream.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
+        stream.Position = 0;
+        return start[..read].SequenceEqual("glTF"u8);
+    }
+
+    private static CreatureSource ReadGlb(string path, FileStream stream)
+    {
+        CreatureBlueprint blueprint = Require(path, "creature", GlbReader.ReadBlueprint(stream));
+        stream.Position = 0;
+        return new CreatureSource(path, SourceForm.Glb, stream.Length, blueprint, GlbExport.Read(stream));
+    }
+
+    private static CreatureSource ReadBlueprint(string path, FileStream stream) =>
+        new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream)), GltfOptions.Default);
+
+    private static CreatureBlueprint Require(string path, string what, BlueprintReading reading) =>
+        reading.Blueprint ?? throw new UsageError($"'{path}' holds no {what} that can be built:", reading.Problems.Select(problem => problem.ToString()));
+}

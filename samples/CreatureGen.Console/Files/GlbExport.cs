@@ -1,0 +1,69 @@
+using System;
+using System.Buffers.Binary;
+using System.Collections.Generic;
+using System.IO;
+using System.Text.Json;
+using CreatureGen.Creatures;
+using CreatureGen.Gltf;
+
+namespace CreatureGen.Console.Files;
+
+/// <summary>Finds out with which options a GLB file of a creature was written.</summary>
+internal static class GlbExport
+{
+    private const int LengthOfJson = 12;
+    private const int StartOfJson = 20;
+
+    // Deeper than the library reads, which has read it before.
+    private const int DeepestJson = 1024;
+
+    /// <summary>Reads a file from which <see cref="GlbReader"/> has read a blueprint.</summary>
+    public static GltfOptions Read(Stream stream)
+    {
+        byte[] start = new byte[StartOfJson];
+        stream.ReadExactly(start);
+        byte[] text = new byte[BinaryPrimitives.ReadUInt32LittleEndian(start.AsSpan(LengthOfJson))];
+        stream.ReadExactly(text);
+        using JsonDocument document = JsonDocument.Parse(text, new JsonDocumentOptions { MaxDepth = DeepestJson });
+        JsonElement root = document.RootElement;
+        JsonElement extras = root.GetProperty("asset").GetProperty("extras").GetProperty("creaturegen");
+        return new GltfOptions
+        {
+            Provenance = Provenance(root),
+            Shading = IsFlat(root) ? Shading.Flat : Shading.Smooth,
+            Levels = extras.TryGetProperty("levels", out JsonElement levels) && Enum.TryParse(levels.ToString(), true, out LevelChoice choice) && Enum.IsDefined(choice) ? choice : LevelChoice.Finest,
+            TextureSize = extras.TryGetProperty("textureSize", out JsonElement size) && size.ValueKind == JsonValueKind.Number && size.TryGetInt32(out int texels) && IsTextureSize(texels) ? texels : 0,
+        };
+    }
+
+    private static bool IsTextureSize(int size) => size is >= CreatureTextures.SmallestSize and <= CreatureTextures.LargestSize && (size & (size - 1)) == 0;
+
+    private static string? Provenance(JsonElement root)
+    {
+        JsonElement extras = root.GetProperty("asset").GetProperty("extras").GetProperty("creaturegen");
+        return extras.TryGetProperty("options", out JsonElement options) && options.ValueKind == JsonValueKind.String ? options.GetString() : null;
+    }
+
+    /// <summary>Whether no two corners share a vertex: as many vertices as indices, or no indices at all.</summary>
+    private static bool IsFlat(JsonElement root)
+    {
+        try
+        {
+            long corners = 0;
+            JsonElement accessors = root.GetProperty("accessors");
+            JsonElement primitives = root.GetProperty("meshes")[0].GetProperty("primitives");
+            long vertices = accessors[primitives[0].GetProperty("attributes").GetProperty("POSITION").GetInt32()].GetProperty("count").GetInt64();
+            foreach (JsonElement primitive in primitives.EnumerateArray())
+            {
+                corners += primitive.TryGetProperty("indices", out JsonElement indices) ? accessors[indices.GetInt32()].GetProperty("count").GetInt64() : 0;
+            }
+
+            return corners == 0 || corners == vertices;
+        }
+        catch (Exception problem) when (problem is KeyNotFoundException or InvalidOperationException or IndexOutOfRangeException or FormatException)
+        {
+            // Another program has rearranged the file; the creature in it is whole all the same.
+            return false;
+        }
+    }
+}

@@ -1,0 +1,32 @@
+using System.IO;
+using CreatureGen.Anatomy;
+using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Working;
+
+namespace CreatureGen.Console.Text;
+
+/// <summary>What came of checking many creatures, as JSON. The names are a contract.</summary>
+internal static class VerificationJson
+{
+    /// <summary>Writes it.</summary>
+    public static void Write(TextWriter output, Verification verification) => output.Write(JsonText.Document(json =>
+    {
+        json.WriteStartObject();
+        json.WriteNumber("checked", verification.Checked);
+        json.WriteNumber("failed", verification.Failed);
+        json.WriteNumber("selfIntersecting", verification.SelfIntersecting);
+        json.WriteStartArray("problems");
+        foreach (VerificationProblem problem in verification.Problems)
+        {
+            json.WriteStartObject();
+            json.WriteString("kind", WordList<LocomotionKind>.Instance[problem.Kind]);
+            json.WriteString("seed", SeedText.Of(problem.Seed));
+            json.WriteString("invariant", problem.Invariant);
+            json.WriteString("detail", problem.Detail);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }));
+}

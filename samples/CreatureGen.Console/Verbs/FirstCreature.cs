@@ -1,0 +1,36 @@
+using System.Collections.Generic;
+using System;
+using CreatureGen.Blueprints;
+using CreatureGen.Console.Text;
+using CreatureGen.Console.Working;
+using CreatureGen.Creatures;
+using CreatureGen.Gltf;
+using CreatureGen.Sampling;
+
+namespace CreatureGen.Console.Verbs;
+
+/// <summary>What the program does when nothing is asked of it: one creature, to be looked at.</summary>
+internal static class FirstCreature
+{
+    /// <summary>Its seed.</summary>
+    public const ulong Seed = 42;
+
+    /// <summary>Makes it, writes its files into the current folder and tells what it is.</summary>
+    public static int Run(Surroundings surroundings)
+    {
+        var times = new StageTimes();
+        CreatureBlueprint blueprint = BlueprintSampler.Sample(Seed);
+        times.Finished("blueprint");
+        Creature creature = CreatureAssembler.Assemble(blueprint, times);
+        byte[] glb = CreatureFiles.Glb(creature, new GltfOptions { Provenance = OptionsJson.Write(CreatureOptions.Default) });
+        times.Finished("glb");
+        byte[] png = CreatureFiles.Png(creature, Shading.Smooth, Environment.ProcessorCount);
+        times.Finished("picture");
+        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(surroundings.Folder, Seed, [("glb", glb), ("png", png), ("json", CreatureFiles.Json(blueprint))], surroundings.Cancellation);
+        times.Finished("files");
+        CreatureText.Write(surroundings.Out, CreatureFacts.Of(creature), files, times);
+        surroundings.Out.WriteLine();
+        surroundings.Out.WriteLine("More: creaturegen --help");
+        return ExitCode.Done;
+    }
+}

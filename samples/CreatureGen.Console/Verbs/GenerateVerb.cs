@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using CreatureGen.Blueprints;
+using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Files;
+using CreatureGen.Console.Text;
+using CreatureGen.Console.Working;
+using CreatureGen.Creatures;
+using CreatureGen.Gltf;
+using CreatureGen.Sampling;
+
+namespace CreatureGen.Console.Verbs;
+
+/// <summary>Writes the creatures of seeds.</summary>
+internal sealed class GenerateVerb : IVerb
+{
+    private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing (default: the current one)");
+    private static readonly OptionSyntax noPicture = new("--no-picture", null, "write no PNG");
+
+    /// <inheritdoc/>
+    public VerbSyntax Syntax { get; } = new(
+        "generate",
+        null,
+        "write creature-<seed>.glb, .png and .json for each seed",
+        [
+            new("generate --seed 7", "one creature in the current folder"),
+            new("generate --seed 7 --textures 1024", "with scales, fur or feathers in a texture atlas"),
+            new("generate --seeds 1-100 --kind flying --out birds", "a hundred fliers in a folder"),
+            new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
+            new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
+        ],
+        [SeedOptions.Seed, SeedOptions.Seeds, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, noPicture, CommonOptions.Threads, CommonOptions.Json]);
+
+    /// <inheritdoc/>
+    public int Run(ParsedArguments arguments, Surroundings surroundings)
+    {
+        SeedList seeds = SeedOptions.Read(arguments);
+        CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
+        int threads = CommonOptions.ReadThreads(arguments);
+        bool one = seeds.Count == 1;
+        var task = new Task(
+            surroundings.Locate(arguments.Value(folder.Name) ?? "."),
+            options,
+            ExportOptions.Read(arguments, new GltfOptions { Provenance = OptionsJson.Write(options) }),
+            arguments.Has(noPicture.Name) ? PictureChoice.None : PictureChoice.Portrait,
+            one ? threads : 1);
+        FileSet.MakeFolder(task.Folder);
+
+        // On a terminal the report itself shows how far the work is.
+        using var progress = new ProgressLine(surroundings, "creatures", seeds.Count, surroundings.OutIsTerminal ? ProgressKind.Hidden : ProgressKind.Shown);
+        using IGenerationReport report = arguments.Has(CommonOptions.Json.Name) ? new GenerationJson(surroundings.Out)
+            : one ? new GenerationSummary(surroundings.Out) : new GenerationList(surroundings.Out, surroundings.OutIsTerminal);
+        OrderedWork<ulong, GeneratedCreature>.Run(seeds, one ? 1 : threads, seed => Generate(seed, task, surroundings), creature =>
+        {
+            report.Add(creature);
+            progress.Step();
+        }, surroundings.Cancellation);
+        progress.Dispose();
+        report.End();
+        return ExitCode.Done;
+    }
+
+    private static GeneratedCreature Generate(ulong seed, Task task, Surroundings surroundings)
+    {
+        var times = new StageTimes();
+        CreatureBlueprint blueprint = Growing.Sample(seed, task.Options);
+        times.Finished("blueprint");
+        Creature creature = CreatureAssembler.Assemble(blueprint, times);
+        var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, task.Export)) };
+        times.Finished("glb");
+        if (task.Picture == PictureChoice.Portrait)
+        {
+            contents.Add(("png", CreatureFiles.Png(creature, task.Export.Shading, task.PictureThreads)));
+            times.Finished("picture");
+        }
+
+        contents.Add(("json", CreatureFiles.Json(blueprint)));
+        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(task.Folder, seed, contents, surroundings.Cancellation);
+        times.Finished("files");
+        return new GeneratedCreature(CreatureFacts.Of(creature), files, times);
+    }
+
+    private sealed record Task(string Folder, CreatureOptions Options, GltfOptions Export, PictureChoice Picture, int PictureThreads);
+}

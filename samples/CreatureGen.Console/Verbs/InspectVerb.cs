@@ -1,0 +1,42 @@
+using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Files;
+using CreatureGen.Console.Text;
+using CreatureGen.Console.Working;
+using CreatureGen.Creatures;
+
+namespace CreatureGen.Console.Verbs;
+
+/// <summary>Tells what is in a file.</summary>
+internal sealed class InspectVerb : IVerb
+{
+    /// <inheritdoc/>
+    public VerbSyntax Syntax { get; } = new(
+        "inspect",
+        "FILE",
+        "tell what the creature in a .glb or blueprint .json is, and check its invariants",
+        [
+            new("inspect creature-42.glb", "what it is: kind, limbs, joints, sizes, checks"),
+            new("inspect creature-42.json --json", "the same as JSON"),
+        ],
+        [CommonOptions.Json]);
+
+    /// <inheritdoc/>
+    public int Run(ParsedArguments arguments, Surroundings surroundings)
+    {
+        CreatureSource source = CreatureSource.Read(surroundings.Locate(arguments.Operand));
+        Creature creature = CreatureAssembler.Assemble(source.Blueprint);
+        CheckResult result = CheckResult.Of(creature, surroundings.Checks);
+        FileState state = source.Form != SourceForm.Glb ? FileState.Blueprint : source.IsWhatWouldBeWritten(creature) ? FileState.AsWritten : FileState.Altered;
+        var inspected = new InspectedFile(source, state, creature, CreatureFacts.Of(creature), result);
+        if (arguments.Has(CommonOptions.Json.Name))
+        {
+            InspectionJson.Write(surroundings.Out, inspected);
+        }
+        else
+        {
+            InspectionText.Write(surroundings.Out, inspected, Ink.For(surroundings, surroundings.OutIsTerminal));
+        }
+
+        return result.Violations.Count == 0 ? ExitCode.Done : ExitCode.CheckFailed;
+    }
+}

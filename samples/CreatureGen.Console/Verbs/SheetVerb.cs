@@ -1,0 +1,117 @@
+using System;
+using System.Linq;
+using CreatureGen.Blueprints;
+using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Files;
+using CreatureGen.Console.Text;
+using CreatureGen.Console.Working;
+using CreatureGen.Creatures;
+using CreatureGen.Preview.Pictures;
+using CreatureGen.Preview.Png;
+using CreatureGen.Preview.Rendering;
+using CreatureGen.Preview.Scenes;
+using CreatureGen.Preview.Sheets;
+using CreatureGen.Sampling;
+
+namespace CreatureGen.Console.Verbs;
+
+/// <summary>Draws many creatures on one picture.</summary>
+internal sealed class SheetVerb : IVerb
+{
+    private const int DefaultColumns = 6;
+    private const int DefaultSize = 340;
+    private const int LeastSize = 32;
+    private const int MostSize = 4096;
+    private const int MostPixels = 100_000_000;
+
+    private static readonly OptionSyntax view = new("--view", "VIEW", "three-quarter (the default), side, front, back or top");
+    private static readonly OptionSyntax skeleton = new("--skeleton", null, "show the bones through the skin");
+    private static readonly OptionSyntax columns = new("--columns", "N", "creatures in a row, 1 to 200 (default 6)");
+    private static readonly OptionSyntax size = new("--size", "PIXELS", "width of one creature's picture, 32 to 4096 (default 340)");
+
+    /// <inheritdoc/>
+    public VerbSyntax Syntax { get; } = new(
+        "sheet",
+        null,
+        "draw the creatures of seeds on one picture",
+        [
+            new("sheet --seeds 1-36 --out sheet.png", "a first look at many"),
+            new("sheet --seeds 1-24 --kind swimming --view side --out swimmers.png", "swimmers from the side"),
+            new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
+        ],
+        [SeedOptions.Seed, SeedOptions.Seeds, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, view, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads]);
+
+    /// <inheritdoc/>
+    public int Run(ParsedArguments arguments, Surroundings surroundings)
+    {
+        string path = surroundings.Locate(arguments.Required(CommonOptions.OutFile.Name));
+        SeedList seeds = SeedOptions.Read(arguments);
+        CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
+        int width = arguments.Whole(size.Name, LeastSize, MostSize, DefaultSize);
+        var layout = new ContactSheetOptions
+        {
+            Columns = arguments.Whole(columns.Name, 1, 200, DefaultColumns),
+            CellWidth = width,
+            CellHeight = Math.Max(1, width * 14 / 17),
+            Threads = CommonOptions.ReadThreads(arguments),
+            LabelSize = width >= 2 * DefaultSize ? LabelSize.Medium : LabelSize.Small,
+        };
+        RequireRoom(arguments, seeds.Count, layout);
+        FileSet.RequireWritable(path);
+        bool alone = seeds.Count == 1;
+        var style = new Style(
+            ReadView(arguments),
+            arguments.Has(skeleton.Name) ? Figure.Skeleton : Figure.Skin,
+            new RenderOptions { Shading = arguments.Has(CommonOptions.Flat.Name) ? ShadingMode.Faceted : ShadingMode.Smooth, Threads = alone ? layout.Threads : 1 });
+        using var progress = new ProgressLine(surroundings, "creatures", seeds.Count, ProgressKind.Shown);
+        SheetCell[] cells = seeds.Select(seed => Cell(seed, options, style, progress)).ToArray();
+        Picture sheet = ContactSheet.Render(cells, layout, surroundings.Cancellation);
+        byte[] png = PngWriter.ToBytes(sheet);
+        progress.Dispose();
+        FileSet.Write(path, stream => stream.Write(png), surroundings.Cancellation);
+        surroundings.Out.WriteLine(FormattableString.Invariant($"{path}: {cells.Length} {(alone ? "creature" : "creatures")}, {sheet.Width} x {sheet.Height} pixels, {Units.Bytes(png.Length)}"));
+        return ExitCode.Done;
+    }
+
+    private static View ReadView(ParsedArguments arguments)
+    {
+        string word = arguments.Value(view.Name) ?? Views.Word(View.ThreeQuarter);
+        string[] known = Array.ConvertAll(Enum.GetValues<View>(), Views.Word);
+        return Views.TryParse(word, out View found) ? found : throw arguments.Wrong(view.Name, word, "one of " + string.Join(", ", known) + Suggestion.For(word, known));
+    }
+
+    private static void RequireRoom(ParsedArguments arguments, UInt128 count, ContactSheetOptions layout)
+    {
+        UInt128 rows = (count + (UInt128)layout.Columns - 1) / (UInt128)layout.Columns;
+        UInt128 width = UInt128.Min(count, (UInt128)layout.Columns) * (UInt128)layout.CellWidth;
+        UInt128 height = rows * (UInt128)layout.CellHeight;
+        if (width > Picture.LargestSide || height > Picture.LargestSide || width * height > MostPixels)
+        {
+            throw arguments.Wrong(FormattableString.Invariant(
+                $"a sheet of {count} creatures would be {width} x {height} pixels; expected at most {Picture.LargestSide} on a side and 100 million in all: fewer seeds, other --columns or a smaller --size"));
+        }
+    }
+
+    private static SheetCell Cell(ulong seed, CreatureOptions options, Style style, ProgressLine progress)
+    {
+        CreatureBlueprint blueprint = Growing.Sample(seed, options);
+        string label = $"{SeedText.Of(seed)} {WordList<Anatomy.LocomotionKind>.Instance[blueprint.Kind]} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {blueprint.Body.Blend.First}";
+        return new SheetCell(label, (width, height) =>
+        {
+            Creature creature = CreatureAssembler.Assemble(blueprint);
+            RenderOptions render = style.Render with { Width = width, Height = height };
+            Picture picture = style.Figure == Figure.Skeleton ? Portrait.TakeSkeleton(creature, style.View, render) : Portrait.Take(creature, style.View, render);
+            progress.Step();
+            return picture;
+        });
+    }
+
+    /// <summary>What of a creature is drawn.</summary>
+    private enum Figure
+    {
+        Skin,
+        Skeleton,
+    }
+
+    private sealed record Style(View View, Figure Figure, RenderOptions Render);
+}

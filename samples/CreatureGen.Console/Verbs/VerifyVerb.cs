@@ -1,0 +1,83 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Text;
+using CreatureGen.Console.Working;
+using CreatureGen.Creatures;
+using CreatureGen.Sampling;
+
+namespace CreatureGen.Console.Verbs;
+
+/// <summary>Checks the creatures of many seeds.</summary>
+internal sealed class VerifyVerb : IVerb
+{
+    /// <summary>The invariant of a blueprint that cannot be built at all.</summary>
+    public const string Builds = "builds";
+
+    /// <summary>The invariant that every limb that the rules ask for has a socket of its own.</summary>
+    public const string Sockets = "sockets";
+
+    /// <inheritdoc/>
+    public VerbSyntax Syntax { get; } = new(
+        "verify",
+        null,
+        "check all invariants of the creatures of seeds",
+        [
+            new("verify --seeds 1-1000", "check a thousand creatures, each of its seed's natural kind"),
+            new("verify --seeds 1-100000 --kind walking --threads 8 --json > report.json", "a long run, for a script"),
+        ],
+        [SeedOptions.Seed, SeedOptions.Seeds, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Json]);
+
+    /// <inheritdoc/>
+    public int Run(ParsedArguments arguments, Surroundings surroundings)
+    {
+        SeedList seeds = SeedOptions.Read(arguments);
+        CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
+        int threads = CommonOptions.ReadThreads(arguments);
+        var verification = new Verification();
+        using (var progress = new ProgressLine(surroundings, "creatures checked", seeds.Count, ProgressKind.Shown))
+        {
+            OrderedWork<ulong, VerifiedCreature>.Run(seeds, threads, seed => Verify(seed, options, surroundings.Checks), creature =>
+            {
+                verification.Add(creature);
+                progress.Step();
+            }, surroundings.Cancellation);
+        }
+
+        if (arguments.Has(CommonOptions.Json.Name))
+        {
+            VerificationJson.Write(surroundings.Out, verification);
+        }
+        else
+        {
+            VerificationText.Write(surroundings.Out, verification, surroundings.Checks.Names.Prepend(Sockets).ToArray(), Ink.For(surroundings, surroundings.OutIsTerminal));
+        }
+
+        return verification.Failed == 0 ? ExitCode.Done : ExitCode.CheckFailed;
+    }
+
+    private static VerifiedCreature Verify(ulong seed, CreatureOptions options, CreatureChecks checks)
+    {
+        CreatureBlueprint blueprint = Growing.Sample(seed, options, out SocketTally sockets);
+        if (sockets.LimbRefusals > 0)
+        {
+            string detail = FormattableString.Invariant($"{sockets.LimbRefusals} sockets of legs, wings or fins ran into others; expected none");
+            return new VerifiedCreature(blueprint.Kind, seed, [new VerificationProblem(blueprint.Kind, seed, Sockets, detail)], false);
+        }
+
+        try
+        {
+            CheckResult result = CheckResult.Of(CreatureAssembler.Assemble(blueprint), checks);
+            VerificationProblem[] problems = result.Violations.Select(violation => new VerificationProblem(blueprint.Kind, seed, violation.Invariant, violation.Detail)).ToArray();
+            return new VerifiedCreature(blueprint.Kind, seed, problems, result.SelfIntersections > 0);
+        }
+        catch (Exception problem) when (problem is not OutOfMemoryException)
+        {
+            // Whatever a stage throws is a defect of the creature, to be reported with all others.
+            return new VerifiedCreature(blueprint.Kind, seed, [new VerificationProblem(blueprint.Kind, seed, Builds, problem.GetType().Name + ": " + problem.Message)], false);
+        }
+    }
+}

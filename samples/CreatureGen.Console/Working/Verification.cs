@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Inspection;
+
+namespace CreatureGen.Console.Working;
+
+/// <summary>An invariant that a creature breaks.</summary>
+internal sealed record VerificationProblem(LocomotionKind Kind, ulong Seed, string Invariant, string Detail);
+
+/// <summary>What came of checking one creature.</summary>
+/// <param name="Kind">How it moves.</param>
+/// <param name="Seed">Its seed.</param>
+/// <param name="Problems">What it breaks.</param>
+/// <param name="CrossesItself">Whether its surface crosses itself.</param>
+internal sealed record VerifiedCreature(LocomotionKind Kind, ulong Seed, IReadOnlyList<VerificationProblem> Problems, bool CrossesItself);
+
+/// <summary>What came of checking many creatures.</summary>
+internal sealed class Verification
+{
+    private readonly List<VerificationProblem> problems = [];
+    private readonly List<(LocomotionKind Kind, ulong Seed)> crossing = [];
+    private readonly long[] checkedByKind = new long[Enum.GetValues<LocomotionKind>().Length];
+    private readonly long[] failedByKind = new long[Enum.GetValues<LocomotionKind>().Length];
+
+    /// <summary>Creatures that were checked.</summary>
+    public long Checked => checkedByKind.Sum();
+
+    /// <summary>Creatures that break an invariant.</summary>
+    public long Failed => failedByKind.Sum();
+
+    /// <summary>Creatures whose surface crosses itself.</summary>
+    public long SelfIntersecting => crossing.Count;
+
+    /// <summary>All that is broken, in the order of the seeds.</summary>
+    public IReadOnlyList<VerificationProblem> Problems => problems;
+
+    /// <summary>The creatures whose surface crosses itself, in the order of the seeds.</summary>
+    public IReadOnlyList<(LocomotionKind Kind, ulong Seed)> Crossing => crossing;
+
+    /// <summary>Creatures of a kind that were checked.</summary>
+    public long CheckedOf(LocomotionKind kind) => checkedByKind[(int)kind];
+
+    /// <summary>Creatures of a kind that break an invariant.</summary>
+    public long FailedOf(LocomotionKind kind) => failedByKind[(int)kind];
+
+    /// <summary>Creatures of a kind whose surface crosses itself.</summary>
+    public long SelfIntersectingOf(LocomotionKind kind) => crossing.Count(creature => creature.Kind == kind);
+
+    /// <summary>Creatures of a kind that break one invariant.</summary>
+    public int FailedOf(LocomotionKind kind, string invariant) =>
+        problems.Where(problem => problem.Kind == kind && problem.Invariant == invariant).Select(problem => problem.Seed).Distinct().Count();
+
+    /// <summary>Adds a creature.</summary>
+    public void Add(VerifiedCreature creature)
+    {
+        int kind = (int)creature.Kind;
+        checkedByKind[kind]++;
+        failedByKind[kind] += creature.Problems.Count > 0 ? 1 : 0;
+        if (creature.CrossesItself)
+        {
+            crossing.Add((creature.Kind, creature.Seed));
+        }
+
+        problems.AddRange(creature.Problems);
+    }
+}

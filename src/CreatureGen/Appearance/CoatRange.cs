@@ -1,0 +1,23 @@
+using System.Numerics;
+
+namespace CreatureGen.Appearance;
+
+/// <summary>The colours of a place without and with the full pattern, linear RGB, and the place as the pattern sees it.</summary>
+internal readonly struct CoatRange
+{
+    public CoatRange(Vector3 plain, Vector3 patterned, PatternPlace place)
+    {
+        Plain = plain;
+        Patterned = patterned;
+        Place = place;
+    }
+
+    /// <summary>Where the pattern does not show.</summary>
+    public Vector3 Plain { get; }
+
+    /// <summary>Where it shows fully.</summary>
+    public Vector3 Patterned { get; }
+
+    /// <summary>The place.</summary>
+    public PatternPlace Place { get; }
+}

@@ -1,0 +1,163 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Appearance.Textures;
+
+/// <summary>What a skin is covered with.</summary>
+internal enum SkinCover
+{
+    /// <summary>Naked skin with fine wrinkles.</summary>
+    Wrinkles,
+
+    /// <summary>Short hair.</summary>
+    Fur,
+
+    /// <summary>Overlapping scales.</summary>
+    Scales,
+
+    /// <summary>Overlapping feathers with a shaft.</summary>
+    Feathers,
+
+    /// <summary>Plates with seams between them.</summary>
+    Plates,
+}
+
+/// <summary>The fine relief of a skin as a height over its texture chart. Everything in metres at scale 1.</summary>
+/// <remarks>Rows of scales and feathers run around the chart (along u) and overlap along v, from head to tail or from root to tip.</remarks>
+internal sealed class SkinRelief
+{
+    private readonly SkinCover cover;
+    private readonly float size;
+    private readonly int salt;
+
+    /// <summary>Chooses the relief.</summary>
+    /// <param name="cover">What it is made of.</param>
+    /// <param name="size">Length of one scale, feather, plate or tuft, metres.</param>
+    /// <param name="salt">Which one of its kind.</param>
+    public SkinRelief(SkinCover cover, float size, int salt)
+    {
+        this.cover = cover;
+        this.size = cover == SkinCover.Feathers ? 1.7f * size : size;
+        this.salt = salt;
+        Amplitude = this.size * cover switch
+        {
+            SkinCover.Scales => 0.22f,
+            SkinCover.Feathers => 0.2f,
+            SkinCover.Plates => 0.16f,
+            SkinCover.Fur => 0.2f,
+            _ => 0.12f,
+        };
+    }
+
+    /// <summary>Height of the relief between its lowest and its highest place, metres.</summary>
+    public float Amplitude { get; }
+
+    /// <summary>How much of the colour the relief changes: dark in the gaps, light on the crests.</summary>
+    public float Shade => cover switch
+    {
+        SkinCover.Scales or SkinCover.Plates => 0.34f,
+        SkinCover.Feathers => 0.3f,
+        SkinCover.Fur => 0.3f,
+        _ => 0.14f,
+    };
+
+    /// <summary>Roughness of the skin between 0 and 1.</summary>
+    public float Roughness => cover switch
+    {
+        SkinCover.Scales => 0.55f,
+        SkinCover.Plates => 0.38f,
+        SkinCover.Feathers => 0.78f,
+        SkinCover.Fur => 0.92f,
+        _ => 0.6f,
+    };
+
+    /// <summary>Height at a place of a chart, 0..1 of the amplitude.</summary>
+    /// <param name="place">Metres around and along.</param>
+    public float At(Vector2 place) => cover switch
+    {
+        SkinCover.Scales => Overlapping(place, shaft: 0f),
+        SkinCover.Feathers => Overlapping(place, shaft: 0.18f),
+        SkinCover.Plates => Plates(place),
+        SkinCover.Fur => Fur(place),
+        _ => Wrinkles(place),
+    };
+
+    /// <summary>Two rows of rounded tongues may cover a place; the one further forward lies on top.</summary>
+    private float Overlapping(Vector2 place, float shaft)
+    {
+        float v = 1.15f * place.Y / size;
+        float u = place.X / size;
+        int row = (int)Math.Floor((double)v);
+        for (int k = 0; k < 2; k++)
+        {
+            int r = row - k;
+            float along = v - r;
+            float across = u + (0.5f * (r & 1));
+            float fu = across - (float)Math.Floor((double)across) - 0.5f;
+
+            // A tongue is one and a half rows long: its rounded end lies over the next row.
+            float fv = along / 1.5f;
+            float beyond = Math.Max(fv - 0.62f, 0f);
+            float squared = (3.0625f * fu * fu) + (6.5f * beyond * beyond);
+            float edge = Scalar.Smooth((0.92f - (float)Math.Sqrt(squared)) / 0.1f);
+            if (k == 1 || edge > 0.5f)
+            {
+                float rib = shaft == 0f ? 0f : shaft * Math.Max(0f, 1f - (400f * fu * fu));
+                return edge * ((0.45f + (0.5f * fv)) * (1f - (1.6f * fu * fu)) - rib);
+            }
+        }
+
+        return 0f;
+    }
+
+    private float Plates(Vector2 place)
+    {
+        float u = place.X / (1.6f * size);
+        float v = place.Y / (1.1f * size);
+        int x0 = (int)Math.Floor(u - 0.5);
+        int y0 = (int)Math.Floor(v - 0.5);
+        float first = float.MaxValue;
+        float second = float.MaxValue;
+        for (int i = 0; i < 9; i++)
+        {
+            int x = x0 - 1 + (i % 3) + 1;
+            int y = y0 - 1 + (i / 3) + 1;
+            uint bits = LatticeHash.Bits(x, y, 0, salt);
+            float dx = x + 0.2f + (0.6f * LatticeHash.Unit(bits)) - u;
+            float dy = y + 0.2f + (0.6f * LatticeHash.Unit(LatticeHash.Mix(bits))) - v;
+            float squared = (dx * dx) + (dy * dy);
+            if (squared < first)
+            {
+                second = first;
+                first = squared;
+            }
+            else if (squared < second)
+            {
+                second = squared;
+            }
+        }
+
+        return Scalar.Smooth(((float)Math.Sqrt(second) - (float)Math.Sqrt(first)) / 0.22f);
+    }
+
+    /// <summary>Hair lies along v: noise that is long in v, shifted by a slower noise so that it waves.</summary>
+    private float Fur(Vector2 place)
+    {
+        float u = place.X / size;
+        float v = place.Y / size;
+        float wave = ValueNoise.At(new Vector2(0.9f * u, 0.7f * v), salt);
+        float coarse = ValueNoise.At(new Vector2((2.6f * u) + wave, 0.42f * v), salt + 1);
+        float fine = ValueNoise.At(new Vector2((6f * u) + (2f * wave), 0.9f * v), salt + 2);
+        return (0.55f * coarse) + (0.45f * fine);
+    }
+
+    private float Wrinkles(Vector2 place)
+    {
+        float u = place.X / size;
+        float v = place.Y / size;
+        float ridge = 1f - Math.Abs((2f * ValueNoise.At(new Vector2(1.1f * u, 1.9f * v), salt)) - 1f);
+        float pores = ValueNoise.At(new Vector2(5f * u, 5f * v), salt + 1);
+        return 1f - (0.7f * ridge * ridge * ridge) - (0.15f * pores);
+    }
+}

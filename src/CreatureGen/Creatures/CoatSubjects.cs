@@ -1,0 +1,56 @@
+using CreatureGen.Appearance;
+using CreatureGen.Appearance.Textures;
+using CreatureGen.Blueprints;
+using CreatureGen.Features;
+using CreatureGen.Limbs;
+using CreatureGen.Anatomy;
+
+namespace CreatureGen.Creatures;
+
+/// <summary>What the coat has to know of a grown creature.</summary>
+internal static class CoatSubjects
+{
+    /// <summary>The subject of a creature's coat.</summary>
+    public static CoatSubject Of(CreatureBlueprint blueprint, GrownSurface grown, EyeFrame eye)
+    {
+        var wings = new WingStyle[grown.Appendages.Count];
+        for (int i = 0; i < blueprint.Wings.Count; i++)
+        {
+            wings[blueprint.Legs.Count + i] = blueprint.Wings[i].Style;
+        }
+
+        return new CoatSubject(grown.Skin.Shape)
+        {
+            Snout = SnoutOf(blueprint.Body.Blend.First),
+            Mark = blueprint.Body.Blend.First == "insect" ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
+            Tail = blueprint.Tail.Style,
+            WingStyles = wings,
+            EyeCentre = eye.Centre,
+            EyeRadius = eye.Radius,
+        };
+    }
+
+    /// <summary>The fine relief of a creature's skin.</summary>
+    public static SkinRelief ReliefOf(CreatureBlueprint blueprint)
+    {
+        (SkinCover cover, float size) = blueprint.Body.Blend.First switch
+        {
+            "canine" or "feline" => (SkinCover.Fur, 0.035f),
+            "bovine" => (SkinCover.Fur, 0.022f),
+            "avian" => (SkinCover.Feathers, 0.04f),
+            "reptile" => (SkinCover.Scales, 0.04f),
+            "serpent" => (SkinCover.Scales, 0.034f),
+            "fish" => blueprint.Plan == BodyPlan.Whale ? (SkinCover.Wrinkles, 0.05f) : (SkinCover.Scales, 0.045f),
+            "insect" => (SkinCover.Plates, 0.09f),
+            _ => (SkinCover.Wrinkles, 0.05f),
+        };
+        return new SkinRelief(cover, size, unchecked((blueprint.Coat.PatternSeed * 16) + 12));
+    }
+
+    private static SnoutCoat SnoutOf(string body) => body switch
+    {
+        "canine" or "feline" or "bovine" => SnoutCoat.Leather,
+        "avian" => SnoutCoat.Beak,
+        _ => SnoutCoat.Bare,
+    };
+}

@@ -1,0 +1,118 @@
+using System;
+using System.Numerics;
+using CreatureGen.Appearance;
+using CreatureGen.Appearance.Textures;
+using CreatureGen.Features;
+using CreatureGen.Geometry;
+using CreatureGen.Limbs;
+
+namespace CreatureGen.Creatures;
+
+/// <summary>
+/// The texture atlas of a creature: base colour, normals and roughness on the texture coordinates of its mesh. Square pictures, three bytes per texel, rows from the top.
+/// </summary>
+/// <remarks>
+/// Every texel is a place of the surface at rest: coat, scales, fur or feathers are evaluated there, so seams between charts do not show and left and right are alike.
+/// Pieces set into the skin (eyes, claws, horns, teeth) keep their vertex colours and lie on white texels; the skin's vertex colours are not to be multiplied with the base colour.
+/// </remarks>
+public sealed class CreatureTextures
+{
+    /// <summary>Least texels along a side.</summary>
+    public const int SmallestSize = 256;
+
+    /// <summary>Most texels along a side.</summary>
+    public const int LargestSize = 4096;
+
+    private readonly AtlasPictures pictures;
+
+    private CreatureTextures(AtlasPictures pictures) => this.pictures = pictures;
+
+    /// <summary>Texels along a side.</summary>
+    public int Size => pictures.Size;
+
+    /// <summary>Base colour, sRGB.</summary>
+    public ReadOnlySpan<byte> BaseColour => pictures.BaseColour;
+
+    /// <summary>Normals in tangent space as glTF has them: red along u, green against v, blue outwards; 128 is nought.</summary>
+    public ReadOnlySpan<byte> Normal => pictures.Normal;
+
+    /// <summary>Roughness in the green channel, metalness (none) in the blue one.</summary>
+    public ReadOnlySpan<byte> Roughness => pictures.Roughness;
+
+    /// <summary>Paints the atlas of a creature. The same creature and size give the same bytes.</summary>
+    /// <param name="creature">The creature; its blueprint says all that is needed.</param>
+    /// <param name="size">Texels along a side, a power of two 256..4096.</param>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The size is not a power of two within its range.</exception>
+    public static CreatureTextures Bake(Creature creature, int size)
+    {
+        if (creature is null)
+        {
+            throw new ArgumentNullException(nameof(creature));
+        }
+
+        if (size < SmallestSize || size > LargestSize || (size & (size - 1)) != 0)
+        {
+            throw new ArgumentOutOfRangeException(nameof(size), size, "expected a power of two 256..4096");
+        }
+
+        GrownSurface grown = GrownSurface.Grow(creature.Blueprint);
+        Surface surface = grown.Surface;
+        var normals = new Vector3[surface.Positions.Length];
+        SurfaceNormals.Smooth(surface.Positions, surface.Triangles, normals);
+        EyeFrame eye = FeatureSetter.EyeOf(creature.Blueprint, grown);
+        var coat = new CoatPainter(creature.Blueprint.Coat, CoatSubjects.Of(creature.Blueprint, grown, eye));
+        var pictures = new AtlasPictures(size);
+        var painter = new TexturePainter(coat, CoatSubjects.ReliefOf(creature.Blueprint), pictures);
+        ChartPacking packing = ChartPacking.Pack(surface);
+        PaintSwatches(pictures);
+        Paint(surface, normals, packing, coat, painter);
+        pictures.Bleed(Math.Max(2, size / 256));
+        pictures.Emboss(1f / (packing.Density * size));
+        return new CreatureTextures(pictures);
+    }
+
+    /// <summary>
+    /// Whether a vertex with these texture coordinates lies on white texels and keeps its own colour, as eyes, claws and teeth do; all others have their colour in the base colour picture.
+    /// </summary>
+    public static bool KeepsItsColour(Vector2 texcoord) => ChartPacking.IsSwatch(texcoord);
+
+    private static void PaintSwatches(AtlasPictures pictures)
+    {
+        int side = ChartPacking.SwatchSide(pictures.Size);
+        foreach (SurfaceFinish finish in new[] { SurfaceFinish.Skin, SurfaceFinish.Horn, SurfaceFinish.Tooth, SurfaceFinish.Eye, SurfaceFinish.Wing })
+        {
+            pictures.SetPlain((int)finish * side, 0, side, RoughnessOf(finish));
+        }
+    }
+
+    private static float RoughnessOf(SurfaceFinish finish) => finish switch
+    {
+        SurfaceFinish.Horn => 0.4f,
+        SurfaceFinish.Tooth => 0.25f,
+        SurfaceFinish.Eye => 0.07f,
+        SurfaceFinish.Wing => 0.3f,
+        _ => 0.65f,
+    };
+
+    /// <summary>The right side shares the texels of the left. Charts do not overlap, so each can be painted by a thread of its own.</summary>
+    private static void Paint(Surface surface, Vector3[] normals, ChartPacking packing, CoatPainter coat, TexturePainter painter)
+    {
+        for (int pass = 0; pass < 2; pass++)
+        {
+            for (int f = 0; f < surface.Faces.Length; f++)
+            {
+                if (IsRight(surface, f) == (pass == 1))
+                {
+                    painter.Paint(ChartFace.Of(surface, normals, packing, f, coat));
+                }
+            }
+        }
+    }
+
+    private static bool IsRight(Surface surface, int f)
+    {
+        Face face = surface.Faces[f];
+        return surface.Addresses[face.A].Sign < 0 || surface.Addresses[face.B].Sign < 0 || surface.Addresses[face.C].Sign < 0 || surface.Addresses[face.D].Sign < 0;
+    }
+}

@@ -1,0 +1,149 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Geometry;
+using CreatureGen.Maths;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Creatures;
+
+/// <summary>
+/// What it costs to pull a point of a creature onto a neighbour, m⁴: the area that changes times the square of how far it seems to move.
+/// </summary>
+/// <remarks>
+/// The distance to the planes of all triangles that the point has stood for (shape), the part of its weights that changes (how it bends), its colour, and whether it leaves its place in the
+/// texture. The area grows with every point that is pulled onto it. What draws a viewer's attention counts as if it were larger.
+/// </remarks>
+internal sealed class ReductionCost
+{
+    /// <summary>Metres that a change of all weights counts for, per metre between the points: a joint between them bends by about this angle, radians.</summary>
+    private const double Bend = 0.35;
+
+    /// <summary>Metres that any step counts for, per metre between the points, so that level places lose their short edges first.</summary>
+    private const double Stretch = 0.03;
+
+    /// <summary>Metres that a change from black to white counts for, per metre of the creature's diagonal.</summary>
+    private const double Contrast = 0.008;
+
+    /// <summary>Metres that leaving the place in the texture counts for, per metre of the creature's diagonal.</summary>
+    private const double Tear = 0.02;
+
+    /// <summary>Metres that leaving the ground counts for, per metre of the creature's diagonal: soles stay where they stand.</summary>
+    private const double Lift = 0.2;
+
+    /// <summary>Metres that a piece which vanishes counts for, per metre of its diagonal.</summary>
+    private const double Loss = 1;
+
+    private readonly Vector3[] positions;
+    private readonly Quadric[] quadrics;
+    private readonly double[] areas;
+    private readonly double[] attention;
+    private readonly SkinWeights[] weights;
+    private readonly Vector3[] colours;
+    private readonly double contrast;
+    private readonly double tear;
+    private readonly double lift;
+
+    /// <summary>Measures the surface.</summary>
+    /// <param name="mesh">What is drawn.</param>
+    /// <param name="positions">Place of each point.</param>
+    /// <param name="pointOf">The point of each vertex.</param>
+    /// <param name="corners">The point of each corner of the triangles.</param>
+    public ReductionCost(CreatureMesh mesh, Vector3[] positions, ReadOnlySpan<int> pointOf, ReadOnlySpan<int> corners)
+    {
+        this.positions = positions;
+        quadrics = new Quadric[positions.Length];
+        areas = new double[positions.Length];
+        for (int t = 0; t < corners.Length; t += 3)
+        {
+            Vector3 a = positions[corners[t]];
+            Vector3 cross = Vec.Cross(positions[corners[t + 1]] - a, positions[corners[t + 2]] - a);
+            double area = Vec.Length(cross) / 2.0;
+            Quadric quadric = Quadric.OfPlane(Vec.Normalize(cross, Vector3.UnitY), a, area / 3);
+            for (int c = t; c < t + 3; c++)
+            {
+                quadrics[corners[c]] += quadric;
+                areas[corners[c]] += area / 3;
+            }
+        }
+
+        weights = new SkinWeights[positions.Length];
+        attention = new double[positions.Length];
+        colours = new Vector3[pointOf.Length];
+        for (int v = 0; v < pointOf.Length; v++)
+        {
+            weights[pointOf[v]] = mesh.Weights[v];
+            double seen = mesh.Attention is null ? 1 : mesh.Attention[v];
+            attention[pointOf[v]] = seen * seen * seen * seen;
+
+            // The root is nearer to what the eye makes of brightness.
+            Vector3 c = mesh.Colours[v];
+            colours[v] = new Vector3((float)Math.Sqrt(Math.Max(c.X, 0f)), (float)Math.Sqrt(Math.Max(c.Y, 0f)), (float)Math.Sqrt(Math.Max(c.Z, 0f)));
+        }
+
+        double diagonal = PointBounds.Of(positions).Diagonal;
+        contrast = Contrast * diagonal;
+        tear = Tear * diagonal;
+        lift = Lift * diagonal;
+    }
+
+    /// <summary>The cost of a step.</summary>
+    /// <param name="from">The point that goes.</param>
+    /// <param name="to">The neighbour that takes its place.</param>
+    /// <param name="pairs">For each vertex of <paramref name="from"/> the one that takes its place.</param>
+    /// <param name="torn">Whether one of them leaves its place in the texture.</param>
+    public double Of(int from, int to, List<(int From, int To)> pairs, bool torn)
+    {
+        double distance = Vec.LengthSquared(positions[from] - positions[to]);
+        double bend = Bend * WeightChange(weights[from], weights[to]);
+        double colour = 0;
+        foreach ((int From, int To) pair in pairs)
+        {
+            colour += Difference(pair.From, pair.To);
+        }
+
+        double seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour / pairs.Count * contrast * contrast) + (torn ? tear * tear : 0);
+        seeming += positions[from].Y == 0f && positions[to].Y != 0f ? lift * lift : 0;
+        return attention[from] * (quadrics[from].At(positions[to]) + (areas[from] * seeming));
+    }
+
+    /// <summary>A cost that <see cref="Of"/> does not fall below.</summary>
+    public double LeastOf(int from, int to) =>
+        attention[from] * (quadrics[from].At(positions[to]) + (areas[from] * Vec.LengthSquared(positions[from] - positions[to]) * Stretch * Stretch));
+
+    /// <summary>The cost of the loss of a piece.</summary>
+    /// <param name="point">One of its points.</param>
+    /// <param name="area">Its area, square metres.</param>
+    /// <param name="diagonal">Diagonal of its box, metres.</param>
+    public double OfLoss(int point, double area, double diagonal) => attention[point] * area * Loss * diagonal * Loss * diagonal;
+
+    /// <summary>Squared difference of two vertices' colours as the eye sees it.</summary>
+    public double Difference(int vertex, int other) => Vec.LengthSquared(colours[vertex] - colours[other]);
+
+    /// <summary>Lets a point stand for another one as well.</summary>
+    public void Merge(int from, int to)
+    {
+        quadrics[to] += quadrics[from];
+        areas[to] += areas[from];
+    }
+
+    /// <summary>0 for equal weights, 1 for weights on other joints.</summary>
+    private static double WeightChange(in SkinWeights a, in SkinWeights b)
+    {
+        double common = 0;
+        for (int i = 0; i < 4; i++)
+        {
+            float weight = Weight(a, i);
+            for (int k = 0; k < 4 && weight > 0f; k++)
+            {
+                common += Joint(a, i) == Joint(b, k) ? Math.Min(weight, Weight(b, k)) : 0f;
+            }
+        }
+
+        return 1 - common;
+    }
+
+    private static int Joint(in SkinWeights w, int i) => i switch { 0 => w.Joint0, 1 => w.Joint1, 2 => w.Joint2, _ => w.Joint3 };
+
+    private static float Weight(in SkinWeights w, int i) => i switch { 0 => w.Weights.X, 1 => w.Weights.Y, 2 => w.Weights.Z, _ => w.Weights.W };
+}

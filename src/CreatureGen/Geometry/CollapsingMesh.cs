@@ -1,0 +1,386 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Geometry;
+
+/// <summary>
+/// A closed surface that loses one point after another: a point is pulled onto one of its neighbours, and the two triangles at the edge between them vanish.
+/// </summary>
+/// <remarks>
+/// A corner of a triangle has a point, where it is, and a drawn vertex, how it looks: points at which a texture or a colour parts have several vertices.
+/// A closed two-manifold stays one, because a point only moves when the link condition holds: what both ends of the edge neighbour is what the edge neighbours.
+/// Based on: H. Hoppe 1996, "Progressive meshes"; T. K. Dey, H. Edelsbrunner, S. Guha and D. V. Nekhayev 1999, "Topology preserving edge contraction".
+/// </remarks>
+internal sealed class CollapsingMesh
+{
+    /// <summary>Cosine of the largest turn of a triangle in one step: about 70°.</summary>
+    private const double LeastTurn = 0.35;
+
+    /// <summary>Twice the area of a triangle relative to the square of its longest edge: thinner ones are only made of those that are as thin.</summary>
+    private const double LeastShape = 0.06;
+
+    private readonly Vector3[] positions;
+    private readonly Vector3[] normals;
+    private readonly int[] points;
+    private readonly int[] vertices;
+    private readonly bool[] gone;
+
+    // The corners of a point as a chain; those of triangles that are gone stay in it until it is pruned.
+    private readonly int[] first;
+    private readonly int[] last;
+    private readonly int[] next;
+    private readonly int[] marks;
+    private int mark;
+
+    private readonly List<int> movedCorners = new();
+    private readonly List<int> movedVertices = new();
+    private readonly List<int> lostTriangles = new();
+    private (int From, int To, int FirstOfFrom, int LastOfFrom, int FirstOfTo) step;
+
+    /// <summary>Takes a surface whose every edge has two triangles.</summary>
+    /// <param name="positions">Place of each point.</param>
+    /// <param name="normals">Unit normal of each point: no triangle is turned against those of its corners.</param>
+    /// <param name="points">The point of each corner, three corners per triangle; changed in place from now on.</param>
+    /// <param name="vertices">The drawn vertex of each corner; changed in place from now on.</param>
+    public CollapsingMesh(Vector3[] positions, Vector3[] normals, int[] points, int[] vertices)
+    {
+        this.positions = positions;
+        this.normals = normals;
+        this.points = points;
+        this.vertices = vertices;
+        Triangles = points.Length / 3;
+        gone = new bool[Triangles];
+        first = new int[positions.Length];
+        last = new int[positions.Length];
+        next = new int[points.Length];
+        marks = new int[positions.Length];
+        Array.Fill(first, -1);
+        for (int c = points.Length - 1; c >= 0; c--)
+        {
+            int p = points[c];
+            next[c] = first[p];
+            last[p] = first[p] < 0 ? c : last[p];
+            first[p] = c;
+        }
+    }
+
+    /// <summary>Number of triangles left.</summary>
+    public int Triangles { get; private set; }
+
+    /// <summary>Whether a triangle has vanished.</summary>
+    public bool IsGone(int triangle) => gone[triangle];
+
+    /// <summary>Whether a point is still a corner of triangles.</summary>
+    public bool IsUsed(int point) => first[point] >= 0;
+
+    /// <summary>Lists the neighbours of a point, each once.</summary>
+    public void Neighbours(int point, List<int> neighbours)
+    {
+        Prune(point);
+        neighbours.Clear();
+        mark++;
+        for (int c = first[point]; c >= 0; c = next[c])
+        {
+            int a = points[Next(c)];
+            int b = points[Previous(c)];
+            if (marks[a] != mark)
+            {
+                marks[a] = mark;
+                neighbours.Add(a);
+            }
+
+            if (marks[b] != mark)
+            {
+                marks[b] = mark;
+                neighbours.Add(b);
+            }
+        }
+    }
+
+    /// <summary>
+    /// Says onto which vertex of <paramref name="to"/> each vertex of <paramref name="from"/> would be pulled: the one at the other end of the edge, on the same side of it.
+    /// </summary>
+    /// <param name="from">The point that would go.</param>
+    /// <param name="to">Its neighbour.</param>
+    /// <param name="pairs">Receives the vertices; the second is −1 when the edge does not say.</param>
+    /// <returns>Whether the edge says it for all, so that nothing is torn out of its place in the texture.</returns>
+    public bool Match(int from, int to, List<(int From, int To)> pairs)
+    {
+        pairs.Clear();
+        bool whole = true;
+        for (int c = first[from]; c >= 0; c = next[c])
+        {
+            if (gone[c / 3])
+            {
+                continue;
+            }
+
+            int other = points[Next(c)] == to ? vertices[Next(c)] : points[Previous(c)] == to ? vertices[Previous(c)] : -1;
+            int at = 0;
+            while (at < pairs.Count && pairs[at].From != vertices[c])
+            {
+                at++;
+            }
+
+            if (at == pairs.Count)
+            {
+                pairs.Add((vertices[c], other));
+            }
+            else if (pairs[at].To < 0)
+            {
+                pairs[at] = (vertices[c], other);
+            }
+            else
+            {
+                whole &= other < 0 || other == pairs[at].To;
+            }
+        }
+
+        foreach ((int _, int To) pair in pairs)
+        {
+            whole &= pair.To >= 0;
+        }
+
+        return whole;
+    }
+
+    /// <summary>The drawn vertices of a point, in the order of its corners, some of them several times.</summary>
+    public void VerticesOf(int point, List<int> found)
+    {
+        found.Clear();
+        for (int c = first[point]; c >= 0; c = next[c])
+        {
+            if (!gone[c / 3])
+            {
+                found.Add(vertices[c]);
+            }
+        }
+    }
+
+    /// <summary>Pulls a point onto a neighbour unless that would pinch the surface, fold it or make a sliver. <see cref="Undo"/> takes the last step back.</summary>
+    /// <param name="from">The point that goes.</param>
+    /// <param name="to">Its neighbour.</param>
+    /// <param name="pairs">For each vertex of <paramref name="from"/> the vertex of <paramref name="to"/> that takes its place.</param>
+    public bool TryCollapse(int from, int to, List<(int From, int To)> pairs)
+    {
+        if (!LinkHolds(from, to) || Folds(from, to))
+        {
+            return false;
+        }
+
+        movedCorners.Clear();
+        movedVertices.Clear();
+        lostTriangles.Clear();
+        step = (from, to, first[from], last[from], first[to]);
+        for (int c = first[from]; c >= 0; c = next[c])
+        {
+            int t = c / 3;
+            if (gone[t])
+            {
+                continue;
+            }
+
+            if (points[Next(c)] == to || points[Previous(c)] == to)
+            {
+                gone[t] = true;
+                lostTriangles.Add(t);
+                continue;
+            }
+
+            movedCorners.Add(c);
+            movedVertices.Add(vertices[c]);
+            points[c] = to;
+            foreach ((int From, int To) pair in pairs)
+            {
+                if (pair.From == vertices[c])
+                {
+                    vertices[c] = pair.To;
+                    break;
+                }
+            }
+        }
+
+        Triangles -= lostTriangles.Count;
+        next[last[from]] = first[to];
+        first[to] = first[from];
+        first[from] = -1;
+        return true;
+    }
+
+    /// <summary>Takes back the last collapse. No chain may have been pruned since.</summary>
+    public void Undo()
+    {
+        first[step.From] = step.FirstOfFrom;
+        next[step.LastOfFrom] = -1;
+        first[step.To] = step.FirstOfTo;
+        for (int i = 0; i < movedCorners.Count; i++)
+        {
+            points[movedCorners[i]] = step.From;
+            vertices[movedCorners[i]] = movedVertices[i];
+        }
+
+        foreach (int t in lostTriangles)
+        {
+            gone[t] = false;
+        }
+
+        Triangles += lostTriangles.Count;
+    }
+
+    /// <summary>Removes a triangle together with the others of its piece, one by one.</summary>
+    public void Remove(int triangle)
+    {
+        for (int c = 3 * triangle; c < (3 * triangle) + 3; c++)
+        {
+            first[points[c]] = -1;
+        }
+
+        gone[triangle] = true;
+        Triangles--;
+    }
+
+    /// <summary>Forgets the corners of triangles that are gone.</summary>
+    public void Prune(int point)
+    {
+        int kept = -1;
+        int c = first[point];
+        first[point] = -1;
+        while (c >= 0)
+        {
+            int following = next[c];
+            if (!gone[c / 3])
+            {
+                if (kept < 0)
+                {
+                    first[point] = c;
+                }
+                else
+                {
+                    next[kept] = c;
+                }
+
+                next[c] = -1;
+                kept = c;
+            }
+
+            c = following;
+        }
+
+        last[point] = kept;
+    }
+
+    private static int Next(int corner) => corner % 3 == 2 ? corner - 2 : corner + 1;
+
+    private static int Previous(int corner) => corner % 3 == 0 ? corner + 2 : corner - 1;
+
+    /// <summary>The two ends of an edge have no neighbours in common but the two across it, and those two are no triangle with both.</summary>
+    private bool LinkHolds(int from, int to)
+    {
+        mark += 2;
+        int across = -1;
+        int alsoAcross = -1;
+        int faces = 0;
+        for (int c = first[from]; c >= 0; c = next[c])
+        {
+            if (gone[c / 3])
+            {
+                continue;
+            }
+
+            int a = points[Next(c)];
+            int b = points[Previous(c)];
+            marks[a] = mark;
+            marks[b] = mark;
+            if (a == to || b == to)
+            {
+                alsoAcross = across;
+                across = a == to ? b : a;
+                faces++;
+            }
+        }
+
+        if (faces != 2 || across == alsoAcross)
+        {
+            return false;
+        }
+
+        int common = 0;
+        bool bridged = false;
+        for (int c = first[to]; c >= 0; c = next[c])
+        {
+            if (gone[c / 3])
+            {
+                continue;
+            }
+
+            int a = points[Next(c)];
+            int b = points[Previous(c)];
+            common += Count(a) + Count(b);
+            bridged |= (a == across && b == alsoAcross) || (b == across && a == alsoAcross);
+        }
+
+        return common == 2 && !(bridged && IsTriangle(from, across, alsoAcross));
+
+        int Count(int neighbour)
+        {
+            if (marks[neighbour] != mark)
+            {
+                return 0;
+            }
+
+            marks[neighbour] = mark - 1;
+            return 1;
+        }
+    }
+
+    private bool IsTriangle(int point, int a, int b)
+    {
+        for (int c = first[point]; c >= 0; c = next[c])
+        {
+            int x = points[Next(c)];
+            int y = points[Previous(c)];
+            if (!gone[c / 3] && ((x == a && y == b) || (x == b && y == a)))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private bool Folds(int from, int to)
+    {
+        Vector3 before = positions[from];
+        Vector3 after = positions[to];
+        for (int c = first[from]; c >= 0; c = next[c])
+        {
+            int i = points[Next(c)];
+            int j = points[Previous(c)];
+            if (gone[c / 3] || i == to || j == to)
+            {
+                continue;
+            }
+
+            Vector3 a = positions[i];
+            Vector3 b = positions[j];
+            Vector3 old = Vec.Cross(a - before, b - before);
+            Vector3 turned = Vec.Cross(a - after, b - after);
+            double oldLength = Vec.Length(old);
+            double newLength = Vec.Length(turned);
+            double shape = Math.Min(LeastShape, 0.9 * oldLength / Longest(before, a, b));
+            Vector3 facing = normals[i] + normals[j];
+            bool turnsAway = Vec.Dot(turned, facing + normals[to]) <= 0f && Vec.Dot(old, facing + normals[from]) > 0f;
+            if (turnsAway || !(newLength > shape * Longest(after, a, b)) || !(Vec.Dot(old, turned) > LeastTurn * oldLength * newLength))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static double Longest(Vector3 a, Vector3 b, Vector3 c) =>
+        Math.Max(Vec.LengthSquared(a - b), Math.Max(Vec.LengthSquared(b - c), Vec.LengthSquared(c - a)));
+}

@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Creatures;
+using CreatureGen.Geometry;
+
+namespace CreatureGen.Gltf;
+
+/// <summary>The levels of detail that a file holds, finest first, as one mesh: its parts are those of one level after the other.</summary>
+internal sealed class LevelStack
+{
+    private readonly int[] partCounts;
+
+    private LevelStack(CreatureMesh mesh, int[] partCounts)
+    {
+        Mesh = mesh;
+        this.partCounts = partCounts;
+    }
+
+    /// <summary>The vertices that all levels share, and the triangles of all levels.</summary>
+    public CreatureMesh Mesh { get; }
+
+    /// <summary>Number of levels.</summary>
+    public int Count => partCounts.Length;
+
+    /// <summary>Collects the chosen levels of a mesh.</summary>
+    /// <exception cref="ArgumentException">The choice or the shading is none of the known ones.</exception>
+    public static LevelStack Of(CreatureMesh mesh, GltfOptions options)
+    {
+        LevelStack stack = options.Levels switch
+        {
+            LevelChoice.Finest => new LevelStack(mesh, new[] { mesh.Parts.Count }),
+            LevelChoice.Half => Single(mesh.Levels[1]),
+            LevelChoice.Quarter => Single(mesh.Levels[2]),
+            LevelChoice.Tenth => Single(mesh.Levels[3]),
+            LevelChoice.All => All(mesh),
+            _ => throw new ArgumentException(FormattableString.Invariant($"levels {(int)options.Levels}; expected Finest, Half, Quarter, Tenth or All"), nameof(options)),
+        };
+        return options.Shading switch
+        {
+            Shading.Smooth => new LevelStack(QuickToDraw(stack.Mesh), stack.partCounts),
+            Shading.Flat => new LevelStack(FlatShading.Split(stack.Mesh), stack.partCounts),
+            _ => throw new ArgumentException(FormattableString.Invariant($"shading {(int)options.Shading}; expected Smooth or Flat"), nameof(options)),
+        };
+    }
+
+    /// <summary>The first of a level's parts, and their number.</summary>
+    public (int First, int Count) PartsOf(int level)
+    {
+        int first = 0;
+        for (int i = 0; i < level; i++)
+        {
+            first += partCounts[i];
+        }
+
+        return (first, partCounts[level]);
+    }
+
+    /// <summary>The same levels over other vertices: the parts of the mesh are the same.</summary>
+    public LevelStack Over(CreatureMesh mesh) => new(mesh, partCounts);
+
+    private static LevelStack Single(CreatureLevel level)
+    {
+        CreatureMesh mesh = level.ToMesh();
+        return new LevelStack(mesh, new[] { mesh.Parts.Count });
+    }
+
+    private static LevelStack All(CreatureMesh mesh)
+    {
+        CreatureLevels levels = mesh.Levels;
+        var triangles = new List<int>();
+        var parts = new List<MeshPart>();
+        int[] counts = new int[levels.Count];
+        for (int i = 0; i < counts.Length; i++)
+        {
+            counts[i] = levels[i].Parts.Count;
+            foreach (MeshPart part in levels[i].Parts)
+            {
+                parts.Add(part with { FirstIndex = triangles.Count + part.FirstIndex });
+            }
+
+            triangles.AddRange(levels[i].Triangles.ToArray());
+        }
+
+        return new LevelStack(mesh.With(triangles.ToArray(), parts), counts);
+    }
+
+    /// <summary>The same triangles in an order in which the graphics card finds most vertices still transformed.</summary>
+    private static CreatureMesh QuickToDraw(CreatureMesh mesh)
+    {
+        int[] ordered = new int[mesh.Triangles.Length];
+        foreach (MeshPart part in mesh.Parts)
+        {
+            VertexCacheOrder.Triangles(mesh.Positions.Length, mesh.Triangles.Slice(part.FirstIndex, part.IndexCount), ordered.AsSpan(part.FirstIndex, part.IndexCount));
+        }
+
+        return mesh.With(ordered, mesh.Parts);
+    }
+}

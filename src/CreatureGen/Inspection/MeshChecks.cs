@@ -1,0 +1,109 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Geometry;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Inspection;
+
+/// <summary>Whether the buffers hold numbers, the surface is closed and whole, and its sides are mirror images.</summary>
+internal static class MeshChecks
+{
+    /// <summary>How far a normal may be from unit length.</summary>
+    private const float NormalLength = 1e-3f;
+
+    /// <summary>How far the mass may be from that of the mesh, which has lost a little of its volume when it was thinned out to fit its budget.</summary>
+    private const double VolumeShare = 0.02;
+
+    /// <summary>False when a number of the mesh is not finite: nothing else can be measured then.</summary>
+    public static bool AreFinite(CreatureMesh mesh, ViolationList found)
+    {
+        for (int v = 0; v < mesh.Positions.Length; v++)
+        {
+            Vector3 p = mesh.Positions[v], n = mesh.Normals[v], c = mesh.Colours[v];
+            Vector2 t = mesh.Texcoords[v];
+            float sum = p.X + p.Y + p.Z + n.X + n.Y + n.Z + c.X + c.Y + c.Z + t.X + t.Y;
+            if (!float.IsFinite(sum) || !IsUnit(n) || !InRange(c))
+            {
+                found.Add(CreatureInspection.Finite, $"vertex {v} has position {p}, normal {n}, colour {c}, texture coordinates {t}; expected finite numbers, a unit normal and a colour of 0..1");
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Checks the surface.</summary>
+    public static void Check(Creature creature, WeldedSkin skin, ViolationList found)
+    {
+        SurfaceTopology all = SurfaceTopology.Of(skin.Positions, skin.OpaqueTriangles);
+        if (!all.IsClosed || all.DuplicateTriangles > 0)
+        {
+            found.Add(
+                CreatureInspection.Closed,
+                $"{all.OpenEdges} open edges, {all.NonManifoldEdges} edges of three or more triangles, {all.WindingEdges} edges wound against each other, {all.PinchedVertices} pinched vertices, {all.DuplicateTriangles} duplicate triangles; expected none");
+        }
+
+        SurfaceTopology body = SurfaceTopology.Of(skin.Positions, skin.BodyTriangles);
+        if (body.EulerCharacteristic != 2)
+        {
+            found.Add(CreatureInspection.OneSurface, $"body and limbs have Euler characteristic {body.EulerCharacteristic}; expected 2, one surface without handles");
+        }
+
+        double volume = VolumeOf(skin);
+        if (!(volume > 0) || Math.Abs(volume - creature.Mass.Volume) > VolumeShare * volume)
+        {
+            found.Add(CreatureInspection.PositiveVolume, $"body and limbs enclose {volume} m³ and the creature says {creature.Mass.Volume} m³; expected the same volume above zero");
+        }
+
+        if (all.DegenerateTriangles > 0)
+        {
+            found.Add(CreatureInspection.Degenerate, $"{all.DegenerateTriangles} triangles have no area; expected none");
+        }
+
+        CheckMirror(skin.Positions, found);
+        int triangles = creature.Mesh.Triangles.Length / 3;
+        if (triangles > creature.Blueprint.TriangleBudget)
+        {
+            found.Add(CreatureInspection.Budget, $"{triangles} triangles; expected at most {creature.Blueprint.TriangleBudget}");
+        }
+    }
+
+    private static double VolumeOf(WeldedSkin skin)
+    {
+        double six = 0;
+        ReadOnlySpan<int> t = skin.BodyTriangles;
+        for (int i = 0; i < t.Length; i += 3)
+        {
+            Vector3 a = skin.Positions[t[i]], b = skin.Positions[t[i + 1]], c = skin.Positions[t[i + 2]];
+            six += (a.X * (((double)b.Y * c.Z) - ((double)b.Z * c.Y))) - (a.Y * (((double)b.X * c.Z) - ((double)b.Z * c.X))) + (a.Z * (((double)b.X * c.Y) - ((double)b.Y * c.X)));
+        }
+
+        return six / 6;
+    }
+
+    private static void CheckMirror(ReadOnlySpan<Vector3> positions, ViolationList found)
+    {
+        var images = new Vector3[2 * positions.Length];
+        for (int v = 0; v < positions.Length; v++)
+        {
+            images[v] = positions[v];
+            images[positions.Length + v] = Vec.Mirror(positions[v]);
+        }
+
+        ReadOnlySpan<int> index = VertexWelding.Weld(images).NewIndex;
+        for (int v = 0; v < positions.Length; v++)
+        {
+            if (index[positions.Length + v] >= positions.Length)
+            {
+                found.Add(CreatureInspection.Mirrored, $"the vertex at {positions[v]} has no mirror image; expected one at exactly {Vec.Mirror(positions[v])}");
+                return;
+            }
+        }
+    }
+
+    private static bool IsUnit(Vector3 n) => Math.Abs(Vec.Length(n) - 1f) <= NormalLength;
+
+    private static bool InRange(Vector3 c) => Math.Min(c.X, Math.Min(c.Y, c.Z)) >= 0f && Math.Max(c.X, Math.Max(c.Y, c.Z)) <= 1f;
+}

@@ -1,0 +1,73 @@
+using System;
+
+namespace CreatureGen.Png;
+
+/// <summary>Collects bits into bytes, lowest bit first, as deflate packs them.</summary>
+internal sealed class BitSink
+{
+    // What the runtime allows for arrays of bytes.
+    private const int LongestArray = 0x7FFFFFC7;
+
+    private byte[] bytes;
+    private int count;
+    private ulong pending;
+    private int pendingBits;
+
+    public BitSink(int capacity) => bytes = new byte[Math.Max(64, capacity)];
+
+    /// <summary>All whole bytes so far.</summary>
+    public ReadOnlySpan<byte> Bytes => bytes.AsSpan(0, count);
+
+    /// <summary>Appends the lowest <paramref name="length"/> bits (at most 32), whose higher bits are zero.</summary>
+    public void Write(uint bits, int length)
+    {
+        pending |= (ulong)bits << pendingBits;
+        pendingBits += length;
+        if (pendingBits >= 32)
+        {
+            Reserve(4);
+            bytes[count] = (byte)pending;
+            bytes[count + 1] = (byte)(pending >> 8);
+            bytes[count + 2] = (byte)(pending >> 16);
+            bytes[count + 3] = (byte)(pending >> 24);
+            count += 4;
+            pending >>= 32;
+            pendingBits -= 32;
+        }
+    }
+
+    /// <summary>Fills the last byte with zero bits.</summary>
+    public void Align()
+    {
+        Reserve(8);
+        while (pendingBits > 0)
+        {
+            bytes[count++] = (byte)pending;
+            pending >>= 8;
+            pendingBits -= 8;
+        }
+
+        pending = 0;
+        pendingBits = 0;
+    }
+
+    /// <summary>Appends whole bytes; the sink must be aligned.</summary>
+    public void Append(ReadOnlySpan<byte> more)
+    {
+        Reserve(more.Length);
+        more.CopyTo(bytes.AsSpan(count));
+        count += more.Length;
+    }
+
+    /// <summary>Appends a number of four bytes, highest first; the sink must be aligned.</summary>
+    public void AppendBigEndian(uint value) =>
+        Append([(byte)(value >> 24), (byte)(value >> 16), (byte)(value >> 8), (byte)value]);
+
+    private void Reserve(int more)
+    {
+        if (bytes.Length - count < more)
+        {
+            Array.Resize(ref bytes, Math.Max(checked(count + more), (int)Math.Min(LongestArray, bytes.Length * 2L)));
+        }
+    }
+}

@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using System.Threading.Tasks;
+using CreatureGen.Creatures;
+using CreatureGen.Gltf;
+using CreatureGen.Sampling;
+using CreatureGen.Tests.Creatures;
+using Xunit;
+
+namespace CreatureGen.Tests.Gltf;
+
+public sealed class GlbLevelsTests
+{
+    private static readonly Creature Subject = LevelSubjects.Of(RequestedKind.Flying, 6);
+
+    public static TheoryData<RequestedKind> Kinds => LevelSubjects.Kinds;
+
+    [Theory]
+    [InlineData(LevelChoice.Half, 1)]
+    [InlineData(LevelChoice.Quarter, 2)]
+    [InlineData(LevelChoice.Tenth, 3)]
+    public void A_file_of_one_level_holds_its_triangles_and_its_vertices_alone(LevelChoice choice, int level)
+    {
+        GlbFile file = GlbFile.Of(Subject, new GltfOptions { Levels = choice });
+        CreatureMesh alone = Subject.Mesh.Levels[level].ToMesh();
+        Assert.Equal(alone.Positions.Length, file.Accessor(file.Attribute("POSITION")).GetProperty("count").GetInt32());
+        Assert.Equal(Triples(alone.Triangles.ToArray()), Triples(IndicesOf(file, 0)));
+        Assert.Equal(1, file.Json.GetProperty("meshes").GetArrayLength());
+        Assert.False(file.Json.TryGetProperty("extensionsUsed", out _));
+    }
+
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void A_file_of_all_levels_ties_them_together_over_one_set_of_vertices_and_one_skin(RequestedKind kind)
+    {
+        Creature creature = LevelSubjects.Of(kind, 6);
+        GlbFile file = GlbFile.Of(creature, new GltfOptions { Levels = LevelChoice.All });
+        Assert.Equal(["MSFT_lod"], file.Json.GetProperty("extensionsUsed").EnumerateArray().Select(e => e.GetString()));
+        Assert.False(file.Json.TryGetProperty("extensionsRequired", out _));
+        JsonElement nodes = file.Json.GetProperty("nodes");
+        JsonElement finest = nodes[0];
+        int[] ids = finest.GetProperty("extensions").GetProperty("MSFT_lod").GetProperty("ids").EnumerateArray().Select(e => e.GetInt32()).ToArray();
+        double[] coverage = GlbFile.Array(finest.GetProperty("extras"), "MSFT_screencoverage")!;
+        Assert.Equal(ids.Length + 1, coverage.Length);
+        Assert.Equal(coverage.OrderDescending(), coverage);
+        Assert.Equal(4, file.Json.GetProperty("meshes").GetArrayLength());
+        string attributes = file.Primitive.GetProperty("attributes").GetRawText();
+        for (int level = 0; level < 4; level++)
+        {
+            JsonElement node = level == 0 ? finest : nodes[ids[level - 1]];
+            Assert.Equal(level == 0 ? "Creature" : "Creature_LOD" + level, node.GetProperty("name").GetString());
+            Assert.Equal(0, node.GetProperty("skin").GetInt32());
+            Assert.Equal(level, node.GetProperty("mesh").GetInt32());
+            Assert.Equal(Triples(creature.Mesh.Levels[level].Triangles.ToArray()), Triples(IndicesOf(file, level)));
+            Assert.All(file.Json.GetProperty("meshes")[level].GetProperty("primitives").EnumerateArray(), p => Assert.Equal(attributes, p.GetProperty("attributes").GetRawText()));
+        }
+
+        Assert.Equal([0, 1], file.Json.GetProperty("scenes")[0].GetProperty("nodes").EnumerateArray().Select(n => n.GetInt32()));
+    }
+
+    [Fact]
+    public void Flat_levels_have_facets_of_their_own()
+    {
+        GlbFile file = GlbFile.Of(Subject, new GltfOptions { Levels = LevelChoice.All, Shading = Shading.Flat });
+        int corners = Enumerable.Range(0, 4).Sum(i => Subject.Mesh.Levels[i].Triangles.Length);
+        Assert.Equal(corners, file.Accessor(file.Attribute("POSITION")).GetProperty("count").GetInt32());
+        for (int level = 0; level < 4; level++)
+        {
+            Assert.Equal(Subject.Mesh.Levels[level].Triangles.Length, IndicesOf(file, level).Length);
+        }
+    }
+
+    [Fact]
+    public void A_choice_that_there_is_not_is_refused_by_name()
+    {
+        ArgumentException e = Assert.Throws<ArgumentException>(() => GlbFile.Write(Subject, new GltfOptions { Levels = (LevelChoice)9 }));
+        Assert.StartsWith("levels 9; expected Finest, Half, Quarter, Tenth or All", e.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Triangles_are_written_in_an_order_that_a_vertex_cache_gains_from()
+    {
+        foreach (RequestedKind kind in new[] { RequestedKind.Walking, RequestedKind.Flying, RequestedKind.Swimming })
+        {
+            Creature creature = LevelSubjects.Of(kind, 9);
+            GlbFile file = GlbFile.Of(creature, new GltfOptions { Levels = LevelChoice.All });
+            for (int level = 0; level < 4; level++)
+            {
+                double before = MissesPerTriangle(creature.Mesh.Levels[level].Triangles.ToArray(), 16);
+                Assert.True(MissesPerTriangle(IndicesOf(file, level), 16) < (level == 0 ? 0.8 : 1) * before, FormattableString.Invariant($"{kind} level {level}"));
+            }
+        }
+    }
+
+    [Fact]
+    public async Task The_validator_of_the_standard_finds_nothing_to_object_to_in_levels()
+    {
+        string folder = Directory.CreateTempSubdirectory("creaturegen-").FullName;
+        try
+        {
+            int count = 0;
+            foreach (RequestedKind kind in new[] { RequestedKind.Walking, RequestedKind.Flying, RequestedKind.Swimming })
+            {
+                foreach (LevelChoice choice in Enum.GetValues<LevelChoice>())
+                {
+                    foreach (Shading shading in Enum.GetValues<Shading>())
+                    {
+                        File.WriteAllBytes(Path.Combine(folder, FormattableString.Invariant($"{count++}.glb")), GlbFile.Write(LevelSubjects.Of(kind, 30 + count), new GltfOptions { Levels = choice, Shading = shading }));
+                    }
+                }
+            }
+
+            (int exitCode, string output, string errors) = await GltfTools.RunAsync("validate.mjs", folder, TestContext.Current.CancellationToken);
+            Assert.True(exitCode == 0, output + errors);
+            JsonElement totals = JsonDocument.Parse(output).RootElement;
+            Assert.Equal(count, totals.GetProperty("files").GetInt32());
+            Assert.Equal(0, totals.GetProperty("errors").GetInt32());
+            Assert.Equal(0, totals.GetProperty("warnings").GetInt32());
+            Assert.Equal(0, totals.GetProperty("hints").GetInt32());
+
+            // The validator does not know the extension, and so neither who uses the nodes of the coarser levels.
+            string[] codes = totals.GetProperty("issues").EnumerateArray().Select(i => i.GetProperty("code").GetString()!).Distinct().Order().ToArray();
+            Assert.Equal(["UNSUPPORTED_EXTENSION", "UNUSED_OBJECT"], codes);
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
+    private static int[] IndicesOf(GlbFile file, int mesh) =>
+        file.Json.GetProperty("meshes")[mesh].GetProperty("primitives").EnumerateArray().SelectMany(p => file.Numbers(p.GetProperty("indices").GetInt32())).Select(x => (int)x).ToArray();
+
+    private static IEnumerable<(int, int, int)> Triples(int[] indices) => indices.Chunk(3).Select(t => (t[0], t[1], t[2])).Order();
+
+    private static double MissesPerTriangle(int[] indices, int size)
+    {
+        var cache = new Queue<int>();
+        int misses = 0;
+        foreach (int v in indices)
+        {
+            if (!cache.Contains(v))
+            {
+                misses++;
+                cache.Enqueue(v);
+                if (cache.Count > size)
+                {
+                    cache.Dequeue();
+                }
+            }
+        }
+
+        return misses / (indices.Length / 3.0);
+    }
+}

@@ -1,0 +1,33 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using CreatureGen.Digest;
+using CreatureGen.Tests.Conventions;
+using Xunit;
+
+namespace CreatureGen.Tests.Golden;
+
+/// <summary>The hashes that were agreed, and how others are compared with them.</summary>
+internal static class GoldenFile
+{
+    /// <summary>Where it is in the repository.</summary>
+    public const string Place = "tests/CreatureGen.Tests/Golden/golden.txt";
+
+    /// <summary>Its text.</summary>
+    public static string Text { get; } = RepositoryFiles.Text(Place);
+
+    /// <summary>Its entries.</summary>
+    public static IReadOnlyList<GoldenEntry> Entries { get; } = GoldenEntry.Parse(Text);
+
+    /// <summary>Its full path.</summary>
+    public static string FullPath => Path.Combine(RepositoryFiles.Root, Place);
+
+    /// <summary>Passes entries that are those of the file, in its order.</summary>
+    public static void AssertSame(IReadOnlyList<GoldenEntry> actual, string advice)
+    {
+        Assert.Equal(Entries.Select(e => (e.Kind, e.Seed)), actual.Select(e => (e.Kind, e.Seed)));
+        string[] wrong = Entries.Zip(actual).Where(p => p.First != p.Second).Select(p => $"- {p.First}\n+ {p.Second}").ToArray();
+        Assert.True(wrong.Length == 0, $"{wrong.Length} of {actual.Count} creatures have other bytes than {Place} says:\n{string.Join('\n', wrong.Take(3))}\n{advice}");
+    }
+}

@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Concurrent;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Inspection;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Inspection;
+
+/// <summary>What the library promises of every seed, over 2,000 seeds of each kind.</summary>
+public sealed class EverySeedTests
+{
+    private const int Seeds = 2000;
+
+    /// <summary>Per thousand seeds; the surface is untangled as far as smoothing does it.</summary>
+    private const int MostSelfIntersecting = 3;
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    [InlineData(RequestedKind.Swimming)]
+    public void Every_creature_keeps_every_invariant(RequestedKind kind)
+    {
+        CreatureOptions options = CreatureOptions.Default with { Kind = kind };
+        var violations = new ConcurrentBag<string>();
+        int selfIntersecting = 0;
+        Parallel.For(0, Seeds, new ParallelOptions { CancellationToken = TestContext.Current.CancellationToken }, i =>
+        {
+            ulong seed = (ulong)i;
+            Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, options, out SocketTally sockets));
+            foreach (InvariantViolation violation in CreatureInspection.Inspect(creature))
+            {
+                violations.Add($"{kind} {seed}: {violation.Invariant}: {violation.Detail}");
+            }
+
+            if (sockets.LimbRefusals != 0)
+            {
+                violations.Add($"{kind} {seed}: {sockets.LimbRefusals} sockets of limbs refused");
+            }
+
+            if (CreatureInspection.CountSelfIntersections(creature) > 0)
+            {
+                Interlocked.Increment(ref selfIntersecting);
+            }
+        });
+
+        Assert.True(violations.IsEmpty, string.Join("\n", violations.OrderBy(line => line, StringComparer.Ordinal).Take(20)));
+        Assert.InRange(selfIntersecting, 0, MostSelfIntersecting * Seeds / 1000);
+    }
+
+    [Theory]
+    [InlineData(0.5, 6000)]
+    [InlineData(0.05, 20000)]
+    [InlineData(20, 20000)]
+    public void Size_breaks_no_invariant(double scale, int budget)
+    {
+        foreach (LocomotionKind kind in new[] { LocomotionKind.Walking, LocomotionKind.Flying, LocomotionKind.Swimming })
+        {
+            for (ulong seed = 0; seed < 40; seed++)
+            {
+                Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, kind) with { Scale = scale, TriangleBudget = budget });
+                IEnumerable<InvariantViolation> found = CreatureInspection.Inspect(creature);
+                Assert.Empty(found);
+            }
+        }
+    }
+}
