@@ -31,7 +31,7 @@ public sealed class SwimProfile
         Kinematics = SwimKinematics.Of(style);
         BodyLength = (float)chain.Length;
         Wave = new SwimWave(chain, style, Kinematics);
-        Wave.Scale(RoomForWave(creature.Skeleton, chain, Wave));
+        Wave.Scale(RoomForWave(creature.Skeleton, chain, Wave, style));
         double frequency = Kinematics.Frequency(chain.Length);
         CruiseFrequency = (float)frequency;
 
@@ -113,7 +113,7 @@ public sealed class SwimProfile
     }
 
     /// <summary>Factor by which the wave has to narrow for all joints to stay within their limits.</summary>
-    private static double RoomForWave(Skeleton skeleton, AxialChain chain, SwimWave wave)
+    private static double RoomForWave(Skeleton skeleton, AxialChain chain, SwimWave wave, SwimStyle style)
     {
         double factor = 1;
         for (int b = 0; b + 1 < chain.Count; b++)
@@ -122,7 +122,8 @@ public sealed class SwimProfile
             ReadOnlySpan<AxialBone> bones = chain.Bones;
             int child = bones[b + 1].Parent == b ? b + 1 : b;
             JointLimit limit = skeleton.Joints[bones[child].Turn.Joint].Limit;
-            double most = Math.Min(Math.Min(limit.SwingX.Max, -limit.SwingX.Min), Math.Min(limit.SwingZ.Max, -limit.SwingZ.Min));
+            AngleRange range = style == SwimStyle.Cetacean ? limit.SwingX : limit.SwingZ;
+            double most = Math.Min(range.Max, -range.Min);
             double bend = wave.Bend(b);
             factor = bend * factor > LimitShare * most ? LimitShare * most / bend : factor;
         }
