@@ -41,7 +41,7 @@ internal static class JointLimits
     };
 
     // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back.
-    private static readonly short[] wing = { -80, 85, -45, 95, -45, 45, -60, 40, -140, 25, -45, 45, -60, 40, -25, 150, -45, 45, -50, 40, -25, 60, -45, 45 };
+    private static readonly short[] wing = { -80, 85, -45, 125, -60, 60, -60, 40, -165, 25, -45, 45, -60, 40, -25, 170, -45, 45, -50, 40, -25, 60, -45, 45 };
 
     private static readonly short[] pelvis = { -40, 40, -35, 35, -30, 30 };
     private static readonly short[] spine = { -20, 20, -25, 25, -15, 15 };

@@ -22,7 +22,7 @@ internal static class FlightControl
     private const double SettleTime = 1.6;
 
     /// <summary>Leg lengths above the ground at which landing begins and a leap is over.</summary>
-    private const double LandingHeight = 2.2;
+    public const double LandingHeight = 2.2;
     private const double LeapHeight = 1.2;
 
     /// <summary>How much it hovers, 0..1, at so many times the speed of cruise.</summary>
@@ -69,7 +69,7 @@ internal static class FlightControl
         state.Crouch.Step(state.Phase == FlightPhase.Crouching ? 1 : state.Phase == FlightPhase.Settling ? 0.85 * (1 - Scalar.Smooth(state.Age / (0.6 * SettleTime))) : 0, state.Phase == FlightPhase.Leaping ? 5 * tempo : 3 * tempo, dt);
         state.Air.Step(flying ? 1 : 0, 2 * tempo, dt);
         state.Planted.Step(flying ? 0 : 1, 3 * tempo, dt);
-        state.Height.Step(Math.Min(height, 2 * leg), 20 * tempo, dt);
+        state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
         return Root(state, speed, yaw, climb, height, leg);
     }
 

@@ -15,5 +15,5 @@ public enum FlightIntent
 /// <param name="Speed">Metres per second ahead; 0 hovers.</param>
 /// <param name="YawRate">Radians per second; positive turns left.</param>
 /// <param name="ClimbRate">Metres per second up; negative descends.</param>
-/// <param name="Height">Metres from the ground up to the root, where the soles are in rest pose.</param>
+/// <param name="Height">Metres from the ground up to the root.</param>
 public readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f);

@@ -37,11 +37,14 @@ internal sealed class FlightLegs
         side = Vec.Dot(thigh, Vec.Cross(normal, line)) < 0 ? -1 : 1;
     }
 
-    /// <summary>Whether it stands on the ground at rest.</summary>
-    public bool Stands => chain.Limb.Stands;
+    /// <summary>Whether it is one to stand on.</summary>
+    public bool Stands => chain.Limb.Kind == LimbKind.Leg;
 
-    /// <summary>From the hip to the ground at rest, metres.</summary>
-    public double Length => chain.Points[Hip].Y;
+    /// <summary>Height of its sole at rest, model space, metres.</summary>
+    public double Sole => chain.Limb.Contact.Y;
+
+    /// <summary>From the hip to the sole at rest, metres.</summary>
+    public double Length => chain.Points[Hip].Y - Sole;
 
     /// <summary>Writes the joints of both sides.</summary>
     /// <param name="local">Receives them.</param>
@@ -77,7 +80,7 @@ internal sealed class FlightLegs
     private void Plant(Span<Quaternion> turns, in LegStroke stroke, Quaternion body, Vector3 bodyPivot, Vector3 bodyNow)
     {
         Vector3 hip = bodyNow + Rotation.Rotate(body, chain.Points[Hip] - bodyPivot);
-        Vector3 ankle = chain.Points[Ankle] - new Vector3(0f, (float)stroke.Height, 0f);
+        Vector3 ankle = chain.Points[Ankle] - new Vector3(0f, (float)(Sole + stroke.Height), 0f);
         Vector3 thigh = chain.Points[2] - chain.Points[1];
         Vector3 shank = chain.Points[3] - chain.Points[2];
         double a = Vec.Length(thigh);

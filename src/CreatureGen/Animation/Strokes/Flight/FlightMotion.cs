@@ -9,7 +9,7 @@ namespace CreatureGen.Animation.Strokes.Flight;
 /// <remarks>All oscillations are whole multiples of one slow cycle of <see cref="FlightProfile.BeatsPerCycle"/> beats: under steady input the motion repeats exactly after it.</remarks>
 public static class FlightMotion
 {
-    /// <summary>Moves on and writes the body's root, axis, wings and legs of a local pose; while it stands on the ground, the wings alone.</summary>
+    /// <summary>Moves on and writes the body's root, axis, wings and legs of a local pose.</summary>
     /// <param name="profile">How the creature flies.</param>
     /// <param name="input">What it is to do.</param>
     /// <param name="state">Where it is in its motion.</param>

@@ -46,11 +46,6 @@ internal static class FlightPose
             wing.Write(local, wings);
         }
 
-        if (state.Phase == FlightPhase.Grounded && state.Air.Value < 1e-3 && state.Crouch.Value < 1e-3)
-        {
-            return;
-        }
-
         Body(profile, state, hover, glide, slow, local);
     }
 
@@ -76,6 +71,9 @@ internal static class FlightPose
         heave += HoverBob * profile.LegLength * hover * air * slow;
         double crouch = Scalar.Clamp(state.Crouch.Value, 0, 1);
         heave -= CrouchDepth * profile.LegLength * crouch;
+
+        // Near the ground the body comes down to where its hanging legs stand.
+        heave -= profile.SoleHeight * (1 - Scalar.Smooth(state.Height.Value / (FlightControl.LandingHeight * profile.LegLength)));
 
         double posture = profile.Buzzes ? Scalar.Lerp(0.08, -BuzzPitch, hover) : Scalar.Lerp(-0.03, -HoverPitch, hover);
         double pitch = air * (posture - (0.75 * state.Path.Value) - (FlarePitch * Scalar.Clamp(state.Flare.Value, 0, 1)));

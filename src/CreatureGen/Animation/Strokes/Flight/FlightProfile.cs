@@ -54,12 +54,18 @@ public sealed class FlightProfile
         GlidesBetweenBeats = !Buzzes && frequency < SteadyBeat;
         CruiseSpeed = Math.Max(creature.DefaultSpeed, 1e-3f);
         double length = 0;
+        SoleHeight = double.MaxValue;
         foreach (FlightLegs leg in legs)
         {
-            length = leg.Stands ? Math.Max(length, leg.Length) : length;
+            if (leg.Stands)
+            {
+                length = Math.Max(length, leg.Length);
+                SoleHeight = Math.Min(SoleHeight, leg.Sole);
+            }
         }
 
         Stands = length > 0;
+        SoleHeight = Stands ? SoleHeight : 0;
         LegLength = (float)(Stands ? length : 0.3 * Chain.Length);
         Response = 4 / Math.Sqrt(Math.Max(Chain.Length, 1e-3));
     }
@@ -94,6 +100,9 @@ public sealed class FlightProfile
     internal bool Stands { get; }
 
     internal float LegLength { get; }
+
+    /// <summary>Height of the lowest sole at rest, metres: legs of fliers hang free, so to stand the body comes down by so much.</summary>
+    internal double SoleHeight { get; }
 
     /// <summary>Sharpness with which the motion follows its input, 1/s.</summary>
     internal double Response { get; }

@@ -3,6 +3,9 @@ namespace CreatureGen.Animation.Strokes.Flight;
 /// <summary>Where a flier is in its motion. The default stands on the ground with folded wings; one for each creature on the scene, changed by <see cref="FlightMotion.Update"/> alone.</summary>
 public struct FlightState
 {
+    /// <summary>Leg lengths above which height does not matter.</summary>
+    internal const double HighEnough = 3;
+
     internal double Cycle;
     internal double Age;
     internal Smoothed Frequency;
@@ -53,7 +56,7 @@ public struct FlightState
             Spread = Smoothed.At(1),
             Speed = Smoothed.At(1),
             Air = Smoothed.At(1),
-            Height = Smoothed.At(1),
+            Height = Smoothed.At(HighEnough * profile.LegLength),
         };
     }
 }

@@ -11,10 +11,10 @@ internal static class FoldedWing
     /// <summary>Upper arm back, forearm forward again, hand back along the flank.</summary>
     public static (Vector3 Direction, Vector3 Face)[] Stitched { get; } =
     {
-        (new Vector3(0.42f, 0.12f, -0.90f), new Vector3(0.55f, 0.80f, 0f)),
-        (new Vector3(0.16f, 0.20f, 0.97f), new Vector3(0.75f, 0.65f, 0f)),
-        (new Vector3(0.05f, -0.10f, -0.99f), new Vector3(0.90f, 0.45f, 0f)),
-        (new Vector3(-0.06f, -0.10f, -0.99f), new Vector3(0.90f, 0.45f, 0f)),
+        (new Vector3(0.06f, 0.16f, -0.98f), new Vector3(0.75f, 0.65f, 0f)),
+        (new Vector3(0.16f, -0.06f, 0.98f), new Vector3(0.90f, 0.40f, 0f)),
+        (new Vector3(-0.06f, -0.10f, -0.98f), new Vector3(0.95f, 0.25f, 0f)),
+        (new Vector3(-0.14f, -0.12f, -0.97f), new Vector3(0.95f, 0.25f, 0f)),
     };
 
     /// <summary>Flat over the abdomen.</summary>

@@ -12,7 +12,7 @@ internal struct LegStroke
     /// <summary>0 in the air, 1 with the feet on the ground.</summary>
     public double Planted;
 
-    /// <summary>How far the ground is below the soles at rest, metres.</summary>
+    /// <summary>Height of the root above the ground, metres.</summary>
     public double Height;
 
     /// <summary>−1..1, swinging with the body's heave.</summary>
