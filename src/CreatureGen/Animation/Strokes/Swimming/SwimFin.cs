@@ -20,6 +20,9 @@ internal sealed class SwimFin
         fore = along < 0.5;
     }
 
+    /// <summary>From top to bottom of the tip's way when it flies under water at cruise, metres: of each bone the sine of its greatest angle.</summary>
+    public double TipWay => 2 * (fore ? 1 : 0.64) * ((0.52 * chain.Limb.RestLengths[0]) + (chain.Count > 1 ? 0.66 * chain.Limb.RestLengths[1] : 0));
+
     /// <summary>Writes the joints of both sides.</summary>
     public void Write(in Pose local, SwimStyle style, in SwimStroke stroke)
     {
@@ -84,7 +87,7 @@ internal sealed class SwimFin
     private FinAngles Flipper(in SwimStroke stroke, double inside)
     {
         double lag = fore ? 0 : 0.4 * Tau;
-        double size = (fore ? 1 : 0.64) * stroke.Amplitude * (1 + (inside < 0 ? -0.25 * inside : -0.6 * inside));
+        double size = (fore ? 1 : 0.64) * Scalar.Lerp(stroke.Amplitude, 0.5 + (0.5 * stroke.Amplitude), stroke.Hover) * (1 + (inside < 0 ? -0.25 * inside : -0.6 * inside));
         PortableMath.SinCos((Tau * stroke.Phase) - lag, out double sine, out double cosine);
         double power = Scalar.Smooth(0.5 + (0.5 * sine));
         double rowing = stroke.Hover;

@@ -34,11 +34,18 @@ public sealed class SwimProfile
         Wave.Scale(RoomForWave(creature.Skeleton, chain, Wave, style));
         double frequency = Kinematics.Frequency(chain.Length);
         CruiseFrequency = (float)frequency;
-
-        // Flippers do the work of the tail: they sweep through about a third of a body length.
-        TailBeat = (float)(style == SwimStyle.Flippers ? 0.33 * chain.Length : 2 * Wave.TailReach);
-        CruiseSpeed = (float)(frequency * TailBeat / Kinematics.Strouhal);
         Fitting(creature, out fins, out medianFins);
+        TailBeat = (float)(2 * Wave.TailReach);
+        if (style == SwimStyle.Flippers)
+        {
+            // Flippers do the work of the tail.
+            foreach (SwimFin fin in fins)
+            {
+                TailBeat = Math.Max(TailBeat, (float)fin.TipWay);
+            }
+        }
+
+        CruiseSpeed = (float)(frequency * TailBeat / Kinematics.Strouhal);
     }
 
     /// <summary>What drives it.</summary>

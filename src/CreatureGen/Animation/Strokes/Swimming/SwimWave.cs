@@ -16,6 +16,9 @@ internal sealed class SwimWave
     /// <summary>Share of that in the last bone.</summary>
     private const double FinShare = 0.65;
 
+    /// <summary>Steepest heading of the tail fin at cruise, as a sine.</summary>
+    private const double SteepestFin = 0.62;
+
     /// <summary>Steepest heading of a bone, as a sine.</summary>
     private const double Steepest = 0.9;
 
@@ -52,13 +55,12 @@ internal sealed class SwimWave
         // The head is stiff and steadied; the neck of those that have one shares in it.
         cosines[0] = cosines[1] + (kinematics.HeadShare * (cosines[0] - cosines[1]));
         sines[0] = sines[1] + (kinematics.HeadShare * (sines[0] - sines[1]));
+        SpreadTail(count, kinematics.TailSweep * length / 2);
         for (int b = 0; b < count; b++)
         {
             meanCosine += chain.Bones[b].Mass * 0.5 * (cosines[b] + cosines[b + 1]);
             meanSine += chain.Bones[b].Mass * 0.5 * (sines[b] + sines[b + 1]);
         }
-
-        Scale(kinematics.TailSweep * length / (2 * Reach(count)));
     }
 
     /// <summary>Half the way of the tail's tip across, metres, at amplitude 1.</summary>
@@ -103,6 +105,20 @@ internal sealed class SwimWave
 
         meanCosine *= factor;
         meanSine *= factor;
+    }
+
+    /// <summary>Brings the tail's way across to its width. A tail fin that would stand steeper than water lets it is eased, and the rest widened for it.</summary>
+    private void SpreadTail(int tip, double reach)
+    {
+        for (int pass = 0; pass < 4; pass++)
+        {
+            Scale(reach / Reach(tip));
+            double c = Slope(cosines, tip - 1);
+            double s = Slope(sines, tip - 1);
+            double ease = SteepestFin / Math.Max(Math.Sqrt((c * c) + (s * s)), SteepestFin);
+            cosines[tip] = cosines[tip - 1] + (ease * (cosines[tip] - cosines[tip - 1]));
+            sines[tip] = sines[tip - 1] + (ease * (sines[tip] - sines[tip - 1]));
+        }
     }
 
     private static void Fill(SwimStyle style, double wavelength, double[] along, double lag, double[] cosines, double[] sines)
