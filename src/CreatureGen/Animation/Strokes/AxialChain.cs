@@ -43,6 +43,12 @@ internal sealed class AxialChain
     /// <summary>The joint of the body's root.</summary>
     public int Body { get; }
 
+    /// <summary>The bone just before the body's root.</summary>
+    public int BeforeRoot => order[0];
+
+    /// <summary>The bone just behind it; the same where the root carries one bone only.</summary>
+    public int BehindRoot => order[0] + 1 < bones.Length && bones[order[0] + 1].Parent < 0 ? order[0] + 1 : order[0];
+
     /// <summary>Where that is at rest.</summary>
     public Vector3 BodyPivot { get; }
 

@@ -24,6 +24,11 @@ internal struct Smoothed
     /// <param name="dt">Seconds, not negative.</param>
     public double Step(double target, double sharpness, double dt)
     {
+        if (dt <= 0)
+        {
+            return 0;
+        }
+
         double away = Value - target;
         double c = Rate + (sharpness * away);
         double decay = PortableMath.Exp(-sharpness * dt);

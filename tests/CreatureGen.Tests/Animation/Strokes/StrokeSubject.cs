@@ -125,9 +125,9 @@ internal sealed class StrokeSubject
             Quaternion own = Rotation.Multiply(Rotation.Inverse(Skeleton.LocalRotations[j]), q);
             SoftLimit.Angles(own, out double x, out double twist, out double z);
             JointLimit limit = joint.Limit;
-            Assert.True(x >= limit.SwingX.Min - Slack && x <= limit.SwingX.Max + Slack, FormattableString.Invariant($"{what}: {joint.Name} X {x} of {limit.SwingX}"));
-            Assert.True(z >= limit.SwingZ.Min - Slack && z <= limit.SwingZ.Max + Slack, FormattableString.Invariant($"{what}: {joint.Name} Z {z} of {limit.SwingZ}"));
-            Assert.True(twist >= limit.Twist.Min - Slack && twist <= limit.Twist.Max + Slack, FormattableString.Invariant($"{what}: {joint.Name} twist {twist} of {limit.Twist}"));
+            Assert.True(x >= limit.SwingX.Min - Slack && x <= limit.SwingX.Max + Slack, FormattableString.Invariant($"{what}: {joint.Name} X {x} of {limit}"));
+            Assert.True(z >= limit.SwingZ.Min - Slack && z <= limit.SwingZ.Max + Slack, FormattableString.Invariant($"{what}: {joint.Name} Z {z} of {limit}"));
+            Assert.True(twist >= limit.Twist.Min - Slack && twist <= limit.Twist.Max + Slack, FormattableString.Invariant($"{what}: {joint.Name} twist {twist} of {limit}"));
         }
     }
 

@@ -105,9 +105,10 @@ public sealed class SwimMotionTests
                 body.ToModel();
                 PortableMath.SinCos(2 * PortableMath.Pi * state.CyclePhase, out double sine, out double cosine);
                 int body0 = profile.Chain.Body;
-                Quaternion roll = Rotation.Inverse(body.ModelRotations[body0]);
 
                 // The roll of the body tilts the wave: it is taken back before the comparison.
+                Quaternion there = Rotation.Slerp(Lie(profile, state, profile.Chain.BeforeRoot), Lie(profile, state, profile.Chain.BehindRoot), 0.5);
+                Quaternion roll = Rotation.Multiply(there, Rotation.Inverse(body.ModelRotations[body0]));
                 for (int b = 2; b < profile.Chain.Count; b++)
                 {
                     Vector3 at = Rotation.Rotate(roll, body.ModelPositions[profile.Chain.Bones[b].Turn.Joint] - body.ModelPositions[body0]);
@@ -378,6 +379,12 @@ public sealed class SwimMotionTests
         }
 
         return state;
+    }
+
+    private static Quaternion Lie(SwimProfile profile, in SwimState state, int bone)
+    {
+        PortableMath.SinCos(2 * PortableMath.Pi * state.CyclePhase, out double sine, out double cosine);
+        return Rotation.FromAxisAngle(Vector3.UnitY, profile.Wave.Heading(bone, state.BeatAmplitude, cosine, sine));
     }
 
     private static float Jerk(SwimProfile profile, Creature creature, int rate)

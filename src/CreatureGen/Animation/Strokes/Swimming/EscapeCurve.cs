@@ -28,27 +28,20 @@ internal static class EscapeCurve
     {
         if (stages < 1)
         {
-            return Ease(stages);
+            return Curve.Ease(stages);
         }
 
         return stages < StrikeEnd
-            ? Scalar.Lerp(1, -0.5, Ease((stages - 1) / (StrikeEnd - 1)))
-            : -0.5 * (1 - Ease((stages - StrikeEnd) / (Duration - StrikeEnd)));
+            ? Scalar.Lerp(1, -0.5, Curve.Ease((stages - 1) / (StrikeEnd - 1)))
+            : -0.5 * (1 - Curve.Ease((stages - StrikeEnd) / (Duration - StrikeEnd)));
     }
 
     /// <summary>Part of the turn that is done.</summary>
-    public static double Turned(double stages) => Ease(stages / StrikeEnd);
+    public static double Turned(double stages) => Curve.Ease(stages / StrikeEnd);
 
     /// <summary>How much the strike drives: 0 before it, 1 in it, then falling to 0.</summary>
-    public static double Drive(double stages) => Ease((stages - 0.8) / 0.8) * (1 - Ease((stages - StrikeEnd) / (Duration - StrikeEnd)));
+    public static double Drive(double stages) => Curve.Ease((stages - 0.8) / 0.8) * (1 - Curve.Ease((stages - StrikeEnd) / (Duration - StrikeEnd)));
 
     /// <summary>How much of the swimming wave is left.</summary>
-    public static double Wave(double stages) => 1 - (Ease(stages / 0.7) * (1 - Ease((stages - 1.8) / (Duration - 1.8))));
-
-    /// <summary>Quintic ease: no jump of speed or acceleration at either end.</summary>
-    private static double Ease(double x)
-    {
-        x = Scalar.Clamp(x, 0, 1);
-        return x * x * x * (10 + (x * (-15 + (6 * x))));
-    }
+    public static double Wave(double stages) => 1 - (Curve.Ease(stages / 0.7) * (1 - Curve.Ease((stages - 1.8) / (Duration - 1.8))));
 }

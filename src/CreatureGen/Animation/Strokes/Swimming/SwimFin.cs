@@ -1,4 +1,3 @@
-using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -52,7 +51,7 @@ internal sealed class SwimFin
         double row = (2 * Tau * stroke.Phase) + (side == Side.Left ? 0 : PortableMath.Pi) - (fore ? 0 : 1.2);
         double still = stroke.Hover;
         double moving = 1 - still;
-        double flare = Math.Max(stroke.Brake, 0.7 * Math.Max(0, inside));
+        double flare = Either(stroke.Brake, 0.7 * Curve.Positive(inside));
         PortableMath.SinCos(row, out double rowSine, out double rowCosine);
         PortableMath.SinCos(beat, out double beatSine, out double beatCosine);
         double backing = 1 - (2 * stroke.Back);
@@ -72,7 +71,7 @@ internal sealed class SwimFin
         double size = fore ? 1 : 0.6;
         PortableMath.SinCos((Tau * stroke.Phase) - 0.7, out double sine, out double cosine);
         double still = stroke.Hover;
-        double flare = Math.Max(stroke.Brake, 0.5 * Math.Max(0, inside));
+        double flare = Either(stroke.Brake, 0.5 * Curve.Positive(inside));
         return new FinAngles
         {
             Raise = size * ((0.07 * stroke.Amplitude * sine) + (0.16 * still * sine) + (0.12 * inside) - (0.2 * flare)),
@@ -87,7 +86,7 @@ internal sealed class SwimFin
     private FinAngles Flipper(in SwimStroke stroke, double inside)
     {
         double lag = fore ? 0 : 0.4 * Tau;
-        double size = (fore ? 1 : 0.64) * Scalar.Lerp(stroke.Amplitude, 0.5 + (0.5 * stroke.Amplitude), stroke.Hover) * (1 + (inside < 0 ? -0.25 * inside : -0.6 * inside));
+        double size = (fore ? 1 : 0.64) * Scalar.Lerp(stroke.Amplitude, 0.5 + (0.5 * stroke.Amplitude), stroke.Hover) * (1 + (0.25 * Curve.Positive(-inside)) - (0.6 * Curve.Positive(inside)));
         PortableMath.SinCos((Tau * stroke.Phase) - lag, out double sine, out double cosine);
         double power = Scalar.Smooth(0.5 + (0.5 * sine));
         double rowing = stroke.Hover;
@@ -104,6 +103,9 @@ internal sealed class SwimFin
             TipSweep = -size * rowing * 0.22 * sine,
         };
     }
+
+    /// <summary>One or the other or both, 0..1.</summary>
+    private static double Either(double a, double b) => 1 - ((1 - a) * (1 - b));
 
     private struct FinAngles
     {

@@ -18,7 +18,9 @@ public static class SwimMotion
     private const double IdleTempo = 0.35;
     private const double IdleAmplitude = 0.28;
     private const double FastestTempo = 2.6;
-    private const double WidestBeat = 1.15;
+
+    /// <summary>Greatest width of the beat, 1 at cruise.</summary>
+    internal const double WidestBeat = 1.15;
 
     /// <summary>Most that a steady turn bends the body from nose to tail, radians.</summary>
     private const double DeepestTurn = 1.25;
@@ -78,8 +80,8 @@ public static class SwimMotion
 
         // The body lies along the arc that it swims.
         double arc = yaw * profile.BodyLength / Math.Max(Math.Abs(speed), 0.4 * cruise);
-        state.Bend.Step(Bounded(arc, DeepestTurn), sharpness, dt);
-        state.Climb.Step(Bounded(PortableMath.Atan2(climb, Math.Max(Math.Abs(speed), 0.35 * cruise)), SteepestPitch), 0.7 * sharpness, dt);
+        state.Bend.Step(Curve.Bounded(arc, DeepestTurn), sharpness, dt);
+        state.Climb.Step(Curve.Bounded(PortableMath.Atan2(climb, Math.Max(Math.Abs(speed), 0.35 * cruise)), SteepestPitch), 0.7 * sharpness, dt);
         double brake = Scalar.Clamp((Math.Abs(state.Speed.Value) - Math.Abs(speed)) / (0.5 * cruise), 0, 1);
         state.Brake.Step(brake, 2 * sharpness, dt);
         state.Speed.Step(speed, 0.8 * sharpness, dt);
@@ -87,9 +89,6 @@ public static class SwimMotion
         double turned = state.EscapeSide * EscapeCurve.TurnAngle * (EscapeCurve.Turned(state.EscapeAge) - EscapeCurve.Turned(before));
         return new RootVelocity((float)(speed + (2.2 * cruise * drive)), (float)climb, (float)(yaw + (dt > 0 ? turned / dt : 0)));
     }
-
-    /// <summary>An angle that never exceeds a bound and has no kink.</summary>
-    private static double Bounded(double angle, double most) => angle / Math.Sqrt(1 + (angle * angle / (most * most)));
 
     private static void StartEscape(EscapeTurn asked, ref SwimState state)
     {
@@ -128,7 +127,7 @@ public static class SwimMotion
         bool vertical = profile.Style == SwimStyle.Cetacean;
         bool escaping = state.EscapeSide != 0;
         double amplitude = state.Amplitude.Value * (escaping ? EscapeCurve.Wave(state.EscapeAge) : 1);
-        double bend = state.Bend.Value + (escaping ? state.EscapeSide * EscapeCurve.Curl * EscapeCurve.Bend(state.EscapeAge) : 0);
+        double bend = state.Bend.Value + (escaping ? state.EscapeSide * profile.Curl * EscapeCurve.Bend(state.EscapeAge) : 0);
         PortableMath.SinCos(2 * PortableMath.Pi * state.Phase, out double sine, out double cosine);
         for (int b = 0; b < chain.Count; b++)
         {
@@ -138,8 +137,15 @@ public static class SwimMotion
             turns[b] = vertical ? Rotation.Multiply(Turn.Yaw(round), Turn.Pitch(-heading)) : Turn.Yaw(round + heading);
         }
 
+        // The body's root lies as the axis does there, or the joints next to it would have to turn by all of it.
+        Quaternion there = Rotation.Slerp(turns[chain.BeforeRoot], turns[chain.BehindRoot], 0.5);
+        for (int b = 0; b < chain.Count; b++)
+        {
+            turns[b] = Rotation.Multiply(Rotation.Inverse(there), turns[b]);
+        }
+
         chain.Write(local, turns, pivots);
-        Place(profile, state, bend, amplitude, turns, pivots, local);
+        Place(profile, state, there, bend, amplitude, turns, pivots, local);
         SwimStroke stroke = StrokeOf(profile, state, amplitude);
         foreach (SwimFin fin in profile.Fins)
         {
@@ -153,7 +159,7 @@ public static class SwimMotion
     }
 
     /// <summary>Hangs the body on its centre of mass, which sways by what the recoil leaves of the wave's mean.</summary>
-    private static void Place(SwimProfile profile, in SwimState state, double bend, double amplitude, ReadOnlySpan<Quaternion> turns, ReadOnlySpan<Vector3> pivots, in Pose local)
+    private static void Place(SwimProfile profile, in SwimState state, Quaternion there, double bend, double amplitude, ReadOnlySpan<Quaternion> turns, ReadOnlySpan<Vector3> pivots, in Pose local)
     {
         AxialChain chain = profile.Chain;
         SwimKinematics kinematics = profile.Kinematics;
@@ -178,7 +184,7 @@ public static class SwimMotion
 
         // Standing still it hangs in the water and floats up and down a little.
         heave += 0.008 * chain.Length * Hover(profile, state) * sine;
-        Quaternion body = Rotation.Multiply(Turn.Pitch(pitch), Turn.Roll(roll));
+        Quaternion body = Rotation.Multiply(Rotation.Multiply(Turn.Pitch(pitch), Turn.Roll(roll)), there);
         Vector3 centre = chain.CentreOf(turns, pivots);
         Vector3 rest = chain.Centre - chain.BodyPivot;
         Vector3 sway = profile.Style == SwimStyle.Cetacean ? new Vector3(0f, (float)(heave + mean), 0f) : new Vector3((float)mean, (float)heave, 0f);
@@ -199,9 +205,9 @@ public static class SwimMotion
             Sideways = profile.Style == SwimStyle.Cetacean ? 0 : 1,
             Hover = Hover(profile, state),
             Fast = Scalar.Smooth(Math.Abs(u) - 1),
-            Steer = Scalar.Clamp(state.Bend.Value / 0.8, -1, 1),
-            Rise = Scalar.Clamp(state.Climb.Value / 0.6, -1, 1),
-            Brake = Scalar.Clamp(state.Brake.Value, 0, 1),
+            Steer = Curve.Bounded(state.Bend.Value / 0.7, 1),
+            Rise = Curve.Bounded(state.Climb.Value / 0.6, 1),
+            Brake = state.Brake.Value,
             Back = Scalar.Smooth(-u / 0.3),
         };
     }

@@ -12,7 +12,7 @@ namespace CreatureGen.Animation.Strokes.Swimming;
 public sealed class SwimProfile
 {
     /// <summary>Share of a joint's range that the wave at its widest may take; the rest is for turns.</summary>
-    private const double LimitShare = 0.8;
+    private const double LimitShare = 0.84;
 
     /// <summary>Bodies longer than so many widths swim like eels when their plan does not say how they swim.</summary>
     private const double SlenderBody = 9;
@@ -32,6 +32,7 @@ public sealed class SwimProfile
         BodyLength = (float)chain.Length;
         Wave = new SwimWave(chain, style, Kinematics);
         Wave.Scale(RoomForWave(creature.Skeleton, chain, Wave, style));
+        Curl = RoomForCurl(creature.Skeleton, chain);
         double frequency = Kinematics.Frequency(chain.Length);
         CruiseFrequency = (float)frequency;
         Fitting(creature, out fins, out medianFins);
@@ -66,6 +67,9 @@ public sealed class SwimProfile
     internal Skeleton Skeleton { get; }
 
     internal AxialChain Chain { get; }
+
+    /// <summary>Bend of the whole body at the height of a C-start, radians.</summary>
+    internal double Curl { get; }
 
     internal SwimKinematics Kinematics { get; }
 
@@ -131,11 +135,32 @@ public sealed class SwimProfile
             JointLimit limit = skeleton.Joints[bones[child].Turn.Joint].Limit;
             AngleRange range = style == SwimStyle.Cetacean ? limit.SwingX : limit.SwingZ;
             double most = Math.Min(range.Max, -range.Min);
-            double bend = wave.Bend(b);
-            factor = bend * factor > LimitShare * most ? LimitShare * most / bend : factor;
+
+            // The bend grows faster than the width: a few steps of the rule of three settle it.
+            for (int pass = 0; pass < 4; pass++)
+            {
+                double bend = wave.Bend(b, factor * SwimMotion.WidestBeat);
+                factor *= Math.Min(1, LimitShare * most / Math.Max(bend, 1e-9));
+            }
         }
 
         return factor;
+    }
+
+    /// <summary>Deepest bend from nose to tail, spread evenly, that leaves all joints within their limits.</summary>
+    private static double RoomForCurl(Skeleton skeleton, AxialChain chain)
+    {
+        double most = EscapeCurve.Curl;
+        for (int b = 0; b + 1 < chain.Count; b++)
+        {
+            ReadOnlySpan<AxialBone> bones = chain.Bones;
+            int child = bones[b + 1].Parent == b ? b + 1 : b;
+            AngleRange range = skeleton.Joints[bones[child].Turn.Joint].Limit.SwingZ;
+            double share = (bones[b].Middle.Z - bones[b + 1].Middle.Z) / chain.Length;
+            most = Math.Min(most, LimitShare * Math.Min(range.Max, -range.Min) / Math.Max(share, 1e-6));
+        }
+
+        return most;
     }
 
     private static double Span(LimbChain limb)

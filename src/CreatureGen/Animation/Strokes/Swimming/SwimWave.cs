@@ -5,7 +5,7 @@ namespace CreatureGen.Animation.Strokes.Swimming;
 
 /// <summary>The wave of a swimmer's axis at the points where its bones meet, ready to be evaluated at any phase.</summary>
 /// <remarks>
-/// Every displacement is a sine of the phase, y = c·cos 2πφ + s·sin 2πφ, and stays one when the recoil is taken off, the head is steadied and the tail fin lags: all of it is worked out once.
+/// Every displacement is a sine of the phase, y = c·cos 2πφ + s·sin 2πφ, and stays one when the head is steadied and the tail fin lags: all of it is worked out once.
 /// A bone whose ends are displaced by y₀ and y₁ heads by asin((y₀ − y₁)/length): its ends are then exactly on the curve.
 /// </remarks>
 internal sealed class SwimWave
@@ -19,7 +19,10 @@ internal sealed class SwimWave
     /// <summary>Steepest heading of the tail fin at cruise, as a sine.</summary>
     private const double SteepestFin = 0.62;
 
-    /// <summary>Steepest heading of a bone, as a sine.</summary>
+    /// <summary>The same of a tail without a fin.</summary>
+    private const double SteepestTail = 0.75;
+
+    /// <summary>Steepest heading of a bone, as a sine: more than the widest beat comes to.</summary>
     private const double Steepest = 0.9;
 
     private readonly double[] cosines;
@@ -50,12 +53,11 @@ internal sealed class SwimWave
 
         Fill(style, kinematics.Wavelength, along, 0, cosines, sines);
         LagTail(style, kinematics.Wavelength, along);
-        TakeOffRecoil(chain, along, kinematics.Recoil);
 
         // The head is stiff and steadied; the neck of those that have one shares in it.
         cosines[0] = cosines[1] + (kinematics.HeadShare * (cosines[0] - cosines[1]));
         sines[0] = sines[1] + (kinematics.HeadShare * (sines[0] - sines[1]));
-        SpreadTail(count, kinematics.TailSweep * length / 2);
+        SpreadTail(count, kinematics.TailSweep * length / 2, style == SwimStyle.Anguilliform ? SteepestTail : SteepestFin);
         for (int b = 0; b < count; b++)
         {
             meanCosine += chain.Bones[b].Mass * 0.5 * (cosines[b] + cosines[b + 1]);
@@ -86,12 +88,19 @@ internal sealed class SwimWave
         return PortableMath.Asin(Scalar.Clamp(across, -Steepest, Steepest));
     }
 
-    /// <summary>Greatest change of heading from a bone to the next over a cycle at amplitude 1, radians.</summary>
-    public double Bend(int bone)
+    /// <summary>Greatest change of heading from a bone to the next over a cycle, radians.</summary>
+    public double Bend(int bone, double amplitude)
     {
-        double c = Slope(cosines, bone) - Slope(cosines, bone + 1);
-        double s = Slope(sines, bone) - Slope(sines, bone + 1);
-        return Math.Sqrt((c * c) + (s * s));
+        const int Samples = 32;
+        double most = 0;
+        for (int i = 0; i < Samples; i++)
+        {
+            // Half a cycle: the other half is its mirror image.
+            PortableMath.SinCos(PortableMath.Pi * i / Samples, out double sine, out double cosine);
+            most = Math.Max(most, Math.Abs(Heading(bone, amplitude, cosine, sine) - Heading(bone + 1, amplitude, cosine, sine)));
+        }
+
+        return most;
     }
 
     /// <summary>Makes the wave so many times as wide.</summary>
@@ -108,17 +117,19 @@ internal sealed class SwimWave
     }
 
     /// <summary>Brings the tail's way across to its width. A tail fin that would stand steeper than water lets it is eased, and the rest widened for it.</summary>
-    private void SpreadTail(int tip, double reach)
+    private void SpreadTail(int tip, double reach, double steepest)
     {
         for (int pass = 0; pass < 4; pass++)
         {
             Scale(reach / Reach(tip));
             double c = Slope(cosines, tip - 1);
             double s = Slope(sines, tip - 1);
-            double ease = SteepestFin / Math.Max(Math.Sqrt((c * c) + (s * s)), SteepestFin);
+            double ease = steepest / Math.Max(Math.Sqrt((c * c) + (s * s)), steepest);
             cosines[tip] = cosines[tip - 1] + (ease * (cosines[tip] - cosines[tip - 1]));
             sines[tip] = sines[tip - 1] + (ease * (sines[tip] - sines[tip - 1]));
         }
+
+        Scale(reach / Reach(tip));
     }
 
     private static void Fill(SwimStyle style, double wavelength, double[] along, double lag, double[] cosines, double[] sines)
@@ -137,10 +148,11 @@ internal sealed class SwimWave
 
     private double Reach(int point) => Math.Sqrt((cosines[point] * cosines[point]) + (sines[point] * sines[point]));
 
+    /// <summary>Tail fins bend; the tapering tails of eels carry none to speak of.</summary>
     private void LagTail(SwimStyle style, double wavelength, double[] along)
     {
         int tip = along.Length - 1;
-        if (tip < 3)
+        if (tip < 3 || style == SwimStyle.Anguilliform)
         {
             return;
         }
@@ -151,37 +163,5 @@ internal sealed class SwimWave
         double share = (along[tip] - along[tip - 1]) / (along[tip] - along[tip - 2]);
         cosines[tip] = cosines[tip - 1] + ((1 - FinShare) * (cosines[tip] - cosines[tip - 1])) + (FinShare * share * (c[tip] - c[tip - 2]));
         sines[tip] = sines[tip - 1] + ((1 - FinShare) * (sines[tip] - sines[tip - 1])) + (FinShare * share * (s[tip] - s[tip - 2]));
-    }
-
-    /// <summary>A body free in water does not shift or turn as a whole: most of the mean displacement and slope, weighted with mass, goes.</summary>
-    private void TakeOffRecoil(AxialChain chain, double[] along, double recoil)
-    {
-        double centre = 0;
-        for (int b = 0; b < chain.Count; b++)
-        {
-            centre += chain.Bones[b].Mass * 0.5 * (along[b] + along[b + 1]);
-        }
-
-        foreach (double[] y in new[] { cosines, sines })
-        {
-            double mean = 0;
-            double slope = 0;
-            double spread = 0;
-            for (int b = 0; b < chain.Count; b++)
-            {
-                double m = chain.Bones[b].Mass;
-                double at = (0.5 * (along[b] + along[b + 1])) - centre;
-                double middle = 0.5 * (y[b] + y[b + 1]);
-                mean += m * middle;
-                slope += m * at * middle;
-                spread += m * at * at;
-            }
-
-            slope /= Math.Max(spread, 1e-9);
-            for (int p = 0; p < y.Length; p++)
-            {
-                y[p] -= recoil * (mean + (slope * (along[p] - centre)));
-            }
-        }
     }
 }
