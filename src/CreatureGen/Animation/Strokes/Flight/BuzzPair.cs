@@ -9,9 +9,8 @@ namespace CreatureGen.Animation.Strokes.Flight;
 internal sealed class BuzzPair
 {
     private const double StrokeAngle = 0.52;
-    private const double Deviation = 0.10;
+    private const double Deviation = 0.16;
     private const double Flip = 0.70;
-    private const double SweepAngle = 0.25;
     private const double TipBend = 0.22;
     private const double TipLag = 0.4;
     private const double StrokePlane = 0.25;
@@ -47,8 +46,8 @@ internal sealed class BuzzPair
         double a = stroke.Amplitude * (1 - (0.15 * inside));
         double angle = 2 * PortableMath.Pi * (stroke.Phase - lag);
         PortableMath.SinCos(angle, out double sine, out double cosine);
-        double raise = level + (a * ((StrokeAngle * cosine) + (Deviation * 2 * sine * cosine)));
-        double sweep = a * SweepAngle * -sine;
+        double raise = level + (a * StrokeAngle * cosine);
+        double sweep = a * Deviation * 2 * sine * cosine;
         double twist = a * Flip * sine;
         double bend = a * TipBend * PortableMath.Sin(angle - TipLag);
         double open = Scalar.Smooth(stroke.Spread);

@@ -24,6 +24,7 @@ internal static class FlightControl
     /// <summary>Leg lengths above the ground at which landing begins and a leap is over.</summary>
     public const double LandingHeight = 2.2;
     private const double LeapHeight = 1.2;
+    private const double PlantingHeight = 0.4;
 
     /// <summary>How much it hovers, 0..1, at so many times the speed of cruise.</summary>
     public static double Hover(double cruises) => 1 - Scalar.Smooth(Math.Abs(cruises) / HoverShare);
@@ -63,12 +64,13 @@ internal static class FlightControl
         state.Flare.Step(landing, 1.5 * k, dt);
         state.Speed.Step(flying ? cruises : 0, 1.2 * k, dt);
         double turn = PortableMath.Atan2(speed * yaw, Gravity);
-        state.Bank.Step(Bounded(turn, SteepestBank), 1.2 * k, dt);
-        state.Steer.Step(Bounded(yaw * Math.Max(0.35, 0.5 * profile.CruiseSpeed / Gravity), 1), 1.5 * k, dt);
-        state.Path.Step(Bounded(path, SteepestPath), k, dt);
+        state.Bank.Step(Curve.Bounded(turn, SteepestBank), 1.2 * k, dt);
+        state.Steer.Step(Curve.Bounded(yaw * Math.Max(0.35, 0.5 * profile.CruiseSpeed / Gravity), 1), 1.5 * k, dt);
+        state.Path.Step(Curve.Bounded(path, SteepestPath), k, dt);
         state.Crouch.Step(state.Phase == FlightPhase.Crouching ? 1 : state.Phase == FlightPhase.Settling ? 0.85 * (1 - Scalar.Smooth(state.Age / (0.6 * SettleTime))) : 0, state.Phase == FlightPhase.Leaping ? 5 * tempo : 3 * tempo, dt);
         state.Air.Step(flying ? 1 : 0, 2 * tempo, dt);
-        state.Planted.Step(flying ? 0 : 1, 3 * tempo, dt);
+        bool near = state.Phase == FlightPhase.Landing && height < PlantingHeight * leg;
+        state.Planted.Step(flying && !near ? 0 : 1, flying && !near ? 4 * tempo : 9 * tempo, dt);
         state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
         return Root(state, speed, yaw, climb, height, leg);
     }
@@ -130,6 +132,4 @@ internal static class FlightControl
         state.Cycle = after / profile.BeatsPerCycle;
         state.Cycle -= Math.Floor(state.Cycle);
     }
-
-    private static double Bounded(double angle, double most) => angle / Math.Sqrt(1 + (angle * angle / (most * most)));
 }

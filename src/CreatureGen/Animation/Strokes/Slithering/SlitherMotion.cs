@@ -85,34 +85,26 @@ public static class SlitherMotion
         state.Breath += dt * BreathRate / Math.Sqrt(profile.BodyLength);
         state.Breath -= Math.Floor(state.Breath);
 
-        // Along its body it goes further than along its way.
-        SidewindDrift(alpha, out double across, out double along, out double slant);
-        double progress = Scalar.Lerp(SlitherProfile.Progress(alpha), Math.Sqrt((across * across) + (along * along)), sides);
+        // Along its body it goes further than along its way. In sidewinding the track drifts over the ground so that what heads furthest to the left rests.
+        TrackSteering.Mean(alpha, sides, out double along, out double across);
+        PortableMath.SinCos(alpha, out double sine, out double cosine);
+        along -= sides * cosine;
+        across -= sides * sine;
+        double progress = Math.Sqrt((along * along) + (across * across));
+        double slant = -PortableMath.Atan2(across, along);
         double arc = way / Math.Max(progress, 0.1);
         double turn = Scalar.Clamp(yaw * dt, -profile.TightestTurn * way, profile.TightestTurn * way);
-        double slanted = sides * slant;
         if (arc > 0)
         {
-            var steering = new TrackSteering(state.Travel, state.Travel + turn, slanted, alpha);
-            state.Track.Advance(arc, steering, ground);
+            state.Track.Advance(arc, new TrackSteering(state.Travel, state.Travel + turn, slant, alpha, sides), ground);
             state.Travel += turn;
-            if (sides > 1e-4)
+            if (sides > 1e-6)
             {
-                // What rests on the ground is where the track heads furthest to its left: there the track's own way and its drift cancel.
-                PortableMath.SinCos(state.Travel + slanted + alpha, out double sine, out double cosine);
-                state.Track.Drift(-sides * arc * sine, -sides * arc * cosine);
+                PortableMath.SinCos(state.Travel + slant + alpha, out double x, out double z);
+                state.Track.Drift(-sides * arc * x, -sides * arc * z);
             }
         }
 
         state.Root = SlitherPose.RootOf(profile, state, ground);
-    }
-
-    /// <summary>How the body gets on for each metre along itself when the parts that head furthest to the left rest: across and along the track's middle line; and how far that line has to slant from the way for the sum to point along it.</summary>
-    private static void SidewindDrift(double alpha, out double across, out double along, out double slant)
-    {
-        PortableMath.SinCos(alpha, out double sine, out double cosine);
-        across = -sine;
-        along = SlitherProfile.Progress(alpha) - cosine;
-        slant = -PortableMath.Atan2(across, along);
     }
 }

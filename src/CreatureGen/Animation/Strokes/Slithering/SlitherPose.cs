@@ -97,8 +97,8 @@ internal static class SlitherPose
             // A track that drifts lies on other ground than it was laid on. Where the swing is at its left end the body rests.
             double sampled = ground.Sample((float)point.X, (float)point.Z, out Vector3 now);
             double fade = Math.Min(1, sides * 4);
-            double swing = PortableMath.Cos(2 * PortableMath.Pi * arc / state.Track.Wavelength);
-            height = Scalar.Lerp(height, sampled, fade) + (sides * SidewindLift * profile.Wavelength * Scalar.Smooth((0.35 - swing) / 1.0));
+            double swing = TrackSteering.Swing(arc / state.Track.Wavelength, sides);
+            height = Scalar.Lerp(height, sampled, fade) + (sides * SidewindLift * profile.Wavelength * Scalar.Smooth((0.7 - swing) / 1.1));
             normal = Vec.Lerp(normal, now, (float)fade);
         }
 
