@@ -76,7 +76,9 @@ internal static class FlightPose
         heave -= profile.SoleHeight * (1 - Scalar.Smooth(state.Height.Value / (FlightControl.LandingHeight * profile.LegLength)));
 
         double posture = profile.Buzzes ? Scalar.Lerp(0.08, -BuzzPitch, hover) : Scalar.Lerp(-0.03, -HoverPitch, hover);
-        double pitch = air * (posture - (0.75 * state.Path.Value) - (FlarePitch * Scalar.Clamp(state.Flare.Value, 0, 1)));
+
+        // Close to the ground it levels out, so that all feet reach it.
+        double pitch = air * Scalar.Smooth(state.Height.Value / profile.LegLength) * (posture - (0.75 * state.Path.Value) - (FlarePitch * Scalar.Clamp(state.Flare.Value, 0, 1)));
         pitch += (profile.Buzzes ? 0.2 : 1) * BeatPitch * beating * PortableMath.Sin((2 * PortableMath.Pi * beats) + 0.6);
         pitch -= 0.12 * crouch;
         double roll = -air * state.Bank.Value;

@@ -17,7 +17,7 @@ public sealed class SlitherProfile
     private const double SidewindWinding = 1.1;
     private const double LeastWinding = 0.25;
     private const double WavesPerBody = 1.5;
-    private const double LimitShare = 0.75;
+    private const double LimitShare = 0.84;
     private const double TurnPerBody = 2.2;
     private const double CruiseLengths = 0.35;
 

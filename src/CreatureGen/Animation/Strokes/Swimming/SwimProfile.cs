@@ -144,6 +144,11 @@ public sealed class SwimProfile
             }
         }
 
+        for (int b = 0; b < chain.Count; b++)
+        {
+            factor = Math.Min(factor, SwimWave.Steepest / (SwimMotion.WidestBeat * wave.Steepness(b)));
+        }
+
         return factor;
     }
 

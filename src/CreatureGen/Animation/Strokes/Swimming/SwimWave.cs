@@ -23,7 +23,7 @@ internal sealed class SwimWave
     private const double SteepestTail = 0.75;
 
     /// <summary>Steepest heading of a bone, as a sine: more than the widest beat comes to.</summary>
-    private const double Steepest = 0.9;
+    public const double Steepest = 0.9;
 
     private readonly double[] cosines;
     private readonly double[] sines;
@@ -86,6 +86,14 @@ internal sealed class SwimWave
     {
         double across = amplitude * (Displacement(bone, cosine, sine) - Displacement(bone + 1, cosine, sine)) / lengths[bone];
         return PortableMath.Asin(Scalar.Clamp(across, -Steepest, Steepest));
+    }
+
+    /// <summary>Greatest sine of a bone's heading over a cycle at amplitude 1.</summary>
+    public double Steepness(int bone)
+    {
+        double c = Slope(cosines, bone);
+        double s = Slope(sines, bone);
+        return Math.Max(Math.Sqrt((c * c) + (s * s)), 1e-9);
     }
 
     /// <summary>Greatest change of heading from a bone to the next over a cycle, radians.</summary>
