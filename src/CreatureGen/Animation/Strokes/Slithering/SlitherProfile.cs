@@ -18,6 +18,10 @@ public sealed class SlitherProfile
     private const double LeastWinding = 0.25;
     private const double WavesPerBody = 1.5;
     private const double LimitShare = 0.84;
+
+    /// <summary>Of the widest winding that the joints allow, how much undulation takes: bones bent less follow the track more closely.</summary>
+    private const double WindingShare = 0.88;
+
     private const double TurnPerBody = 2.2;
     private const double CruiseLengths = 0.35;
 
@@ -41,7 +45,7 @@ public sealed class SlitherProfile
         BodyLength = (float)Chain.Length;
         Wavelength = (float)(Chain.Length / WavesPerBody);
         double room = Room();
-        Alpha = Math.Min(Winding, room);
+        Alpha = Math.Min(Winding, WindingShare * room);
         SidewindAlpha = Math.Min(SidewindWinding, room);
         TightestTurn = TurnPerBody / Chain.Length;
         CruiseSpeed = (float)(CruiseLengths * Chain.Length);
