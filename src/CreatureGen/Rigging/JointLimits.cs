@@ -15,12 +15,12 @@ namespace CreatureGen.Rigging;
 /// D. Levine, "Reliability of goniometry in Labrador Retrievers", Am. J. Vet. Res. 63, 2002) less a standing dog's angles of about 115, 135, 135, 115, 138 and 180°, rounded to 5°.
 /// Bears and uprights have human knees and ankles; the rest is set to what their gaits need with a margin.</para>
 /// <para>Neck and tail: the thesis's rule that a chain of n bones bends by 200°/n at most in each, so that it looks natural while its sum stays near 100°.
-/// Bodies that move by waves hold several bends one way and the other: 600°/n.</para>
+/// Bodies that move by waves hold several bends one way and the other: 480°/n.</para>
 /// </remarks>
 internal static class JointLimits
 {
     private const double BendPerChain = 200;
-    private const double BendPerUndulatingChain = 600;
+    private const double BendPerUndulatingChain = 480;
     private const double MostPerBone = 60;
     private const double SkinStretch = 0.64;
 
