@@ -14,11 +14,13 @@ namespace CreatureGen.Rigging;
 /// <para>Four-footed legs: the ranges of motion of dogs (hip 50–162°, stifle 42–162°, tarsus 39–164°, shoulder 57–165°, elbow 36–165°, carpus 32–196°; G. Jaegger, D. Marcellin-Little and
 /// D. Levine, "Reliability of goniometry in Labrador Retrievers", Am. J. Vet. Res. 63, 2002) less a standing dog's angles of about 115, 135, 135, 115, 138 and 180°, rounded to 5°.
 /// Bears and uprights have human knees and ankles; the rest is set to what their gaits need with a margin.</para>
-/// <para>Neck and tail: the thesis's rule that a chain of n bones bends by 200°/n at most in each, so that it looks natural while its sum stays near 100°.</para>
+/// <para>Neck and tail: the thesis's rule that a chain of n bones bends by 200°/n at most in each, so that it looks natural while its sum stays near 100°.
+/// Bodies that move by waves hold several bends one way and the other: 480°/n.</para>
 /// </remarks>
 internal static class JointLimits
 {
     private const double BendPerChain = 200;
+    private const double BendPerUndulatingChain = 480;
     private const double MostPerBone = 60;
     private const double SkinStretch = 0.64;
 
@@ -39,7 +41,7 @@ internal static class JointLimits
     };
 
     // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back.
-    private static readonly short[] wing = { -80, 85, -45, 95, -45, 45, -60, 40, -140, 25, -45, 45, -60, 40, -25, 150, -45, 45, -50, 40, -25, 60, -45, 45 };
+    private static readonly short[] wing = { -80, 85, -45, 125, -60, 60, -60, 40, -165, 25, -45, 45, -60, 40, -25, 170, -45, 45, -50, 40, -25, 60, -45, 45 };
 
     private static readonly short[] pelvis = { -40, 40, -35, 35, -30, 30 };
     private static readonly short[] spine = { -20, 20, -25, 25, -15, 15 };
@@ -92,6 +94,13 @@ internal static class JointLimits
     {
         float bend = (float)Scalar.Radians(Math.Min(BendPerChain / Math.Max(bones, 1), MostPerBone));
         return new JointLimit(bend, bend, bend / 2);
+    }
+
+    /// <summary>Limits of a joint of a body that moves by waves (swimmers, snakes), a chain of so many bones: it bends to both sides at once, so that its sum stays small where each bone bends far.</summary>
+    public static JointLimit Undulating(int bones)
+    {
+        float bend = (float)Scalar.Radians(Math.Min(BendPerUndulatingChain / Math.Max(bones, 1), MostPerBone));
+        return new JointLimit(bend, bend, bend / 4);
     }
 
     /// <summary>
