@@ -25,10 +25,12 @@ internal static class CreatureRigger
         var line = new SpineLine(shape, input.Surface.Positions[ends.Head], input.Surface.Positions[ends.Tail]);
         SpineLayout layout = SpineLayout.Plan(input.Blueprint.Kind, input.Blueprint.Plan, input.Appendages, line, input.Blueprint.Scale);
 
+        bool swims = input.Blueprint.Kind == LocomotionKind.Swimming;
+        bool undulating = swims || input.Blueprint.Plan == BodyPlan.Legless;
         var skeleton = new SkeletonBuilder();
         int root = skeleton.Add(-1, Side.Median, new JointDraft("Root", JointRole.Root, Vector3.Zero, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Root)));
         int body = skeleton.Add(root, Side.Median, new JointDraft("Body", JointRole.Body, line.At(layout.RootRing), Quaternion.Identity, 0f, JointLimits.Body(JointRole.Body)));
-        int[] forward = AddSpine(skeleton, layout.Forward, body, line, shape, line.HeadTip);
+        int[] forward = AddSpine(skeleton, layout.Forward, body, line, shape, line.HeadTip, undulating);
         int head = forward[forward.Length - 1];
         skeleton.AddEnd(head, Side.Median, "HeadEnd", line.HeadTip);
         int jaw = HeadRigger.AddJaw(skeleton, input, head);
@@ -37,8 +39,7 @@ internal static class CreatureRigger
             HeadRigger.AddEyes(skeleton, input.Eye.Value, head);
         }
 
-        bool swims = input.Blueprint.Kind == LocomotionKind.Swimming;
-        int[] backward = AddSpine(skeleton, layout.Backward, swims ? body : forward[0], line, shape, line.TailTip);
+        int[] backward = AddSpine(skeleton, layout.Backward, swims ? body : forward[0], line, shape, line.TailTip, undulating);
         skeleton.AddEnd(backward[backward.Length - 1], Side.Median, "TailEnd", line.TailTip);
 
         SpineSegments spine = Segments(layout, forward, backward, line);
@@ -62,7 +63,7 @@ internal static class CreatureRigger
             jaw);
     }
 
-    private static int[] AddSpine(SkeletonBuilder skeleton, SpineNode[] nodes, int parent, SpineLine line, BodyShape shape, Vector3 tip)
+    private static int[] AddSpine(SkeletonBuilder skeleton, SpineNode[] nodes, int parent, SpineLine line, BodyShape shape, Vector3 tip, bool undulating)
     {
         int[] joints = new int[nodes.Length];
         for (int k = 0; k < nodes.Length; k++)
@@ -71,7 +72,8 @@ internal static class CreatureRigger
             Vector3 direction = (k + 1 < nodes.Length ? PivotOf(nodes[k + 1], line, shape) : tip) - position;
             int inChain = CountOf(nodes, nodes[k].Role);
             bool chained = nodes[k].Role is JointRole.Neck or JointRole.Tail || (nodes[k].Role == JointRole.Spine && inChain > 5);
-            JointLimit limit = chained ? JointLimits.Chain(inChain) : JointLimits.Body(nodes[k].Role);
+            bool undulates = undulating && nodes[k].Role is JointRole.Spine or JointRole.Chest or JointRole.Pelvis or JointRole.Tail;
+            JointLimit limit = undulates ? JointLimits.Undulating(inChain) : chained ? JointLimits.Chain(inChain) : JointLimits.Body(nodes[k].Role);
             if (k > 0)
             {
                 float behind = Vec.Distance(position, PivotOf(nodes[k - 1], line, shape));

@@ -1,3 +1,5 @@
+using System;
+
 namespace CreatureGen.Rigging;
 
 /// <summary>A range of angles around a rest position, radians.</summary>
@@ -13,6 +15,9 @@ public readonly record struct AngleRange(float Min, float Max)
 
     /// <summary>The angle of the range nearest to <paramref name="angle"/>.</summary>
     public float Clamp(float angle) => angle < Min ? Min : angle > Max ? Max : angle;
+
+    /// <summary>Both ends, as in <c>-0.5..1.2</c>.</summary>
+    public override string ToString() => FormattableString.Invariant($"{Min}..{Max}");
 }
 
 /// <summary>

@@ -40,6 +40,11 @@ internal sealed class SpineLayout
     private const double SwimmerRootRing = 20;
     private const double LastTailRing = 52;
 
+    /// <summary>Length of the tail's bones of a legless body over that of its trunk's, and their greatest number.</summary>
+    private const double LeglessTailSpacing = 1.1;
+
+    private const int MostLeglessTailBones = 12;
+
     /// <summary>Rings per bone at least: a bone between two rings would hold no skin.</summary>
     private const double RingsPerBone = 1.2;
 
@@ -112,10 +117,18 @@ internal sealed class SpineLayout
         AddNeck(forward, line, Math.Min(chest, 26), scale);
         forward.Add(new SpineNode("Head", JointRole.Head, HeadRing));
 
-        double first = TailRootOf(pelvis);
+        double spacing = (line.ArcAt(pelvis) - line.ArcAt(chest)) / (bones + 1);
+        double first = plan == BodyPlan.Legless ? Math.Min(line.RingAt(line.ArcAt(pelvis) + spacing), LastTailRing) : TailRootOf(pelvis);
         double last = Math.Max(LastTailRing, first);
-        double tail = (line.Length - line.ArcAt(first)) * scale;
-        int tailBones = Math.Min(3 + StepsBelow(tailSteps, tail), MostBones(last - first));
+        double tail = line.Length - line.ArcAt(first);
+        int tailBones = 3 + StepsBelow(tailSteps, tail * scale);
+        if (plan == BodyPlan.Legless)
+        {
+            // A body that bends as a whole bends as far in its tail as in its trunk.
+            tailBones = Math.Max(tailBones, Math.Min((int)(tail / (LeglessTailSpacing * spacing)), MostLeglessTailBones));
+        }
+
+        tailBones = Math.Min(tailBones, MostBones(last - first));
         var backward = new List<SpineNode>();
         AddThrough(backward, line, "Tail_", JointRole.Tail, first, last, tailBones);
         double root = line.RingAt((line.ArcAt(pelvis) + line.ArcAt(chest)) / 2);

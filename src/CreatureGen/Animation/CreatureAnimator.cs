@@ -1,0 +1,211 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation.Events;
+using CreatureGen.Animation.Gaits;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation;
+
+/// <summary>
+/// Makes a creature go: a game calls <see cref="Update(float, in MotionInput, IGround)"/> each frame and reads where the creature is and how it is posed. One animator for each creature on the scene; the
+/// creature and its <see cref="MotionProfile"/> may be shared by any number of them on any threads.
+/// </summary>
+/// <remarks>
+/// <para>Configured by the creature's build alone. An update allocates nothing. The same calls give the same bits.</para>
+/// <para>The pose is in the creature's own space, with its root joint at rest: <see cref="Root"/> says where that is in the world.</para>
+/// </remarks>
+public sealed class CreatureAnimator
+{
+    private readonly Quaternion[] localRotations;
+    private readonly Vector3[] localPositions;
+    private readonly Quaternion[] modelRotations;
+    private readonly Vector3[] modelPositions;
+    private readonly EventQueue events;
+    private readonly Locomotion.LeggedMotion? legs;
+    private readonly SecondaryMotion secondary;
+    private LocomotionSettings settings = LocomotionSettings.Default;
+
+    /// <summary>An animator for a creature, standing at the origin.</summary>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public CreatureAnimator(Creature creature)
+        : this(new MotionProfile(creature ?? throw new ArgumentNullException(nameof(creature))))
+    {
+    }
+
+    /// <summary>An animator for a creature whose profile is at hand: many of a kind share it.</summary>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public CreatureAnimator(MotionProfile profile)
+    {
+        Profile = profile ?? throw new ArgumentNullException(nameof(profile));
+        Skeleton skeleton = profile.Creature.Skeleton;
+        localRotations = new Quaternion[skeleton.Count];
+        localPositions = new Vector3[skeleton.Count];
+        modelRotations = new Quaternion[skeleton.Count];
+        modelPositions = new Vector3[skeleton.Count];
+        LocalPose.SetToRest(skeleton);
+        ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
+        int feet = profile.Legs?.Legs.Length ?? 0;
+        events = new EventQueue(2 * feet * Locomotion.LeggedMotion.MostSteps);
+        Root = RootPlace.Identity;
+        secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
+        if (profile.Legs != null)
+        {
+            legs = new Locomotion.LeggedMotion(profile.Legs, profile.Gaits!, events);
+        }
+    }
+
+    /// <summary>What is known of the creature's way of going.</summary>
+    public MotionProfile Profile { get; }
+
+    /// <summary>Where the creature's root is in the world: on the ground below its middle; set it by <see cref="Teleport"/> or <see cref="Follow"/>. Speeds and gravity are those of the world, whatever the scale.</summary>
+    public RootPlace Root { get; private set; }
+
+    /// <summary>What can be set; taken up by the next update.</summary>
+    /// <exception cref="ArgumentException">A setting is not finite or out of its range.</exception>
+    public LocomotionSettings Settings
+    {
+        get => settings;
+        set
+        {
+            value.ThrowIfInvalid();
+            settings = value;
+        }
+    }
+
+    /// <summary>The pose in the parents' space, as of the last update. It may be changed before it is used; the next update writes it anew.</summary>
+    public Pose LocalPose => new(localRotations, localPositions);
+
+    /// <summary>The pose in model space, as of the last update.</summary>
+    public Pose ModelPose => new(modelRotations, modelPositions);
+
+    /// <summary>What happened in the last update.</summary>
+    public ReadOnlySpan<MotionEvent> Events => events.Items;
+
+    /// <summary>The gait at present; null for creatures without legs to stand on.</summary>
+    public Gait? Gait => legs?.Gait;
+
+    /// <summary>Number of feet that it walks on.</summary>
+    public int FootCount => legs?.FootCount ?? 0;
+
+    /// <summary>Metres per second ahead at present.</summary>
+    public float Speed => (legs?.Speed ?? 0f) * Root.Scale;
+
+    /// <summary>Place in the gait's cycle, 0..1.</summary>
+    public float Phase => legs?.Phase ?? 0f;
+
+    /// <summary>Cycles per second at present.</summary>
+    public float Frequency => legs?.Frequency ?? 0f;
+
+    /// <summary>How a foot is at present.</summary>
+    /// <param name="foot">0 up to <see cref="FootCount"/>.</param>
+    public FootReport Foot(int foot)
+    {
+        if (legs == null || (uint)foot >= (uint)FootCount)
+        {
+            throw new ArgumentOutOfRangeException(nameof(foot), foot, FormattableString.Invariant($"expected 0..{FootCount - 1}"));
+        }
+
+        return legs.Report(foot);
+    }
+
+    /// <summary>Moves on: the creature goes as it is asked, over the ground.</summary>
+    /// <param name="dt">Seconds since the last update, 0..0.25; 0 gives the same pose again. What is longer counts as 0.25.</param>
+    /// <param name="input">What the creature is to do.</param>
+    /// <param name="ground">Where feet find footing.</param>
+    /// <exception cref="ArgumentException">A number is not finite, or dt is negative.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    public void Update(float dt, in MotionInput input, IGround ground)
+    {
+        Check(ref dt, ground);
+        Finite.Require(input.Speed, nameof(input.Speed));
+        Finite.Require(input.Sideways, nameof(input.Sideways));
+        Finite.Require(input.TurnRate, nameof(input.TurnRate));
+        Finite.Require(input.ClimbRate, nameof(input.ClimbRate));
+        if (legs != null)
+        {
+            Root = legs.Drive(Root, dt, input, settings, ground);
+            Finish(dt);
+        }
+    }
+
+    /// <summary>Moves on where the game itself moves the creature: speeds follow from the way it was moved.</summary>
+    /// <param name="dt">Seconds since the last update, 0..0.25; what is longer counts as 0.25.</param>
+    /// <param name="placement">Where the root is now; its own up is taken for up.</param>
+    /// <param name="ground">Where feet find footing.</param>
+    /// <exception cref="ArgumentException">A number is not finite, the rotation is not unit, or dt is negative.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    public void Follow(float dt, in RootPlace placement, IGround ground)
+    {
+        Check(ref dt, ground);
+        placement.Require(nameof(placement));
+        if (legs != null)
+        {
+            Root = legs.Follow(Root, dt, placement, settings, ground);
+            Finish(dt);
+        }
+        else
+        {
+            Root = placement;
+        }
+    }
+
+    /// <summary>Puts the creature somewhere else, standing on its feet there as if it had always been.</summary>
+    /// <exception cref="ArgumentException">A number is not finite, or the rotation is not unit.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    public void Teleport(in RootPlace placement, IGround ground)
+    {
+        if (ground == null)
+        {
+            throw new ArgumentNullException(nameof(ground));
+        }
+
+        placement.Require(nameof(placement));
+        Root = placement;
+        events.Clear();
+        if (legs != null)
+        {
+            secondary.Reset();
+            legs.Stand(placement, settings, ground);
+            Finish(0f);
+        }
+    }
+
+    /// <summary>Moves the origin of the world: everything that is remembered in it moves by the offset, and nothing else changes.</summary>
+    /// <param name="offset">Added to all places, metres.</param>
+    /// <exception cref="ArgumentException">A number is not finite.</exception>
+    public void Rebase(Vector3 offset)
+    {
+        Finite.Require(offset, nameof(offset));
+        Root = new RootPlace(Root.Position + offset, Root.Rotation, Root.Scale);
+        legs?.Rebase(offset);
+        secondary.Rebase(offset);
+    }
+
+
+    private void Check(ref float dt, IGround ground)
+    {
+        if (ground == null)
+        {
+            throw new ArgumentNullException(nameof(ground));
+        }
+
+        if (!(dt >= 0f) || float.IsInfinity(dt))
+        {
+            throw new ArgumentOutOfRangeException(nameof(dt), dt, "expected finite seconds, not negative");
+        }
+
+        dt = Math.Min(dt, Locomotion.LeggedMotion.LongestUpdate);
+        events.Clear();
+    }
+
+    private void Finish(float dt)
+    {
+        legs!.Pose(Root, dt, settings, LocalPose);
+        ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
+        secondary.Update(Root, Rotation.Rotate(Root.Rotation, Vector3.UnitY), dt, LocalPose, ModelPose);
+    }
+}

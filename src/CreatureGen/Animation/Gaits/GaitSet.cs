@@ -1,0 +1,112 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Animation.Gaits;
+
+/// <summary>The gaits that a creature goes through from standing to its top speed, and the speeds at which it changes. Immutable.</summary>
+/// <remarks>
+/// Speeds follow from the Froude number Fr = v²/(gℓ): animals of all sizes change gait at about the same one (Alexander and Jayes 1983; Griffin et al. 2004: horses of 0.7–1.4 m go over
+/// from walk to trot at Fr = 0.35). The top speed is that of the fastest gait, or less where its steps would come quicker than 6·M^−0.14 per second (after Heglund and Taylor 1988).
+/// </remarks>
+public sealed class GaitSet
+{
+    private const double QuickestAtOneKilogram = 6;
+    private const double QuickestExponent = -0.14;
+    private readonly GaitStep[] steps;
+    private readonly GaitSpeed[] speeds;
+
+    /// <summary>Puts gaits in order.</summary>
+    /// <param name="steps">From slow to fast, at least one; the first is entered from standing and its thresholds do not count.</param>
+    /// <param name="legLength">From hip to ground, metres.</param>
+    /// <param name="mass">Kilograms.</param>
+    /// <param name="gravity">Metres per second squared.</param>
+    /// <exception cref="ArgumentException">There is no gait, a gait is not sound, or thresholds do not rise.</exception>
+    public GaitSet(IReadOnlyList<GaitStep> steps, float legLength, float mass, float gravity = 9.81f)
+    {
+        if (steps == null || steps.Count == 0)
+        {
+            throw new ArgumentException("there are no gaits; expected at least one", nameof(steps));
+        }
+
+        Finite.RequireWithin(legLength, 1e-4f, 1e4f, nameof(legLength));
+        Finite.RequireWithin(mass, 1e-9f, 1e12f, nameof(mass));
+        Finite.RequireWithin(gravity, 1e-3f, 1e3f, nameof(gravity));
+        this.steps = new List<GaitStep>(steps).ToArray();
+        for (int i = 0; i < this.steps.Length; i++)
+        {
+            this.steps[i].Gait.ThrowIfInvalid();
+            if (i > 0 && !(this.steps[i].Enter > this.steps[i].Leave && this.steps[i].Leave > (i > 1 ? this.steps[i - 1].Leave : 0f)))
+            {
+                throw new ArgumentException(FormattableString.Invariant($"{this.steps[i].Gait.Name} is entered at {this.steps[i].Enter} and left at {this.steps[i].Leave}; expected to leave below where it enters, and above where the gait before is left"), nameof(steps));
+            }
+        }
+
+        speeds = new GaitSpeed[this.steps.Length];
+        float unit = gravity * legLength;
+        for (int i = 0; i < speeds.Length; i++)
+        {
+            Gait gait = this.steps[i].Gait;
+            float most = Math.Min(gait.Fastest, QuickestFroude(gait, legLength, mass, gravity));
+            if (i + 1 < speeds.Length)
+            {
+                most = Math.Min(most, this.steps[i + 1].Enter);
+            }
+
+            float least = i == 0 ? 0f : this.steps[i].Leave;
+            float comfortable = Math.Min(Math.Max(gait.Comfortable, least), most);
+            speeds[i] = new GaitSpeed(gait, Speed(least), Speed(comfortable), Speed(Math.Max(most, least)));
+        }
+
+        // A gait too quick for the creature's mass is left out of its speeds: the one before is its last.
+        TopSpeed = 0f;
+        foreach (GaitSpeed speed in speeds)
+        {
+            TopSpeed = Math.Max(TopSpeed, speed.Fastest);
+        }
+
+        float Speed(float froude) => (float)Math.Sqrt(froude * unit);
+    }
+
+    /// <summary>Gaits and thresholds, slow to fast.</summary>
+    public IReadOnlyList<GaitStep> Steps => steps;
+
+    /// <summary>Gaits and their speeds, slow to fast.</summary>
+    public IReadOnlyList<GaitSpeed> Speeds => speeds;
+
+    /// <summary>Metres per second that the creature can keep up at most.</summary>
+    public float TopSpeed { get; }
+
+    /// <summary>The gait for a speed.</summary>
+    /// <param name="current">Place of the present gait.</param>
+    /// <param name="froude">v²/(gℓ).</param>
+    /// <returns>Place of the gait to go on with.</returns>
+    public int Choose(int current, float froude)
+    {
+        int chosen = Math.Min(Math.Max(current, 0), steps.Length - 1);
+        while (chosen + 1 < steps.Length && froude > steps[chosen + 1].Enter)
+        {
+            chosen++;
+        }
+
+        while (chosen > 0 && froude < steps[chosen].Leave)
+        {
+            chosen--;
+        }
+
+        return chosen;
+    }
+
+    /// <summary>The Froude number at which a gait's steps come as quick as the creature's mass lets them.</summary>
+    private static float QuickestFroude(Gait gait, float legLength, float mass, float gravity)
+    {
+        double quickest = QuickestAtOneKilogram * PortableMath.Pow(mass, QuickestExponent);
+        double exponent = 0.5 - gait.Stride.Exponent;
+        if (exponent < 1e-3)
+        {
+            return gait.Fastest;
+        }
+
+        return (float)PortableMath.Pow(quickest * gait.Stride.Factor * Math.Sqrt(legLength / gravity), 1 / exponent);
+    }
+}

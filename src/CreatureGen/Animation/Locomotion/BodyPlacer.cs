@@ -1,0 +1,375 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation.Gaits;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>
+/// Places the trunk over the feet: height, sway and surge from the forces of the feet; yaw, roll and bends with the feet; pitch and roll to the ground; lean in turns; and low enough that no standing leg
+/// has to reach too far.
+/// </summary>
+internal sealed class BodyPlacer
+{
+    /// <summary>How quickly the trunk follows the ground, per second.</summary>
+    private const float GroundRate = 9f;
+
+    private const float SlopeRate = 6f;
+    private const float SlopeShare = 0.8f;
+    private const float SteepestRoll = 0.3f;
+
+    /// <summary>Part of its reach beyond which a standing leg draws the body down.</summary>
+    private const float MostStretch = 0.972f;
+
+    /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
+    private const float MostDrop = 0.35f;
+
+    private const float LateralDrop = 0.025f;
+    private const float SurgeCap = 0.04f;
+
+    private readonly LeggedBody body;
+    private readonly ForceResponse response = new();
+    private readonly PhaseSums hind = new();
+    private readonly PhaseSums fore = new();
+    private readonly PhaseSums track = new();
+    private readonly PhaseSums all = new();
+    private float slope;
+
+    public BodyPlacer(LeggedBody body)
+    {
+        this.body = body;
+        Trunk = new TrunkChain(body);
+    }
+
+    /// <summary>The trunk as last placed.</summary>
+    public TrunkChain Trunk { get; }
+
+    /// <summary>Height of the ground under hind and fore feet above the root, smoothed, metres.</summary>
+    public float HindGround { get; private set; }
+
+    public float ForeGround { get; private set; }
+
+    /// <summary>How far reach draws hind and fore body down, metres.</summary>
+    public float HindDrop { get; private set; }
+
+    public float ForeDrop { get; private set; }
+
+    /// <summary>Bend of the trunk into a turn, radians.</summary>
+    public float TurnBend { get; private set; }
+
+    /// <summary>Yaw of the pelvis with the feet, radians.</summary>
+    public float PelvisYaw { get; private set; }
+
+    /// <summary>Passive nod of the neck, radians.</summary>
+    public float Nod { get; private set; }
+
+    /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
+    public float Scissor { get; private set; }
+
+    /// <summary>Forgets what was smoothed: the creature has been put somewhere else.</summary>
+    public void Reset(ReadOnlySpan<Foot> feet)
+    {
+        Grounds(feet, out float hindGround, out float foreGround, out _);
+        HindGround = hindGround;
+        ForeGround = foreGround;
+        slope = 0f;
+    }
+
+    /// <summary>Tells that the root was moved up under the body, metres.</summary>
+    public void RootRaised(float height)
+    {
+        HindGround -= height;
+        ForeGround -= height;
+    }
+
+    /// <summary>Places the trunk.</summary>
+    public void Place(in BodyContext context, ReadOnlySpan<Foot> feet, ReadOnlySpan<FootPose> poses)
+    {
+        TrunkTraits traits = body.Traits;
+        LocomotionSettings settings = context.Settings;
+        GaitClock clock = context.Clock;
+        float length = body.LegLength;
+        float act = context.Activity;
+        Sum(clock);
+        response.Tune(clock.Duty, clock.Shape.ForceDip * DipShare(context, length));
+        float omega = (float)PortableMath.Tau * Math.Max(clock.Frequency, 0.05f);
+        float scale = settings.Gravity / (omega * omega);
+        float cap = clock.Shape.BounceCap * length;
+        float bounce = clock.Shape.Bounce * settings.Bounce * act;
+        float hindRise;
+        float foreRise;
+        if (body.Rows == 2)
+        {
+            hindRise = response.Height(hind, 2, scale, cap, out _) * bounce;
+            foreRise = response.Height(fore, 2, scale, cap, out float nod) * bounce;
+            Nod = nod * act;
+        }
+        else
+        {
+            hindRise = foreRise = response.Height(all, feet.Length, scale, cap, out float nod) * bounce;
+            Nod = nod * act;
+        }
+
+        Nod = Scalar.Clamp(Nod * traits.Nod / body.NeckLength, -0.5f, 0.5f);
+        float emphasis = clock.Shape.Emphasis;
+        float swing = act * settings.Sway;
+        float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
+        float sway = response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)));
+        float stance = context.Travel.Speed * clock.Duty / clock.Frequency;
+        float surge = response.Surge(all, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
+
+        Spread(feet, out Girdle rear, out Girdle front);
+        Scissor = rear.Left - rear.Right;
+        float walking = (float)Math.Sqrt(0.12f * settings.Gravity * length);
+        float bend = Scalar.Clamp(context.Travel.Turn / Math.Max(Math.Abs(context.Travel.Speed), 0.35f * walking) * body.TrunkLength * 0.7f, -0.5f, 0.5f);
+        TurnBend = bend;
+        float spine = settings.SpineMotion;
+        float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
+        float chestYaw = body.IsBiped ? traits.ChestYaw * Scissor * spine : -traits.ChestYaw * (front.Left - front.Right) * spine;
+        PelvisYaw = pelvisYaw;
+        float rolling = emphasis * swing;
+        float pelvisRoll = (rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad)) + context.Idle.Roll;
+        float chestRoll = body.IsBiped ? -0.6f * rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad) : rolling * traits.ChestRoll * (front.LeftLoad - front.RightLoad);
+        pelvisYaw -= body.IsBiped ? 0f : 0.5f * bend;
+        chestYaw += (body.IsBiped ? 0.35f : 0.5f) * bend;
+        float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
+        float flexion = traits.Flexion * Scalar.Clamp(gather, -1f, 1f) * act * spine;
+        float bank = (float)PortableMath.Atan(context.Travel.Speed * context.Travel.Turn / settings.Gravity) * traits.Bank * settings.Bank;
+
+        Follow(context, feet);
+        float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
+        float push = Scalar.Clamp(context.Acceleration / settings.Gravity, -0.5f, 0.5f);
+        hindRise += HindGround + context.Idle.Breath - crouch - (0.06f * push * length);
+        foreRise += ForeGround + context.Idle.Breath - crouch + (0.06f * push * length);
+        float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + (0.35f * push) : 0f;
+        Vector3 rest = Trunk.Rest[0];
+        var plan = new TrunkPlan
+        {
+            Pelvis = new Vector3(rest.X + sway + context.Idle.Shift, rest.Y + hindRise, rest.Z + surge),
+            PelvisYaw = pelvisYaw,
+            PelvisPitch = lean - (0.5f * flexion),
+            PelvisRoll = pelvisRoll - bank + slope,
+            BendYaw = chestYaw - pelvisYaw,
+            BendPitch = flexion,
+            BendRoll = chestRoll - pelvisRoll,
+            ChestPitch = -0.3f * lean,
+        };
+        Settle(ref plan, rest.Y, foreRise, 0f, 0f);
+        Reach(feet, poses, out float hindDrop, out float foreDrop);
+        HindDrop = hindDrop;
+        ForeDrop = foreDrop;
+        if (hindDrop > 1e-5f * length || foreDrop > 1e-5f * length)
+        {
+            Settle(ref plan, rest.Y, foreRise, hindDrop, foreDrop);
+        }
+    }
+
+    /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>
+    public Vector3 HipOf(int leg, in Foot foot, out Vector3 slide)
+    {
+        LegShape shape = body.Legs[leg];
+        bool front = body.Rows > 1 && shape.Row == body.Rows - 1;
+        TrunkTraits traits = body.Traits;
+        float z = Scalar.Clamp((foot.Base.Z - shape.Home.Z) / body.LegLength, -0.6f, 0.6f);
+        slide = new Vector3(0f, front ? traits.ForeRise * shape.Length * (foot.Load - 0.45f) * SlideShare : 0f, (front ? traits.ForeSlide : traits.HindSlide) * shape.Length * z);
+        int slot = shape.TrunkSlot;
+        return Trunk.Positions[slot] + Rotation.Rotate(Trunk.Turns[slot], (shape.HipRest - Trunk.Rest[slot]) + slide);
+    }
+
+    /// <summary>Share of the girdles' rise: none while the creature stands.</summary>
+    private float SlideShare { get; set; }
+
+    /// <summary>The dip of a walk's force fades with speed.</summary>
+    private static float DipShare(in BodyContext context, float length)
+    {
+        float froude = context.Travel.Speed * context.Travel.Speed / (context.Settings.Gravity * length);
+        return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
+    }
+
+    private void Sum(GaitClock clock)
+    {
+        hind.Clear();
+        fore.Clear();
+        all.Clear();
+        track.Clear();
+        for (int i = 0; i < body.Legs.Length; i++)
+        {
+            LegShape leg = body.Legs[i];
+            PortableMath.SinCos(PortableMath.Tau * (clock.LegPhase(i) - (0.5f * clock.Duty)), out double s, out double c);
+            float sine = (float)s;
+            float cosine = (float)c;
+            track.Add(sine, cosine, leg.Home.X * clock.Shape.Track);
+            all.Add(sine, cosine, 1f);
+            if (body.Rows == 2)
+            {
+                (leg.Row == 0 ? hind : fore).Add(sine, cosine, 1f);
+            }
+        }
+    }
+
+    /// <summary>Fore-aft places and loads of the feet of the rearmost and the foremost pair.</summary>
+    private void Spread(ReadOnlySpan<Foot> feet, out Girdle rear, out Girdle front)
+    {
+        rear = default;
+        front = default;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            LegShape leg = body.Legs[i];
+            float z = (feet[i].Base.Z - leg.Home.Z) / body.LegLength;
+            if (leg.Row == 0)
+            {
+                rear.Add(leg.Side, z, feet[i].Load);
+            }
+
+            if (leg.Row == body.Rows - 1)
+            {
+                front.Add(leg.Side, z, feet[i].Load);
+            }
+        }
+    }
+
+    /// <summary>Follows the ground under the feet.</summary>
+    private void Follow(in BodyContext context, ReadOnlySpan<Foot> feet)
+    {
+        Grounds(feet, out float hindGround, out float foreGround, out float across);
+        float share = 1f - (float)PortableMath.Exp(-GroundRate * context.Step);
+        HindGround += (hindGround - HindGround) * share;
+        ForeGround += (foreGround - ForeGround) * share;
+        float wanted = Scalar.Clamp(0.5f * SlopeShare * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -SteepestRoll, SteepestRoll);
+        slope += (wanted - slope) * (1f - (float)PortableMath.Exp(-SlopeRate * context.Step));
+        SlideShare = context.Activity;
+    }
+
+    /// <summary>Ground under hind and fore feet: half way between their lowest and their mean; and how much higher it is on the left than on the right.</summary>
+    private void Grounds(ReadOnlySpan<Foot> feet, out float hindGround, out float foreGround, out float across)
+    {
+        float hindLeast = float.MaxValue;
+        float foreLeast = float.MaxValue;
+        float hindSum = 0f;
+        float foreSum = 0f;
+        float left = 0f;
+        float right = 0f;
+        int hindCount = 0;
+        int leftCount = 0;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            LegShape leg = body.Legs[i];
+            float y = feet[i].Base.Y;
+            if (leg.Row * 2 < body.Rows)
+            {
+                hindLeast = Math.Min(hindLeast, y);
+                hindSum += y;
+                hindCount++;
+            }
+            else
+            {
+                foreLeast = Math.Min(foreLeast, y);
+                foreSum += y;
+            }
+
+            if (leg.Side == Anatomy.Side.Left)
+            {
+                left += y;
+                leftCount++;
+            }
+            else
+            {
+                right += y;
+            }
+        }
+
+        int foreCount = feet.Length - hindCount;
+        hindGround = 0.5f * (hindLeast + (hindSum / hindCount));
+        foreGround = foreCount == 0 ? hindGround : 0.5f * (foreLeast + (foreSum / foreCount));
+        across = (left / Math.Max(leftCount, 1)) - (right / Math.Max(feet.Length - leftCount, 1));
+    }
+
+    /// <summary>Chains the trunk with the pelvis at its height, and pitches it so that the fore legs' joint comes to its own.</summary>
+    private void Settle(ref TrunkPlan plan, float pelvisRest, float foreRise, float hindDrop, float foreDrop)
+    {
+        TrunkPlan placed = plan;
+        placed.Pelvis.Y -= hindDrop;
+        if (body.IsBiped)
+        {
+            Trunk.Apply(placed);
+            return;
+        }
+
+        int slot = body.ForeSlot;
+        float wanted = Trunk.Rest[slot].Y + foreRise - foreDrop;
+        float pitch = plan.PelvisPitch - ((foreRise - foreDrop - (plan.Pelvis.Y - pelvisRest - hindDrop)) / Math.Max(body.TrunkLength, 1e-3f));
+        for (int i = 0; i < 2; i++)
+        {
+            placed.PelvisPitch = pitch;
+            Trunk.Apply(placed);
+            Vector3 between = Trunk.Positions[slot] - Trunk.Positions[0];
+            float level = (float)Math.Sqrt((between.X * between.X) + (between.Z * between.Z));
+            pitch -= Scalar.Clamp((wanted - Trunk.Positions[slot].Y) / Math.Max(level, 0.2f * body.TrunkLength), -0.5f, 0.5f);
+            if (i == 0)
+            {
+                // The trunk bends about its middle: half of what its front goes aside the rear takes back.
+                placed.Pelvis.X -= 0.5f * ((Trunk.Positions[slot].X - Trunk.Positions[0].X) - (Trunk.Rest[slot].X - Trunk.Rest[0].X));
+            }
+        }
+
+        placed.PelvisPitch = pitch;
+        Trunk.Apply(placed);
+    }
+
+    /// <summary>How far hind and fore body have to come down so that no standing leg reaches beyond its share of the reach.</summary>
+    private void Reach(ReadOnlySpan<Foot> feet, ReadOnlySpan<FootPose> poses, out float hindDrop, out float foreDrop)
+    {
+        hindDrop = 0f;
+        foreDrop = 0f;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            LegShape leg = body.Legs[i];
+            float weight = feet[i].Phase == FootPhase.Stance ? 1f : feet[i].Correcting ? 0f : Scalar.Smooth((feet[i].Swing - 0.75f) / 0.25f);
+            if (weight == 0f)
+            {
+                continue;
+            }
+
+            Vector3 chord = poses[i].Target - HipOf(i, feet[i], out _);
+            float distance = Vec.Length(chord);
+            float excess = distance - (MostStretch * leg.Reach);
+            float width = 0.01f * leg.Reach;
+            if (excess < -4f * width)
+            {
+                continue;
+            }
+
+            // Softened, so that the body does not jerk as a leg comes to its end.
+            float soft = 0.5f * (excess + (float)Math.Sqrt((excess * excess) + (width * width))) - (0.5f * (-4f * width + (float)Math.Sqrt(17f) * width));
+            float steep = Math.Max(-chord.Y / distance, 0.35f);
+            float drop = weight * Math.Min(Math.Max(soft, 0f) / steep, (leg.Lateral ? LateralDrop : MostDrop) * leg.Length);
+
+            // Bodies on many legs come down level.
+            hindDrop = body.Rows == 2 && leg.Row == 1 ? hindDrop : Math.Max(hindDrop, drop);
+            foreDrop = body.Rows == 2 && leg.Row == 0 ? foreDrop : Math.Max(foreDrop, drop);
+        }
+    }
+
+    /// <summary>Fore-aft places and loads of a left and a right foot, leg lengths.</summary>
+    private struct Girdle
+    {
+        public float Left;
+        public float Right;
+        public float LeftLoad;
+        public float RightLoad;
+
+        public void Add(Anatomy.Side side, float z, float load)
+        {
+            if (side == Anatomy.Side.Left)
+            {
+                Left += z;
+                LeftLoad += load;
+            }
+            else
+            {
+                Right += z;
+                RightLoad += load;
+            }
+        }
+    }
+}

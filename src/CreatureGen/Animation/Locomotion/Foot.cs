@@ -1,0 +1,74 @@
+using System.Numerics;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>What a foot is doing.</summary>
+public enum FootPhase
+{
+    /// <summary>On the ground, locked to where it came down.</summary>
+    Stance,
+
+    /// <summary>In the air, on its way to the next place.</summary>
+    Swing,
+}
+
+/// <summary>What a foot remembers from update to update.</summary>
+internal struct Foot
+{
+    /// <summary>Whether it is down.</summary>
+    public FootPhase Phase;
+
+    /// <summary>Where it is locked in stance, or comes from in a swing.</summary>
+    public FootPlace From;
+
+    /// <summary>Where a swing goes.</summary>
+    public FootPlace To;
+
+    /// <summary>Whether there is ground where it goes.</summary>
+    public bool HasTarget;
+
+    /// <summary>Shift of the target off an edge, along the foot, metres.</summary>
+    public float Nudge;
+
+    /// <summary>Place in the swing's share of the cycle at which it left the ground.</summary>
+    public float LiftAt;
+
+    /// <summary>Progress of the swing, 0..1.</summary>
+    public float Swing;
+
+    /// <summary>Progress of the stance, 0..1.</summary>
+    public float Stance;
+
+    /// <summary>Whether it sits out a swing because it is where it should be.</summary>
+    public bool Held;
+
+    /// <summary>Whether it swings by its own clock, out of step with the gait: a correction.</summary>
+    public bool Correcting;
+
+    /// <summary>Height of what stands in the way of the swing, metres.</summary>
+    public float Bump;
+
+    /// <summary>What of it is taken over by now.</summary>
+    public float BumpNow;
+
+    /// <summary>Load: 0 in the air, about 1 in the middle of stance.</summary>
+    public float Load;
+
+    /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
+    public Vector3 Base;
+
+    /// <summary>Height above that place, metres.</summary>
+    public float Lift;
+
+    /// <summary>Heading in model space at present.</summary>
+    public Quaternion Heading;
+
+    /// <summary>Normal of the ground in model space at present.</summary>
+    public Vector3 Normal;
+
+    /// <summary>Length that the leg would need, as part of its reach, when last posed.</summary>
+    public float Stretch;
+
+    /// <summary>Distance by which the foot missed its place when last posed, metres.</summary>
+    public float Residual;
+}

@@ -1,0 +1,302 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation.Events;
+using CreatureGen.Animation.Gaits;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>
+/// Decides when each foot leaves the ground and where it comes down. A foot on the ground is locked to its place in the world; a swinging one goes to where its home will be
+/// in the middle of the coming stance, predicted along the arc that the body follows: that alone gives straight steps, inner and outer legs in turns, and stepping on the spot.
+/// </summary>
+internal sealed class FootPlanner
+{
+    /// <summary>Part of the leg's length that a foot has to be from its next place before it steps.</summary>
+    private const float LeastStep = 0.03f;
+
+    /// <summary>Radians that a foot has to be turned from its next heading before it steps.</summary>
+    private const float LeastTurn = 0.05f;
+
+    /// <summary>Part of the swing after which a foot that stayed down stays for this cycle.</summary>
+    private const float LatestLift = 0.35f;
+
+    /// <summary>Part of the swing after which the target stays where it is.</summary>
+    private const float Frozen = 0.85f;
+
+    /// <summary>How quickly a foot that sits out goes back to the middle of its stance, stances per second.</summary>
+    private const float MidstanceRate = 3f;
+
+    /// <summary>Most by which a leg is drawn in towards the middle, part of the height of its hip.</summary>
+    private const float MostAdduction = 0.13f;
+
+    private const float ColumnAdduction = 0.03f;
+
+    /// <summary>Seconds of a swing out of step.</summary>
+    private const float CorrectionTime = 0.22f;
+
+    private readonly LeggedBody body;
+    private readonly Foot[] feet;
+    private readonly EventQueue events;
+    private readonly FootingSearch search;
+
+    public FootPlanner(LeggedBody body, EventQueue events)
+    {
+        this.body = body;
+        this.events = events;
+        feet = new Foot[body.Legs.Length];
+        search = new FootingSearch(body);
+    }
+
+    public Foot[] Feet => feet;
+
+    /// <summary>Whether a foot is in the air or away from its home.</summary>
+    public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
+    {
+        for (int i = 0; i < feet.Length; i++)
+        {
+            if (feet[i].Phase == FootPhase.Swing)
+            {
+                return true;
+            }
+
+            Vector3 away = frame.ToModel(feet[i].From.Position) - Home(i, activity, clock, 0f);
+            away.Y = 0f;
+            if (Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(frame, feet[i].From.Heading)) > 2f * LeastTurn)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Sets all feet down at home.</summary>
+    public void PlaceAll(in StepContext step)
+    {
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i] = default;
+            ref Foot foot = ref feet[i];
+            foot.HasTarget = search.Find(step, i, body.Legs[i].Home, 0f, ref foot.Nudge, out foot.To);
+            foot.To.Heading = step.Frame.Rotation;
+            foot.To.Attach(step.Ground as IMovingGround);
+            foot.From = foot.To;
+            foot.Stance = 0.5f;
+            foot.Load = 0.7f;
+        }
+    }
+
+    /// <summary>Lets a foot take a step of its own at once: where it stands is out of reach.</summary>
+    public void Release(int leg, in StepContext step)
+    {
+        ref Foot foot = ref feet[leg];
+        if (foot.Phase == FootPhase.Swing)
+        {
+            return;
+        }
+
+        Lift(leg, step, 0f);
+        foot.Correcting = true;
+    }
+
+    /// <summary>Moves all feet on by a step of time; the clock has been moved already.</summary>
+    public void Advance(in StepContext step)
+    {
+        float duty = step.Clock.Duty;
+        float cycle = 1f / step.Clock.Frequency;
+        IMovingGround? moving = step.Ground as IMovingGround;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            ref Foot foot = ref feet[i];
+            if (moving != null)
+            {
+                foot.From.Follow(moving);
+                foot.To.Follow(moving);
+            }
+
+            float p = step.Clock.LegPhase(i);
+            if (foot.Correcting)
+            {
+                Correct(i, step, p, duty, cycle);
+            }
+            else if (p < duty)
+            {
+                if (foot.Phase == FootPhase.Swing)
+                {
+                    Land(i, step, Math.Min(p * cycle, step.Step));
+                }
+
+                Rest(ref foot, step, p / duty);
+            }
+            else
+            {
+                Swing(i, step, (p - duty) / (1f - duty), duty, cycle);
+            }
+
+            SetLoad(ref foot, step);
+        }
+    }
+
+    private void Correct(int leg, in StepContext step, float p, float duty, float cycle)
+    {
+        ref Foot foot = ref feet[leg];
+        foot.Swing += step.Step / CorrectionTime;
+        if (foot.Swing >= 1f)
+        {
+            Land(leg, step, Math.Min((foot.Swing - 1f) * CorrectionTime, step.Step));
+            foot.Held = true;
+            foot.Stance = 0.5f;
+            return;
+        }
+
+        if (foot.Swing < Frozen)
+        {
+            Aim(leg, step, ((1f - foot.Swing) * CorrectionTime) + (step.Moving ? 0.25f * duty * cycle : 0f));
+        }
+    }
+
+    private void Swing(int leg, in StepContext step, float u, float duty, float cycle)
+    {
+        ref Foot foot = ref feet[leg];
+        float ahead = ((1f - u) * (1f - duty) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
+        if (foot.Phase == FootPhase.Stance)
+        {
+            if (u > LatestLift || !Wants(leg, step, ahead))
+            {
+                foot.Held = true;
+                Rest(ref foot, step, 0f);
+                return;
+            }
+
+            Lift(leg, step, u < 0.02f + (step.Step / (cycle * (1f - duty))) ? 0f : u);
+        }
+
+        foot.Swing = (u - foot.LiftAt) / (1f - foot.LiftAt);
+        if (foot.Swing < Frozen)
+        {
+            Aim(leg, step, ahead);
+        }
+    }
+
+    /// <summary>Lets the stance go on with the cycle; a foot that sits out goes back to the middle of its stance and is taken up again there.</summary>
+    private static void Rest(ref Foot foot, in StepContext step, float stance)
+    {
+        if (foot.Held && stance < 0.5f)
+        {
+            float most = MidstanceRate * step.Step;
+            foot.Stance += Scalar.Clamp(0.5f - foot.Stance, -most, most);
+            return;
+        }
+
+        foot.Held = false;
+        foot.Stance = stance;
+    }
+
+    /// <summary>Whether a foot's next place is far enough from where it stands.</summary>
+    private bool Wants(int leg, in StepContext step, float ahead)
+    {
+        Vector3 there = step.Travel.Predict(ahead, out float yaw);
+        Quaternion turn = AxisTurn.Y(yaw);
+        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed));
+        Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
+        away.Y = 0f;
+        return Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(step.Frame, feet[leg].From.Heading) - yaw) > LeastTurn;
+    }
+
+    private void Lift(int leg, in StepContext step, float at)
+    {
+        ref Foot foot = ref feet[leg];
+        foot.Phase = FootPhase.Swing;
+        foot.Held = false;
+        foot.Correcting = false;
+        foot.LiftAt = at;
+        foot.Swing = 0f;
+        foot.Nudge = 0f;
+        foot.Bump = 0f;
+        foot.BumpNow = 0f;
+        Tell(MotionEventKind.FootUp, leg, step, foot.From, 0f);
+    }
+
+    private void Land(int leg, in StepContext step, float ago)
+    {
+        ref Foot foot = ref feet[leg];
+        foot.Phase = FootPhase.Stance;
+        foot.Correcting = false;
+        foot.From = foot.To;
+        foot.Swing = 0f;
+        if (foot.HasTarget)
+        {
+            Tell(MotionEventKind.FootDown, leg, step, foot.From, ago);
+        }
+    }
+
+    private void Tell(MotionEventKind kind, int leg, in StepContext step, in FootPlace place, float ago)
+    {
+        float speed = (float)Math.Sqrt((step.Travel.Speed * step.Travel.Speed) + (step.Travel.Sideways * step.Travel.Sideways)) * step.Frame.Scale;
+        float strength = (float)PortableMath.Pi / (2f * feet.Length * step.Clock.Duty);
+        strength = Scalar.Lerp(1f / feet.Length, strength, step.Activity);
+        events.Add(new MotionEvent(kind, leg, body.Legs[leg].Ball, place.Position, place.Normal, place.Surface, speed, strength, step.Left + ago));
+    }
+
+    /// <summary>Sets the target of a swing.</summary>
+    private void Aim(int leg, in StepContext step, float ahead)
+    {
+        ref Foot foot = ref feet[leg];
+        Vector3 there = step.Travel.Predict(ahead, out float yaw);
+        Quaternion turn = AxisTurn.Y(yaw);
+        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed));
+        foot.HasTarget = search.Find(step, leg, next, yaw, ref foot.Nudge, out foot.To);
+        foot.To.Heading = Rotation.Normalize(Rotation.Multiply(step.Frame.Rotation, turn));
+        foot.To.Attach(step.Ground as IMovingGround);
+        search.Obstacles(step, ref foot);
+    }
+
+    /// <summary>Where a foot belongs under the body: its rest place, drawn in towards the middle and shifted ahead or back with the gait.</summary>
+    private Vector3 Home(int leg, float activity, GaitClock clock, float speed)
+    {
+        LegShape shape = body.Legs[leg];
+        Vector3 home = shape.Home;
+        float track = shape.Lateral ? Math.Max(clock.Shape.Track, 0.9f) : clock.Shape.Track;
+        track = Math.Max(track, 1f - ((shape.Traits.Archetype == Anatomy.LimbArchetype.Column ? ColumnAdduction : MostAdduction) * shape.HipRest.Y / Math.Max(Math.Abs(home.X), 1e-4f)));
+        home.X *= 1f - ((1f - track) * activity);
+        if (shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2)
+        {
+            home.Z += ((shape.HipRest.Z - shape.Home.Z) + ((shape.Row == 0 ? 0.10f : 0.02f) * shape.Length)) * activity;
+            return home;
+        }
+
+        float bias = body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
+        home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
+        return home;
+    }
+
+    private static void SetLoad(ref Foot foot, in StepContext step)
+    {
+        if (foot.Phase == FootPhase.Swing)
+        {
+            foot.Load = 0f;
+            return;
+        }
+
+        float s = Math.Min(foot.Stance, 1f);
+        float sine = (float)PortableMath.Sin(PortableMath.Pi * s);
+
+        // sin 3x = 3 sin x − 4 sin³ x
+        float dip = (3f * sine) - (4f * sine * sine * sine);
+        float shape = Math.Max(0f, sine + (step.Clock.Shape.ForceDip * dip));
+        foot.Load = Scalar.Lerp(0.7f, shape, step.Activity);
+    }
+
+    /// <summary>Yaw of a heading from that of the body, radians, small angles.</summary>
+    private static float YawOf(in RootPlace frame, Quaternion heading)
+    {
+        Quaternion turn = Rotation.Multiply(Rotation.Inverse(frame.Rotation), heading);
+        return 2f * (turn.W < 0f ? -turn.Y : turn.Y);
+    }
+
+    private static float Square(float x) => x * x;
+}

@@ -1,0 +1,86 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>The roll of a foot from heel to toe: its pitch through the cycle, and what that does to the ball's joint.</summary>
+internal static class FootRoll
+{
+    /// <summary>Where in stance the heel begins to rise.</summary>
+    private const float HeelRise = 0.62f;
+
+    /// <summary>Where in stance the sole is flat.</summary>
+    private const float FlatFrom = 0.14f;
+
+    /// <summary>Where in the swing the foot is pitched most.</summary>
+    private const float PeakAt = 0.30f;
+
+    /// <summary>Width in which heel and toe change places as pivots, radians.</summary>
+    private const float PivotBlend = 0.2094f;
+
+    /// <summary>Pitch beyond which toes leave the ground with the rest of a flat foot, radians.</summary>
+    private const float ToeBreak = 0.5236f;
+
+    /// <summary>Pitch of a foot, radians, toes down.</summary>
+    /// <param name="foot">Its place in the cycle.</param>
+    /// <param name="traits">Its build.</param>
+    /// <param name="duty">Part of the cycle that it is down.</param>
+    public static float Pitch(in Foot foot, LegTraits traits, float duty)
+    {
+        if (foot.Phase == FootPhase.Stance)
+        {
+            float rise = Scalar.Clamp((foot.Stance - HeelRise) / (1f - HeelRise), 0f, 1f);
+            return (traits.ToeOff * rise * rise) + (traits.Strike * (1f - Scalar.Smooth(foot.Stance / FlatFrom)));
+        }
+
+        float u = foot.Swing;
+        if (u >= PeakAt)
+        {
+            return traits.SwingPitch + ((traits.Strike - traits.SwingPitch) * Scalar.Smooth((u - PeakAt) / 0.58f));
+        }
+
+        // Hermite from the end of stance, with its rate, to the peak.
+        float x = u / PeakAt;
+        float off = traits.ToeOff;
+        float rate = 2f * off / ((1f - HeelRise) * duty) * (1f - duty) * PeakAt;
+        rate = Math.Min(rate, (3f * (traits.SwingPitch - off)) + (0.5f * off));
+        float y = 1f - x;
+        return (off * (1f + (2f * x)) * y * y) + (rate * x * y * y) + (traits.SwingPitch * x * x * (3f - (2f * x)));
+    }
+
+    /// <summary>Fold of the metatarsus beyond its link to the thigh, radians.</summary>
+    public static float Fold(in Foot foot, LegTraits traits)
+    {
+        if (foot.Phase == FootPhase.Stance)
+        {
+            return 0f;
+        }
+
+        float u = foot.Swing;
+        return (traits.Fold * LegTraits.FoldCurve.At(u)) + (traits.Unfold * Scalar.Smooth((u - 0.52f) / 0.28f) * (1f - Scalar.Smooth((u - 0.80f) / 0.20f)));
+    }
+
+    /// <summary>Pitch of the toes of a flat foot, whose heel rises about the ball first.</summary>
+    public static float ToePitch(float pitch) => pitch > 0f ? 0.8f * Math.Max(0f, pitch - ToeBreak) : pitch;
+
+    /// <summary>Place of the ball's joint from the point under the ball, in the foot's own axes, when the foot turns by a pitch about the tip of its toes (down) or its heel (up).</summary>
+    /// <param name="leg">Gives the sole.</param>
+    /// <param name="foot">In the swing the two pivots give way to one another gradually.</param>
+    /// <param name="pitch">Radians.</param>
+    public static Vector3 BallAt(LegShape leg, in Foot foot, float pitch)
+    {
+        float blend = foot.Phase == FootPhase.Stance ? 0f : PivotBlend * Scalar.Smooth(foot.Swing / 0.15f) * Scalar.Smooth((1f - foot.Swing) / 0.15f);
+        float root = (float)Math.Sqrt((pitch * pitch) + (blend * blend));
+        float down = 0.5f * (pitch + root);
+        float up = 0.5f * (pitch - root);
+
+        // In the plane of toes and up: x along the toes, y up; toes down turns up towards the toes.
+        PortableMath.SinCos(down, out double sd, out double cd);
+        PortableMath.SinCos(up, out double su, out double cu);
+        float h = leg.BallHeight;
+        float along = (float)((leg.Toe - (leg.Toe * cd)) + (h * sd) + ((leg.Heel * cu) - leg.Heel) + (h * su));
+        float above = (float)(((leg.Toe * sd) + (h * cd)) + ((-leg.Heel * su) + (h * cu)) - h);
+        return (leg.ToeDirection * along) + new Vector3(0f, above, 0f);
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation.Ik;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>Writes the trunk and the legs into a local pose.</summary>
+internal sealed class LegPoser
+{
+    /// <summary>Share of the body's own axis in the plane of a leg out to the side.</summary>
+    private const float BodyShare = 0.3f;
+
+    private readonly LeggedBody body;
+    private readonly RestTurns turns;
+
+    public LegPoser(LeggedBody body, RestTurns turns)
+    {
+        this.body = body;
+        this.turns = turns;
+    }
+
+    /// <summary>Writes body, pelvis, spine and chest.</summary>
+    public void PoseTrunk(BodyPlacer placer, in Pose local)
+    {
+        // The body's own joint goes half way with pitch and roll; it carries the place of all.
+        TrunkChain trunk = placer.Trunk;
+        ReadOnlySpan<Vector3> rest = body.Skeleton.ModelPositions;
+        Quaternion whole = trunk.Turns[0];
+        Vector3 place = trunk.Positions[0] - Rotation.Rotate(whole, trunk.Rest[0] - rest[body.Body]);
+        turns.Set(local, body.Body, whole);
+        local.Positions[body.Body] = place;
+        turns.Set(local, body.Trunk[0], Quaternion.Identity);
+        for (int i = 1; i < body.Trunk.Length; i++)
+        {
+            turns.Set(local, body.Trunk[i], trunk.LocalTurn(i));
+        }
+    }
+
+    /// <summary>Solves and writes a leg.</summary>
+    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, in Pose local)
+    {
+        LegShape leg = body.Legs[index];
+        Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
+        Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
+        Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
+        Vector3 chord = pose.Target - hip;
+        Vector3 side;
+        if (leg.Lateral)
+        {
+            // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
+            Vector3 across = Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)) * (leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
+            side = across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyShare);
+        }
+        else
+        {
+            // Half with the pelvis, half with the foot.
+            side = carried + (Rotation.Rotate(foot.Heading, leg.Hinge) * 0.5f) + (leg.Hinge * 0.5f);
+        }
+
+        float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
+        LegSolver.Solve(leg, pose.Upper, chord, side, slack, out LegTurns solved);
+        foot.Stretch = solved.Stretch;
+        foot.Residual = solved.Residual;
+        turns.Slide(local, leg.Girdle, slide);
+        turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
+        turns.Set(local, leg.Knee, solved.Knee);
+        Quaternion metatarsus;
+        if (leg.Traits.Linkage == LegLinkage.Pantograph)
+        {
+            metatarsus = Rotation.Multiply(solved.Thigh, Rotation.FromAxisAngle(leg.Hinge, pose.Fold));
+        }
+        else
+        {
+            metatarsus = pose.Foot;
+        }
+
+        turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
+        turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
+        if (foot.Phase == FootPhase.Swing)
+        {
+            // In the air the foot gives way to the limits of its joints.
+            local.Rotations[leg.Ankle] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ankle], leg.AnkleJoint);
+            local.Rotations[leg.Ball] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ball], leg.BallJoint);
+        }
+    }
+}

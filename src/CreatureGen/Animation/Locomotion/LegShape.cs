@@ -1,0 +1,213 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>A standing leg as the walk needs it: joints, rest places, sole. Model space, metres.</summary>
+internal sealed class LegShape
+{
+    private const double LeastBend = 0.2094;
+    private const double MostBend = 2.618;
+
+    /// <summary>Part of the reach that a step may take up.</summary>
+    private const float Stretch = 0.97f;
+
+    private const float ClawStretch = 0.94f;
+
+    /// <summary>Lowering of the body beyond its crouch that long steps may cost, leg lengths.</summary>
+    private const float MostDrop = 0.05f;
+
+    /// <summary>Part of the stance behind its middle at which the heel has begun to rise and gives length.</summary>
+    private const float RearEnd = 0.40f;
+
+    private const float SprawlFollow = 0.4f;
+
+    /// <summary>How far legs out to the side sweep ahead and back (tan 36°).</summary>
+    private const float SweepTangent = 0.72f;
+
+    /// <summary>Sine of a bend at rest that says nothing of the side to which a knee folds.</summary>
+    private const float Straight = 0.1f;
+
+    public LegShape(Skeleton skeleton, LimbChain chain, int row, int trunkSlot, SoleExtent sole)
+    {
+        Girdle = chain.Joints[0];
+        Hip = chain.Joints[1];
+        Knee = chain.Joints[2];
+        Ankle = chain.Joints[3];
+        Ball = chain.Joints[4];
+        End = chain.Joints[5];
+        Pair = chain.Pair;
+        Row = row;
+        Side = chain.Side;
+        TrunkSlot = trunkSlot;
+        Traits = LegTraits.Of(chain.Archetype!.Value);
+        ReadOnlySpan<Vector3> p = skeleton.ModelPositions;
+        HipRest = p[Hip];
+        Home = new Vector3(p[Ball].X, 0f, p[Ball].Z);
+        BallHeight = p[Ball].Y;
+        Thigh = p[Knee] - p[Hip];
+        Shank = p[Ankle] - p[Knee];
+        Metatarsus = p[Ball] - p[Ankle];
+        Length = Vec.Distance(HipRest, Home);
+        Lateral = Traits.Archetype is LimbArchetype.Sprawl or LimbArchetype.Insect;
+        FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Archetype is not LimbArchetype.Insect and not LimbArchetype.Column;
+
+        // A foot out to the side rolls over the tip of its own toes.
+        Vector3 toes = p[End] - p[Ball];
+        toes.Y = 0f;
+        ToeDirection = Traits.Archetype == LimbArchetype.Insect ? Vec.Normalize(new Vector3(Home.X - HipRest.X, 0f, Home.Z - HipRest.Z), Vector3.UnitZ) : Vec.Normalize(toes, Vector3.UnitZ);
+        if (ToeDirection.Z < 0.3f && Traits.Archetype != LimbArchetype.Insect)
+        {
+            ToeDirection = Vector3.UnitZ;
+        }
+
+        RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
+        Toe = Math.Max(sole.Toe, 0.02f * Length);
+        Heel = Math.Max(sole.Heel, 0.02f * Length);
+        SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
+        FollowShare = Traits.Archetype == LimbArchetype.Insect ? 1f : Traits.Archetype == LimbArchetype.Sprawl ? SprawlFollow : 0f;
+        Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
+        Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
+        Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
+        AcrossSign = Vec.Dot(across, Hinge) < 0f ? -1f : 1f;
+        Skew = Hinge - (across * AcrossSign);
+        AnkleJoint = skeleton.Joints[Ankle];
+        BallJoint = skeleton.Joints[Ball];
+        Vector3 a = Vec.Reject(upper, Hinge);
+        Vector3 b = Vec.Reject(Shank, Hinge);
+        float turn = Vec.Dot(Vec.Cross(a, b), Hinge);
+        AngleRange fold = skeleton.Joints[Knee].Limit.SwingX;
+        bool straight = Math.Abs(turn) < Straight * Vec.Length(a) * Vec.Length(b);
+        BendSign = straight || Traits.Linkage == LegLinkage.Pantograph ? (fold.Max >= -fold.Min ? 1 : -1) : turn >= 0f ? 1 : -1;
+        double la = Vec.Length(a);
+        double lb = Vec.Length(b);
+        Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(LeastBend)));
+        LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
+    }
+
+    /// <summary>The longest way that the foot can go along the ground in a stance before the leg reaches too far, metres.</summary>
+    /// <param name="bias">Where the foot comes down, stance lengths ahead of home.</param>
+    /// <param name="crouch">Lowering of the body, leg lengths.</param>
+    /// <param name="slide">Share of the foot's way that the girdle goes along.</param>
+    /// <param name="track">Factor on the distance of the tracks.</param>
+    /// <param name="yaw">Yaw of the girdle with its feet, radians for each leg length: it gives legs out to the side more way.</param>
+    public float LongestStance(float bias, float crouch, float slide, float track, float yaw)
+    {
+        bool pantograph = Traits.Linkage == LegLinkage.Pantograph;
+        Vector3 rest = Thigh + Shank + (pantograph ? Metatarsus : Vector3.Zero);
+        float drop = (crouch + (Lateral ? 0.012f : MostDrop)) * Length;
+        float height = Math.Max(-rest.Y - drop, 0.2f * Length);
+        float aside = Lateral ? rest.X : rest.X + ((track - 1f) * Home.X);
+        float share = Traits.Archetype == LimbArchetype.Insect ? ClawStretch : Stretch;
+        float room = (share * share * Reach * Reach) - (height * height) - (aside * aside);
+        float level = (float)Math.Sqrt(Math.Max(room, 0.01f * Length * Length));
+
+        // The foot of a sprawler is set down ahead of its hip, not of its home.
+        float middle = Traits.Archetype == LimbArchetype.Sprawl ? 0.06f * Length : rest.Z;
+        float goes = Math.Max(1f - slide, 0.3f);
+        float ahead = (level - middle) / Math.Max((0.5f + bias) * goes, 0.05f);
+        float rear = Traits.Archetype == LimbArchetype.Insect ? 0.5f : RearEnd;
+        float behind = (level + middle) / Math.Max((rear - bias) * goes, 0.05f);
+        float most = Math.Min(ahead, behind);
+        if (Lateral)
+        {
+            float away = (float)Math.Sqrt(((Home.X - HipRest.X) * (Home.X - HipRest.X)) + ((Home.Z - HipRest.Z) * (Home.Z - HipRest.Z)));
+            most = Math.Min(most, 2f * SweepTangent * away / Math.Max(1f - (2f * yaw), 0.4f));
+        }
+
+        return Math.Max(most, 0.1f * Length);
+    }
+
+    public int Girdle { get; }
+
+    public int Hip { get; }
+
+    public int Knee { get; }
+
+    public int Ankle { get; }
+
+    public int Ball { get; }
+
+    public int End { get; }
+
+    /// <summary>Number of the pair from the front, 1 the foremost.</summary>
+    public int Pair { get; }
+
+    /// <summary>Number of the pair from the rear, 0 the rearmost.</summary>
+    public int Row { get; }
+
+    public Side Side { get; }
+
+    /// <summary>The trunk joint that carries it, as a place in the trunk's chain.</summary>
+    public int TrunkSlot { get; }
+
+    public LegTraits Traits { get; }
+
+    /// <summary>Whether it stands out to the side.</summary>
+    public bool Lateral { get; }
+
+    /// <summary>Whether the whole sole is on the ground: the heel rises first, about the ball.</summary>
+    public bool FlatFoot { get; }
+
+    public Vector3 HipRest { get; }
+
+    /// <summary>Point on the ground under the ball.</summary>
+    public Vector3 Home { get; }
+
+    /// <summary>Height of the ball's joint above the ground.</summary>
+    public float BallHeight { get; }
+
+    public Vector3 Thigh { get; }
+
+    public Vector3 Shank { get; }
+
+    public Vector3 Metatarsus { get; }
+
+    /// <summary>From the hip to the ground under the ball.</summary>
+    public float Length { get; }
+
+    /// <summary>Level unit direction in which the toes point.</summary>
+    public Vector3 ToeDirection { get; }
+
+    /// <summary>Axis of the foot's roll: a positive turn puts the toes down.</summary>
+    public Vector3 RollAxis { get; }
+
+    /// <summary>From the ball to the tip of the toes, level.</summary>
+    public float Toe { get; }
+
+    /// <summary>From the ball back to the heel, level.</summary>
+    public float Heel { get; }
+
+    /// <summary>From the ball to the middle of the sole, level.</summary>
+    public Vector3 SoleMiddle { get; }
+
+    /// <summary>Share of the leg's sweep that its foot turns along, on the middle of its sole: all of it for claws.</summary>
+    public float FollowShare { get; }
+
+    /// <summary>Axis about which knee and metatarsus turn.</summary>
+    public Vector3 Hinge { get; }
+
+    /// <summary>Of legs out to the side: whether the hinge points along the product of leg and up, or against it.</summary>
+    public float AcrossSign { get; }
+
+    /// <summary>What the hinge of a leg out to the side is off that product at rest.</summary>
+    public Vector3 Skew { get; }
+
+    /// <summary>Limits and rest of the ankle.</summary>
+    public Joint AnkleJoint { get; }
+
+    /// <summary>Limits and rest of the ball.</summary>
+    public Joint BallJoint { get; }
+
+    /// <summary>Sign of the knee's bend about the hinge.</summary>
+    public int BendSign { get; }
+
+    /// <summary>Greatest distance that the two solved parts span, nearly straight.</summary>
+    public float Reach { get; }
+
+    /// <summary>Least distance that they span, folded.</summary>
+    public float LeastReach { get; }
+}

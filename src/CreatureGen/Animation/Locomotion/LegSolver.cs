@@ -1,0 +1,128 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>Turns of a leg's bones away from rest, in model space; those of knee and metatarsus relative to their parents are about the hinge alone.</summary>
+internal struct LegTurns
+{
+    /// <summary>Turn of the thigh from rest.</summary>
+    public Quaternion Thigh;
+
+    /// <summary>Turn of the shank relative to the thigh.</summary>
+    public Quaternion Knee;
+
+    /// <summary>Turn of the shank from rest.</summary>
+    public Quaternion Shank;
+
+    /// <summary>Length needed as part of the reach; above 1 is out of reach.</summary>
+    public float Stretch;
+
+    /// <summary>By how much the leg fell short or was too long, metres.</summary>
+    public float Residual;
+
+    /// <summary>Bend of the knee about its hinge, radians: 0 is straight, negative for elbows.</summary>
+    public float Bend;
+}
+
+/// <summary>
+/// Reaches for a point with two parts joined by a hinge: thigh and shank, or, for legs of three bones whose thigh and metatarsus turn together, both of these as one part and the shank as the other.
+/// Closed form; the end of the reach is eased, since a knee near straight snaps.
+/// </summary>
+internal static class LegSolver
+{
+    /// <summary>Part of the reach from which on it is eased.</summary>
+    private const float EaseFrom = 0.968f;
+
+    /// <summary>How much earlier in the middle of the swing.</summary>
+    private const float SwingSlack = 0.07f;
+
+    /// <summary>Solves a leg.</summary>
+    /// <param name="leg">At rest.</param>
+    /// <param name="upper">First part at rest, from the hip to the hinge (or, with the metatarsus folded, their sum).</param>
+    /// <param name="target">Where the end has to be, from the hip.</param>
+    /// <param name="side">Where the hinge has to point.</param>
+    /// <param name="slack">0..1: how early the reach is eased.</param>
+    /// <param name="turns">The turns.</param>
+    public static void Solve(LegShape leg, Vector3 upper, Vector3 target, Vector3 side, float slack, out LegTurns turns)
+    {
+        Vector3 n = leg.Hinge;
+        Vector3 lower = leg.Shank;
+        float alongUpper = Vec.Dot(upper, n);
+        float alongLower = Vec.Dot(lower, n);
+        Vector3 a = upper - (n * alongUpper);
+        Vector3 b = lower - (n * alongLower);
+        double aa = Vec.LengthSquared(a);
+        double bb = Vec.LengthSquared(b);
+        double product = Math.Sqrt(aa * bb);
+        double offset = alongUpper + alongLower;
+        double squared = Vec.LengthSquared(target);
+        double asked = Math.Sqrt(Math.Max(squared - (offset * offset), 1e-12));
+
+        // Reach of these very parts: a fold of the metatarsus changes the first one.
+        double most = Math.Sqrt(aa + bb + (2 * product * LeastBendCosine));
+        double least = Math.Sqrt(Math.Max(aa + bb + (2 * product * MostBendCosine), 0));
+        double from = (EaseFrom - (SwingSlack * slack)) * most;
+        double taken = asked;
+        if (asked > from)
+        {
+            double width = most - from;
+            taken = from + (width * (1 - PortableMath.Exp(-(asked - from) / width)));
+        }
+        else if (asked < least)
+        {
+            taken = least;
+        }
+
+        turns.Stretch = (float)(asked / most);
+        turns.Residual = (float)Math.Abs(asked - taken);
+        double cosNow = Vec.Dot(a, b) / product;
+        double sinNow = Vec.Dot(Vec.Cross(a, b), n) / product;
+        double cosThen = Scalar.Clamp(((taken * taken) - aa - bb) / (2 * product), -1, 1);
+        double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
+        HalfOf((cosThen * cosNow) + (sinThen * sinNow), (sinThen * cosNow) - (cosThen * sinNow), out float halfCosine, out float halfSine);
+        turns.Bend = (float)cosThen;
+        turns.Knee = new Quaternion(n.X * halfSine, n.Y * halfSine, n.Z * halfSine, halfCosine);
+
+        Vector3 chord = upper + Rotation.Rotate(turns.Knee, lower);
+        turns.Thigh = FrameToFrame(chord, n, target, side);
+        turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
+    }
+
+    private static readonly double LeastBendCosine = PortableMath.Cos(0.2094);
+
+    private static readonly double MostBendCosine = PortableMath.Cos(2.618);
+
+    /// <summary>The rotation that takes one direction onto another, and a second direction as near as it can to another second.</summary>
+    private static Quaternion FrameToFrame(Vector3 from, Vector3 fromSide, Vector3 to, Vector3 toSide)
+    {
+        Vector3 f = Vec.Normalize(from, -Vector3.UnitY);
+        Vector3 t = Vec.Normalize(to, -Vector3.UnitY);
+        Vector3 x = Vec.Normalize(Vec.Reject(fromSide, f), Vec.Perpendicular(f));
+        Vector3 y = Vec.Normalize(Vec.Reject(toSide, t), Vec.Perpendicular(t));
+
+        // The shortest turn from f to t, then the rest about t.
+        Quaternion first = Rotation.FromTo(f, t);
+        Vector3 turned = Rotation.Rotate(first, x);
+        Quaternion second = Rotation.FromTo(turned, y);
+        return Rotation.Multiply(second, first);
+    }
+
+    /// <summary>Cosine and sine of half an angle in −π..π from those of the angle.</summary>
+    private static void HalfOf(double cosine, double sine, out float halfCosine, out float halfSine)
+    {
+        double c = Math.Sqrt(Math.Max(0, 0.5 * (1 + cosine)));
+        double s = Math.Sqrt(Math.Max(0, 0.5 * (1 - cosine)));
+        if (c > s)
+        {
+            halfCosine = (float)c;
+            halfSine = (float)(0.5 * sine / c);
+        }
+        else
+        {
+            halfCosine = (float)(0.5 * Math.Abs(sine) / s);
+            halfSine = (float)(sine < 0 ? -s : s);
+        }
+    }
+}

@@ -1,0 +1,295 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>A creature that stands on legs, as its walk needs it. Immutable, shared between all its animators.</summary>
+internal sealed class LeggedBody
+{
+    private LeggedBody(Creature creature, LimbChain[] standing)
+    {
+        Creature = creature;
+        Skeleton = creature.Skeleton;
+        Mass = Math.Max(creature.Mass.Mass, 1e-4f);
+        int[] rows = RowsOf(standing);
+        Rows = 1 + Max(rows);
+        Trunk = TrunkOf(creature.Skeleton);
+        SoleExtent[] soles = SoleExtent.Measure(creature, standing);
+        Legs = new LegShape[standing.Length];
+        float hind = 0f;
+        float hips = 0f;
+        float halfTrack = 0f;
+        int rear = 0;
+        for (int i = 0; i < standing.Length; i++)
+        {
+            int parent = Skeleton.Parents[standing[i].Joints[0]];
+            Legs[i] = new LegShape(Skeleton, standing[i], rows[i], Math.Max(Array.IndexOf(Trunk, parent), 0), soles[i]);
+            halfTrack = Math.Max(halfTrack, Math.Abs(Legs[i].Home.X));
+            if (rows[i] == 0)
+            {
+                hind += Legs[i].Length;
+                hips += Legs[i].HipRest.Y;
+                rear++;
+            }
+        }
+
+        LegLength = hind / rear;
+        HipHeight = hips / rear;
+        HalfTrack = halfTrack;
+        ForeSlot = 0;
+        foreach (LegShape leg in Legs)
+        {
+            ForeSlot = Rows > 1 && leg.Row == Rows - 1 ? Math.Max(ForeSlot, leg.TrunkSlot) : ForeSlot;
+        }
+
+        if (ForeSlot == 0)
+        {
+            ForeSlot = Trunk.Length - 1;
+        }
+
+        Traits = TrunkTraits.Of(creature.Blueprint.Plan, creature.Blueprint.Body.Blend.First, Mass);
+        TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
+        Neck = NeckOf(Skeleton);
+        Tail = ChainOf(Skeleton, JointRole.Tail);
+        TailLimits = new float[Tail.Length];
+        for (int i = 0; i < Tail.Length; i++)
+        {
+            JointLimit limit = Skeleton.Joints[Tail[i]].Limit;
+            TailLimits[i] = Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+        }
+
+        Vector3 chest = Skeleton.ModelPositions[Trunk[Trunk.Length - 1]];
+        Vector3 head = Skeleton.ModelPositions[Neck.Length > 0 ? Neck[Neck.Length - 1] : Trunk[Trunk.Length - 1]];
+        NeckLength = Math.Max(Vec.Distance(chest, head), 0.05f * LegLength);
+        BellyHeight = BellyOf(creature);
+        Arms = ArmsOf(creature);
+        Body = Skeleton.IndexOf("Body");
+        Hops = Rows == 1 && creature.Blueprint.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
+        BreathShare = PortableMath.Pow(Mass, -0.26);
+        ShiftShare = PortableMath.Pow(Mass, 0.08);
+    }
+
+    public Creature Creature { get; }
+
+    public Skeleton Skeleton { get; }
+
+    /// <summary>Kilograms.</summary>
+    public float Mass { get; }
+
+    public LegShape[] Legs { get; }
+
+    /// <summary>Number of pairs of legs.</summary>
+    public int Rows { get; }
+
+    /// <summary>Pelvis, spine, chest.</summary>
+    public int[] Trunk { get; }
+
+    /// <summary>The trunk joint that carries the foremost legs, as a place in <see cref="Trunk"/>; of bipeds the chest.</summary>
+    public int ForeSlot { get; }
+
+    /// <summary>Neck joints and the head, which is the last.</summary>
+    public int[] Neck { get; }
+
+    public int[] Tail { get; }
+
+    /// <summary>How far each tail joint bends to its narrowest side, radians.</summary>
+    public float[] TailLimits { get; }
+
+    /// <summary>Shoulder, elbow and wrist of each arm.</summary>
+    public ArmShape[] Arms { get; }
+
+    /// <summary>The joint that carries the trunk.</summary>
+    public int Body { get; }
+
+    public TrunkTraits Traits { get; }
+
+    /// <summary>Mean length of the rearmost legs, hip to ground under the ball, metres: the measure of all gaits.</summary>
+    public float LegLength { get; }
+
+    public float HipHeight { get; }
+
+    public float HalfTrack { get; }
+
+    public float TrunkLength { get; }
+
+    public float NeckLength { get; }
+
+    /// <summary>Lowest point of the trunk at rest, metres above the ground.</summary>
+    public float BellyHeight { get; }
+
+    /// <summary>Whether what follows the hips is an abdomen, which does not swing like a tail.</summary>
+    public bool HasAbdomen => Creature.Blueprint.Plan is BodyPlan.Hexapod or BodyPlan.Buzzing;
+
+    /// <summary>Whether it is built to hop: upright, with long feet under it and a tail to counter them.</summary>
+    public bool Hops { get; }
+
+    /// <summary>M^−0.26.</summary>
+    public double BreathShare { get; }
+
+    /// <summary>M^0.08.</summary>
+    public double ShiftShare { get; }
+
+    public bool IsBiped => Rows == 1;
+
+    /// <summary>The legged body of a creature, or null when it stands on nothing.</summary>
+    public static LeggedBody? Of(Creature creature)
+    {
+        var standing = new List<LimbChain>();
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            if (limb.Kind == LimbKind.Leg && limb.Stands && limb.Archetype != null && limb.Joints.Count == 6)
+            {
+                standing.Add(limb);
+            }
+        }
+
+        return standing.Count == 0 ? null : new LeggedBody(creature, standing.ToArray());
+    }
+
+    /// <summary>The longest way that the feet can go along the ground in a stance without drawing the body down too far, metres.</summary>
+    public float LongestStance(Gaits.Gait gait)
+    {
+        float most = float.MaxValue;
+        foreach (LegShape leg in Legs)
+        {
+            bool front = Rows > 1 && leg.Row == Rows - 1;
+            float bias = Rows == 2 ? (front ? gait.ForeBias : gait.HindBias) : IsBiped ? gait.HindBias : 0f;
+            most = Math.Min(most, leg.LongestStance(bias, gait.Crouch, front ? Traits.ForeSlide : Traits.HindSlide, IsBiped ? gait.Track : 1f, front ? Traits.ChestYaw : Traits.PelvisYaw));
+        }
+
+        return most;
+    }
+
+    /// <summary>Rows from the rear by the number of the pair.</summary>
+    private static int[] RowsOf(LimbChain[] legs)
+    {
+        var pairs = new List<int>();
+        foreach (LimbChain leg in legs)
+        {
+            if (!pairs.Contains(leg.Pair))
+            {
+                pairs.Add(leg.Pair);
+            }
+        }
+
+        pairs.Sort();
+        var rows = new int[legs.Length];
+        for (int i = 0; i < legs.Length; i++)
+        {
+            rows[i] = pairs.Count - 1 - pairs.IndexOf(legs[i].Pair);
+        }
+
+        return rows;
+    }
+
+    private static int Max(int[] values)
+    {
+        int most = 0;
+        foreach (int value in values)
+        {
+            most = Math.Max(most, value);
+        }
+
+        return most;
+    }
+
+    private static int[] TrunkOf(Skeleton skeleton)
+    {
+        var trunk = new List<int>();
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            if (skeleton.Joints[i].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest)
+            {
+                trunk.Add(i);
+            }
+        }
+
+        return trunk.ToArray();
+    }
+
+    private static int[] NeckOf(Skeleton skeleton)
+    {
+        var neck = new List<int>();
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            if (skeleton.Joints[i].Role is JointRole.Neck or JointRole.Head)
+            {
+                neck.Add(i);
+            }
+        }
+
+        return neck.ToArray();
+    }
+
+    private static int[] ChainOf(Skeleton skeleton, JointRole role)
+    {
+        var chain = new List<int>();
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            if (skeleton.Joints[i].Role == role)
+            {
+                chain.Add(i);
+            }
+        }
+
+        return chain.ToArray();
+    }
+
+    private static ArmShape[] ArmsOf(Creature creature)
+    {
+        var arms = new List<ArmShape>();
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            if (limb.Kind == LimbKind.Arm && limb.Joints.Count == 6)
+            {
+                arms.Add(new ArmShape(limb.Joints[1], limb.Joints[2], limb.Joints[3], limb.Side));
+            }
+        }
+
+        return arms.ToArray();
+    }
+
+    private bool LongFeet() => Vec.Length(Legs[0].Metatarsus) + Legs[0].Toe > 0.42f * LegLength;
+
+    private float TailLength()
+    {
+        float length = 0f;
+        foreach (int joint in Tail)
+        {
+            length += Skeleton.Joints[joint].Length;
+        }
+
+        return length;
+    }
+
+    private float BellyOf(Creature creature)
+    {
+        float rear = Skeleton.ModelPositions[Trunk[0]].Z - (0.2f * LegLength);
+        float front = Skeleton.ModelPositions[Trunk[ForeSlot]].Z + (0.2f * LegLength);
+        bool[] trunk = new bool[Skeleton.Count];
+        foreach (int joint in Trunk)
+        {
+            trunk[joint] = true;
+        }
+
+        float lowest = HipHeight;
+        ReadOnlySpan<Vector3> positions = creature.Mesh.Positions;
+        for (int v = 0; v < positions.Length; v++)
+        {
+            if (trunk[creature.Mesh.Weights[v].Joint0] && positions[v].Z > rear && positions[v].Z < front)
+            {
+                lowest = Math.Min(lowest, positions[v].Y);
+            }
+        }
+
+        return Math.Max(lowest, 0f);
+    }
+}
+
+/// <summary>An arm that swings as its body walks.</summary>
+internal readonly record struct ArmShape(int Shoulder, int Elbow, int Wrist, Side Side);

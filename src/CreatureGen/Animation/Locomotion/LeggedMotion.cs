@@ -1,0 +1,262 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation.Events;
+using CreatureGen.Animation.Gaits;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>Motion on legs: sequences the stages (travel, gait, feet, body, legs, head, arms and tail) and nothing else.</summary>
+internal sealed class LeggedMotion
+{
+    /// <summary>Seconds that an update counts at most.</summary>
+    public const float LongestUpdate = 0.25f;
+
+    /// <summary>Seconds of a step within an update at most.</summary>
+    public const float LongestStep = 1f / 30f;
+
+    /// <summary>Steps in an update at most.</summary>
+    public const int MostSteps = 8;
+
+    private const float ActivityRate = 5f;
+
+    /// <summary>Seconds ahead of which the speed decides the gait.</summary>
+    private const float Foresight = 0.2f;
+
+    /// <summary>Height by which the root follows the ground under the body, per second.</summary>
+    private const float RootRate = 6f;
+
+    /// <summary>Part of its reach at which a standing leg gives up its place.</summary>
+    private const float BreakStretch = 1.12f;
+
+    private readonly LeggedBody body;
+    private readonly GaitSet gaits;
+    private readonly GaitClock clock;
+    private readonly FootPlanner planner;
+    private readonly BodyPlacer placer;
+    private readonly RestTurns turns;
+    private readonly LegPoser poser;
+    private readonly FootPose[] poses;
+    private Travel travel;
+    private int gait;
+    private float activity;
+    private float acceleration;
+    private double seconds;
+    private bool standing;
+
+    public LeggedMotion(LeggedBody body, GaitSet gaits, EventQueue events)
+    {
+        this.body = body;
+        this.gaits = gaits;
+        clock = new GaitClock(body, gaits.Steps[0].Gait);
+        planner = new FootPlanner(body, events);
+        placer = new BodyPlacer(body);
+        turns = new RestTurns(body.Skeleton);
+        poser = new LegPoser(body, turns);
+        poses = new FootPose[body.Legs.Length];
+    }
+
+    public Gait Gait => clock.Gait;
+
+    public int FootCount => body.Legs.Length;
+
+    public float Speed => travel.Speed;
+
+    public float Phase => (float)clock.Phase;
+
+    public float Frequency => clock.Frequency;
+
+    /// <summary>How a foot is.</summary>
+    public FootReport Report(int leg)
+    {
+        ref readonly Foot foot = ref planner.Feet[leg];
+        bool down = foot.Phase == FootPhase.Stance;
+        FootPlace place = down ? foot.From : foot.To;
+        return new FootReport(foot.Phase, body.Legs[leg].Ball, place.Position, place.Normal, down ? foot.Stance : foot.Swing, foot.Load, foot.Stretch, foot.Residual);
+    }
+
+    /// <summary>Puts all feet down at home.</summary>
+    public void Stand(in RootPlace placement, in LocomotionSettings settings, IGround ground)
+    {
+        travel = default;
+        activity = 0f;
+        acceleration = 0f;
+        gait = 0;
+        clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
+        clock.Slide(0f, 0f, settings.Gravity, 0f, 0f);
+        var step = new StepContext(placement, travel, clock, settings, ground, 0f, 0f, 0f, false);
+        planner.PlaceAll(step);
+        PoseFeet(placement, 0f, settings);
+        placer.Reset(planner.Feet);
+        standing = true;
+    }
+
+    /// <summary>Moves the origin of the world.</summary>
+    public void Rebase(Vector3 offset)
+    {
+        for (int i = 0; i < planner.Feet.Length; i++)
+        {
+            planner.Feet[i].From.Position += offset;
+            planner.Feet[i].To.Position += offset;
+        }
+    }
+
+    /// <summary>Goes as asked.</summary>
+    public RootPlace Drive(RootPlace placement, float dt, in MotionInput input, LocomotionSettings settings, IGround ground)
+    {
+        // From here on in metres of the model.
+        float scale = placement.Scale;
+        settings.Gravity /= scale;
+        Begin(placement, settings, ground);
+        float top = settings.Gait == null ? gaits.TopSpeed : (float)Math.Sqrt(settings.Gait.Fastest * settings.Gravity * body.LegLength);
+        float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
+        travel.GoalSpeed = Scalar.Clamp(input.Speed / scale, -back, top);
+        travel.GoalSideways = Scalar.Clamp(input.Sideways / scale, -back, back);
+        travel.GoalTurn = input.TurnRate;
+        travel.Rate = settings.SpeedResponse;
+        int steps = dt > 0f ? Math.Max(1, (int)Math.Ceiling((dt / LongestStep) - 1e-3f)) : 0;
+        float h = steps > 0 ? dt / steps : 0f;
+        float before = travel.Speed;
+        for (int i = 0; i < steps; i++)
+        {
+            Vector3 way = travel.Advance(h, out float yaw);
+            Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisTurn.Y(yaw));
+            placement = new RootPlace(placement.ToWorld(way), Upright(rotation, settings.Up), scale);
+            placement = FollowGround(placement, h, settings);
+            Step(placement, h, dt - ((i + 1) * h), settings, ground);
+        }
+
+        acceleration = dt > 0f ? acceleration + ((((travel.Speed - before) / dt) - acceleration) * (1f - (float)PortableMath.Exp(-10f * dt))) : acceleration;
+        return placement;
+    }
+
+    /// <summary>Goes where it is put.</summary>
+    public RootPlace Follow(RootPlace placement, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground)
+    {
+        settings.Gravity /= goal.Scale;
+        settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
+        Begin(goal, settings, ground);
+        if (dt > 0f)
+        {
+            Vector3 way = placement.ToModel(goal.Position) / dt;
+            Quaternion turn = Rotation.Multiply(Rotation.Inverse(placement.Rotation), goal.Rotation);
+            float yaw = 2f * (turn.W < 0f ? -turn.Y : turn.Y) / dt;
+            float share = 1f - (float)PortableMath.Exp(-20f * dt);
+            float before = travel.Speed;
+            travel.Rate = 0f;
+            travel.Speed += (way.Z - travel.Speed) * share;
+            travel.Sideways += (way.X - travel.Sideways) * share;
+            travel.Turn += (yaw - travel.Turn) * share;
+            (travel.GoalSpeed, travel.GoalSideways, travel.GoalTurn) = (travel.Speed, travel.Sideways, travel.Turn);
+            acceleration += (((travel.Speed - before) / dt) - acceleration) * share;
+            placer.RootRaised(way.Y * dt);
+            Step(goal, Math.Min(dt, LongestStep), 0f, settings, ground);
+        }
+
+        return goal;
+    }
+
+    /// <summary>Writes the pose.</summary>
+    public void Pose(in RootPlace placement, float dt, LocomotionSettings settings, in Pose local)
+    {
+        settings.Gravity /= placement.Scale;
+        seconds += dt;
+        local.SetToRest(body.Skeleton);
+        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle);
+        PoseFeet(placement, dt, settings);
+        var context = new BodyContext(clock, travel, settings, dt, activity, idle, acceleration);
+        placer.Place(context, planner.Feet, poses);
+        poser.PoseTrunk(placer, local);
+        for (int i = 0; i < poses.Length; i++)
+        {
+            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], local);
+        }
+
+        HeadCarriage.Pose(body, turns, placer, context, local);
+        ArmSwing.Pose(body, turns, placer, context, local);
+        TailCarriage.Pose(body, turns, placer, context, local);
+    }
+
+    private void Begin(in RootPlace placement, in LocomotionSettings settings, IGround ground)
+    {
+        if (!standing)
+        {
+            Stand(placement, settings, ground);
+        }
+    }
+
+    private void Step(in RootPlace placement, float h, float left, in LocomotionSettings settings, IGround ground)
+    {
+        float unit = settings.Gravity * body.LegLength;
+        float speed = (float)Math.Sqrt((travel.Speed * travel.Speed) + (travel.Sideways * travel.Sideways));
+        float froude = speed * speed / unit;
+        float walking = (float)Math.Sqrt(0.06f * unit);
+        bool moving = speed > 0.05f * walking || Math.Abs(travel.Turn) > 0.03f;
+        bool going = moving || planner.IsUnsettled(placement, activity, clock);
+        ChooseGait(froude, going, settings);
+        float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(travel.Turn)), 1f) : 0f;
+        activity += (wanted - activity) * (1f - (float)PortableMath.Exp(-ActivityRate * h));
+        clock.Slide(h, froude, settings.Gravity, travel.Turn, Math.Min(speed / walking, 1f), settings.Stride);
+        if (going)
+        {
+            double phase = clock.Phase + (clock.Frequency * h);
+            clock.Phase = phase - Math.Floor(phase);
+        }
+
+        planner.Advance(new StepContext(placement, travel, clock, settings, ground, h, left, activity, moving));
+    }
+
+    private void ChooseGait(float froude, bool going, in LocomotionSettings settings)
+    {
+        float ahead = travel.Speed + ((travel.GoalSpeed - travel.Speed) * (1f - (float)PortableMath.Exp(-travel.Rate * Foresight)));
+        float unit = settings.Gravity * body.LegLength;
+        gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / unit) : 0f);
+        Gait wanted = settings.Gait ?? gaits.Steps[gait].Gait;
+        if (ReferenceEquals(wanted, clock.Gait))
+        {
+            return;
+        }
+
+        Lead lead = travel.Turn < 0f ? Lead.Right : Lead.Left;
+        if (!going)
+        {
+            clock.Restart(wanted, froude, lead);
+        }
+        else
+        {
+            clock.Change(wanted, froude, settings.Gravity, lead);
+        }
+    }
+
+    private void PoseFeet(in RootPlace placement, float dt, in LocomotionSettings settings)
+    {
+        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Lift, activity, 0f, dt);
+        for (int i = 0; i < poses.Length; i++)
+        {
+            FootPoser.Pose(body.Legs[i], ref planner.Feet[i], placement, numbers, out poses[i]);
+        }
+    }
+
+    /// <summary>Keeps the root on the ground under the feet.</summary>
+    private RootPlace FollowGround(in RootPlace placement, float h, in LocomotionSettings settings)
+    {
+        float height = 0.5f * (placer.HindGround + placer.ForeGround) * (1f - (float)PortableMath.Exp(-RootRate * h));
+        if (height == 0f)
+        {
+            return placement;
+        }
+
+        placer.RootRaised(height);
+        return new RootPlace(placement.Position + (settings.Up * (height * placement.Scale)), placement.Rotation, placement.Scale);
+    }
+
+    /// <summary>Brings the body's up onto that of the world.</summary>
+    private static Quaternion Upright(Quaternion rotation, Vector3 up)
+    {
+        Vector3 own = Rotation.Rotate(rotation, Vector3.UnitY);
+        return Rotation.Normalize(Rotation.Multiply(Rotation.FromTo(own, up), rotation));
+    }
+}

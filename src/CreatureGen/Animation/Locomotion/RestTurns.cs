@@ -1,0 +1,44 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Locomotion;
+
+/// <summary>Writes turns given in the model's axes at rest as local rotations: a joint turned by R about the model's axes, relative to its parent's turn.</summary>
+internal sealed class RestTurns
+{
+    private readonly Quaternion[] before;
+    private readonly Quaternion[] after;
+    private readonly Vector3[] positions;
+
+    public RestTurns(Skeleton skeleton)
+    {
+        int count = skeleton.Count;
+        before = new Quaternion[count];
+        after = new Quaternion[count];
+        positions = skeleton.LocalPositions.ToArray();
+        for (int i = 0; i < count; i++)
+        {
+            int parent = skeleton.Parents[i];
+            before[i] = parent < 0 ? Quaternion.Identity : Rotation.Inverse(skeleton.ModelRotations[parent]);
+            after[i] = skeleton.ModelRotations[i];
+        }
+    }
+
+    /// <summary>Turns a joint away from rest.</summary>
+    public void Set(in Pose local, int joint, Quaternion turn) =>
+        local.Rotations[joint] = Normalized(Rotation.Multiply(before[joint], Rotation.Multiply(turn, after[joint])));
+
+    /// <summary>Slides a joint away from rest.</summary>
+    public void Slide(in Pose local, int joint, Vector3 slide) =>
+        local.Positions[joint] = positions[joint] + Rotation.Rotate(before[joint], slide);
+
+    /// <summary>One step of Newton's towards unit length: what a few products lose.</summary>
+    private static Quaternion Normalized(Quaternion q)
+    {
+        float squared = (q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W);
+        float scale = 1.5f - (0.5f * squared);
+        return Math.Abs(squared - 1f) < 1e-2f ? new Quaternion(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale) : Rotation.Normalize(q);
+    }
+}

@@ -1,0 +1,51 @@
+using System;
+using CreatureGen.Animation.Gaits;
+using CreatureGen.Animation.Locomotion;
+using CreatureGen.Creatures;
+
+namespace CreatureGen.Animation;
+
+/// <summary>What follows from a creature's build for its motion: worked out once, immutable, shared by all animators of the creature.</summary>
+public sealed class MotionProfile
+{
+    /// <summary>Works out how a creature goes.</summary>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public MotionProfile(Creature creature)
+        : this(creature, null)
+    {
+    }
+
+    /// <summary>The same with gaits of the game's own choice.</summary>
+    /// <param name="creature">The creature.</param>
+    /// <param name="gaits">Its gaits, or null for those of its build.</param>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public MotionProfile(Creature creature, GaitSet? gaits)
+    {
+        Creature = creature ?? throw new ArgumentNullException(nameof(creature));
+        Legs = LeggedBody.Of(creature);
+        if (Legs != null)
+        {
+            Gaits = gaits ?? GaitChoice.For(Legs, LocomotionSettings.Default.Gravity);
+        }
+
+        (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null && !Legs.HasAbdomen);
+    }
+
+    /// <summary>The creature.</summary>
+    public Creature Creature { get; }
+
+    /// <summary>Its gaits and their speeds; null for creatures without legs to stand on.</summary>
+    public GaitSet? Gaits { get; }
+
+    /// <summary>Length of its rearmost legs from hip to ground, metres; 0 without legs.</summary>
+    public float LegLength => Legs?.LegLength ?? 0f;
+
+    /// <summary>What swings by itself.</summary>
+    internal Springs.SpringRig[] SpringRigs { get; }
+
+    /// <summary>How each of these swings.</summary>
+    internal Springs.SpringSettings[] SpringSettings { get; }
+
+    /// <summary>The body as its walk sees it; null without legs.</summary>
+    internal LeggedBody? Legs { get; }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation.RootMotion;
+using CreatureGen.Animation.Springs;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation;
+
+/// <summary>What swings after the motion by itself: tail, ears, feelers; never into the ground.</summary>
+internal sealed class SecondaryMotion
+{
+    /// <summary>Part of a chain's length that its tips keep from the ground.</summary>
+    private const float Thickness = 0.03f;
+
+    /// <summary>Part of a joint's limit that its spring may take up.</summary>
+    private const float SwingShare = 0.38f;
+
+    private readonly SpringRig[] rigs;
+    private readonly SpringSettings[] settings;
+    private readonly SpringState[] states;
+    private readonly SpringCollider[] ground = new SpringCollider[1];
+
+    public SecondaryMotion(SpringRig[] rigs, SpringSettings[] settings)
+    {
+        this.rigs = rigs;
+        this.settings = settings;
+        states = new SpringState[rigs.Length];
+        for (int i = 0; i < rigs.Length; i++)
+        {
+            states[i] = new SpringState(rigs[i]);
+        }
+    }
+
+    /// <summary>The chains of a skeleton that swing, and how.</summary>
+    public static (SpringRig[] Rigs, SpringSettings[] Settings) Of(Skeleton skeleton, bool tail)
+    {
+        var rigs = new System.Collections.Generic.List<SpringRig>();
+        var settings = new System.Collections.Generic.List<SpringSettings>();
+        Add(JointRole.Tail, tail);
+        Add(JointRole.Ear, true);
+        Add(JointRole.Antenna, true);
+        return (rigs.ToArray(), settings.ToArray());
+
+        void Add(JointRole role, bool wanted)
+        {
+            SpringRig rig = SpringRig.Of(skeleton, role);
+            if (wanted && rig.Joints.Length > 0 && rig.Length > 0f)
+            {
+                rigs.Add(rig);
+                settings.Add(Within(role switch { JointRole.Tail => SpringSettings.Tail(rig.Length), JointRole.Ear => SpringSettings.Ear(rig.Length), _ => SpringSettings.Antenna(rig.Length) }, rig));
+            }
+        }
+    }
+
+    /// <summary>Turns the joints that swing.</summary>
+    public void Update(in RootPlace root, Vector3 up, float seconds, in Pose local, in Pose model)
+    {
+        for (int i = 0; i < rigs.Length; i++)
+        {
+            ground[0] = SpringCollider.Plane(root.Position + (up * (Thickness * rigs[i].Length * root.Scale)), up);
+            bool low = SkeletonRole(i) == JointRole.Tail;
+            SpringBones.Update(rigs[i], states[i], settings[i], root, low ? ground : ReadOnlySpan<SpringCollider>.Empty, seconds, local, model);
+        }
+    }
+
+    /// <summary>Forgets all swing: the creature has been put somewhere else.</summary>
+    public void Reset()
+    {
+        foreach (SpringState state in states)
+        {
+            state.Reset();
+        }
+    }
+
+    /// <summary>Moves the origin of the world.</summary>
+    public void Rebase(Vector3 offset)
+    {
+        foreach (SpringState state in states)
+        {
+            state.Rebase(offset);
+        }
+    }
+
+    /// <summary>Settings whose swing leaves room for the motion within the narrowest joint's limits.</summary>
+    private static SpringSettings Within(in SpringSettings settings, SpringRig rig)
+    {
+        float most = settings.MostSwing;
+        foreach (int joint in rig.Joints)
+        {
+            JointLimit limit = rig.Skeleton.Joints[joint].Limit;
+            float least = Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+            most = Math.Min(most, Math.Max(SwingShare * least, 0.02f));
+        }
+
+        return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, most, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle);
+    }
+
+    private JointRole SkeletonRole(int chain) => rigs[chain].Skeleton.Joints[rigs[chain].Joints[0]].Role;
+}

@@ -1,0 +1,8 @@
+namespace CreatureGen.Animation.Springs;
+
+/// <summary>Shapes of <see cref="SpringCollider"/>.</summary>
+internal enum SpringColliderKind
+{
+    Capsule,
+    Plane,
+}

@@ -1,0 +1,135 @@
+using System;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Animation.Strokes.Flight;
+
+/// <summary>Steps the state of a flier: from the ground into the air and back, and all that swings with it.</summary>
+internal static class FlightControl
+{
+    private const double Gravity = 9.81;
+
+    /// <summary>Shares of the speed of cruise below which a flier hovers more than it flies.</summary>
+    private const double HoverShare = 0.45;
+
+    private const double SteepestPath = 1.2;
+    private const double SteepestBank = 1.05;
+
+    /// <summary>Effort at level cruise of a flier that glides between beats; 1 never glides, 0 only glides.</summary>
+    private const double LevelEffort = 0.66;
+
+    private const double CrouchTime = 1.1;
+    private const double LeapTime = 1.2;
+    private const double SettleTime = 1.6;
+
+    /// <summary>Leg lengths above the ground at which landing begins and a leap is over.</summary>
+    public const double LandingHeight = 2.2;
+    private const double LeapHeight = 1.2;
+    private const double PlantingHeight = 0.4;
+
+    /// <summary>How much it hovers, 0..1, at so many times the speed of cruise.</summary>
+    public static double Hover(double cruises) => 1 - Scalar.Smooth(Math.Abs(cruises) / HoverShare);
+
+    /// <summary>Steps the state and says how the root moves.</summary>
+    public static RootVelocity Advance(FlightProfile profile, in FlightInput input, ref FlightState state, double dt)
+    {
+        double speed = StrokeInput.Finite(input.Speed, "Speed");
+        double yaw = StrokeInput.Finite(input.YawRate, "YawRate");
+        double climb = StrokeInput.Finite(input.ClimbRate, "ClimbRate");
+        double height = Math.Max(StrokeInput.Finite(input.Height, "Height"), 0);
+        double leg = profile.LegLength;
+        double tempo = Math.Sqrt(Gravity / leg);
+        Decide(profile, input.Intent, height / leg, dt * tempo, ref state);
+
+        bool flying = state.Phase is FlightPhase.Airborne or FlightPhase.Leaping or FlightPhase.Landing;
+        bool down = state.Phase is FlightPhase.Grounded or FlightPhase.Settling;
+        double k = profile.Response;
+        double cruises = speed / profile.CruiseSpeed;
+        double hover = Hover(cruises);
+        double path = PortableMath.Atan2(climb, Math.Max(Math.Abs(speed), 0.5 * profile.CruiseSpeed));
+        double rise = Scalar.Clamp(path / 0.5, -1, 1);
+        double level = profile.GlidesBetweenBeats ? LevelEffort : 1;
+        double effort = state.Phase == FlightPhase.Airborne ? Scalar.Clamp(level + (1.4 * path) + hover + (0.5 * Math.Max(0, Math.Abs(cruises) - 1.2)), 0, 1) : 1;
+
+        double beats = profile.BeatFrequency * (1 + (0.22 * hover) + (0.15 * Math.Max(0, rise)) + (state.Phase == FlightPhase.Leaping ? 0.25 : 0));
+        double advance = state.Frequency.Step(flying ? beats : 0, flying ? 2 * k : 4 * k, dt);
+        Beat(profile, state.Spread.Value, advance, ref state);
+        double width = 1 + (0.28 * hover) + (0.22 * Math.Max(0, rise)) + (state.Phase == FlightPhase.Leaping ? 0.25 : 0);
+        state.Amplitude.Step(down ? 0 : width, 2 * k, dt);
+        state.Effort.Step(effort, 1.5 * k, dt);
+
+        // A steep dive half folds the wings.
+        double dive = Scalar.Smooth((-path - 0.5) / 0.5) * (1 - hover);
+        state.Spread.Step(down ? 0 : 1 - (0.35 * dive), down ? 1.3 * tempo : 2.2 * tempo, dt);
+        double landing = state.Phase == FlightPhase.Landing ? Scalar.Smooth((LandingHeight - (height / leg)) / (0.6 * LandingHeight)) : 0;
+        state.Flare.Step(landing, 1.5 * k, dt);
+        state.Speed.Step(flying ? cruises : 0, 1.2 * k, dt);
+        double turn = PortableMath.Atan2(speed * yaw, Gravity);
+        state.Bank.Step(Curve.Bounded(turn, SteepestBank), 1.2 * k, dt);
+        state.Steer.Step(Curve.Bounded(yaw * Math.Max(0.35, 0.5 * profile.CruiseSpeed / Gravity), 1), 1.5 * k, dt);
+        state.Path.Step(Curve.Bounded(path, SteepestPath), k, dt);
+        state.Crouch.Step(state.Phase == FlightPhase.Crouching ? 1 : state.Phase == FlightPhase.Settling ? 0.85 * (1 - Scalar.Smooth(state.Age / (0.6 * SettleTime))) : 0, state.Phase == FlightPhase.Leaping ? 5 * tempo : 3 * tempo, dt);
+        state.Air.Step(flying ? 1 : 0, 2 * tempo, dt);
+        bool near = state.Phase == FlightPhase.Landing && height < PlantingHeight * leg;
+        state.Planted.Step(flying && !near ? 0 : 1, flying && !near ? 4 * tempo : 9 * tempo, dt);
+        state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
+        return Root(state, speed, yaw, climb, height, leg);
+    }
+
+    private static RootVelocity Root(in FlightState state, double speed, double yaw, double climb, double height, double leg)
+    {
+        double unit = Math.Sqrt(Gravity * leg);
+        double part = Scalar.Smooth(state.Age / LeapTime);
+        return state.Phase switch
+        {
+            FlightPhase.Leaping => new RootVelocity((float)(speed * part), (float)Math.Max(climb, 1.5 * unit), (float)(yaw * part)),
+            FlightPhase.Landing => new RootVelocity(
+                (float)(speed * Scalar.Smooth(height / (LandingHeight * leg))),
+                (float)-Math.Min(height * 1.6 / Math.Sqrt(leg / Gravity), Scalar.Clamp(0.9 * unit * height / leg, 0.35 * unit, 1.4 * unit)),
+                (float)yaw),
+            FlightPhase.Crouching or FlightPhase.Settling => default,
+            _ => new RootVelocity((float)speed, (float)(state.Phase == FlightPhase.Grounded ? 0 : climb), (float)yaw),
+        };
+    }
+
+    /// <summary>Goes from one phase to the next. Heights are in leg lengths, time in √(leg/g).</summary>
+    private static void Decide(FlightProfile profile, FlightIntent intent, double height, double time, ref FlightState state)
+    {
+        state.Age += time;
+        bool up = intent == FlightIntent.Air;
+        FlightPhase next = state.Phase switch
+        {
+            FlightPhase.Grounded => up ? FlightPhase.Crouching : FlightPhase.Grounded,
+            FlightPhase.Crouching => !up ? FlightPhase.Settling : state.Age >= CrouchTime ? FlightPhase.Leaping : FlightPhase.Crouching,
+            FlightPhase.Leaping => height >= LeapHeight || state.Age >= 2 * LeapTime ? FlightPhase.Airborne : FlightPhase.Leaping,
+            FlightPhase.Airborne => !up && height <= LandingHeight ? FlightPhase.Landing : FlightPhase.Airborne,
+            FlightPhase.Landing => up ? FlightPhase.Airborne : height <= 0.02 ? FlightPhase.Settling : FlightPhase.Landing,
+            _ => up ? FlightPhase.Crouching : state.Age >= SettleTime ? FlightPhase.Grounded : FlightPhase.Settling,
+        };
+        if (next != state.Phase)
+        {
+            state.Phase = next;
+            state.Age = 0;
+        }
+    }
+
+    /// <summary>Runs the cycle on and counts the downstrokes. Folded wings wait at the top of the beat.</summary>
+    private static void Beat(FlightProfile profile, double spread, double beats, ref FlightState state)
+    {
+        if (spread < 0.02 && state.Phase is FlightPhase.Grounded or FlightPhase.Crouching)
+        {
+            state.Cycle = 0;
+            return;
+        }
+
+        double before = state.Cycle * profile.BeatsPerCycle;
+        double after = before + beats;
+        long begun = (long)(Math.Floor(after) - Math.Floor(before));
+        if (begun > 0 && spread > 0.3)
+        {
+            state.Beats += begun;
+        }
+
+        state.Cycle = after / profile.BeatsPerCycle;
+        state.Cycle -= Math.Floor(state.Cycle);
+    }
+}

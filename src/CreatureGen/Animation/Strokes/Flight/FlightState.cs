@@ -1,0 +1,62 @@
+namespace CreatureGen.Animation.Strokes.Flight;
+
+/// <summary>Where a flier is in its motion. The default stands on the ground with folded wings; one for each creature on the scene, changed by <see cref="FlightMotion.Update"/> alone.</summary>
+public struct FlightState
+{
+    /// <summary>Leg lengths above which height does not matter.</summary>
+    internal const double HighEnough = 3;
+
+    internal double Cycle;
+    internal double Age;
+    internal Smoothed Frequency;
+    internal Smoothed Amplitude;
+    internal Smoothed Effort;
+    internal Smoothed Spread;
+    internal Smoothed Flare;
+    internal Smoothed Speed;
+    internal Smoothed Bank;
+    internal Smoothed Steer;
+    internal Smoothed Path;
+    internal Smoothed Crouch;
+    internal Smoothed Air;
+    internal Smoothed Planted;
+    internal Smoothed Height;
+
+    /// <summary>What it is doing between standing and flying.</summary>
+    public FlightPhase Phase { get; internal set; }
+
+    /// <summary>Downstrokes begun so far.</summary>
+    public long Beats { get; internal set; }
+
+    /// <summary>Beats per second at present.</summary>
+    public readonly float BeatFrequency => (float)Frequency.Value;
+
+    /// <summary>How far it is off the ground in its posture: 0 stands, 1 flies. Where it is 0, legs, neck and tail may be moved by a walk instead.</summary>
+    public readonly float Airborne => (float)Air.Value;
+
+    /// <summary>0 folded wings, 1 spread.</summary>
+    public readonly float WingSpread => (float)Spread.Value;
+
+    /// <summary>A flier in the air at cruise.</summary>
+    /// <param name="profile">How the creature flies.</param>
+    /// <exception cref="System.ArgumentNullException">There is no profile.</exception>
+    public static FlightState InAir(FlightProfile profile)
+    {
+        if (profile == null)
+        {
+            throw new System.ArgumentNullException(nameof(profile));
+        }
+
+        return new FlightState
+        {
+            Phase = FlightPhase.Airborne,
+            Frequency = Smoothed.At(profile.BeatFrequency),
+            Amplitude = Smoothed.At(1),
+            Effort = Smoothed.At(1),
+            Spread = Smoothed.At(1),
+            Speed = Smoothed.At(1),
+            Air = Smoothed.At(1),
+            Height = Smoothed.At(HighEnough * profile.LegLength),
+        };
+    }
+}

@@ -1,0 +1,50 @@
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Strokes;
+
+/// <summary>
+/// Turns one joint by angles about the axes of the model instead of its own: a turn D leaves the rest pose at the identity, and bones that point anywhere at rest take the same turn alike.
+/// </summary>
+/// <remarks>
+/// With P and R the rest rotations of the parent and of the joint in model space, the local rotation is P⁻¹·D·R. Turns chain from parent to child: the joint's turn in model
+/// space is its parent's times D. Turns are brought within the joint's limits, see <see cref="SoftLimit"/>.
+/// </remarks>
+internal readonly struct JointTurn
+{
+    private readonly Quaternion parentInverse;
+    private readonly Quaternion rest;
+    private readonly Quaternion restInverse;
+    private readonly SoftLimit limit;
+
+    /// <summary>Takes what it needs of a joint.</summary>
+    public JointTurn(Skeleton skeleton, int joint)
+    {
+        Joint = joint;
+        int parent = skeleton.Parents[joint];
+        parentInverse = parent < 0 ? Quaternion.Identity : Rotation.Inverse(skeleton.ModelRotations[parent]);
+        rest = skeleton.ModelRotations[joint];
+        restInverse = Rotation.Inverse(rest);
+        limit = new SoftLimit(skeleton.Joints[joint].Limit);
+    }
+
+    /// <summary>Index into the skeleton.</summary>
+    public int Joint { get; }
+
+    /// <summary>Writes the local rotation and gives the turn that the limits left.</summary>
+    public Quaternion Write(in Pose local, Quaternion turn)
+    {
+        Quaternion own = limit.Apply(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest));
+        Quaternion kept = Rotation.Multiply(Rotation.Multiply(rest, own), restInverse);
+        local.Rotations[Joint] = Rotation.Normalize(Rotation.Multiply(parentInverse, Rotation.Multiply(kept, rest)));
+        return kept;
+    }
+
+    /// <summary>The turn that the limits leave of a turn.</summary>
+    public Quaternion Limit(Quaternion turn)
+    {
+        Quaternion own = limit.Apply(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest));
+        return Rotation.Multiply(Rotation.Multiply(rest, own), restInverse);
+    }
+}

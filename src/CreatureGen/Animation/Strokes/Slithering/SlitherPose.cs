@@ -1,0 +1,136 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Strokes.Slithering;
+
+/// <summary>Lays the bones of a crawler on its track.</summary>
+internal static class SlitherPose
+{
+    private const int RootSamples = 24;
+    private const double HeadSwing = 0.3;
+    private const double SidewindLift = 0.045;
+    private const double BellyWave = 0.006;
+    private const double HeadLift = 0.10;
+    private const int Search = 4;
+
+    /// <summary>From the root forward to the joint of the head, which leads the track, metres.</summary>
+    public static double Lead(SlitherProfile profile) => profile.Chain.Bones[0].Rear.Z;
+
+    /// <summary>The middle of the body: the mean of the track over one wave, so that its swings cancel.</summary>
+    public static RootPlace RootOf(SlitherProfile profile, SlitherState state, ISlitherGround ground)
+    {
+        SlitherTrack track = state.Track;
+        double middle = track.Head - Lead(profile);
+        double half = 0.5 * track.Wavelength;
+        double x = 0;
+        double z = 0;
+        double yaw = 0;
+        for (int k = 0; k < RootSamples; k++)
+        {
+            double arc = middle + (half * (((2.0 * k) + 1 - RootSamples) / RootSamples));
+            TrackPoint point = track.At(arc);
+            x += point.X / RootSamples;
+            z += point.Z / RootSamples;
+            yaw += track.TravelAt(arc) / RootSamples;
+        }
+
+        float height = ground.Sample((float)x, (float)z, out _);
+        return new RootPlace(new Vector3((float)x, height, (float)z), (float)yaw);
+    }
+
+    /// <summary>Writes the pose.</summary>
+    public static void Write(SlitherProfile profile, SlitherState state, ISlitherGround ground, in Pose local)
+    {
+        AxialChain chain = profile.Chain;
+        Span<Quaternion> turns = stackalloc Quaternion[chain.Count];
+        Span<Vector3> pivots = stackalloc Vector3[chain.Count];
+        Span<Vector3> middles = stackalloc Vector3[chain.Count];
+        SlitherTrack track = state.Track;
+        double arc = track.Head;
+        Vector3 front = Place(profile, state, ground, arc, out Vector3 frontUp);
+        for (int b = 1; b < chain.Count; b++)
+        {
+            double length = profile.Lengths[b];
+            double behind = arc - length;
+            Vector3 rear = Place(profile, state, ground, behind, out Vector3 rearUp);
+            for (int k = 0; k < Search; k++)
+            {
+                behind += Vec.Distance(front, rear) - length;
+                rear = Place(profile, state, ground, behind, out rearUp);
+            }
+
+            turns[b] = Lie(front - rear, frontUp + rearUp);
+            middles[b] = ((front + rear) * 0.5f) + (Vec.Normalize(frontUp + rearUp, Vector3.UnitY) * (float)profile.Heights[b]);
+            arc = behind;
+            front = rear;
+            frontUp = rearUp;
+        }
+
+        turns[0] = Head(state, turns[1]);
+        chain.Write(local, turns, pivots);
+
+        // The body's root goes where it brings the bones nearest to their places.
+        Vector3 shift = Vector3.Zero;
+        double weight = 0;
+        for (int b = 1; b < chain.Count; b++)
+        {
+            double m = profile.Lengths[b];
+            shift += (middles[b] - chain.Carry(b, chain.Bones[b].Middle, turns, pivots)) * (float)m;
+            weight += m;
+        }
+
+        local.Rotations[chain.Body] = profile.Skeleton.LocalRotations[chain.Body];
+        local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + (shift / (float)weight) - chain.BodyPivot;
+    }
+
+    /// <summary>A point of the track in the root's axes, with the lift of parts that do not rest.</summary>
+    private static Vector3 Place(SlitherProfile profile, SlitherState state, ISlitherGround ground, double arc, out Vector3 up)
+    {
+        TrackPoint point = state.Track.At(arc);
+        double height = point.Y;
+        Vector3 normal = point.Normal;
+        double sides = state.Sidewinding.Value;
+        if (sides > 1e-4)
+        {
+            // A track that drifts lies on other ground than it was laid on. Where the swing is at its left end the body rests.
+            double sampled = ground.Sample((float)point.X, (float)point.Z, out Vector3 now);
+            double fade = Math.Min(1, sides * 4);
+            double swing = TrackSteering.Swing(arc / state.Track.Wavelength, sides);
+            height = Scalar.Lerp(height, sampled, fade) + (sides * SidewindLift * profile.Wavelength * Scalar.Smooth((0.7 - swing) / 1.1));
+            normal = Vec.Lerp(normal, now, (float)fade);
+        }
+
+        double straight = 1 - Math.Min(1, state.Winding.Value / Math.Max(profile.Alpha, 1e-3));
+        height += straight * BellyWave * profile.Wavelength * (1 - PortableMath.Cos(8 * PortableMath.Pi * arc / state.Track.Wavelength)) * (1 - state.Idle.Value);
+        Vector3 world = new((float)(point.X - state.Root.Position.X), (float)(height - state.Root.Position.Y), (float)(point.Z - state.Root.Position.Z));
+        up = Level(Vec.Normalize(normal, Vector3.UnitY), state.Root.Yaw);
+        return Level(world, state.Root.Yaw);
+    }
+
+    /// <summary>World axes to the root's.</summary>
+    private static Vector3 Level(Vector3 v, double yaw)
+    {
+        PortableMath.SinCos(yaw, out double sine, out double cosine);
+        return new Vector3((float)((v.X * cosine) - (v.Z * sine)), v.Y, (float)((v.Z * cosine) + (v.X * sine)));
+    }
+
+    /// <summary>How a bone lies that points along a direction, with its back away from the ground.</summary>
+    private static Quaternion Lie(Vector3 direction, Vector3 up)
+    {
+        Vector3 ahead = Vec.Normalize(direction, Vector3.UnitZ);
+        Vector3 left = Vec.Normalize(Vec.Cross(up, ahead), Vector3.UnitX);
+        return Rotation.FromBasis(left, Vec.Cross(ahead, left), ahead);
+    }
+
+    /// <summary>The head looks along the way, and swings little with the neck; a crawler that lies still lifts it and looks about.</summary>
+    private static Quaternion Head(SlitherState state, Quaternion neck)
+    {
+        Quaternion along = Turn.Yaw(state.Travel - state.Root.Yaw);
+        Quaternion gaze = Rotation.Slerp(along, neck, HeadSwing);
+        double idle = state.Idle.Value;
+        PortableMath.SinCos(2 * PortableMath.Pi * state.Breath, out double sine, out double cosine);
+        return Rotation.Multiply(gaze, Rotation.Multiply(Turn.Yaw(0.12 * idle * sine), Turn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
+    }
+}

@@ -1,0 +1,65 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Strokes;
+
+/// <summary>Keeps a rotation within a <see cref="JointLimit"/> without a kink: free up to 85 % of each range, then ever slower towards its end.</summary>
+/// <remarks>
+/// The rotation is taken apart into a twist about local Y and then a swing; the swing's rotation vector (x, 0, z) gives the angles about X and Z.
+/// Beyond b = 0.85·m the angle a becomes b + (m − b)(1 − e^(−(a−b)/(m−b))): the slope goes on at b and the angle never reaches m.
+/// </remarks>
+internal readonly struct SoftLimit
+{
+    private const double Free = 0.85;
+
+    private readonly JointLimit limit;
+
+    public SoftLimit(JointLimit limit) => this.limit = limit;
+
+    /// <summary>The angles of a rotation about its X and Z (swing) and Y (twist), radians.</summary>
+    public static void Angles(Quaternion q, out double x, out double twist, out double z)
+    {
+        Rotation.SwingTwist(q, Vector3.UnitY, out Quaternion swing, out Quaternion about);
+        twist = 2 * PortableMath.Atan2(about.Y, about.W);
+        double sine = Math.Sqrt(((double)swing.X * swing.X) + ((double)swing.Z * swing.Z));
+        double factor = sine < 1e-9 ? 2 : 2 * PortableMath.Atan2(sine, swing.W) / sine;
+        x = swing.X * factor;
+        z = swing.Z * factor;
+    }
+
+    /// <summary>The rotation within the limit.</summary>
+    public Quaternion Apply(Quaternion q)
+    {
+        Angles(q, out double x, out double twist, out double z);
+        double sx = Soft(x, limit.SwingX);
+        double sz = Soft(z, limit.SwingZ);
+        double st = Soft(twist, limit.Twist);
+        if (sx == x && sz == z && st == twist)
+        {
+            return q;
+        }
+
+        double angle = Math.Sqrt((sx * sx) + (sz * sz));
+        PortableMath.SinCos(angle / 2, out double sine, out double cosine);
+        double share = angle < 1e-9 ? 0.5 : sine / angle;
+        var swing = new Quaternion((float)(sx * share), 0f, (float)(sz * share), (float)cosine);
+        return Rotation.Multiply(swing, Rotation.FromAxisAngle(Vector3.UnitY, st));
+    }
+
+    private static double Soft(double a, AngleRange range)
+    {
+        double most = a < 0 ? -range.Min : range.Max;
+        double size = Math.Abs(a);
+        double free = Free * most;
+        if (size <= free)
+        {
+            return a;
+        }
+
+        double room = most - free;
+        double kept = room > 0 ? free + (room * (1 - PortableMath.Exp((free - size) / room))) : 0;
+        return a < 0 ? -kept : kept;
+    }
+}

@@ -1,0 +1,47 @@
+using CreatureGen.Maths;
+
+namespace CreatureGen.Animation.Strokes.Swimming;
+
+/// <summary>
+/// The C-start of a startled fish. Time is counted in lengths of its first stage, in which the body curls up to one side; in the second the tail strikes back to the other;
+/// then the bend goes and swimming takes over.
+/// </summary>
+/// <remarks>Based on: Domenici and Blake, "The kinematics and performance of fish fast-start swimming", J. Exp. Biol. 200 (1997): stage 1 of 20–40 ms in fish of 5–10 cm, turns of 60–120°.</remarks>
+internal static class EscapeCurve
+{
+    /// <summary>Length of the first stage, in cycles at cruise.</summary>
+    public const double StageShare = 0.18;
+
+    /// <summary>Length of the whole, in stages.</summary>
+    public const double Duration = 4.5;
+
+    /// <summary>Heading between nose and tail at the height of the curl, radians.</summary>
+    public const double Curl = 2.3;
+
+    /// <summary>How far the body turns round in all, radians.</summary>
+    public const double TurnAngle = 1.3;
+
+    private const double StrikeEnd = 2.3;
+
+    /// <summary>Bend, 1 at the height of the curl, negative to the other side.</summary>
+    public static double Bend(double stages)
+    {
+        if (stages < 1)
+        {
+            return Curve.Ease(stages);
+        }
+
+        return stages < StrikeEnd
+            ? Scalar.Lerp(1, -0.5, Curve.Ease((stages - 1) / (StrikeEnd - 1)))
+            : -0.5 * (1 - Curve.Ease((stages - StrikeEnd) / (Duration - StrikeEnd)));
+    }
+
+    /// <summary>Part of the turn that is done.</summary>
+    public static double Turned(double stages) => Curve.Ease(stages / StrikeEnd);
+
+    /// <summary>How much the strike drives: 0 before it, 1 in it, then falling to 0.</summary>
+    public static double Drive(double stages) => Curve.Ease((stages - 0.8) / 0.8) * (1 - Curve.Ease((stages - StrikeEnd) / (Duration - StrikeEnd)));
+
+    /// <summary>How much of the swimming wave is left.</summary>
+    public static double Wave(double stages) => 1 - (Curve.Ease(stages / 0.7) * (1 - Curve.Ease((stages - 1.8) / (Duration - 1.8))));
+}

@@ -1,0 +1,79 @@
+using System;
+using System.Numerics;
+
+namespace CreatureGen.Maths;
+
+/// <summary>Rotations between unit vectors in single precision, for code that runs for every joint of every frame. <see cref="Rotation"/> has the same in double precision and for vectors of any length.</summary>
+internal static class UnitTurn
+{
+    private const double LeastSine = 1e-4;
+    private const float NearlyOpposite = 0.01f;
+
+    /// <summary>The smallest rotation that takes one unit vector to another: (from × to, 1 + from · to) brought to unit length.</summary>
+    public static Quaternion FromTo(Vector3 from, Vector3 to)
+    {
+        float w = 1f + Vec.Dot(from, to);
+        if (!(w > NearlyOpposite))
+        {
+            return Rotation.FromTo(from, to);
+        }
+
+        Vector3 cross = Vec.Cross(from, to);
+        float inverse = 1f / (float)Math.Sqrt(Vec.LengthSquared(cross) + (w * w));
+        return new Quaternion(cross.X * inverse, cross.Y * inverse, cross.Z * inverse, w * inverse);
+    }
+
+    /// <summary>The rotation that takes one unit vector to another and a second vector as near as it can to another second, of any length.</summary>
+    /// <remarks>The smallest rotation that does the first, then a roll about where that leads. A second vector along its first says nothing. Near opposite directions the axis of the smallest rotation is in the rounding, and bases are used instead.</remarks>
+    public static Quaternion Frame(Vector3 from, Vector3 fromSide, Vector3 to, Vector3 toSide)
+    {
+        if (!(1f + Vec.Dot(from, to) > NearlyOpposite))
+        {
+            return BasisToBasis(from, fromSide, to, toSide);
+        }
+
+        Quaternion swing = FromTo(from, to);
+        Vector3 now = Vec.Reject(Rotation.Rotate(swing, fromSide), to);
+        Vector3 wanted = Vec.Reject(toSide, to);
+        double nowSquared = Vec.LengthSquared(now);
+        double wantedSquared = Vec.LengthSquared(wanted);
+        if (!(wantedSquared > LeastSine * LeastSine * Vec.LengthSquared(toSide)) || !(nowSquared > LeastSine * LeastSine * Vec.LengthSquared(fromSide)))
+        {
+            return swing;
+        }
+
+        double inverse = 1 / Math.Sqrt(nowSquared * wantedSquared);
+        HalfAngle.Of(Vec.Dot(now, wanted) * inverse, Vec.Dot(Vec.Cross(now, wanted), to) * inverse, out double c, out double s);
+        return Rotation.Multiply(new Quaternion((float)(to.X * s), (float)(to.Y * s), (float)(to.Z * s), (float)c), swing);
+    }
+
+    /// <summary>The rotation at <paramref name="t"/> of the straight line between two unit quaternions, the shorter way.</summary>
+    public static Quaternion Nlerp(Quaternion a, Quaternion b, float t)
+    {
+        float dot = (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W);
+        float u = 1f - t;
+        float v = dot < 0f ? -t : t;
+        float x = (a.X * u) + (b.X * v);
+        float y = (a.Y * u) + (b.Y * v);
+        float z = (a.Z * u) + (b.Z * v);
+        float w = (a.W * u) + (b.W * v);
+        float scale = 1f / (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
+        return new Quaternion(x * scale, y * scale, z * scale, w * scale);
+    }
+
+    private static Quaternion BasisToBasis(Vector3 from, Vector3 fromSide, Vector3 to, Vector3 toSide)
+    {
+        Vector3 x = Across(fromSide, from, Vec.Perpendicular(from));
+        Vector3 y = Across(toSide, to, Across(fromSide, to, Vec.Perpendicular(to)));
+        Quaternion a = Rotation.FromBasis(x, from, Vec.Cross(x, from));
+        Quaternion b = Rotation.FromBasis(y, to, Vec.Cross(y, to));
+        return Rotation.Normalize(Rotation.Multiply(b, Rotation.Inverse(a)));
+    }
+
+    private static Vector3 Across(Vector3 v, Vector3 axis, Vector3 fallback)
+    {
+        Vector3 across = Vec.Reject(v, axis);
+        float squared = Vec.LengthSquared(across);
+        return squared > (float)(LeastSine * LeastSine) * Vec.LengthSquared(v) ? across / (float)Math.Sqrt(squared) : fallback;
+    }
+}
