@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.Drives;
 using CreatureGen.Animation.Events;
 using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Grounds;
@@ -7,6 +8,7 @@ using CreatureGen.Animation.RootMotion;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
+using CreatureGen.Seeding;
 
 namespace CreatureGen.Animation;
 
@@ -26,7 +28,10 @@ public sealed class CreatureAnimator
     private readonly Vector3[] modelPositions;
     private readonly EventQueue events;
     private readonly Locomotion.LeggedMotion? legs;
+    private readonly IBodyMotion? motion;
     private readonly SecondaryMotion secondary;
+    private readonly HeadAttention? attention;
+    private Vector3? lookAt;
     private LocomotionSettings settings = LocomotionSettings.Default;
 
     /// <summary>An animator for a creature, standing at the origin.</summary>
@@ -52,10 +57,12 @@ public sealed class CreatureAnimator
         events = new EventQueue(2 * feet * Locomotion.LeggedMotion.MostSteps);
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
-        if (profile.Legs != null)
-        {
-            legs = new Locomotion.LeggedMotion(profile.Legs, profile.Gaits!, events);
-        }
+        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, new Seed(profile.Creature.Blueprint.Seed).Child("glances"), profile.Creature.Mass.Mass);
+        legs = profile.Legs == null ? null : new Locomotion.LeggedMotion(profile.Legs, profile.Gaits!, events);
+        motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs)
+            : profile.Swim != null ? new SwimDrive(profile.Swim)
+            : profile.Slither != null ? new SlitherDrive(profile.Slither)
+            : legs;
     }
 
     /// <summary>What is known of the creature's way of going.</summary>
@@ -76,6 +83,22 @@ public sealed class CreatureAnimator
         }
     }
 
+    /// <summary>A point of the world that head and eyes are to look at; null for none: then it looks about while it stands.</summary>
+    /// <exception cref="ArgumentException">The point is not finite.</exception>
+    public Vector3? LookAt
+    {
+        get => lookAt;
+        set
+        {
+            if (value is Vector3 point)
+            {
+                Finite.Require(point, nameof(LookAt));
+            }
+
+            lookAt = value;
+        }
+    }
+
     /// <summary>The pose in the parents' space, as of the last update. It may be changed before it is used; the next update writes it anew.</summary>
     public Pose LocalPose => new(localRotations, localPositions);
 
@@ -92,13 +115,13 @@ public sealed class CreatureAnimator
     public int FootCount => legs?.FootCount ?? 0;
 
     /// <summary>Metres per second ahead at present.</summary>
-    public float Speed => (legs?.Speed ?? 0f) * Root.Scale;
+    public float Speed => (motion?.Speed ?? 0f) * Root.Scale;
 
     /// <summary>Place in the gait's cycle, 0..1.</summary>
-    public float Phase => legs?.Phase ?? 0f;
+    public float Phase => motion?.Phase ?? 0f;
 
     /// <summary>Cycles per second at present.</summary>
-    public float Frequency => legs?.Frequency ?? 0f;
+    public float Frequency => motion?.Frequency ?? 0f;
 
     /// <summary>How a foot is at present.</summary>
     /// <param name="foot">0 up to <see cref="FootCount"/>.</param>
@@ -125,9 +148,10 @@ public sealed class CreatureAnimator
         Finite.Require(input.Sideways, nameof(input.Sideways));
         Finite.Require(input.TurnRate, nameof(input.TurnRate));
         Finite.Require(input.ClimbRate, nameof(input.ClimbRate));
-        if (legs != null)
+        if (motion != null)
         {
-            Root = legs.Drive(Root, dt, input, settings, ground);
+            LocalPose.SetToRest(Profile.Creature.Skeleton);
+            Root = motion.Drive(Root, dt, input, settings, ground, LocalPose);
             Finish(dt);
         }
     }
@@ -142,15 +166,14 @@ public sealed class CreatureAnimator
     {
         Check(ref dt, ground);
         placement.Require(nameof(placement));
-        if (legs != null)
+        if (motion != null)
         {
-            Root = legs.Follow(Root, dt, placement, settings, ground);
-            Finish(dt);
+            LocalPose.SetToRest(Profile.Creature.Skeleton);
+            motion.Follow(Root, dt, placement, settings, ground, LocalPose);
         }
-        else
-        {
-            Root = placement;
-        }
+
+        Root = placement;
+        Finish(dt);
     }
 
     /// <summary>Puts the creature somewhere else, standing on its feet there as if it had always been.</summary>
@@ -166,12 +189,11 @@ public sealed class CreatureAnimator
         placement.Require(nameof(placement));
         Root = placement;
         events.Clear();
-        if (legs != null)
-        {
-            secondary.Reset();
-            legs.Stand(placement, settings, ground);
-            Finish(0f);
-        }
+        secondary.Reset();
+        attention?.Reset();
+        LocalPose.SetToRest(Profile.Creature.Skeleton);
+        motion?.Stand(placement, settings, ground, LocalPose);
+        Finish(0f);
     }
 
     /// <summary>Moves the origin of the world: everything that is remembered in it moves by the offset, and nothing else changes.</summary>
@@ -181,7 +203,7 @@ public sealed class CreatureAnimator
     {
         Finite.Require(offset, nameof(offset));
         Root = new RootPlace(Root.Position + offset, Root.Rotation, Root.Scale);
-        legs?.Rebase(offset);
+        motion?.Rebase(offset);
         secondary.Rebase(offset);
     }
 
@@ -204,8 +226,8 @@ public sealed class CreatureAnimator
 
     private void Finish(float dt)
     {
-        legs!.Pose(Root, dt, settings, LocalPose);
         ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
+        attention?.Update(lookAt, Root, motion?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
         secondary.Update(Root, Rotation.Rotate(Root.Rotation, Vector3.UnitY), dt, LocalPose, ModelPose);
     }
 }

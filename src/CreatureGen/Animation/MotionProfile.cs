@@ -1,6 +1,10 @@
 using System;
+using CreatureGen.Anatomy;
 using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Locomotion;
+using CreatureGen.Animation.Strokes.Flight;
+using CreatureGen.Animation.Strokes.Slithering;
+using CreatureGen.Animation.Strokes.Swimming;
 using CreatureGen.Creatures;
 
 namespace CreatureGen.Animation;
@@ -28,6 +32,20 @@ public sealed class MotionProfile
             Gaits = gaits ?? GaitChoice.For(Legs, LocomotionSettings.Default.Gravity);
         }
 
+        switch (creature.Blueprint.Kind)
+        {
+            case LocomotionKind.Flying:
+                Flight = FlightProfile.Of(creature);
+                break;
+            case LocomotionKind.Swimming:
+                Swim = SwimProfile.Of(creature);
+                break;
+            default:
+                Slither = Legs == null ? SlitherProfile.Of(creature) : null;
+                break;
+        }
+
+        Gaze = HasHead(creature) ? Aiming.GazeRig.Of(creature.Skeleton) : null;
         (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null && !Legs.HasAbdomen);
     }
 
@@ -40,6 +58,18 @@ public sealed class MotionProfile
     /// <summary>Length of its rearmost legs from hip to ground, metres; 0 without legs.</summary>
     public float LegLength => Legs?.LegLength ?? 0f;
 
+    /// <summary>How it flies; null when it does not.</summary>
+    internal FlightProfile? Flight { get; }
+
+    /// <summary>How it swims; null when it does not.</summary>
+    internal SwimProfile? Swim { get; }
+
+    /// <summary>How it crawls; null when it has legs.</summary>
+    internal SlitherProfile? Slither { get; }
+
+    /// <summary>Neck, head and eyes; null without a head.</summary>
+    internal Aiming.GazeRig? Gaze { get; }
+
     /// <summary>What swings by itself.</summary>
     internal Springs.SpringRig[] SpringRigs { get; }
 
@@ -48,4 +78,17 @@ public sealed class MotionProfile
 
     /// <summary>The body as its walk sees it; null without legs.</summary>
     internal LeggedBody? Legs { get; }
+
+    private static bool HasHead(Creature creature)
+    {
+        foreach (Rigging.Joint joint in creature.Skeleton.Joints)
+        {
+            if (joint.Role == Rigging.JointRole.Head)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
 }

@@ -10,7 +10,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Animation.Locomotion;
 
 /// <summary>Motion on legs: sequences the stages (travel, gait, feet, body, legs, head, arms and tail) and nothing else.</summary>
-internal sealed class LeggedMotion
+internal sealed class LeggedMotion : IBodyMotion
 {
     /// <summary>Seconds that an update counts at most.</summary>
     public const float LongestUpdate = 0.25f;
@@ -78,8 +78,15 @@ internal sealed class LeggedMotion
         return new FootReport(foot.Phase, body.Legs[leg].Ball, place.Position, place.Normal, down ? foot.Stance : foot.Swing, foot.Load, foot.Stretch, foot.Residual);
     }
 
+    /// <inheritdoc/>
+    public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        Stand(place, settings, ground);
+        Pose(place, 0f, settings, local);
+    }
+
     /// <summary>Puts all feet down at home.</summary>
-    public void Stand(in RootPlace placement, in LocomotionSettings settings, IGround ground)
+    private void Stand(in RootPlace placement, in LocomotionSettings settings, IGround ground)
     {
         travel = default;
         activity = 0f;
@@ -104,8 +111,22 @@ internal sealed class LeggedMotion
         }
     }
 
-    /// <summary>Goes as asked.</summary>
-    public RootPlace Drive(RootPlace placement, float dt, in MotionInput input, LocomotionSettings settings, IGround ground)
+    /// <inheritdoc/>
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        RootPlace next = Drive(place, dt, input, settings, ground);
+        Pose(next, dt, settings, local);
+        return next;
+    }
+
+    /// <inheritdoc/>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        Follow(place, dt, goal, settings, ground);
+        Pose(goal, dt, settings, local);
+    }
+
+    private RootPlace Drive(RootPlace placement, float dt, in MotionInput input, LocomotionSettings settings, IGround ground)
     {
         // From here on in metres of the model.
         float scale = placement.Scale;
@@ -117,6 +138,7 @@ internal sealed class LeggedMotion
         travel.GoalSideways = Scalar.Clamp(input.Sideways / scale, -back, back);
         travel.GoalTurn = input.TurnRate;
         travel.Rate = settings.SpeedResponse;
+        placement = planner.Carried(placement, ground, settings.Up);
         int steps = dt > 0f ? Math.Max(1, (int)Math.Ceiling((dt / LongestStep) - 1e-3f)) : 0;
         float h = steps > 0 ? dt / steps : 0f;
         float before = travel.Speed;
@@ -133,12 +155,12 @@ internal sealed class LeggedMotion
         return placement;
     }
 
-    /// <summary>Goes where it is put.</summary>
-    public RootPlace Follow(RootPlace placement, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground)
+    private void Follow(in RootPlace placement, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground)
     {
         settings.Gravity /= goal.Scale;
         settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
         Begin(goal, settings, ground);
+        planner.Carried(goal, ground, settings.Up);
         if (dt > 0f)
         {
             Vector3 way = placement.ToModel(goal.Position) / dt;
@@ -155,16 +177,13 @@ internal sealed class LeggedMotion
             placer.RootRaised(way.Y * dt);
             Step(goal, Math.Min(dt, LongestStep), 0f, settings, ground);
         }
-
-        return goal;
     }
 
     /// <summary>Writes the pose.</summary>
-    public void Pose(in RootPlace placement, float dt, LocomotionSettings settings, in Pose local)
+    private void Pose(in RootPlace placement, float dt, LocomotionSettings settings, in Pose local)
     {
         settings.Gravity /= placement.Scale;
         seconds += dt;
-        local.SetToRest(body.Skeleton);
         IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle);
         PoseFeet(placement, dt, settings);
         var context = new BodyContext(clock, travel, settings, dt, activity, idle, acceleration);
@@ -206,7 +225,17 @@ internal sealed class LeggedMotion
             clock.Phase = phase - Math.Floor(phase);
         }
 
-        planner.Advance(new StepContext(placement, travel, clock, settings, ground, h, left, activity, moving));
+        var step = new StepContext(placement, travel, clock, settings, ground, h, left, activity, moving);
+        planner.Advance(step);
+        for (int i = 0; i < planner.Feet.Length; i++)
+        {
+            // As last posed: a foot that was pulled away, by a push or a platform, steps at once. One of a pair at a time.
+            ref readonly Foot foot = ref planner.Feet[i];
+            if (foot.Phase == FootPhase.Stance && foot.Stretch > BreakStretch && foot.Stance < 0.8f)
+            {
+                planner.Release(i, step);
+            }
+        }
     }
 
     private void ChooseGait(float froude, bool going, in LocomotionSettings settings)

@@ -1,0 +1,67 @@
+using System.Numerics;
+using CreatureGen.Animation.Aiming;
+using CreatureGen.Animation.RootMotion;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Animation;
+
+/// <summary>Where head and eyes look: at what the game says, else about while the creature stands.</summary>
+internal sealed class HeadAttention
+{
+    /// <summary>Leg or body lengths per second above which nobody looks about.</summary>
+    private const float Still = 0.05f;
+
+    private readonly GazeRig rig;
+    private readonly Seed habits;
+    private readonly GazeSettings head;
+    private GazeState state;
+    private double seconds;
+
+    public HeadAttention(GazeRig rig, Seed habits, float mass)
+    {
+        this.rig = rig;
+        this.habits = habits;
+
+        // Big heads turn slowly: 10 s⁻¹ for a cat, 4 for a cow.
+        head = new GazeSettings((float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16));
+    }
+
+    /// <summary>Turns head and eyes.</summary>
+    /// <param name="target">A point in the world to look at; null for none.</param>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="speed">Metres per second.</param>
+    /// <param name="weight">A factor on looking about.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="local">The pose; head, neck and eyes are turned.</param>
+    /// <param name="model">The same in model space.</param>
+    public void Update(Vector3? target, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
+    {
+        seconds += dt;
+        GazeTarget wanted = GazeTarget.None;
+        if (target is Vector3 point)
+        {
+            wanted = GazeTarget.At(root.ToModel(point));
+        }
+        else if (weight > 0f && System.Math.Abs(speed) < Still)
+        {
+            var glances = new GlanceSettings(System.Math.Min(0.85f * weight, 1.2f), System.Math.Min(0.2f * weight, 0.5f), 2.2f);
+            wanted = GazeTarget.Towards(Glances.At(habits, seconds, glances));
+        }
+
+        if (wanted.Kind == GazeTargetKind.None && state.Weight == 0f)
+        {
+            return;
+        }
+
+        Gaze.Update(rig, ref state, head, wanted, dt, local, model);
+        if (rig.LeftEye >= 0 && rig.RightEye >= 0)
+        {
+            Eyes.Update(rig, ref state, EyeSettings.Default, wanted, dt, local, model);
+        }
+    }
+
+    /// <summary>Looks straight ahead again, at once.</summary>
+    public void Reset() => state = default;
+}
