@@ -178,11 +178,15 @@ public sealed class FlightMotionTests
             var body = new StrokeSubject(creature);
             FlightState state = FlightState.InAir(profile);
             FlightInput input = Level(profile) with { ClimbRate = 2 * profile.CruiseSpeed };
+            long told = 0;
             for (int i = 0; i < 20 * rate; i++)
             {
                 FlightMotion.Update(profile, input, ref state, 1f / rate, body.Local);
+                told += state.BeatsBegun;
+                Assert.InRange(state.SecondsSinceBeat, 0f, 1f / rate);
             }
 
+            Assert.Equal(state.Beats, told);
             counts.Add(state.Beats);
         }
 
@@ -228,6 +232,7 @@ public sealed class FlightMotionTests
             }
 
             Assert.True(state.WingSpread < 0.01f);
+            Assert.Equal(0f, state.Airborne);
             AssertFeetDown(body, profile, height);
         }
     }

@@ -26,6 +26,9 @@ internal static class FlightControl
     private const double LeapHeight = 1.2;
     private const double PlantingHeight = 0.4;
 
+    /// <summary>Spread below which a turn of the cycle is no beat.</summary>
+    private const double SpreadForBeat = 0.3;
+
     /// <summary>How much it hovers, 0..1, at so many times the speed of cruise.</summary>
     public static double Hover(double cruises) => 1 - Scalar.Smooth(Math.Abs(cruises) / HoverShare);
 
@@ -52,7 +55,7 @@ internal static class FlightControl
 
         double beats = profile.BeatFrequency * (1 + (0.22 * hover) + (0.15 * Math.Max(0, rise)) + (state.Phase == FlightPhase.Leaping ? 0.25 : 0));
         double advance = state.Frequency.Step(flying ? beats : 0, flying ? 2 * k : 4 * k, dt);
-        Beat(profile, state.Spread.Value, advance, ref state);
+        Beat(profile, state.Spread.Value, advance, dt, ref state);
         double width = 1 + (0.28 * hover) + (0.22 * Math.Max(0, rise)) + (state.Phase == FlightPhase.Leaping ? 0.25 : 0);
         state.Amplitude.Step(down ? 0 : width, 2 * k, dt);
         state.Effort.Step(effort, 1.5 * k, dt);
@@ -113,8 +116,10 @@ internal static class FlightControl
     }
 
     /// <summary>Runs the cycle on and counts the downstrokes. Folded wings wait at the top of the beat.</summary>
-    private static void Beat(FlightProfile profile, double spread, double beats, ref FlightState state)
+    private static void Beat(FlightProfile profile, double spread, double beats, double dt, ref FlightState state)
     {
+        state.BeatsBegun = 0;
+        state.SecondsSinceBeat = 0f;
         if (spread < 0.02 && state.Phase is FlightPhase.Grounded or FlightPhase.Crouching)
         {
             state.Cycle = 0;
@@ -124,9 +129,11 @@ internal static class FlightControl
         double before = state.Cycle * profile.BeatsPerCycle;
         double after = before + beats;
         long begun = (long)(Math.Floor(after) - Math.Floor(before));
-        if (begun > 0 && spread > 0.3)
+        if (begun > 0 && spread > SpreadForBeat)
         {
             state.Beats += begun;
+            state.BeatsBegun = (int)begun;
+            state.SecondsSinceBeat = (float)(dt * (after - Math.Floor(after)) / beats);
         }
 
         state.Cycle = after / profile.BeatsPerCycle;

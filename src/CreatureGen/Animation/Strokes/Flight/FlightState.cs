@@ -6,6 +6,8 @@ public struct FlightState
     /// <summary>Leg lengths above which height does not matter.</summary>
     internal const double HighEnough = 3;
 
+    private const double Settled = 1e-3;
+
     internal double Cycle;
     internal double Age;
     internal Smoothed Frequency;
@@ -28,11 +30,17 @@ public struct FlightState
     /// <summary>Downstrokes begun so far.</summary>
     public long Beats { get; internal set; }
 
+    /// <summary>How many of them began in the last update.</summary>
+    public int BeatsBegun { get; internal set; }
+
+    /// <summary>How long before the end of the last update the latest of those began, seconds; 0 when none did.</summary>
+    public float SecondsSinceBeat { get; internal set; }
+
     /// <summary>Beats per second at present.</summary>
     public readonly float BeatFrequency => (float)Frequency.Value;
 
     /// <summary>How far it is off the ground in its posture: 0 stands, 1 flies. Where it is 0, legs, neck and tail may be moved by a walk instead.</summary>
-    public readonly float Airborne => (float)Air.Value;
+    public readonly float Airborne => Phase == FlightPhase.Grounded && Air.Value < Settled ? 0f : (float)Air.Value;
 
     /// <summary>0 folded wings, 1 spread.</summary>
     public readonly float WingSpread => (float)Spread.Value;

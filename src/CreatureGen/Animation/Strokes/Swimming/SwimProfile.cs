@@ -14,11 +14,15 @@ public sealed class SwimProfile
     /// <summary>Share of a joint's range that the wave at its widest may take; the rest is for turns.</summary>
     private const double LimitShare = 0.84;
 
-    /// <summary>Bodies longer than so many widths swim like eels when their plan does not say how they swim.</summary>
-    private const double SlenderBody = 9;
+    /// <summary>Bones behind the chest from which on a body undulates as a whole: the rig gives such bodies more.</summary>
+    private const int WavingBones = 18;
 
-    /// <summary>Area of paired fins, in squared body lengths, above which such a body flies on them.</summary>
-    private const double LargeFins = 0.1;
+    /// <summary>Heights of the tail's end below which it is an upright fin.</summary>
+    private const double FinThinness = 0.45;
+
+    /// <summary>Heights of the tail's end above which it is a fluke if it is so wide, and its least width in body lengths.</summary>
+    private const double FlukeFlatness = 1.6;
+    private const double FlukeWidth = 0.15;
 
     private readonly SwimFin[] fins;
     private readonly MedianFin[] medianFins;
@@ -92,35 +96,57 @@ public sealed class SwimProfile
         return new SwimProfile(creature, chain, StyleOf(creature, chain));
     }
 
+    /// <summary>A level fluke beats up and down; two and more pairs of flippers without a fin on back or tail row; a body of many bones, or one without limbs, undulates as a whole; all others beat their tails.</summary>
     private static SwimStyle StyleOf(Creature creature, AxialChain chain)
     {
-        switch (creature.Blueprint.Plan)
-        {
-            case BodyPlan.Fish:
-                return SwimStyle.Carangiform;
-            case BodyPlan.Eel:
-            case BodyPlan.Legless:
-                return SwimStyle.Anguilliform;
-            case BodyPlan.Whale:
-                return SwimStyle.Cetacean;
-            case BodyPlan.Flipper:
-                return SwimStyle.Flippers;
-        }
-
-        double fins = 0;
+        int pairs = 0;
+        int legs = 0;
+        int upright = 0;
         foreach (LimbChain limb in creature.Limbs)
         {
-            if (limb.Kind == LimbKind.Pectoral)
+            pairs += limb.Kind == LimbKind.Pectoral && limb.Side == Side.Left ? 1 : 0;
+            legs += limb.Kind is LimbKind.Leg or LimbKind.Arm ? 1 : 0;
+            upright += limb.Kind == LimbKind.Dorsal ? 1 : 0;
+        }
+
+        int bones = 0;
+        bool crawls = false;
+        foreach (AxialBone bone in chain.Bones)
+        {
+            JointRole role = creature.Skeleton.Joints[bone.Turn.Joint].Role;
+            bones += role is JointRole.Spine or JointRole.Tail ? 1 : 0;
+            crawls |= role == JointRole.Pelvis && legs == 0;
+        }
+
+        TailEnd(creature, chain, out double width, out double height);
+        return width > FlukeFlatness * height && width > FlukeWidth * chain.Length ? SwimStyle.Cetacean
+            : pairs > 1 && upright == 0 && width > FinThinness * height ? SwimStyle.Flippers
+            : crawls || bones >= WavingBones ? SwimStyle.Anguilliform
+            : SwimStyle.Carangiform;
+    }
+
+    /// <summary>Width and height of the skin that the last two bones move.</summary>
+    private static void TailEnd(Creature creature, AxialChain chain, out double width, out double height)
+    {
+        int last = chain.Bones[chain.Count - 1].Turn.Joint;
+        int before = creature.Skeleton.Parents[last];
+        float side = 0f;
+        float top = float.MinValue;
+        float bottom = float.MaxValue;
+        for (int v = 0; v < creature.Mesh.Positions.Length; v++)
+        {
+            int joint = creature.Mesh.Weights[v].Joint0;
+            if (joint == last || joint == before)
             {
-                double span = Span(limb);
-                fins += 0.4 * span * span;
+                Vector3 p = creature.Mesh.Positions[v];
+                side = Math.Max(side, Math.Abs(p.X));
+                top = Math.Max(top, p.Y);
+                bottom = Math.Min(bottom, p.Y);
             }
         }
 
-        return creature.Blueprint.Tail.Style == TailStyle.Fluke ? SwimStyle.Cetacean
-            : fins > LargeFins * chain.Length * chain.Length ? SwimStyle.Flippers
-            : chain.Length > SlenderBody * 2 * creature.Body.Radius ? SwimStyle.Anguilliform
-            : SwimStyle.Carangiform;
+        width = 2 * side;
+        height = Math.Max(top - bottom, 0f);
     }
 
     /// <summary>Factor by which the wave has to narrow for all joints to stay within their limits.</summary>
@@ -166,17 +192,6 @@ public sealed class SwimProfile
         }
 
         return most;
-    }
-
-    private static double Span(LimbChain limb)
-    {
-        double span = 0;
-        foreach (float bone in limb.RestLengths)
-        {
-            span += bone;
-        }
-
-        return span;
     }
 
     private void Fitting(Creature creature, out SwimFin[] paired, out MedianFin[] median)
