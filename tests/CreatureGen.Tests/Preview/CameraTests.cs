@@ -104,6 +104,15 @@ public sealed class CameraTests
     }
 
     [Fact]
+    public void A_long_thin_thing_seen_along_its_length_does_not_reach_into_the_lens()
+    {
+        Vector3[] points = [new(-0.1f, 0, 0), new(0.1f, 0.1f, -8), new(0, -0.1f, -3)];
+        Camera camera = Camera.Fit(new CameraAngle(0, 0), points, 1f);
+        Assert.Equal(2f, points.Min(p => camera.Project(p, 100, 100).Z), 1e-4f);
+        Assert.All(points, p => Assert.InRange(camera.Project(p, 100, 100).X, 7f, 93f));
+    }
+
+    [Fact]
     public void Points_in_one_line_of_sight_or_one_point_alone_are_seen()
     {
         foreach (Vector3[] points in new[] { new[] { Vector3.One }, [Vector3.Zero, new Vector3(0, 0, 3)], [Vector3.Zero, Vector3.Zero] })

@@ -85,7 +85,7 @@ internal static class TestMeshes
             mesh.Colours.ToArray(),
             triangles,
             mesh.Parts,
-            mesh.Gloss.ToArray());
+            mesh.Gloss.Length == 0 ? null : mesh.Gloss.ToArray());
     }
 
     /// <summary>The surface, larger or smaller about the origin.</summary>
@@ -95,7 +95,7 @@ internal static class TestMeshes
         mesh.Colours.ToArray(),
         mesh.Triangles.ToArray(),
         mesh.Parts,
-        mesh.Gloss.ToArray());
+        mesh.Gloss.Length == 0 ? null : mesh.Gloss.ToArray());
 
     /// <summary>The byte of linear light by the definition of sRGB (IEC 61966-2-1).</summary>
     public static byte Srgb(double linear)
