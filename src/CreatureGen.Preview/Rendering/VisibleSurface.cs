@@ -14,6 +14,9 @@ internal sealed class VisibleSurface
     private const float OneSurfaceCosine = 0.9f;
     private const float OneSurfacePixels = 6f;
 
+    // Nor are they where the colours of their corners change hard, as around a pupil: more than this, linear, in any channel.
+    private const float OneSurfaceColour = 0.02f;
+
     private readonly RenderMesh mesh;
     private readonly Camera camera;
     private readonly ShadingMode shading;
@@ -207,7 +210,8 @@ internal sealed class VisibleSurface
             float cosine = (main.NormalX * other.NormalX) + (main.NormalY * other.NormalY) + (main.NormalZ * other.NormalZ);
             if (cosine > OneSurfaceCosine
                 && Math.Abs(other.Depth - main.Depth) < limit
-                && Triangles[main.Triangle].Part == Triangles[other.Triangle].Part)
+                && Triangles[main.Triangle].Part == Triangles[other.Triangle].Part
+                && IsSameColour(in main, in other))
             {
                 main.Mask |= other.Mask;
             }
@@ -218,6 +222,20 @@ internal sealed class VisibleSurface
         }
 
         scratch.Count = kept;
+    }
+
+    private bool IsSameColour(in Fragment a, in Fragment b)
+    {
+        Vector3 difference = ColourAt(in a) - ColourAt(in b);
+        return Math.Max(Math.Abs(difference.X), Math.Max(Math.Abs(difference.Y), Math.Abs(difference.Z))) <= OneSurfaceColour;
+    }
+
+    private Vector3 ColourAt(in Fragment fragment)
+    {
+        int source = Triangles[fragment.Triangle].Source;
+        return (mesh.Colours[mesh.Triangles[source]] * (1f - fragment.B - fragment.C))
+            + (mesh.Colours[mesh.Triangles[source + 1]] * fragment.B)
+            + (mesh.Colours[mesh.Triangles[source + 2]] * fragment.C);
     }
 
     /// <summary>What one thread needs.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Rigging;
@@ -30,7 +31,7 @@ public sealed class RenderMesh
     /// <param name="texcoords">Texture coordinates, origin at the top left of the texture; null when there is no texture.</param>
     /// <param name="texture">Colours that <paramref name="colours"/> are multiplied with; null for none.</param>
     /// <param name="normalMap">Normals in tangent space, as glTF has them; null for none.</param>
-    /// <exception cref="ArgumentException">Arrays differ in length, a position or normal is not finite, an index is out of range, or the parts do not cover the triangles.</exception>
+    /// <exception cref="ArgumentException">Arrays differ in length, a number is not finite, an index is out of range, or the parts do not cover the triangles.</exception>
     public RenderMesh(
         Vector3[] positions,
         Vector3[] normals,
@@ -66,6 +67,8 @@ public sealed class RenderMesh
         CheckFinite(positions, nameof(positions));
         CheckFinite(normals, nameof(normals));
         CheckFinite(colours, nameof(colours));
+        CheckFinite(this.gloss, nameof(gloss));
+        CheckFinite(MemoryMarshal.Cast<Vector2, float>(this.texcoords), nameof(texcoords));
         CheckTriangles();
         Bounds = positions.Length == 0 ? default : BoundingBox.Of(positions);
     }
@@ -174,6 +177,17 @@ public sealed class RenderMesh
             if (!float.IsFinite(v.X) || !float.IsFinite(v.Y) || !float.IsFinite(v.Z))
             {
                 throw new ArgumentException(FormattableString.Invariant($"{name}[{i}] = {v}; expected finite numbers"), name);
+            }
+        }
+    }
+
+    private static void CheckFinite(ReadOnlySpan<float> values, string name)
+    {
+        foreach (float value in values)
+        {
+            if (!float.IsFinite(value))
+            {
+                throw new ArgumentException(FormattableString.Invariant($"{value} among the {name}; expected finite numbers"), name);
             }
         }
     }

@@ -27,7 +27,8 @@ public static class Views
     private static readonly string[] Words = ["three-quarter", "side", "front", "back", "top"];
 
     /// <summary>The word for a view: <c>three-quarter</c>, <c>side</c>, <c>front</c>, <c>back</c> or <c>top</c>.</summary>
-    public static string Word(View view) => Words[(int)view];
+    /// <exception cref="ArgumentOutOfRangeException">It is none of the named views.</exception>
+    public static string Word(View view) => (uint)view < (uint)Words.Length ? Words[(int)view] : throw Unknown(view);
 
     /// <summary>Finds the view with the given word, exactly as <see cref="Word"/> gives it.</summary>
     /// <returns>Whether there is one.</returns>
@@ -39,6 +40,7 @@ public static class Views
     }
 
     /// <summary>From where a view looks.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is none of the named views.</exception>
     public static CameraAngle Angle(View view) => view switch
     {
         View.ThreeQuarter => new CameraAngle(38, 14),
@@ -46,6 +48,8 @@ public static class Views
         View.Front => new CameraAngle(0, 6),
         View.Back => new CameraAngle(180, 6),
         View.Top => new CameraAngle(0, 90),
-        _ => throw new ArgumentOutOfRangeException(nameof(view), view, "expected one of the named views"),
+        _ => throw Unknown(view),
     };
+
+    private static ArgumentOutOfRangeException Unknown(View view) => new(nameof(view), view, "expected one of the named views");
 }
