@@ -116,7 +116,7 @@ public sealed record EarBlueprint(SocketBlueprint Socket, double Length, double 
 /// <param name="BendUp">Displacement of the tip up, in lengths.</param>
 /// <param name="BendForward">Displacement of the tip to the front, in lengths.</param>
 /// <param name="BendSide">Displacement of the tip to the side, in lengths.</param>
-/// <param name="Flatness">Thickness across relative to thickness along the body.</param>
+/// <param name="Flatness">Thickness across relative to thickness along the body; of a feeler or a lure, the size of its knob.</param>
 /// <param name="Taper">Exponent of the radius along the part: below 1 blunt, 1 a cone.</param>
 public sealed record FeatureBlueprint(
     FeatureKind Kind,
@@ -142,7 +142,8 @@ public sealed record FeatureBlueprint(
 /// <param name="Style">Its outline.</param>
 /// <param name="Size">Half height of an upright fin or half width of a level one, metres at scale 1.</param>
 /// <param name="Fork">Depth of the fork; negative makes a rounded end.</param>
-public sealed record TailBlueprint(TailStyle Style, double Size, double Fork)
+/// <param name="Lobe">How much higher the upper half of an upright fin is than the lower one, as a share of its size; negative when it is lower.</param>
+public sealed record TailBlueprint(TailStyle Style, double Size, double Fork, double Lobe = 0)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, LimbFields.Tail);

@@ -15,6 +15,9 @@ internal static class BodyShaper
     /// <summary>Share of the distance between two rings that a bend may take up on its inner side: below 1 rings never cross.</summary>
     private const double BendLimit = 0.75;
 
+    /// <summary>Exponents below this make sections with sharp edges.</summary>
+    private const double Edged = 1.5;
+
     private const int HeadRings = 16;
     private const int TailRing = 44;
 
@@ -46,6 +49,7 @@ internal static class BodyShaper
         Interpolate(stations.Bottom, bottom);
         ApplyLattice(body, arc, step, width, top, bottom);
         ApplyDepth(body.Proportions, width, top, bottom);
+        Divide(body.Annuli, width, top, bottom);
         ShapeTail(tail, width, top, bottom);
 
         for (int i = 0; i < BodyGrid.Rings; i++)
@@ -137,6 +141,19 @@ internal static class BodyShaper
         }
     }
 
+    /// <summary>Rings like those of an abdomen: every third ring of the grid swells, the one before it is drawn in.</summary>
+    private static void Divide(AnnuliBlueprint annuli, double[] width, double[] top, double[] bottom)
+    {
+        for (int i = annuli.Ring; annuli.Depth > 0 && i < BodyGrid.Rings - 2; i++)
+        {
+            int phase = (i - annuli.Ring) % 3;
+            double factor = phase == 0 ? 1 + (0.7 * annuli.Depth) : phase == 1 ? 1 : 1 - annuli.Depth;
+            width[i] *= factor;
+            top[i] *= factor;
+            bottom[i] *= factor;
+        }
+    }
+
     private static void ShapeTail(TailBlueprint tail, double[] width, double[] top, double[] bottom)
     {
         const int Start = 46;
@@ -152,8 +169,8 @@ internal static class BodyShaper
                 {
                     double q = Scalar.Smooth((i - 47) / 7.0);
                     double flare = tail.Size * PortableMath.Pow(q, 1.3);
-                    top[i] = Math.Max(0.03, (top0 * (1 - q)) + flare);
-                    bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (0.95 * flare));
+                    top[i] = Math.Max(0.03, (top0 * (1 - q)) + (flare * (1 + tail.Lobe)));
+                    bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (0.95 * flare * (1 - tail.Lobe)));
                     width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
                 }
 
@@ -305,8 +322,11 @@ internal static class BodyShaper
                 top = bottom = finned && i >= 46 ? 1.7 : 2;
             }
 
-            shape.TopExponent[i] = top;
-            shape.BottomExponent[i] = bottom;
+            // A body that is thin at its edges thins out from the muzzle on; its tail is round again.
+            double thin = i < HeadRings ? Scalar.Smooth((i - 2) / 9.0) : i >= TailRing ? 0 : 1;
+            double edge = Scalar.Smooth((i - 38) / 8.0);
+            shape.TopExponent[i] = stations.TopExponent < Edged ? Scalar.Lerp(Scalar.Lerp(1.8, stations.TopExponent, thin), 1.7, edge) : top;
+            shape.BottomExponent[i] = stations.BottomExponent < Edged ? Scalar.Lerp(Scalar.Lerp(1.8, stations.BottomExponent, thin), 1.7, edge) : bottom;
         }
     }
 

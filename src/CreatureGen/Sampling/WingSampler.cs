@@ -11,11 +11,25 @@ namespace CreatureGen.Sampling;
 /// <summary>Gives fliers their wings where the attachment rules put them.</summary>
 internal static class WingSampler
 {
+    /// <summary>Adds thin wings of a species' own.</summary>
+    public static void AddThin(CreatureDraft draft, ThinWing[] wings)
+    {
+        RandomStream random = draft.Stream("thin wings");
+        double size = random.Uniform(0.9, 1.1);
+        double breadth = random.Uniform(0.92, 1.08);
+        double rise = random.Uniform(-1, 1);
+        foreach (ThinWing wing in wings)
+        {
+            double elevation = wing.Elevation + (wing.Azimuth < -60 ? 0 : 6 * rise);
+            draft.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.5, wing.Length * size, wing.Width * size * breadth, Scalar.Radians(wing.Azimuth), Scalar.Radians(elevation)));
+        }
+    }
+
     /// <summary>Adds the wings of a placement to the draft.</summary>
     public static void Add(CreatureDraft draft, FlyingPlacement placement)
     {
         RandomStream random = draft.Stream("wings");
-        bool bat = draft.Family.Body == "avian" ? random.Chance(0.12) : random.Chance(0.72);
+        bool bat = draft.Species.Family == "avian" ? random.Chance(0.12) : random.Chance(0.72);
         double rise = random.Uniform(0.42, 0.75);
         double sweep = random.Uniform(0.05, 0.25);
         foreach (WingPlacement wing in placement.Wings)
