@@ -48,13 +48,13 @@ public sealed record LegBlueprint(
     public override string ToString() => RecordJson.LineOf(this, LimbFields.Leg);
 }
 
-/// <summary>A pair of stitched wings, spread at rest.</summary>
-/// <param name="Style">Membrane or feathers.</param>
-/// <param name="Socket">Where it grows.</param>
-/// <param name="Span">Length of one wing, metres at scale 1.</param>
-/// <param name="Chord">Greatest depth, metres at scale 1.</param>
-/// <param name="Rise">How high the wing is raised, relative to the span.</param>
-/// <param name="Sweep">How far the tip lies back, relative to the span.</param>
+/// <summary>A pair of stitched wings, spread at rest or folded along the flanks.</summary>
+/// <param name="Style">Membrane or feathers, or feathers folded.</param>
+/// <param name="Socket">Where it grows; of a folded wing its first segment is the height of the upper edge.</param>
+/// <param name="Span">Length of one wing, metres at scale 1; of a folded one along the body.</param>
+/// <param name="Chord">Greatest depth, metres at scale 1; not used when folded, it follows the body.</param>
+/// <param name="Rise">How high the wing is raised, relative to the span; how far it stands off the body when folded.</param>
+/// <param name="Sweep">How far the tip lies back, relative to the span; not used when folded.</param>
 public sealed record WingBlueprint(WingStyle Style, SocketBlueprint Socket, double Span, double Chord, double Rise, double Sweep)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>

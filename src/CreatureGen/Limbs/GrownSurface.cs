@@ -68,7 +68,7 @@ internal sealed class GrownSurface
 
         foreach (WingBlueprint wing in blueprint.Wings)
         {
-            Take(WingGrower.Grow(body, wing, appendages.Count), wing.Socket);
+            Take(wing.Style == WingStyle.Folded ? FoldedWingGrower.Grow(body, wing, appendages.Count) : WingGrower.Grow(body, wing, appendages.Count), wing.Socket);
         }
 
         foreach (FinBlueprint fin in blueprint.Fins)

@@ -93,7 +93,7 @@ internal static class CoatSampler
             Belly = Of(known.Belly) ?? Colour(Math.Min(0.92, lightness + 0.18), chroma * 0.5, hue + 8),
             Limb = Of(known.Limb) ?? Colour(Math.Max(0.18, lightness - 0.17), chroma * 0.7, hue - 6),
             Pattern = Of(known.Pattern) ?? Colour(Math.Max(0.17, lightness - 0.26), chroma * 0.8, hue - 10),
-            Accent = Of(known.Accent) ?? coat.Accent,
+            Accent = Of(known.Accent) ?? (known.KeepsAccent ? coat.Accent : Colour(Math.Max(0.2, lightness - 0.1), chroma * 1.15, hue + 8)),
             Muzzle = Of(known.Muzzle) ?? coat.Muzzle,
             PatternKind = known.Kind ?? coat.PatternKind,
             PatternScale = coat.PatternScale * known.Scale,

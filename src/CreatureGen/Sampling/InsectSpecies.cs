@@ -214,7 +214,7 @@ internal static class InsectSpecies
             Legs = new LegKit { Sites = Sixth(0.45, -0.05, -0.6), Reach = (0.18, 0.22), Height = (0.16, 0.22), Thickness = 0.024 },
             Wings = new ThinWings { Spread = new[] { new ThinWing(26, 0.95, 0.55, 22, 45), new ThinWing(30, 0.70, 0.50, -34, 42) } },
             Parts = new[] { SmallJaws(), new PartSlot(new PartChoice(1, Part(Feeler(6, 2.6, 0.5, 0.011, 0.4, 0.85, 0.7, 0, 0, 1.2), 0.9, 1.1))) },
-            Colourings = new[] { new Colouring(new Tint(0.30, 0.03, 60)) { Kind = PatternKind.Plain }, new Colouring(new Tint(0.22, 0.02, 270)) { Kind = PatternKind.Plain } },
+            Colourings = new[] { new Colouring(new Tint(0.30, 0.03, 60)) { Kind = PatternKind.Plain, KeepsAccent = true }, new Colouring(new Tint(0.22, 0.02, 270)) { Kind = PatternKind.Plain, KeepsAccent = true } },
         },
         insect with
         {

@@ -100,6 +100,11 @@ internal static class LegSampler
             WingSampler.AddThin(draft, wings.Folded);
         }
 
+        if (draft.Species.Family == "avian" && draft.Plan == BodyPlan.Theropod && placement.Arms is null)
+        {
+            WingSampler.AddFolded(draft);
+        }
+
         draft.Legs.Sort((a, b) => a.Socket.Ring.CompareTo(b.Socket.Ring));
         return null;
 
@@ -166,6 +171,13 @@ internal static class LegSampler
         {
             // Few legs all grow from the thorax.
             anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).FindAll(site => site.Ring <= ThoraxEnd) };
+        }
+
+        if (draft.Species.Bird is BirdKit own)
+        {
+            double thigh = CreatureDraft.Between(draft.Stream("thigh"), own.Thigh);
+            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).ConvertAll(site => site with { Archetype = LimbArchetype.Bird, Girth = thigh }) };
+            style = OwnLegs.StyleOf(draft, style, own);
         }
 
         anatomy = anatomy with { Size = anatomy.Size with { Toes = insect ? 0 : style.Toes } };

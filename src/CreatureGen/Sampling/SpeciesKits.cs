@@ -257,6 +257,9 @@ internal sealed record Colouring(Tint Base)
 
     public Tint? Accent { get; init; }
 
+    /// <summary>Whether an accent that is not set is drawn freely instead of following from the base.</summary>
+    public bool KeepsAccent { get; init; }
+
     public Tint? Belly { get; init; }
 
     public Tint? Muzzle { get; init; }
