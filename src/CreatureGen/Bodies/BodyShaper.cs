@@ -18,6 +18,9 @@ internal static class BodyShaper
     /// <summary>Exponents below this make sections with sharp edges.</summary>
     private const double Edged = 1.5;
 
+    /// <summary>Metres that the outline of a tail's fan or fin lies off its ring, along the spine: a bend must leave room for it.</summary>
+    private const double TailOutline = 0.16;
+
     private const int HeadRings = 16;
     private const int TailRing = 44;
 
@@ -58,7 +61,7 @@ internal static class BodyShaper
         }
 
         Smooth(pitch);
-        LimitCurvature(pitch, step, top, bottom);
+        LimitCurvature(pitch, step, top, bottom, tail.Style == TailStyle.Plain ? 0 : TailOutline);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             pitch[i] *= 1 - Lying(plan, i);
@@ -190,8 +193,8 @@ internal static class BodyShaper
                 {
                     double q = Scalar.Smooth((i - 45) / 8.0);
                     width[i] = (width[i] * (1 - q)) + (tail.Size * PortableMath.Pow(q, 0.8));
-                    top[i] = (top[i] * (1 - q)) + (0.012 * q);
-                    bottom[i] = (bottom[i] * (1 - q)) + (0.012 * q);
+                    top[i] = (top[i] * (1 - q)) + (0.017 * q);
+                    bottom[i] = (bottom[i] * (1 - q)) + (0.017 * q);
                 }
 
                 break;
@@ -218,7 +221,7 @@ internal static class BodyShaper
     /// Spreads bends that are too sharp for the thickness of the body over their neighbours, so that rings never cross on the inner side of a bend.
     /// The anchor ring keeps its pitch.
     /// </summary>
-    private static void LimitCurvature(double[] pitch, ReadOnlySpan<double> step, double[] top, double[] bottom)
+    private static void LimitCurvature(double[] pitch, ReadOnlySpan<double> step, double[] top, double[] bottom, double tailReach)
     {
         const int Rounds = 60;
         const double Settled = 1e-4;
@@ -236,7 +239,7 @@ internal static class BodyShaper
             double worst = 0;
             for (int i = 1; i <= last; i++)
             {
-                double inner = bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]);
+                double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > TailRing ? tailReach : 0);
                 double limit = BendLimit * step[i] / inner;
                 clamped[i] = Scalar.Clamp(bend[i], -limit, limit);
                 worst = Math.Max(worst, Math.Abs(clamped[i] - bend[i]));
@@ -268,7 +271,7 @@ internal static class BodyShaper
         pitch[0] = 0;
         for (int i = 1; i <= last; i++)
         {
-            double inner = bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]);
+            double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > TailRing ? tailReach : 0);
             double limit = BendLimit * step[i] / inner;
             pitch[i] = pitch[i - 1] + Scalar.Clamp(bend[i], -limit, limit);
         }

@@ -187,11 +187,13 @@ internal sealed class BodySkin
                 double height = Math.Abs(y) / Math.Max(shape.Top[ring], 1e-3);
                 return (float)(-Scalar.Smooth((ring - 46) / 8.0) * fork * 0.16 * PortableMath.Pow(height, 1.6));
             case TailStyle.Fluke:
-                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.03 - (0.13 * tail.Fork * PortableMath.Pow(across, 1.5))));
+                double lobes = Math.Min(tail.Fork, 27 * tailStep);
+                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.03 - (0.13 * lobes * PortableMath.Pow(across, 1.5))));
             case TailStyle.Feathers:
                 double q = Scalar.Smooth((ring - 46) / 8.0);
                 double edge = Math.Min(1, across);
-                return (float)((-q * 0.10 * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5)));
+                double quill = Math.Min(1, tailStep / 0.055);
+                return (float)(quill * ((-q * 0.10 * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5))));
             default:
                 return 0f;
         }

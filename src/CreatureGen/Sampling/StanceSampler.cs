@@ -12,6 +12,9 @@ internal static class StanceSampler
 {
     private const int Attempts = 12;
 
+    /// <summary>Metres by which the feathers of a lowered tail reach below its spine.</summary>
+    private const double FanDrop = 0.06;
+
     /// <summary>Radians by which a low head or tail is raised at a time.</summary>
     private static readonly double lift = Scalar.Radians(7);
 
@@ -143,7 +146,7 @@ internal static class StanceSampler
         BodyPosture p = draft.Posture;
         double torso = draft.TorsoLength;
         bool crawls = draft.Plan is BodyPlan.Legless or BodyPlan.Hexapod || draft.Species.Legs != null;
-        double tailGap = crawls ? double.NegativeInfinity : 0.03 * torso;
+        double tailGap = crawls ? double.NegativeInfinity : (0.03 * torso) + (draft.Tail.Style == TailStyle.Feathers ? FanDrop : 0);
         double headGap = crawls ? 0.01 : 0.06 * torso;
         double tail = p.Tail;
         double neck = p.Neck;

@@ -116,7 +116,7 @@ internal static class SwimmerSpecies
             Eye = (9.0, 5.6), EyeSize = 0.30,
             MouthCorner = 7, Teeth = 0, HeadOrnament = (0, 0), Mood = 0.1,
             MouthOpenings = Openings((0, 1), (0.08, 0.6)),
-            WalkingPlans = Only(BodyPlan.Columnar),
+            WalkingPlans = Only(BodyPlan.Sprawling),
             SwimmingPlans = Only(BodyPlan.Flipper),
             Fins = new FinKit
             {
@@ -259,7 +259,7 @@ internal static class SwimmerSpecies
         var rows = new System.Collections.Generic.List<PartKit>();
         for (int ring = 18; ring < 52; ring += 2)
         {
-            double size = ring < 26 ? 0.035 : ring < 44 ? 0.045 : 0.04;
+            double size = ring < 26 ? 0.026 : ring < 44 ? 0.034 : 0.03;
             rows.Add(Scute(ring, ring < 44 ? 1.3 : 1.0, size));
             if (ring < 44)
             {
@@ -271,7 +271,7 @@ internal static class SwimmerSpecies
     }
 
     private static PartKit Scute(double ring, double segment, double size) =>
-        new(new FeatureBlueprint(FeatureKind.Scute, ring, segment, size, size * 0.55, 0.9, 0, -0.45, 0, 0, 0, 0, 0.7, 1), 0.85, 1.15);
+        new(new FeatureBlueprint(FeatureKind.Scute, ring, segment, size, size * 0.95, 0.9, 0, -0.5, 0, 0, 0, 0, 0.75, 0.8), 0.85, 1.15);
 
     private static PartKit[] Gills()
     {
