@@ -11,7 +11,7 @@ internal static class FamilyProfiles
     {
         new("canine")
         {
-            Frequency = (1, 0.4, 0.4),
+            Frequency = (1, 0.4, 0.16),
             Partners = new[] { "feline", "bovine", "reptile", "avian" },
             WalkingPlans = Plans((BodyPlan.Digitigrade, 0.8), (BodyPlan.Upright, 0.15), (BodyPlan.Centaur, 0.05)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
@@ -44,7 +44,7 @@ internal static class FamilyProfiles
         },
         new("reptile")
         {
-            Frequency = (1, 0.8, 1),
+            Frequency = (0.6, 0.8, 0.3),
             Partners = new[] { "amphibian", "serpent", "canine", "avian" },
             WalkingPlans = Plans((BodyPlan.Sprawling, 0.45), (BodyPlan.Theropod, 0.33), (BodyPlan.Plantigrade, 0.22)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.65), (BodyPlan.Fish, 0.2), (BodyPlan.Whale, 0.15)),
@@ -55,7 +55,7 @@ internal static class FamilyProfiles
         },
         new("avian")
         {
-            Frequency = (1.1, 1.4, 0),
+            Frequency = (0.2, 0.25, 0),
             Partners = new[] { "reptile", "feline", "canine", "fish" },
             WalkingPlans = Plans((BodyPlan.Theropod, 1)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 1)),
@@ -66,7 +66,7 @@ internal static class FamilyProfiles
         },
         new("fish")
         {
-            Frequency = (0.2, 0.15, 2.2),
+            Frequency = (0.2, 0.15, 1.5),
             Partners = new[] { "serpent", "amphibian", "reptile", "avian" },
             WalkingPlans = Plans((BodyPlan.Theropod, 0.4), (BodyPlan.Sprawling, 0.6)),
             SwimmingPlans = Plans((BodyPlan.Fish, 0.82), (BodyPlan.Whale, 0.18)),
@@ -88,7 +88,7 @@ internal static class FamilyProfiles
         },
         new("serpent")
         {
-            Frequency = (0.5, 0.4, 0.55),
+            Frequency = (0.38, 0.4, 0.2),
             Partners = new[] { "reptile", "fish", "feline", "amphibian" },
             WalkingPlans = Plans((BodyPlan.ManyLegged, 0.42), (BodyPlan.Legless, 0.34), (BodyPlan.Sprawling, 0.24)),
             SwimmingPlans = Plans((BodyPlan.Eel, 0.75), (BodyPlan.Fish, 0.25)),
@@ -99,7 +99,7 @@ internal static class FamilyProfiles
         },
         new("amphibian")
         {
-            Frequency = (0.8, 0, 0.45),
+            Frequency = (0.4, 0, 0.15),
             Partners = new[] { "reptile", "fish", "bovine", "feline" },
             WalkingPlans = Plans((BodyPlan.Sprawling, 0.86), (BodyPlan.Plantigrade, 0.14)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.45), (BodyPlan.Whale, 0.3), (BodyPlan.Fish, 0.25)),
