@@ -37,7 +37,7 @@ public enum BodyPlan
     /// <summary>Two strong legs under a level trunk (tyrannosaur, ostrich).</summary>
     Theropod,
 
-    /// <summary>Three pairs of arched legs (beetle).</summary>
+    /// <summary>Three or four pairs of arched legs (beetle, spider).</summary>
     Hexapod,
 
     /// <summary>Three and more pairs of short legs along a long trunk.</summary>
@@ -103,6 +103,21 @@ public enum LimbArchetype
 
     /// <summary>Arm with a hand.</summary>
     Arm,
+
+    /// <summary>Slender leg of a bird.</summary>
+    Bird,
+
+    /// <summary>Folded grasping leg of a mantis.</summary>
+    Raptorial,
+
+    /// <summary>Hind leg of a grasshopper, its knee high above the back.</summary>
+    Jumper,
+
+    /// <summary>Folded hind leg of a frog.</summary>
+    FrogHind,
+
+    /// <summary>Fore leg of a frog.</summary>
+    FrogFore,
 }
 
 /// <summary>What a leg does at rest.</summary>
@@ -123,6 +138,9 @@ public enum WingStyle
 
     /// <summary>Rows of feathers.</summary>
     Feathered,
+
+    /// <summary>Rows of feathers, folded back along the flank.</summary>
+    Folded,
 }
 
 /// <summary>Where a fin grows.</summary>
@@ -187,6 +205,9 @@ public enum EyeStyle
 
     /// <summary>Many facets, no pupil, no lids.</summary>
     Compound,
+
+    /// <summary>A black bead without iris or lids (spider).</summary>
+    Bead,
 }
 
 /// <summary>Small solid parts that sit on the skin.</summary>
@@ -209,6 +230,28 @@ public enum FeatureKind
 
     /// <summary>Soft tuft of hair or feathers.</summary>
     Tuft,
+
+    /// <summary>Horny scale that stands off the back.</summary>
+    Scute,
+
+    /// <summary>Feeler with a bright bulb at its end (angler fish).</summary>
+    Lure,
+
+    /// <summary>Further small black eye (spider).</summary>
+    Ocellus,
+}
+
+/// <summary>A hard cover over the back.</summary>
+public enum ShellStyle
+{
+    /// <summary>None.</summary>
+    None,
+
+    /// <summary>A domed carapace of plates with an overhanging rim (turtle).</summary>
+    Carapace,
+
+    /// <summary>Two smooth wing cases that meet along the midline (beetle).</summary>
+    Elytra,
 }
 
 /// <summary>Pattern of the coat.</summary>

@@ -43,7 +43,7 @@ internal sealed class BladeCoat
                 float rooted = Scalar.Smooth(place.Along * 1.3f);
                 return Vec.Lerp(colour, finColour, 0.85f * rooted) * Scalar.Lerp(1f, rays * margin, Scalar.Smooth(place.Along * 4f));
             case SurfaceRegion.Wing:
-                return place.Appendage >= 0 && place.Appendage < subject.WingStyles.Count && subject.WingStyles[place.Appendage] == WingStyle.Feathered
+                return place.Appendage >= 0 && place.Appendage < subject.WingStyles.Count && subject.WingStyles[place.Appendage] is WingStyle.Feathered or WingStyle.Folded
                     ? Feathers(colour, place)
                     : Membrane(colour, place);
             case SurfaceRegion.Ear:

@@ -22,6 +22,7 @@ internal sealed class CoatPainter
     private readonly HeadCoat head;
     private readonly BladeCoat blades;
     private readonly TailCoat tail;
+    private readonly ShellCoat shell;
     private readonly float strength;
     private readonly int salt;
 
@@ -36,6 +37,7 @@ internal sealed class CoatPainter
         head = new HeadCoat(palette, subject, coat);
         blades = new BladeCoat(palette, subject, coat.PatternSeed);
         tail = new TailCoat(palette, subject, coat.PatternSeed);
+        shell = new ShellCoat(subject.Shell, palette);
     }
 
     /// <summary>Paints all vertices of a surface.</summary>
@@ -95,7 +97,7 @@ internal sealed class CoatPainter
         Vector3 colour = Undercoat(place, patternShare);
         if (place.IsTrunk)
         {
-            return head.Over(tail.Over(colour, place), place);
+            return head.Over(shell.Over(tail.Over(colour, place), place), place);
         }
 
         return place.IsLimb ? Limb(colour, place) : blades.Over(colour, place);

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 
 namespace CreatureGen.Appearance;
@@ -30,6 +31,9 @@ internal sealed class CoatSubject
 
     /// <summary>Marking of the head; <see cref="HeadMarks.FromSeed"/> chooses one.</summary>
     public HeadMark Mark { get; set; }
+
+    /// <summary>Hard cover over the back.</summary>
+    public ShellBlueprint Shell { get; set; } = new(ShellStyle.None, 24, 20, 6, 0);
 
     /// <summary>End of the tail.</summary>
     public TailStyle Tail { get; set; }

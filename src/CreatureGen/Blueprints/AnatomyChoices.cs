@@ -40,7 +40,12 @@ internal static class AnatomyChoices
         (LimbArchetype.Sprawl, "sprawl"),
         (LimbArchetype.Theropod, "theropod"),
         (LimbArchetype.Insect, "insect"),
-        (LimbArchetype.Arm, "arm"));
+        (LimbArchetype.Arm, "arm"),
+        (LimbArchetype.Bird, "bird"),
+        (LimbArchetype.Raptorial, "raptorial"),
+        (LimbArchetype.Jumper, "jumper"),
+        (LimbArchetype.FrogHind, "frogHind"),
+        (LimbArchetype.FrogFore, "frogFore"));
 
     public static readonly ChoiceNames<LegStance> Stance = new(
         (LegStance.Standing, "standing"),
@@ -48,7 +53,8 @@ internal static class AnatomyChoices
 
     public static readonly ChoiceNames<WingStyle> Wing = new(
         (WingStyle.Bat, "bat"),
-        (WingStyle.Feathered, "feathered"));
+        (WingStyle.Feathered, "feathered"),
+        (WingStyle.Folded, "folded"));
 
     public static readonly ChoiceNames<FinPlace> FinPlace = new(
         (Anatomy.FinPlace.Dorsal, "dorsal"),
@@ -72,7 +78,8 @@ internal static class AnatomyChoices
     public static readonly ChoiceNames<EyeStyle> Eye = new(
         (EyeStyle.Round, "round"),
         (EyeStyle.Slit, "slit"),
-        (EyeStyle.Compound, "compound"));
+        (EyeStyle.Compound, "compound"),
+        (EyeStyle.Bead, "bead"));
 
     public static readonly ChoiceNames<FeatureKind> Feature = new(
         (FeatureKind.Horn, "horn"),
@@ -80,7 +87,15 @@ internal static class AnatomyChoices
         (FeatureKind.Antenna, "antenna"),
         (FeatureKind.Mandible, "mandible"),
         (FeatureKind.Tusk, "tusk"),
-        (FeatureKind.Tuft, "tuft"));
+        (FeatureKind.Tuft, "tuft"),
+        (FeatureKind.Scute, "scute"),
+        (FeatureKind.Lure, "lure"),
+        (FeatureKind.Ocellus, "ocellus"));
+
+    public static readonly ChoiceNames<ShellStyle> Shell = new(
+        (ShellStyle.None, "none"),
+        (ShellStyle.Carapace, "carapace"),
+        (ShellStyle.Elytra, "elytra"));
 
     public static readonly ChoiceNames<PatternKind> Pattern = new(
         (PatternKind.Plain, "plain"),

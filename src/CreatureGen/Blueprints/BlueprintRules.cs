@@ -19,6 +19,7 @@ internal static class BlueprintRules
     {
         CheckPlan(blueprint, problems);
         CheckHollows(blueprint.Head?.Bumps, problems);
+        CheckShell(blueprint.Body?.Shell, problems);
         CheckTail(blueprint.Tail, problems);
         CheckFins(blueprint.Fins, problems);
         CheckDirections(blueprint, problems);
@@ -108,6 +109,15 @@ internal static class BlueprintRules
         }
 
         return least;
+    }
+
+    private static void CheckShell(ShellBlueprint? shell, ProblemList problems)
+    {
+        const int last = BodyGrid.Rings - 2;
+        if (FieldChecker.Accepts(shell, BodyFields.Shell) && shell!.Style != ShellStyle.None && shell.Ring + shell.Rows > last)
+        {
+            problems.Add("body.shell", FormattableString.Invariant($"rings {shell.Ring}..{shell.Ring + shell.Rows}"), FormattableString.Invariant($"rings up to {last}"));
+        }
     }
 
     private static void CheckTail(TailBlueprint? tail, ProblemList problems)

@@ -1,3 +1,5 @@
+using CreatureGen.Anatomy;
+
 namespace CreatureGen.Blueprints;
 
 /// <summary>The trunk from nose to tail.</summary>
@@ -6,7 +8,18 @@ namespace CreatureGen.Blueprints;
 /// <param name="Posture">Angles added to the mixed body's spine.</param>
 /// <param name="Slices">The 11 slices of the 3 × 3 × 11 lattice, nose to tail.</param>
 /// <param name="Elevation">Height of the spine at the anchor ring above the ground, metres at scale 1.</param>
-public sealed record BodyBlueprint(BodyBlend Blend, BodyProportions Proportions, BodyPosture Posture, ValueList<LatticeSlice> Slices, double Elevation)
+/// <param name="Shell">Hard cover over the back.</param>
+/// <param name="Annuli">Rings that the rear of the body is divided into.</param>
+/// <param name="Disc">How the edges of a body as wide as a ray's lie.</param>
+public sealed record BodyBlueprint(
+    BodyBlend Blend,
+    BodyProportions Proportions,
+    BodyPosture Posture,
+    ValueList<LatticeSlice> Slices,
+    double Elevation,
+    ShellBlueprint Shell,
+    AnnuliBlueprint Annuli,
+    DiscBlueprint Disc)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, BodyFields.Body);
@@ -79,4 +92,34 @@ public sealed record LatticeSlice(double Width, double Height, double Length)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, BodyFields.Slice);
+}
+
+/// <summary>A hard cover over the back: the skin itself, swollen.</summary>
+/// <param name="Style">Its form; nothing else counts for none.</param>
+/// <param name="Ring">First ring.</param>
+/// <param name="Rows">Number of rings behind the first.</param>
+/// <param name="Columns">Number of segments down each side from the midline.</param>
+/// <param name="Rise">How far it stands off the body, relative to the body's section.</param>
+public sealed record ShellBlueprint(ShellStyle Style, int Ring, int Rows, int Columns, double Rise)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Shell);
+}
+
+/// <summary>Rings of a body that is divided like an insect's abdomen, three rings of the grid each, to the end of the tail.</summary>
+/// <param name="Ring">First ring.</param>
+/// <param name="Depth">How far the grooves go in, relative to the section; 0 for a smooth body.</param>
+public sealed record AnnuliBlueprint(int Ring, double Depth)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Annuli);
+}
+
+/// <summary>The edges of a body that is as wide as wings.</summary>
+/// <param name="Sweep">How far they lie back: metres at one metre from the midline, at scale 1.</param>
+/// <param name="Curl">How far they are raised: metres at one metre from the midline, at scale 1; negative when they hang.</param>
+public sealed record DiscBlueprint(double Sweep, double Curl)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Disc);
 }

@@ -70,14 +70,44 @@ internal static class BodyFields
             visit.Number("height", slice.Height, Factor),
             visit.Number("length", slice.Length, Factor)));
 
+    /// <summary>Hard cover over the back.</summary>
+    public static readonly RecordDescription<ShellBlueprint> Shell = new(
+        new ShellBlueprint(ShellStyle.None, 24, 20, 6, 0),
+        JsonLayout.Line,
+        (visit, shell) => new ShellBlueprint(
+            visit.Choice("style", shell.Style, AnatomyChoices.Shell),
+            visit.Whole("ring", shell.Ring, new WholeRange(16, 50)),
+            visit.Whole("rows", shell.Rows, new WholeRange(2, 36)),
+            visit.Whole("columns", shell.Columns, new WholeRange(2, 12)),
+            visit.Number("rise", shell.Rise, new NumberRange(0, 0.5))));
+
+    /// <summary>Rings of the rear of the body.</summary>
+    public static readonly RecordDescription<AnnuliBlueprint> Annuli = new(
+        new AnnuliBlueprint(41, 0),
+        JsonLayout.Line,
+        (visit, annuli) => new AnnuliBlueprint(
+            visit.Whole("ring", annuli.Ring, new WholeRange(16, 50)),
+            visit.Number("depth", annuli.Depth, new NumberRange(0, 0.3))));
+
+    /// <summary>Edges of a wide body.</summary>
+    public static readonly RecordDescription<DiscBlueprint> Disc = new(
+        new DiscBlueprint(0, 0),
+        JsonLayout.Line,
+        (visit, disc) => new DiscBlueprint(
+            visit.Number("sweep", disc.Sweep, new NumberRange(-1, 1)),
+            visit.Number("curl", disc.Curl, new NumberRange(-1, 1))));
+
     /// <summary>The trunk.</summary>
     public static readonly RecordDescription<BodyBlueprint> Body = new(
-        new BodyBlueprint(Blend.Neutral, Proportions.Neutral, Posture.Neutral, new ValueList<LatticeSlice>(Enumerable.Repeat(Slice.Neutral, SliceCount)), 0.5),
+        new BodyBlueprint(Blend.Neutral, Proportions.Neutral, Posture.Neutral, new ValueList<LatticeSlice>(Enumerable.Repeat(Slice.Neutral, SliceCount)), 0.5, Shell.Neutral, Annuli.Neutral, Disc.Neutral),
         JsonLayout.Indented,
         (visit, body) => new BodyBlueprint(
             visit.Record("blend", body.Blend, Blend),
             visit.Record("proportions", body.Proportions, Proportions),
             visit.Record("posture", body.Posture, Posture),
             visit.List("slices", body.Slices, new WholeRange(SliceCount, SliceCount), Slice),
-            visit.Number("elevation", body.Elevation, new NumberRange(0, 10))));
+            visit.Number("elevation", body.Elevation, new NumberRange(0, 10)),
+            visit.Record("shell", body.Shell, Shell),
+            visit.Record("annuli", body.Annuli, Annuli),
+            visit.Record("disc", body.Disc, Disc)));
 }

@@ -48,13 +48,13 @@ public sealed record LegBlueprint(
     public override string ToString() => RecordJson.LineOf(this, LimbFields.Leg);
 }
 
-/// <summary>A pair of stitched wings, spread at rest.</summary>
-/// <param name="Style">Membrane or feathers.</param>
-/// <param name="Socket">Where it grows.</param>
-/// <param name="Span">Length of one wing, metres at scale 1.</param>
-/// <param name="Chord">Greatest depth, metres at scale 1.</param>
-/// <param name="Rise">How high the wing is raised, relative to the span.</param>
-/// <param name="Sweep">How far the tip lies back, relative to the span.</param>
+/// <summary>A pair of stitched wings, spread at rest or folded along the flanks.</summary>
+/// <param name="Style">Membrane or feathers, or feathers folded.</param>
+/// <param name="Socket">Where it grows; of a folded wing its first segment is the height of the upper edge.</param>
+/// <param name="Span">Length of one wing, metres at scale 1; of a folded one along the body.</param>
+/// <param name="Chord">Greatest depth, metres at scale 1; not used when folded, it follows the body.</param>
+/// <param name="Rise">How high the wing is raised, relative to the span; how far it stands off the body when folded.</param>
+/// <param name="Sweep">How far the tip lies back, relative to the span; not used when folded.</param>
 public sealed record WingBlueprint(WingStyle Style, SocketBlueprint Socket, double Span, double Chord, double Rise, double Sweep)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
@@ -116,7 +116,7 @@ public sealed record EarBlueprint(SocketBlueprint Socket, double Length, double 
 /// <param name="BendUp">Displacement of the tip up, in lengths.</param>
 /// <param name="BendForward">Displacement of the tip to the front, in lengths.</param>
 /// <param name="BendSide">Displacement of the tip to the side, in lengths.</param>
-/// <param name="Flatness">Thickness across relative to thickness along the body.</param>
+/// <param name="Flatness">Thickness across relative to thickness along the body; of a feeler or a lure, the size of its knob.</param>
 /// <param name="Taper">Exponent of the radius along the part: below 1 blunt, 1 a cone.</param>
 public sealed record FeatureBlueprint(
     FeatureKind Kind,
@@ -142,7 +142,8 @@ public sealed record FeatureBlueprint(
 /// <param name="Style">Its outline.</param>
 /// <param name="Size">Half height of an upright fin or half width of a level one, metres at scale 1.</param>
 /// <param name="Fork">Depth of the fork; negative makes a rounded end.</param>
-public sealed record TailBlueprint(TailStyle Style, double Size, double Fork)
+/// <param name="Lobe">How much higher the upper half of an upright fin is than the lower one, as a share of its size; negative when it is lower.</param>
+public sealed record TailBlueprint(TailStyle Style, double Size, double Fork, double Lobe = 0)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, LimbFields.Tail);

@@ -118,5 +118,6 @@ internal static class LimbFields
         (visit, tail) => new TailBlueprint(
             visit.Choice("style", tail.Style, AnatomyChoices.Tail),
             visit.Number("size", tail.Size, new NumberRange(0, 3)),
-            visit.Number("fork", tail.Fork, new NumberRange(-4, 4))));
+            visit.Number("fork", tail.Fork, new NumberRange(-4, 4)),
+            visit.Number("lobe", tail.Lobe, new NumberRange(-0.8, 0.8))));
 }

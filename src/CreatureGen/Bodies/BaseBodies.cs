@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using CreatureGen.Anatomy;
 
 namespace CreatureGen.Bodies;
@@ -10,7 +11,7 @@ namespace CreatureGen.Bodies;
 internal sealed class BaseBody
 {
     /// <summary>Reads a table of length (mm from the station before), pitch (degrees), half width, top and bottom (mm), station by station.</summary>
-    public BaseBody(string name, double topExponent, double bottomExponent, params short[] table)
+    public BaseBody(string name, string family, double topExponent, double bottomExponent, params short[] table)
     {
         if (table.Length != 5 * BodyGrid.StationCount)
         {
@@ -18,6 +19,7 @@ internal sealed class BaseBody
         }
 
         Name = name;
+        Family = family;
         TopExponent = topExponent;
         BottomExponent = bottomExponent;
         for (int i = 0; i < BodyGrid.StationCount; i++)
@@ -27,11 +29,17 @@ internal sealed class BaseBody
             Width[i] = table[(5 * i) + 2] / 1000.0;
             Top[i] = table[(5 * i) + 3] / 1000.0;
             Bottom[i] = table[(5 * i) + 4] / 1000.0;
+            LogWidth[i] = Maths.PortableMath.Log(Width[i]);
+            LogTop[i] = Maths.PortableMath.Log(Top[i]);
+            LogBottom[i] = Maths.PortableMath.Log(Bottom[i]);
         }
     }
 
     /// <summary>Name used in blueprints.</summary>
     public string Name { get; }
+
+    /// <summary>The base body whose kin it is: its face, its skin and its habits. Of the nine base bodies their own name.</summary>
+    public string Family { get; }
 
     /// <summary>Superellipse exponent of the torso above the spine.</summary>
     public double TopExponent { get; }
@@ -53,52 +61,63 @@ internal sealed class BaseBody
 
     /// <summary>Depth below the spine, metres.</summary>
     public double[] Bottom { get; } = new double[BodyGrid.StationCount];
+
+    /// <summary>Natural logarithm of <see cref="Width"/>.</summary>
+    public double[] LogWidth { get; } = new double[BodyGrid.StationCount];
+
+    /// <summary>Natural logarithm of <see cref="Top"/>.</summary>
+    public double[] LogTop { get; } = new double[BodyGrid.StationCount];
+
+    /// <summary>Natural logarithm of <see cref="Bottom"/>.</summary>
+    public double[] LogBottom { get; } = new double[BodyGrid.StationCount];
 }
 
-/// <summary>The nine base bodies. A further species is a further table.</summary>
+/// <summary>The nine base bodies, and the species beside them. A further species is a further table.</summary>
 internal static class BaseBodies
 {
-    private static readonly BaseBody[] all =
+    private static readonly BaseBody[] families =
     {
-        new("canine", 2.1, 2.2,
+        new("canine", "canine", 2.1, 2.2,
             0, -16, 42, 36, 36, 30, -16, 64, 56, 54, 65, -16, 70, 58, 60, 65, -20, 86, 70, 70, 50, -24, 118, 122, 80, 80, -15, 142, 132, 100,
             100, 12, 105, 100, 105, 130, 60, 108, 110, 120, 140, 58, 135, 140, 170, 140, 26, 170, 170, 230, 250, 2, 190, 165, 265, 250, -2, 155, 150, 190,
             220, -2, 130, 150, 135, 200, 2, 150, 150, 160, 140, 25, 58, 66, 66, 160, 30, 50, 55, 55, 180, 15, 45, 50, 50, 160, -5, 16, 16, 16),
-        new("bovine", 2.3, 2.4,
+        new("bovine", "bovine", 2.3, 2.4,
             0, -38, 70, 55, 55, 45, -36, 108, 80, 76, 65, -36, 98, 80, 76, 75, -38, 100, 98, 85, 80, -38, 128, 115, 95, 80, -30, 135, 120, 110,
             100, 0, 125, 120, 130, 130, 42, 140, 160, 180, 140, 38, 180, 210, 250, 150, 12, 215, 250, 290, 260, 0, 245, 235, 310, 260, -1, 260, 215, 320,
             240, 0, 235, 205, 270, 220, 2, 205, 195, 220, 140, 35, 65, 75, 75, 130, 70, 28, 30, 30, 160, 80, 22, 24, 24, 160, 82, 26, 30, 30),
-        new("feline", 2.1, 2.2,
+        new("feline", "feline", 2.1, 2.2,
             0, -10, 45, 34, 36, 25, -10, 72, 52, 56, 40, -10, 86, 60, 68, 45, -16, 104, 80, 80, 45, -22, 136, 128, 90, 80, -15, 152, 138, 102,
             100, 10, 108, 100, 100, 110, 56, 100, 105, 110, 130, 52, 125, 130, 150, 130, 22, 155, 160, 190, 260, 0, 162, 150, 200, 270, -2, 152, 148, 170,
             240, 0, 135, 148, 140, 220, 3, 145, 150, 155, 130, 22, 58, 60, 60, 280, 35, 42, 42, 42, 300, 5, 40, 40, 40, 260, -45, 28, 28, 28),
-        new("reptile", 2.2, 2.8,
+        new("reptile", "reptile", 2.2, 2.8,
             0, -4, 40, 24, 26, 50, -4, 60, 35, 36, 110, -4, 68, 40, 40, 120, -4, 92, 56, 50, 80, -5, 122, 90, 60, 90, -3, 140, 88, 75,
             100, 4, 128, 80, 85, 90, 12, 120, 85, 90, 100, 14, 142, 100, 110, 120, 5, 175, 120, 140, 260, 0, 210, 130, 160, 260, 0, 220, 130, 160,
             250, 0, 190, 125, 145, 220, 0, 165, 120, 125, 160, 4, 115, 100, 100, 300, 6, 78, 75, 70, 340, 0, 45, 50, 40, 300, -6, 12, 14, 14),
-        new("avian", 2.1, 2.2,
+        new("avian", "avian", 2.1, 2.2,
             0, -14, 14, 14, 12, 50, -14, 32, 34, 26, 70, -12, 46, 50, 40, 60, -12, 72, 76, 55, 60, -14, 92, 108, 75, 70, -8, 96, 110, 85,
             80, 20, 80, 85, 85, 160, 68, 74, 78, 80, 160, 64, 95, 100, 120, 140, 42, 150, 150, 190, 220, 18, 200, 180, 230, 220, 8, 200, 180, 210,
             200, 3, 170, 165, 170, 180, 0, 130, 140, 130, 140, -3, 85, 88, 80, 200, -5, 60, 55, 50, 220, -5, 45, 36, 30, 160, -5, 20, 16, 14),
-        new("fish", 1.9, 1.9,
+        new("fish", "fish", 1.9, 1.9,
             0, 0, 30, 30, 30, 40, 0, 60, 60, 60, 60, 0, 85, 90, 85, 60, 0, 100, 120, 110, 60, 0, 115, 145, 135, 70, 0, 130, 175, 165,
             80, 0, 140, 200, 190, 80, 0, 145, 220, 210, 100, 0, 150, 235, 225, 120, 0, 150, 245, 240, 170, 0, 150, 250, 250, 170, 0, 135, 235, 235,
             160, 0, 110, 195, 190, 150, 0, 80, 145, 140, 120, 0, 55, 95, 90, 120, 0, 30, 52, 50, 100, 0, 22, 45, 43, 140, 0, 8, 30, 30),
-        new("insect", 2.1, 2.2,
+        new("insect", "insect", 2.1, 2.2,
             0, -35, 40, 40, 40, 30, -35, 75, 70, 70, 40, -35, 100, 92, 90, 50, -30, 120, 110, 100, 50, -25, 130, 130, 110, 60, -15, 122, 122, 110,
             70, 0, 82, 85, 80, 50, 5, 58, 60, 60, 60, 5, 100, 100, 100, 120, 5, 155, 155, 150, 150, 2, 165, 165, 155, 120, 0, 105, 105, 100,
             120, -2, 135, 135, 130, 200, 0, 195, 175, 180, 220, 8, 185, 165, 170, 180, 16, 135, 125, 120, 140, 24, 78, 72, 70, 100, 30, 16, 16, 16),
-        new("serpent", 2.0, 2.4,
+        new("serpent", "serpent", 2.0, 2.4,
             0, -6, 32, 24, 20, 30, -6, 56, 40, 34, 60, -6, 70, 50, 40, 70, -8, 90, 62, 45, 60, -8, 106, 78, 55, 80, -2, 114, 75, 60,
             100, 14, 90, 70, 65, 180, 45, 80, 80, 80, 220, 48, 86, 90, 90, 250, 25, 100, 100, 100, 350, 5, 115, 115, 110, 350, 0, 120, 120, 115,
             350, 0, 115, 115, 110, 320, 0, 105, 105, 100, 300, 0, 90, 90, 85, 350, 2, 70, 70, 65, 350, 2, 45, 45, 42, 300, -4, 12, 12, 12),
-        new("amphibian", 2.2, 2.6,
+        new("amphibian", "amphibian", 2.2, 2.6,
             0, 2, 85, 30, 30, 30, 2, 125, 50, 50, 60, 2, 160, 70, 65, 70, 2, 185, 90, 80, 70, 2, 200, 115, 90, 80, 4, 205, 120, 105,
             80, 8, 200, 120, 120, 70, 12, 195, 125, 135, 80, 14, 200, 135, 155, 100, 16, 215, 150, 175, 180, 14, 240, 155, 200, 180, 10, 235, 155, 200,
             160, 4, 200, 140, 170, 150, 0, 160, 125, 130, 100, -4, 90, 80, 80, 120, 0, 55, 50, 45, 120, 0, 34, 30, 30, 80, 0, 12, 12, 12),
     };
 
-    /// <summary>All bodies, in a fixed order.</summary>
+    private static readonly BaseBody[] all = families.Concat(InsectBodies.All).Concat(SwimmerBodies.All).Concat(BirdBodies.All).Concat(CrawlerBodies.All).ToArray();
+
+    /// <summary>All bodies, in a fixed order: that of <see cref="BaseBodyNames.All"/>.</summary>
     public static IReadOnlyList<BaseBody> All => all;
 
     /// <summary>The body with the given name.</summary>

@@ -5,7 +5,9 @@ using CreatureGen.Maths;
 namespace CreatureGen.Bodies;
 
 /// <summary>Mixes three base bodies and applies the blueprint's proportions and posture, still as numbers at stations.</summary>
-/// <remarks>Based on: the seed thesis, "Base body": lerp(lerp(A, B, w₁), C, w₂).</remarks>
+/// <remarks>
+/// Based on: the seed thesis, "Base body": lerp(lerp(A, B, w₁), C, w₂). Widths and heights mix by their logarithms: a tenth of a thick body does not fill a wasp's waist.
+/// </remarks>
 internal static class BodyBlender
 {
     /// <summary>The stations of the mixed body.</summary>
@@ -26,9 +28,9 @@ internal static class BodyBlender
         {
             s.Length[i] = Mix(a.Length[i], b.Length[i], c.Length[i]);
             s.Pitch[i] = Mix(a.Pitch[i], b.Pitch[i], c.Pitch[i]);
-            s.Width[i] = Mix(a.Width[i], b.Width[i], c.Width[i]);
-            s.Top[i] = Mix(a.Top[i], b.Top[i], c.Top[i]);
-            s.Bottom[i] = Mix(a.Bottom[i], b.Bottom[i], c.Bottom[i]);
+            s.Width[i] = PortableMath.Exp(Mix(a.LogWidth[i], b.LogWidth[i], c.LogWidth[i]));
+            s.Top[i] = PortableMath.Exp(Mix(a.LogTop[i], b.LogTop[i], c.LogTop[i]));
+            s.Bottom[i] = PortableMath.Exp(Mix(a.LogBottom[i], b.LogBottom[i], c.LogBottom[i]));
         }
 
         ApplyProportions(s, body.Proportions);

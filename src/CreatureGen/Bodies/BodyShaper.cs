@@ -15,6 +15,12 @@ internal static class BodyShaper
     /// <summary>Share of the distance between two rings that a bend may take up on its inner side: below 1 rings never cross.</summary>
     private const double BendLimit = 0.75;
 
+    /// <summary>Exponents below this make sections with sharp edges.</summary>
+    private const double Edged = 1.5;
+
+    /// <summary>Metres that the outline of a tail's fan or fin lies off its ring, along the spine: a bend must leave room for it.</summary>
+    private const double TailOutline = 0.16;
+
     private const int HeadRings = 16;
     private const int TailRing = 44;
 
@@ -46,6 +52,7 @@ internal static class BodyShaper
         Interpolate(stations.Bottom, bottom);
         ApplyLattice(body, arc, step, width, top, bottom);
         ApplyDepth(body.Proportions, width, top, bottom);
+        Divide(body.Annuli, width, top, bottom);
         ShapeTail(tail, width, top, bottom);
 
         for (int i = 0; i < BodyGrid.Rings; i++)
@@ -54,7 +61,7 @@ internal static class BodyShaper
         }
 
         Smooth(pitch);
-        LimitCurvature(pitch, step, top, bottom);
+        LimitCurvature(pitch, step, top, bottom, tail.Style == TailStyle.Plain ? 0 : TailOutline);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             pitch[i] *= 1 - Lying(plan, i);
@@ -137,6 +144,19 @@ internal static class BodyShaper
         }
     }
 
+    /// <summary>Rings like those of an abdomen: every third ring of the grid swells, the one before it is drawn in.</summary>
+    private static void Divide(AnnuliBlueprint annuli, double[] width, double[] top, double[] bottom)
+    {
+        for (int i = annuli.Ring; annuli.Depth > 0 && i < BodyGrid.Rings - 2; i++)
+        {
+            int phase = (i - annuli.Ring) % 3;
+            double factor = phase == 0 ? 1 + (0.7 * annuli.Depth) : phase == 1 ? 1 : 1 - annuli.Depth;
+            width[i] *= factor;
+            top[i] *= factor;
+            bottom[i] *= factor;
+        }
+    }
+
     private static void ShapeTail(TailBlueprint tail, double[] width, double[] top, double[] bottom)
     {
         const int Start = 46;
@@ -152,8 +172,8 @@ internal static class BodyShaper
                 {
                     double q = Scalar.Smooth((i - 47) / 7.0);
                     double flare = tail.Size * PortableMath.Pow(q, 1.3);
-                    top[i] = Math.Max(0.03, (top0 * (1 - q)) + flare);
-                    bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (0.95 * flare));
+                    top[i] = Math.Max(0.03, (top0 * (1 - q)) + (flare * (1 + tail.Lobe)));
+                    bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (0.95 * flare * (1 - tail.Lobe)));
                     width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
                 }
 
@@ -173,8 +193,8 @@ internal static class BodyShaper
                 {
                     double q = Scalar.Smooth((i - 45) / 8.0);
                     width[i] = (width[i] * (1 - q)) + (tail.Size * PortableMath.Pow(q, 0.8));
-                    top[i] = (top[i] * (1 - q)) + (0.012 * q);
-                    bottom[i] = (bottom[i] * (1 - q)) + (0.012 * q);
+                    top[i] = (top[i] * (1 - q)) + (0.017 * q);
+                    bottom[i] = (bottom[i] * (1 - q)) + (0.017 * q);
                 }
 
                 break;
@@ -201,7 +221,7 @@ internal static class BodyShaper
     /// Spreads bends that are too sharp for the thickness of the body over their neighbours, so that rings never cross on the inner side of a bend.
     /// The anchor ring keeps its pitch.
     /// </summary>
-    private static void LimitCurvature(double[] pitch, ReadOnlySpan<double> step, double[] top, double[] bottom)
+    private static void LimitCurvature(double[] pitch, ReadOnlySpan<double> step, double[] top, double[] bottom, double tailReach)
     {
         const int Rounds = 60;
         const double Settled = 1e-4;
@@ -219,7 +239,7 @@ internal static class BodyShaper
             double worst = 0;
             for (int i = 1; i <= last; i++)
             {
-                double inner = bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]);
+                double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > TailRing ? tailReach : 0);
                 double limit = BendLimit * step[i] / inner;
                 clamped[i] = Scalar.Clamp(bend[i], -limit, limit);
                 worst = Math.Max(worst, Math.Abs(clamped[i] - bend[i]));
@@ -251,7 +271,7 @@ internal static class BodyShaper
         pitch[0] = 0;
         for (int i = 1; i <= last; i++)
         {
-            double inner = bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]);
+            double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > TailRing ? tailReach : 0);
             double limit = BendLimit * step[i] / inner;
             pitch[i] = pitch[i - 1] + Scalar.Clamp(bend[i], -limit, limit);
         }
@@ -305,8 +325,11 @@ internal static class BodyShaper
                 top = bottom = finned && i >= 46 ? 1.7 : 2;
             }
 
-            shape.TopExponent[i] = top;
-            shape.BottomExponent[i] = bottom;
+            // A body that is thin at its edges thins out from the muzzle on; its tail is round again.
+            double thin = i < HeadRings ? Scalar.Smooth((i - 2) / 9.0) : i >= TailRing ? 0 : 1;
+            double edge = Scalar.Smooth((i - 38) / 8.0);
+            shape.TopExponent[i] = stations.TopExponent < Edged ? Scalar.Lerp(Scalar.Lerp(1.8, stations.TopExponent, thin), 1.7, edge) : top;
+            shape.BottomExponent[i] = stations.BottomExponent < Edged ? Scalar.Lerp(Scalar.Lerp(1.8, stations.BottomExponent, thin), 1.7, edge) : bottom;
         }
     }
 

@@ -15,21 +15,29 @@ internal sealed class BodySkin
 
     private readonly Vector3[] grid = new Vector3[BodyGrid.Rings * BodyGrid.Segments];
 
-    private BodySkin(BodyShape shape) => Shape = shape;
+    private BodySkin(BodyShape shape, ShellBlueprint shell)
+    {
+        Shape = shape;
+        Shell = shell;
+    }
 
     /// <summary>The sections that the skin is spanned over.</summary>
     public BodyShape Shape { get; }
+
+    /// <summary>The hard cover over its back.</summary>
+    public ShellBlueprint Shell { get; }
 
     /// <summary>The point of a ring and a segment.</summary>
     public Vector3 this[int ring, int segment] => grid[(ring * BodyGrid.Segments) + segment];
 
     /// <summary>Spans the skin over the sections and shapes head and tail.</summary>
-    public static BodySkin Span(BodyShape shape, HeadBlueprint head, TailBlueprint tail)
+    public static BodySkin Span(BodyShape shape, BodyBlueprint body, HeadBlueprint head, TailBlueprint tail)
     {
-        var skin = new BodySkin(shape);
+        var skin = new BodySkin(shape, body.Shell);
         Span<float> x = stackalloc float[Half + 1];
         Span<float> y = stackalloc float[Half + 1];
         Span<float> powers = stackalloc float[2 * (Half + 1)];
+        bool wide = body.Disc.Sweep != 0 || body.Disc.Curl != 0;
         double topExponent = 0;
         double bottomExponent = 0;
         double tailStep = 0;
@@ -58,13 +66,22 @@ internal sealed class BodySkin
                 ApplyBumps(head.Bumps, i, x, y);
             }
 
+            ApplyShell(body.Shell, i, x, y);
+
             Vector3 centre = shape.Centre(i);
             Vector3 up = shape.Up(i);
             Vector3 forward = shape.Forward(i);
             for (int j = 0; j <= Half; j++)
             {
                 float along = i >= 46 ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
-                Vector3 p = centre + (up * y[j]) + (forward * along);
+                float lift = 0f;
+                if (wide)
+                {
+                    along -= (float)(body.Disc.Sweep * PortableMath.Pow(x[j], 1.35));
+                    lift = (float)(body.Disc.Curl * PortableMath.Pow(x[j], 1.8));
+                }
+
+                Vector3 p = centre + (up * (y[j] + lift)) + (forward * along);
                 p.X = j is 0 or Half ? 0f : x[j];
                 skin.grid[(i * BodyGrid.Segments) + j] = p;
                 skin.grid[(i * BodyGrid.Segments) + BodyGrid.MirrorSegment(j)] = j is 0 or Half ? p : Vec.Mirror(p);
@@ -77,7 +94,7 @@ internal sealed class BodySkin
     /// <summary>The skin moved along z.</summary>
     public BodySkin Placed(double shift)
     {
-        var placed = new BodySkin(Shape.Placed(shift));
+        var placed = new BodySkin(Shape.Placed(shift), Shell);
         for (int v = 0; v < grid.Length; v++)
         {
             placed.grid[v] = grid[v] + new Vector3(0f, 0f, (float)shift);
@@ -146,6 +163,16 @@ internal sealed class BodySkin
         }
     }
 
+    private static void ApplyShell(ShellBlueprint shell, int ring, Span<float> x, Span<float> y)
+    {
+        for (int j = 0; j <= Half && ShellRelief.Covers(shell, ring, j); j++)
+        {
+            float factor = (float)ShellRelief.Factor(shell, ring, j);
+            x[j] *= factor;
+            y[j] *= factor;
+        }
+    }
+
     /// <summary>Shift of a tail point along the spine, metres: the outline of forks, flukes and feather fans.</summary>
     private static float TailShift(BodyShape shape, TailBlueprint tail, double tailStep, int ring, float x, float y)
     {
@@ -160,11 +187,13 @@ internal sealed class BodySkin
                 double height = Math.Abs(y) / Math.Max(shape.Top[ring], 1e-3);
                 return (float)(-Scalar.Smooth((ring - 46) / 8.0) * fork * 0.16 * PortableMath.Pow(height, 1.6));
             case TailStyle.Fluke:
-                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.03 - (0.13 * tail.Fork * PortableMath.Pow(across, 1.5))));
+                double lobes = Math.Min(tail.Fork, 27 * tailStep);
+                return (float)(Scalar.Smooth((ring - 46) / 7.0) * (0.03 - (0.13 * lobes * PortableMath.Pow(across, 1.5))));
             case TailStyle.Feathers:
                 double q = Scalar.Smooth((ring - 46) / 8.0);
                 double edge = Math.Min(1, across);
-                return (float)((-q * 0.10 * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5)));
+                double quill = Math.Min(1, tailStep / 0.055);
+                return (float)(quill * ((-q * 0.10 * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5))));
             default:
                 return 0f;
         }

@@ -1,6 +1,7 @@
 using CreatureGen.Appearance;
 using CreatureGen.Appearance.Textures;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Features;
 using CreatureGen.Limbs;
 using CreatureGen.Anatomy;
@@ -13,6 +14,7 @@ internal static class CoatSubjects
     /// <summary>The subject of a creature's coat.</summary>
     public static CoatSubject Of(CreatureBlueprint blueprint, GrownSurface grown, EyeFrame eye)
     {
+        string family = BaseBodies.Find(blueprint.Body.Blend.First).Family;
         var wings = new WingStyle[grown.Appendages.Count];
         for (int i = 0; i < blueprint.Wings.Count; i++)
         {
@@ -21,8 +23,9 @@ internal static class CoatSubjects
 
         return new CoatSubject(grown.Skin.Shape)
         {
-            Snout = SnoutOf(blueprint.Body.Blend.First),
-            Mark = blueprint.Body.Blend.First == "insect" ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
+            Snout = SnoutOf(family),
+            Mark = family == "insect" ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
+            Shell = blueprint.Body.Shell,
             Tail = blueprint.Tail.Style,
             WingStyles = wings,
             EyeCentre = eye.Centre,
@@ -33,7 +36,7 @@ internal static class CoatSubjects
     /// <summary>The fine relief of a creature's skin.</summary>
     public static SkinRelief ReliefOf(CreatureBlueprint blueprint)
     {
-        (SkinCover cover, float size) = blueprint.Body.Blend.First switch
+        (SkinCover cover, float size) = BaseBodies.Find(blueprint.Body.Blend.First).Family switch
         {
             "canine" or "feline" => (SkinCover.Fur, 0.022f),
             "bovine" => (SkinCover.Fur, 0.016f),

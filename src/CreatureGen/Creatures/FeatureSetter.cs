@@ -16,6 +16,11 @@ namespace CreatureGen.Creatures;
 internal sealed class FeatureSetter
 {
     private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
+    private static readonly Vector3 lureColour = new(1f, 0.96f, 0.62f);
+    private static readonly Vector3 beadColour = new(0.012f, 0.011f, 0.012f);
+
+    /// <summary>Wings broader than this, relative to their length, are covered with coloured scales (butterfly).</summary>
+    private const double BroadWing = 0.4;
 
     /// <summary>Eyes that look are looked at first; a face without them is none.</summary>
     private const float EyeAttention = 3f;
@@ -27,6 +32,7 @@ internal sealed class FeatureSetter
     private readonly List<Piece> pieces = new();
     private readonly List<Appendage> appendages;
     private readonly PieceBuilder builder = new();
+    private readonly string family;
 
     private FeatureSetter(CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette, Vector3[] normals)
     {
@@ -34,6 +40,7 @@ internal sealed class FeatureSetter
         this.grown = grown;
         this.palette = palette;
         this.normals = normals;
+        family = BaseBodies.Find(blueprint.Body.Blend.First).Family;
         appendages = new List<Appendage>(grown.Appendages);
     }
 
@@ -78,7 +85,7 @@ internal sealed class FeatureSetter
         Piece right = PieceMirror.Mirror(left);
         right.JointName = "Eye_R";
         pieces.Add(right);
-        if (eye.Style != EyeStyle.Compound && blueprint.Body.Blend.First != "insect")
+        if (eye.Style is EyeStyle.Round or EyeStyle.Slit && family != "insect")
         {
             builder.Clear();
             LidShape.Append(builder, frame, eye, LidPart.Upper, palette.Lid);
@@ -98,7 +105,7 @@ internal sealed class FeatureSetter
 
         BodyShape shape = grown.Skin.Shape;
         bool leather = blueprint.Head.MuzzleSquareness > 2.5;
-        SurfacePoint at = grown.Skin.At(leather ? 0.25 : blueprint.Body.Blend.First == "avian" ? 3.5 : 1.2, leather ? 5.4 : 4.6);
+        SurfacePoint at = grown.Skin.At(leather ? 0.25 : family == "avian" ? 3.5 : 1.2, leather ? 5.4 : 4.6);
         if (leather)
         {
             // On the front of the nose, not on its bridge.
@@ -174,7 +181,7 @@ internal sealed class FeatureSetter
         builder.Clear(SurfaceFinish.Horn);
         if (feature.Kind == FeatureKind.Antenna)
         {
-            AntennaShape.Append(builder, feature, curve, 1f, palette.Limb * 0.8f, palette.Accent);
+            AntennaShape.Append(builder, feature, curve, 1f, palette.Limb * 0.8f, feature.Flatness < 0.5 ? palette.Limb * 0.8f : palette.Accent);
             AddChain(LimbKind.Antenna, feature.Ring, curve.JointPoints(), MaterialKind.Skin);
             return;
         }
@@ -184,9 +191,19 @@ internal sealed class FeatureSetter
             FeatureKind.Tuft => palette.Accent,
             FeatureKind.Mandible => palette.Claw,
             FeatureKind.Tusk => toothColour,
+            FeatureKind.Scute => palette.Back * 0.9f,
+            FeatureKind.Ocellus => beadColour,
             _ => palette.Horn,
         };
-        HornShape.Append(builder, feature, curve, 1f, colour);
+        if (feature.Kind == FeatureKind.Lure)
+        {
+            AntennaShape.Append(builder, feature, curve, 1f, palette.Back, lureColour);
+        }
+        else
+        {
+            HornShape.Append(builder, feature, curve, 1f, colour);
+        }
+
         int vertex = grown.BodyVertex(ring, (int)System.Math.Round(feature.Segment));
         if (median)
         {
@@ -205,7 +222,8 @@ internal sealed class FeatureSetter
     {
         SurfacePoint skin = grown.Skin.At(wing.Ring, wing.Segment);
         builder.Clear(SurfaceFinish.Wing);
-        InsectWingShape.Append(builder, skin, wing, 1f, Vec.Lerp(palette.Accent, Vector3.One, 0.55f), palette.Base * 0.4f);
+        bool scaled = wing.Width > BroadWing * wing.Length;
+        InsectWingShape.Append(builder, skin, wing, 1f, scaled ? palette.Accent : Vec.Lerp(palette.Accent, Vector3.One, 0.55f), palette.Base * 0.4f);
         AddChain(LimbKind.InsectWing, wing.Ring, InsectWingShape.JointPoints(skin, wing, 1f), MaterialKind.Membrane);
     }
 

@@ -11,9 +11,15 @@ internal static class AntennaShape
     private const int Sides = 6;
     private const int Rows = 8;
 
+    /// <summary>Radius of the knob relative to that of the root, when the feature asks for neither a smaller nor a larger one.</summary>
+    private const float Knob = 1.55f;
+
+    /// <summary>Radius of the tube at its end relative to that of the root.</summary>
+    private const float EndTaper = 0.28f;
+
     /// <summary>Appends a feeler of the left side. Its joints are <see cref="FeatureCurve.JointPoints"/>.</summary>
     /// <param name="builder">Where the feeler goes.</param>
-    /// <param name="feature">Radius at the root and taper.</param>
+    /// <param name="feature">Radius at the root, taper, and size of the knob (flatness).</param>
     /// <param name="curve">Its axis.</param>
     /// <param name="scale">Factor from the blueprint's metres to those of the curve.</param>
     /// <param name="colour">Linear RGB of the tube.</param>
@@ -22,7 +28,7 @@ internal static class AntennaShape
     {
         float radius = (float)feature.Radius * scale;
         float taper = Scalar.Clamp((float)feature.Taper, 0.2f, 3f);
-        float knobRadius = 1.55f * radius;
+        float knobRadius = Math.Max(Knob * Scalar.Clamp((float)feature.Flatness, 0.2f, 4f), EndTaper) * radius;
         float half = Math.Min(1.3f * knobRadius / curve.Length, 0.12f);
         float neck = 1f - (2f * half);
         float start = -curve.RootDepth(radius) / curve.Length;
@@ -31,7 +37,7 @@ internal static class AntennaShape
         {
             float x = i / (Rows - 1f);
             float t = start + ((neck - start) * x);
-            float r = radius * (0.28f + (0.72f * (float)PortableMath.Pow(1f - x, taper)));
+            float r = radius * (EndTaper + ((1f - EndTaper) * (float)PortableMath.Pow(1f - x, taper)));
             rows[i] = new TubeRow(curve.Point(t), r, r, colour * Scalar.Lerp(0.75f, 1f, Math.Min(1f, 4f * x)));
         }
 

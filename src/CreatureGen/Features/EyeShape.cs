@@ -30,6 +30,7 @@ internal static class EyeShape
     private const float CorneaEdge = 1.0f;
 
     private static readonly Vector3 pupilColour = new(0.006f, 0.006f, 0.008f);
+    private static readonly Vector3 beadColour = new(0.03f, 0.026f, 0.028f);
     private static readonly Vector3 rimColour = new(0.022f, 0.018f, 0.018f);
 
     /// <summary>Appends the left eye.</summary>
@@ -42,6 +43,13 @@ internal static class EyeShape
         if (style == EyeStyle.Compound)
         {
             AppendCompound(builder, frame, iris);
+            return;
+        }
+
+        if (style == EyeStyle.Bead)
+        {
+            AppendCompound(builder, frame, beadColour);
+            AppendGlint(builder, frame, new Vector2(-0.20f, 0.45f), 0.24f, 10, Vector3.One);
             return;
         }
 

@@ -63,6 +63,8 @@ internal static class HornShape
         FeatureKind.Mandible => new Form(6, 6, 0f, 0.35f),
         FeatureKind.Tusk => new Form(7, 6, 0f, 1.25f),
         FeatureKind.Tuft => new Form(6, 5, 0f, 0.55f),
+        FeatureKind.Scute => new Form(6, 2, 0f, 0.7f),
+        FeatureKind.Ocellus => new Form(8, 4, 0f, 1f),
         _ => throw new ArgumentException("feature kind " + kind + "; expected a horn, spike, mandible, tusk or tuft", nameof(kind)),
     };
 

@@ -133,6 +133,10 @@ internal static class InsectWingShape
         float margin = Math.Max(Scalar.Smooth((s - 0.74f) / 0.14f), Scalar.Smooth((u - 0.7f) / 0.3f));
         dark = Math.Max(dark, 0.95f * broad * margin);
         Vector3 sheen = membrane * (1f - (0.12f * s));
+
+        // The pale patch in the middle of a butterfly's wing, and pale dots along its margin.
+        float patch = strip == 3 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / 0.2f)) : strip == 5 && (row & 1) == 1 ? 0.5f * Scalar.Smooth((0.9f - u) / 0.2f) : 0f;
+        sheen = Vec.Lerp(sheen, Vec.Lerp(membrane, Vector3.One, 0.75f), broad * patch);
         return Vec.Lerp(sheen, vein, dark);
     }
 

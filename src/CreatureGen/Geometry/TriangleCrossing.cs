@@ -41,7 +41,24 @@ internal static class TriangleCrossing
             Interval(b0.Z, b1.Z, b2.Z, db0, db1, db2, out lowB, out highB);
         }
 
-        return Math.Min(highA, highB) - Math.Max(lowA, lowB) > tolerance;
+        // Where the planes are nearly the same, their line and the intervals on it are noise: triangles that lie beside one another do not cross.
+        return Math.Min(highA, highB) - Math.Max(lowA, lowB) > tolerance
+            && !LiesBeside(a0, a1, a2, b0, b1, b2, ax, ay, az)
+            && !LiesBeside(b0, b1, b2, a0, a1, a2, bx, by, bz);
+    }
+
+    /// <summary>Whether an edge of the first triangle, in its plane with the given normal, has that triangle on one side and the second on the other.</summary>
+    private static bool LiesBeside(Vector3 a0, Vector3 a1, Vector3 a2, Vector3 b0, Vector3 b1, Vector3 b2, double nx, double ny, double nz) =>
+        Parts(a0, a1, b0, b1, b2, nx, ny, nz) || Parts(a1, a2, b0, b1, b2, nx, ny, nz) || Parts(a2, a0, b0, b1, b2, nx, ny, nz);
+
+    /// <summary>Whether all corners lie outside of an edge: on the other side than the triangle that it belongs to, counter-clockwise about its normal.</summary>
+    private static bool Parts(Vector3 from, Vector3 to, Vector3 b0, Vector3 b1, Vector3 b2, double nx, double ny, double nz)
+    {
+        double ex = (double)to.X - from.X, ey = (double)to.Y - from.Y, ez = (double)to.Z - from.Z;
+        double ox = (ey * nz) - (ez * ny);
+        double oy = (ez * nx) - (ex * nz);
+        double oz = (ex * ny) - (ey * nx);
+        return Distance(b0, from, ox, oy, oz) > 0 && Distance(b1, from, ox, oy, oz) > 0 && Distance(b2, from, ox, oy, oz) > 0;
     }
 
     private static bool TryPlane(Vector3 a, Vector3 b, Vector3 c, out double x, out double y, out double z)

@@ -86,7 +86,8 @@ internal static class SkeletonChecks
         int standing = 0;
         foreach (LegBlueprint leg in blueprint.Legs)
         {
-            standing += leg.Stance == LegStance.Standing ? 1 : 0;
+            // A mantis stands on four legs and holds up its first two.
+            standing += leg.Stance == LegStance.Standing || leg.Archetype == LimbArchetype.Raptorial ? 1 : 0;
         }
 
         (int have, int need, string what) = blueprint.Plan switch

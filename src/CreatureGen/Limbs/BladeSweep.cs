@@ -21,6 +21,9 @@ internal sealed class BladeSweep
     /// <summary>Unit direction across the blade at a share of the span.</summary>
     public Func<float, Vector3> Normal { get; set; } = _ => Vector3.UnitY;
 
+    /// <summary>A third point of each chord line, half way between its edges, for blades that bow; null for straight ones.</summary>
+    public Func<float, Vector3>? Middle { get; set; }
+
     /// <summary>Half thickness at a share of the span (first) and of the chord from the leading edge (second).</summary>
     public Func<float, float, float> Thickness { get; set; } = (_, _) => 0.01f;
 
@@ -66,11 +69,12 @@ internal sealed class BladeSweep
             Vector3 a = lead(s);
             Vector3 b = trail(s);
             Vector3 normal = Normal(s);
+            Vector3 bow = Middle is null ? Vector3.Zero : Middle(s) - ((a + b) / 2f);
             float blend = Blend > 0f ? Scalar.Smooth(s / Blend) : 1f;
             int[] current = new int[count];
             for (int k = 0; k < count; k++)
             {
-                Vector3 p = Vec.Lerp(a, b, chord[k]) + (normal * (side[k] * Thickness(s, chord[k])));
+                Vector3 p = Vec.Lerp(a, b, chord[k]) + (bow * (4f * chord[k] * (1f - chord[k]))) + (normal * (side[k] * Thickness(s, chord[k])));
                 p = Vec.Lerp(root[k] + (((a + b) / 2f) - origin), p, blend);
                 VertexAddress address = Address;
                 VertexAddress rootAddress = surface.Addresses[loop[k]];

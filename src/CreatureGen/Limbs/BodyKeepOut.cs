@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
 
@@ -19,6 +20,7 @@ internal sealed class BodyKeepOut
     private const double Slack = 1.001;
 
     private readonly BodyShape shape;
+    private readonly ShellBlueprint shell;
     private readonly int first;
     private readonly int last;
 
@@ -28,17 +30,19 @@ internal sealed class BodyKeepOut
     private readonly double reach;
 
     /// <summary>Guards the given rings, both included.</summary>
-    public BodyKeepOut(BodyShape shape, int first, int last)
+    public BodyKeepOut(BodySkin skin, int first, int last)
     {
-        this.shape = shape;
+        shape = skin.Shape;
+        shell = skin.Shell;
         this.first = Math.Max(first, 1);
         this.last = Math.Min(last, BodyGrid.Rings - 2);
         middle = (shape.Centre(this.first) + shape.Centre(this.last)) / 2f;
         for (int i = this.first; i <= this.last; i++)
         {
-            double extent = Math.Max(shape.Top[i], shape.Bottom[i]);
+            double swell = ShellRelief.Greatest(shell, i);
+            double extent = swell * Math.Max(shape.Top[i], shape.Bottom[i]);
             double step = NearestSteps * shape.Step[i];
-            widest = Math.Max(widest, Slack * (shape.Width[i] + Gap));
+            widest = Math.Max(widest, Slack * ((swell * shape.Width[i]) + Gap));
             reach = Math.Max(reach, Slack * (Vec.Distance(shape.Centre(i), middle) + Math.Sqrt((extent * extent) + (step * step))));
         }
     }
@@ -79,7 +83,8 @@ internal sealed class BodyKeepOut
         }
 
         double y = Vec.Dot(p - shape.Centre(ring), shape.Up(ring));
-        double extent = y > 0 ? shape.Top[ring] : shape.Bottom[ring];
+        double swell = ShellRelief.Greatest(shell, ring);
+        double extent = y > 0 ? swell * shape.Top[ring] : shape.Bottom[ring];
         double exponent = y > 0 ? shape.TopExponent[ring] : shape.BottomExponent[ring];
         double q = Math.Abs(y) / extent;
         if (q >= 1)
@@ -87,7 +92,7 @@ internal sealed class BodyKeepOut
             return p;
         }
 
-        double skin = (shape.Width[ring] * PortableMath.Pow(1 - PortableMath.Pow(q, exponent), 1 / exponent)) + Gap;
+        double skin = (swell * shape.Width[ring] * PortableMath.Pow(1 - PortableMath.Pow(q, exponent), 1 / exponent)) + Gap;
         if (p.X < skin)
         {
             p.X = (float)skin;

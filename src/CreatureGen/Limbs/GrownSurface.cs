@@ -55,7 +55,7 @@ internal sealed class GrownSurface
     public static GrownSurface Grow(CreatureBlueprint blueprint)
     {
         BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
-        BodySkin skin = BodySkin.Span(shape, blueprint.Head, blueprint.Tail);
+        BodySkin skin = BodySkin.Span(shape, blueprint.Body, blueprint.Head, blueprint.Tail);
         using var builder = new SurfaceBuilder();
         var body = new BodySurface(builder, skin);
         var appendages = new List<Appendage>();
@@ -68,7 +68,7 @@ internal sealed class GrownSurface
 
         foreach (WingBlueprint wing in blueprint.Wings)
         {
-            Take(WingGrower.Grow(body, wing, appendages.Count), wing.Socket);
+            Take(wing.Style == WingStyle.Folded ? FoldedWingGrower.Grow(body, wing, appendages.Count) : WingGrower.Grow(body, wing, appendages.Count), wing.Socket);
         }
 
         foreach (FinBlueprint fin in blueprint.Fins)

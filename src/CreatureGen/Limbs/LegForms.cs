@@ -71,6 +71,18 @@ internal sealed class LegForm
     /// <summary>Most thickness relative to the length; 0 when there is no limit.</summary>
     public float MostThickness { get; }
 
+    /// <summary>Whether it reaches out to the side and turns with its azimuth, instead of standing under the body.</summary>
+    public bool Lateral => Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl;
+
+    /// <summary>Whether it arches out of the body's side on a socket of few cells and ends in a point.</summary>
+    public bool Jointed => Archetype is LimbArchetype.Insect or LimbArchetype.Raptorial or LimbArchetype.Jumper;
+
+    /// <summary>Whether it stands on long spread toes under the body.</summary>
+    public bool LongToed => Archetype is LimbArchetype.Theropod or LimbArchetype.Bird;
+
+    /// <summary>Whether it folds at the side of the body, its foot far out.</summary>
+    public bool Crouched => Archetype is LimbArchetype.FrogHind or LimbArchetype.FrogFore;
+
     /// <summary>Number of last rows whose radii grow with the size of the foot.</summary>
     public int FootRows { get; }
 
@@ -146,6 +158,21 @@ internal static class LegForms
         new(LimbArchetype.Arm, FootEnd.Toes, hinges: (2, 4, 5), thickness: (0, 0), footRows: 0, toes: (0.75, 0.45, 0.13),
             0, 0, 0, 1000, 900, -10, 120, 160, 660, 580, -100, 420, 260, 440, 420, 20, 570, 270, 380, 360,
             220, 660, 200, 270, 300, 300, 690, 200, 260, 400),
+        new(LimbArchetype.Bird, FootEnd.Toes, hinges: (3, 5, 7), thickness: (0.05, 0.34), footRows: 2, toes: (1.25, 0.5, 0.15),
+            0, 0, 0, 1000, 800, 60, 140, 110, 960, 660, 160, 320, 120, 640, 480, 100, 480, 90, 400, 340,
+            -60, 660, 40, 220, 210, -120, 760, 30, 190, 190, -50, 900, 30, 170, 180, 0, 960, 30, 190, 250, 60, 970, 30, 180, 300),
+        new(LimbArchetype.Raptorial, FootEnd.Point, hinges: (3, 5, 8), thickness: (0, 0), footRows: 0, toes: (0, 0, 0),
+            0, 0, 0, 1000, 1000, 100, 220, 100, 850, 800, 240, 520, 180, 750, 700, 420, 500, 220, 950, 800,
+            620, 100, 260, 1150, 800, 740, -240, 280, 600, 580, 840, -340, 280, 500, 450, 960, -160, 280, 420, 400, 1000, 180, 260, 300, 300, 940, 460, 240, 100, 100),
+        new(LimbArchetype.Jumper, FootEnd.Point, hinges: (4, 7, 8), thickness: (0, 0), footRows: 0, toes: (0, 0, 0),
+            0, 0, 0, 1000, 1000, -120, -250, 300, 1250, 1100, -420, -850, 460, 1150, 1000, -720, -1220, 540, 620, 600,
+            -860, -1000, 560, 460, 460, -980, -300, 620, 340, 340, -1100, 500, 700, 260, 260, -1140, 930, 740, 200, 200, -980, 980, 760, 180, 180),
+        new(LimbArchetype.FrogHind, FootEnd.Toes, hinges: (3, 5, 7), thickness: (0, 0), footRows: 2, toes: (0.9, 0.55, 0.13),
+            0, 0, 0, 1000, 800, 220, -100, 340, 950, 700, 500, -220, 620, 600, 500, 580, -60, 740, 420, 380,
+            440, 340, 860, 380, 330, 260, 720, 980, 270, 260, 220, 880, 1060, 220, 260, 360, 940, 1200, 190, 360, 560, 950, 1360, 180, 420),
+        new(LimbArchetype.FrogFore, FootEnd.Toes, hinges: (2, 4, 5), thickness: (0, 0), footRows: 2, toes: (0.9, 0.55, 0.13),
+            0, 0, 0, 1000, 800, 0, 50, 220, 700, 600, -60, 250, 420, 500, 450, -40, 500, 500, 380, 360,
+            20, 800, 460, 320, 320, 80, 930, 460, 280, 400, 220, 950, 480, 260, 460),
     };
 
     /// <summary>The form of an archetype.</summary>

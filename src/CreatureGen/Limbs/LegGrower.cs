@@ -52,6 +52,9 @@ internal readonly struct DigitTip
 /// <summary>Grows a pair of legs or arms out of the body.</summary>
 internal static class LegGrower
 {
+    /// <summary>Rings before and behind a socket whose sections a limb keeps out of.</summary>
+    private const int GuardedRings = 7;
+
     private static readonly float[] insectSections = { 0f, 0.5f, 1f, 1.6f, 2.3f, 3f, 3.5f, 4f, 4.5f, 5f, 6f, 7f, 8f };
 
     /// <summary>Grows the left leg, mirrors it, and says where its joints are.</summary>
@@ -76,7 +79,7 @@ internal static class LegGrower
             Floor = standing ? 0f : float.NegativeInfinity,
             EndDirection = vertical ? -Vector3.UnitY : Vector3.Zero,
             LevelFrom = standing && form.End == FootEnd.Toes ? 0.6f : 2f,
-            KeepOut = socket.Centre.X > 0.02f ? new BodyKeepOut(body.Skin.Shape, leg.Socket.Ring - 7, leg.Socket.Ring + leg.Socket.Rows + 7) : null,
+            KeepOut = socket.Centre.X > 0.02f ? new BodyKeepOut(body.Skin, leg.Socket.Ring - GuardedRings, leg.Socket.Ring + leg.Socket.Rows + GuardedRings) : null,
             Address = new VertexAddress { Region = SurfaceRegion.Leg, Appendage = (short)index, Sign = 1 },
         };
         SweepResult grown = sweep.Grow(surface, socket.Vertices);

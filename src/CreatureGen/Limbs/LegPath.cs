@@ -13,6 +13,9 @@ internal sealed class LegPath
     /// <summary>Metres. Least distance of a leg's inner side from the sagittal plane.</summary>
     private const float InnerGap = 0.012f;
 
+    /// <summary>Radians. An insect's legs that are turned back further lie along its abdomen.</summary>
+    private const double LaidBack = -0.65;
+
     private LegPath(Vector3[] joints, Vector2[] radii, float thickness)
     {
         Joints = joints;
@@ -49,8 +52,7 @@ internal sealed class LegPath
 
         Vector3[] joints = LayJoints(form, leg, root, height);
         Vector2[] radii = Radiate(form, leg, socket, thickness);
-        bool lateral = form.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl;
-        if (!lateral)
+        if (!form.Lateral)
         {
             KeepFromMidline(form, joints, radii);
         }
@@ -60,7 +62,8 @@ internal sealed class LegPath
             SetFootDown(form, leg, thickness, joints, radii);
         }
 
-        if (form.Archetype == LimbArchetype.Arm || (form.Archetype == LimbArchetype.Sprawl && !standing))
+        bool laidBack = form.Archetype == LimbArchetype.Insect && leg.Azimuth < LaidBack;
+        if (laidBack || form.Archetype is LimbArchetype.Arm or LimbArchetype.Raptorial || form.Crouched || (form.Archetype == LimbArchetype.Sprawl && !standing))
         {
             KeepJointsOut(shape, joints, radii);
         }
@@ -73,7 +76,7 @@ internal sealed class LegPath
         float reach = (float)leg.Reach;
         Vector3 outward = Vector3.UnitX;
         Vector3 ahead = Vector3.UnitZ;
-        if (form.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl)
+        if (form.Lateral)
         {
             outward = new Vector3((float)PortableMath.Cos(leg.Azimuth), 0f, (float)PortableMath.Sin(leg.Azimuth));
             ahead = form.Archetype == LimbArchetype.Sprawl ? new Vector3(0.25f, 0f, 0.97f) : Vector3.Zero;
@@ -142,10 +145,10 @@ internal sealed class LegPath
         int last = joints.Length - 1;
         if (form.End == FootEnd.Toes)
         {
-            bool underBody = form.Archetype != LimbArchetype.Sprawl;
+            bool underBody = form.Archetype != LimbArchetype.Sprawl && !form.Crouched;
             if (underBody)
             {
-                float splay = form.Archetype == LimbArchetype.Theropod ? 0.52f : 0.2f;
+                float splay = form.LongToed ? form.ToeSplay : 0.2f;
                 float halfWidth = radii[last].Y + (form.ToeLength * thickness * (float)leg.FootSize * splay) + 0.02f;
                 float shift = Math.Max(0f, halfWidth - joints[last].X);
                 for (int k = 0; k <= last; k++)
@@ -155,8 +158,8 @@ internal sealed class LegPath
             }
 
             joints[last - 1].Y = radii[last - 1].X * 0.66f;
-            joints[last].Y = radii[last].X * (form.Archetype == LimbArchetype.Theropod ? 0.66f : 0.6f);
-            if (underBody && form.Archetype != LimbArchetype.Theropod)
+            joints[last].Y = radii[last].X * (form.LongToed ? 0.66f : 0.6f);
+            if (underBody && !form.LongToed)
             {
                 joints[last].Z = Math.Max(joints[last].Z, joints[last - 1].Z + (1.15f * radii[last].X));
             }

@@ -52,15 +52,15 @@ public static class BlueprintSampler
     private static CreatureDraft? Stand(Seed root, PlanChoice choice, CreatureOptions options)
     {
         LocomotionKind kind = choice.Kind(root.Child("kind").Stream());
-        FamilyProfile family = choice.Family(root.Child("family").Stream(), kind);
-        BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, family);
+        SpeciesProfile species = choice.Species(root.Child("family").Stream(), kind);
+        BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, species);
         for (int change = 0; ; change++)
         {
-            var draft = new CreatureDraft(root, kind, family, plan);
+            var draft = new CreatureDraft(root, kind, species, plan);
             BodySampler.Sample(draft);
             StanceSampler.Settle(draft);
             BodyPlan? other = LegSampler.Sample(draft);
-            if (other is BodyPlan next && change < PlanChanges && choice.Allows(next))
+            if (other is BodyPlan next && change < PlanChanges && choice.Allows(species, next))
             {
                 plan = next;
                 continue;
@@ -88,7 +88,7 @@ public static class BlueprintSampler
             draft.Plan,
             scale,
             options.TriangleBudget,
-            new BodyBlueprint(draft.Blend, draft.Proportions, draft.Posture, draft.Slices, draft.Elevation),
+            draft.Body,
             head,
             draft.Tail,
             new ValueList<LegBlueprint>(draft.Legs),

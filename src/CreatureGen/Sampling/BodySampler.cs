@@ -22,30 +22,45 @@ internal static class BodySampler
         draft.Posture = Posture(draft);
         draft.Slices = Slices(draft);
         draft.Tail = Tail(draft);
+        draft.Disc = Disc(draft);
+    }
+
+    private static DiscBlueprint Disc(CreatureDraft draft)
+    {
+        (double sweep, double least, double most) = draft.Species.Disc;
+        return new DiscBlueprint(sweep, least == most ? least : draft.Stream("disc").Uniform(least, most));
     }
 
     /// <summary>One dominant body, a partner that mixes well with it, and a touch of any third.</summary>
     private static BodyBlend Blend(CreatureDraft draft)
     {
         RandomStream random = draft.Stream("blend");
-        string second = draft.Family.Partners[random.Weighted(partnerWeights)];
-        var rest = new List<string>();
-        foreach (FamilyProfile family in FamilyProfiles.All)
+        string second = draft.Species.Partners[random.Weighted(partnerWeights)];
+        double kin = random.Uniform();
+        string[] siblings = SpeciesCatalogue.SiblingsOf(draft.Species);
+        int sibling = random.Integer(0, Math.Max(1, siblings.Length));
+        if (kin < draft.Species.Kinship && siblings.Length > 0)
         {
-            if (family.Body != draft.Family.Body && family.Body != second)
+            second = siblings[sibling];
+        }
+
+        var rest = new List<string>();
+        foreach (SpeciesProfile family in FamilyProfiles.All)
+        {
+            if (family.Body != draft.Species.Family && family.Body != second)
             {
                 rest.Add(family.Body);
             }
         }
 
         string third = rest[random.Integer(0, rest.Count)];
-        double dominant = random.Uniform(0.62, 0.88);
+        double dominant = CreatureDraft.Between(random, draft.Species.Dominance);
         double share = random.Uniform(0.6, 0.9);
 
         // lerp(lerp(A, B, w1), C, w2): the second body gets w1 (1 − w2), the third w2.
         double w2 = (1 - dominant) * (1 - share);
         double w1 = (1 - dominant) * share / (1 - w2);
-        return new BodyBlend(draft.Family.Body, second, third, w1, w2);
+        return new BodyBlend(draft.Species.Body, second, third, w1, w2);
     }
 
     private static Signature DrawSignature(CreatureDraft draft)
@@ -55,8 +70,13 @@ internal static class BodySampler
             random,
             (Signature.None, 0.15), (Signature.BigHead, 0.16), (Signature.LongNeck, 0.12), (Signature.BigTail, 0.12), (Signature.Hulk, 0.14),
             (Signature.Rump, 0.08), (Signature.Hump, 0.08), (Signature.BigEyes, 0.08), (Signature.LongSnout, 0.07));
+        if (draft.Species.Signatures is Signature[] fitting && Array.IndexOf(fitting, signature) < 0)
+        {
+            return Signature.None;
+        }
+
         bool unfit = (draft.Kind == LocomotionKind.Swimming && signature is Signature.LongNeck or Signature.Hump or Signature.Hulk)
-            || (draft.Family.Body == "amphibian" && signature is Signature.LongNeck or Signature.LongSnout)
+            || (draft.Species.Family == "amphibian" && signature is Signature.LongNeck or Signature.LongSnout)
             || (draft.Plan == BodyPlan.Legless && signature is Signature.Hump or Signature.Rump or Signature.Hulk);
         return unfit ? (random.Chance(0.5) ? Signature.BigEyes : Signature.None) : signature;
     }
@@ -64,7 +84,7 @@ internal static class BodySampler
     private static BodyProportions Proportions(CreatureDraft draft)
     {
         RandomStream random = draft.Stream("proportions");
-        string family = draft.Family.Body;
+        string family = draft.Species.Family;
         double head = Scalar.Clamp(1.26 + (0.14 * draft.Style) + random.Normal(0, 0.05), 0.9, 1.55);
         double neck = random.LogNormal(0.22, 0.65, 1.7);
         double tail = random.LogNormal(0.25, 0.55, 1.7);
@@ -73,6 +93,15 @@ internal static class BodySampler
         double belly = CreatureDraft.Around(random, 1, 0.07, 0.88, 1.15);
         double depth = Scalar.Clamp(PortableMath.Exp(random.Normal(-0.02, 0.22)), 0.66, 1.38);
         double wide = random.LogNormal(0.12, 0.85, 1.25);
+        SpeciesProfile species = draft.Species;
+        if (species.IsSpecies)
+        {
+            head = species.HeadSize.Mean + ((head - 1.26) * species.HeadSize.Variation);
+            neck = PortableMath.Pow(neck, species.Variety);
+            tail = PortableMath.Pow(tail, species.Variety);
+            snout = PortableMath.Pow(snout, species.Variety);
+        }
+
         double neckGirth = 1, chest = 1, hump = 1, rump = 1, tailGirth = 1, width = 1;
         if (family == "amphibian")
         {
@@ -81,7 +110,7 @@ internal static class BodySampler
 
         if (family == "insect")
         {
-            girth = wide;
+            girth = species.IsSpecies ? girth : wide;
             head = Math.Min(head, 1.22);
         }
 
@@ -130,7 +159,7 @@ internal static class BodySampler
         if (draft.Kind == LocomotionKind.Swimming)
         {
             neck = Math.Min(neck, 1.1);
-            if (family == "fish")
+            if (family == "fish" && !species.IsSpecies)
             {
                 head *= 0.74;
                 snout *= 0.8;
@@ -138,7 +167,7 @@ internal static class BodySampler
             }
         }
 
-        depth = family == "fish" && draft.Kind == LocomotionKind.Swimming ? depth : 1;
+        depth = family == "fish" && !species.IsSpecies && draft.Kind == LocomotionKind.Swimming ? depth : 1;
         if (neck > 1.25)
         {
             head *= 0.92;
@@ -150,31 +179,32 @@ internal static class BodySampler
     private static BodyPosture Posture(CreatureDraft draft)
     {
         RandomStream random = draft.Stream("posture");
-        double neck = random.Normal(0, 9);
-        double head = random.Normal(0, 6);
-        double tail = random.Normal(0, 14);
+        double tilt = draft.Species.TiltVariety;
+        double neck = tilt * random.Normal(0, 9);
+        double head = tilt * random.Normal(0, 6);
+        double tail = tilt * random.Normal(0, 14);
         double torso = 0;
         double trunk = 0;
         double upright = random.Uniform(48, 66);
         double uprightNeck = random.Uniform(-2, 10);
-        double lean = draft.Family.Body == "avian" ? random.Uniform(0, 14) : random.Uniform(6, 22);
+        double lean = draft.Species.Bird != null ? 0 : draft.Species.Family == "avian" ? random.Uniform(0, 14) : random.Uniform(6, 22);
 
         // S1.5: one angle for the neck and one for the tail, in [0, 200° / bones]; here a moderate share of it, either way.
-        double neckBend = random.Uniform(-2, 5);
-        double tailBend = random.Uniform(-6, 9);
+        double neckBend = tilt * random.Uniform(-2, 5);
+        double tailBend = tilt * random.Uniform(-6, 9);
         switch (draft.Plan)
         {
             case BodyPlan.Upright:
-                torso = upright - (draft.Family.Body == "amphibian" ? 12 : 0);
-                neck = uprightNeck - (draft.Family.Body == "amphibian" ? 12 : 0);
+                torso = upright - (draft.Species.Family == "amphibian" ? 12 : 0);
+                neck = uprightNeck - (draft.Species.Family == "amphibian" ? 12 : 0);
                 tail += 18;
                 neckBend = 0;
                 break;
             case BodyPlan.Theropod:
                 tail *= 0.4;
                 trunk = lean;
-                neck += draft.Family.Body == "avian" ? 0 : 22;
-                tail -= draft.Family.Body == "avian" ? 0 : 6;
+                neck += draft.Species.Family == "avian" ? 0 : 22;
+                tail -= draft.Species.Family == "avian" ? 0 : 6;
                 tailBend = Math.Min(tailBend, 2);
                 break;
             case BodyPlan.Centaur:
@@ -184,6 +214,12 @@ internal static class BodySampler
                 tailBend = 0;
                 tail = 0;
                 break;
+        }
+
+        if (draft.Species.Bird is BirdKit bird && draft.Plan == BodyPlan.Flapping)
+        {
+            torso += bird.FlightPitch.Torso;
+            tail += bird.FlightPitch.Tail;
         }
 
         if (draft.Signature == Signature.LongNeck)
@@ -199,8 +235,8 @@ internal static class BodySampler
             tail /= 5;
             neckBend = 0;
             tailBend = 0;
-            neck -= draft.Family.Body == "serpent" ? 20 : 0;
-            head = draft.Family.Body == "canine" ? 4 : head;
+            neck -= draft.Species.Family == "serpent" ? 20 : 0;
+            head = draft.Species.Family == "canine" ? 4 : head;
         }
 
         return new BodyPosture(Scalar.Radians(head), Scalar.Radians(neck), Scalar.Radians(torso), Scalar.Radians(tail), Scalar.Radians(trunk), Scalar.Radians(neckBend), Scalar.Radians(tailBend));
@@ -210,7 +246,8 @@ internal static class BodySampler
     private static ValueList<LatticeSlice> Slices(CreatureDraft draft)
     {
         RandomStream random = draft.Stream("lattice");
-        bool swims = draft.Kind == LocomotionKind.Swimming;
+        bool swims = draft.Kind == LocomotionKind.Swimming && !draft.Species.IsSpecies;
+        double spread = draft.Species.LatticeSpread;
         var slices = new LatticeSlice[11];
         for (int k = 0; k < slices.Length; k++)
         {
@@ -219,7 +256,7 @@ internal static class BodySampler
             double z = random.Uniform(-1, 1);
             slices[k] = swims
                 ? new LatticeSlice(0.9 + (0.14 * x), 1.06 + (0.28 * y), 1 + (0.14 * z))
-                : new LatticeSlice(1 + (0.22 * x), 1 + (0.22 * y), 1 + (0.22 * z));
+                : new LatticeSlice(1 + (spread * x), 1 + (spread * y), 1 + (spread * z));
         }
 
         return new ValueList<LatticeSlice>(slices);
@@ -238,7 +275,13 @@ internal static class BodySampler
             return new TailBlueprint(TailStyle.Plain, 0, 0);
         }
 
-        return draft.Family.Body switch
+        if (draft.Species.Bird is BirdKit bird)
+        {
+            double fan = bird.Fan * (draft.Kind == LocomotionKind.Flying ? 1.35 : 1);
+            return bird.Fan == 0 ? new TailBlueprint(TailStyle.Plain, 0, 0) : new TailBlueprint(TailStyle.Feathers, fan, 0);
+        }
+
+        return draft.Species.Family switch
         {
             "avian" when feathered => new TailBlueprint(TailStyle.Feathers, feathers, 0),
             "fish" when draft.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),

@@ -8,6 +8,9 @@ namespace CreatureGen.Sampling;
 /// <summary>Draws harmonious colours in OKLCH. Numbers are tendencies of look.md: natural, vivid, pale and dark coats.</summary>
 internal static class CoatSampler
 {
+    /// <summary>Probability that a species wears a colouring that it is known by.</summary>
+    private const double KnownColourings = 0.65;
+
     private static readonly double[] vividHues = { 25, 45, 70, 110, 145, 175, 200, 230, 260, 290, 330 };
     private static readonly double[] darkHues = { 30, 60, 150, 220, 260, 300 };
     private static readonly double[] accentTurns = { 150, 180, 210, -60, 60 };
@@ -53,10 +56,10 @@ internal static class CoatSampler
         ColourBlueprint claw = random.Chance(0.6) ? Colour(0.27, 0.02, 60) : Colour(0.82, 0.04, 85);
         ColourBlueprint horn = Colour(random.Uniform(0.35, 0.82), 0.035, 75);
         ColourBlueprint iris = Colour(random.Uniform(0.62, 0.80), random.Uniform(0.10, 0.17), Pick(random, irisHues));
-        ColourBlueprint muzzle = draft.Family.Body == "avian"
+        ColourBlueprint muzzle = draft.Species.Family == "avian"
             ? random.Chance(0.65) ? Colour(0.70, 0.13, CreatureDraft.Choose(random, (60.0, 1), (75.0, 1), (45.0, 1))) : Colour(0.3, 0.02, 60)
             : Colour(0.25, 0.03, 30);
-        return new CoatBlueprint(
+        var coat = new CoatBlueprint(
             Colour(lightness, chroma, hue),
             Colour(Math.Max(0.2, lightness - 0.13), chroma, hue - 12),
             Colour(Math.Min(0.9, lightness + 0.20), chroma * 0.55, bellyHue),
@@ -68,11 +71,37 @@ internal static class CoatSampler
             muzzle,
             Colour(0.38, 0.11, 20),
             iris,
-            CreatureDraft.Choose(random, draft.Family.Patterns),
+            CreatureDraft.Choose(random, draft.Species.Patterns),
             random.Uniform(0.8, 1.3),
             random.Uniform(0.65, 0.95),
             random.Integer(0, 1 << 16));
+        Colouring[] known = draft.Species.Colourings;
+        RandomStream choice = draft.Stream("colouring");
+        return palette == PaletteMood.Any && known.Length > 0 && choice.Chance(KnownColourings) ? Wear(coat, known[choice.Integer(0, known.Length)], choice) : coat;
     }
+
+    /// <summary>The coat in a colouring that its species is known by, a little varied.</summary>
+    private static CoatBlueprint Wear(CoatBlueprint coat, Colouring known, RandomStream random)
+    {
+        double lightness = known.Base.Lightness + random.Uniform(-0.03, 0.03);
+        double chroma = known.Base.Chroma;
+        double hue = known.Base.Hue + random.Uniform(-6, 6);
+        return coat with
+        {
+            Base = Colour(lightness, chroma, hue),
+            Back = Colour(Math.Max(0.16, lightness - 0.12), chroma, hue - 8),
+            Belly = Of(known.Belly) ?? Colour(Math.Min(0.92, lightness + 0.18), chroma * 0.5, hue + 8),
+            Limb = Of(known.Limb) ?? Colour(Math.Max(0.18, lightness - 0.17), chroma * 0.7, hue - 6),
+            Pattern = Of(known.Pattern) ?? Colour(Math.Max(0.17, lightness - 0.26), chroma * 0.8, hue - 10),
+            Accent = Of(known.Accent) ?? (known.KeepsAccent ? coat.Accent : Colour(Math.Max(0.2, lightness - 0.1), chroma * 1.15, hue + 8)),
+            Muzzle = Of(known.Muzzle) ?? coat.Muzzle,
+            PatternKind = known.Kind ?? coat.PatternKind,
+            PatternScale = coat.PatternScale * known.Scale,
+            PatternStrength = known.Kind is null ? coat.PatternStrength : Math.Max(coat.PatternStrength, 0.85),
+        };
+    }
+
+    private static ColourBlueprint? Of(Tint? tint) => tint is Tint t ? Colour(t.Lightness, t.Chroma, t.Hue) : null;
 
     private static double Pick(RandomStream random, double[] values) => values[random.Integer(0, values.Length)];
 

@@ -25,11 +25,11 @@ internal enum Signature
 /// <summary>A creature while it is being sampled: what has been decided so far.</summary>
 internal sealed class CreatureDraft
 {
-    public CreatureDraft(Seed seed, LocomotionKind kind, FamilyProfile family, BodyPlan plan)
+    public CreatureDraft(Seed seed, LocomotionKind kind, SpeciesProfile species, BodyPlan plan)
     {
         Seed = seed;
         Kind = kind;
-        Family = family;
+        Species = species;
         Plan = plan;
     }
 
@@ -38,7 +38,7 @@ internal sealed class CreatureDraft
 
     public LocomotionKind Kind { get; }
 
-    public FamilyProfile Family { get; }
+    public SpeciesProfile Species { get; }
 
     public BodyPlan Plan { get; }
 
@@ -58,6 +58,11 @@ internal sealed class CreatureDraft
     public TailBlueprint Tail { get; set; } = new(TailStyle.Plain, 0, 0);
 
     public double Elevation { get; set; }
+
+    public DiscBlueprint Disc { get; set; } = new(0, 0);
+
+    /// <summary>The trunk as drawn so far.</summary>
+    public BodyBlueprint Body => new(Blend, Proportions, Posture, Slices, Elevation, Species.Shell, Species.Annuli, Disc);
 
     /// <summary>The body as it stands, its head still without a face.</summary>
     public BodyShape Shape { get; set; } = new(new double[BodyGrid.Rings]);
@@ -92,6 +97,9 @@ internal sealed class CreatureDraft
     /// <summary>A uniform draw, clamped normal about 1.</summary>
     public static double Around(RandomStream random, double mean, double deviation, double min, double max) =>
         Scalar.Clamp(random.Normal(mean, deviation), min, max);
+
+    /// <summary>A uniform draw from a range.</summary>
+    public static double Between(RandomStream random, (double Least, double Most) range) => random.Uniform(range.Least, range.Most);
 
     /// <summary>One of several weighted choices.</summary>
     public static T Choose<T>(RandomStream random, params (T Value, double Weight)[] choices)

@@ -7,15 +7,15 @@ namespace CreatureGen.Sampling;
 /// <summary>The families of the nine base bodies. Numbers were tuned by eye on sheets of unselected creatures.</summary>
 internal static class FamilyProfiles
 {
-    private static readonly FamilyProfile[] all =
+    private static readonly SpeciesProfile[] all =
     {
         new("canine")
         {
-            Frequency = (1, 0.4, 0.4),
+            Frequency = (1, 0.4, 0.16),
             Partners = new[] { "feline", "bovine", "reptile", "avian" },
             WalkingPlans = Plans((BodyPlan.Digitigrade, 0.8), (BodyPlan.Upright, 0.15), (BodyPlan.Centaur, 0.05)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
-            Eye = (9.6, 5.2), EyeSize = 0.26, EyeSink = 0.66, EyeForward = 0.65, LidDegrees = (54, 64), Bone = 1,
+            Eye = (9.6, 5.2), EyeSize = 0.325, EyeSink = 0.66, EyeForward = 0.65, LidDegrees = (54, 64), Bone = 1,
             Swelling = (0.10, 0.10), MouthCorner = 8, MuzzleSquareness = 2.9, Nostril = 0.19,
             HeadOrnament = (1, 0.15), Teeth = 0.5,
             Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Saddle, 1.2), (PatternKind.Patches, 0.8), (PatternKind.Spots, 0.5)),
@@ -26,7 +26,7 @@ internal static class FamilyProfiles
             Partners = new[] { "canine", "amphibian", "reptile", "feline" },
             WalkingPlans = Plans((BodyPlan.Unguligrade, 0.56), (BodyPlan.Columnar, 0.4), (BodyPlan.Centaur, 0.04)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
-            Eye = (9.6, 6.0), EyeSize = 0.28, EyeSink = 0.64, EyeForward = 0.4, LidDegrees = (50, 64), Bone = 0.8,
+            Eye = (9.6, 6.0), EyeSize = 0.35, EyeSink = 0.64, EyeForward = 0.4, LidDegrees = (50, 64), Bone = 0.8,
             Swelling = (0.10, 0.08), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
             HeadOrnament = (1, 0.85),
             Patterns = Patterns((PatternKind.Patches, 1.2), (PatternKind.Plain, 0.9), (PatternKind.Stripes, 0.7), (PatternKind.Saddle, 0.8)),
@@ -37,73 +37,73 @@ internal static class FamilyProfiles
             Partners = new[] { "canine", "reptile", "avian", "serpent" },
             WalkingPlans = Plans((BodyPlan.Digitigrade, 0.58), (BodyPlan.Plantigrade, 0.22), (BodyPlan.Upright, 0.17), (BodyPlan.Centaur, 0.03)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
-            Eye = (9.6, 5.0), EyeSize = 0.30, EyeSink = 0.60, EyeForward = 0.75, LidDegrees = (56, 66), SlitPupils = 0.75, Bone = 0.9,
+            Eye = (9.6, 5.0), EyeSize = 0.375, EyeSink = 0.60, EyeForward = 0.75, LidDegrees = (56, 66), SlitPupils = 0.75, Bone = 0.9,
             Swelling = (0.08, 0.13), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
             HeadOrnament = (1, 0.12), Teeth = 0.5,
             Patterns = Patterns((PatternKind.Stripes, 1), (PatternKind.Spots, 1.6), (PatternKind.Plain, 0.6), (PatternKind.Saddle, 0.3)),
         },
         new("reptile")
         {
-            Frequency = (1, 0.8, 1),
+            Frequency = (0.6, 0.8, 0.3),
             Partners = new[] { "amphibian", "serpent", "canine", "avian" },
             WalkingPlans = Plans((BodyPlan.Sprawling, 0.45), (BodyPlan.Theropod, 0.33), (BodyPlan.Plantigrade, 0.22)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.65), (BodyPlan.Fish, 0.2), (BodyPlan.Whale, 0.15)),
-            Eye = (9.6, 4.8), EyeSize = 0.25, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.8,
+            Eye = (9.6, 4.8), EyeSize = 0.3125, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.8,
             Swelling = (0.16, 0.08), MouthCorner = 9, Nostril = 0.15, Mood = 0.55,
             HeadOrnament = (0.04, 0.4), Teeth = 0.55,
             Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Mottle, 1), (PatternKind.Stripes, 0.8), (PatternKind.Patches, 0.4), (PatternKind.Saddle, 0.3)),
         },
         new("avian")
         {
-            Frequency = (1.1, 1.4, 0),
+            Frequency = (0.2, 0.25, 0),
             Partners = new[] { "reptile", "feline", "canine", "fish" },
             WalkingPlans = Plans((BodyPlan.Theropod, 1)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 1)),
-            Eye = (9.6, 6.6), EyeSize = 0.33, EyeSink = 0.60, EyeForward = 0.35, LidDegrees = (60, 72), Bone = 0.5,
+            Eye = (9.6, 6.6), EyeSize = 0.4125, EyeSink = 0.60, EyeForward = 0.35, LidDegrees = (60, 72), Bone = 0.5,
             Swelling = (0.06, 0.04), MouthCorner = 7, Nostril = 0.12,
             HeadOrnament = (0.02, 0.12),
             Patterns = Patterns((PatternKind.Saddle, 1), (PatternKind.Plain, 0.6), (PatternKind.Mottle, 0.7), (PatternKind.Bands, 0.4), (PatternKind.Spots, 0.4)),
         },
         new("fish")
         {
-            Frequency = (0.2, 0.15, 2.2),
+            Frequency = (0.2, 0.15, 1.5),
             Partners = new[] { "serpent", "amphibian", "reptile", "avian" },
             WalkingPlans = Plans((BodyPlan.Theropod, 0.4), (BodyPlan.Sprawling, 0.6)),
             SwimmingPlans = Plans((BodyPlan.Fish, 0.82), (BodyPlan.Whale, 0.18)),
-            Eye = (10, 7.0), EyeSize = 0.24, EyeSink = 0.62, EyeForward = 0.3, LidDegrees = (70, 80), Bone = 0,
+            Eye = (10, 7.0), EyeSize = 0.3, EyeSink = 0.62, EyeForward = 0.3, LidDegrees = (70, 80), Bone = 0,
             Swelling = (0.03, 0.02), MouthCorner = 5, Nostril = 0.12,
             Teeth = 0.4,
             Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Stripes, 0.6), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Saddle, 0.9)),
         },
         new("insect")
         {
-            Frequency = (0.9, 1.4, 0),
+            Frequency = (0.06, 0.08, 0),
             Partners = new[] { "amphibian", "reptile", "avian", "fish" },
             WalkingPlans = Plans((BodyPlan.Hexapod, 1)),
             FlyingPlans = Plans((BodyPlan.Buzzing, 1)),
             SwimmingPlans = Plans((BodyPlan.Fish, 1)),
-            Eye = (9, 6.8), EyeSize = 0.44, EyeSink = 0.45, EyeForward = 0.4, LidDegrees = (70, 80), Bone = 0,
+            Eye = (9, 6.8), EyeSize = 0.55, EyeSink = 0.45, EyeForward = 0.4, LidDegrees = (70, 80), Bone = 0,
             Nostril = 0,
             Patterns = Patterns((PatternKind.Bands, 1.2), (PatternKind.Plain, 0.8), (PatternKind.Spots, 0.6), (PatternKind.Saddle, 0.5)),
         },
         new("serpent")
         {
-            Frequency = (0.5, 0.4, 0.55),
+            Frequency = (0.38, 0.4, 0.2),
             Partners = new[] { "reptile", "fish", "feline", "amphibian" },
             WalkingPlans = Plans((BodyPlan.ManyLegged, 0.42), (BodyPlan.Legless, 0.34), (BodyPlan.Sprawling, 0.24)),
             SwimmingPlans = Plans((BodyPlan.Eel, 0.75), (BodyPlan.Fish, 0.25)),
-            Eye = (9.6, 5.6), EyeSize = 0.25, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.6,
+            Eye = (9.6, 5.6), EyeSize = 0.3125, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.6,
             Swelling = (0.12, 0.12), MouthCorner = 9, Nostril = 0.15, Mood = 0.55,
             HeadOrnament = (0, 0.35), Teeth = 0.55,
             Patterns = Patterns((PatternKind.Bands, 1.4), (PatternKind.Spots, 0.6), (PatternKind.Stripes, 0.6), (PatternKind.Mottle, 0.5)),
         },
         new("amphibian")
         {
-            Frequency = (0.8, 0, 0.45),
+            Frequency = (0.4, 0, 0.15),
             Partners = new[] { "reptile", "fish", "bovine", "feline" },
             WalkingPlans = Plans((BodyPlan.Sprawling, 0.86), (BodyPlan.Plantigrade, 0.14)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.45), (BodyPlan.Whale, 0.3), (BodyPlan.Fish, 0.25)),
-            Eye = (9.5, 4.2), EyeSize = 0.30, EyeSink = 0.25, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.5, Bone = 0,
+            Eye = (9.5, 4.2), EyeSize = 0.375, EyeSink = 0.25, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.5, Bone = 0,
             Swelling = (0.16, 0.06), MouthCorner = 9, Nostril = 0.12,
             HeadOrnament = (0, 0.12),
             Patterns = Patterns((PatternKind.Spots, 1), (PatternKind.Mottle, 0.9), (PatternKind.Patches, 0.6), (PatternKind.Bands, 0.4)),
@@ -111,7 +111,10 @@ internal static class FamilyProfiles
     };
 
     /// <summary>All families, in a fixed order.</summary>
-    public static IReadOnlyList<FamilyProfile> All => all;
+    public static IReadOnlyList<SpeciesProfile> All => all;
+
+    /// <summary>The profile of a family.</summary>
+    public static SpeciesProfile Find(string family) => Array.Find(all, profile => profile.Family == family)!;
 
     private static Weighted<BodyPlan>[] Plans(params (BodyPlan Plan, double Weight)[] plans) =>
         Array.ConvertAll(plans, p => new Weighted<BodyPlan>(p.Plan, p.Weight));

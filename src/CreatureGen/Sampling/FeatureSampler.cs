@@ -9,12 +9,21 @@ namespace CreatureGen.Sampling;
 /// <summary>Draws ornaments, at most one kind on the head and one on the back, so that a creature looks designed.</summary>
 internal static class FeatureSampler
 {
+    /// <summary>Metres between the tip of a part and the ground.</summary>
+    private const double Clearance = 0.045;
+
     /// <summary>Fills in the features of the draft, as many as are asked for.</summary>
     public static void Sample(CreatureDraft draft, OrnamentLevel level)
     {
         double plenty = level switch { OrnamentLevel.None => 0, OrnamentLevel.Sparse => 0.4, OrnamentLevel.Rich => 2, _ => 1 };
         double head = draft.Shape.Width[13];
-        if (draft.Family.Body == "insect")
+        if (draft.Species.Parts is PartSlot[] slots)
+        {
+            OwnParts(draft, slots, plenty, draft.Stream("own parts"));
+            return;
+        }
+
+        if (draft.Species.Family == "insect")
         {
             InsectHead(draft, draft.Stream("insect head"));
             return;
@@ -25,12 +34,56 @@ internal static class FeatureSampler
         Back(draft, horned, plenty, draft.Stream("back"));
     }
 
+    /// <summary>From each slot of a species one choice.</summary>
+    private static void OwnParts(CreatureDraft draft, PartSlot[] slots, double plenty, RandomStream random)
+    {
+        double head = draft.Proportions.Head;
+        foreach (PartSlot slot in slots)
+        {
+            double[] weights = new double[slot.Choices.Length];
+            for (int i = 0; i < weights.Length; i++)
+            {
+                bool empty = slot.Choices[i].Parts.Length == 0;
+                weights[i] = slot.Choices[i].Weight * (empty ? 1 / Math.Max(plenty, 1e-6) : 1);
+            }
+
+            PartChoice choice = slot.Choices[random.Weighted(weights)];
+            double size = random.Uniform();
+            foreach (PartKit kit in choice.Parts)
+            {
+                FeatureBlueprint part = kit.Part;
+                double factor = Maths.Scalar.Lerp(kit.Least, kit.Most, size) * (part.Ring < 16 ? head : 1);
+                draft.Features.Add(OffGround(draft, part with { Length = part.Length * factor, Radius = part.Radius * Math.Sqrt(factor) }));
+            }
+        }
+    }
+
+    /// <summary>The part of a walker, bent up until its tip clears the ground.</summary>
+    private static FeatureBlueprint OffGround(CreatureDraft draft, FeatureBlueprint part)
+    {
+        if (draft.Kind != LocomotionKind.Walking)
+        {
+            return part;
+        }
+
+        BodyShape s = draft.Shape;
+        int ring = (int)part.Ring;
+        double pitch = s.Pitch[ring];
+        double around = Maths.PortableMath.Cos(Maths.PortableMath.Tau * part.Segment / BodyGrid.Segments);
+        double root = s.Y[ring] + (around * Maths.PortableMath.Cos(pitch) * (around > 0 ? s.Top[ring] : s.Bottom[ring]));
+        double rise = (part.Outward * around) + part.Upward + (part.Forward * Maths.PortableMath.Sin(pitch));
+        double size = Math.Sqrt((part.Outward * part.Outward) + (part.Upward * part.Upward) + (part.Forward * part.Forward) + (part.Sideward * part.Sideward));
+        double tip = root + (part.Length * ((rise / size) + part.BendUp));
+        double missing = Clearance + (2 * part.Radius) - tip;
+        return missing > 0 ? part with { BendUp = Math.Min(3, part.BendUp + (missing / part.Length)) } : part;
+    }
+
     private static bool Horns(CreatureDraft draft, double head, double plenty, RandomStream random)
     {
-        double chance = draft.Family.HeadOrnament.Horns * plenty;
+        double chance = draft.Species.HeadOrnament.Horns * plenty;
         chance *= draft.Signature == Signature.BigEyes ? 0.4 : 1;
         chance *= draft.Kind == LocomotionKind.Swimming ? 0.25 : 1;
-        bool eared = draft.Ears.Count > 0 && draft.Family.Body != "bovine";
+        bool eared = draft.Ears.Count > 0 && draft.Species.Family != "bovine";
         bool nose = draft.Plan is BodyPlan.Columnar or BodyPlan.Plantigrade or BodyPlan.Unguligrade;
         if (eared || !random.Chance(chance))
         {
@@ -52,8 +105,8 @@ internal static class FeatureSampler
 
     private static void Tuft(CreatureDraft draft, double head, bool horned, double plenty, RandomStream random)
     {
-        bool bird = draft.Family.Body == "avian";
-        bool furred = draft.Family.Body is "feline" or "canine";
+        bool bird = draft.Species.Family == "avian";
+        bool furred = draft.Species.Family is "feline" or "canine";
         if (draft.Kind == LocomotionKind.Swimming || horned || !(bird || furred) || !random.Chance((bird ? 0.45 : 0.2) * plenty))
         {
             return;
@@ -70,8 +123,8 @@ internal static class FeatureSampler
 
     private static void Back(CreatureDraft draft, bool horned, double plenty, RandomStream random)
     {
-        bool plain = draft.Kind == LocomotionKind.Swimming || draft.Family.Body is "avian" or "fish";
-        bool furred = draft.Family.Body is "canine" or "feline";
+        bool plain = draft.Kind == LocomotionKind.Swimming || draft.Species.Family is "avian" or "fish";
+        bool furred = draft.Species.Family is "canine" or "feline";
         double chance = (plain ? 0 : furred ? 0.12 : 0.3) * plenty;
         int count = random.Integer(7, 13);
         double height = random.Uniform(0.06, 0.13);

@@ -16,7 +16,7 @@ internal static class FinSampler
         {
             Swim(draft);
         }
-        else if (draft.Family.Body == "fish")
+        else if (draft.Species.Family == "fish")
         {
             Crest(draft, draft.Stream("fins"));
         }
@@ -25,6 +25,12 @@ internal static class FinSampler
     private static void Swim(CreatureDraft draft)
     {
         RandomStream random = draft.Stream("fins");
+        if (draft.Species.Fins is FinKit kit)
+        {
+            Own(draft, random, kit);
+            return;
+        }
+
         SwimmingPlacement placement = SwimmingRules.Place(LegSampler.Measure(draft), FinAnatomy.Of(draft.Plan), draft.Sockets, draft.Seed.Child("swimmer"));
         double drop = random.Uniform(0.25, 0.6);
         double sweep = random.Uniform(0.4, 0.8);
@@ -71,6 +77,29 @@ internal static class FinSampler
             _ => 0,
         };
         draft.Tail = new TailBlueprint(placement.Tail.Style, size, fork);
+        draft.Shape = StanceSampler.ShapeOf(draft);
+    }
+
+    /// <summary>The fins that a species always has.</summary>
+    private static void Own(CreatureDraft draft, RandomStream random, FinKit kit)
+    {
+        foreach (FinSiteKit fin in kit.Fins)
+        {
+            double length = CreatureDraft.Between(random, fin.Length);
+            double width = CreatureDraft.Between(random, fin.Width);
+            SocketBlueprint socket = fin.Place switch
+            {
+                FinPlace.Dorsal => new SocketBlueprint(fin.Ring, 31, fin.Rows, 2),
+                FinPlace.Ventral => new SocketBlueprint(fin.Ring, 15, fin.Rows, 2),
+                _ => SocketSizing.Centre(fin.Ring, fin.Segment, fin.Rows, 2),
+            };
+            if (draft.Sockets.TryReserve(socket, 0))
+            {
+                draft.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, fin.Drop, fin.Sweep));
+            }
+        }
+
+        draft.Tail = new TailBlueprint(kit.Tail, CreatureDraft.Between(random, kit.TailSize), CreatureDraft.Between(random, kit.TailFork), kit.TailLobe);
         draft.Shape = StanceSampler.ShapeOf(draft);
     }
 

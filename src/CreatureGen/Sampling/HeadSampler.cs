@@ -17,25 +17,25 @@ internal static class HeadSampler
     /// <summary>The face of the draft.</summary>
     public static HeadBlueprint Sample(CreatureDraft draft)
     {
-        FamilyProfile family = draft.Family;
+        SpeciesProfile species = draft.Species;
         RandomStream random = draft.Stream("face");
-        double mood = random.Normal(0, 0.5) + family.Mood;
+        double mood = random.Normal(0, 0.5) + species.Mood;
         double smile = Scalar.Clamp(random.Normal(0.25, 0.4) - (0.35 * mood), -0.7, 1);
-        return new HeadBlueprint(Bumps(draft, mood), family.MuzzleSquareness, Eyes(draft, mood), Mouth(draft, smile), family.Nostril);
+        return new HeadBlueprint(Bumps(draft, mood), species.MuzzleSquareness, Eyes(draft, mood), Mouth(draft, smile), species.Nostril);
     }
 
     /// <summary>Adds ears to the draft.</summary>
     public static void AddEars(CreatureDraft draft)
     {
         RandomStream random = draft.Stream("ears");
-        if (draft.Kind == LocomotionKind.Swimming || !random.Chance(draft.Family.HeadOrnament.Ears))
+        if (draft.Kind == LocomotionKind.Swimming || !random.Chance(draft.Species.HeadOrnament.Ears))
         {
             return;
         }
 
         double head = draft.Shape.Width[13];
         double size = random.Uniform(0.85, 1.2) * head;
-        string shape = draft.Family.Body switch
+        string shape = draft.Species.Family switch
         {
             "canine" => CreatureDraft.Choose(random, ("pointed", 0.6), ("drooping", 0.25), ("big", 0.15)),
             "feline" => CreatureDraft.Choose(random, ("pointed", 0.6), ("round", 0.4)),
@@ -59,35 +59,35 @@ internal static class HeadSampler
 
     private static ValueList<HeadBump> Bumps(CreatureDraft draft, double mood)
     {
-        FamilyProfile family = draft.Family;
+        SpeciesProfile species = draft.Species;
         RandomStream random = draft.Stream("skull");
-        bool mammal = family.Body is "canine" or "feline" or "bovine";
-        bool insect = family.Body == "insect";
+        bool mammal = species.Family is "canine" or "feline" or "bovine";
+        bool insect = species.Family == "insect";
         var bumps = new List<HeadBump>();
-        Add(9.2, 4.2, 1.6, 1.3, Vary(family.Swelling.Brow));
+        Add(9.2, 4.2, 1.6, 1.3, Vary(species.Swelling.Brow));
         Add(8.4, 1.0, 1.5, 1.6, -Vary(0.05));
-        Add(12.8, 9.2, 2.2, 2.0, Vary(family.Swelling.Cheek));
-        Add(13.2, 12.5, 1.8, 1.8, family.Body == "fish" || insect ? 0 : Vary(0.08));
+        Add(12.8, 9.2, 2.2, 2.0, Vary(species.Swelling.Cheek));
+        Add(13.2, 12.5, 1.8, 1.8, species.Family == "fish" || insect ? 0 : Vary(0.08));
         Add(1.2, 7.0, 1.6, 2.2, mammal ? Vary(0.14) : 0);
         Add(7.5, 7.5, 1.4, 2.2, insect ? 0 : -Vary(0.07));
-        Add(2.5, 15.5, 2.0, 2.5, insect || family.Body == "avian" ? 0 : Vary(0.12));
-        if (family.Bone > 0)
+        Add(2.5, 15.5, 2.0, 2.5, insect || species.Family == "avian" ? 0 : Vary(0.12));
+        if (species.Bone > 0)
         {
-            (double ring, double segment) = family.Eye;
-            Add(ring - 0.6, segment + 0.2, 1.5, 1.25, -0.13 * family.Bone);
-            Add(ring - 1.6, segment - 1.9, 1.2, 1.1, 0.11 * family.Bone * (1 + (0.5 * mood)));
-            Add(ring + 1.2, segment - 2.0, 1.4, 1.1, 0.11 * family.Bone * (1 - (0.4 * mood)));
-            Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * family.Bone);
+            (double ring, double segment) = species.Eye;
+            Add(ring - 0.6, segment + 0.2, 1.5, 1.25, -0.13 * species.Bone);
+            Add(ring - 1.6, segment - 1.9, 1.2, 1.1, 0.11 * species.Bone * (1 + (0.5 * mood)));
+            Add(ring + 1.2, segment - 2.0, 1.4, 1.1, 0.11 * species.Bone * (1 - (0.4 * mood)));
+            Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * species.Bone);
         }
 
-        if (family.Body is "canine" or "feline")
+        if (species.Family is "canine" or "feline")
         {
             Add(2.6, 7.2, 2.0, 2.0, 0.12);
             Add(5.6, 7.0, 1.3, 2.6, -0.10);
             Add(6.6, 0.5, 1.1, 2.5, -0.10);
             Add(0.6, 2.0, 1.0, 3.0, 0.10);
         }
-        else if (family.Body == "bovine")
+        else if (species.Family == "bovine")
         {
             Add(1.4, 6.5, 1.6, 3.0, 0.10);
             Add(5.5, 6.0, 1.8, 2.5, -0.08);
@@ -108,28 +108,35 @@ internal static class HeadSampler
 
     private static EyeBlueprint Eyes(CreatureDraft draft, double mood)
     {
-        FamilyProfile family = draft.Family;
+        SpeciesProfile species = draft.Species;
         RandomStream random = draft.Stream("eyes");
         BodyShape s = draft.Shape;
         double half = 0.5 * (s.Width[10] + (0.5 * (s.Top[10] + s.Bottom[10])));
-        double radius = family.EyeSize * half * Scalar.Clamp(1 + (0.14 * draft.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (draft.Signature == Signature.BigEyes ? 1.7 : 1.25);
-        bool insect = family.Body == "insect";
+        double radius = species.EyeSize * half * Scalar.Clamp(1 + (0.14 * draft.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (draft.Signature == Signature.BigEyes ? 1.36 : 1);
+        bool insect = species.Family == "insect";
         radius = Math.Min(radius, (insect ? 0.85 : 0.46) * half);
-        EyeStyle style = insect && random.Chance(0.85) ? EyeStyle.Compound : random.Chance(family.SlitPupils) ? EyeStyle.Slit : EyeStyle.Round;
-        double upper = Scalar.Clamp(family.LidDegrees.Upper - (9 * mood), 34, 72);
-        return new EyeBlueprint(style, family.Eye.Ring, family.Eye.Segment, radius, family.EyeSink, family.EyeForward, Scalar.Radians(upper), Scalar.Radians(family.LidDegrees.Lower), 0.42 * mood);
+        bool faceted = random.Chance(0.85);
+        bool slit = random.Chance(species.SlitPupils);
+        EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : insect && faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : EyeStyle.Round;
+        double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
+        return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, species.EyeSink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
 
     private static MouthBlueprint Mouth(CreatureDraft draft, double smile)
     {
-        FamilyProfile family = draft.Family;
+        SpeciesProfile species = draft.Species;
         RandomStream random = draft.Stream("mouth");
         double opening = CreatureDraft.Choose(random, (0.0, 0.4), (0.10, 0.2), (0.2, 0.2), (0.32, 0.2));
         double beak = CreatureDraft.Choose(random, (0.0, 1), (0.06, 1), (0.2, 1));
-        bool toothed = random.Chance(family.Teeth);
-        opening = family.Body switch { "bovine" => 0, "fish" => Math.Min(opening, 0.12), "avian" => beak, _ => opening };
-        opening = family.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(draft));
-        return new MouthBlueprint(family.MouthCorner, opening, smile, toothed && opening > 0.05 ? 0.14 : 0);
+        bool toothed = random.Chance(species.Teeth);
+        opening = species.Family switch { "bovine" => 0, "fish" => Math.Min(opening, 0.12), "avian" => beak, _ => opening };
+        if (species.MouthOpenings is Weighted<double>[] own)
+        {
+            opening = CreatureDraft.Choose(random, own);
+        }
+
+        opening = species.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(draft));
+        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > 0.05 ? species.ToothLength : 0);
     }
 
     /// <summary>How far a walker may open its mouth before the lower jaw touches the ground, radians.</summary>
@@ -141,7 +148,7 @@ internal static class HeadSampler
         }
 
         BodyShape s = draft.Shape;
-        int hinge = Math.Min(draft.Family.MouthCorner + 3, 14);
+        int hinge = Math.Min(draft.Species.MouthCorner + 3, 14);
         double jaw = s.Arc[hinge] - s.Arc[0] + s.Bottom[0];
         return Math.Max(0, (StanceSampler.Lowest(s, 0, hinge) - JawClearance) / jaw);
     }

@@ -26,10 +26,15 @@ internal static class LegSampler
         {
             case LocomotionKind.Walking:
                 return Walk(draft, style);
+            case LocomotionKind.Flying when draft.Species.Legs is LegKit kit:
+                OwnLegs.Hang(draft, style, kit);
+                WingSampler.AddThin(draft, draft.Species.Wings!.Spread);
+                return null;
             case LocomotionKind.Flying:
                 Fly(draft, style);
                 return null;
             default:
+                OwnLegs.Paddle(draft, style);
                 return null;
         }
     }
@@ -43,8 +48,10 @@ internal static class LegSampler
 
     private static BodyPlan? Walk(CreatureDraft draft, LegStyle style)
     {
-        SocketSet set = SetOf(draft);
-        var size = new LegSize(1, style.Reach, style.FootSize, style.Toes);
+        LegKit? kit = draft.Species.Legs;
+        BirdKit? bird = draft.Species.Bird;
+        style = kit != null ? OwnLegs.StyleOf(draft, style, kit) : bird != null ? OwnLegs.StyleOf(draft, style, bird) : style;
+        var size = new LegSize(1, kit != null ? 1 : style.Reach, style.FootSize, style.Toes);
         WalkingPlacement placement = Place();
         for (int round = 1; round < Rounds; round++)
         {
@@ -73,7 +80,7 @@ internal static class LegSampler
             bool splayed = build.Carriage == LegCarriage.Splayed;
             double shear = biped ? UnderMass(draft, leg) : leg.Shear;
             double azimuth = leg.Site.Archetype == LimbArchetype.Insect && leg == placement.Legs[placement.Legs.Count - 1] ? UnderAbdomen(draft, leg, placement.Legs[0]) : leg.Site.Azimuth;
-            double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing ? 1.05 : 1);
+            double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && kit == null ? 1.05 : 1);
             Add(draft, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
         }
 
@@ -83,10 +90,30 @@ internal static class LegSampler
             Add(draft, hand, LimbArchetype.Arm, LegStance.Hanging, arms.Socket, arms.RootRadius, arms.Length, arms.Length * 0.9, 0, 0, arms.Site.Bounds.Pad);
         }
 
+        if (kit != null)
+        {
+            OwnLegs.AddArms(draft, style, kit);
+        }
+
+        if (draft.Species.Wings is ThinWings wings)
+        {
+            WingSampler.AddThin(draft, wings.Folded);
+        }
+
+        if (draft.Species.Family == "avian" && draft.Plan == BodyPlan.Theropod && placement.Arms is null)
+        {
+            WingSampler.AddFolded(draft);
+        }
+
         draft.Legs.Sort((a, b) => a.Socket.Ring.CompareTo(b.Socket.Ring));
         return null;
 
-        WalkingPlacement Place() => WalkingRules.Place(Measure(draft), set, size, draft.Stream("arms"));
+        WalkingPlacement Place()
+        {
+            SpineMeasure measure = Measure(draft);
+            SocketSet set = kit != null ? OwnLegs.SetOf(draft, kit, measure) : bird != null ? OwnLegs.SetOf(draft, bird) : SetOf(draft);
+            return WalkingRules.Place(measure, set, size, draft.Stream("arms"));
+        }
     }
 
     /// <summary>A biped stands with its feet under its centre of mass, as far as its hips allow; the rules have seen to it that it can.</summary>
@@ -112,10 +139,10 @@ internal static class LegSampler
 
     private static SocketSet SetOf(CreatureDraft draft)
     {
-        bool bird = draft.Family.Body == "avian";
+        bool bird = draft.Species.Family == "avian";
         SocketSet set = draft.Plan switch
         {
-            BodyPlan.Centaur => SocketSets.Centaur(draft.Family.Body == "bovine" ? BodyPlan.Unguligrade : BodyPlan.Digitigrade),
+            BodyPlan.Centaur => SocketSets.Centaur(draft.Species.Family == "bovine" ? BodyPlan.Unguligrade : BodyPlan.Digitigrade),
             BodyPlan.Upright => SocketSets.Upright(draft.Stream("upright legs").Chance(0.6) ? LimbArchetype.PlantigradeHind : LimbArchetype.DigitigradeHind),
             BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar => SocketSets.Quadruped(draft.Plan) with { Arms = null },
             _ => SocketSets.Of(draft.Plan),
@@ -131,9 +158,9 @@ internal static class LegSampler
     private static void Fly(CreatureDraft draft, LegStyle style)
     {
         RandomStream random = draft.Stream("flier legs");
-        bool insect = draft.Family.Body == "insect";
-        bool bird = draft.Family.Body == "avian";
-        bool mammal = draft.Family.Body is "canine" or "feline" or "bovine";
+        bool insect = draft.Species.Family == "insect";
+        bool bird = draft.Species.Family == "avian";
+        bool mammal = draft.Species.Family is "canine" or "feline" or "bovine";
         int pairs = insect ? CreatureDraft.Choose(random, (3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02))
             : bird ? 1
             : mammal ? 2
@@ -144,6 +171,13 @@ internal static class LegSampler
         {
             // Few legs all grow from the thorax.
             anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).FindAll(site => site.Ring <= ThoraxEnd) };
+        }
+
+        if (draft.Species.Bird is BirdKit own)
+        {
+            double thigh = CreatureDraft.Between(draft.Stream("thigh"), own.Thigh);
+            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).ConvertAll(site => site with { Archetype = LimbArchetype.Bird, Girth = thigh }) };
+            style = OwnLegs.StyleOf(draft, style, own);
         }
 
         anatomy = anatomy with { Size = anatomy.Size with { Toes = insect ? 0 : style.Toes } };
@@ -158,11 +192,12 @@ internal static class LegSampler
         }
     }
 
-    private static void Add(CreatureDraft draft, LegStyle style, LimbArchetype archetype, LegStance stance, SocketBlueprint socket, double thickness, double length, double reach, double azimuth, double shear, int pad)
+    /// <summary>Adds a pair of legs if its cells are free.</summary>
+    public static void Add(CreatureDraft draft, LegStyle style, LimbArchetype archetype, LegStance stance, SocketBlueprint socket, double thickness, double length, double reach, double azimuth, double shear, int pad)
     {
         if (draft.Sockets.TryReserve(socket, pad))
         {
-            draft.Legs.Add(new LegBlueprint(archetype, stance, socket, thickness, length, reach, azimuth, shear, style.Slimness, style.Stoutness, style.FootSize, 1, style.Toes, style.ClawLength));
+            draft.Legs.Add(new LegBlueprint(archetype, stance, socket, thickness, length, reach, azimuth, shear, style.Slimness, style.Stoutness, style.FootSize, style.KneeRise, Math.Max(1, style.Toes), style.ClawLength));
         }
     }
 }
@@ -176,7 +211,7 @@ internal sealed record LegStyle
         Stoutness = CreatureDraft.Around(random, 1 + (0.05 * draft.Style), 0.08, 0.85, 1.25);
         FootSize = CreatureDraft.Around(random, 1.25 + (0.1 * draft.Style), 0.1, 1, draft.Plan == BodyPlan.Columnar ? 1.12 : 1.65);
         Slimness = CreatureDraft.Around(random, draft.Plan == BodyPlan.Unguligrade ? 1.02 : 1.12, 0.1, 0.85, 1.35);
-        Toes = draft.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || draft.Family.Body == "avian" ? 3 : random.Integer(3, 5);
+        Toes = draft.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || draft.Species.Family == "avian" ? 3 : random.Integer(3, 5);
         Reach = random.Uniform(0.85, 1.15);
         bool soft = draft.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
         ClawLength = soft ? CreatureDraft.Choose(random, (0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;
@@ -193,4 +228,6 @@ internal sealed record LegStyle
     public int Toes { get; init; }
 
     public double ClawLength { get; init; }
+
+    public double KneeRise { get; init; } = 1;
 }

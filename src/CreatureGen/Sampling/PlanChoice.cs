@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
 using CreatureGen.Seeding;
 
 namespace CreatureGen.Sampling;
 
-/// <summary>Kinds, families and plans with their probabilities, as options narrow them.</summary>
+/// <summary>Kinds, species and plans with their probabilities, as options narrow them.</summary>
 internal sealed class PlanChoice
 {
     /// <summary>How often kinds are drawn when any is asked for.</summary>
@@ -31,7 +32,7 @@ internal sealed class PlanChoice
     }
 
     /// <summary>Whether options leave a plan.</summary>
-    public bool Allows(BodyPlan plan) => FactorOf(plan) > 0;
+    public bool Allows(SpeciesProfile species, BodyPlan plan) => FactorOf(species, plan) > 0;
 
     /// <summary>Draws a kind.</summary>
     public LocomotionKind Kind(RandomStream random)
@@ -45,27 +46,27 @@ internal sealed class PlanChoice
         return (LocomotionKind)random.Weighted(weights);
     }
 
-    /// <summary>Draws a family.</summary>
-    public FamilyProfile Family(RandomStream random, LocomotionKind kind)
+    /// <summary>Draws a species.</summary>
+    public SpeciesProfile Species(RandomStream random, LocomotionKind kind)
     {
-        IReadOnlyList<FamilyProfile> families = FamilyProfiles.All;
-        double[] weights = new double[families.Count];
+        IReadOnlyList<SpeciesProfile> all = SpeciesCatalogue.All;
+        double[] weights = new double[all.Count];
         for (int i = 0; i < weights.Length; i++)
         {
-            weights[i] = WeightOf(kind, families[i]);
+            weights[i] = WeightOf(kind, all[i]);
         }
 
-        return families[random.Weighted(weights)];
+        return all[random.Weighted(weights)];
     }
 
     /// <summary>Draws a plan.</summary>
-    public BodyPlan Plan(RandomStream random, LocomotionKind kind, FamilyProfile family)
+    public BodyPlan Plan(RandomStream random, LocomotionKind kind, SpeciesProfile species)
     {
-        Weighted<BodyPlan>[] plans = family.PlansOf(kind);
+        Weighted<BodyPlan>[] plans = species.PlansOf(kind);
         double[] weights = new double[plans.Length];
         for (int i = 0; i < weights.Length; i++)
         {
-            weights[i] = plans[i].Weight * FactorOf(plans[i].Value);
+            weights[i] = plans[i].Weight * FactorOf(species, plans[i].Value);
         }
 
         return plans[random.Weighted(weights)].Value;
@@ -95,37 +96,42 @@ internal sealed class PlanChoice
     private double WeightOf(LocomotionKind kind)
     {
         double sum = 0;
-        foreach (FamilyProfile family in FamilyProfiles.All)
+        foreach (SpeciesProfile species in SpeciesCatalogue.All)
         {
-            sum += WeightOf(kind, family);
+            sum += WeightOf(kind, species);
         }
 
         return sum * Asked(kind);
     }
 
-    private double WeightOf(LocomotionKind kind, FamilyProfile family)
+    private double WeightOf(LocomotionKind kind, SpeciesProfile species)
     {
-        double all = 0;
+        double whole = 0;
         double left = 0;
-        foreach (Weighted<BodyPlan> plan in family.PlansOf(kind))
+        foreach (Weighted<BodyPlan> plan in species.PlansOf(kind))
         {
-            all += plan.Weight;
-            left += plan.Weight * FactorOf(plan.Value);
+            whole += plan.Weight;
+            left += plan.Weight * FactorOf(species, plan.Value);
         }
 
-        double frequency = kind switch { LocomotionKind.Walking => family.Frequency.Walking, LocomotionKind.Flying => family.Frequency.Flying, _ => family.Frequency.Swimming };
+        double frequency = kind switch { LocomotionKind.Walking => species.Frequency.Walking, LocomotionKind.Flying => species.Frequency.Flying, _ => species.Frequency.Swimming };
         double factor = 1;
         foreach (BaseBodyWeight body in options.BaseBodies)
         {
-            factor = body.Name == family.Body ? body.Weight : factor;
+            factor = body.Name == species.Body ? body.Weight : factor;
         }
 
-        return frequency * factor * left / all;
+        return whole > 0 ? frequency * factor * left / whole : 0;
     }
 
-    private double FactorOf(BodyPlan plan)
+    private double FactorOf(SpeciesProfile species, BodyPlan plan)
     {
         (int least, int most) = PairsOf(plan);
+        if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegKit own)
+        {
+            least = most = own.Sites.Length + own.Arms.Length;
+        }
+
         if (most < options.MinLegPairs || least > options.MaxLegPairs)
         {
             return 0;

@@ -12,6 +12,9 @@ internal static class StanceSampler
 {
     private const int Attempts = 12;
 
+    /// <summary>Metres by which the feathers of a lowered tail reach below its spine.</summary>
+    private const double FanDrop = 0.06;
+
     /// <summary>Radians by which a low head or tail is raised at a time.</summary>
     private static readonly double lift = Scalar.Radians(7);
 
@@ -38,7 +41,7 @@ internal static class StanceSampler
 
     /// <summary>The body's shape with the current posture and elevation.</summary>
     public static BodyShape ShapeOf(CreatureDraft draft) =>
-        BodyShaper.Shape(draft.Plan, new BodyBlueprint(draft.Blend, draft.Proportions, draft.Posture, draft.Slices, draft.Elevation), faceless, draft.Tail);
+        BodyShaper.Shape(draft.Plan, draft.Body, faceless, draft.Tail);
 
     private static void Measure(CreatureDraft draft)
     {
@@ -67,10 +70,24 @@ internal static class StanceSampler
             BodyPlan.Plantigrade => (0.50, 0.70),
             BodyPlan.Columnar => (0.58, 0.85),
             BodyPlan.Upright => (0.46, 0.68),
-            BodyPlan.Theropod => draft.Family.Body == "avian" ? (0.95, 1.4) : (0.78, 1.08),
+            BodyPlan.Theropod => draft.Species.Family == "avian" ? (0.95, 1.4) : (0.78, 1.08),
             _ => (0.0, 0.0),
         };
+        if (draft.Species.Bird is BirdKit bird)
+        {
+            (min, max) = bird.HipHeight;
+        }
+
         double hip = Scalar.Lerp(min, max, draw) * torso / 0.92;
+        if (draft.Kind == LocomotionKind.Walking && draft.Species.Legs is LegKit kit)
+        {
+            draft.HipHeight = hip;
+            double height = Scalar.Lerp(kit.Height.Least, kit.Height.Most, draw);
+            draft.Elevation = Math.Max(height - lowest, 0.03 - Lowest(s, 23, 55));
+            draft.Shape = ShapeOf(draft);
+            return;
+        }
+
         draft.HipHeight = hip;
         double elevation;
         switch (draft.Plan)
@@ -88,7 +105,7 @@ internal static class StanceSampler
                 elevation = Math.Max(hip - s.Y[42], (0.22 * torso) - lowest);
                 break;
             case BodyPlan.Theropod:
-                elevation = Math.Max(hip - s.Y[36], (0.3 * torso) - lowest);
+                elevation = Math.Max(hip - s.Y[36], ((draft.Species.Bird != null ? 0.1 : 0.3) * torso) - lowest);
                 break;
             case BodyPlan.Sprawling:
                 elevation = (Scalar.Lerp(0.07, 0.16, draw) * torso) - lowest;
@@ -128,8 +145,8 @@ internal static class StanceSampler
         BodyShape s = draft.Shape;
         BodyPosture p = draft.Posture;
         double torso = draft.TorsoLength;
-        bool crawls = draft.Plan is BodyPlan.Legless or BodyPlan.Hexapod;
-        double tailGap = crawls ? double.NegativeInfinity : 0.03 * torso;
+        bool crawls = draft.Plan is BodyPlan.Legless or BodyPlan.Hexapod || draft.Species.Legs != null;
+        double tailGap = crawls ? double.NegativeInfinity : (0.03 * torso) + (draft.Tail.Style == TailStyle.Feathers ? FanDrop : 0);
         double headGap = crawls ? 0.01 : 0.06 * torso;
         double tail = p.Tail;
         double neck = p.Neck;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Limbs.Attachment;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
@@ -11,11 +12,38 @@ namespace CreatureGen.Sampling;
 /// <summary>Gives fliers their wings where the attachment rules put them.</summary>
 internal static class WingSampler
 {
+    /// <summary>Adds thin wings of a species' own.</summary>
+    public static void AddThin(CreatureDraft draft, ThinWing[] wings)
+    {
+        RandomStream random = draft.Stream("thin wings");
+        double size = random.Uniform(0.9, 1.1);
+        double breadth = random.Uniform(0.92, 1.08);
+        double rise = random.Uniform(-1, 1);
+        foreach (ThinWing wing in wings)
+        {
+            double elevation = wing.Elevation + (wing.Azimuth < -60 ? 0 : 6 * rise);
+            draft.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.5, wing.Length * size, wing.Width * size * breadth, Scalar.Radians(wing.Azimuth), Scalar.Radians(elevation)));
+        }
+    }
+
+    /// <summary>Folds the wings of a walking bird along its flanks.</summary>
+    public static void AddFolded(CreatureDraft draft)
+    {
+        RandomStream random = draft.Stream("folded wings");
+        double ring = Math.Min(52, (draft.Species.Bird?.FoldRing ?? 45.5) + random.Uniform(-0.8, 0.8));
+        var socket = new SocketBlueprint(24, 4, 2, 4);
+        double span = BodyShape.At(draft.Shape.Arc, ring) - draft.Shape.Arc[25];
+        if (draft.Sockets.TryReserve(socket, 0))
+        {
+            draft.Wings.Add(new WingBlueprint(WingStyle.Folded, socket, span, 0.3, 0.05 / span, 0));
+        }
+    }
+
     /// <summary>Adds the wings of a placement to the draft.</summary>
     public static void Add(CreatureDraft draft, FlyingPlacement placement)
     {
         RandomStream random = draft.Stream("wings");
-        bool bat = draft.Family.Body == "avian" ? random.Chance(0.12) : random.Chance(0.72);
+        bool bat = random.Chance(draft.Species.Family == "avian" ? draft.Species.IsSpecies ? 0 : 0.12 : 0.72);
         double rise = random.Uniform(0.42, 0.75);
         double sweep = random.Uniform(0.05, 0.25);
         foreach (WingPlacement wing in placement.Wings)

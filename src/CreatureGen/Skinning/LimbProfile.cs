@@ -42,11 +42,11 @@ internal sealed class LimbProfile
         along = appendage.JointsAlong;
         legged = appendage.Kind is LimbKind.Leg or LimbKind.Arm;
         LimbArchetype? archetype = appendage.Archetype;
-        flat = appendage.Stands && archetype is LimbArchetype.Column or LimbArchetype.PlantigradeHind or LimbArchetype.PlantigradeFore or LimbArchetype.Sprawl;
+        flat = appendage.Stands && archetype is LimbArchetype.Column or LimbArchetype.PlantigradeHind or LimbArchetype.PlantigradeFore or LimbArchetype.Sprawl or LimbArchetype.FrogHind or LimbArchetype.FrogFore;
         rigidSole = archetype == LimbArchetype.Column;
         hasToes = !rigidSole;
         stretch = new float[along.Length];
-        bool insect = archetype == LimbArchetype.Insect;
+        bool insect = archetype is LimbArchetype.Insect or LimbArchetype.Raptorial or LimbArchetype.Jumper;
         float[] half = insect ? new[] { 0f, 0.03f, 0.03f, 0.02f }
             : legged ? new[] { 0f, 0.075f, 0.055f, 0.03f }
             : appendage.Kind == LimbKind.Wing ? new[] { 0f, 0.10f, 0.10f, 0.12f }

@@ -169,11 +169,11 @@ public sealed class BlueprintValidatorTests
         Assert.Equal(10, BlueprintValidator.Validate(nothing).Count);
         CreatureBlueprint hollow = Samples.Small with
         {
-            Body = new BodyBlueprint(null!, null!, null!, null!, 0),
+            Body = new BodyBlueprint(null!, null!, null!, null!, 0, null!, null!, null!),
             Head = new HeadBlueprint(null!, 2, null!, null!, 0),
             Legs = Samples.Small.Legs.With(0, Samples.Small.Legs[0] with { Socket = null! }),
         };
-        Assert.Equal(8, BlueprintValidator.Validate(hollow).Count);
+        Assert.Equal(11, BlueprintValidator.Validate(hollow).Count);
     }
 
     [Fact]

@@ -68,7 +68,7 @@ public sealed class CreatureOptionsTests
             "maxLegPairs = -1; expected a whole number 0..16",
             "bodyPlans[0].weight = -1; expected 0..1000",
             "bodyPlans[1].plan = an undefined value; expected one of digitigrade, unguligrade, plantigrade, columnar, upright, sprawling, theropod, hexapod, manyLegged, legless, centaur, flapping, buzzing, fish, eel, whale, flipper",
-            "baseBodies[0].name = \"dragon\"; expected one of canine, bovine, feline, reptile, avian, fish, insect, serpent, amphibian",
+            "baseBodies[0].name = \"dragon\"; expected one of " + string.Join(", ", BaseBodyNames.All),
             "baseBodies[0].weight = Infinity; expected 0..1000",
             "palette = an undefined value; expected one of any, natural, vivid, pale, dark",
             "ornaments = an undefined value; expected one of none, sparse, normal, rich",
@@ -128,7 +128,7 @@ public sealed class CreatureOptionsTests
     {
         BodyPlanWeight[] many = Enumerable.Repeat(new BodyPlanWeight(BodyPlan.Eel, 0), 18).ToArray();
         Assert.Equal(
-            new[] { "bodyPlans = 18 elements; expected an array of 0..17 elements", "baseBodies = null; expected an array of 0..9 elements" },
+            new[] { "bodyPlans = 18 elements; expected an array of 0..17 elements", "baseBodies = null; expected an array of 0..35 elements" },
             Sentences(new CreatureOptions { BodyPlans = new ValueList<BodyPlanWeight>(many), BaseBodies = null! }));
     }
 

@@ -43,6 +43,10 @@ internal sealed record LegBuild(
     private static readonly LegBuild theropod = new(LegCarriage.Under, 0.145, 0.34, 0.8, 35, 0.06, 0.03, 0.21, 1.15, 0.60);
     private static readonly LegBuild sprawl = new(LegCarriage.Splayed, 0.20, 0.45, 0.8, 30, 0.32, 1.12, 0.28, 0.75, 0.50);
     private static readonly LegBuild insect = new(LegCarriage.Splayed, 0.08, 0.20, 1, 20, 0, 1.92, 0.16, 0.30, 0.16);
+    private static readonly LegBuild bird = new(LegCarriage.Under, 0.05, 0.34, 0.8, 35, 0.06, 0.06, 0.19, 1.25, 0.62);
+    private static readonly LegBuild jumper = new(LegCarriage.Splayed, 0.06, 0.20, 1, 20, -0.98, 0.76, 0.16, 0.30, 0.16);
+    private static readonly LegBuild frogHind = new(LegCarriage.Splayed, 0.12, 0.45, 0.8, 25, 0.56, 1.36, 0.24, 0.90, 0.55);
+    private static readonly LegBuild frogFore = new(LegCarriage.Splayed, 0.12, 0.45, 0.8, 25, 0.22, 0.48, 0.26, 0.90, 0.55);
     private static readonly LegBuild arm = new(LegCarriage.Under, 0.10, 0.34, 0.9, HangingSwingDegrees, 0.20, 0.20, 0.26, 0.40, 0.40);
 
     /// <summary>The build of an archetype.</summary>
@@ -58,7 +62,11 @@ internal sealed record LegBuild(
         LimbArchetype.Theropod => theropod,
         LimbArchetype.Sprawl => sprawl,
         LimbArchetype.Insect => insect,
-        LimbArchetype.Arm => arm,
+        LimbArchetype.Arm or LimbArchetype.Raptorial => arm,
+        LimbArchetype.Bird => bird,
+        LimbArchetype.Jumper => jumper,
+        LimbArchetype.FrogHind => frogHind,
+        LimbArchetype.FrogFore => frogFore,
         _ => throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "expected a known archetype"),
     };
 

@@ -11,6 +11,9 @@ namespace CreatureGen.Limbs.Attachment;
 /// <param name="Stance">What may be done for length and balance.</param>
 internal sealed record SocketSet(BodyPlan Plan, IReadOnlyList<LimbSocket> Legs, int MinimumPairs, ArmAnatomy? Arms, StanceLimits Stance)
 {
+    /// <summary>Whether legs grow at all of the places, however close, instead of where the rules choose.</summary>
+    public bool TakesAll { get; init; }
+
     /// <summary>The same places with other girths: of the legs in front of the body's middle and of those behind it.</summary>
     public SocketSet WithGirth(double fore, double hind) =>
         this with { Legs = Scale(Legs, fore, hind), Arms = Arms is null ? null : Arms with { Legs = Scale(Arms.Legs, fore, hind) } };

@@ -44,6 +44,11 @@ internal static class WalkingRules
     /// </summary>
     private static Attempt Settle(SpineMeasure measure, SocketSet set, IReadOnlyList<LimbSocket> sockets, LegSize size)
     {
+        if (set.TakesAll)
+        {
+            return Choose(measure, set, sockets, size, LegGirth.Nominal, 0, AllPlaces);
+        }
+
         Attempt best = Choose(measure, set, sockets, size, LegGirth.Nominal, 0, LegRules.Choose);
         if (best.Score > 0)
         {
@@ -95,6 +100,17 @@ internal static class WalkingRules
 
             raise += shortage;
         }
+    }
+
+    private static (WalkingRule Rule, List<int> Sockets) AllPlaces(LegField field)
+    {
+        var chosen = new List<int>();
+        for (int i = 0; i < field.Count; i++)
+        {
+            chosen.Add(i);
+        }
+
+        return (WalkingRule.AsManyAsFit, chosen);
     }
 
     private static (WalkingRule Rule, List<int> Sockets) OnePairUnderMass(LegField field)

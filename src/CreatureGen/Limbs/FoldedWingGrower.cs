@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
+using CreatureGen.Blueprints;
+using CreatureGen.Geometry;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Limbs;
+
+/// <summary>
+/// Grows a pair of wings that lie folded along the flanks: both edges, and a line between them, ride on the body's skin, so that no body is too round for them.
+/// </summary>
+internal static class FoldedWingGrower
+{
+    private const int Feathers = 7;
+
+    /// <summary>Share of the span in which the wing rises off the skin before it slides back.</summary>
+    private const double Lifting = 0.1;
+
+    /// <summary>Rings by which feathers stand out of the rear edge.</summary>
+    private const double Tooth = 0.38;
+
+    /// <summary>The last ring that an edge may ride on.</summary>
+    private const double LastRing = 52.5;
+
+    private static readonly float[] jointShares = { 0f, 0.3f, 0.55f, 0.8f, 1f };
+
+    /// <summary>Segments of the lower edge and the shares of the span that they hold for.</summary>
+    private static readonly double[] lowerShares = { 0, 0.15, 0.4, 0.7, 1 };
+    private static readonly double[] lowerSegments = { 8.0, 8.5, 8.2, 6.6, 3.6 };
+
+    /// <summary>Grows the left wing, mirrors it, and says where its joints are.</summary>
+    public static Appendage Grow(BodySurface body, WingBlueprint wing, int index)
+    {
+        SurfaceBuilder surface = body.Surface;
+        SocketLoop socket = SocketLoop.Cut(body, wing.Socket);
+        int firstVertex = surface.Positions.Count;
+        int firstFace = surface.Faces.Count;
+        BodySkin skin = body.Skin;
+        double first = socket.CentreRing;
+        double reach = RingAt(skin.Shape, first, wing.Span) - first;
+        double lift = wing.Rise * wing.Span;
+
+        double Slide(double s) => Math.Max(0, s - 0.02) / 0.98;
+        double Stand(double s) => lift * Scalar.Smooth(s / Lifting);
+        double Upper(double s) => wing.Socket.Segment - (0.6 * s) - (s * s);
+        double Lower(double s) => Piecewise(s) + wing.Socket.Segment - 4;
+        Vector3 Lead(float s) => Ride(skin, first + (reach * Slide(s)), Upper(s), 0.010 + (0.75 * Stand(s)));
+        Vector3 Trail(float s) => Ride(skin, first + (0.93 * reach * Slide(s)) + (Tooth * (Phase(s) - 0.5) * Scalar.Smooth(4 * s)), Lower(s), 0.012 + (0.95 * Stand(s)));
+        Vector3 Middle(float s) => Ride(skin, first + (0.97 * reach * Slide(s)), (Upper(s) + Lower(s)) / 2, 0.012 + Stand(s));
+        Vector3 Normal(float s) => skin.At(Math.Min(first + (reach * Slide(s)), LastRing), (Upper(s) + Lower(s)) / 2).Normal;
+
+        int quarter = (wing.Socket.Rows + wing.Socket.Columns) / 2;
+        int[] loop = Turned(socket.Vertices, socket.Vertices.Length - quarter);
+        var blade = new BladeSweep(Lead, Trail)
+        {
+            Middle = Middle,
+            Normal = Normal,
+            Thickness = (s, u) => (0.006f + (0.014f * (float)PortableMath.Pow(Math.Max(0, PortableMath.Sin(PortableMath.Pi * u)), 0.6))) * (1f - (0.6f * s)) * Scalar.Smooth((s / 0.1f) + 0.2f),
+            Sections = Sections(),
+            Blend = (float)Lifting,
+            Crowding = 0.85f,
+            Address = new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1 },
+        };
+        int[] end = Turned(blade.Grow(surface, loop), quarter);
+        int[] cap = CapGrid.Vertices(surface, end, wing.Socket.Rows, wing.Socket.Columns, -Vector3.UnitZ, 0f, new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1, Along = 1f });
+        CapGrid.Fill(surface, cap, wing.Socket.Rows, wing.Socket.Columns, surface.NewChart(), new Vector2(0.05f, 0.05f));
+        surface.MirrorSince(firstVertex, firstFace);
+
+        Vector3[] joints = Array.ConvertAll(jointShares, s => Vec.Lerp(Lead(s), Trail(s), s == 0f ? 0.5f : 0.25f));
+        return new Appendage
+        {
+            Kind = LimbKind.Wing,
+            Paired = true,
+            RootRing = socket.CentreRing,
+            Joints = joints,
+            JointsAlong = jointShares,
+            Pole = Vec.Normalize(Vec.Reject(joints[1] - joints[0], Vec.Normalize(joints[2] - joints[0])), Vector3.UnitY),
+            Contact = joints[4],
+            Stands = false,
+        };
+    }
+
+    /// <summary>The point off the skin at a ring and segment, never across the sagittal plane.</summary>
+    private static Vector3 Ride(BodySkin skin, double ring, double segment, double off)
+    {
+        SurfacePoint at = skin.At(Math.Min(ring, LastRing), segment);
+        Vector3 p = at.Position + (at.Normal * (float)off);
+        p.X = Math.Max(p.X, (float)(0.012 + (0.8 * off)));
+        return p;
+    }
+
+    /// <summary>The ring that lies so far behind another, metres along the spine.</summary>
+    private static double RingAt(BodyShape shape, double from, double distance)
+    {
+        double target = BodyShape.At(shape.Arc, from) + distance;
+        int ring = (int)from;
+        while (ring < (int)LastRing && shape.Arc[ring + 1] < target)
+        {
+            ring++;
+        }
+
+        double step = Math.Max(shape.Step[ring + 1], 1e-6);
+        return Math.Min(LastRing, ring + Scalar.Clamp((target - shape.Arc[ring]) / step, 0, 1));
+    }
+
+    private static double Phase(float s) => s < 0.999f ? (s * Feathers) - Math.Floor(s * Feathers) : 0;
+
+    private static double Piecewise(double s)
+    {
+        int i = 1;
+        while (i < lowerShares.Length - 1 && s > lowerShares[i])
+        {
+            i++;
+        }
+
+        return Scalar.Lerp(lowerSegments[i - 1], lowerSegments[i], (s - lowerShares[i - 1]) / (lowerShares[i] - lowerShares[i - 1]));
+    }
+
+    private static int[] Turned(int[] loop, int by)
+    {
+        int[] turned = new int[loop.Length];
+        for (int k = 0; k < turned.Length; k++)
+        {
+            turned[k] = loop[(k + by) % loop.Length];
+        }
+
+        return turned;
+    }
+
+    private static float[] Sections()
+    {
+        var sections = new List<float> { 0f, 0.03f, 0.07f };
+        for (int q = 0; q < Feathers; q++)
+        {
+            foreach (float part in new[] { 0.15f, 0.6f, 0.97f })
+            {
+                float s = (q + part) / Feathers;
+                if (s > 0.075f)
+                {
+                    sections.Add(s);
+                }
+            }
+        }
+
+        sections[sections.Count - 1] = 1f;
+        return sections.ToArray();
+    }
+}

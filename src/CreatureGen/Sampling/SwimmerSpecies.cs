@@ -1,0 +1,294 @@
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+
+namespace CreatureGen.Sampling;
+
+/// <summary>Swimmers, and those of them that walk as well.</summary>
+internal static class SwimmerSpecies
+{
+    private static readonly SpeciesProfile fish = Tamed(FamilyProfiles.Find("fish"));
+    private static readonly SpeciesProfile reptile = Tamed(FamilyProfiles.Find("reptile"));
+    private static readonly SpeciesProfile amphibian = Tamed(FamilyProfiles.Find("amphibian"));
+    private static readonly SpeciesProfile canine = Tamed(FamilyProfiles.Find("canine"));
+    private static readonly SpeciesProfile serpent = Tamed(FamilyProfiles.Find("serpent"));
+
+    /// <summary>All of them, in a fixed order.</summary>
+    public static readonly SpeciesProfile[] All =
+    {
+        fish with
+        {
+            Body = "shark",
+            Frequency = (0, 0, 0.42),
+            Eye = (8.4, 7.2), EyeSize = 0.17,
+            MouthCorner = 6, Teeth = 0.9, ToothLength = 0.12,
+            MouthOpenings = Openings((0.10, 1), (0.18, 1), (0.0, 0.6)),
+            SwimmingPlans = Only(BodyPlan.Fish),
+            Fins = new FinKit
+            {
+                Fins = new[]
+                {
+                    new FinSiteKit(FinPlace.Dorsal, FinStyle.Shark, 27, 0, 8, (0.24, 0.32), (0, 0), 0, 0.9),
+                    new FinSiteKit(FinPlace.Dorsal, FinStyle.Shark, 41, 0, 4, (0.07, 0.09), (0, 0), 0, 0.9),
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 24, 10, 4, (0.38, 0.50), (0.40, 0.50), 0.38, 0.6),
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 38, 11, 4, (0.15, 0.18), (0.5, 0.5), 0.4, 0.6),
+                },
+                Tail = TailStyle.Fork, TailSize = (0.26, 0.32), TailFork = (1.1, 1.6), TailLobe = 0.38,
+            },
+            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Stripes, 0.5), (PatternKind.Spots, 0.4)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.56, 0.03, 240)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.40, 0.03, 240) },
+                new Colouring(new Tint(0.50, 0.05, 225)) { Pattern = new Tint(0.34, 0.04, 235), Kind = PatternKind.Stripes, Belly = new Tint(0.88, 0.01, 200), Accent = new Tint(0.36, 0.04, 235) },
+                new Colouring(new Tint(0.60, 0.04, 80)) { Pattern = new Tint(0.4, 0.04, 70), Kind = PatternKind.Spots, Accent = new Tint(0.42, 0.04, 75) },
+            },
+        },
+        fish with
+        {
+            Body = "ray",
+            Frequency = (0, 0, 0.38),
+            Dominance = (0.93, 0.98),
+            Kinship = 0,
+            HeadSize = (1, 0.2),
+            Signatures = new[] { Signature.None, Signature.BigEyes },
+            Disc = (0.42, -0.28, 0.38),
+            Eye = (6.4, 3.0), EyeSize = 0.20, EyeSink = 0.4,
+            MouthCorner = 0, Nostril = 0, Bone = 0, Swelling = (0, 0),
+            SwimmingPlans = Only(BodyPlan.Whale),
+            Fins = new FinKit
+            {
+                Fins = new[] { new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 43, 10, 4, (0.14, 0.18), (0.6, 0.7), 0.15, 0.9) },
+                Tail = TailStyle.Plain,
+            },
+            Parts = new[]
+            {
+                new PartSlot(
+                    new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Scute, 1.5, 8, 0.24, 0.055, 0, -0.1, 1, 0.05, -0.15, 0, -0.2, 0.4, 0.55), 0.8, 1.15)),
+                    new PartChoice(0.8)),
+                new PartSlot(new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Spike, 46, 0, 0.2, 0.018, 0.4, 0.3, -1, 0, 0, -0.2, 0, 1, 1), 0.8, 1.2)), new PartChoice(1)),
+            },
+            Patterns = Patterns((PatternKind.Spots, 1), (PatternKind.Mottle, 1), (PatternKind.Plain, 0.6)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.32, 0.03, 250)) { Pattern = new Tint(0.8, 0.02, 90), Kind = PatternKind.Spots, Belly = new Tint(0.88, 0.01, 240) },
+                new Colouring(new Tint(0.55, 0.06, 75)) { Pattern = new Tint(0.38, 0.05, 65), Kind = PatternKind.Mottle, Belly = new Tint(0.88, 0.02, 80) },
+                new Colouring(new Tint(0.42, 0.09, 255)) { Pattern = new Tint(0.72, 0.11, 230), Kind = PatternKind.Spots, Belly = new Tint(0.9, 0.02, 240) },
+            },
+        },
+        fish with
+        {
+            Body = "angler",
+            Frequency = (0, 0, 0.26),
+            Dominance = (0.93, 0.98),
+            Signatures = new[] { Signature.None, Signature.BigEyes },
+            Eye = (6.6, 5.0), EyeSize = 0.17,
+            MouthCorner = 7, Teeth = 1, ToothLength = 0.24,
+            MouthOpenings = Openings((0.30, 1)),
+            SwimmingPlans = Only(BodyPlan.Fish),
+            Fins = new FinKit
+            {
+                Fins = new[]
+                {
+                    new FinSiteKit(FinPlace.Dorsal, FinStyle.Sail, 34, 0, 8, (0.13, 0.16), (0, 0), 0, 0.35),
+                    new FinSiteKit(FinPlace.Ventral, FinStyle.Sail, 36, 0, 6, (0.09, 0.11), (0, 0), 0, 0.35),
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 25, 9, 4, (0.22, 0.27), (0.7, 0.8), 0.35, 0.6),
+                },
+                Tail = TailStyle.Fan, TailSize = (0.2, 0.26), TailFork = (-0.4, -0.2),
+            },
+            Parts = new[]
+            {
+                new PartSlot(new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Lure, 11, 0, 0.52, 0.018, 0, 1, 0.25, 0, -0.42, 0.75, 0, 1.6, 0.5), 0.8, 1.1))),
+            },
+            Patterns = Patterns((PatternKind.Mottle, 1), (PatternKind.Plain, 0.5)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.30, 0.03, 300)) { Kind = PatternKind.Mottle },
+                new Colouring(new Tint(0.34, 0.05, 40)) { Kind = PatternKind.Mottle },
+                new Colouring(new Tint(0.28, 0.04, 220)) { Kind = PatternKind.Mottle },
+            },
+        },
+        reptile with
+        {
+            Body = "turtle",
+            Frequency = (0.28, 0, 0.36),
+            Dominance = (0.93, 0.98),
+            Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
+            Shell = new ShellBlueprint(ShellStyle.Carapace, 24, 21, 7, 0.10),
+            Eye = (9.0, 5.6), EyeSize = 0.30,
+            MouthCorner = 7, Teeth = 0, HeadOrnament = (0, 0), Mood = 0.1,
+            MouthOpenings = Openings((0, 1), (0.08, 0.6)),
+            WalkingPlans = Only(BodyPlan.Sprawling),
+            SwimmingPlans = Only(BodyPlan.Flipper),
+            Fins = new FinKit
+            {
+                Fins = new[]
+                {
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 26, 9.6, 4, (0.62, 0.75), (0.30, 0.38), 0.35, 0.6),
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 41, 10, 4, (0.28, 0.34), (0.6, 0.6), 0.4, 0.6),
+                },
+                Tail = TailStyle.Plain,
+            },
+            Parts = System.Array.Empty<PartSlot>(),
+            Patterns = Patterns((PatternKind.Patches, 1), (PatternKind.Spots, 0.6), (PatternKind.Mottle, 0.4)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.55, 0.07, 125)) { Pattern = new Tint(0.34, 0.05, 120), Kind = PatternKind.Patches },
+                new Colouring(new Tint(0.50, 0.07, 90)) { Pattern = new Tint(0.3, 0.04, 70), Kind = PatternKind.Patches },
+                new Colouring(new Tint(0.52, 0.06, 210)) { Pattern = new Tint(0.34, 0.05, 220), Kind = PatternKind.Spots },
+            },
+        },
+        reptile with
+        {
+            Body = "plesiosaur",
+            Frequency = (0, 0, 0.33),
+            Eye = (9.4, 5.0), EyeSize = 0.30,
+            HeadOrnament = (0, 0.15),
+            SwimmingPlans = Only(BodyPlan.Flipper),
+            Fins = new FinKit
+            {
+                Fins = new[]
+                {
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 25, 10, 4, (0.55, 0.75), (0.36, 0.46), 0.4, 0.6),
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 41, 10, 4, (0.38, 0.55), (0.42, 0.42), 0.4, 0.6),
+                },
+                Tail = TailStyle.Plain,
+            },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.50, 0.05, 215)) { Pattern = new Tint(0.34, 0.04, 225), Kind = PatternKind.Mottle },
+                new Colouring(new Tint(0.48, 0.06, 120)) { Pattern = new Tint(0.3, 0.05, 110), Kind = PatternKind.Bands },
+            },
+        },
+        reptile with
+        {
+            Body = "crocodile",
+            Frequency = (0.25, 0, 0.3),
+            Eye = (10.0, 3.4), EyeSize = 0.22, EyeSink = 0.35, Bone = 0.3,
+            Teeth = 1, ToothLength = 0.16, HeadOrnament = (0, 0),
+            WalkingPlans = Only(BodyPlan.Sprawling),
+            SwimmingPlans = Only(BodyPlan.Eel),
+            Paddles = Paddling(0.085, 0.6),
+            Fins = new FinKit { Tail = TailStyle.Plain },
+            Parts = new[] { new PartSlot(new PartChoice(1, Scutes())) },
+            Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Mottle, 1)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.46, 0.06, 110)) { Pattern = new Tint(0.30, 0.04, 105), Kind = PatternKind.Bands },
+                new Colouring(new Tint(0.38, 0.04, 85)) { Kind = PatternKind.Mottle },
+            },
+        },
+        canine with
+        {
+            Body = "seal",
+            Frequency = (0, 0, 0.3),
+            Eye = (8.8, 5.6), EyeSize = 0.30,
+            HeadOrnament = (0, 0), Teeth = 0.2,
+            MouthOpenings = Openings((0, 1), (0.1, 0.4)),
+            SwimmingPlans = Only(BodyPlan.Whale),
+            Fins = new FinKit
+            {
+                Fins = new[] { new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 27, 10.6, 4, (0.42, 0.55), (0.5, 0.6), 0.75, 0.6) },
+                Tail = TailStyle.Fluke, TailSize = (0.19, 0.23), TailFork = (0.8, 1.1),
+            },
+            Parts = new[]
+            {
+                new PartSlot(new PartChoice(2.2), new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Tusk, 3, 10.8, 0.24, 0.026, 0, -1, 0.3, 0.08, 0, -0.25, 0, 1, 0.8), 0.8, 1.3))),
+            },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.52, 0.02, 70)) { Pattern = new Tint(0.3, 0.02, 60), Kind = PatternKind.Spots },
+                new Colouring(new Tint(0.36, 0.02, 60)) { Kind = PatternKind.Plain },
+                new Colouring(new Tint(0.78, 0.02, 85)) { Pattern = new Tint(0.45, 0.02, 60), Kind = PatternKind.Mottle },
+            },
+        },
+        amphibian with
+        {
+            Body = "newt",
+            Frequency = (0.25, 0, 0.3),
+            Eye = (9.4, 4.6), EyeSize = 0.24,
+            WalkingPlans = Only(BodyPlan.Sprawling),
+            SwimmingPlans = Only(BodyPlan.Eel),
+            Paddles = Paddling(0.07, 0),
+            Fins = new FinKit
+            {
+                Fins = new[] { new FinSiteKit(FinPlace.Dorsal, FinStyle.Sail, 32, 0, 14, (0.07, 0.13), (0, 0), 0, 0.35) },
+                Tail = TailStyle.Plain,
+            },
+            Parts = new[] { new PartSlot(new PartChoice(0.85, Gills()), new PartChoice(0.15)) },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.34, 0.03, 50)) { Pattern = new Tint(0.68, 0.17, 50), Kind = PatternKind.Patches, Accent = new Tint(0.66, 0.18, 42) },
+                new Colouring(new Tint(0.86, 0.05, 12)) { Kind = PatternKind.Plain, Limb = new Tint(0.8, 0.07, 12), Accent = new Tint(0.60, 0.17, 18) },
+                new Colouring(new Tint(0.48, 0.08, 110)) { Pattern = new Tint(0.25, 0.03, 100), Kind = PatternKind.Spots },
+            },
+        },
+        serpent with
+        {
+            Body = "eel",
+            Frequency = (0, 0, 0.28),
+            HeadOrnament = (0, 0),
+            SwimmingPlans = Only(BodyPlan.Eel),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.42, 0.07, 95)) { Pattern = new Tint(0.75, 0.13, 90), Kind = PatternKind.Spots, Accent = new Tint(0.5, 0.1, 100) },
+                new Colouring(new Tint(0.70, 0.02, 90)) { Pattern = new Tint(0.2, 0.02, 60), Kind = PatternKind.Bands },
+                new Colouring(new Tint(0.30, 0.03, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.7, 0.03, 90) },
+            },
+        },
+    };
+
+    /// <summary>What all species have in common against their families: they keep more of their own table.</summary>
+    public static SpeciesProfile Tamed(SpeciesProfile family) => family with
+    {
+        Dominance = (0.86, 0.96),
+        Kinship = 0.6,
+        Variety = 0.5,
+        TiltVariety = 0.35,
+        LatticeSpread = 0.12,
+        HeadSize = (1.06, 0.7),
+        Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
+    };
+
+    private static LegKit Paddling(double thickness, double claw) => new()
+    {
+        Sites = new[] { new LegSite(LimbArchetype.Sprawl, 27, 9.7, 0.10, 0.95, 0.88), new LegSite(LimbArchetype.Sprawl, 41, 9.8, -0.12, 1, 1) },
+        Reach = (0.24, 0.28), HangingLength = 0.2, Thickness = thickness, Claw = claw,
+    };
+
+    private static PartKit[] Scutes()
+    {
+        var rows = new System.Collections.Generic.List<PartKit>();
+        for (int ring = 18; ring < 52; ring += 2)
+        {
+            double size = ring < 26 ? 0.026 : ring < 44 ? 0.034 : 0.03;
+            rows.Add(Scute(ring, ring < 44 ? 1.3 : 1.0, size));
+            if (ring < 44)
+            {
+                rows.Add(Scute(ring, 3.2, size));
+            }
+        }
+
+        return rows.ToArray();
+    }
+
+    private static PartKit Scute(double ring, double segment, double size) =>
+        new(new FeatureBlueprint(FeatureKind.Scute, ring, segment, size, size * 0.95, 0.9, 0, -0.5, 0, 0, 0, 0, 0.75, 0.8), 0.85, 1.15);
+
+    private static PartKit[] Gills()
+    {
+        var plumes = new PartKit[3];
+        for (int k = 0; k < plumes.Length; k++)
+        {
+            plumes[k] = new PartKit(new FeatureBlueprint(FeatureKind.Tuft, 16.5 + k, 4.5 + (1.6 * k), 0.17, 0.032, 1, 0.45 - (0.35 * k), -0.55, 0.2, -0.12, -0.3, 0, 1, 0.7), 0.8, 1.2);
+        }
+
+        return plumes;
+    }
+
+    private static Weighted<BodyPlan>[] Only(BodyPlan plan) => new[] { new Weighted<BodyPlan>(plan, 1) };
+
+    private static Weighted<double>[] Openings(params (double Angle, double Weight)[] openings) =>
+        System.Array.ConvertAll(openings, o => new Weighted<double>(o.Angle, o.Weight));
+
+    private static Weighted<PatternKind>[] Patterns(params (PatternKind Pattern, double Weight)[] patterns) =>
+        System.Array.ConvertAll(patterns, p => new Weighted<PatternKind>(p.Pattern, p.Weight));
+}
