@@ -59,7 +59,7 @@ public sealed class RenderMesh
             CheckLength(gloss.Length, nameof(gloss));
         }
 
-        if (texcoords is not null || texture is not null)
+        if (texcoords is not null || texture is not null || normalMap is not null)
         {
             CheckLength(this.texcoords.Length, nameof(texcoords));
         }

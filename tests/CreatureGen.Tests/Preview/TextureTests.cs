@@ -97,6 +97,55 @@ public sealed class TextureTests
     public void A_texture_without_coordinates_is_refused() =>
         Assert.Throws<ArgumentException>(() => TestMeshes.Square(1, 0, Vector3.One).WithTexture(new Texture(new Picture(1, 1, PixelLayout.Rgb))));
 
+    [Fact]
+    public void A_normal_map_without_coordinates_is_refused()
+    {
+        RenderMesh square = TestMeshes.Square(1, 0, Vector3.One);
+        var level = new Texture([128, 128, 255], 1, 1, TexelMeaning.Number);
+        Assert.Throws<ArgumentException>(() => new RenderMesh(square.Positions.ToArray(), square.Normals.ToArray(), square.Colours.ToArray(), square.Triangles.ToArray(), square.Parts, normalMap: level));
+    }
+
+    [Theory]
+    [InlineData(1, 0, TexelMeaning.Colour, 2)]
+    [InlineData(0, 1, TexelMeaning.Colour, 0)]
+    [InlineData(2, 2, TexelMeaning.Number, 11)]
+    public void Bytes_that_do_not_fit_the_size_are_refused(int width, int height, TexelMeaning meaning, int length) =>
+        Assert.Throws<ArgumentException>(() => new Texture(new byte[length], width, height, meaning));
+
+    [Fact]
+    public void Vertex_colours_tint_the_texture()
+    {
+        var half = new Picture(1, 1, PixelLayout.Rgb) { [0, 0] = new Pixel(TestMeshes.Srgb(0.5), 255, 0) };
+        RenderMesh mesh = Textured(HalfOfPixels(32), half);
+        var tinted = new RenderMesh(mesh.Positions.ToArray(), mesh.Normals.ToArray(), mesh.Positions.ToArray().Select(_ => new Vector3(0.5f, 0.25f, 1f)).ToArray(), mesh.Triangles.ToArray(), mesh.Parts, null, mesh.Texcoords.ToArray(), mesh.Texture);
+        Pixel seen = Renderer.Render(tinted, front, TestMeshes.Plain)[32, 32];
+        Assert.InRange(seen.R, TestMeshes.Srgb(0.25) - 1, TestMeshes.Srgb(0.25) + 1);
+        Assert.Equal((TestMeshes.Srgb(0.25), (byte)0), (seen.G, seen.B));
+    }
+
+    [Theory]
+    [InlineData(1, 0)]
+    [InlineData(-1, 0)]
+    [InlineData(0, 1)]
+    public void A_normal_map_turns_the_normal_to_the_right_with_red_and_upwards_with_green(int right, int up)
+    {
+        // As glTF has it. The surface is brighter under the map that turns it to the light, which stands at the side or above.
+        RenderMesh plain = TestMeshes.Square(1, 0, new Vector3(0.4f));
+        Vector2[] places = plain.Positions.ToArray().Select(p => new Vector2((p.X + 1) / 2, (1 - p.Y) / 2)).ToArray();
+        Lighting lamp = Lighting.Studio with { KeyDirection = new Vector3(right, 0.5f + up, 1.2f), Sky = Vector3.Zero, Bounce = Vector3.Zero, Fill = Vector3.Zero, Rim = Vector3.Zero };
+        var level = new Camera(new Vector3(0, 0, 5), Vector3.Zero, 40);
+        int towards = Brightness(right, up);
+        int away = Brightness(-right, -up);
+        Assert.True(towards > away + 10, $"{towards} towards the light and {away} away from it");
+
+        int Brightness(int x, int y)
+        {
+            var map = new Texture([(byte)(128 + (70 * x)), (byte)(128 + (70 * y)), 230], 1, 1, TexelMeaning.Number);
+            var mesh = new RenderMesh(plain.Positions.ToArray(), plain.Normals.ToArray(), plain.Colours.ToArray(), plain.Triangles.ToArray(), plain.Parts, null, places, null, map);
+            return Renderer.Render(mesh, level, TestMeshes.Plain with { Shading = ShadingMode.Smooth, Lighting = lamp })[32, 32].G;
+        }
+    }
+
     private static RenderMesh Textured(float half, Picture picture)
     {
         RenderMesh square = TestMeshes.Square(half, 0, Vector3.Zero);
