@@ -37,6 +37,10 @@ public sealed class SampledCreatureTests
                 {
                     AntennaShape.Append(builder, feature, curve, 1f, Vector3.One * 0.5f, Vector3.One);
                 }
+                else if (feature.Kind == FeatureKind.Antler)
+                {
+                    AntlerShape.Append(builder, feature, curve, 1f, Vector3.One * 0.5f);
+                }
                 else
                 {
                     HornShape.Append(builder, feature, curve, 1f, Vector3.One * 0.5f);

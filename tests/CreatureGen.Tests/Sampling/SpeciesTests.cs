@@ -201,7 +201,7 @@ public sealed class SpeciesTests
         foreach (CreatureBlueprint blueprint in Drawn("ray", RequestedKind.Swimming))
         {
             BodySkin skin = SkinOf(blueprint);
-            Assert.True(skin[24, 8].X > 4 * (skin[24, 0].Y - skin[24, 16].Y));
+            Assert.True(skin[24, 8].X > 2.5f * (skin[24, 0].Y - skin[24, 16].Y));
         }
 
         foreach (CreatureBlueprint blueprint in Drawn("shark", RequestedKind.Swimming))
