@@ -239,6 +239,15 @@ public enum FeatureKind
 
     /// <summary>Further small black eye (spider).</summary>
     Ocellus,
+
+    /// <summary>Branched horn (deer).</summary>
+    Antler,
+
+    /// <summary>Flat bony plate that stands on the back.</summary>
+    Plate,
+
+    /// <summary>Bony ball at the end of the tail.</summary>
+    Club,
 }
 
 /// <summary>A hard cover over the back.</summary>

@@ -90,7 +90,10 @@ internal static class AnatomyChoices
         (FeatureKind.Tuft, "tuft"),
         (FeatureKind.Scute, "scute"),
         (FeatureKind.Lure, "lure"),
-        (FeatureKind.Ocellus, "ocellus"));
+        (FeatureKind.Ocellus, "ocellus"),
+        (FeatureKind.Antler, "antler"),
+        (FeatureKind.Plate, "plate"),
+        (FeatureKind.Club, "club"));
 
     public static readonly ChoiceNames<ShellStyle> Shell = new(
         (ShellStyle.None, "none"),

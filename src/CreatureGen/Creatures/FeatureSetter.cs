@@ -193,11 +193,16 @@ internal sealed class FeatureSetter
             FeatureKind.Tusk => toothColour,
             FeatureKind.Scute => palette.Back * 0.9f,
             FeatureKind.Ocellus => beadColour,
+            FeatureKind.Plate => Vec.Lerp(palette.Accent, palette.Back, 0.35f) * 0.85f,
             _ => palette.Horn,
         };
         if (feature.Kind == FeatureKind.Lure)
         {
             AntennaShape.Append(builder, feature, curve, 1f, palette.Back, lureColour);
+        }
+        else if (feature.Kind == FeatureKind.Antler)
+        {
+            AntlerShape.Append(builder, feature, curve, 1f, colour);
         }
         else
         {

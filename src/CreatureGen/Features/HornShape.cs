@@ -65,6 +65,8 @@ internal static class HornShape
         FeatureKind.Tuft => new Form(6, 5, 0f, 0.55f),
         FeatureKind.Scute => new Form(6, 2, 0f, 0.7f),
         FeatureKind.Ocellus => new Form(8, 4, 0f, 1f),
+        FeatureKind.Plate => new Form(10, 5, 0f, 0.7f),
+        FeatureKind.Club => new Form(9, 6, 0.06f, 0.75f),
         _ => throw new ArgumentException("feature kind " + kind + "; expected a horn, spike, mandible, tusk or tuft", nameof(kind)),
     };
 

@@ -30,6 +30,7 @@ internal sealed class CreatureDraft
         Seed = seed;
         Kind = kind;
         Species = species;
+        Shell = species.Shell;
         Plan = plan;
     }
 
@@ -61,8 +62,10 @@ internal sealed class CreatureDraft
 
     public DiscBlueprint Disc { get; set; } = new(0, 0);
 
+    public ShellBlueprint Shell { get; set; }
+
     /// <summary>The trunk as drawn so far.</summary>
-    public BodyBlueprint Body => new(Blend, Proportions, Posture, Slices, Elevation, Species.Shell, Species.Annuli, Disc);
+    public BodyBlueprint Body => new(Blend, Proportions, Posture, Slices, Elevation, Shell, Species.Annuli, Disc);
 
     /// <summary>The body as it stands, its head still without a face.</summary>
     public BodyShape Shape { get; set; } = new(new double[BodyGrid.Rings]);

@@ -31,7 +31,13 @@ internal static class FeatureSampler
 
         bool horned = Horns(draft, head, plenty, draft.Stream("horns"));
         Tuft(draft, head, horned, plenty, draft.Stream("tuft"));
+        if (!horned)
+        {
+            Tusks(draft, head, plenty, draft.Stream("tusks"));
+        }
+
         Back(draft, horned, plenty, draft.Stream("back"));
+        TailEnd(draft, plenty, draft.Stream("tail end"));
     }
 
     /// <summary>From each slot of a species one choice.</summary>
@@ -92,12 +98,14 @@ internal static class FeatureSampler
 
         double length = head * random.Uniform(0.9, 2.0);
         double radius = head * random.Uniform(0.16, 0.25);
-        int style = random.Weighted(stackalloc double[] { 1, 1, 0.7, nose ? 0.35 : 0 });
+        bool deer = draft.Plan is BodyPlan.Unguligrade or BodyPlan.Digitigrade && draft.Species.Family is "bovine" or "canine";
+        int style = random.Weighted(stackalloc double[] { 1, 1, 0.7, nose ? 0.35 : 0, deer ? 1.1 : 0 });
         draft.Features.Add(style switch
         {
             0 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.87, -0.09, 0.48, 0.15, 0.25, -0.25, 1, 1),
             1 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.50, -0.81, 0.32, -0.35, -0.10, 0.10, 1, 1),
             2 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.24, -0.24, 0.94, 0.65, 0.45, -0.20, 1, 1),
+            4 => new FeatureBlueprint(FeatureKind.Antler, 13, 2.6, length * 1.5, radius * 0.62, 0, 0.80, -0.35, 0.55, 0.2, 0.1, 0.15, 1, 1),
             _ => new FeatureBlueprint(FeatureKind.Horn, 3, 0, length, radius * 1.2, 0.87, 0, 0.48, 0, 0, -0.35, 0, 1, 1),
         });
         return true;
@@ -121,24 +129,108 @@ internal static class FeatureSampler
         }
     }
 
+    /// <summary>One thing along the back: spikes, plates, a sail or a shell.</summary>
     private static void Back(CreatureDraft draft, bool horned, double plenty, RandomStream random)
     {
-        bool plain = draft.Kind == LocomotionKind.Swimming || draft.Species.Family is "avian" or "fish";
-        bool furred = draft.Species.Family is "canine" or "feline";
-        double chance = (plain ? 0 : furred ? 0.12 : 0.3) * plenty;
+        string family = draft.Species.Family;
+        bool plain = draft.Kind == LocomotionKind.Swimming || family is "avian" or "fish";
+        bool furred = family is "canine" or "feline";
+        bool scaled = family is "reptile" or "amphibian" or "serpent";
+        bool grounded = draft.Kind == LocomotionKind.Walking;
+        double chance = (plain ? 0 : furred ? 0.1 : scaled ? 0.5 : 0.14) * plenty;
+        bool shelled = grounded && family is "reptile" or "amphibian" or "bovine" && draft.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar;
+        int style = random.Weighted(stackalloc double[] { 1, scaled ? 0.8 : 0, grounded && scaled ? 0.9 : 0, shelled ? 0.6 : 0 });
         int count = random.Integer(7, 13);
         double height = random.Uniform(0.06, 0.13);
-        if (!random.Chance(horned ? chance * 0.4 : chance))
+        double sail = random.Uniform(0.12, 0.26);
+        bool spiny = random.Chance(0.4);
+        if (!random.Chance(horned && style < 2 ? chance * 0.4 : chance))
         {
             return;
         }
 
+        switch (style)
+        {
+            case 0:
+                Row(draft, FeatureKind.Spike, count, height, 0.3, 1, 1);
+                break;
+            case 1:
+                Row(draft, FeatureKind.Plate, count, 1.35 * height, 0.62, 0.22, 0.55);
+                break;
+            case 2:
+                Sail(draft, sail, spiny, random.Integer(7, 10));
+                break;
+            default:
+                draft.Shell = new ShellBlueprint(ShellStyle.Carapace, 24, 19, 5, 0.16);
+                break;
+        }
+    }
+
+    private static void Row(CreatureDraft draft, FeatureKind kind, int count, double height, double breadth, double flatness, double taper)
+    {
         BodyShape s = draft.Shape;
         for (int q = 0; q < count; q++)
         {
             double ring = 18 + (30.0 * q / (count - 1));
             double length = height * (0.35 + (0.65 * Maths.PortableMath.Sin(Maths.PortableMath.Pi * (q + 0.6) / (count + 0.2)))) * Maths.Scalar.Clamp(s.Top[(int)ring] / 0.12, 0.35, 1.2);
-            draft.Features.Add(new FeatureBlueprint(FeatureKind.Spike, ring, 0, length, length * 0.3, 0.88, 0, -0.48, 0, 0, 0, 0, 1, 1));
+            double lean = kind == FeatureKind.Plate ? -0.2 : -0.48;
+            draft.Features.Add(new FeatureBlueprint(kind, ring, 0, length, length * breadth, 0.88, 0, lean, 0, 0, 0, 0, flatness, taper));
+        }
+    }
+
+    /// <summary>A fin on dry land.</summary>
+    private static void Sail(CreatureDraft draft, double height, bool spiny, int pairsOfRows)
+    {
+        var socket = new SocketBlueprint(23, 31, 2 * pairsOfRows, 2);
+        if (draft.Sockets.TryReserve(socket, 0))
+        {
+            draft.Fins.Add(new FinBlueprint(FinPlace.Dorsal, spiny ? FinStyle.Spiny : FinStyle.Sail, socket, height, 0, 0, 0.35));
+        }
+    }
+
+    /// <summary>A club or spikes at the end of a strong tail.</summary>
+    private static void TailEnd(CreatureDraft draft, double plenty, RandomStream random)
+    {
+        bool strong = draft.Kind == LocomotionKind.Walking
+            && draft.Species.Family is "reptile" or "amphibian"
+            && draft.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Theropod;
+        bool club = random.Chance(0.5);
+        if (!random.Chance(0.25 * plenty) || !strong)
+        {
+            return;
+        }
+
+        BodyShape s = draft.Shape;
+        double radius = Math.Max(0.035, 1.5 * s.Width[48]);
+        for (int ring = 46; ring < BodyGrid.Rings; ring++)
+        {
+            if (s.Y[ring] < (1.2 * radius) + Clearance)
+            {
+                return;
+            }
+        }
+
+        if (club)
+        {
+            draft.Features.Add(new FeatureBlueprint(FeatureKind.Club, 52, 0, 2.1 * radius, 0.85 * radius, 0.1, 0, -1, 0, 0, 0, 0, 1.2, 0.4));
+        }
+
+        for (int k = 0; k < 3; k++)
+        {
+            draft.Features.Add(new FeatureBlueprint(FeatureKind.Spike, 46 + (2 * k), 4, 1.4 * radius, 0.3 * radius, 0.9, 0.1, -0.4, 0, 0, 0, 0, 1, 1));
+        }
+    }
+
+    /// <summary>Tusks where there are no horns.</summary>
+    private static void Tusks(CreatureDraft draft, double head, double plenty, RandomStream random)
+    {
+        bool fits = draft.Kind == LocomotionKind.Walking
+            && draft.Plan is BodyPlan.Columnar or BodyPlan.Plantigrade or BodyPlan.Unguligrade or BodyPlan.Upright
+            && draft.Species.Family is "canine" or "bovine" or "reptile";
+        double length = head * random.Uniform(0.5, 1.1);
+        if (random.Chance(0.25 * plenty) && fits)
+        {
+            draft.Features.Add(OffGround(draft, new FeatureBlueprint(FeatureKind.Tusk, 4, 10.6, length, 0.15 * length, 0.2, -0.25, 0.7, 0.3, 0.45, 0.1, 0, 1, 0.9)));
         }
     }
 

@@ -106,8 +106,8 @@ public sealed class BlueprintJsonTests
     public void Negative_zero_becomes_zero()
     {
         string text = BlueprintJson.Write(Samples.Small with { Tail = Samples.Small.Tail with { Fork = -0.0 } });
-        Assert.Contains("\"fork\": 0 }", text, StringComparison.Ordinal);
-        CreatureBlueprint read = BlueprintJson.Read(text.Replace("\"fork\": 0 }", "\"fork\": -0.0 }", StringComparison.Ordinal)).GetBlueprint();
+        Assert.Contains("\"fork\": 0,", text, StringComparison.Ordinal);
+        CreatureBlueprint read = BlueprintJson.Read(text.Replace("\"fork\": 0,", "\"fork\": -0.0,", StringComparison.Ordinal)).GetBlueprint();
         Assert.False(double.IsNegative(read.Tail.Fork));
     }
 

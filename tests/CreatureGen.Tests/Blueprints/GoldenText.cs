@@ -51,7 +51,10 @@ internal static class GoldenText
               { "width": 1, "height": 1, "length": 1 },
               { "width": 1, "height": 1, "length": 1 }
             ],
-            "elevation": 0.5
+            "elevation": 0.5,
+            "shell": { "style": "none", "ring": 24, "rows": 20, "columns": 6, "rise": 0 },
+            "annuli": { "ring": 41, "depth": 0 },
+            "disc": { "sweep": 0, "curl": 0 }
           },
           "head": {
             "bumps": [
@@ -73,7 +76,7 @@ internal static class GoldenText
             "mouth": { "cornerRing": 8, "opening": 0.1, "smile": -0.25, "teeth": 0.14 },
             "nostrilSize": 0
           },
-          "tail": { "style": "fork", "size": 0.29, "fork": 1.5 },
+          "tail": { "style": "fork", "size": 0.29, "fork": 1.5, "lobe": 0 },
           "legs": [
             {
               "archetype": "arm",

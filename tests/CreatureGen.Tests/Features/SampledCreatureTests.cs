@@ -33,9 +33,13 @@ public sealed class SampledCreatureTests
             foreach (FeatureBlueprint feature in blueprint.Features)
             {
                 var curve = new FeatureCurve(feature, skin.At(feature.Ring, feature.Segment), shape.Forward((int)feature.Ring), Vector3.UnitY, 1f);
-                if (feature.Kind == FeatureKind.Antenna)
+                if (feature.Kind is FeatureKind.Antenna or FeatureKind.Lure)
                 {
                     AntennaShape.Append(builder, feature, curve, 1f, Vector3.One * 0.5f, Vector3.One);
+                }
+                else if (feature.Kind == FeatureKind.Antler)
+                {
+                    AntlerShape.Append(builder, feature, curve, 1f, Vector3.One * 0.5f);
                 }
                 else
                 {

@@ -2,12 +2,15 @@ using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Linq;
+using System.Numerics;
 using System.Threading.Tasks;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Creatures;
+using CreatureGen.Geometry;
 using CreatureGen.Inspection;
+using CreatureGen.Limbs;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -174,6 +177,124 @@ public sealed class SpeciesTests
             Assert.Equal(bare[42, 12], skin[42, 12]);
         }
     }
+
+    [Fact]
+    public void A_turtle_s_shell_is_wider_than_its_neck_and_stands_off_its_body()
+    {
+        foreach (RequestedKind kind in new[] { RequestedKind.Walking, RequestedKind.Swimming })
+        {
+            foreach (CreatureBlueprint blueprint in Drawn("turtle", kind))
+            {
+                Assert.Equal(ShellStyle.Carapace, blueprint.Body.Shell.Style);
+                BodySkin skin = SkinOf(blueprint);
+                BodySkin bare = SkinOf(blueprint with { Body = blueprint.Body with { Shell = blueprint.Body.Shell with { Style = ShellStyle.None } } });
+                Assert.True(skin[34, 7].X > 3 * skin[18, 7].X);
+                Assert.True(skin[34, 7].X > 1.15f * bare[34, 7].X);
+                Assert.True(skin[34, 7].X > skin[34, 9].X, "the rim overhangs");
+            }
+        }
+    }
+
+    [Fact]
+    public void A_ray_is_wider_than_it_is_deep_and_a_shark_s_tail_is_higher_above_than_below()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("ray", RequestedKind.Swimming))
+        {
+            BodySkin skin = SkinOf(blueprint);
+            Assert.True(skin[24, 8].X > 2.5f * (skin[24, 0].Y - skin[24, 16].Y));
+        }
+
+        foreach (CreatureBlueprint blueprint in Drawn("shark", RequestedKind.Swimming))
+        {
+            BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+            Assert.True(shape.Top[53] > 1.5 * shape.Bottom[53]);
+        }
+    }
+
+    [Fact]
+    public void An_angler_has_a_lure_and_teeth()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("angler", RequestedKind.Swimming))
+        {
+            Assert.Single(blueprint.Features, part => part.Kind == FeatureKind.Lure);
+            Assert.True(blueprint.Head.Mouth.Opening > 0.2 && blueprint.Head.Mouth.Teeth > 0.2);
+        }
+    }
+
+    [Theory]
+    [InlineData("duck")]
+    [InlineData("raptor")]
+    [InlineData("ostrich")]
+    [InlineData("parrot")]
+    [InlineData("heron")]
+    [InlineData("owl")]
+    public void A_walking_bird_folds_its_wings(string body)
+    {
+        foreach (CreatureBlueprint blueprint in Drawn(body, RequestedKind.Walking))
+        {
+            Assert.Equal(WingStyle.Folded, Assert.Single(blueprint.Wings).Style);
+            Assert.Equal(LimbArchetype.Bird, Assert.Single(blueprint.Legs).Archetype);
+        }
+    }
+
+    [Fact]
+    public void A_folded_wing_lies_close_to_the_flank_from_the_shoulder_to_the_tail()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("owl", RequestedKind.Walking))
+        {
+            GrownSurface grown = GrownSurface.Grow(blueprint);
+            BodyShape shape = grown.Skin.Shape;
+            float widest = (float)shape.Width.Max();
+            int found = 0;
+            for (int v = 0; v < grown.Surface.Positions.Length; v++)
+            {
+                if (grown.Surface.Addresses[v].Region == SurfaceRegion.Wing)
+                {
+                    Vector3 p = grown.Surface.Positions[v];
+                    Assert.True(Math.Abs(p.X) < widest + 0.12f && p.Z < shape.Z[23] + 0.05f && p.Z > shape.Z[54] - 0.1f);
+                    found++;
+                }
+            }
+
+            Assert.True(found > 200);
+        }
+    }
+
+    [Fact]
+    public void Herons_stand_high_and_parrots_low()
+    {
+        double Height(string body) => Drawn(body, RequestedKind.Walking).Average(b => BodyShaper.Shape(b.Plan, b.Body, b.Head, b.Tail).Y[36]);
+        Assert.True(Height("heron") > 1.5 * Height("parrot"));
+    }
+
+    [Fact]
+    public void A_frog_s_hind_feet_stand_outside_of_its_fore_feet_and_a_cobra_s_hood_outside_of_its_head()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("frog", RequestedKind.Walking))
+        {
+            IReadOnlyList<CreatureGen.Rigging.Appendage> limbs = GrownSurface.Grow(blueprint).Appendages;
+            Assert.True(limbs[1].Contact.X > limbs[0].Contact.X);
+        }
+
+        foreach (CreatureBlueprint blueprint in Drawn("cobra", RequestedKind.Walking))
+        {
+            BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+            Assert.True(shape.Width[19] > 1.5 * shape.Width[12] && shape.Width[19] > 1.5 * shape.Width[28]);
+        }
+    }
+
+    [Fact]
+    public void A_sheet_of_36_walkers_shows_many_bodies_and_none_too_often()
+    {
+        for (ulong sheet = 0; sheet < 6; sheet++)
+        {
+            var counts = Enumerable.Range(0, 36).Select(i => BlueprintSampler.Sample((1000 * sheet) + (ulong)i, LocomotionKind.Walking)).GroupBy(b => (b.Body.Blend.First, b.Plan)).Select(g => g.Count()).ToList();
+            Assert.True(counts.Count >= 16, $"{counts.Count} kinds of walkers");
+            Assert.True(counts.Max() <= 8, $"one kind {counts.Max()} times");
+        }
+    }
+
+    private static BodySkin SkinOf(CreatureBlueprint b) => BodySkin.Span(BodyShaper.Shape(b.Plan, b.Body, b.Head, b.Tail), b.Body, b.Head, b.Tail);
 
     internal static IEnumerable<CreatureBlueprint> Drawn(string body, RequestedKind kind) =>
         Enumerable.Range(0, 12).Select(seed => BlueprintSampler.Sample((ulong)seed, Only(body, kind)));
