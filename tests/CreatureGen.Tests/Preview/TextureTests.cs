@@ -148,7 +148,7 @@ public sealed class TextureTests
 
     private static RenderMesh Textured(float half, Picture picture)
     {
-        RenderMesh square = TestMeshes.Square(half, 0, Vector3.Zero);
+        RenderMesh square = TestMeshes.Square(half, 0, Vector3.One);
         Vector2[] places = square.Positions.ToArray().Select(p => new Vector2(((p.X / half) + 1) / 2, (1 - (p.Y / half)) / 2)).ToArray();
         return new RenderMesh(square.Positions.ToArray(), square.Normals.ToArray(), square.Colours.ToArray(), square.Triangles.ToArray(), square.Parts, null, places, new Texture(picture));
     }
