@@ -24,6 +24,12 @@ internal sealed class FootPlanner
     /// <summary>Part of the swing after which a foot that stayed down stays for this cycle.</summary>
     private const float LatestLift = 0.35f;
 
+    /// <summary>The same for a foot that is far from home.</summary>
+    private const float LatestRescue = 0.7f;
+
+    /// <summary>Leg lengths from home from which on a foot is far from it.</summary>
+    private const float Far = 0.35f;
+
     /// <summary>Part of the swing after which the target stays where it is.</summary>
     private const float Frozen = 0.85f;
 
@@ -178,18 +184,31 @@ internal sealed class FootPlanner
     private void Correct(int leg, in StepContext step, float p, float duty, float cycle)
     {
         ref Foot foot = ref feet[leg];
+        if (p >= duty)
+        {
+            // Its own swing has come: it goes on in step with the gait, from where it is.
+            float u = (p - duty) / (1f - duty);
+            foot.Correcting = false;
+            foot.LiftAt = Math.Min((u - foot.Swing) / Math.Max(1f - foot.Swing, 0.05f), 0.95f);
+            Swing(leg, step, u, duty, cycle);
+            return;
+        }
+
         foot.Swing += step.Step / CorrectionTime;
         if (foot.Swing >= 1f)
         {
             Land(leg, step, Math.Min((foot.Swing - 1f) * CorrectionTime, step.Step));
-            foot.Held = true;
-            foot.Stance = 0.5f;
+            foot.Held = p < 0.5f * duty;
+            foot.Stance = Math.Max(p / duty, 0.5f);
             return;
         }
 
         if (foot.Swing < Frozen)
         {
-            Aim(leg, step, ((1f - foot.Swing) * CorrectionTime) + (step.Moving ? 0.25f * duty * cycle : 0f));
+            // For the middle of what is left of its stance.
+            float flight = (1f - foot.Swing) * CorrectionTime;
+            float stance = Math.Max(((duty - p) * cycle) - flight, 0f);
+            Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f));
         }
     }
 
@@ -199,7 +218,7 @@ internal sealed class FootPlanner
         float ahead = ((1f - u) * (1f - duty) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
         if (foot.Phase == FootPhase.Stance)
         {
-            if (u > LatestLift || !Wants(leg, step, ahead))
+            if (u > (IsFar(leg, step) ? LatestRescue : LatestLift) || !Wants(leg, step, ahead))
             {
                 foot.Held = true;
                 Rest(ref foot, step, 0f);
@@ -228,6 +247,13 @@ internal sealed class FootPlanner
 
         foot.Held = false;
         foot.Stance = stance;
+    }
+
+    private bool IsFar(int leg, in StepContext step)
+    {
+        Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - body.Legs[leg].Home;
+        away.Y = 0f;
+        return Vec.LengthSquared(away) > Square(Far * body.LegLength);
     }
 
     /// <summary>Whether a foot's next place is far enough from where it stands.</summary>
