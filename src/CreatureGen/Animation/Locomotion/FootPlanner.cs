@@ -41,6 +41,9 @@ internal sealed class FootPlanner
 
     private const float ColumnAdduction = 0.03f;
 
+    /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
+    private const float AimRate = 15f;
+
     /// <summary>Seconds of a swing out of step.</summary>
     private const float CorrectionTime = 0.22f;
 
@@ -274,6 +277,7 @@ internal sealed class FootPlanner
         foot.Held = false;
         foot.Correcting = false;
         foot.LiftAt = at;
+        foot.Aimed = false;
         foot.Swing = 0f;
         foot.Nudge = 0f;
         foot.Bump = 0f;
@@ -308,9 +312,14 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         Vector3 there = step.Travel.Predict(ahead, out float yaw);
         Quaternion turn = AxisTurn.Y(yaw);
-        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed));
-        foot.HasTarget = search.Find(step, leg, next, yaw, ref foot.Nudge, out foot.To);
-        foot.To.Heading = Rotation.Normalize(Rotation.Multiply(step.Frame.Rotation, turn));
+        Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed)));
+        Quaternion heading = Rotation.Normalize(Rotation.Multiply(step.Frame.Rotation, turn));
+        float share = foot.Swing > 0f && foot.Aimed ? 1f - (float)PortableMath.Exp(-AimRate * step.Step) : 1f;
+        foot.Wanted += (next - foot.Wanted) * share;
+        heading = share < 1f ? Rotation.Nlerp(foot.To.Heading, heading, share) : heading;
+        foot.Aimed = true;
+        foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), yaw, ref foot.Nudge, out foot.To);
+        foot.To.Heading = heading;
         foot.To.Attach(step.Ground as IMovingGround);
         search.Obstacles(step, ref foot);
     }

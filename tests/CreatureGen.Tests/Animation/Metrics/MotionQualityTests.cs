@@ -23,7 +23,7 @@ public class MotionQualityTests
         {
             // Targets of docs/motion.md, in leg lengths.
             Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
-            Assert.True(report.LockDrift <= 0.03f, $"{name}: foot off its place by {report.LockDrift}");
+            Assert.True(report.LockDrift <= 0.002f, $"{name}: foot off its place by {report.LockDrift}");
             Assert.Equal(0f, report.SkatingShare);
             Assert.True(report.MeanPenetration <= 0.001f, $"{name}: sunk {report.MeanPenetration}");
             Assert.True(report.Penetration <= 0.02f, $"{name}: sunk {report.Penetration}");
