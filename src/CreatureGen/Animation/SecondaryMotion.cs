@@ -1,5 +1,7 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.Ik;
+using CreatureGen.Animation.Poses;
 using CreatureGen.Animation.RootMotion;
 using CreatureGen.Animation.Springs;
 using CreatureGen.Maths;
@@ -61,6 +63,7 @@ internal sealed class SecondaryMotion
             ground[0] = SpringCollider.Plane(root.Position + (up * (Thickness * rigs[i].Length * root.Scale)), up);
             bool low = SkeletonRole(i) == JointRole.Tail;
             SpringBones.Update(rigs[i], states[i], settings[i], root, low ? ground : ReadOnlySpan<SpringCollider>.Empty, seconds, local, model);
+            KeepWithinLimits(rigs[i], local, model);
         }
     }
 
@@ -79,6 +82,25 @@ internal sealed class SecondaryMotion
         foreach (SpringState state in states)
         {
             state.Rebase(offset);
+        }
+    }
+
+    private static void KeepWithinLimits(SpringRig rig, in Pose local, in Pose model)
+    {
+        int first = -1;
+        foreach (int joint in rig.Joints)
+        {
+            Quaternion bounded = SwingTwistLimit.ClampLocal(local.Rotations[joint], rig.Skeleton.Joints[joint]);
+            if (bounded != local.Rotations[joint])
+            {
+                local.Rotations[joint] = bounded;
+                first = first < 0 ? joint : first;
+            }
+        }
+
+        if (first >= 0)
+        {
+            Subtree.LocalToModel(rig.Skeleton, first, local, model);
         }
     }
 

@@ -57,6 +57,21 @@ internal static class GaitChoice
             }
         }
 
-        return new GaitSet(steps, body.LegLength, body.Mass, gravity);
+        return Kept(steps, body, gravity);
+    }
+
+    /// <summary>The set without gaits that the creature's legs are too short or too slow for: those whose top speed is not above where they are entered.</summary>
+    private static GaitSet Kept(List<GaitStep> steps, LeggedBody body, float gravity)
+    {
+        var set = new GaitSet(steps, body.LegLength, body.Mass, gravity, body.LongestStance);
+        for (int i = steps.Count - 1; i > 0; i--)
+        {
+            if (set.Speeds[i].Fastest <= 1.02f * (float)System.Math.Sqrt(steps[i].Enter * gravity * body.LegLength))
+            {
+                steps.RemoveAt(i);
+            }
+        }
+
+        return new GaitSet(steps, body.LegLength, body.Mass, gravity, body.LongestStance);
     }
 }

@@ -17,12 +17,6 @@ internal sealed class GaitClock
     /// <summary>Yaw of the body in one cycle on the spot, radians.</summary>
     private const float YawPerCycle = 0.45f;
 
-    /// <summary>Part of a gait's comfortable Froude number below which steps get shorter instead of slower.</summary>
-    private const float SlowestShare = 0.25f;
-
-    /// <summary>Strides are not shortened for short legs below this part of what the gait asks for.</summary>
-    private const float ShortestShare = 0.5f;
-
     private readonly LeggedBody body;
     private readonly float[] lags;
     private float frequencyRest;
@@ -114,14 +108,7 @@ internal sealed class GaitClock
     }
 
     /// <summary>Cycles per second of a gait at a speed.</summary>
-    public float FrequencyOf(Gait gait, float froude, float gravity)
-    {
-        float fr = Math.Max(froude, SlowestShare * gait.Comfortable);
-        float stride = body.LegLength * gait.Stride.At(fr);
-        float most = body.LongestStance(gait) / gait.Duty.At(froude);
-        stride = Math.Max(Math.Min(stride, most), ShortestShare * stride);
-        return (float)Math.Sqrt(fr * gravity * body.LegLength) / stride;
-    }
+    public float FrequencyOf(Gait gait, float froude, float gravity) => GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, body.LongestStance(gait));
 
     private float WantedLag(int leg)
     {

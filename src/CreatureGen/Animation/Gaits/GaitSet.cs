@@ -13,6 +13,13 @@ public sealed class GaitSet
 {
     private const double QuickestAtOneKilogram = 6;
     private const double QuickestExponent = -0.14;
+
+    /// <summary>Part of a gait's comfortable Froude number below which steps get shorter instead of slower.</summary>
+    private const float SlowestShare = 0.25f;
+
+    /// <summary>Strides are not shortened for short legs below this part of what the gait asks for.</summary>
+    private const float ShortestShare = 0.2f;
+
     private readonly GaitStep[] steps;
     private readonly GaitSpeed[] speeds;
 
@@ -23,6 +30,12 @@ public sealed class GaitSet
     /// <param name="gravity">Metres per second squared.</param>
     /// <exception cref="ArgumentException">There is no gait, a gait is not sound, or thresholds do not rise.</exception>
     public GaitSet(IReadOnlyList<GaitStep> steps, float legLength, float mass, float gravity = 9.81f)
+        : this(steps, legLength, mass, gravity, null)
+    {
+    }
+
+    /// <summary>The same with the longest way that feet can go along the ground in a stance, for each gait: legs that reach no further take quicker steps.</summary>
+    internal GaitSet(IReadOnlyList<GaitStep> steps, float legLength, float mass, float gravity, Func<Gait, float>? longestStance)
     {
         if (steps == null || steps.Count == 0)
         {
@@ -47,7 +60,7 @@ public sealed class GaitSet
         for (int i = 0; i < speeds.Length; i++)
         {
             Gait gait = this.steps[i].Gait;
-            float most = Math.Min(gait.Fastest, QuickestFroude(gait, legLength, mass, gravity));
+            float most = Math.Min(gait.Fastest, QuickestFroude(gait, legLength, mass, gravity, longestStance == null ? float.MaxValue : longestStance(gait)));
             if (i + 1 < speeds.Length)
             {
                 most = Math.Min(most, this.steps[i + 1].Enter);
@@ -58,7 +71,6 @@ public sealed class GaitSet
             speeds[i] = new GaitSpeed(gait, Speed(least), Speed(comfortable), Speed(Math.Max(most, least)));
         }
 
-        // A gait too quick for the creature's mass is left out of its speeds: the one before is its last.
         TopSpeed = 0f;
         foreach (GaitSpeed speed in speeds)
         {
@@ -97,16 +109,39 @@ public sealed class GaitSet
         return chosen;
     }
 
+    /// <summary>Cycles per second of a gait on legs that reach no further than a stance allows.</summary>
+    internal static float FrequencyOf(Gait gait, float froude, float legLength, float gravity, float longestStance)
+    {
+        float fr = Math.Max(froude, SlowestShare * gait.Comfortable);
+        float stride = legLength * gait.Stride.At(fr);
+        stride = Math.Max(Math.Min(stride, longestStance / gait.Duty.At(froude)), ShortestShare * stride);
+        return (float)Math.Sqrt(fr * gravity * legLength) / stride;
+    }
+
     /// <summary>The Froude number at which a gait's steps come as quick as the creature's mass lets them.</summary>
-    private static float QuickestFroude(Gait gait, float legLength, float mass, float gravity)
+    private static float QuickestFroude(Gait gait, float legLength, float mass, float gravity, float longestStance)
     {
         double quickest = QuickestAtOneKilogram * PortableMath.Pow(mass, QuickestExponent);
-        double exponent = 0.5 - gait.Stride.Exponent;
-        if (exponent < 1e-3)
+        float least = 0.25f * gait.Comfortable;
+        float most = gait.Fastest;
+        if (FrequencyOf(gait, most, legLength, gravity, longestStance) <= quickest)
         {
-            return gait.Fastest;
+            return most;
         }
 
-        return (float)PortableMath.Pow(quickest * gait.Stride.Factor * Math.Sqrt(legLength / gravity), 1 / exponent);
+        for (int i = 0; i < 24; i++)
+        {
+            float middle = 0.5f * (least + most);
+            if (FrequencyOf(gait, middle, legLength, gravity, longestStance) <= quickest)
+            {
+                least = middle;
+            }
+            else
+            {
+                most = middle;
+            }
+        }
+
+        return least;
     }
 }

@@ -72,10 +72,9 @@ public sealed class HeightFieldGround : IGround
             return true;
         }
 
-        // Half a cell at a time, then halving: no thinner part of the terrain is missed.
-        float step = 0.5f * cell / level;
+        // From edge to edge of the triangles: between two of them the terrain below the ray is straight, so nothing is missed.
         float before = 0f;
-        for (float t = 0f; ; t = Math.Min(t + step, distance))
+        for (float t = 0f; ; t = Math.Min(t + ToNextEdge(from + (direction * t), direction), distance))
         {
             Vector3 p = from + (direction * t);
             if (Sample(p.X, p.Z, out float height, out _) && p.Y <= height)
@@ -91,6 +90,28 @@ public sealed class HeightFieldGround : IGround
 
             before = t;
         }
+    }
+
+    /// <summary>How far along a ray the next edge of a triangle is crossed: lines of whole x, of whole z, and of whole x + z, in cells.</summary>
+    private float ToNextEdge(Vector3 point, Vector3 direction)
+    {
+        float u = point.X / cell;
+        float v = point.Z / cell;
+        float du = direction.X / cell;
+        float dv = direction.Z / cell;
+        float next = Math.Min(Math.Min(ToWhole(u, du), ToWhole(v, dv)), ToWhole(u + v, du + dv));
+        return Math.Max(next, 1e-4f * cell);
+    }
+
+    private static float ToWhole(float value, float rate)
+    {
+        if (Math.Abs(rate) < 1e-9f)
+        {
+            return float.MaxValue;
+        }
+
+        float goal = rate > 0f ? (float)Math.Floor(value + 1e-4f) + 1f : (float)Math.Ceiling(value - 1e-4f) - 1f;
+        return (goal - value) / rate;
     }
 
     private bool Refine(Vector3 from, Vector3 direction, float above, float below, out GroundHit hit)

@@ -24,6 +24,9 @@ internal struct Foot
     /// <summary>Where a swing goes.</summary>
     public FootPlace To;
 
+    /// <summary>Where a swing would go on level ground, followed smoothly: what is asked may change in mid step. World space.</summary>
+    public Vector3 Wanted;
+
     /// <summary>Whether there is ground where it goes.</summary>
     public bool HasTarget;
 
@@ -41,6 +44,9 @@ internal struct Foot
 
     /// <summary>Whether it sits out a swing because it is where it should be.</summary>
     public bool Held;
+
+    /// <summary>Whether the present swing has a target.</summary>
+    public bool Aimed;
 
     /// <summary>Whether it swings by its own clock, out of step with the gait: a correction.</summary>
     public bool Correcting;

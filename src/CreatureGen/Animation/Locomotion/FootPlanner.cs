@@ -24,6 +24,12 @@ internal sealed class FootPlanner
     /// <summary>Part of the swing after which a foot that stayed down stays for this cycle.</summary>
     private const float LatestLift = 0.35f;
 
+    /// <summary>The same for a foot that is far from home.</summary>
+    private const float LatestRescue = 0.7f;
+
+    /// <summary>Leg lengths from home from which on a foot is far from it.</summary>
+    private const float Far = 0.35f;
+
     /// <summary>Part of the swing after which the target stays where it is.</summary>
     private const float Frozen = 0.85f;
 
@@ -34,6 +40,9 @@ internal sealed class FootPlanner
     private const float MostAdduction = 0.13f;
 
     private const float ColumnAdduction = 0.03f;
+
+    /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
+    private const float AimRate = 15f;
 
     /// <summary>Seconds of a swing out of step.</summary>
     private const float CorrectionTime = 0.22f;
@@ -178,18 +187,31 @@ internal sealed class FootPlanner
     private void Correct(int leg, in StepContext step, float p, float duty, float cycle)
     {
         ref Foot foot = ref feet[leg];
+        if (p >= duty)
+        {
+            // Its own swing has come: it goes on in step with the gait, from where it is.
+            float u = (p - duty) / (1f - duty);
+            foot.Correcting = false;
+            foot.LiftAt = Math.Min((u - foot.Swing) / Math.Max(1f - foot.Swing, 0.05f), 0.95f);
+            Swing(leg, step, u, duty, cycle);
+            return;
+        }
+
         foot.Swing += step.Step / CorrectionTime;
         if (foot.Swing >= 1f)
         {
             Land(leg, step, Math.Min((foot.Swing - 1f) * CorrectionTime, step.Step));
-            foot.Held = true;
-            foot.Stance = 0.5f;
+            foot.Held = p < 0.5f * duty;
+            foot.Stance = Math.Max(p / duty, 0.5f);
             return;
         }
 
         if (foot.Swing < Frozen)
         {
-            Aim(leg, step, ((1f - foot.Swing) * CorrectionTime) + (step.Moving ? 0.25f * duty * cycle : 0f));
+            // For the middle of what is left of its stance.
+            float flight = (1f - foot.Swing) * CorrectionTime;
+            float stance = Math.Max(((duty - p) * cycle) - flight, 0f);
+            Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f));
         }
     }
 
@@ -199,7 +221,7 @@ internal sealed class FootPlanner
         float ahead = ((1f - u) * (1f - duty) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
         if (foot.Phase == FootPhase.Stance)
         {
-            if (u > LatestLift || !Wants(leg, step, ahead))
+            if (u > (IsFar(leg, step) ? LatestRescue : LatestLift) || !Wants(leg, step, ahead))
             {
                 foot.Held = true;
                 Rest(ref foot, step, 0f);
@@ -230,6 +252,13 @@ internal sealed class FootPlanner
         foot.Stance = stance;
     }
 
+    private bool IsFar(int leg, in StepContext step)
+    {
+        Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - body.Legs[leg].Home;
+        away.Y = 0f;
+        return Vec.LengthSquared(away) > Square(Far * body.LegLength);
+    }
+
     /// <summary>Whether a foot's next place is far enough from where it stands.</summary>
     private bool Wants(int leg, in StepContext step, float ahead)
     {
@@ -248,6 +277,7 @@ internal sealed class FootPlanner
         foot.Held = false;
         foot.Correcting = false;
         foot.LiftAt = at;
+        foot.Aimed = false;
         foot.Swing = 0f;
         foot.Nudge = 0f;
         foot.Bump = 0f;
@@ -282,9 +312,14 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         Vector3 there = step.Travel.Predict(ahead, out float yaw);
         Quaternion turn = AxisTurn.Y(yaw);
-        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed));
-        foot.HasTarget = search.Find(step, leg, next, yaw, ref foot.Nudge, out foot.To);
-        foot.To.Heading = Rotation.Normalize(Rotation.Multiply(step.Frame.Rotation, turn));
+        Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed)));
+        Quaternion heading = Rotation.Normalize(Rotation.Multiply(step.Frame.Rotation, turn));
+        float share = foot.Swing > 0f && foot.Aimed ? 1f - (float)PortableMath.Exp(-AimRate * step.Step) : 1f;
+        foot.Wanted += (next - foot.Wanted) * share;
+        heading = share < 1f ? Rotation.Nlerp(foot.To.Heading, heading, share) : heading;
+        foot.Aimed = true;
+        foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), yaw, ref foot.Nudge, out foot.To);
+        foot.To.Heading = heading;
         foot.To.Attach(step.Ground as IMovingGround);
         search.Obstacles(step, ref foot);
     }

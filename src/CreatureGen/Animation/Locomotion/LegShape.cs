@@ -15,7 +15,7 @@ internal sealed class LegShape
     /// <summary>Part of the reach that a step may take up.</summary>
     private const float Stretch = 0.97f;
 
-    private const float ClawStretch = 0.94f;
+    private const float LateralStretch = 0.94f;
 
     /// <summary>Lowering of the body beyond its crouch that long steps may cost, leg lengths.</summary>
     private const float MostDrop = 0.05f;
@@ -101,7 +101,7 @@ internal sealed class LegShape
         float drop = (crouch + (Lateral ? 0.012f : MostDrop)) * Length;
         float height = Math.Max(-rest.Y - drop, 0.2f * Length);
         float aside = Lateral ? rest.X : rest.X + ((track - 1f) * Home.X);
-        float share = Traits.Archetype == LimbArchetype.Insect ? ClawStretch : Stretch;
+        float share = Lateral ? LateralStretch : Stretch;
         float room = (share * share * Reach * Reach) - (height * height) - (aside * aside);
         float level = (float)Math.Sqrt(Math.Max(room, 0.01f * Length * Length));
 

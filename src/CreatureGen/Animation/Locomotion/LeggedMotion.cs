@@ -108,6 +108,7 @@ internal sealed class LeggedMotion : IBodyMotion
         {
             planner.Feet[i].From.Position += offset;
             planner.Feet[i].To.Position += offset;
+            planner.Feet[i].Wanted += offset;
         }
     }
 
@@ -148,7 +149,7 @@ internal sealed class LeggedMotion : IBodyMotion
             Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisTurn.Y(yaw));
             placement = new RootPlace(placement.ToWorld(way), Upright(rotation, settings.Up), scale);
             placement = FollowGround(placement, h, settings);
-            Step(placement, h, dt - ((i + 1) * h), settings, ground);
+            Step(placement, h, Math.Max(dt - ((i + 1) * h), 0f), settings, ground);
         }
 
         acceleration = dt > 0f ? acceleration + ((((travel.Speed - before) / dt) - acceleration) * (1f - (float)PortableMath.Exp(-10f * dt))) : acceleration;
@@ -218,10 +219,11 @@ internal sealed class LeggedMotion : IBodyMotion
         ChooseGait(froude, going, settings);
         float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(travel.Turn)), 1f) : 0f;
         activity += (wanted - activity) * (1f - (float)PortableMath.Exp(-ActivityRate * h));
+        float frequency = clock.Frequency;
         clock.Slide(h, froude, settings.Gravity, travel.Turn, Math.Min(speed / walking, 1f), settings.Stride);
         if (going)
         {
-            double phase = clock.Phase + (clock.Frequency * h);
+            double phase = clock.Phase + (0.5f * (frequency + clock.Frequency) * h);
             clock.Phase = phase - Math.Floor(phase);
         }
 

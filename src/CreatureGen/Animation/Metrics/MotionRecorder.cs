@@ -154,7 +154,7 @@ public sealed class MotionRecorder
             {
                 float angle = (float)Rotation.Angle(Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(before[j]), rotations[j])));
                 change += angle * angle;
-                fastest = Math.Max(fastest, angle / dt);
+                fastest = joint.Role is JointRole.Tail or JointRole.Ear or JointRole.Antenna ? fastest : Math.Max(fastest, angle / dt);
             }
 
             before[j] = rotations[j];
@@ -227,7 +227,7 @@ public sealed class MotionRecorder
             flatAt[index] = middle;
         }
 
-        lockDrift = Math.Max(lockDrift, foot.Normal.Y > 0.999f ? Vec.Length(off) : 0f);
+        lockDrift = Math.Max(lockDrift, foot.Normal.Y > 0.999f && body.Legs[index].FollowShare == 0f ? Vec.Length(off) : 0f);
         lastMiddle[index] = middle;
     }
 

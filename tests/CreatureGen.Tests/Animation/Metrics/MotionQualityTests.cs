@@ -1,0 +1,94 @@
+using System.Collections.Generic;
+using System.Linq;
+using CreatureGen.Animation;
+using CreatureGen.Animation.Gaits;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.Metrics;
+using CreatureGen.Creatures;
+using Xunit;
+
+namespace CreatureGen.Tests.Animation.Metrics;
+
+public class MotionQualityTests
+{
+    [Theory]
+    [InlineData(30f, 1000)]
+    [InlineData(60f, 2000)]
+    [InlineData(144f, 3000)]
+    public void Feet_of_any_walker_stay_where_they_stand_and_clear_the_ground_in_all_its_gaits(float rate, int firstSeed)
+    {
+        int stances = 0;
+        int within = 0;
+        foreach ((MotionReport report, string name) in Record(firstSeed, 40, rate, 0f))
+        {
+            // Targets of docs/motion.md, in leg lengths.
+            Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
+            Assert.True(report.LockDrift <= 0.002f, $"{name}: foot off its place by {report.LockDrift}");
+            Assert.Equal(0f, report.SkatingShare);
+            Assert.True(report.MeanPenetration <= 0.001f, $"{name}: sunk {report.MeanPenetration}");
+            Assert.True(report.Penetration <= 0.02f, $"{name}: sunk {report.Penetration}");
+            Assert.True(report.Float <= 0.005f, $"{name}: floats {report.Float}");
+            Assert.True(report.Clearance >= 0.02f, $"{name}: clearance {report.Clearance}");
+            stances++;
+            within += report.LimitViolations == 0 ? 1 : 0;
+        }
+
+        Assert.True(stances > 60);
+        Assert.True(within > 0.5 * stances, $"{within} of {stances} within all joint limits");
+    }
+
+    [Fact]
+    public void Walks_keep_feet_down_as_animals_do()
+    {
+        foreach ((MotionReport report, string name) in Record(5000, 40, 60f, 0f))
+        {
+            string gait = name.Split(' ')[1];
+            int least = gait switch { "Walk" or "Crawl" or "Amble" => 2, "BipedWalk" => 1, "Wave" or "Tripod" => 3, _ => 0 };
+            Assert.True(report.LeastSupport >= least, $"{name}: {report.LeastSupport} feet down");
+        }
+    }
+
+    [Fact]
+    public void On_hills_feet_neither_slide_nor_sink()
+    {
+        var sunk = new List<float>();
+        foreach ((MotionReport report, string name) in Record(7000, 25, 60f, 0.12f))
+        {
+            Assert.True(report.Slip <= 0.01f, $"{name}: slip {report.Slip}");
+            sunk.Add(report.MeanPenetration);
+        }
+
+        sunk.Sort();
+        Assert.True(sunk[sunk.Count / 2] < 0.02f, $"median {sunk[sunk.Count / 2]}");
+    }
+
+    private static IEnumerable<(MotionReport Report, string Name)> Record(int firstSeed, int seeds, float rate, float hills)
+    {
+        for (int seed = firstSeed; seed < firstSeed + seeds; seed++)
+        {
+            Creature creature = Walkers.Any((ulong)seed);
+            var profile = new MotionProfile(creature);
+            if (profile.Gaits == null)
+            {
+                continue;
+            }
+
+            foreach (GaitSpeed speed in profile.Gaits.Speeds)
+            {
+                IGround ground = hills > 0f ? new Hills(profile.LegLength, hills) : FlatGround.Level;
+                var animator = new CreatureAnimator(profile);
+                var input = new MotionInput(speed.Comfortable);
+                Walkers.Run(animator, 3f, rate, input, ground);
+                var recorder = new MotionRecorder(animator);
+                int frames = (int)(1.05f * rate / animator.Frequency) + 2;
+                for (int i = 0; i < frames; i++)
+                {
+                    animator.Update(1f / rate, input, ground);
+                    recorder.Record(1f / rate, ground);
+                }
+
+                yield return (recorder.Report(), $"{seed} {speed.Gait.Name} {creature.Blueprint.Plan}");
+            }
+        }
+    }
+}
