@@ -54,12 +54,12 @@ public sealed class CreatureAnimator
         LocalPose.SetToRest(skeleton);
         ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
         int feet = profile.Legs?.Legs.Length ?? 0;
-        events = new EventQueue(2 * feet * Locomotion.LeggedMotion.MostSteps);
+        events = new EventQueue((2 * feet * Locomotion.LeggedMotion.MostSteps) + (profile.Flight != null ? FlightDrive.MostBeats : 0));
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, new Seed(profile.Creature.Blueprint.Seed).Child("glances"), profile.Creature.Mass.Mass);
         legs = profile.Legs == null ? null : new Locomotion.LeggedMotion(profile.Legs, profile.Gaits!, events);
-        motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs)
+        motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs, events)
             : profile.Swim != null ? new SwimDrive(profile.Swim)
             : profile.Slither != null ? new SlitherDrive(profile.Slither)
             : legs;

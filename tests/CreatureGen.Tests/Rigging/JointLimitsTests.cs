@@ -1,6 +1,7 @@
 using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Bodies;
+using CreatureGen.Maths;
 using CreatureGen.Rigging;
 using Xunit;
 
@@ -30,6 +31,18 @@ public sealed class JointLimitsTests
     [InlineData(2, 60)]
     public void A_chain_of_n_bones_bends_by_200_degrees_over_n_in_each_up_to_60(int bones, double degrees) =>
         Assert.Equal(degrees, CreatureGen.Maths.Scalar.Degrees(JointLimits.Chain(bones).SwingX.Max), 4);
+
+    [Theory]
+    [InlineData(24, 20)]
+    [InlineData(12, 40)]
+    [InlineData(2, 60)]
+    public void A_body_of_n_bones_that_moves_by_waves_bends_by_480_degrees_over_n_in_each_up_to_60(int bones, double degrees)
+    {
+        JointLimit limit = JointLimits.Undulating(bones);
+        Assert.Equal(Scalar.Radians(degrees), limit.SwingX.Max, 5);
+        Assert.Equal(-Scalar.Radians(degrees), limit.SwingZ.Min, 5);
+        Assert.Equal("-1..0.5", new AngleRange(-1f, 0.5f).ToString());
+    }
 
     [Fact]
     public void Girth_narrows_a_bend_and_never_widens_it()

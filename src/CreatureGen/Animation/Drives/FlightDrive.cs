@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Animation.Events;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.RootMotion;
 using CreatureGen.Animation.Strokes;
@@ -16,13 +17,18 @@ internal sealed class FlightDrive : IBodyMotion
 
     private readonly FlightProfile profile;
     private readonly Locomotion.LeggedMotion? legs;
+    private readonly EventQueue events;
     private FlightState state;
 
-    public FlightDrive(FlightProfile profile, Locomotion.LeggedMotion? legs)
+    public FlightDrive(FlightProfile profile, Locomotion.LeggedMotion? legs, EventQueue events)
     {
         this.profile = profile;
         this.legs = legs;
+        this.events = events;
     }
+
+    /// <summary>Most beats of wings in the longest update.</summary>
+    public const int MostBeats = 8;
 
     public float Speed { get; private set; }
 
@@ -37,9 +43,10 @@ internal sealed class FlightDrive : IBodyMotion
     {
         if (Walks && input.Medium == MotionMedium.Ground)
         {
+            // The walk writes over all that standing wings left to it.
+            Fly(place, dt, input, settings, ground, local);
             place = legs!.Drive(place, dt, input, settings, ground, local);
             Speed = legs.Speed;
-            Fly(place, dt, input, settings, ground, local);
             return place;
         }
 
@@ -58,23 +65,18 @@ internal sealed class FlightDrive : IBodyMotion
     {
         float height = HeightOf(goal, settings, ground);
         MotionMedium medium = height > 0.3f ? MotionMedium.Air : MotionMedium.Ground;
+        Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
         if (Walks && medium == MotionMedium.Ground)
         {
             legs!.Follow(place, dt, goal, settings, ground, local);
         }
-
-        Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
     }
 
     public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
     {
         state = default;
-        if (legs != null)
-        {
-            legs.Stand(place, settings, ground, local);
-        }
-
         Fly(place, 0f, default, settings, ground, local);
+        legs?.Stand(place, settings, ground, local);
     }
 
     public void Rebase(Vector3 offset) => legs?.Rebase(offset);
@@ -84,7 +86,14 @@ internal sealed class FlightDrive : IBodyMotion
         FlightIntent intent = input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
         var asked = new FlightInput(intent, input.Speed / scale, input.TurnRate, input.ClimbRate / scale, HeightOf(place, settings, ground));
-        return FlightMotion.Update(profile, asked, ref state, dt, local);
+        RootVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
+        for (int k = state.BeatsBegun - 1; k >= 0; k--)
+        {
+            float ago = state.SecondsSinceBeat + (k / state.BeatFrequency);
+            events.Add(new MotionEvent(MotionEventKind.WingBeat, -1, profile.Shoulder, place.Position, Rotation.Rotate(place.Rotation, Vector3.UnitY), 0, velocity.Forward * scale, state.BeatWidth, ago));
+        }
+
+        return velocity;
     }
 
     /// <summary>Height of the root above the ground, metres of the model.</summary>

@@ -26,6 +26,9 @@ internal static class FlightControl
     private const double LeapHeight = 1.2;
     private const double PlantingHeight = 0.4;
 
+    /// <summary>Speed of touchdown, in √(g·leg).</summary>
+    private const double Touchdown = 0.25;
+
     /// <summary>Spread below which a turn of the cycle is no beat.</summary>
     private const double SpreadForBeat = 0.3;
 
@@ -75,10 +78,10 @@ internal static class FlightControl
         bool near = state.Phase == FlightPhase.Landing && height < PlantingHeight * leg;
         state.Planted.Step(flying && !near ? 0 : 1, flying && !near ? 4 * tempo : 9 * tempo, dt);
         state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
-        return Root(state, speed, yaw, climb, height, leg);
+        return Root(state, speed, yaw, climb, height, leg, dt);
     }
 
-    private static RootVelocity Root(in FlightState state, double speed, double yaw, double climb, double height, double leg)
+    private static RootVelocity Root(in FlightState state, double speed, double yaw, double climb, double height, double leg, double dt)
     {
         double unit = Math.Sqrt(Gravity * leg);
         double part = Scalar.Smooth(state.Age / LeapTime);
@@ -87,7 +90,7 @@ internal static class FlightControl
             FlightPhase.Leaping => new RootVelocity((float)(speed * part), (float)Math.Max(climb, 1.5 * unit), (float)(yaw * part)),
             FlightPhase.Landing => new RootVelocity(
                 (float)(speed * Scalar.Smooth(height / (LandingHeight * leg))),
-                (float)-Math.Min(height * 1.6 / Math.Sqrt(leg / Gravity), Scalar.Clamp(0.9 * unit * height / leg, 0.35 * unit, 1.4 * unit)),
+                (float)-Math.Min(height / Math.Max(dt, 1e-4), Scalar.Clamp(0.9 * unit * height / leg, Touchdown * unit, 1.4 * unit)),
                 (float)yaw),
             FlightPhase.Crouching or FlightPhase.Settling => default,
             _ => new RootVelocity((float)speed, (float)(state.Phase == FlightPhase.Grounded ? 0 : climb), (float)yaw),

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -41,6 +42,7 @@ public sealed class FlightProfile
         Axis = new FlightAxis(Skeleton, Chain);
         Fitting(creature, out wings, out buzzers, out legs, out double span);
         Buzzes = wings.Length == 0;
+        Shoulder = ShoulderOf(creature);
         double mass = Math.Max(Lightness * creature.Mass.Mass, 1e-9);
         double area = Math.Max(WingArea(creature), 0.02 * span * span);
         WingSpan = (float)span;
@@ -100,6 +102,9 @@ public sealed class FlightProfile
     internal bool Stands { get; }
 
     internal float LegLength { get; }
+
+    /// <summary>Joint of the left wing's root.</summary>
+    internal int Shoulder { get; }
 
     /// <summary>Height of the lowest sole at rest, metres: legs of fliers hang free, so to stand the body comes down by so much.</summary>
     internal double SoleHeight { get; }
@@ -170,6 +175,19 @@ public sealed class FlightProfile
         }
 
         legs = limbs.ToArray();
+    }
+
+    private static int ShoulderOf(Creature creature)
+    {
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            if (limb.Kind is LimbKind.Wing or LimbKind.InsectWing && limb.Side == Side.Left)
+            {
+                return limb.Joints[0];
+            }
+        }
+
+        return 0;
     }
 
     private static double Spread(PairedChain wing)

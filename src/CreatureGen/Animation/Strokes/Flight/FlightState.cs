@@ -39,6 +39,9 @@ public struct FlightState
     /// <summary>Beats per second at present.</summary>
     public readonly float BeatFrequency => (float)Frequency.Value;
 
+    /// <summary>Width of the beat at present, 1 at cruise.</summary>
+    public readonly float BeatWidth => (float)Amplitude.Value;
+
     /// <summary>How far it is off the ground in its posture: 0 stands, 1 flies. Where it is 0, legs, neck and tail may be moved by a walk instead.</summary>
     public readonly float Airborne => Phase == FlightPhase.Grounded && Air.Value < Settled ? 0f : (float)Air.Value;
 
