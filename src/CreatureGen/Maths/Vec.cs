@@ -65,4 +65,10 @@ public static class Vec
         float s = (float)PortableMath.Sin(angle);
         return (a * c) + (Cross(axis, a) * s) + (axis * (Dot(axis, a) * (1f - c)));
     }
+
+    /// <summary>The smaller of each component.</summary>
+    public static Vector3 Min(Vector3 a, Vector3 b) => new(a.X < b.X ? a.X : b.X, a.Y < b.Y ? a.Y : b.Y, a.Z < b.Z ? a.Z : b.Z);
+
+    /// <summary>The larger of each component.</summary>
+    public static Vector3 Max(Vector3 a, Vector3 b) => new(a.X > b.X ? a.X : b.X, a.Y > b.Y ? a.Y : b.Y, a.Z > b.Z ? a.Z : b.Z);
 }

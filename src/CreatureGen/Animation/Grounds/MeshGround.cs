@@ -145,13 +145,13 @@ public sealed class MeshGround : IGround
             for (int k = 0; k < 3; k++)
             {
                 Vector3 p = positions[triangles[(3 * order[i]) + k]];
-                least = Vector3.Min(least, p);
-                most = Vector3.Max(most, p);
+                least = Vec.Min(least, p);
+                most = Vec.Max(most, p);
             }
 
             Vector3 centre = Centre(order[i]);
-            leastCentre = Vector3.Min(leastCentre, centre);
-            mostCentre = Vector3.Max(mostCentre, centre);
+            leastCentre = Vec.Min(leastCentre, centre);
+            mostCentre = Vec.Max(mostCentre, centre);
         }
 
         if (count <= LeafSize)
