@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 
@@ -25,7 +26,8 @@ internal enum SourceForm
 /// <param name="Bytes">Its size.</param>
 /// <param name="Blueprint">The creature.</param>
 /// <param name="Export">How the creature was written as GLB, and would be again.</param>
-internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, CreatureBlueprint Blueprint, GltfOptions Export)
+/// <param name="Clips">Whether its motion was written too.</param>
+internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, CreatureBlueprint Blueprint, GltfOptions Export, ClipChoice Clips)
 {
     private const string Expectation = "a blueprint (.json) or a creature (.glb) written by creaturegen";
 
@@ -47,9 +49,8 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
     /// <summary>Whether the file is, byte for byte, what would be written for a creature now.</summary>
     public bool IsWhatWouldBeWritten(Creature creature)
     {
-        var expected = new MemoryStream();
-        GlbWriter.Write(creature, Export, expected);
-        return expected.Length == Bytes && File.ReadAllBytes(Path).AsSpan().SequenceEqual(expected.GetBuffer().AsSpan(0, (int)expected.Length));
+        byte[] expected = CreatureFiles.Glb(creature, Export, Clips);
+        return expected.Length == Bytes && File.ReadAllBytes(Path).AsSpan().SequenceEqual(expected);
     }
 
     private static bool IsGlb(FileStream stream)
@@ -64,11 +65,12 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
     {
         CreatureBlueprint blueprint = Require(path, "creature", GlbReader.ReadBlueprint(stream));
         stream.Position = 0;
-        return new CreatureSource(path, SourceForm.Glb, stream.Length, blueprint, GlbExport.Read(stream));
+        GltfOptions export = GlbExport.Read(stream, out ClipChoice clips);
+        return new CreatureSource(path, SourceForm.Glb, stream.Length, blueprint, export, clips);
     }
 
     private static CreatureSource ReadBlueprint(string path, FileStream stream) =>
-        new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream)), GltfOptions.Default);
+        new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream)), GltfOptions.Default, ClipChoice.None);
 
     private static CreatureBlueprint Require(string path, string what, BlueprintReading reading) =>
         reading.Blueprint ?? throw new UsageError($"'{path}' holds no {what} that can be built:", reading.Problems.Select(problem => problem.ToString()));

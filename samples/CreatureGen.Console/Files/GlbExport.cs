@@ -18,7 +18,9 @@ internal static class GlbExport
     private const int DeepestJson = 1024;
 
     /// <summary>Reads a file from which <see cref="GlbReader"/> has read a blueprint.</summary>
-    public static GltfOptions Read(Stream stream)
+    /// <param name="stream">The file, from its beginning.</param>
+    /// <param name="clips">Whether there is motion in it.</param>
+    public static GltfOptions Read(Stream stream, out ClipChoice clips)
     {
         byte[] start = new byte[StartOfJson];
         stream.ReadExactly(start);
@@ -27,6 +29,7 @@ internal static class GlbExport
         using JsonDocument document = JsonDocument.Parse(text, new JsonDocumentOptions { MaxDepth = DeepestJson });
         JsonElement root = document.RootElement;
         JsonElement extras = root.GetProperty("asset").GetProperty("extras").GetProperty("creaturegen");
+        clips = root.TryGetProperty("animations", out JsonElement animations) && animations.ValueKind == JsonValueKind.Array && animations.GetArrayLength() > 0 ? ClipChoice.All : ClipChoice.None;
         return new GltfOptions
         {
             Provenance = Provenance(root),

@@ -30,7 +30,7 @@ internal sealed class BuildVerb : IVerb
         FileSet.RequireWritable(path);
         var times = new StageTimes();
         Creature creature = CreatureAssembler.Assemble(source.Blueprint, times);
-        byte[] glb = CreatureFiles.Glb(creature, ExportOptions.Read(arguments, source.Export));
+        byte[] glb = CreatureFiles.Glb(creature, ExportOptions.Read(arguments, source.Export), ExportOptions.ReadClips(arguments, source.Clips));
         times.Finished("glb");
         FileSet.Write(path, stream => stream.Write(glb), surroundings.Cancellation);
         times.Finished("files");

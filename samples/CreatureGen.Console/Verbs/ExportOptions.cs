@@ -1,4 +1,5 @@
 using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Files;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 
@@ -10,8 +11,20 @@ internal static class ExportOptions
     private static readonly OptionSyntax textures = new("--textures", "SIZE", "texture atlas in the GLB, texels along a side: 256, 512, 1024, 2048 or 4096 (default: none, colours in the vertices)");
     private static readonly OptionSyntax levels = new("--levels", "CHOICE", "levels of detail in the GLB: finest (the default), half, quarter, tenth or all (MSFT_lod)");
 
+    private static readonly OptionSyntax clips = new("--clips", "all", "the creature's motion as clips: idle, every gait, flight, swimming, crawling (default: none)");
+
     /// <summary>All of them.</summary>
-    public static OptionSyntax[] Syntax { get; } = [textures, levels, CommonOptions.Flat];
+    public static OptionSyntax[] Syntax { get; } = [textures, levels, clips, CommonOptions.Flat];
+
+    /// <summary>Whether motion is to be in the file.</summary>
+    /// <exception cref="UsageError">A value is none of the known ones.</exception>
+    public static ClipChoice ReadClips(ParsedArguments arguments, ClipChoice otherwise) => arguments.Value(clips.Name) switch
+    {
+        null => otherwise,
+        "none" => ClipChoice.None,
+        "all" => ClipChoice.All,
+        string other => throw arguments.Wrong(clips.Name, other, "all or none"),
+    };
 
     /// <summary>What was asked for, over what holds otherwise.</summary>
     /// <exception cref="UsageError">A value is none of the known ones.</exception>

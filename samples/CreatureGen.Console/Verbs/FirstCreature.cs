@@ -22,7 +22,7 @@ internal static class FirstCreature
         CreatureBlueprint blueprint = BlueprintSampler.Sample(Seed);
         times.Finished("blueprint");
         Creature creature = CreatureAssembler.Assemble(blueprint, times);
-        byte[] glb = CreatureFiles.Glb(creature, new GltfOptions { Provenance = OptionsJson.Write(CreatureOptions.Default) });
+        byte[] glb = CreatureFiles.Glb(creature, new GltfOptions { Provenance = OptionsJson.Write(CreatureOptions.Default) }, ClipChoice.None);
         times.Finished("glb");
         byte[] png = CreatureFiles.Png(creature, Shading.Smooth, Environment.ProcessorCount);
         times.Finished("picture");

@@ -26,6 +26,7 @@ internal sealed class GenerateVerb : IVerb
         [
             new("generate --seed 7", "one creature in the current folder"),
             new("generate --seed 7 --textures 1024", "with scales, fur or feathers in a texture atlas"),
+            new("generate --seed 7 --clips all", "with its motion: idle, every gait, flight, swimming, crawling"),
             new("generate --seeds 1-100 --kind flying --out birds", "a hundred fliers in a folder"),
             new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
             new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
@@ -43,6 +44,7 @@ internal sealed class GenerateVerb : IVerb
             surroundings.Locate(arguments.Value(folder.Name) ?? "."),
             options,
             ExportOptions.Read(arguments, new GltfOptions { Provenance = OptionsJson.Write(options) }),
+            ExportOptions.ReadClips(arguments, ClipChoice.None),
             arguments.Has(noPicture.Name) ? PictureChoice.None : PictureChoice.Portrait,
             one ? threads : 1);
         FileSet.MakeFolder(task.Folder);
@@ -67,7 +69,7 @@ internal sealed class GenerateVerb : IVerb
         CreatureBlueprint blueprint = Growing.Sample(seed, task.Options);
         times.Finished("blueprint");
         Creature creature = CreatureAssembler.Assemble(blueprint, times);
-        var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, task.Export)) };
+        var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, task.Export, task.Clips)) };
         times.Finished("glb");
         if (task.Picture == PictureChoice.Portrait)
         {
@@ -81,5 +83,5 @@ internal sealed class GenerateVerb : IVerb
         return new GeneratedCreature(CreatureFacts.Of(creature), files, times);
     }
 
-    private sealed record Task(string Folder, CreatureOptions Options, GltfOptions Export, PictureChoice Picture, int PictureThreads);
+    private sealed record Task(string Folder, CreatureOptions Options, GltfOptions Export, ClipChoice Clips, PictureChoice Picture, int PictureThreads);
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using System.Threading;
+using CreatureGen.Animation.Clips;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Files;
@@ -38,10 +39,11 @@ internal static class CreatureFiles
     private const int PictureHeight = 768;
 
     /// <summary>The creature's surface, skeleton and skin.</summary>
-    public static byte[] Glb(Creature creature, GltfOptions options)
+    public static byte[] Glb(Creature creature, GltfOptions options, ClipChoice clips)
     {
+        GltfOptions moving = clips == ClipChoice.All ? options with { Clips = ClipBaker.Bake(creature) } : options;
         var bytes = new MemoryStream();
-        GlbWriter.Write(creature, options, bytes);
+        GlbWriter.Write(creature, moving, bytes);
         return bytes.ToArray();
     }
 
