@@ -52,8 +52,8 @@ internal sealed class LegShape
         Shank = p[Ankle] - p[Knee];
         Metatarsus = p[Ball] - p[Ankle];
         Length = Vec.Distance(HipRest, Home);
-        Lateral = Traits.Archetype is LimbArchetype.Sprawl or LimbArchetype.Insect;
-        FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Archetype is not LimbArchetype.Insect and not LimbArchetype.Column;
+        Lateral = Traits.Archetype is LimbArchetype.Sprawl or LimbArchetype.Insect or LimbArchetype.Jumper or LimbArchetype.FrogHind or LimbArchetype.FrogFore;
+        FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Archetype is not LimbArchetype.Insect and not LimbArchetype.Jumper and not LimbArchetype.Column;
 
         // A foot out to the side rolls over the tip of its own toes.
         Vector3 toes = p[End] - p[Ball];

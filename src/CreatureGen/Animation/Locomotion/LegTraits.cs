@@ -30,6 +30,11 @@ internal sealed class LegTraits
         new(LimbArchetype.Theropod, 0.14, 0.38, 48, -16, 55, 85, -8, LegLinkage.Pantograph, 1),
         new(LimbArchetype.Insect, 0.16, 0.5, 0, 0, 10, 14, 0, LegLinkage.Foot, 0),
         new(LimbArchetype.Arm, 0.12, 0.45, 0, 0, 40, 50, -8, LegLinkage.Foot, -1),
+        new(LimbArchetype.Bird, 0.16, 0.38, 52, -16, 55, 85, -8, LegLinkage.Pantograph, 1),
+        new(LimbArchetype.Raptorial, 0.12, 0.45, 0, 0, 10, 14, 0, LegLinkage.Foot, -1),
+        new(LimbArchetype.Jumper, 0.14, 0.5, 0, 0, 10, 14, 0, LegLinkage.Foot, -1),
+        new(LimbArchetype.FrogHind, 0.14, 0.42, 0, 0, 30, 36, -8, LegLinkage.Foot, 1),
+        new(LimbArchetype.FrogFore, 0.14, 0.45, 0, 0, 30, 36, -8, LegLinkage.Foot, -1),
     };
 
     private LegTraits(LimbArchetype archetype, double lift, double peak, double fold, double unfold, double off, double swing, double strike, LegLinkage linkage, int bend)

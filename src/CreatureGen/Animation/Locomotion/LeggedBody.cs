@@ -52,7 +52,7 @@ internal sealed class LeggedBody
             ForeSlot = Trunk.Length - 1;
         }
 
-        Traits = TrunkTraits.Of(creature.Blueprint.Plan, creature.Blueprint.Body.Blend.First, Mass);
+        Traits = TrunkTraits.Of(creature.Blueprint.Plan, BaseBodyNames.FamilyOf(creature.Blueprint.Body.Blend.First), Mass);
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         Neck = NeckOf(Skeleton);
         Tail = ChainOf(Skeleton, JointRole.Tail);

@@ -51,7 +51,7 @@ internal sealed record TrunkTraits
 
     /// <summary>The traits of a plan.</summary>
     /// <param name="plan">How the creature carries its body.</param>
-    /// <param name="baseBody">Name of its leading base body; cats are suppler than dogs.</param>
+    /// <param name="baseBody">Name of the family of its leading base body; cats are suppler than dogs.</param>
     /// <param name="mass">Kilograms.</param>
     public static TrunkTraits Of(BodyPlan plan, string baseBody, float mass)
     {

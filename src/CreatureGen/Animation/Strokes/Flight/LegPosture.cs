@@ -24,7 +24,7 @@ internal readonly struct LegPosture
     /// <summary>Folded under the body in flight.</summary>
     public static LegPosture Tucked(LimbArchetype archetype) => archetype switch
     {
-        LimbArchetype.Theropod => new LegPosture(0.60, 0.70, 0.45, 0.90),
+        LimbArchetype.Theropod or LimbArchetype.Bird => new LegPosture(0.60, 0.70, 0.45, 0.90),
         LimbArchetype.DigitigradeHind => new LegPosture(0.75, 0.55, 0.30, 0.85),
         LimbArchetype.UnguligradeHind => new LegPosture(0.70, 0.60, 0.30, 0.85),
         LimbArchetype.PlantigradeHind => new LegPosture(0.55, 0.90, 0.70, 0.40),
@@ -39,7 +39,7 @@ internal readonly struct LegPosture
     /// <summary>Hanging loosely when it stands in the air.</summary>
     public static LegPosture Hanging(LimbArchetype archetype) => archetype switch
     {
-        LimbArchetype.Theropod => new LegPosture(-0.10, 0.45, 0.20, 0.70),
+        LimbArchetype.Theropod or LimbArchetype.Bird => new LegPosture(-0.10, 0.45, 0.20, 0.70),
         LimbArchetype.DigitigradeHind or LimbArchetype.UnguligradeHind => new LegPosture(0.10, 0.50, -0.20, 0.70),
         LimbArchetype.PlantigradeHind => new LegPosture(-0.05, 0.45, 0.40, 0.30),
         LimbArchetype.DigitigradeFore or LimbArchetype.UnguligradeFore => new LegPosture(0.20, -0.90, 1.20, 0.70),
@@ -53,7 +53,7 @@ internal readonly struct LegPosture
     /// <summary>Stretched towards the ground before it touches down.</summary>
     public static LegPosture Reaching(LimbArchetype archetype) => archetype switch
     {
-        LimbArchetype.Theropod => new LegPosture(-0.45, 0.10, -0.05, -0.25),
+        LimbArchetype.Theropod or LimbArchetype.Bird => new LegPosture(-0.45, 0.10, -0.05, -0.25),
         LimbArchetype.DigitigradeHind or LimbArchetype.UnguligradeHind => new LegPosture(-0.40, 0.15, -0.10, -0.10),
         LimbArchetype.PlantigradeHind => new LegPosture(-0.45, 0.20, -0.05, -0.10),
         LimbArchetype.DigitigradeFore or LimbArchetype.UnguligradeFore or LimbArchetype.PlantigradeFore => new LegPosture(-0.30, -0.20, 0.15, 0.05),
