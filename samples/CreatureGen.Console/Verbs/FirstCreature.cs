@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Text;
+using CreatureGen.Console.Files;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;

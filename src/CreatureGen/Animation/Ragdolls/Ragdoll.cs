@@ -22,7 +22,7 @@ public static class Ragdoll
     /// <summary>More than this is not simulated in one call, seconds: the ragdoll falls in slow motion rather than take ever longer to compute.</summary>
     public const float LongestStep = 0.25f;
 
-    private const int Rounds = 1;
+    private const int Rounds = 2;
     private const float AllowanceRate = 2f;
     private const float CalmSeconds = 0.5f;
     private const float CalmShare = 0.012f;

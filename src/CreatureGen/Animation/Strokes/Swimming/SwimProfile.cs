@@ -119,7 +119,7 @@ public sealed class SwimProfile
         }
 
         TailEnd(creature, chain, out double width, out double height);
-        return width > FlukeFlatness * height && width > FlukeWidth * chain.Length ? SwimStyle.Cetacean
+        return creature.Blueprint.Plan == BodyPlan.Whale || (width > FlukeFlatness * height && width > FlukeWidth * chain.Length) ? SwimStyle.Cetacean
             : pairs > 1 && upright == 0 && width > FinThinness * height ? SwimStyle.Flippers
             : crawls || bones >= WavingBones ? SwimStyle.Anguilliform
             : SwimStyle.Carangiform;
