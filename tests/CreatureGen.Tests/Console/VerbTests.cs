@@ -71,6 +71,9 @@ public sealed class VerbTests
 
     [Theory]
     [InlineData("--palette", "vivid")]
+    [InlineData("--textures", "256")]
+    [InlineData("--levels", "all")]
+    [InlineData("--clips", "all")]
     [InlineData("--flat")]
     public void Building_a_generated_file_anew_gives_the_same_bytes(params string[] options)
     {

@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Animation.Clips;
+using CreatureGen.Creatures;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Animation.Clips;
+
+public sealed class ClipBakerTests
+{
+    public static TheoryData<LocomotionKind, ulong, string> Creatures => new()
+    {
+        { LocomotionKind.Walking, 22, "Walk" },
+        { LocomotionKind.Walking, 8, "Walk" },
+        { LocomotionKind.Walking, 7, "Slither" },
+        { LocomotionKind.Flying, 1, "Fly" },
+        { LocomotionKind.Swimming, 4, "Swim" },
+    };
+
+    [Theory]
+    [MemberData(nameof(Creatures))]
+    public void A_creature_idles_and_does_what_its_build_is_for(LocomotionKind kind, ulong seed, string name)
+    {
+        IReadOnlyList<Clip> clips = Bake(kind, seed);
+        Assert.Equal("Idle", clips[0].Name);
+        Assert.Equal(0f, clips[0].Speed, 3);
+        Clip moving = Assert.Single(clips, clip => clip.Name == name);
+        Assert.True(moving.Speed > 0.05f);
+        Assert.Equal(clips.Count, clips.Select(clip => clip.Name).Distinct(StringComparer.Ordinal).Count());
+    }
+
+    [Theory]
+    [MemberData(nameof(Creatures))]
+    public void Every_clip_closes_and_nothing_jumps_on_the_way(LocomotionKind kind, ulong seed, string name)
+    {
+        _ = name;
+        foreach (Clip clip in Bake(kind, seed).Where(clip => clip.Frames > 12))
+        {
+            Assert.Equal(ClipEnd.Loops, clip.End);
+            Assert.True(clip.RotationsAt(0).SequenceEqual(clip.RotationsAt(clip.Frames - 1)));
+            Assert.True(clip.PositionsAt(0).SequenceEqual(clip.PositionsAt(clip.Frames - 1)));
+            for (int frame = 1; frame < clip.Frames; frame++)
+            {
+                for (int joint = 0; joint < clip.Joints; joint++)
+                {
+                    float dot = Math.Abs(Quaternion.Dot(clip.RotationsAt(frame)[joint], clip.RotationsAt(frame - 1)[joint]));
+                    Assert.True(dot > 0.6f, $"{clip.Name}, frame {frame}, joint {joint}");
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void The_same_creature_gives_the_same_clips()
+    {
+        IReadOnlyList<Clip> first = Bake(LocomotionKind.Walking, 22);
+        IReadOnlyList<Clip> second = Bake(LocomotionKind.Walking, 22);
+        Assert.Equal(first.Select(clip => (clip.Name, clip.Frames, clip.Speed)), second.Select(clip => (clip.Name, clip.Frames, clip.Speed)));
+        for (int i = 0; i < first.Count; i++)
+        {
+            for (int frame = 0; frame < first[i].Frames; frame++)
+            {
+                Assert.True(first[i].RotationsAt(frame).SequenceEqual(second[i].RotationsAt(frame)));
+                Assert.True(first[i].PositionsAt(frame).SequenceEqual(second[i].PositionsAt(frame)));
+            }
+        }
+    }
+
+    [Fact]
+    public void The_root_stays_where_it_is()
+    {
+        foreach (Clip clip in Bake(LocomotionKind.Walking, 22))
+        {
+            for (int frame = 0; frame < clip.Frames; frame++)
+            {
+                Assert.Equal(clip.PositionsAt(0)[0], clip.PositionsAt(frame)[0]);
+                Assert.Equal(clip.RotationsAt(0)[0], clip.RotationsAt(frame)[0]);
+            }
+        }
+    }
+
+    private static IReadOnlyList<Clip> Bake(LocomotionKind kind, ulong seed) => ClipBaker.Bake(CreatureGenerator.Build(BlueprintSampler.Sample(seed, kind)));
+}
