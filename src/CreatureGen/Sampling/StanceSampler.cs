@@ -136,7 +136,7 @@ internal static class StanceSampler
     private static bool IsFrontHeavy(BodyShape s)
     {
         double front = s.Z[26];
-        return CentreOfMass(s) > front - (0.12 * (front - s.Z[BodyGrid.Rings - 1]));
+        return CentreOfMass(s) > front - (0.15 * (front - s.Z[BodyGrid.Rings - 1]));
     }
 
     /// <summary>Raises a head or a tail that is too low, rears up a legless body that is heavy in front, and straightens an upright trunk that leans too far. True if anything changed.</summary>
