@@ -18,6 +18,9 @@ internal static class LegSampler
     /// <summary>Last ring of an insect's thorax.</summary>
     private const int ThoraxEnd = 34;
 
+    /// <summary>Radius of an even cylinder as heavy as a hanging arm with its hand, relative to the radius of its root.</summary>
+    private const double ArmFullness = 0.55;
+
     /// <summary>Fills in the legs of the draft; gives the plan to try instead when the body cannot carry the legs of its own.</summary>
     public static BodyPlan? Sample(CreatureDraft draft)
     {
@@ -78,7 +81,7 @@ internal static class LegSampler
         {
             LegBuild build = LegBuild.Of(leg.Site.Archetype);
             bool splayed = build.Carriage == LegCarriage.Splayed;
-            double shear = biped ? UnderMass(draft, leg) : leg.Shear;
+            double shear = biped ? UnderMass(draft, leg, placement.Arms) : leg.Shear;
             double azimuth = leg.Site.Archetype == LimbArchetype.Insect && leg == placement.Legs[placement.Legs.Count - 1] ? UnderAbdomen(draft, leg, placement.Legs[0]) : leg.Site.Azimuth;
             double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && kit == null ? 1.05 : 1);
             Add(draft, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
@@ -117,11 +120,21 @@ internal static class LegSampler
     }
 
     /// <summary>A biped stands with its feet under its centre of mass, as far as its hips allow; the rules have seen to it that it can.</summary>
-    private static double UnderMass(CreatureDraft draft, LegPlacement leg)
+    private static double UnderMass(CreatureDraft draft, LegPlacement leg, ArmPlacement? arms)
     {
         double middle = leg.Foot.Z + ((leg.Foot.Toe - leg.Foot.Heel) / 2);
-        double ideal = leg.Shear + ((Measure(draft).CentreOfMass.Z - middle) / leg.Length);
+        SpineMeasure measure = Measure(draft);
+        double mass = arms is null ? measure.CentreOfMass.Z : WithArms(draft.Shape, measure, arms);
+        double ideal = leg.Shear + ((mass - middle) / leg.Length);
         return Scalar.Clamp(ideal, Math.Min(leg.Shear, -0.1), Math.Max(leg.Shear, 0.5));
+    }
+
+    /// <summary>Where the centre of mass lies along z with a pair of hanging arms, which the measured body is without: they balance on their shoulders.</summary>
+    private static double WithArms(BodyShape body, SpineMeasure measure, ArmPlacement arms)
+    {
+        double radius = ArmFullness * arms.RootRadius;
+        double both = 2 * PortableMath.Pi * radius * radius * arms.Length;
+        return Scalar.Lerp(measure.CentreOfMass.Z, measure.At(arms.Site.Ring).Z, both / (both + StanceSampler.Volume(body)));
     }
 
     /// <summary>The turn of an insect's last legs, radians: far enough back to carry a heavy abdomen.</summary>

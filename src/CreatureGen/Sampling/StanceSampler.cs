@@ -224,4 +224,16 @@ internal static class StanceSampler
 
         return moment / mass;
     }
+
+    /// <summary>Volume of the body, limbs left aside.</summary>
+    public static double Volume(BodyShape s)
+    {
+        double sum = 0;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            sum += s.Width[i] * (s.Top[i] + s.Bottom[i]) * s.Step[i];
+        }
+
+        return 0.5 * PortableMath.Pi * sum;
+    }
 }

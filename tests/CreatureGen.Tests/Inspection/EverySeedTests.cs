@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Sampling;
@@ -68,5 +69,29 @@ public sealed class EverySeedTests
                 Assert.Empty(found);
             }
         }
+    }
+
+    /// <summary>Their arms are a twentieth of them and far in front of their hips. Seed 66549 once stood on the tips of its toes.</summary>
+    [Fact]
+    public void Uprights_stand_over_the_weight_of_body_and_arms()
+    {
+        CreatureOptions options = CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = new(Enum.GetValues<BodyPlan>().Select(plan => new BodyPlanWeight(plan, plan == BodyPlan.Upright ? 1 : 0)).ToArray()) };
+        int armed = 0;
+        foreach (ulong seed in Enumerable.Range(0, 120).Select(i => (ulong)i).Append(66549UL))
+        {
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, options);
+            if (!blueprint.Legs.Any(leg => leg.Archetype == LimbArchetype.Arm))
+            {
+                continue;
+            }
+
+            armed++;
+            Creature creature = CreatureGenerator.Build(blueprint with { Legs = new(blueprint.Legs.Select(leg => leg with { ClawLength = 0 }).ToArray()) });
+            float[] soles = creature.Mesh.Positions.ToArray().Where(p => p.Y <= 0.004f * creature.StandingHeight).Select(p => p.Z).ToArray();
+            float along = (creature.Mass.Centre.Z - soles.Min()) / (soles.Max() - soles.Min());
+            Assert.True(along is > 0.2f and < 0.8f, $"{seed}: {along} of the way from heel to toe");
+        }
+
+        Assert.True(armed > 60, $"{armed} with arms");
     }
 }
