@@ -13,8 +13,6 @@ public static class Portrait
     // Opacity of the creature around its bones.
     private const float GhostOpacity = 0.42f;
 
-    private const int LargestAtlas = 2048;
-
     // Room around the head, part of the radius of the ball around it.
     private const float FaceRoom = 0.86f;
 
@@ -22,8 +20,8 @@ public static class Portrait
     public static Picture Take(Creature creature, View view, RenderOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
-        RenderMesh mesh = Dressed(creature, options);
-        return Renderer.Render(mesh, Fit(mesh, view, options), options);
+        RenderMesh mesh = RenderMesh.From(creature);
+        return Dressed(creature, mesh, Fit(mesh, view, options), options);
     }
 
     /// <summary>The creature in rest pose, half transparent, and its bones and joints.</summary>
@@ -54,28 +52,20 @@ public static class Portrait
     {
         ArgumentNullException.ThrowIfNull(creature);
         ArgumentNullException.ThrowIfNull(options);
-        RenderMesh mesh = Dressed(creature, options);
         BoundingBox head = HeadBounds(creature);
         Camera camera = Camera.CloseUp(view, head.Centre, head.Diagonal * 0.5f * FaceRoom, options.Width / (float)options.Height);
-        return Renderer.Render(mesh, camera, options);
+        return Dressed(creature, RenderMesh.From(creature), camera, options);
     }
 
     // The creature under an atlas about as fine as the picture; faces of one colour need none.
-    private static RenderMesh Dressed(Creature creature, RenderOptions options)
+    private static Picture Dressed(Creature creature, RenderMesh mesh, Camera camera, RenderOptions options)
     {
-        RenderMesh mesh = RenderMesh.From(creature);
-        if (options.Shading is ShadingMode.Flat or ShadingMode.Faceted)
+        if (options.Shading is not (ShadingMode.Flat or ShadingMode.Faceted))
         {
-            return mesh;
+            mesh = mesh.WithTextures(CreatureTextures.Bake(creature, AtlasFineness.SizeFor(mesh, camera, options.Height)));
         }
 
-        int size = CreatureTextures.SmallestSize;
-        while (size < Math.Max(options.Width, options.Height) && size < LargestAtlas)
-        {
-            size *= 2;
-        }
-
-        return mesh.WithTextures(CreatureTextures.Bake(creature, size));
+        return Renderer.Render(mesh, camera, options);
     }
 
     private static Camera Fit(RenderMesh mesh, View view, RenderOptions options) =>

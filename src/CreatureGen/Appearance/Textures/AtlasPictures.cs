@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 
@@ -10,7 +11,7 @@ internal sealed class AtlasPictures
     private readonly bool[] painted;
     private readonly float[] heights;
 
-    /// <summary>Empty pictures: white, flat and rough, the way that pieces with colours of their own need them.</summary>
+    /// <summary>Empty pictures of a power of two texels a side: white, flat and rough, the way that pieces with colours of their own need them.</summary>
     public AtlasPictures(int size)
     {
         Size = size;
@@ -77,12 +78,16 @@ internal sealed class AtlasPictures
             for (int x = 0; x < Size; x++)
             {
                 int at = (y * Size) + x;
+                if (!painted[at])
+                {
+                    SetNormal(at, 0f, 0f, 127f);
+                    continue;
+                }
+
                 float du = Slope(at, x, 1) / texel;
                 float dv = Slope(at, y, Size) / texel;
                 float scale = 127f / (float)Math.Sqrt(1f + (du * du) + (dv * dv));
-                Normal[3 * at] = (byte)((-du * scale) + 128.5f);
-                Normal[(3 * at) + 1] = (byte)((dv * scale) + 128.5f);
-                Normal[(3 * at) + 2] = (byte)(scale + 128.5f);
+                SetNormal(at, -du * scale, dv * scale, scale);
             }
         }
     }
@@ -90,26 +95,35 @@ internal sealed class AtlasPictures
     /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour; what is left gets a plain ground.</summary>
     public void Bleed(int texels)
     {
-        var ring = new System.Collections.Generic.List<int>();
+        var border = new List<int>();
+        for (int texel = 0; texel < painted.Length; texel++)
+        {
+            if (!painted[texel] && HasPaintedNeighbour(texel))
+            {
+                border.Add(texel);
+            }
+        }
+
+        var next = new List<int>();
         for (int round = 0; round < texels; round++)
         {
-            ring.Clear();
-            for (int y = 0; y < Size; y++)
+            foreach (int texel in border)
             {
-                for (int x = 0; x < Size; x++)
-                {
-                    int texel = (y * Size) + x;
-                    if (!painted[texel] && Average(x, y, texel))
-                    {
-                        ring.Add(texel);
-                    }
-                }
+                Average(texel);
             }
 
-            foreach (int texel in ring)
+            foreach (int texel in border)
             {
                 painted[texel] = true;
             }
+
+            next.Clear();
+            foreach (int texel in border)
+            {
+                AddUnpainted(texel, next);
+            }
+
+            (border, next) = (next, border);
         }
 
         for (int texel = 0; texel < painted.Length; texel++)
@@ -123,21 +137,58 @@ internal sealed class AtlasPictures
         }
     }
 
+    private bool HasPaintedNeighbour(int texel)
+    {
+        int x = texel & (Size - 1);
+        return (x > 0 && painted[texel - 1]) || (x < Size - 1 && painted[texel + 1])
+            || (texel >= Size && painted[texel - Size]) || (texel < painted.Length - Size && painted[texel + Size]);
+    }
+
+    /// <summary>Adds the neighbours that are not painted yet. One beside two painted ones is added twice, which its mean does not mind.</summary>
+    private void AddUnpainted(int texel, List<int> found)
+    {
+        int x = texel & (Size - 1);
+        if (x > 0 && !painted[texel - 1])
+        {
+            found.Add(texel - 1);
+        }
+
+        if (x < Size - 1 && !painted[texel + 1])
+        {
+            found.Add(texel + 1);
+        }
+
+        if (texel >= Size && !painted[texel - Size])
+        {
+            found.Add(texel - Size);
+        }
+
+        if (texel < painted.Length - Size && !painted[texel + Size])
+        {
+            found.Add(texel + Size);
+        }
+    }
+
+    private void SetNormal(int texel, float x, float y, float z)
+    {
+        Normal[3 * texel] = (byte)(x + 128.5f);
+        Normal[(3 * texel) + 1] = (byte)(y + 128.5f);
+        Normal[(3 * texel) + 2] = (byte)(z + 128.5f);
+    }
+
     /// <summary>Change of the height from one texel to the next: in the middle where both neighbours have one.</summary>
     private float Slope(int texel, int along, int stride)
     {
-        if (!painted[texel])
-        {
-            return 0f;
-        }
-
         int before = along > 0 && painted[texel - stride] ? texel - stride : texel;
         int after = along < Size - 1 && painted[texel + stride] ? texel + stride : texel;
         return before == after ? 0f : (heights[after] - heights[before]) * stride / (after - before);
     }
 
-    private bool Average(int x, int y, int texel)
+    /// <summary>Gives a texel the mean of its painted neighbours, of which there is at least one.</summary>
+    private void Average(int texel)
     {
+        int x = texel & (Size - 1);
+        int y = texel / Size;
         Span<int> sums = stackalloc int[6];
         sums.Clear();
         float height = 0f;
@@ -162,14 +213,12 @@ internal sealed class AtlasPictures
             count++;
         }
 
-        for (int c = 0; c < 3 && count > 0; c++)
+        for (int c = 0; c < 3; c++)
         {
             BaseColour[(3 * texel) + c] = (byte)(sums[c] / count);
             Roughness[(3 * texel) + c] = (byte)(sums[3 + c] / count);
         }
 
-        heights[texel] = count > 0 ? height / count : 0f;
-
-        return count > 0;
+        heights[texel] = height / count;
     }
 }

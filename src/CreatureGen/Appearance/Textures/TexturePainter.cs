@@ -47,7 +47,12 @@ internal sealed class TexturePainter
         int right = Math.Min(size - 1, (int)Math.Ceiling(Math.Max(pa.X, Math.Max(pb.X, pc.X)) - 0.5));
         for (int y = top; y <= bottom; y++)
         {
-            for (int x = left; x <= right; x++)
+            float first = left;
+            float last = right;
+            Narrow(pb, pc, area, y + 0.5f, ref first, ref last);
+            Narrow(pc, pa, area, y + 0.5f, ref first, ref last);
+            Narrow(pa, pb, area, y + 0.5f, ref first, ref last);
+            for (int x = (int)first; x <= last; x++)
             {
                 var p = new Vector2(x + 0.5f, y + 0.5f);
                 float wa = Cross(pb - p, pc - p) / area;
@@ -63,6 +68,26 @@ internal sealed class TexturePainter
                 TexelPlace place = TexelPlace.Between(a, b, c, wa, wb, wc);
                 Texel(face, place, x, y, wa, wb, wc, ra, rb, rc);
             }
+        }
+    }
+
+    /// <summary>Narrows a row of texels to those on the inner side of an edge, and a texel more at either end.</summary>
+    private static void Narrow(Vector2 from, Vector2 to, float area, float y, ref float first, ref float last)
+    {
+        float rise = to.Y - from.Y;
+        if (rise == 0f)
+        {
+            return;
+        }
+
+        float crossing = from.X + ((to.X - from.X) * (y - from.Y) / rise);
+        if (rise < 0f == area > 0f)
+        {
+            first = Math.Max(first, Math.Min(crossing - 1.5f, last + 1f));
+        }
+        else
+        {
+            last = Math.Min(last, crossing + 0.5f);
         }
     }
 
@@ -88,9 +113,14 @@ internal sealed class TexturePainter
     {
         Vector3 normal = place.UnitNormal;
         Vector3 colour = coat.At(place.Address(ra, face.Appendage), place.Position, normal);
-        return ra == rb && rb == rc
-            ? colour
-            : (colour * wa) + (coat.At(place.Address(rb, face.Appendage), place.Position, normal) * wb) + (coat.At(place.Address(rc, face.Appendage), place.Position, normal) * wc);
+        if (ra == rb && rb == rc)
+        {
+            return colour;
+        }
+
+        Vector3 second = rb == ra ? colour : coat.At(place.Address(rb, face.Appendage), place.Position, normal);
+        Vector3 third = rc == ra ? colour : rc == rb ? second : coat.At(place.Address(rc, face.Appendage), place.Position, normal);
+        return (colour * wa) + (second * wb) + (third * wc);
     }
 
     /// <summary>How much of the skin's cover a region wears.</summary>
