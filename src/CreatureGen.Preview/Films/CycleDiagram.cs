@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Animation;
 using CreatureGen.Animation.Locomotion;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Rigging;
@@ -52,7 +54,7 @@ internal static class CycleDiagram
     /// <summary>The moment at a column: the pictures are in the middle of their eighths.</summary>
     private static int MomentAt(Film film, int column, int width)
     {
-        int moments = film.Take.MomentsPerCycle;
+        int moments = film.Take.StrokeMoments;
         double moment = ((column + 0.5) / width * moments) - (moments / (2.0 * Take.StripFrames));
         return (int)Math.Floor(moment + moments) % moments;
     }
@@ -80,12 +82,7 @@ internal static class CycleDiagram
 
     private static void DrawCurve(Picture picture, Film film, int left, int top, int width)
     {
-        int tip = Tip(film, out string name);
-        Vector3[] way = Enumerable.Range(0, film.Take.MomentsPerCycle).Select(moment => film.Take.JointsAt(moment)[tip]).ToArray();
-        float acrossRange = way.Max(point => point.X) - way.Min(point => point.X);
-        float upRange = way.Max(point => point.Y) - way.Min(point => point.Y);
-        bool up = name.StartsWith("wing", StringComparison.Ordinal) || upRange > acrossRange;
-        float[] values = Array.ConvertAll(way, point => up ? point.Y : point.X);
+        (string name, float[] values, bool up) = Stroke(film);
         float least = values.Min();
         float range = Math.Max(values.Max() - least, 1e-6f);
         Label.Draw(picture, name, LabelLeft, top, LabelSize.Small, ink);
@@ -102,26 +99,45 @@ internal static class CycleDiagram
         }
     }
 
-    /// <summary>The end of the left wing, or else of the tail.</summary>
-    private static int Tip(Film film, out string name)
+    /// <summary>The way, up or to the left, of what moves most: the end of a left wing in the air, of the tail or of a left fin else.</summary>
+    private static (string Name, float[] Values, bool Up) Stroke(Film film)
     {
-        foreach (LimbChain limb in film.Profile.Creature.Limbs)
+        Vector3[][] moments = Enumerable.Range(0, film.Take.StrokeMoments).Select(film.Take.JointsAt).ToArray();
+        (string Name, float[] Values, bool Up) most = ("", [0f], true);
+        foreach ((string name, int tip) in Tips(film))
         {
-            if (film.Movement.Input.Medium == Animation.MotionMedium.Air && limb.Kind is LimbKind.Wing or LimbKind.InsectWing && limb.Side == Side.Left)
+            foreach (bool up in new[] { true, false })
             {
-                name = "wing tip";
-                return limb.Joints[^1];
+                float[] values = Array.ConvertAll(moments, joints => up ? joints[tip].Y : joints[tip].X);
+                if (values.Max() - values.Min() > most.Values.Max() - most.Values.Min())
+                {
+                    most = (name, values, up);
+                }
             }
         }
 
-        name = "tail tip";
-        int rearmost = 0;
-        Skeleton skeleton = film.Profile.Creature.Skeleton;
-        for (int i = 1; i < skeleton.Count; i++)
+        return most;
+    }
+
+    private static IEnumerable<(string Name, int Joint)> Tips(Film film)
+    {
+        bool flies = film.Movement.Input.Medium == MotionMedium.Air;
+        foreach (LimbChain limb in film.Profile.Creature.Limbs.Where(limb => limb.Side == Side.Left))
         {
-            rearmost = skeleton.Joints[i].Side == Side.Median && skeleton.ModelPositions[i].Z < skeleton.ModelPositions[rearmost].Z ? i : rearmost;
+            if (flies && limb.Kind is LimbKind.Wing or LimbKind.InsectWing)
+            {
+                yield return ("wing tip", limb.Joints[^1]);
+            }
+            else if (!flies && limb.Kind == LimbKind.Pectoral)
+            {
+                yield return ("fin tip", limb.Joints[^1]);
+            }
         }
 
-        return rearmost;
+        if (!flies)
+        {
+            Skeleton skeleton = film.Profile.Creature.Skeleton;
+            yield return ("tail tip", Enumerable.Range(0, skeleton.Count).Where(joint => skeleton.Joints[joint].Side == Side.Median).MinBy(joint => skeleton.ModelPositions[joint].Z));
+        }
     }
 }

@@ -67,20 +67,20 @@ public sealed class Film
     /// <summary>How the film is made.</summary>
     public FilmOptions Options { get; }
 
-    /// <summary>Frames until everything is as it was: those of one cycle, or of several on rough ground.</summary>
+    /// <summary>Frames until everything is as it was: those of one cycle; of several on rough ground; of some beats and a glide of fliers that glide between.</summary>
     public int FrameCount => Take.Frames;
 
-    /// <summary>Seconds of one cycle of the gait or the stroke.</summary>
-    public float CycleSeconds => Take.CycleSeconds;
+    /// <summary>Seconds of one cycle of the gait, or of one stroke.</summary>
+    public float CycleSeconds => Take.StrokeSeconds;
 
     /// <summary>Metres per second at which the creature goes: what was asked, or as fast as it can.</summary>
     public float Speed => Take.Speed;
 
     /// <summary>How long a frame shows. Cycles shorter than 16 of the shortest frames, as the beats of small wings, are slowed down.</summary>
-    public int MillisecondsPerFrame => Math.Max(ShortestFrame, (int)Math.Round(1000f * Take.CycleSeconds / Take.FramesPerCycle));
+    public int MillisecondsPerFrame => Math.Max(ShortestFrame, (int)Math.Round(1000f * Take.FrameSeconds));
 
     /// <summary>How much slower than life the film is; 1 in most cases.</summary>
-    public float Slowness => Math.Max(1f, MillisecondsPerFrame * Take.FramesPerCycle / (1000f * Take.CycleSeconds));
+    public float Slowness => Math.Max(1f, MillisecondsPerFrame / (1000f * Take.FrameSeconds));
 
     internal Take Take { get; }
 
@@ -131,16 +131,27 @@ public sealed class Film
     private Vector3[] FindRoom()
     {
         var points = new List<Vector3>();
+        int all = Take.Frames * Take.MomentsPerFrame;
         for (int i = 0; i < Take.StripFrames; i++)
         {
-            Vector3[] skin = Take.SkinAt(i * Take.MomentsPerCycle / Take.StripFrames).Positions;
+            // One stroke closely, and all of the film where it is longer.
+            Add(i * Take.StrokeMoments / Take.StripFrames);
+            if (all > Take.StrokeMoments)
+            {
+                Add(i * all / Take.StripFrames);
+            }
+        }
+
+        return [.. points];
+
+        void Add(int moment)
+        {
+            Vector3[] skin = Take.SkinAt(moment).Positions;
             for (int v = 0; v < skin.Length; v += Sparsely)
             {
                 points.Add(skin[v]);
             }
         }
-
-        return [.. points];
     }
 
     private CheckedFloor FloorAround(BoundingBox box)

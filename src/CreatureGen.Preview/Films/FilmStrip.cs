@@ -56,7 +56,7 @@ internal static class FilmStrip
         Work.Share(Take.StripFrames, film.Options.Threads, i =>
         {
             cancellation.ThrowIfCancellationRequested();
-            int moment = i * film.Take.MomentsPerCycle / Take.StripFrames;
+            int moment = i * film.Take.StrokeMoments / Take.StripFrames;
             Picture cell = film.Draw(moment, camera, CellWidth - Gap, height);
             ContactMarks.Draw(cell, film, moment, camera);
             Label.Draw(cell, FormattableString.Invariant($"{i + 1}"), Gap, Gap, LabelSize.Small, ink);

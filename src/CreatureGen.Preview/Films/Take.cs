@@ -19,14 +19,14 @@ namespace CreatureGen.Preview.Films;
 /// <remarks>Rough ground repeats itself too: one cycle of a slow walk is shorter than a hill, so that several are taken.</remarks>
 internal sealed class Take
 {
-    /// <summary>Pictures of a film strip: the frames of a cycle are a multiple of it.</summary>
+    /// <summary>Pictures of a film strip: the frames of what repeats are a multiple of it.</summary>
     public const int StripFrames = 8;
 
     private const float SettleSeconds = 5f;
     private const float FrameRate = 30f;
     private const int MostFrames = 120;
 
-    // Moments from one frame to the next at least, for the diagram.
+    // Moments of a stroke at least, for the diagram.
     private const int LeastMoments = 240;
 
     // Hills are not shorter than this, leg lengths.
@@ -45,6 +45,7 @@ internal sealed class Take
         var level = new SteadyMotion(profile, movement, FlatGround.Level);
         level.Settle(SettleSeconds);
         float seconds = level.CycleSeconds();
+        int strokes = StrokesIn(profile, movement, ref seconds);
         float way = Math.Max(level.Animator.Speed, 0f) * seconds;
         int cycles = 1;
         SteadyMotion motion = level;
@@ -61,13 +62,15 @@ internal sealed class Take
             motion.Settle(SettleSeconds);
         }
 
-        int perFrameOfStrip = Math.Max(1, (int)Math.Round(Math.Min(seconds * FrameRate, MostFrames) / StripFrames));
-        FramesPerCycle = StripFrames * Math.Max(2, perFrameOfStrip);
-        MomentsPerFrame = (LeastMoments + FramesPerCycle - 1) / FramesPerCycle;
-        Frames = FramesPerCycle * cycles;
-        CycleSeconds = seconds;
-        float step = seconds / (FramesPerCycle * MomentsPerFrame);
-        int settle = FramesPerCycle * MomentsPerFrame;
+        // Of fliers that glide between their beats a stroke is a part of what repeats.
+        int framesPerCycle = StripFrames * Math.Max(2, (int)Math.Round(Math.Min(seconds * FrameRate, MostFrames) / StripFrames));
+        MomentsPerFrame = ((LeastMoments * strokes) + framesPerCycle - 1) / framesPerCycle;
+        Frames = framesPerCycle * cycles;
+        StrokeMoments = framesPerCycle * MomentsPerFrame / strokes;
+        StrokeSeconds = seconds / strokes;
+        FrameSeconds = seconds / framesPerCycle;
+        float step = FrameSeconds / MomentsPerFrame;
+        int settle = framesPerCycle * MomentsPerFrame;
         for (int i = 0; i < settle; i++)
         {
             motion.Advance(step);
@@ -90,17 +93,17 @@ internal sealed class Take
     /// <summary>Frames of the moving picture.</summary>
     public int Frames { get; }
 
-    /// <summary>Frames of one cycle, a multiple of <see cref="StripFrames"/>.</summary>
-    public int FramesPerCycle { get; }
-
     /// <summary>Moments from frame to frame.</summary>
     public int MomentsPerFrame { get; }
 
-    /// <summary>Moments of one cycle.</summary>
-    public int MomentsPerCycle => FramesPerCycle * MomentsPerFrame;
+    /// <summary>Seconds from frame to frame.</summary>
+    public float FrameSeconds { get; }
 
-    /// <summary>Seconds of one cycle.</summary>
-    public float CycleSeconds { get; }
+    /// <summary>Moments of one cycle of steps, or of one stroke of wings or tail.</summary>
+    public int StrokeMoments { get; }
+
+    /// <summary>Seconds of it.</summary>
+    public float StrokeSeconds { get; }
 
     /// <summary>Mean speed, metres per second.</summary>
     public float Speed { get; }
@@ -150,6 +153,24 @@ internal sealed class Take
         }
 
         return (positions, normals);
+    }
+
+    /// <summary>Strokes from one repetition of the whole motion to the next.</summary>
+    private static int StrokesIn(MotionProfile profile, Movement movement, ref float seconds)
+    {
+        if (movement.Input.Medium != MotionMedium.Air || profile.Flight is null)
+        {
+            return 1;
+        }
+
+        int beats = profile.Flight.BeatsPerCycle;
+        if (profile.Flight.GlidesBetweenBeats && movement.Input.Speed != 0f)
+        {
+            return beats;
+        }
+
+        seconds /= beats;
+        return 1;
     }
 
     private void Model(int moment, in Pose model, Matrix4x4[] matrices)

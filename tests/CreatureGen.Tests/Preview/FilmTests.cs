@@ -61,7 +61,7 @@ public sealed class FilmTests
         Take take = film.Take;
         for (int foot = 0; foot < take.Feet; foot++)
         {
-            for (int moment = 1; moment < take.MomentsPerCycle; moment++)
+            for (int moment = 1; moment < take.StrokeMoments; moment++)
             {
                 FootReport before = take.FootAt(moment - 1, foot);
                 FootReport now = take.FootAt(moment, foot);
@@ -90,7 +90,7 @@ public sealed class FilmTests
         foreach (View view in new[] { View.Side, View.Front, View.ThreeQuarter })
         {
             Camera camera = film.CameraFor(view, 300, 200);
-            for (int moment = 0; moment < film.Take.MomentsPerCycle; moment += 17)
+            for (int moment = 0; moment < film.Take.StrokeMoments; moment += 17)
             {
                 foreach (Vector3 point in film.Take.SkinAt(moment).Positions)
                 {
@@ -107,7 +107,7 @@ public sealed class FilmTests
     {
         Film film = Make(RequestedKind.Walking, 42, 1, small);
         Picture strip = film.Strip(TestContext.Current.CancellationToken);
-        int moments = film.Take.MomentsPerCycle;
+        int moments = film.Take.StrokeMoments;
         for (int foot = 0; foot < film.Take.Feet; foot++)
         {
             Pixel colour = FootName.Colour(film.Profile.Legs!, foot);

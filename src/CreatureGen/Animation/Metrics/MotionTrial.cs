@@ -69,7 +69,10 @@ public sealed record MotionTrial(Movement Movement, GroundRelief Relief, float H
         }
 
         var recorder = new MotionRecorder(animator);
-        float seconds = animator.Frequency > 0f ? Scalar.Clamp(Cycles / animator.Frequency, LeastSeconds, MostSeconds) : MostSeconds;
+
+        // Fliers beat their wings and glide in turn: a cycle is both.
+        int beats = Movement.Input.Medium == MotionMedium.Air && profile.Flight != null ? profile.Flight.BeatsPerCycle : 1;
+        float seconds = animator.Frequency > 0f ? Scalar.Clamp(Cycles * beats / animator.Frequency, LeastSeconds, MostSeconds) : MostSeconds;
         int frames = 2 + (int)(seconds * Hertz);
         for (int i = 0; i < frames; i++)
         {
