@@ -9,6 +9,10 @@ internal static class SeedOptions
 
     public static readonly OptionSyntax Seeds = new("--seeds", "LIST", "seeds and inclusive ranges: 1-1000,2000,0xBEEF");
 
+    /// <summary>The one seed of a verb that takes no more.</summary>
+    /// <exception cref="UsageError">There is none, or it cannot be read.</exception>
+    public static ulong ReadOne(ParsedArguments arguments) => Read(arguments, arguments.Required(Seed.Name));
+
     /// <summary>The seeds asked for.</summary>
     /// <exception cref="UsageError">There are none, or they cannot be read.</exception>
     public static SeedList Read(ParsedArguments arguments)
@@ -20,7 +24,7 @@ internal static class SeedOptions
                 throw arguments.Wrong("--seed and --seeds; expected one of them");
             }
 
-            return SeedText.TryRead(one.Trim(), out ulong seed) ? SeedList.Of(seed) : throw arguments.Wrong(Seed.Name, one, SeedText.Expectation);
+            return SeedList.Of(Read(arguments, one));
         }
 
         if (arguments.Value(Seeds.Name) is not string list)
@@ -37,4 +41,7 @@ internal static class SeedOptions
             throw arguments.Wrong("--seeds: " + problem.Message);
         }
     }
+
+    private static ulong Read(ParsedArguments arguments, string text) =>
+        SeedText.TryRead(text.Trim(), out ulong seed) ? seed : throw arguments.Wrong(Seed.Name, text, SeedText.Expectation);
 }

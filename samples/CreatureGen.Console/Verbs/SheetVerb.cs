@@ -24,7 +24,6 @@ internal sealed class SheetVerb : IVerb
     private const int MostSize = 4096;
     private const int MostPixels = 100_000_000;
 
-    private static readonly OptionSyntax view = new("--view", "VIEW", "three-quarter (the default), side, front, back or top");
     private static readonly OptionSyntax skeleton = new("--skeleton", null, "show the bones through the skin");
     private static readonly OptionSyntax columns = new("--columns", "N", "creatures in a row, 1 to 200 (default 6)");
     private static readonly OptionSyntax size = new("--size", "PIXELS", "width of one creature's picture, 32 to 4096 (default 340)");
@@ -39,7 +38,7 @@ internal sealed class SheetVerb : IVerb
             new("sheet --seeds 1-24 --kind swimming --view side --out swimmers.png", "swimmers from the side"),
             new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, view, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads]);
+        [SeedOptions.Seed, SeedOptions.Seeds, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -60,7 +59,7 @@ internal sealed class SheetVerb : IVerb
         FileSet.RequireWritable(path);
         bool alone = seeds.Count == 1;
         var style = new Style(
-            ReadView(arguments),
+            CommonOptions.ReadView(arguments),
             arguments.Has(skeleton.Name) ? Figure.Skeleton : Figure.Skin,
             new RenderOptions { Shading = arguments.Has(CommonOptions.Flat.Name) ? ShadingMode.Faceted : ShadingMode.Smooth, Threads = alone ? layout.Threads : 1 });
         using var progress = new ProgressLine(surroundings, "creatures", seeds.Count, ProgressKind.Shown);
@@ -71,13 +70,6 @@ internal sealed class SheetVerb : IVerb
         FileSet.Write(path, stream => stream.Write(png), surroundings.Cancellation);
         surroundings.Out.WriteLine(FormattableString.Invariant($"{path}: {cells.Length} {(alone ? "creature" : "creatures")}, {sheet.Width} x {sheet.Height} pixels, {Units.Bytes(png.Length)}"));
         return ExitCode.Done;
-    }
-
-    private static View ReadView(ParsedArguments arguments)
-    {
-        string word = arguments.Value(view.Name) ?? Views.Word(View.ThreeQuarter);
-        string[] known = Array.ConvertAll(Enum.GetValues<View>(), Views.Word);
-        return Views.TryParse(word, out View found) ? found : throw arguments.Wrong(view.Name, word, "one of " + string.Join(", ", known) + Suggestion.For(word, known));
     }
 
     private static void RequireRoom(ParsedArguments arguments, UInt128 count, ContactSheetOptions layout)

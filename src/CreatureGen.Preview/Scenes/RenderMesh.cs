@@ -161,6 +161,50 @@ public sealed class RenderMesh
         return new RenderMesh(positions, normals, tints, triangles, Parts, gloss.Length == 0 ? null : gloss, texcoords, colour, relief);
     }
 
+    /// <summary>This surface in another pose. All other arrays, and the textures, are shared.</summary>
+    /// <param name="posedPositions">Metres; taken over.</param>
+    /// <param name="posedNormals">Unit normals; taken over.</param>
+    /// <exception cref="ArgumentException">The arrays are not of the length of this one, or a number is not finite.</exception>
+    public RenderMesh Posed(Vector3[] posedPositions, Vector3[] posedNormals)
+    {
+        ArgumentNullException.ThrowIfNull(posedPositions);
+        ArgumentNullException.ThrowIfNull(posedNormals);
+        if (posedPositions.Length != positions.Length)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{posedPositions.Length} positions; expected {positions.Length}, one per vertex"), nameof(posedPositions));
+        }
+
+        return new RenderMesh(posedPositions, posedNormals, colours, triangles, Parts, gloss.Length == 0 ? null : gloss, texcoords.Length == 0 ? null : texcoords, Texture, NormalMap);
+    }
+
+    /// <summary>This surface of a creature and another one without textures, in one.</summary>
+    /// <param name="other">Keeps the colours of its vertices.</param>
+    public RenderMesh With(RenderMesh other)
+    {
+        ArgumentNullException.ThrowIfNull(other);
+        int first = positions.Length;
+        int[] added = Array.ConvertAll(other.triangles, vertex => vertex + first);
+        var parts = new List<RenderPart>(Parts);
+        foreach (RenderPart part in other.Parts)
+        {
+            parts.Add(part with { FirstIndex = part.FirstIndex + triangles.Length });
+        }
+
+        // The plain place of the atlas keeps the colours of vertices.
+        var swatch = new Vector2[other.positions.Length];
+        Array.Fill(swatch, CreatureTextures.PlainTexcoord);
+        return new RenderMesh(
+            [.. positions, .. other.positions],
+            [.. normals, .. other.normals],
+            [.. colours, .. other.colours],
+            [.. triangles, .. added],
+            parts,
+            gloss.Length == 0 ? null : [.. gloss, .. new float[other.positions.Length]],
+            texcoords.Length == 0 ? null : [.. texcoords, .. swatch],
+            Texture,
+            NormalMap);
+    }
+
     private void CheckLength(int length, string name)
     {
         if (length != positions.Length)

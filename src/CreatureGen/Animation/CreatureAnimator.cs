@@ -114,6 +114,9 @@ public sealed class CreatureAnimator
     /// <summary>Number of feet that it walks on.</summary>
     public int FootCount => legs?.FootCount ?? 0;
 
+    /// <summary>Whether it goes on its feet at present: not in the air, in water or on the belly.</summary>
+    internal bool StandsOnFeet => motion is FlightDrive flight ? flight.Walks : legs != null && motion == legs;
+
     /// <summary>Metres per second ahead at present.</summary>
     public float Speed => (motion?.Speed ?? 0f) * Root.Scale;
 

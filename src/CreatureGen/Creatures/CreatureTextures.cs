@@ -77,6 +77,9 @@ public sealed class CreatureTextures
     /// </summary>
     public static bool KeepsItsColour(Vector2 texcoord) => ChartPacking.IsSwatch(texcoord);
 
+    /// <summary>Texture coordinates of a place that leaves a surface its colour.</summary>
+    internal static Vector2 PlainTexcoord => ChartPacking.Swatch(0);
+
     private static void PaintSwatches(AtlasPictures pictures)
     {
         int side = ChartPacking.SwatchSide(pictures.Size);

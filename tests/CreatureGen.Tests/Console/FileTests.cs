@@ -113,6 +113,8 @@ public sealed class FileTests
     [InlineData("generate", "--seeds", "1-1000000", "--no-picture")]
     [InlineData("sheet", "--seeds", "1-8", "--out", "x.png")]
     [InlineData("verify", "--seeds", "1-1000000")]
+    [InlineData("metrics", "--seeds", "1-1000000")]
+    [InlineData("animate", "--seed", "42", "--out", "x.png")]
     public void An_interrupted_run_says_so_and_leaves_nothing_behind(params string[] arguments)
     {
         using var run = new ConsoleRun();

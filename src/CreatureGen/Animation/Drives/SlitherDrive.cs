@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.Strokes.Slithering;
@@ -24,7 +25,8 @@ internal sealed class SlitherDrive : IBodyMotion
 
     public float Phase => state.CyclePhase;
 
-    public float Frequency => 0f;
+    // Along its body it goes further than along its way.
+    public float Frequency => Math.Max(Speed, 0f) / (profile.Wavelength * (float)Math.Max(SlitherProfile.Progress(profile.Alpha), 0.1));
 
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
     {

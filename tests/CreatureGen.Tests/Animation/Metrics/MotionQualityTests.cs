@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Animation;
-using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.Metrics;
 using CreatureGen.Creatures;
@@ -23,7 +22,7 @@ public class MotionQualityTests
     {
         int stances = 0;
         int within = 0;
-        foreach ((MotionReport report, string name) in Record(firstSeed, 40, rate, 0f))
+        foreach ((MotionReport report, string name) in Record(firstSeed, 40, rate, GroundRelief.Flat))
         {
             // Targets of docs/motion.md, in leg lengths.
             Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
@@ -44,7 +43,7 @@ public class MotionQualityTests
     [Fact]
     public void Walks_keep_feet_down_as_animals_do()
     {
-        foreach ((MotionReport report, string name) in Record(5000, 40, 60f, 0f))
+        foreach ((MotionReport report, string name) in Record(5000, 40, 60f, GroundRelief.Flat))
         {
             string gait = name.Split(' ')[1];
             int least = gait switch { "Walk" or "Crawl" or "Amble" => 2, "BipedWalk" => 1, "Wave" or "Tripod" => 3, _ => 0 };
@@ -56,17 +55,17 @@ public class MotionQualityTests
     public void On_hills_feet_neither_slide_nor_sink()
     {
         var sunk = new List<float>();
-        foreach ((MotionReport report, string name) in Record(7000, 25, 60f, 0.12f))
+        foreach ((MotionReport report, string name) in Record(7000, 25, 60f, GroundRelief.Rough))
         {
             Assert.True(report.Slip <= 0.01f, $"{name}: slip {report.Slip}");
-            sunk.Add(report.MeanPenetration);
+            sunk.Add(report.MeanPenetration ?? 0f);
         }
 
         sunk.Sort();
         Assert.True(sunk[sunk.Count / 2] < 0.02f, $"median {sunk[sunk.Count / 2]}");
     }
 
-    private static IEnumerable<(MotionReport Report, string Name)> Record(int firstSeed, int seeds, float rate, float hills)
+    private static IEnumerable<(MotionReport Report, string Name)> Record(int firstSeed, int seeds, float rate, GroundRelief relief)
     {
         for (int seed = firstSeed; seed < firstSeed + seeds; seed++)
         {
@@ -77,21 +76,9 @@ public class MotionQualityTests
                 continue;
             }
 
-            foreach (GaitSpeed speed in profile.Gaits.Speeds)
+            foreach (MotionTrial trial in MotionTrial.Of(profile).Where(trial => trial.Hertz == rate && trial.Relief == relief))
             {
-                IGround ground = hills > 0f ? new Hills(profile.LegLength, hills) : FlatGround.Level;
-                var animator = new CreatureAnimator(profile);
-                var input = new MotionInput(speed.Comfortable);
-                Walkers.Run(animator, 3f, rate, input, ground);
-                var recorder = new MotionRecorder(animator);
-                int frames = (int)(1.05f * rate / animator.Frequency) + 2;
-                for (int i = 0; i < frames; i++)
-                {
-                    animator.Update(1f / rate, input, ground);
-                    recorder.Record(1f / rate, ground);
-                }
-
-                yield return (recorder.Report(), $"{seed} {speed.Gait.Name} {creature.Blueprint.Plan}");
+                yield return (trial.Run(profile), $"{seed} {trial.Movement.GaitName} {creature.Blueprint.Plan}");
             }
         }
     }

@@ -1,0 +1,66 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.Locomotion;
+using CreatureGen.Preview.Pictures;
+using CreatureGen.Preview.Scenes;
+
+namespace CreatureGen.Preview.Films;
+
+/// <summary>Marks on the ground of a picture: filled where a foot stands, an empty ring below one that swings.</summary>
+internal static class ContactMarks
+{
+    private const float Flatness = 0.42f;
+    private static readonly Pixel outline = new(20, 22, 26);
+
+    /// <summary>Draws the marks of all feet at a moment.</summary>
+    public static void Draw(Picture picture, Film film, int moment, Camera camera)
+    {
+        LeggedBody? body = film.Profile.Legs;
+        Take take = film.Take;
+        if (body is null || take.Feet == 0)
+        {
+            return;
+        }
+
+        Vector3[] joints = take.JointsAt(moment);
+        Vector3 offset = take.CameraAt(moment);
+        for (int foot = 0; foot < take.Feet; foot++)
+        {
+            FootReport report = take.FootAt(moment, foot);
+            bool stands = report.Phase == FootPhase.Stance;
+            Vector3 below = stands ? report.Place : Below(joints[report.Joint] + offset, take.Ground);
+            Vector3 pixel = camera.Project(below - offset, picture.Width, picture.Height);
+            Ellipse(picture, pixel.X, pixel.Y, Math.Max(3f, picture.Width / 30f), FootName.Colour(body, foot), stands ? 235 : 0);
+        }
+    }
+
+    private static Vector3 Below(Vector3 point, IGround ground) =>
+        ground.Cast(point with { Y = 1e3f }, -Vector3.UnitY, 2e3f, out GroundHit hit) ? hit.Point : point;
+
+    private static void Ellipse(Picture picture, float x, float y, float radius, Pixel colour, int fill)
+    {
+        int reach = (int)radius + 2;
+        for (int row = -reach; row <= reach; row++)
+        {
+            for (int column = -reach; column <= reach; column++)
+            {
+                int px = (int)x + column;
+                int py = (int)y + row;
+                float dx = (px + 0.5f - x) / radius;
+                float dy = (py + 0.5f - y) / (radius * Flatness);
+                float distance = (float)Math.Sqrt((dx * dx) + (dy * dy));
+                bool rim = distance is > 0.72f and <= 1.08f;
+                if (rim)
+                {
+                    picture.Blend(px, py, fill > 0 ? outline : colour, fill > 0 ? 220 : 190);
+                }
+                else if (distance <= 0.72f)
+                {
+                    picture.Blend(px, py, colour, fill);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,184 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation;
+using CreatureGen.Animation.Clips;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.Metrics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+using CreatureGen.Seeding;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Preview.Films;
+
+/// <summary>
+/// A creature in motion as a camera sees it that goes along at its mean speed: so many whole cycles as it takes until everything, the ground too, is as it was. Moments are counted from 0; the one
+/// after the last is the first again.
+/// </summary>
+/// <remarks>Rough ground repeats itself too: one cycle of a slow walk is shorter than a hill, so that several are taken.</remarks>
+internal sealed class Take
+{
+    /// <summary>Pictures of a film strip: the frames of what repeats are a multiple of it.</summary>
+    public const int StripFrames = 8;
+
+    private const float SettleSeconds = 5f;
+    private const float FrameRate = 30f;
+    private const int MostFrames = 120;
+
+    // Moments of a stroke at least, for the diagram.
+    private const int LeastMoments = 240;
+
+    // Hills are not shorter than this, leg lengths.
+    private const float ShortestPeriod = 4f;
+
+    private readonly MotionProfile profile;
+    private readonly RecordedCycle cycle;
+    private readonly Vector3 start;
+    private readonly Vector3 drift;
+
+    /// <summary>Takes a movement.</summary>
+    public Take(MotionProfile profile, Movement movement, GroundRelief relief)
+    {
+        this.profile = profile;
+        OnGround = movement.Gait != null || profile.Slither != null;
+        var level = new SteadyMotion(profile, movement, FlatGround.Level);
+        level.Settle(SettleSeconds);
+        float seconds = level.CycleSeconds();
+        int strokes = StrokesIn(profile, movement, ref seconds);
+        float way = Math.Max(level.Animator.Speed, 0f) * seconds;
+        int cycles = 1;
+        SteadyMotion motion = level;
+        Ground = FlatGround.Level;
+        if (relief == GroundRelief.Rough && OnGround && way > 0f)
+        {
+            float length = MotionTrial.HillLength(profile, movement);
+            cycles = Math.Max(1, (int)Math.Ceiling(ShortestPeriod * length / way));
+            (Vector3 least, Vector3 most) = MotionTrial.Extent(profile.Creature);
+            float around = 2f * (most.Z - least.Z) + (4f * length);
+            float far = level.Animator.Speed * (SettleSeconds + ((2 + cycles) * (seconds + 1f)));
+            Ground = new HillField(new Seed(profile.Creature.Blueprint.Seed), length, cycles * way).Around(around, -around, far + around);
+            motion = new SteadyMotion(profile, movement, Ground);
+            motion.Settle(SettleSeconds);
+        }
+
+        // Of fliers that glide between their beats a stroke is a part of what repeats.
+        int framesPerCycle = StripFrames * Math.Max(2, (int)Math.Round(Math.Min(seconds * FrameRate, MostFrames) / StripFrames));
+        MomentsPerFrame = ((LeastMoments * strokes) + framesPerCycle - 1) / framesPerCycle;
+        Frames = framesPerCycle * cycles;
+        StrokeMoments = framesPerCycle * MomentsPerFrame / strokes;
+        StrokeSeconds = seconds / strokes;
+        FrameSeconds = seconds / framesPerCycle;
+        float step = FrameSeconds / MomentsPerFrame;
+        int settle = framesPerCycle * MomentsPerFrame;
+        for (int i = 0; i < settle; i++)
+        {
+            motion.Advance(step);
+        }
+
+        cycle = new RecordedCycle(motion, Frames * MomentsPerFrame, step);
+        Speed = (float)cycle.MeanSpeed;
+        start = cycle.PlaceAt(0).Position;
+        drift = cycle.PlaceAt(cycle.Frames).Position - start;
+        drift.Y = OnGround ? 0f : drift.Y;
+        start.Y = OnGround ? 0f : start.Y;
+    }
+
+    /// <summary>What it goes on.</summary>
+    public IGround Ground { get; }
+
+    /// <summary>Whether it goes on the ground at all.</summary>
+    public bool OnGround { get; }
+
+    /// <summary>Frames of the moving picture.</summary>
+    public int Frames { get; }
+
+    /// <summary>Moments from frame to frame.</summary>
+    public int MomentsPerFrame { get; }
+
+    /// <summary>Seconds from frame to frame.</summary>
+    public float FrameSeconds { get; }
+
+    /// <summary>Moments of one cycle of steps, or of one stroke of wings or tail.</summary>
+    public int StrokeMoments { get; }
+
+    /// <summary>Seconds of it.</summary>
+    public float StrokeSeconds { get; }
+
+    /// <summary>Mean speed, metres per second.</summary>
+    public float Speed { get; }
+
+    /// <summary>Number of feet that it goes on.</summary>
+    public int Feet => cycle.Feet;
+
+    /// <summary>Way from the first moment to the last, metres along +Z.</summary>
+    public float Way => drift.Z;
+
+    /// <summary>What the camera has gone by, world space, metres.</summary>
+    public Vector3 CameraAt(int moment) => start + (drift * (moment / (float)cycle.Frames));
+
+    /// <summary>How a foot is.</summary>
+    public FootReport FootAt(int moment, int foot) => cycle.FootAt(moment, foot);
+
+    /// <summary>Where the joints are as the camera sees them, metres.</summary>
+    public Vector3[] JointsAt(int moment)
+    {
+        var matrices = new Matrix4x4[cycle.Joints];
+        Quaternion[] rotations = new Quaternion[cycle.Joints];
+        Vector3[] positions = new Vector3[cycle.Joints];
+        Model(moment, new Pose(rotations, positions), matrices);
+        for (int i = 0; i < positions.Length; i++)
+        {
+            positions[i] = cycle.PlaceAt(moment).ToWorld(positions[i]) - CameraAt(moment);
+        }
+
+        return positions;
+    }
+
+    /// <summary>Skin and normals as the camera sees them, metres.</summary>
+    public (Vector3[] Positions, Vector3[] Normals) SkinAt(int moment)
+    {
+        var matrices = new Matrix4x4[cycle.Joints];
+        Model(moment, new Pose(new Quaternion[cycle.Joints], new Vector3[cycle.Joints]), matrices);
+        CreatureMesh mesh = profile.Creature.Mesh;
+        var positions = new Vector3[mesh.Positions.Length];
+        var normals = new Vector3[mesh.Positions.Length];
+        CpuSkinning.Skin(matrices, mesh.Weights, mesh.Positions, mesh.Normals, positions, normals);
+        Animation.RootMotion.RootPlace place = cycle.PlaceAt(moment);
+        Vector3 camera = CameraAt(moment);
+        for (int i = 0; i < positions.Length; i++)
+        {
+            positions[i] = place.ToWorld(positions[i]) - camera;
+            normals[i] = Rotation.Rotate(place.Rotation, normals[i]);
+        }
+
+        return (positions, normals);
+    }
+
+    /// <summary>Strokes from one repetition of the whole motion to the next.</summary>
+    private static int StrokesIn(MotionProfile profile, Movement movement, ref float seconds)
+    {
+        if (movement.Input.Medium != MotionMedium.Air || profile.Flight is null)
+        {
+            return 1;
+        }
+
+        int beats = profile.Flight.BeatsPerCycle;
+        if (profile.Flight.GlidesBetweenBeats && movement.Input.Speed != 0f)
+        {
+            return beats;
+        }
+
+        seconds /= beats;
+        return 1;
+    }
+
+    private void Model(int moment, in Pose model, Matrix4x4[] matrices)
+    {
+        Skeleton skeleton = profile.Creature.Skeleton;
+        int first = moment * cycle.Joints;
+        var local = new Pose(cycle.Rotations.AsSpan(first, cycle.Joints), cycle.Positions.AsSpan(first, cycle.Joints));
+        ForwardKinematics.LocalToModel(skeleton, local, model);
+        SkinMatrices.Fill(skeleton, model, matrices);
+    }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation.RootMotion;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Animation.Clips;
+
+/// <summary>Poses of a time after which motion begins anew, with where the creature and its feet were. What is left between the last pose and the first is spread evenly, so that the poses close to the bit.</summary>
+internal sealed class RecordedCycle
+{
+    private readonly RootPlace[] places;
+    private readonly FootReport[] feet;
+    private readonly int footCount;
+
+    /// <summary>Records from now on.</summary>
+    /// <param name="motion">What has settled.</param>
+    /// <param name="frames">Number of updates.</param>
+    /// <param name="step">Seconds of each.</param>
+    public RecordedCycle(SteadyMotion motion, int frames, float step)
+    {
+        CreatureAnimator animator = motion.Animator;
+        Frames = frames;
+        Joints = animator.Profile.Creature.Skeleton.Count;
+        Step = step;
+        Rotations = new Quaternion[(frames + 1) * Joints];
+        Positions = new Vector3[(frames + 1) * Joints];
+        places = new RootPlace[frames + 1];
+        footCount = animator.StandsOnFeet ? animator.FootCount : 0;
+        feet = new FootReport[(frames + 1) * footCount];
+        double speed = 0;
+        for (int frame = 0; frame <= frames; frame++)
+        {
+            animator.LocalPose.Rotations.CopyTo(Rotations.AsSpan(frame * Joints, Joints));
+            animator.LocalPose.Positions.CopyTo(Positions.AsSpan(frame * Joints, Joints));
+            places[frame] = animator.Root;
+            for (int foot = 0; foot < footCount; foot++)
+            {
+                feet[(frame * footCount) + foot] = animator.Foot(foot);
+            }
+
+            if (frame < frames)
+            {
+                motion.Advance(step);
+                speed += animator.Speed / frames;
+            }
+        }
+
+        MeanSpeed = speed;
+        for (int joint = 0; joint < Joints; joint++)
+        {
+            Close(joint);
+        }
+    }
+
+    /// <summary>Number of frames but the last, which is the first again.</summary>
+    public int Frames { get; }
+
+    /// <summary>Number of joints.</summary>
+    public int Joints { get; }
+
+    /// <summary>Number of feet that the creature goes on; 0 in the air and in water.</summary>
+    public int Feet => footCount;
+
+    /// <summary>Seconds from frame to frame.</summary>
+    public float Step { get; }
+
+    /// <summary>Metres per second.</summary>
+    public double MeanSpeed { get; }
+
+    /// <summary>One for each joint of each frame, in the parents' space.</summary>
+    public Quaternion[] Rotations { get; }
+
+    /// <summary>One for each joint of each frame, in the parents' space.</summary>
+    public Vector3[] Positions { get; }
+
+    /// <summary>Where the root was.</summary>
+    public RootPlace PlaceAt(int frame) => places[frame];
+
+    /// <summary>How a foot was.</summary>
+    public FootReport FootAt(int frame, int foot) => feet[(frame * footCount) + foot];
+
+    /// <summary>Spreads the difference of the last and the first frame of a joint over all frames.</summary>
+    private void Close(int joint)
+    {
+        int last = (Frames * Joints) + joint;
+        Quaternion first = Rotations[joint];
+        Quaternion missing = Rotation.Multiply(first, Rotation.Inverse(Rotations[last]));
+        Vector3 gap = Positions[joint] - Positions[last];
+        for (int frame = 1; frame < Frames; frame++)
+        {
+            int at = (frame * Joints) + joint;
+            float share = frame / (float)Frames;
+            Rotations[at] = Rotation.Normalize(Rotation.Multiply(Rotation.Slerp(Quaternion.Identity, missing, share), Rotations[at]));
+            Positions[at] += gap * share;
+        }
+
+        Rotations[last] = first;
+        Positions[last] = Positions[joint];
+    }
+}

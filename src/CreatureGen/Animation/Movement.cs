@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Animation.Gaits;
+using CreatureGen.Animation.Grounds;
+
+namespace CreatureGen.Animation;
+
+/// <summary>Something that a creature does by itself, on and on: standing, one of its gaits, flight, swimming, crawling. Immutable.</summary>
+public sealed class Movement
+{
+    private Movement(string name, MotionInput input, Gait? gait)
+    {
+        Name = name;
+        Input = input;
+        Gait = gait;
+    }
+
+    /// <summary>What games call it: <c>Idle</c>, <c>Walk</c>, <c>Run</c>, the name of another gait, <c>Fly</c>, <c>Hover</c>, <c>Swim</c> or <c>Slither</c>. Unique among those of a creature.</summary>
+    public string Name { get; }
+
+    /// <summary>What the creature is asked to do.</summary>
+    public MotionInput Input { get; }
+
+    /// <summary>The gait it keeps to; null for none.</summary>
+    public Gait? Gait { get; }
+
+    /// <summary>The name of its gait, such as <c>BipedWalk</c>; <see cref="Name"/> where there is no gait.</summary>
+    public string GaitName => Gait?.Name ?? Name;
+
+    /// <summary>Whether the motion repeats at the beat of a gait or a stroke; standing still has none.</summary>
+    public bool IsCyclic => Input.Speed != 0f || Input.Medium == MotionMedium.Air;
+
+    /// <summary>Everything a creature does by itself: Idle, each of its gaits at its most comfortable speed, flight, swimming, crawling.</summary>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public static IReadOnlyList<Movement> Of(MotionProfile profile)
+    {
+        if (profile == null)
+        {
+            throw new ArgumentNullException(nameof(profile));
+        }
+
+        var movements = new List<Movement> { new("Idle", default, null) };
+        if (profile.Gaits != null)
+        {
+            foreach (GaitSpeed speed in profile.Gaits.Speeds)
+            {
+                movements.Add(new Movement(NameOf(speed.Gait), new MotionInput(speed.Comfortable), speed.Gait));
+            }
+        }
+
+        if (profile.Flight != null)
+        {
+            movements.Add(new Movement("Fly", new MotionInput(profile.Flight.CruiseSpeed, Medium: MotionMedium.Air), null));
+            movements.Add(new Movement("Hover", new MotionInput(0f, Medium: MotionMedium.Air), null));
+        }
+
+        if (profile.Swim != null)
+        {
+            movements.Add(new Movement("Swim", new MotionInput(profile.Swim.CruiseSpeed), null));
+        }
+
+        if (profile.Slither != null)
+        {
+            movements.Add(new Movement("Slither", new MotionInput(profile.Slither.CruiseSpeed), null));
+        }
+
+        return movements;
+    }
+
+    /// <summary>The same at another speed. Creatures go no faster than they can, whatever is asked.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <exception cref="ArgumentException">The speed is not finite.</exception>
+    public Movement At(float speed)
+    {
+        Maths.Finite.Require(speed, nameof(speed));
+        return new Movement(Name, Input with { Speed = speed }, Gait);
+    }
+
+    /// <summary>An animator of a creature that stands at the origin and keeps to the movement's gait from its first step.</summary>
+    internal CreatureAnimator Begin(MotionProfile profile, IGround ground)
+    {
+        var animator = new CreatureAnimator(profile);
+        LocomotionSettings settings = animator.Settings;
+        settings.Gait = Gait;
+        animator.Settings = settings;
+        animator.Teleport(animator.Root, ground);
+        return animator;
+    }
+
+    /// <summary>Games look for Walk and Run, whatever walks.</summary>
+    private static string NameOf(Gait gait) => gait.Name switch
+    {
+        "BipedWalk" => "Walk",
+        "BipedRun" => "Run",
+        _ => gait.Name,
+    };
+}

@@ -1,0 +1,204 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using System.Threading;
+using CreatureGen.Anatomy;
+using CreatureGen.Animation;
+using CreatureGen.Animation.Metrics;
+using CreatureGen.Console;
+using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Verbs;
+using CreatureGen.Console.Working;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Console;
+
+public sealed class MotionVerbTests
+{
+    private static readonly string[] contract =
+        ["kind", "seed", "gait", "ground", "hertz", "slipMaxMetres", "penetrationMaxMetres", "clearanceMinMetres", "limitViolations", "reachResidualMaxMetres", "poseJumpMax", "supportMin"];
+
+    [Fact]
+    public void Metrics_tell_every_gait_on_each_ground_at_each_rate()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("metrics", "--seeds", "41-43", "--kind", "any", "--json", "--threads", "2"));
+        Assert.Equal("", run.Error);
+        JsonElement[] runs = run.Json().GetProperty("runs").EnumerateArray().ToArray();
+        Assert.Equal(["runs", "worst"], run.Json().EnumerateObject().Select(member => member.Name));
+        foreach (JsonElement told in runs)
+        {
+            string[] names = told.EnumerateObject().Select(member => member.Name).ToArray();
+            Assert.All(contract, word => Assert.Contains(word, names));
+            Assert.Contains(told.GetProperty("ground").GetString(), new[] { "flat", "rough" });
+            Assert.Contains(told.GetProperty("hertz").GetInt32(), new[] { 30, 60, 144 });
+            Assert.Contains(told.GetProperty("kind").GetString(), new[] { "walking", "flying", "swimming" });
+            Assert.Equal(JsonValueKind.Number, told.GetProperty("limitViolations").ValueKind);
+            Assert.All(names, name => Assert.True(char.IsLower(name[0])));
+        }
+
+        // Each creature has six runs of each of its gaits, seeds in their order.
+        Assert.Equal(["41", "42", "43"], runs.Select(told => told.GetProperty("seed").GetString()).Distinct());
+        Assert.All(runs.GroupBy(told => (told.GetProperty("seed").GetString(), told.GetProperty("gait").GetString())), gait => Assert.Equal(6, gait.Count()));
+        string[] gaits = Movement.Of(new MotionProfile(CreatureGenerator.Generate(42))).Where(movement => movement.IsCyclic).Select(movement => movement.GaitName).ToArray();
+        Assert.Equal(gaits, runs.Where(told => told.GetProperty("seed").GetString() == "42").Select(told => told.GetProperty("gait").GetString()!).Distinct());
+    }
+
+    [Fact]
+    public void The_worst_of_each_measure_is_that_of_a_run()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("metrics", "--seeds", "41-42", "--kind", "walking", "--json"));
+        JsonElement[] runs = run.Json().GetProperty("runs").EnumerateArray().ToArray();
+        foreach (MotionMeasure measure in MotionMeasure.All)
+        {
+            JsonElement worst = run.Json().GetProperty("worst").GetProperty(measure.Name);
+            float[] values = runs.Select(told => told.GetProperty(measure.Name)).Where(value => value.ValueKind == JsonValueKind.Number).Select(value => value.GetSingle()).ToArray();
+            Assert.NotEmpty(values);
+            Assert.Equal(measure.Worse == WorseFigure.Greater ? values.Max() : values.Min(), worst.GetProperty("value").GetSingle());
+            JsonElement named = Assert.Single(runs, told => new[] { "kind", "seed", "gait", "ground", "hertz" }.All(word => told.GetProperty(word).ToString() == worst.GetProperty(word).ToString()));
+            Assert.Equal(worst.GetProperty("value").GetSingle(), named.GetProperty(measure.Name).GetSingle());
+        }
+    }
+
+    [Fact]
+    public void Metres_are_leg_lengths_times_the_leg_and_the_figures_those_of_the_library()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("metrics", "--seed", "42", "--json"));
+        var profile = new MotionProfile(CreatureGenerator.Generate(42));
+        JsonElement[] runs = run.Json().GetProperty("runs").EnumerateArray().ToArray();
+        MotionTrial[] trials = MotionTrial.Of(profile).ToArray();
+        Assert.Equal(trials.Length, runs.Length);
+        for (int i = 0; i < trials.Length; i += 5)
+        {
+            MotionReport report = trials[i].Run(profile);
+            Assert.Equal(report.Slip * profile.LegLength, runs[i].GetProperty("slipMaxMetres").GetSingle());
+            Assert.Equal(report.Penetration, runs[i].GetProperty("penetrationMaxLegLengths").GetSingle());
+            Assert.Equal(Math.Max(report.StanceResidual!.Value, report.SwingResidual!.Value) * profile.LegLength, runs[i].GetProperty("reachResidualMaxMetres").GetSingle());
+            Assert.Equal(report.LeastSupport, runs[i].GetProperty("supportMin").GetInt32());
+        }
+    }
+
+    [Theory]
+    [InlineData("swimming", "Swim")]
+    [InlineData("flying", "Fly")]
+    public void What_does_not_apply_is_null(string kind, string gait)
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("metrics", "--seed", "4", "--kind", kind, "--json"));
+        JsonElement told = run.Json().GetProperty("runs").EnumerateArray().First(told => told.GetProperty("gait").GetString() == gait);
+        Assert.All(["slipMaxMetres", "penetrationMaxMetres", "clearanceMinMetres", "reachResidualMaxMetres", "supportMin"], word => Assert.Equal(JsonValueKind.Null, told.GetProperty(word).ValueKind));
+        Assert.Equal(JsonValueKind.Number, told.GetProperty("poseJumpMax").ValueKind);
+    }
+
+    [Fact]
+    public void Metrics_are_the_same_for_any_number_of_threads()
+    {
+        using var one = new ConsoleRun();
+        using var three = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, one.Run("metrics", "--seeds", "1-6", "--json", "--threads", "1"));
+        Assert.Equal(ExitCode.Done, three.Run("metrics", "--seeds", "1-6", "--json", "--threads", "3"));
+        Assert.Equal(one.Out, three.Out);
+    }
+
+    [Fact]
+    public void Metrics_for_people_are_a_table_of_gaits()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("metrics", "--seed", "42"));
+        foreach (Movement movement in Movement.Of(new MotionProfile(CreatureGenerator.Generate(42))).Where(movement => movement.IsCyclic))
+        {
+            Assert.Contains($"{movement.GaitName,-16} flat", run.Out, StringComparison.Ordinal);
+            Assert.Contains($"{movement.GaitName,-16} rough", run.Out, StringComparison.Ordinal);
+        }
+
+        Assert.Contains("poseJumpMax", run.Out, StringComparison.Ordinal);
+        Assert.DoesNotContain("NaN", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Metrics_that_are_interrupted_can_be_read_as_far_as_they_came()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Interrupted, run.Run(new CancellationToken(true), "metrics", "--seeds", "1-1000000", "--json"));
+        Assert.Equal(0, run.Json().GetProperty("runs").GetArrayLength());
+        Assert.Equal(JsonValueKind.Null, run.Json().GetProperty("worst").GetProperty("slipMaxMetres").ValueKind);
+    }
+
+    [Fact]
+    public void Animate_writes_a_moving_picture_and_a_strip_whatever_the_spelling_of_the_gait_and_the_threads()
+    {
+        using var one = new ConsoleRun();
+        using var two = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, one.Run("animate", "--seed", "42", "--gait", "rotary-gallop", "--ground", "rough", "--out", "go.png", "--size", "96", "--threads", "1"));
+        Assert.Equal(ExitCode.Done, two.Run("animate", "--seed", "0x2a", "--gait", "RotaryGALLOP", "--ground", "rough", "--out", "go.png", "--size", "96", "--threads", "3"));
+        Assert.Equal("", one.Error);
+        Assert.Equal(["go-strip.png", "go.png"], one.Files.Order(StringComparer.Ordinal));
+        Assert.Equal(one.AllBytes(), two.AllBytes());
+        Assert.Contains("42 RotaryGallop at ", one.Out, StringComparison.Ordinal);
+        Assert.Contains("acTL", System.Text.Encoding.Latin1.GetString(one.Bytes("go.png")), StringComparison.Ordinal);
+        Assert.DoesNotContain("acTL", System.Text.Encoding.Latin1.GetString(one.Bytes("go-strip.png")), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("Fly", RequestedKind.Flying, 1)]
+    [InlineData("Hover", RequestedKind.Flying, 1, "--gait", "hover")]
+    [InlineData("Swim", RequestedKind.Swimming, 4, "--speed", "0.4")]
+    [InlineData("Slither", RequestedKind.Walking, 7)]
+    [InlineData("Walk", RequestedKind.Any, 42)]
+    [InlineData("Walk", RequestedKind.Any, 42, "--speed", "0.4")]
+    [InlineData("RotaryGallop", RequestedKind.Any, 42, "--speed", "1000")]
+    [InlineData("Canter", RequestedKind.Any, 42, "--speed", "0.2", "--gait", "CANTER")]
+    [InlineData("BipedRun", RequestedKind.Walking, 8, "--gait", "run")]
+    [InlineData("BipedRun", RequestedKind.Walking, 8, "--gait", "biped-run")]
+    public void Without_a_gait_a_creature_does_what_suits_it_and_the_speed(string gait, RequestedKind kind, ulong seed, params string[] words)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+        Movement movement = MovementArguments.Read(ArgumentReader.Read(new AnimateVerb().Syntax, words), profile);
+        Assert.Equal(gait, movement.GaitName);
+        int speed = Array.IndexOf(words, "--speed");
+        Assert.Equal(speed < 0 ? Movement.Of(profile).Single(known => known.GaitName == gait).Input.Speed : float.Parse(words[speed + 1], System.Globalization.CultureInfo.InvariantCulture), movement.Input.Speed);
+    }
+
+    [Fact]
+    public void Animate_refuses_in_one_line_what_it_cannot_do()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(
+            "creaturegen: animate: --gait = 'pronk'; expected a gait that this creature has: idle, walk, trot, canter, rotary-gallop",
+            run.Refusal(ExitCode.BadInput, "animate", "--seed", "42", "--gait", "pronk", "--out", "a.png"));
+        Assert.Contains("did you mean trot?", run.Refusal(ExitCode.BadInput, "animate", "--seed", "42", "--gait", "trott", "--out", "a.png"), StringComparison.Ordinal);
+        Assert.Contains("expected metres per second", run.Refusal(ExitCode.BadInput, "animate", "--seed", "42", "--speed", "-1", "--out", "a.png"), StringComparison.Ordinal);
+        Assert.Contains("expected metres per second", run.Refusal(ExitCode.BadInput, "animate", "--seed", "42", "--speed", "NaN", "--out", "a.png"), StringComparison.Ordinal);
+        Assert.Contains("expected one of flat, rough", run.Refusal(ExitCode.BadInput, "animate", "--seed", "42", "--ground", "steep", "--out", "a.png"), StringComparison.Ordinal);
+        Assert.Contains("no --seed", run.Refusal(ExitCode.BadInput, "animate", "--out", "a.png"), StringComparison.Ordinal);
+        Assert.Contains("no --out", run.Refusal(ExitCode.BadInput, "animate", "--seed", "42"), StringComparison.Ordinal);
+        Assert.Contains("no seeds", run.Refusal(ExitCode.BadInput, "metrics"), StringComparison.Ordinal);
+        Assert.Empty(run.Files);
+    }
+
+    [Fact]
+    public void Animate_writes_both_files_or_none()
+    {
+        using var run = new ConsoleRun();
+        Directory.CreateDirectory(run.At("a-strip.png"));
+        Assert.Contains("there is a folder of that name", run.Refusal(ExitCode.CannotWrite, "animate", "--seed", "42", "--out", "a.png", "--size", "64"), StringComparison.Ordinal);
+        Assert.Contains("its folder does not exist", run.Refusal(ExitCode.CannotWrite, "animate", "--seed", "42", "--out", "no/a.png", "--size", "64"), StringComparison.Ordinal);
+        Assert.Equal(["a-strip.png"], run.Files);
+        using var stop = new CancellationTokenSource();
+        using var watcher = new Timer(_ =>
+        {
+            // As soon as the first file is under way.
+            if (run.Files.Any(name => name.EndsWith(".tmp", StringComparison.Ordinal)))
+            {
+                stop.Cancel();
+            }
+        }, null, 0, 1);
+        Assert.Equal(ExitCode.Interrupted, run.Run(stop.Token, "animate", "--seed", "42", "--out", "b.png", "--size", "640"));
+        Assert.Equal(["a-strip.png"], run.Files);
+    }
+}
