@@ -1,11 +1,12 @@
 using System;
 using System.Globalization;
 using BenchmarkDotNet.Running;
+using CreatureGen.Benchmarks.Crowds;
 using CreatureGen.Benchmarks.Table;
 
 namespace CreatureGen.Benchmarks;
 
-/// <summary><c>table</c> prints ours against the targets; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
+/// <summary><c>table</c> prints ours against the targets; <c>crowd</c> what moving many creatures costs; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
 public static class Program
 {
     private const int DefaultDigestSeeds = 300;
@@ -18,6 +19,9 @@ public static class Program
         {
             case "table":
                 FiguresTable.Print(Console.Out);
+                return 0;
+            case "crowd":
+                CrowdTable.Print(Console.Out, args.Length > 1 ? args[1] : "");
                 return 0;
             case "digest":
                 int seeds = args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) : DefaultDigestSeeds;

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Maths;
 
@@ -17,6 +18,7 @@ public static class Rotation
     private const double NearlySame = 1 - 1e-6;
 
     /// <summary><paramref name="v"/> turned by the unit quaternion <paramref name="q"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Rotate(Quaternion q, Vector3 v)
     {
         float tx = 2f * ((q.Y * v.Z) - (q.Z * v.Y));
@@ -29,6 +31,7 @@ public static class Rotation
     }
 
     /// <summary>The rotation that applies <paramref name="b"/> first, then <paramref name="a"/> (Hamilton's product a·b). A joint's model rotation is Multiply(parent, local).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Multiply(Quaternion a, Quaternion b) => new(
         (a.W * b.X) + (a.X * b.W) + (a.Y * b.Z) - (a.Z * b.Y),
         (a.W * b.Y) - (a.X * b.Z) + (a.Y * b.W) + (a.Z * b.X),
@@ -36,6 +39,7 @@ public static class Rotation
         (a.W * b.W) - (a.X * b.X) - (a.Y * b.Y) - (a.Z * b.Z));
 
     /// <summary>The rotation that undoes the unit quaternion <paramref name="q"/>: its conjugate.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Inverse(Quaternion q) => new(-q.X, -q.Y, -q.Z, q.W);
 
     /// <summary>The rotation seen in the mirror x = 0: mirrored vectors turned by it are the mirrored results.</summary>

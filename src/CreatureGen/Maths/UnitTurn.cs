@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Maths;
 
@@ -10,6 +11,7 @@ internal static class UnitTurn
     private const float NearlyOpposite = 0.01f;
 
     /// <summary>The smallest rotation that takes one unit vector to another: (from × to, 1 + from · to) brought to unit length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion FromTo(Vector3 from, Vector3 to)
     {
         float w = 1f + Vec.Dot(from, to);
@@ -48,6 +50,7 @@ internal static class UnitTurn
     }
 
     /// <summary>The rotation at <paramref name="t"/> of the straight line between two unit quaternions, the shorter way.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Nlerp(Quaternion a, Quaternion b, float t)
     {
         float dot = (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W);
@@ -59,6 +62,17 @@ internal static class UnitTurn
         float w = (a.W * u) + (b.W * v);
         float scale = 1f / (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
         return new Quaternion(x * scale, y * scale, z * scale, w * scale);
+    }
+
+    /// <summary>What a rotation makes of +Y, the direction of a bone in its own space.</summary>
+    public static Vector3 BoneAxis(Quaternion q) => new(2f * ((q.X * q.Y) - (q.W * q.Z)), 1f - (2f * ((q.X * q.X) + (q.Z * q.Z))), 2f * ((q.Y * q.Z) + (q.W * q.X)));
+
+    /// <summary>One step of Newton's towards unit length: what a few products lose. Quaternions far from it are brought there wholly.</summary>
+    public static Quaternion Renormalize(Quaternion q)
+    {
+        float squared = (q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W);
+        float scale = 1.5f - (0.5f * squared);
+        return Math.Abs(squared - 1f) < 1e-3f ? new Quaternion(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale) : Rotation.Normalize(q);
     }
 
     private static Quaternion BasisToBasis(Vector3 from, Vector3 fromSide, Vector3 to, Vector3 toSide)

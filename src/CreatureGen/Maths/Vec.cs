@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Maths;
 
@@ -13,9 +14,11 @@ namespace CreatureGen.Maths;
 public static class Vec
 {
     /// <summary>Scalar product.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float Dot(Vector3 a, Vector3 b) => (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);
 
     /// <summary>Right-handed vector product.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Cross(Vector3 a, Vector3 b) =>
         new((a.Y * b.Z) - (a.Z * b.Y), (a.Z * b.X) - (a.X * b.Z), (a.X * b.Y) - (a.Y * b.X));
 
@@ -23,12 +26,14 @@ public static class Vec
     public static float LengthSquared(Vector3 a) => Dot(a, a);
 
     /// <summary>Euclidean length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float Length(Vector3 a) => (float)Math.Sqrt(Dot(a, a));
 
     /// <summary>Distance between two points.</summary>
     public static float Distance(Vector3 a, Vector3 b) => Length(a - b);
 
     /// <summary>The unit vector along <paramref name="a"/>, or <paramref name="fallback"/> when <paramref name="a"/> has no direction.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Normalize(Vector3 a, Vector3 fallback)
     {
         float length = Length(a);
@@ -36,9 +41,11 @@ public static class Vec
     }
 
     /// <summary>The unit vector along <paramref name="a"/>; <paramref name="a"/> must not be zero.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Normalize(Vector3 a) => a / Length(a);
 
     /// <summary>The point at <paramref name="t"/> of the way from <paramref name="a"/> to <paramref name="b"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => a + ((b - a) * t);
 
     /// <summary>The point on the other side of the sagittal plane x = 0.</summary>
@@ -56,13 +63,15 @@ public static class Vec
     }
 
     /// <summary><paramref name="a"/> without its component along the unit vector <paramref name="axis"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Reject(Vector3 a, Vector3 axis) => a - (axis * Dot(a, axis));
 
     /// <summary>Rotates <paramref name="a"/> about the unit vector <paramref name="axis"/> by <paramref name="angle"/> radians (Rodrigues).</summary>
     public static Vector3 Rotate(Vector3 a, Vector3 axis, double angle)
     {
-        float c = (float)PortableMath.Cos(angle);
-        float s = (float)PortableMath.Sin(angle);
+        PortableMath.SinCos(angle, out double sine, out double cosine);
+        float c = (float)cosine;
+        float s = (float)sine;
         return (a * c) + (Cross(axis, a) * s) + (axis * (Dot(axis, a) * (1f - c)));
     }
 

@@ -20,6 +20,12 @@ internal sealed class GaitClock
     private readonly LeggedBody body;
     private readonly float[] lags;
     private float frequencyRest;
+    private SteadyDecay shapeDecay;
+    private Gait? measured;
+    private float measuredFroude;
+    private float measuredGravity;
+    private float measuredFrequency;
+    private float longestStance;
 
     public GaitClock(LeggedBody body, Gait gait)
     {
@@ -89,7 +95,7 @@ internal sealed class GaitClock
     /// <param name="stride">Length of strides, a factor.</param>
     public void Slide(float dt, float froude, float gravity, float turn, float pace, float stride = 1f)
     {
-        float share = 1f - (float)PortableMath.Exp(-ShapeRate * dt);
+        float share = shapeDecay.Share(ShapeRate * dt);
         Shape.Approach(Gait, share);
         frequencyRest -= frequencyRest * share;
         float spot = Math.Abs(turn) / YawPerCycle * (1f - (0.5f * pace));
@@ -108,7 +114,24 @@ internal sealed class GaitClock
     }
 
     /// <summary>Cycles per second of a gait at a speed.</summary>
-    public float FrequencyOf(Gait gait, float froude, float gravity) => GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, body.LongestStance(gait));
+    public float FrequencyOf(Gait gait, float froude, float gravity)
+    {
+        if (!ReferenceEquals(gait, measured))
+        {
+            measured = gait;
+            longestStance = body.LongestStance(gait);
+            measuredFroude = float.NaN;
+        }
+
+        if (froude != measuredFroude || gravity != measuredGravity)
+        {
+            measuredFroude = froude;
+            measuredGravity = gravity;
+            measuredFrequency = GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, longestStance);
+        }
+
+        return measuredFrequency;
+    }
 
     private float WantedLag(int leg)
     {

@@ -34,6 +34,8 @@ internal sealed class BodyPlacer
     private readonly PhaseSums track = new();
     private readonly PhaseSums all = new();
     private float slope;
+    private SteadyDecay groundDecay;
+    private SteadyDecay slopeDecay;
 
     public BodyPlacer(LeggedBody body)
     {
@@ -154,13 +156,14 @@ internal sealed class BodyPlacer
             BendRoll = chestRoll - pelvisRoll,
             ChestPitch = -0.3f * lean,
         };
-        Settle(ref plan, rest.Y, foreRise, 0f, 0f);
+        Vector3 between = Trunk.Flex(plan);
+        Settle(plan, between, rest.Y, foreRise, 0f, 0f);
         Reach(feet, poses, out float hindDrop, out float foreDrop);
         HindDrop = hindDrop;
         ForeDrop = foreDrop;
         if (hindDrop > 1e-5f * length || foreDrop > 1e-5f * length)
         {
-            Settle(ref plan, rest.Y, foreRise, hindDrop, foreDrop);
+            Settle(plan, between, rest.Y, foreRise, hindDrop, foreDrop);
         }
     }
 
@@ -232,11 +235,11 @@ internal sealed class BodyPlacer
     private void Follow(in BodyContext context, ReadOnlySpan<Foot> feet)
     {
         Grounds(feet, out float hindGround, out float foreGround, out float across);
-        float share = 1f - (float)PortableMath.Exp(-GroundRate * context.Step);
+        float share = groundDecay.Share(GroundRate * context.Step);
         HindGround += (hindGround - HindGround) * share;
         ForeGround += (foreGround - ForeGround) * share;
         float wanted = Scalar.Clamp(0.5f * SlopeShare * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -SteepestRoll, SteepestRoll);
-        slope += (wanted - slope) * (1f - (float)PortableMath.Exp(-SlopeRate * context.Step));
+        slope += (wanted - slope) * slopeDecay.Share(SlopeRate * context.Step);
         SlideShare = context.Activity;
     }
 
@@ -284,8 +287,8 @@ internal sealed class BodyPlacer
         across = (left / Math.Max(leftCount, 1)) - (right / Math.Max(feet.Length - leftCount, 1));
     }
 
-    /// <summary>Chains the trunk with the pelvis at its height, and pitches it so that the fore legs' joint comes to its own.</summary>
-    private void Settle(ref TrunkPlan plan, float pelvisRest, float foreRise, float hindDrop, float foreDrop)
+    /// <summary>Places the bent trunk with the pelvis at its height, and pitches it so that the fore legs' joint comes to its own.</summary>
+    private void Settle(in TrunkPlan plan, Vector3 between, float pelvisRest, float foreRise, float hindDrop, float foreDrop)
     {
         TrunkPlan placed = plan;
         placed.Pelvis.Y -= hindDrop;
@@ -298,18 +301,27 @@ internal sealed class BodyPlacer
         int slot = body.ForeSlot;
         float wanted = Trunk.Rest[slot].Y + foreRise - foreDrop;
         float pitch = plan.PelvisPitch - ((foreRise - foreDrop - (plan.Pelvis.Y - pelvisRest - hindDrop)) / Math.Max(body.TrunkLength, 1e-3f));
+
+        // From pelvis to fore legs: rolled, then pitched as it comes to the wanted height, then yawed.
+        PortableMath.SinCos(plan.PelvisRoll, out double sr, out double cr);
+        float x = (between.X * (float)cr) - (between.Y * (float)sr);
+        float y = (between.X * (float)sr) + (between.Y * (float)cr);
+        float squared = (x * x) + (y * y) + (between.Z * between.Z);
         for (int i = 0; i < 2; i++)
         {
-            placed.PelvisPitch = pitch;
-            Trunk.Apply(placed);
-            Vector3 between = Trunk.Positions[slot] - Trunk.Positions[0];
-            float level = (float)Math.Sqrt((between.X * between.X) + (between.Z * between.Z));
-            pitch -= Scalar.Clamp((wanted - Trunk.Positions[slot].Y) / Math.Max(level, 0.2f * body.TrunkLength), -0.5f, 0.5f);
+            PortableMath.SinCos(pitch, out double sp, out double cp);
+            float height = (y * (float)cp) - (between.Z * (float)sp);
             if (i == 0)
             {
                 // The trunk bends about its middle: half of what its front goes aside the rear takes back.
-                placed.Pelvis.X -= 0.5f * ((Trunk.Positions[slot].X - Trunk.Positions[0].X) - (Trunk.Rest[slot].X - Trunk.Rest[0].X));
+                float ahead = (y * (float)sp) + (between.Z * (float)cp);
+                PortableMath.SinCos(plan.PelvisYaw, out double sy, out double cy);
+                float aside = (x * (float)cy) + (ahead * (float)sy);
+                placed.Pelvis.X -= 0.5f * (aside - (Trunk.Rest[slot].X - Trunk.Rest[0].X));
             }
+
+            float level = (float)Math.Sqrt(Math.Max(squared - (height * height), 0f));
+            pitch -= Scalar.Clamp((wanted - placed.Pelvis.Y - height) / Math.Max(level, 0.2f * body.TrunkLength), -0.5f, 0.5f);
         }
 
         placed.PelvisPitch = pitch;

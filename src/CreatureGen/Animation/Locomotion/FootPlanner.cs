@@ -51,6 +51,7 @@ internal sealed class FootPlanner
     private readonly Foot[] feet;
     private readonly EventQueue events;
     private readonly FootingSearch search;
+    private SteadyDecay aimDecay;
 
     public FootPlanner(LeggedBody body, EventQueue events)
     {
@@ -313,10 +314,10 @@ internal sealed class FootPlanner
         Vector3 there = step.Travel.Predict(ahead, out float yaw);
         Quaternion turn = AxisTurn.Y(yaw);
         Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed)));
-        Quaternion heading = Rotation.Normalize(Rotation.Multiply(step.Frame.Rotation, turn));
-        float share = foot.Swing > 0f && foot.Aimed ? 1f - (float)PortableMath.Exp(-AimRate * step.Step) : 1f;
+        Quaternion heading = UnitTurn.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
+        float share = foot.Swing > 0f && foot.Aimed ? aimDecay.Share(AimRate * step.Step) : 1f;
         foot.Wanted += (next - foot.Wanted) * share;
-        heading = share < 1f ? Rotation.Nlerp(foot.To.Heading, heading, share) : heading;
+        heading = share < 1f ? UnitTurn.Nlerp(foot.To.Heading, heading, share) : heading;
         foot.Aimed = true;
         foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), yaw, ref foot.Nudge, out foot.To);
         foot.To.Heading = heading;

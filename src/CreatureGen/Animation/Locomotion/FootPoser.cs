@@ -52,7 +52,7 @@ internal static class FootPoser
             float height = from.Y + ((to.Y - from.Y) * climb);
             from += (to - from) * r;
             from.Y = height;
-            heading = Rotation.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
+            heading = UnitTurn.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
             normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
             foot.BumpNow += (foot.Bump - foot.BumpNow) * (1f - (1f / (1f + (BumpRate * gait.Step))));
             foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (LeastLift + ((1f - LeastLift) * gait.Activity)))
@@ -66,7 +66,7 @@ internal static class FootPoser
             Vector3 shift = Rotation.Rotate(heading, leg.SoleMiddle);
             var rest = new Vector3(leg.Home.X - leg.HipRest.X, 0f, leg.Home.Z - leg.HipRest.Z);
             Quaternion sweep = Rotation.FromTo(rest, new Vector3(from.X - leg.HipRest.X, 0f, from.Z - leg.HipRest.Z));
-            heading = Rotation.Nlerp(heading, sweep, leg.FollowShare);
+            heading = UnitTurn.Nlerp(heading, sweep, leg.FollowShare);
             shift -= Rotation.Rotate(heading, leg.SoleMiddle);
             shift.Y = -((normal.X * shift.X) + (normal.Z * shift.Z)) / Math.Max(normal.Y, 0.3f);
             from += shift;
@@ -75,15 +75,14 @@ internal static class FootPoser
         foot.Heading = heading;
         foot.Normal = normal;
         float pitch = (FootRoll.Pitch(foot, leg.Traits, gait.Duty) * gait.Activity) + gait.RestPitch;
-        Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(Rotation.FromTo(Vector3.UnitY, normal), heading) : heading;
-        Quaternion roll = Rotation.FromAxisAngle(leg.RollAxis, pitch);
-        pose.Foot = Rotation.Multiply(ground, roll);
+        Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitTurn.FromTo(Vector3.UnitY, normal), heading) : heading;
+        pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, Rotation.FromAxisAngle(leg.RollAxis, pitch));
         Vector3 ball;
         if (leg.FlatFoot)
         {
             float toes = FootRoll.ToePitch(pitch);
             ball = FootRoll.BallAt(leg, foot, toes);
-            pose.Toes = Rotation.Multiply(ground, Rotation.FromAxisAngle(leg.RollAxis, toes));
+            pose.Toes = toes == 0f ? ground : Rotation.Multiply(ground, Rotation.FromAxisAngle(leg.RollAxis, toes));
         }
         else
         {

@@ -72,6 +72,11 @@ internal static class FootRoll
     {
         float blend = foot.Phase == FootPhase.Stance ? 0f : PivotBlend * Scalar.Smooth(foot.Swing / 0.15f) * Scalar.Smooth((1f - foot.Swing) / 0.15f);
         float root = (float)Math.Sqrt((pitch * pitch) + (blend * blend));
+        if (root == 0f)
+        {
+            return new Vector3(0f, leg.BallHeight, 0f);
+        }
+
         float down = 0.5f * (pitch + root);
         float up = 0.5f * (pitch - root);
 

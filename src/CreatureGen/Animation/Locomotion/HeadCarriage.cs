@@ -30,6 +30,8 @@ internal static class HeadCarriage
         float share = 1f / count;
         float nod = placer.Nod;
         float bob = Bob(body, context);
+        float last = float.NaN;
+        Quaternion turn = Quaternion.Identity;
         for (int i = 0; i < count; i++)
         {
             bool head = i == count - 1;
@@ -39,7 +41,13 @@ internal static class HeadCarriage
                 tilt += i == 0 ? bob : i == count - 2 ? -0.35f * bob : head ? -0.65f * bob : 0f;
             }
 
-            turns.Set(local, body.Neck[i], AxisTurn.YawPitchRoll(yaw * share, tilt, roll * share));
+            if (tilt != last)
+            {
+                last = tilt;
+                turn = AxisTurn.YawPitchRoll(yaw * share, tilt, roll * share);
+            }
+
+            turns.Set(local, body.Neck[i], turn);
         }
     }
 

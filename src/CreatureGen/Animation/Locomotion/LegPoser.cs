@@ -69,7 +69,7 @@ internal sealed class LegPoser
         Quaternion metatarsus;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
-            metatarsus = Rotation.Multiply(solved.Thigh, Rotation.FromAxisAngle(leg.Hinge, pose.Fold));
+            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, Rotation.FromAxisAngle(leg.Hinge, pose.Fold));
         }
         else
         {

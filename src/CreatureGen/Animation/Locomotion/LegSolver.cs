@@ -81,48 +81,16 @@ internal static class LegSolver
         double sinNow = Vec.Dot(Vec.Cross(a, b), n) / product;
         double cosThen = Scalar.Clamp(((taken * taken) - aa - bb) / (2 * product), -1, 1);
         double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
-        HalfOf((cosThen * cosNow) + (sinThen * sinNow), (sinThen * cosNow) - (cosThen * sinNow), out float halfCosine, out float halfSine);
+        HalfAngle.Of((cosThen * cosNow) + (sinThen * sinNow), (sinThen * cosNow) - (cosThen * sinNow), out double halfCosine, out double halfSine);
         turns.Bend = (float)cosThen;
-        turns.Knee = new Quaternion(n.X * halfSine, n.Y * halfSine, n.Z * halfSine, halfCosine);
+        turns.Knee = new Quaternion((float)(n.X * halfSine), (float)(n.Y * halfSine), (float)(n.Z * halfSine), (float)halfCosine);
 
         Vector3 chord = upper + Rotation.Rotate(turns.Knee, lower);
-        turns.Thigh = FrameToFrame(chord, n, target, side);
+        turns.Thigh = UnitTurn.Frame(Vec.Normalize(chord, -Vector3.UnitY), n, Vec.Normalize(target, -Vector3.UnitY), side);
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
     }
 
     private static readonly double LeastBendCosine = PortableMath.Cos(0.2094);
 
     private static readonly double MostBendCosine = PortableMath.Cos(2.618);
-
-    /// <summary>The rotation that takes one direction onto another, and a second direction as near as it can to another second.</summary>
-    private static Quaternion FrameToFrame(Vector3 from, Vector3 fromSide, Vector3 to, Vector3 toSide)
-    {
-        Vector3 f = Vec.Normalize(from, -Vector3.UnitY);
-        Vector3 t = Vec.Normalize(to, -Vector3.UnitY);
-        Vector3 x = Vec.Normalize(Vec.Reject(fromSide, f), Vec.Perpendicular(f));
-        Vector3 y = Vec.Normalize(Vec.Reject(toSide, t), Vec.Perpendicular(t));
-
-        // The shortest turn from f to t, then the rest about t.
-        Quaternion first = Rotation.FromTo(f, t);
-        Vector3 turned = Rotation.Rotate(first, x);
-        Quaternion second = Rotation.FromTo(turned, y);
-        return Rotation.Multiply(second, first);
-    }
-
-    /// <summary>Cosine and sine of half an angle in −π..π from those of the angle.</summary>
-    private static void HalfOf(double cosine, double sine, out float halfCosine, out float halfSine)
-    {
-        double c = Math.Sqrt(Math.Max(0, 0.5 * (1 + cosine)));
-        double s = Math.Sqrt(Math.Max(0, 0.5 * (1 - cosine)));
-        if (c > s)
-        {
-            halfCosine = (float)c;
-            halfSine = (float)(0.5 * sine / c);
-        }
-        else
-        {
-            halfCosine = (float)(0.5 * Math.Abs(sine) / s);
-            halfSine = (float)(sine < 0 ? -s : s);
-        }
-    }
 }

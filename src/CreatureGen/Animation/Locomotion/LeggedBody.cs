@@ -69,6 +69,8 @@ internal sealed class LeggedBody
         BellyHeight = BellyOf(creature);
         Arms = ArmsOf(creature);
         Body = Skeleton.IndexOf("Body");
+        Turns = new RestTurns(Skeleton);
+        TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
         Hops = Rows == 1 && creature.Blueprint.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
         BreathShare = PortableMath.Pow(Mass, -0.26);
         ShiftShare = PortableMath.Pow(Mass, 0.08);
@@ -89,6 +91,9 @@ internal sealed class LeggedBody
     /// <summary>Pelvis, spine, chest.</summary>
     public int[] Trunk { get; }
 
+    /// <summary>Places of the trunk's joints at rest, model space.</summary>
+    public Vector3[] TrunkRest { get; }
+
     /// <summary>The trunk joint that carries the foremost legs, as a place in <see cref="Trunk"/>; of bipeds the chest.</summary>
     public int ForeSlot { get; }
 
@@ -102,6 +107,9 @@ internal sealed class LeggedBody
 
     /// <summary>Shoulder, elbow and wrist of each arm.</summary>
     public ArmShape[] Arms { get; }
+
+    /// <summary>Writes turns from rest into local poses.</summary>
+    public RestTurns Turns { get; }
 
     /// <summary>The joint that carries the trunk.</summary>
     public int Body { get; }

@@ -46,6 +46,10 @@ internal sealed class LeggedMotion : IBodyMotion
     private float acceleration;
     private double seconds;
     private bool standing;
+    private SteadyDecay activityDecay;
+    private SteadyDecay accelerationDecay;
+    private SteadyDecay rootDecay;
+    private SteadyDecay foresightDecay;
 
     public LeggedMotion(LeggedBody body, GaitSet gaits, EventQueue events)
     {
@@ -54,7 +58,7 @@ internal sealed class LeggedMotion : IBodyMotion
         clock = new GaitClock(body, gaits.Steps[0].Gait);
         planner = new FootPlanner(body, events);
         placer = new BodyPlacer(body);
-        turns = new RestTurns(body.Skeleton);
+        turns = body.Turns;
         poser = new LegPoser(body, turns);
         poses = new FootPose[body.Legs.Length];
     }
@@ -152,7 +156,7 @@ internal sealed class LeggedMotion : IBodyMotion
             Step(placement, h, Math.Max(dt - ((i + 1) * h), 0f), settings, ground);
         }
 
-        acceleration = dt > 0f ? acceleration + ((((travel.Speed - before) / dt) - acceleration) * (1f - (float)PortableMath.Exp(-10f * dt))) : acceleration;
+        acceleration = dt > 0f ? acceleration + ((((travel.Speed - before) / dt) - acceleration) * accelerationDecay.Share(10f * dt)) : acceleration;
         return placement;
     }
 
@@ -218,7 +222,7 @@ internal sealed class LeggedMotion : IBodyMotion
         bool going = moving || planner.IsUnsettled(placement, activity, clock);
         ChooseGait(froude, going, settings);
         float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(travel.Turn)), 1f) : 0f;
-        activity += (wanted - activity) * (1f - (float)PortableMath.Exp(-ActivityRate * h));
+        activity += (wanted - activity) * activityDecay.Share(ActivityRate * h);
         float frequency = clock.Frequency;
         clock.Slide(h, froude, settings.Gravity, travel.Turn, Math.Min(speed / walking, 1f), settings.Stride);
         if (going)
@@ -242,7 +246,7 @@ internal sealed class LeggedMotion : IBodyMotion
 
     private void ChooseGait(float froude, bool going, in LocomotionSettings settings)
     {
-        float ahead = travel.Speed + ((travel.GoalSpeed - travel.Speed) * (1f - (float)PortableMath.Exp(-travel.Rate * Foresight)));
+        float ahead = travel.Speed + ((travel.GoalSpeed - travel.Speed) * foresightDecay.Share(travel.Rate * Foresight));
         float unit = settings.Gravity * body.LegLength;
         gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / unit) : 0f);
         Gait wanted = settings.Gait ?? gaits.Steps[gait].Gait;
@@ -274,7 +278,7 @@ internal sealed class LeggedMotion : IBodyMotion
     /// <summary>Keeps the root on the ground under the feet.</summary>
     private RootPlace FollowGround(in RootPlace placement, float h, in LocomotionSettings settings)
     {
-        float height = 0.5f * (placer.HindGround + placer.ForeGround) * (1f - (float)PortableMath.Exp(-RootRate * h));
+        float height = 0.5f * (placer.HindGround + placer.ForeGround) * rootDecay.Share(RootRate * h);
         if (height == 0f)
         {
             return placement;
@@ -288,6 +292,6 @@ internal sealed class LeggedMotion : IBodyMotion
     private static Quaternion Upright(Quaternion rotation, Vector3 up)
     {
         Vector3 own = Rotation.Rotate(rotation, Vector3.UnitY);
-        return Rotation.Normalize(Rotation.Multiply(Rotation.FromTo(own, up), rotation));
+        return UnitTurn.Renormalize(Rotation.Multiply(UnitTurn.FromTo(own, up), rotation));
     }
 }

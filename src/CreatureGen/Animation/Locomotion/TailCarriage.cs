@@ -31,10 +31,22 @@ internal static class TailCarriage
         float roll = -(float)PortableMath.Atan2(x.Y, y.Y) * Steadiness;
         float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnShare * placer.TurnBend) + context.Idle.TailSway);
         float share = 1f / count;
+        float lastYaw = float.NaN;
+        float lastPitch = float.NaN;
+        Quaternion turn = Quaternion.Identity;
         for (int i = 0; i < count; i++)
         {
             float most = MostShare * body.TailLimits[i];
-            turns.Set(local, body.Tail[i], AxisTurn.YawPitchRoll(Scalar.Clamp(yaw * share, -most, most), Scalar.Clamp(pitch * share, -most, most), roll * share));
+            float ownYaw = Scalar.Clamp(yaw * share, -most, most);
+            float ownPitch = Scalar.Clamp(pitch * share, -most, most);
+            if (ownYaw != lastYaw || ownPitch != lastPitch)
+            {
+                lastYaw = ownYaw;
+                lastPitch = ownPitch;
+                turn = AxisTurn.YawPitchRoll(ownYaw, ownPitch, roll * share);
+            }
+
+            turns.Set(local, body.Tail[i], turn);
         }
     }
 }

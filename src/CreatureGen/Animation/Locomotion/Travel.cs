@@ -44,6 +44,12 @@ internal struct Travel
     /// <summary>Where the body will be after a time.</summary>
     public readonly Vector3 Predict(float dt, out float yaw)
     {
+        if (Speed == GoalSpeed && Sideways == GoalSideways && Turn == GoalTurn)
+        {
+            yaw = Turn * dt;
+            return Along(Speed, Sideways, Turn, dt);
+        }
+
         float x = Rate * dt;
         float mean = x > 1e-3f ? (1f - (float)PortableMath.Exp(-x)) / x : 1f - (0.5f * x);
         float turn = GoalTurn + ((Turn - GoalTurn) * mean);

@@ -27,22 +27,18 @@ internal struct TrunkPlan
 /// <summary>Turns and places of the trunk's joints, pelvis to chest, in model space; turns are from rest.</summary>
 internal sealed class TrunkChain
 {
-    private readonly Vector3[] offsets;
-    private readonly int foreSlot;
+    private readonly LeggedBody body;
+    private readonly Vector3[] bent;
+    private readonly Quaternion[] bends;
 
     public TrunkChain(LeggedBody body)
     {
         int count = body.Trunk.Length;
-        foreSlot = body.ForeSlot;
-        offsets = new Vector3[count];
+        this.body = body;
+        bent = new Vector3[count];
+        bends = new Quaternion[count];
         Turns = new Quaternion[count];
         Positions = new Vector3[count];
-        Rest = new Vector3[count];
-        for (int i = 0; i < count; i++)
-        {
-            Rest[i] = body.Skeleton.ModelPositions[body.Trunk[i]];
-            offsets[i] = i == 0 ? Vector3.Zero : Rest[i] - Rest[i - 1];
-        }
     }
 
     public Quaternion[] Turns { get; }
@@ -50,7 +46,7 @@ internal sealed class TrunkChain
     public Vector3[] Positions { get; }
 
     /// <summary>Places at rest.</summary>
-    public Vector3[] Rest { get; }
+    public Vector3[] Rest => body.TrunkRest;
 
     /// <summary>The turn of each joint relative to the one before.</summary>
     public Quaternion Bend { get; private set; } = Quaternion.Identity;
@@ -58,31 +54,47 @@ internal sealed class TrunkChain
     /// <summary>The further turn of the last joint.</summary>
     public Quaternion ChestTurn { get; private set; } = Quaternion.Identity;
 
-    /// <summary>Chains the joints.</summary>
-    public void Apply(in TrunkPlan plan)
+    /// <summary>Bends the chain, as seen from the pelvis.</summary>
+    /// <returns>From the pelvis to the joint of the fore legs.</returns>
+    public Vector3 Flex(in TrunkPlan plan)
     {
+        int foreSlot = body.ForeSlot;
         float share = 1f / Math.Max(foreSlot, 1);
         Bend = AxisTurn.YawPitchRoll(plan.BendYaw * share, plan.BendPitch * share, plan.BendRoll * share);
         ChestTurn = plan.ChestPitch == 0f ? Quaternion.Identity : AxisTurn.X(plan.ChestPitch);
-        Turns[0] = AxisTurn.YawPitchRoll(plan.PelvisYaw, plan.PelvisPitch, plan.PelvisRoll);
-        Positions[0] = plan.Pelvis;
-        for (int i = 1; i < Turns.Length; i++)
+        Vector3[] rest = Rest;
+        bends[0] = Quaternion.Identity;
+        bent[0] = Vector3.Zero;
+        for (int i = 1; i < bends.Length; i++)
         {
-            Positions[i] = Positions[i - 1] + Rotation.Rotate(Turns[i - 1], offsets[i]);
-            Turns[i] = i <= foreSlot ? Rotation.Multiply(Turns[i - 1], Bend) : Turns[i - 1];
+            bent[i] = bent[i - 1] + Rotation.Rotate(bends[i - 1], rest[i] - rest[i - 1]);
+            bends[i] = i <= foreSlot ? Rotation.Multiply(bends[i - 1], Bend) : bends[i - 1];
         }
 
-        int last = Turns.Length - 1;
+        int last = bends.Length - 1;
         if (plan.ChestPitch != 0f && last > 0)
         {
-            Turns[last] = Rotation.Multiply(Turns[last], ChestTurn);
+            bends[last] = Rotation.Multiply(bends[last], ChestTurn);
+        }
+
+        return bent[foreSlot];
+    }
+
+    /// <summary>Places the bent chain.</summary>
+    public void Apply(in TrunkPlan plan)
+    {
+        Quaternion pelvis = AxisTurn.YawPitchRoll(plan.PelvisYaw, plan.PelvisPitch, plan.PelvisRoll);
+        for (int i = 0; i < bends.Length; i++)
+        {
+            Turns[i] = Rotation.Multiply(pelvis, bends[i]);
+            Positions[i] = plan.Pelvis + Rotation.Rotate(pelvis, bent[i]);
         }
     }
 
     /// <summary>The turn of a joint relative to the one before.</summary>
     public Quaternion LocalTurn(int slot)
     {
-        Quaternion turn = slot <= foreSlot ? Bend : Quaternion.Identity;
+        Quaternion turn = slot <= body.ForeSlot ? Bend : Quaternion.Identity;
         return slot == Turns.Length - 1 ? Rotation.Multiply(turn, ChestTurn) : turn;
     }
 }

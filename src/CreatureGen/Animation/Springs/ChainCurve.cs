@@ -43,4 +43,7 @@ public readonly struct ChainCurve
         float slope = tip - root - bend;
         return root + (along * (slope + (along * bend)));
     }
+
+    /// <summary>Whether two curves are the same.</summary>
+    internal bool Is(ChainCurve other) => root == other.root && middle == other.middle && tip == other.tip;
 }

@@ -27,6 +27,9 @@ public static class SpringBones
 
     private const int CollisionRounds = 2;
 
+    /// <summary>Substeps that are made of one bone before the next, and the moment of the frame.</summary>
+    private const int MostMoments = 5;
+
     /// <summary>Lets time pass and poses the joints.</summary>
     /// <param name="rig">The joints.</param>
     /// <param name="state">Made for this rig; kept by the caller.</param>
@@ -65,18 +68,17 @@ public static class SpringBones
             state.Carry(root, IsJump(state.Root, root, settings, seconds) ? 0f : settings.Inertia);
         }
 
-        if (seconds > LongestStep)
+        bool pause = seconds > LongestStep;
+        if (pause)
         {
-            Resume(rig, state, settings, root, local);
-        }
-        else
-        {
-            Simulate(rig, state, settings, root, around, seconds, local);
+            state.Rest();
         }
 
-        Show(rig, state, settings, root, around, local, model);
-        state.NowRotations.AsSpan().CopyTo(state.PastRotations);
-        state.NowPositions.AsSpan().CopyTo(state.PastPositions);
+        Simulate(rig, state, settings, root, around, pause ? 0f : seconds, local, model);
+        if (pause)
+        {
+            state.Aim();
+        }
     }
 
     private static bool IsJump(in RootPlace past, in RootPlace now, in SpringSettings settings, float seconds)
@@ -86,20 +88,29 @@ public static class SpringBones
             return true;
         }
 
-        return Rotation.Angle(Rotation.Multiply(Rotation.Inverse(past.Rotation), now.Rotation)) > settings.TeleportAngle;
+        // Most turns are told from a jump without their angle: up to a right angle it is less than three times the sine of its half.
+        Quaternion turn = Rotation.Multiply(Rotation.Inverse(past.Rotation), now.Rotation);
+        float sine = (turn.X * turn.X) + (turn.Y * turn.Y) + (turn.Z * turn.Z);
+        bool small = sine < 0.5f && 9f * sine < settings.TeleportAngle * settings.TeleportAngle;
+        return !small && Rotation.Angle(turn) > settings.TeleportAngle;
     }
 
     private static void ReadAnimation(SpringRig rig, SpringState state, in RootPlace root, in Pose model)
     {
         float nought = 0f;
-        for (int i = 0; i < rig.Joints.Length; i++)
+        ReadOnlySpan<int> joints = rig.Joints;
+        Span<SpringBone> bones = state.Bones.AsSpan(0, joints.Length);
+        for (int i = 0; i < bones.Length; i++)
         {
-            int joint = rig.Joints[i];
-            Quaternion q = Rotation.Multiply(root.Rotation, model.Rotations[joint]);
+            ref SpringBone bone = ref bones[i];
+            int joint = joints[i];
+            bone.PastPosition = bone.NowPosition;
+            bone.PastAlong = bone.NowAlong;
             Vector3 p = Rotation.Rotate(root.Rotation, model.Positions[joint]) * root.Scale;
-            nought += ((q.X + q.Y + q.Z + q.W) + (p.X + p.Y + p.Z)) * 0f;
-            state.NowRotations[i] = q;
-            state.NowPositions[i] = p;
+            Vector3 along = Rotation.Rotate(root.Rotation, UnitTurn.BoneAxis(model.Rotations[joint]));
+            nought += ((along.X + along.Y + along.Z) + (p.X + p.Y + p.Z)) * 0f;
+            bone.NowPosition = p;
+            bone.NowAlong = along;
             if (nought != 0f)
             {
                 throw PoseCheck.NotFinite(joint);
@@ -112,39 +123,16 @@ public static class SpringBones
         state.Started = true;
         state.Root = root;
         state.Debt = 0f;
-        state.NowRotations.AsSpan().CopyTo(state.PastRotations);
-        state.NowPositions.AsSpan().CopyTo(state.PastPositions);
-        for (int i = 0; i < rig.Joints.Length; i++)
+        for (int i = 0; i < state.Bones.Length; i++)
         {
-            state.Offsets[i] = Vector3.Zero;
-            state.OffsetsBefore[i] = Vector3.Zero;
-            state.Velocities[i] = Vector3.Zero;
-            state.GoalVelocities[i] = Vector3.Zero;
-            state.Goals[i] = state.NowPositions[i] + (Rotation.Rotate(state.NowRotations[i], rig.Tails[i]) * root.Scale);
-        }
-    }
-
-    /// <summary>After a pause: shapes as they were, no velocities.</summary>
-    private static void Resume(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, in Pose local)
-    {
-        float between = state.Debt / Substep;
-        state.Debt = 0f;
-        for (int i = 0; i < rig.Joints.Length; i++)
-        {
-            state.Velocities[i] = Vector3.Zero;
-            state.GoalVelocities[i] = Vector3.Zero;
-            state.Offsets[i] = Vec.Lerp(state.OffsetsBefore[i], state.Offsets[i], between);
-            state.OffsetsBefore[i] = state.Offsets[i];
-        }
-
-        state.NowRotations.AsSpan().CopyTo(state.PastRotations);
-        state.NowPositions.AsSpan().CopyTo(state.PastPositions);
-        for (int i = 0; i < rig.Joints.Length; i++)
-        {
-            Quaternion goal = Goal(rig, state, i, 1f, settings.Inherit, root.Scale, local, out Vector3 place);
-            Vector3 tail = Rotation.Rotate(goal, rig.Tails[i]) * root.Scale;
-            state.Goals[i] = place + tail;
-            state.Rotations[i] = Rotation.Multiply(Rotation.FromTo(tail, tail + state.Offsets[i]), goal);
+            ref SpringBone bone = ref state.Bones[i];
+            bone.PastPosition = bone.NowPosition;
+            bone.PastAlong = bone.NowAlong;
+            bone.Offset = Vector3.Zero;
+            bone.OffsetBefore = Vector3.Zero;
+            bone.Velocity = Vector3.Zero;
+            bone.GoalVelocity = Vector3.Zero;
+            bone.Goal = bone.NowPosition + (bone.NowAlong * (rig.Lengths[i] * root.Scale));
         }
     }
 
@@ -181,104 +169,166 @@ public static class SpringBones
         return state.Colliders.AsSpan(0, colliders.Length);
     }
 
-    private static void Simulate(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local)
+    /// <summary>Makes the substeps that are due, and poses the joints for the moment of the frame.</summary>
+    private static void Simulate(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
     {
         float debt = state.Debt + seconds;
         int steps = (int)(debt / Substep);
-        if (steps > 0)
+        state.Tune(settings);
+        Span<Moment> moments = stackalloc Moment[rig.Joints.Length * MostMoments];
+        Span<float> shares = stackalloc float[MostMoments];
+        int done = 0;
+        do
         {
-            for (int i = 0; i < rig.Joints.Length; i++)
+            int count = Math.Min(steps - done, MostMoments - 1);
+            for (int k = 0; k < count; k++)
             {
-                float along = rig.Along[i];
-                float frequency = Math.Max(settings.Frequency.At(along), 0f);
-                float ratio = Math.Max(settings.DampingRatio.At(along), 0f);
-                if (frequency != state.Frequencies[i] || ratio != state.Ratios[i])
+                shares[k] = seconds > 0f ? Math.Min((((done + k + 1) * Substep) - state.Debt) / seconds, 1f) : 1f;
+            }
+
+            done += count;
+            if (done < steps)
+            {
+                for (int i = 0; i < rig.Joints.Length; i++)
                 {
-                    state.Frequencies[i] = frequency;
-                    state.Ratios[i] = ratio;
-                    state.Steps[i] = new DampedSpring((float)(frequency * PortableMath.Tau), ratio, Substep);
+                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments);
+                }
+            }
+            else
+            {
+                state.Debt = Math.Max(debt - (steps * Substep), 0f);
+                for (int i = 0; i < rig.Joints.Length; i++)
+                {
+                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments);
+                    Show(rig, state, settings, root, colliders, i, moments, local, model);
                 }
             }
         }
+        while (done < steps);
 
-        float cosine = (float)PortableMath.Cos(settings.MostSwing);
-        float sine = (float)PortableMath.Sin(settings.MostSwing);
-        for (int k = 1; k <= steps; k++)
+        ReadOnlySpan<int> parents = rig.Skeleton.Parents;
+        foreach (int joint in rig.Ends)
         {
-            float share = seconds > 0f ? Math.Min(((k * Substep) - state.Debt) / seconds, 1f) : 1f;
-            for (int i = 0; i < rig.Joints.Length; i++)
-            {
-                Advance(rig, state, settings, root.Scale, colliders, i, share, cosine, sine, local);
-            }
+            Subtree.Place(parents[joint], joint, local, model);
         }
-
-        state.Debt = Math.Max(debt - (steps * Substep), 0f);
     }
 
-    /// <summary>One substep of one bone; its parent has made it already.</summary>
-    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int i, float share, float cosine, float sine, in Pose local)
+    /// <summary>Some substeps of one bone; its parent has made them already. One bone after the other, not one step after the other: a step waits for little of the one before, but a bone for all of its parent.</summary>
+    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> shares, Span<Moment> moments)
     {
-        Quaternion goalRotation = Goal(rig, state, i, share, settings.Inherit, scale, local, out Vector3 place);
-        Vector3 tail = Rotation.Rotate(goalRotation, rig.Tails[i]) * scale;
-        Vector3 goal = place + tail;
-        Vector3 goalVelocity = (goal - state.Goals[i]) * (1f / Substep);
-        ref readonly DampedSpring step = ref state.Steps[i];
-        Vector3 offset = state.Offsets[i];
-        Vector3 velocity = state.Velocities[i] + (state.GoalVelocities[i] - goalVelocity) + (settings.Gravity * Substep);
-        Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
-        velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
-
-        float length = Vec.Length(tail);
-        Vector3 along = tail / length;
-        Vector3 bone = InCone(tail + free, along, length, cosine, sine);
-        if (colliders.Length > 0)
+        const float PerSecond = 1f / Substep;
+        int parent = rig.Parents[index];
+        float length = rig.Lengths[index] * scale;
+        Vector3 push = settings.Gravity * Substep;
+        ref SpringBone bone = ref state.Bones[index];
+        DampedSpring step = bone.Step;
+        for (int k = 0; k < shares.Length; k++)
         {
-            bone = Outside(colliders, place, bone, length, Math.Max(settings.Radius.At(rig.Along[i]), 0f) * scale);
+            float share = shares[k];
+            ref Moment moment = ref moments[(index * MostMoments) + k];
+            Vector3 animated = share >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, share), bone.NowAlong);
+            moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, share);
+            Quaternion carried = Carried(ref moment, moments, parent, k, settings.Inherit);
+            Vector3 along = Rotation.Rotate(carried, animated);
+            Vector3 tail = along * length;
+            Vector3 goal = moment.Place + tail;
+            Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
+            Vector3 offset = bone.Offset;
+            Vector3 velocity = bone.Velocity + (bone.GoalVelocity - goalVelocity) + push;
+            Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
+            velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
+            Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
+            direction = Outside(colliders, moment.Place, direction, length, settings, rig.Along[index], scale);
+            Vector3 held = (direction * length) - tail;
+            bone.OffsetBefore = offset;
+            bone.Offset = held;
+            bone.Velocity = velocity + ((held - free) * PerSecond);
+            bone.GoalVelocity = goalVelocity;
+            bone.Goal = goal;
+            moment.Deviation = Rotation.Multiply(UnitTurn.FromTo(along, direction), carried);
         }
-
-        Vector3 held = bone - tail;
-        state.OffsetsBefore[i] = offset;
-        state.Offsets[i] = held;
-        state.Velocities[i] = velocity + ((held - free) * (1f / Substep));
-        state.GoalVelocities[i] = goalVelocity;
-        state.Goals[i] = goal;
-        state.Rotations[i] = Rotation.Multiply(UnitTurn.FromTo(along, bone / length), goalRotation);
     }
 
-    /// <summary>Where the animation would have a bone within the frame, with its parent as simulated.</summary>
-    private static Quaternion Goal(SpringRig rig, SpringState state, int i, float share, float inherit, float scale, in Pose local, out Vector3 place)
+    /// <summary>Poses a joint for the moment of the frame; its parent is posed already.</summary>
+    private static void Show(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, int index, Span<Moment> moments, in Pose local, in Pose model)
     {
-        Quaternion animated = share >= 1f ? state.NowRotations[i] : UnitTurn.Nlerp(state.PastRotations[i], state.NowRotations[i], share);
-        state.Animated[i] = animated;
-        int parent = rig.Parents[i];
+        float length = rig.Lengths[index] * root.Scale;
+        ref SpringBone bone = ref state.Bones[index];
+        ref Moment moment = ref moments[(index * MostMoments) + MostMoments - 1];
+        moment.Animated = bone.NowPosition;
+        Quaternion carried = Carried(ref moment, moments, rig.Parents[index], MostMoments - 1, settings.Inherit);
+        Vector3 along = Rotation.Rotate(carried, bone.NowAlong);
+        Vector3 tail = along * length;
+        bone.Shown = moment.Place + tail;
+        Vector3 direction = Vec.Normalize(tail + Vec.Lerp(bone.OffsetBefore, bone.Offset, state.Debt / Substep), along);
+        direction = Outside(colliders, moment.Place, direction, length, settings, rig.Along[index], root.Scale);
+        moment.Deviation = Rotation.Multiply(UnitTurn.FromTo(along, direction), carried);
+        Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(Quaternion.Identity, moment.Deviation, settings.Weight) : moment.Deviation;
+        int joint = rig.Joints[index];
+        Quaternion turn = Rotation.Multiply(Rotation.Inverse(root.Rotation), Rotation.Multiply(shown, root.Rotation));
+        Quaternion inModel = UnitTurn.Renormalize(Rotation.Multiply(turn, model.Rotations[joint]));
+        int parent = rig.Skeleton.Parents[joint];
+        model.Rotations[joint] = inModel;
         if (parent < 0)
         {
-            place = Vec.Lerp(state.PastPositions[i], state.NowPositions[i], share);
-            state.Positions[i] = place;
-            return animated;
+            local.Rotations[joint] = inModel;
+            return;
         }
 
-        place = state.Positions[parent] + (Rotation.Rotate(state.Rotations[parent], local.Positions[rig.Joints[i]]) * scale);
-        state.Positions[i] = place;
-        Quaternion deviation = Rotation.Multiply(state.Rotations[parent], Rotation.Inverse(state.Animated[parent]));
-        return Rotation.Multiply(UnitTurn.Nlerp(Quaternion.Identity, deviation, inherit), animated);
+        Quaternion carrier = model.Rotations[parent];
+        local.Rotations[joint] = UnitTurn.Renormalize(Rotation.Multiply(Rotation.Inverse(carrier), inModel));
+        model.Positions[joint] = model.Positions[parent] + Rotation.Rotate(carrier, local.Positions[joint]);
     }
 
-    /// <summary>A bone of the right length whose direction is no farther from another than the cone allows.</summary>
-    private static Vector3 InCone(Vector3 bone, Vector3 axis, float length, float cosine, float sine)
+    /// <summary>How far a bone is carried along by its parent's deviation from the animation, and its place with that.</summary>
+    private static Quaternion Carried(ref Moment moment, ReadOnlySpan<Moment> moments, int parent, int k, float inherit)
     {
-        Vector3 direction = Vec.Normalize(bone, axis);
+        if (parent < 0)
+        {
+            moment.Place = moment.Animated;
+            return Quaternion.Identity;
+        }
+
+        ref readonly Moment carrier = ref moments[(parent * MostMoments) + k];
+        Quaternion deviation = carrier.Deviation;
+        moment.Place = carrier.Place + Rotation.Rotate(deviation, moment.Animated - carrier.Animated);
+        float u = 1f - inherit;
+        float v = deviation.W < 0f ? -inherit : inherit;
+        float x = deviation.X * v;
+        float y = deviation.Y * v;
+        float z = deviation.Z * v;
+        float w = u + (deviation.W * v);
+        float scale = 1f / (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
+        return new Quaternion(x * scale, y * scale, z * scale, w * scale);
+    }
+
+    /// <summary>A direction no farther from another than the cone allows.</summary>
+    private static Vector3 InCone(Vector3 direction, Vector3 axis, float cosine, float sine)
+    {
         if (Vec.Dot(direction, axis) >= cosine)
         {
-            return direction * length;
+            return direction;
         }
 
         Vector3 across = Vec.Normalize(Vec.Reject(direction, axis), Vec.Perpendicular(axis));
-        return ((axis * cosine) + (across * sine)) * length;
+        return (axis * cosine) + (across * sine);
     }
 
-    private static Vector3 Outside(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 bone, float length, float radius)
+    /// <summary>A direction of a bone that brings its tip out of all colliders.</summary>
+    private static Vector3 Outside(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 direction, float length, in SpringSettings settings, float along, float scale)
     {
+        if (colliders.Length == 0)
+        {
+            return direction;
+        }
+
+        float radius = Math.Max(settings.Radius.At(along), 0f) * scale;
+        Vector3 bone = direction * length;
+        if (colliders.Length == 1 && colliders[0].Clears(place, bone, radius))
+        {
+            return direction;
+        }
+
         for (int round = 0; round < CollisionRounds; round++)
         {
             for (int c = 0; c < colliders.Length; c++)
@@ -296,41 +346,19 @@ public static class SpringBones
             }
         }
 
-        return bone;
+        return bone / length;
     }
 
-    /// <summary>Poses the joints for the moment of the frame.</summary>
-    private static void Show(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, in Pose local, in Pose model)
+    /// <summary>A bone at one moment within the frame. World axes, from the creature's place.</summary>
+    private struct Moment
     {
-        float between = state.Debt / Substep;
-        Quaternion toModel = Rotation.Inverse(root.Rotation);
-        for (int i = 0; i < rig.Joints.Length; i++)
-        {
-            Quaternion goal = Goal(rig, state, i, 1f, settings.Inherit, root.Scale, local, out Vector3 place);
-            Vector3 tail = Rotation.Rotate(goal, rig.Tails[i]) * root.Scale;
-            Vector3 bone = tail + Vec.Lerp(state.OffsetsBefore[i], state.Offsets[i], between);
-            float length = Vec.Length(tail);
-            Vector3 along = tail / length;
-            Vector3 direction = Vec.Normalize(bone, along);
-            if (colliders.Length > 0)
-            {
-                direction = Outside(colliders, place, direction * length, length, Math.Max(settings.Radius.At(rig.Along[i]), 0f) * root.Scale) / length;
-            }
+        /// <summary>Turn from the animated to the simulated rotation.</summary>
+        public Quaternion Deviation;
 
-            state.Rotations[i] = Rotation.Multiply(UnitTurn.FromTo(along, direction), goal);
-            int joint = rig.Joints[i];
-            Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(state.NowRotations[i], state.Rotations[i], settings.Weight) : state.Rotations[i];
-            Quaternion inModel = Rotation.Multiply(toModel, shown);
-            local.Rotations[joint] = Rotation.Normalize(Rotation.Multiply(JointRelations.ParentInverse(rig.Skeleton, joint, model), inModel));
-            Subtree.Place(rig.Skeleton.Parents[joint], joint, local, model);
-        }
+        /// <summary>Simulated place of its joint.</summary>
+        public Vector3 Place;
 
-        for (int i = 0; i < rig.Joints.Length; i++)
-        {
-            if (rig.Parents[i] < 0)
-            {
-                Subtree.LocalToModel(rig.Skeleton, rig.Joints[i], local, model);
-            }
-        }
+        /// <summary>Animated place of its joint.</summary>
+        public Vector3 Animated;
     }
 }

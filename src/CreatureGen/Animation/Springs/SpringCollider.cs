@@ -64,6 +64,9 @@ public readonly struct SpringCollider
         return new SpringCollider(SpringColliderKind.Plane, -1, point, Vec.Normalize(normal, Vector3.UnitY), 0f);
     }
 
+    /// <summary>Whether a bone's tip is certainly out of the collider as it is: told of planes only.</summary>
+    internal bool Clears(Vector3 place, Vector3 bone, float radius) => Kind == SpringColliderKind.Plane && Vec.Dot((place - Start) + bone, End) >= radius;
+
     /// <summary>A bone turned about its joint until its tip, with a radius, is out of the collider, as far as a bone of its length can be; all in one space.</summary>
     /// <param name="place">Of the joint.</param>
     /// <param name="bone">From the joint to the tip.</param>

@@ -14,8 +14,9 @@ public sealed class SpringRig
 
     private readonly int[] joints;
     private readonly int[] parents;
-    private readonly Vector3[] tails;
+    private readonly float[] lengths;
     private readonly float[] along;
+    private readonly int[] ends;
 
     /// <summary>Takes joints with everything that hangs on them.</summary>
     /// <param name="skeleton">In rest pose.</param>
@@ -53,17 +54,28 @@ public sealed class SpringRig
             }
         }
 
+        var rigid = new List<int>();
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            int parent = skeleton.Parents[i];
+            if (indexOf[i] < 0 && parent >= 0 && (indexOf[parent] >= 0 || rigid.Contains(parent)))
+            {
+                rigid.Add(i);
+            }
+        }
+
+        ends = rigid.ToArray();
         joints = chosen.ToArray();
         parents = new int[joints.Length];
-        tails = new Vector3[joints.Length];
+        lengths = new float[joints.Length];
         along = new float[joints.Length];
         float[] end = new float[joints.Length];
         for (int i = 0; i < joints.Length; i++)
         {
             int parent = skeleton.Parents[joints[i]];
             parents[i] = parent >= 0 ? indexOf[parent] : -1;
-            tails[i] = Tail(skeleton, joints[i]);
-            end[i] = Vec.Length(tails[i]) + (parents[i] >= 0 ? end[parents[i]] : 0f);
+            lengths[i] = Tail(skeleton, joints[i]);
+            end[i] = lengths[i] + (parents[i] >= 0 ? end[parents[i]] : 0f);
         }
 
         // How far out the farthest tip below each bone is, then each bone's own place on the way there.
@@ -79,8 +91,8 @@ public sealed class SpringRig
         for (int i = 0; i < joints.Length; i++)
         {
             farthest[i] = parents[i] >= 0 ? farthest[parents[i]] : farthest[i];
-            float before = end[i] - Vec.Length(tails[i]);
-            float last = farthest[i] - Vec.Length(tails[Outermost(i)]);
+            float before = end[i] - lengths[i];
+            float last = farthest[i] - lengths[Outermost(i)];
             along[i] = last > 0f ? Math.Min(before / last, 1f) : 0f;
             Length = Math.Max(Length, end[i]);
         }
@@ -98,8 +110,11 @@ public sealed class SpringRig
     /// <summary>Number of the parent among the joints that swing, −1 for a root.</summary>
     internal ReadOnlySpan<int> Parents => parents;
 
-    /// <summary>From each joint to its tip, in its own space, model metres.</summary>
-    internal ReadOnlySpan<Vector3> Tails => tails;
+    /// <summary>From each joint to its tip, along its own +Y, model metres.</summary>
+    internal ReadOnlySpan<float> Lengths => lengths;
+
+    /// <summary>What hangs on the joints and does not swing, parents first.</summary>
+    internal ReadOnlySpan<int> Ends => ends;
 
     /// <summary>Place of each bone along its chain, 0 the root, 1 the outermost.</summary>
     internal ReadOnlySpan<float> Along => along;
@@ -120,16 +135,16 @@ public sealed class SpringRig
         return new SpringRig(skeleton, roots.ToArray());
     }
 
-    private static Vector3 Tail(Skeleton skeleton, int joint)
+    private static float Tail(Skeleton skeleton, int joint)
     {
         if (skeleton.Joints[joint].Length > 0f)
         {
-            return new Vector3(0f, skeleton.Joints[joint].Length, 0f);
+            return skeleton.Joints[joint].Length;
         }
 
         int parent = skeleton.Parents[joint];
         float length = parent >= 0 ? skeleton.Joints[parent].Length : 0f;
-        return new Vector3(0f, length > 0f ? length * VirtualTip : 0.05f, 0f);
+        return length > 0f ? length * VirtualTip : 0.05f;
     }
 
     /// <summary>The last bone of the line that goes on from a bone through first children.</summary>

@@ -9,27 +9,16 @@ namespace CreatureGen.Animation.Springs;
 /// </summary>
 public sealed class SpringState
 {
+    private ChainCurve frequency;
+    private ChainCurve ratio;
+    private float swing;
+    private bool tuned;
+
     /// <summary>Starts at rest: the first update takes the animated pose as it is.</summary>
     public SpringState(SpringRig rig)
     {
-        int count = rig.Joints.Length;
         Rig = rig;
-        Offsets = new Vector3[count];
-        OffsetsBefore = new Vector3[count];
-        Velocities = new Vector3[count];
-        Goals = new Vector3[count];
-        GoalVelocities = new Vector3[count];
-        PastRotations = new Quaternion[count];
-        PastPositions = new Vector3[count];
-        NowRotations = new Quaternion[count];
-        NowPositions = new Vector3[count];
-        Animated = new Quaternion[count];
-        Rotations = new Quaternion[count];
-        Positions = new Vector3[count];
-        Steps = new DampedSpring[count];
-        Frequencies = new float[count];
-        Ratios = new float[count];
-        System.Array.Fill(Frequencies, -1f);
+        Bones = new SpringBone[rig.Joints.Length];
         Colliders = System.Array.Empty<SpringCollider>();
     }
 
@@ -44,48 +33,14 @@ public sealed class SpringState
     /// <summary>Where the creature was.</summary>
     internal RootPlace Root { get; set; }
 
-    /// <summary>From the goal of each tip to the tip, world axes, world metres.</summary>
-    internal Vector3[] Offsets { get; }
+    /// <summary>What is remembered of each joint of the rig, in its order.</summary>
+    internal SpringBone[] Bones { get; }
 
-    /// <summary>The same one substep earlier.</summary>
-    internal Vector3[] OffsetsBefore { get; }
+    /// <summary>Cosine of the most that a bone swings from its goal.</summary>
+    internal float SwingCosine { get; private set; }
 
-    /// <summary>Velocity of each tip relative to its goal.</summary>
-    internal Vector3[] Velocities { get; }
-
-    /// <summary>Goals in the last substep, from the creature's place, world axes.</summary>
-    internal Vector3[] Goals { get; }
-
-    /// <summary>Velocities of the goals in the last substep.</summary>
-    internal Vector3[] GoalVelocities { get; }
-
-    /// <summary>Animated rotations at the last update, world axes.</summary>
-    internal Quaternion[] PastRotations { get; }
-
-    /// <summary>Animated places of the joints at the last update, from the creature's place.</summary>
-    internal Vector3[] PastPositions { get; }
-
-    internal Quaternion[] NowRotations { get; }
-
-    internal Vector3[] NowPositions { get; }
-
-    /// <summary>Animated rotations in the substep under way.</summary>
-    internal Quaternion[] Animated { get; }
-
-    /// <summary>Simulated rotations in the substep under way.</summary>
-    internal Quaternion[] Rotations { get; }
-
-    /// <summary>Simulated places of the joints in the substep under way.</summary>
-    internal Vector3[] Positions { get; }
-
-    /// <summary>One substep of each bone's spring.</summary>
-    internal DampedSpring[] Steps { get; }
-
-    /// <summary>Hz that <see cref="Steps"/> was worked out for.</summary>
-    internal float[] Frequencies { get; }
-
-    /// <summary>Damping ratio that <see cref="Steps"/> was worked out for.</summary>
-    internal float[] Ratios { get; }
+    /// <summary>Its sine.</summary>
+    internal float SwingSine { get; private set; }
 
     /// <summary>Colliders from the creature's place, world axes; grows to the most that were ever given.</summary>
     internal SpringCollider[] Colliders { get; set; }
@@ -116,34 +71,85 @@ public sealed class SpringState
         }
     }
 
+    /// <summary>Works out the springs anew if the settings are not those they were worked out for.</summary>
+    internal void Tune(in SpringSettings settings)
+    {
+        if (tuned && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MostSwing)
+        {
+            return;
+        }
+
+        tuned = true;
+        frequency = settings.Frequency;
+        ratio = settings.DampingRatio;
+        swing = settings.MostSwing;
+        PortableMath.SinCos(swing, out double sine, out double cosine);
+        SwingSine = (float)sine;
+        SwingCosine = (float)cosine;
+        for (int i = 0; i < Bones.Length; i++)
+        {
+            float along = Rig.Along[i];
+            float cycles = System.Math.Max(frequency.At(along), 0f);
+            Bones[i].Step = new DampedSpring((float)(cycles * PortableMath.Tau), System.Math.Max(ratio.At(along), 0f), SpringBones.Substep);
+        }
+    }
+
+    /// <summary>After a pause: shapes as they were, no velocities.</summary>
+    internal void Rest()
+    {
+        float between = Debt / SpringBones.Substep;
+        Debt = 0f;
+        for (int i = 0; i < Bones.Length; i++)
+        {
+            ref SpringBone bone = ref Bones[i];
+            bone.Velocity = Vector3.Zero;
+            bone.GoalVelocity = Vector3.Zero;
+            bone.Offset = Vec.Lerp(bone.OffsetBefore, bone.Offset, between);
+            bone.OffsetBefore = bone.Offset;
+            bone.PastPosition = bone.NowPosition;
+            bone.PastAlong = bone.NowAlong;
+        }
+    }
+
+    /// <summary>Takes the goals of the moment for those of the last substep.</summary>
+    internal void Aim()
+    {
+        for (int i = 0; i < Bones.Length; i++)
+        {
+            Bones[i].Goal = Bones[i].Shown;
+        }
+    }
+
     /// <summary>Goes over to a new place, as if the creature had only moved and turned by a share of the way.</summary>
     internal void Carry(in RootPlace root, float felt)
     {
-        Quaternion turn = Rotation.Multiply(root.Rotation, Rotation.Inverse(Root.Rotation));
-        Quaternion silent = felt < 1f ? Rotation.Slerp(Quaternion.Identity, turn, 1 - felt) : Quaternion.Identity;
         float grown = root.Scale / Root.Scale;
         Vector3 shift = (root.Position - Root.Position) * felt;
         if (felt >= 1f && grown == 1f)
         {
-            for (int i = 0; i < Goals.Length; i++)
+            for (int i = 0; i < Bones.Length; i++)
             {
-                Goals[i] -= shift;
-                PastPositions[i] -= shift;
+                ref SpringBone bone = ref Bones[i];
+                bone.Goal -= shift;
+                bone.PastPosition -= shift;
             }
 
             Root = root;
             return;
         }
 
-        for (int i = 0; i < Offsets.Length; i++)
+        Quaternion turn = Rotation.Multiply(root.Rotation, Rotation.Inverse(Root.Rotation));
+        Quaternion silent = felt < 1f ? Rotation.Slerp(Quaternion.Identity, turn, 1 - felt) : Quaternion.Identity;
+        for (int i = 0; i < Bones.Length; i++)
         {
-            Offsets[i] = Rotation.Rotate(silent, Offsets[i]) * grown;
-            OffsetsBefore[i] = Rotation.Rotate(silent, OffsetsBefore[i]) * grown;
-            Velocities[i] = Rotation.Rotate(silent, Velocities[i]) * grown;
-            GoalVelocities[i] = Rotation.Rotate(silent, GoalVelocities[i]) * grown;
-            Goals[i] = (Rotation.Rotate(silent, Goals[i]) * grown) - shift;
-            PastPositions[i] = (Rotation.Rotate(silent, PastPositions[i]) * grown) - shift;
-            PastRotations[i] = Rotation.Multiply(silent, PastRotations[i]);
+            ref SpringBone bone = ref Bones[i];
+            bone.Offset = Rotation.Rotate(silent, bone.Offset) * grown;
+            bone.OffsetBefore = Rotation.Rotate(silent, bone.OffsetBefore) * grown;
+            bone.Velocity = Rotation.Rotate(silent, bone.Velocity) * grown;
+            bone.GoalVelocity = Rotation.Rotate(silent, bone.GoalVelocity) * grown;
+            bone.Goal = (Rotation.Rotate(silent, bone.Goal) * grown) - shift;
+            bone.PastPosition = (Rotation.Rotate(silent, bone.PastPosition) * grown) - shift;
+            bone.PastAlong = Rotation.Rotate(silent, bone.PastAlong);
         }
 
         Root = root;

@@ -1,0 +1,106 @@
+using System;
+using System.Numerics;
+using CreatureGen.Animation;
+using CreatureGen.Animation.Drives;
+using CreatureGen.Animation.Events;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.Locomotion;
+using CreatureGen.Animation.RootMotion;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+using CreatureGen.Seeding;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Benchmarks.Crowds;
+
+/// <summary>One of a crowd: the stages of an animator's update one by one, in its order, and the matrices that a game needs after it.</summary>
+internal sealed class Marcher
+{
+    private readonly MotionProfile profile;
+    private readonly MotionInput input;
+    private readonly Quaternion[] localRotations;
+    private readonly Vector3[] localPositions;
+    private readonly Quaternion[] modelRotations;
+    private readonly Vector3[] modelPositions;
+    private readonly Matrix4x4[] matrices;
+    private readonly EventQueue events;
+    private readonly IBodyMotion motion;
+    private readonly HeadAttention? attention;
+    private readonly SecondaryMotion secondary;
+    private RootPlace root;
+
+    public Marcher(MotionProfile profile, MotionInput input, RootPlace place)
+    {
+        this.profile = profile;
+        this.input = input;
+        int count = profile.Creature.Skeleton.Count;
+        localRotations = new Quaternion[count];
+        localPositions = new Vector3[count];
+        modelRotations = new Quaternion[count];
+        modelPositions = new Vector3[count];
+        matrices = new Matrix4x4[count];
+        events = new EventQueue(256);
+        LeggedMotion? legs = profile.Legs == null ? null : new LeggedMotion(profile.Legs, profile.Gaits!, events);
+        motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs, events)
+            : profile.Swim != null ? new SwimDrive(profile.Swim)
+            : profile.Slither != null ? new SlitherDrive(profile.Slither)
+            : legs!;
+        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, new Seed(1), profile.Creature.Mass.Mass);
+        secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
+        root = place;
+    }
+
+    private Pose Local => new(localRotations, localPositions);
+
+    private Pose Model => new(modelRotations, modelPositions);
+
+    /// <summary>A stage of an update.</summary>
+    public void Do(CrowdStage stage, float dt)
+    {
+        Skeleton skeleton = profile.Creature.Skeleton;
+        switch (stage)
+        {
+            case CrowdStage.Rest:
+                events.Clear();
+                Local.SetToRest(skeleton);
+                break;
+            case CrowdStage.Motion:
+                root = motion.Drive(root, dt, input, LocomotionSettings.Default, FlatGround.Level, Local);
+                break;
+            case CrowdStage.Chain:
+                ForwardKinematics.LocalToModel(skeleton, Local, Model);
+                break;
+            case CrowdStage.Gaze:
+                attention?.Update(null, root, motion.Speed, 1f, dt, Local, Model);
+                break;
+            case CrowdStage.Springs:
+                secondary.Update(root, Rotation.Rotate(root.Rotation, Vector3.UnitY), dt, Local, Model);
+                break;
+            default:
+                SkinMatrices.Fill(skeleton, Model, matrices);
+                break;
+        }
+    }
+}
+
+/// <summary>The stages of an update.</summary>
+internal enum CrowdStage
+{
+    /// <summary>The pose at rest.</summary>
+    Rest,
+
+    /// <summary>Legs, wings, fins or belly, and what goes with them.</summary>
+    Motion,
+
+    /// <summary>From the parents' space to model space.</summary>
+    Chain,
+
+    /// <summary>Head and eyes.</summary>
+    Gaze,
+
+    /// <summary>Tail, ears, feelers.</summary>
+    Springs,
+
+    /// <summary>Skin matrices.</summary>
+    Skin,
+}
