@@ -1,31 +1,44 @@
 using System;
+using CreatureGen.Sampling;
 
 namespace CreatureGen.Console.Arguments;
 
-/// <summary>The options that say which seeds are meant.</summary>
+/// <summary>The options that say which seeds, and which individuals of their species, are meant.</summary>
 internal static class SeedOptions
 {
     public static readonly OptionSyntax Seed = new("--seed", "N", "one seed, decimal or 0x hexadecimal");
 
     public static readonly OptionSyntax Seeds = new("--seeds", "LIST", "seeds and inclusive ranges: 1-1000,2000,0xBEEF");
 
+    public static readonly OptionSyntax Individual = new("--individual", "N", "one individual of each seed's species (without it the species' type)");
+
+    public static readonly OptionSyntax Individuals = new("--individuals", "LIST", "individuals of each seed's species: 1-36");
+
     /// <summary>The seeds asked for.</summary>
     /// <exception cref="UsageError">There are none, or they cannot be read.</exception>
-    public static SeedList Read(ParsedArguments arguments)
+    public static SeedList Read(ParsedArguments arguments) =>
+        Read(arguments, Seed, Seeds) ?? throw arguments.Wrong("no seeds; expected --seed N or --seeds LIST, such as --seeds 1-36");
+
+    /// <summary>The creatures asked for.</summary>
+    /// <exception cref="UsageError">The individuals cannot be read.</exception>
+    public static SpecimenList Specimens(ParsedArguments arguments, SeedList seeds, CreatureOptions options) =>
+        new(seeds, Read(arguments, Individual, Individuals) ?? (options.Individual is ulong own ? SeedList.Of(own) : null));
+
+    private static SeedList? Read(ParsedArguments arguments, OptionSyntax single, OptionSyntax many)
     {
-        if (arguments.Value(Seed.Name) is string one)
+        if (arguments.Value(single.Name) is string one)
         {
-            if (arguments.Has(Seeds.Name))
+            if (arguments.Has(many.Name))
             {
-                throw arguments.Wrong("--seed and --seeds; expected one of them");
+                throw arguments.Wrong($"{single.Name} and {many.Name}; expected one of them");
             }
 
-            return SeedText.TryRead(one.Trim(), out ulong seed) ? SeedList.Of(seed) : throw arguments.Wrong(Seed.Name, one, SeedText.Expectation);
+            return SeedText.TryRead(one.Trim(), out ulong seed) ? SeedList.Of(seed) : throw arguments.Wrong(single.Name, one, SeedText.Expectation);
         }
 
-        if (arguments.Value(Seeds.Name) is not string list)
+        if (arguments.Value(many.Name) is not string list)
         {
-            throw arguments.Wrong("no seeds; expected --seed N or --seeds LIST, such as --seeds 1-36");
+            return null;
         }
 
         try
@@ -34,7 +47,7 @@ internal static class SeedOptions
         }
         catch (FormatException problem)
         {
-            throw arguments.Wrong("--seeds: " + problem.Message);
+            throw arguments.Wrong(many.Name + ": " + problem.Message);
         }
     }
 }
