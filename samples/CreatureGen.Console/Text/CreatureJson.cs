@@ -13,7 +13,12 @@ internal static class CreatureJson
     /// <summary>Writes the facts as members of the object that is open.</summary>
     public static void WriteFacts(Utf8JsonWriter json, CreatureFacts facts)
     {
-        json.WriteString("seed", SeedText.Of(facts.Seed));
+        json.WriteString("seed", SeedText.Of(facts.Specimen.Seed));
+        if (facts.Specimen.Individual is ulong individual)
+        {
+            json.WriteString("individual", SeedText.Of(individual));
+        }
+
         json.WriteString("kind", CreatureText.Kind(facts));
         json.WriteString("plan", CreatureText.Plan(facts));
         json.WriteNumber("scale", facts.Scale);

@@ -28,7 +28,7 @@ internal static class CreatureText
     /// <summary>Tells what a creature is.</summary>
     public static void WriteFacts(TextWriter output, CreatureFacts facts)
     {
-        output.WriteLine("creature " + SeedText.Of(facts.Seed));
+        output.WriteLine("creature " + facts.Specimen.Name);
         Row(output, "kind", $"{Kind(facts)}, {Plan(facts)}");
         Row(output, "body", Body(facts));
         Row(output, "limbs", facts.Limbs.Count == 0 ? "none" : string.Join(", ", facts.Limbs.Select(limb => Count(limb.Kind, limb.Count))));

@@ -45,7 +45,7 @@ internal sealed class GenerationList(TextWriter output, bool live) : IGeneration
     public void Add(GeneratedCreature creature)
     {
         CreatureFacts facts = creature.Facts;
-        string name = "creature-" + SeedText.Of(facts.Seed);
+        string name = "creature-" + facts.Specimen.Name;
         output.WriteLine($"{name,-16} {CreatureText.Kind(facts),-8} {CreatureText.Plan(facts),-12} {Units.Count(facts.Joints),3} joints {Units.Count(facts.Triangles),7} triangles {Units.Kilograms(facts.Mass),9}  {CreatureText.Body(facts)}");
         count++;
         if (live)

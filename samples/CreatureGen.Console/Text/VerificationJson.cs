@@ -20,7 +20,12 @@ internal static class VerificationJson
         {
             json.WriteStartObject();
             json.WriteString("kind", WordList<LocomotionKind>.Instance[problem.Kind]);
-            json.WriteString("seed", SeedText.Of(problem.Seed));
+            json.WriteString("seed", SeedText.Of(problem.Specimen.Seed));
+            if (problem.Specimen.Individual is ulong individual)
+            {
+                json.WriteString("individual", SeedText.Of(individual));
+            }
+
             json.WriteString("invariant", problem.Invariant);
             json.WriteString("detail", problem.Detail);
             json.WriteEndObject();

@@ -37,7 +37,7 @@ internal static class VerificationText
         output.WriteLine();
         foreach (VerificationProblem problem in verification.Problems.Take(ProblemsShown))
         {
-            output.WriteLine($"{WordList<LocomotionKind>.Instance[problem.Kind]} {SeedText.Of(problem.Seed)}: {problem.Invariant}: {problem.Detail}");
+            output.WriteLine($"{WordList<LocomotionKind>.Instance[problem.Kind]} {problem.Specimen.Name}: {problem.Invariant}: {problem.Detail}");
         }
 
         if (verification.Problems.Count > ProblemsShown)
@@ -48,7 +48,7 @@ internal static class VerificationText
         if (verification.Crossing.Count > 0)
         {
             string more = verification.Crossing.Count > ProblemsShown ? ", ..." : "";
-            output.WriteLine("Self-intersecting: " + string.Join(", ", verification.Crossing.Take(ProblemsShown).Select(creature => $"{WordList<LocomotionKind>.Instance[creature.Kind]} {SeedText.Of(creature.Seed)}")) + more);
+            output.WriteLine("Self-intersecting: " + string.Join(", ", verification.Crossing.Take(ProblemsShown).Select(creature => $"{WordList<LocomotionKind>.Instance[creature.Kind]} {creature.Specimen.Name}")) + more);
         }
 
         output.WriteLine(verification.Failed == 0

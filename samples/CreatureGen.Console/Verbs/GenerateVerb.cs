@@ -22,16 +22,17 @@ internal sealed class GenerateVerb : IVerb
     public VerbSyntax Syntax { get; } = new(
         "generate",
         null,
-        "write creature-<seed>.glb, .png and .json for each seed",
+        "write creature-<seed>.glb, .png and .json for each seed, creature-<seed>-<individual> for individuals",
         [
             new("generate --seed 7", "one creature in the current folder"),
             new("generate --seed 7 --textures 1024", "with scales, fur or feathers in a texture atlas"),
             new("generate --seed 7 --clips all", "with its motion: idle, every gait, flight, swimming, crawling"),
             new("generate --seeds 1-100 --kind flying --out birds", "a hundred fliers in a folder"),
             new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
+            new("generate --seed 42 --individuals 1-12 --out herd", "twelve individuals of one species, young and old"),
             new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, noPicture, CommonOptions.Threads, CommonOptions.Json]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, noPicture, CommonOptions.Threads, CommonOptions.Json]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -39,21 +40,22 @@ internal sealed class GenerateVerb : IVerb
         SeedList seeds = SeedOptions.Read(arguments);
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
         int threads = CommonOptions.ReadThreads(arguments);
-        bool one = seeds.Count == 1;
+        SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);
+        bool one = specimens.Count == 1;
         var task = new Task(
             surroundings.Locate(arguments.Value(folder.Name) ?? "."),
             options,
-            ExportOptions.Read(arguments, new GltfOptions { Provenance = OptionsJson.Write(options) }),
+            ExportOptions.Read(arguments, GltfOptions.Default),
             ExportOptions.ReadClips(arguments, ClipChoice.None),
             arguments.Has(noPicture.Name) ? PictureChoice.None : PictureChoice.Portrait,
             one ? threads : 1);
         FileSet.MakeFolder(task.Folder);
 
         // On a terminal the report itself shows how far the work is.
-        using var progress = new ProgressLine(surroundings, "creatures", seeds.Count, surroundings.OutIsTerminal ? ProgressKind.Hidden : ProgressKind.Shown);
+        using var progress = new ProgressLine(surroundings, "creatures", specimens.Count, surroundings.OutIsTerminal ? ProgressKind.Hidden : ProgressKind.Shown);
         using IGenerationReport report = arguments.Has(CommonOptions.Json.Name) ? new GenerationJson(surroundings.Out)
             : one ? new GenerationSummary(surroundings.Out) : new GenerationList(surroundings.Out, surroundings.OutIsTerminal);
-        OrderedWork<ulong, GeneratedCreature>.Run(seeds, one ? 1 : threads, seed => Generate(seed, task, surroundings), creature =>
+        OrderedWork<Specimen, GeneratedCreature>.Run(specimens, one ? 1 : threads, specimen => Generate(specimen, task, surroundings), creature =>
         {
             report.Add(creature);
             progress.Step();
@@ -63,13 +65,14 @@ internal sealed class GenerateVerb : IVerb
         return ExitCode.Done;
     }
 
-    private static GeneratedCreature Generate(ulong seed, Task task, Surroundings surroundings)
+    private static GeneratedCreature Generate(Specimen specimen, Task task, Surroundings surroundings)
     {
         var times = new StageTimes();
-        CreatureBlueprint blueprint = Growing.Sample(seed, task.Options);
+        CreatureOptions options = specimen.Of(task.Options);
+        CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, options);
         times.Finished("blueprint");
         Creature creature = CreatureAssembler.Assemble(blueprint, times);
-        var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, task.Export, task.Clips)) };
+        var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, task.Export with { Provenance = OptionsJson.Write(options) }, task.Clips)) };
         times.Finished("glb");
         if (task.Picture == PictureChoice.Portrait)
         {
@@ -78,9 +81,9 @@ internal sealed class GenerateVerb : IVerb
         }
 
         contents.Add(("json", CreatureFiles.Json(blueprint)));
-        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(task.Folder, seed, contents, surroundings.Cancellation);
+        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(task.Folder, specimen, contents, surroundings.Cancellation);
         times.Finished("files");
-        return new GeneratedCreature(CreatureFacts.Of(creature), files, times);
+        return new GeneratedCreature(CreatureFacts.Of(creature, specimen), files, times);
     }
 
     private sealed record Task(string Folder, CreatureOptions Options, GltfOptions Export, ClipChoice Clips, PictureChoice Picture, int PictureThreads);

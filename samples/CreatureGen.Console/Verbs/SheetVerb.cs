@@ -36,9 +36,10 @@ internal sealed class SheetVerb : IVerb
         [
             new("sheet --seeds 1-36 --out sheet.png", "a first look at many"),
             new("sheet --seeds 1-24 --kind swimming --view side --out swimmers.png", "swimmers from the side"),
+            new("sheet --seed 42 --individuals 1-36 --out family.png", "one species, young and old"),
             new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -46,6 +47,7 @@ internal sealed class SheetVerb : IVerb
         string path = surroundings.Locate(arguments.Required(CommonOptions.OutFile.Name));
         SeedList seeds = SeedOptions.Read(arguments);
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
+        SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);
         int width = arguments.Whole(size.Name, LeastSize, MostSize, DefaultSize);
         var layout = new ContactSheetOptions
         {
@@ -55,15 +57,15 @@ internal sealed class SheetVerb : IVerb
             Threads = CommonOptions.ReadThreads(arguments),
             LabelSize = width >= 2 * DefaultSize ? LabelSize.Medium : LabelSize.Small,
         };
-        RequireRoom(arguments, seeds.Count, layout);
+        RequireRoom(arguments, specimens.Count, layout);
         FileSet.RequireWritable(path);
-        bool alone = seeds.Count == 1;
+        bool alone = specimens.Count == 1;
         var style = new Style(
             CommonOptions.ReadView(arguments),
             arguments.Has(skeleton.Name) ? Figure.Skeleton : Figure.Skin,
             new RenderOptions { Shading = arguments.Has(CommonOptions.Flat.Name) ? ShadingMode.Faceted : ShadingMode.Smooth, Threads = alone ? layout.Threads : 1 });
-        using var progress = new ProgressLine(surroundings, "creatures", seeds.Count, ProgressKind.Shown);
-        SheetCell[] cells = seeds.Select(seed => Cell(seed, options, style, progress)).ToArray();
+        using var progress = new ProgressLine(surroundings, "creatures", specimens.Count, ProgressKind.Shown);
+        SheetCell[] cells = specimens.Select(specimen => Cell(specimen, options, style, progress)).ToArray();
         Picture sheet = ContactSheet.Render(cells, layout, surroundings.Cancellation);
         byte[] png = PngWriter.ToBytes(sheet);
         progress.Dispose();
@@ -84,10 +86,10 @@ internal sealed class SheetVerb : IVerb
         }
     }
 
-    private static SheetCell Cell(ulong seed, CreatureOptions options, Style style, ProgressLine progress)
+    private static SheetCell Cell(Specimen specimen, CreatureOptions options, Style style, ProgressLine progress)
     {
-        CreatureBlueprint blueprint = Growing.Sample(seed, options);
-        string label = $"{SeedText.Of(seed)} {WordList<Anatomy.LocomotionKind>.Instance[blueprint.Kind]} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {blueprint.Body.Blend.First}";
+        CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, specimen.Of(options));
+        string label = $"{specimen.Name} {WordList<Anatomy.LocomotionKind>.Instance[blueprint.Kind]} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {blueprint.Body.Blend.First}";
         return new SheetCell(label, (width, height) =>
         {
             Creature creature = CreatureAssembler.Assemble(blueprint);

@@ -27,20 +27,22 @@ internal sealed class VerifyVerb : IVerb
         "check all invariants of the creatures of seeds",
         [
             new("verify --seeds 1-1000", "check a thousand creatures, each of its seed's natural kind"),
+            new("verify --seeds 1-100 --individuals 1-20", "twenty individuals of each of a hundred species"),
             new("verify --seeds 1-100000 --kind walking --threads 8 --json > report.json", "a long run, for a script"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Json]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Json]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
     {
         SeedList seeds = SeedOptions.Read(arguments);
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
+        SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);
         int threads = CommonOptions.ReadThreads(arguments);
         var verification = new Verification();
-        using (var progress = new ProgressLine(surroundings, "creatures checked", seeds.Count, ProgressKind.Shown))
+        using (var progress = new ProgressLine(surroundings, "creatures checked", specimens.Count, ProgressKind.Shown))
         {
-            OrderedWork<ulong, VerifiedCreature>.Run(seeds, threads, seed => Verify(seed, options, surroundings.Checks), creature =>
+            OrderedWork<Specimen, VerifiedCreature>.Run(specimens, threads, specimen => Verify(specimen, options, surroundings.Checks), creature =>
             {
                 verification.Add(creature);
                 progress.Step();
@@ -59,25 +61,25 @@ internal sealed class VerifyVerb : IVerb
         return verification.Failed == 0 ? ExitCode.Done : ExitCode.CheckFailed;
     }
 
-    private static VerifiedCreature Verify(ulong seed, CreatureOptions options, CreatureChecks checks)
+    private static VerifiedCreature Verify(Specimen specimen, CreatureOptions options, CreatureChecks checks)
     {
-        CreatureBlueprint blueprint = Growing.Sample(seed, options, out SocketTally sockets);
+        CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, specimen.Of(options), out SocketTally sockets);
         if (sockets.LimbRefusals > 0)
         {
             string detail = FormattableString.Invariant($"{sockets.LimbRefusals} sockets of legs, wings or fins ran into others; expected none");
-            return new VerifiedCreature(blueprint.Kind, seed, [new VerificationProblem(blueprint.Kind, seed, Sockets, detail)], false);
+            return new VerifiedCreature(blueprint.Kind, specimen, [new VerificationProblem(blueprint.Kind, specimen, Sockets, detail)], false);
         }
 
         try
         {
             CheckResult result = CheckResult.Of(CreatureAssembler.Assemble(blueprint), checks);
-            VerificationProblem[] problems = result.Violations.Select(violation => new VerificationProblem(blueprint.Kind, seed, violation.Invariant, violation.Detail)).ToArray();
-            return new VerifiedCreature(blueprint.Kind, seed, problems, result.SelfIntersections > 0);
+            VerificationProblem[] problems = result.Violations.Select(violation => new VerificationProblem(blueprint.Kind, specimen, violation.Invariant, violation.Detail)).ToArray();
+            return new VerifiedCreature(blueprint.Kind, specimen, problems, result.SelfIntersections > 0);
         }
         catch (Exception problem) when (problem is not OutOfMemoryException)
         {
             // Whatever a stage throws is a defect of the creature, to be reported with all others.
-            return new VerifiedCreature(blueprint.Kind, seed, [new VerificationProblem(blueprint.Kind, seed, Builds, problem.GetType().Name + ": " + problem.Message)], false);
+            return new VerifiedCreature(blueprint.Kind, specimen, [new VerificationProblem(blueprint.Kind, specimen, Builds, problem.GetType().Name + ": " + problem.Message)], false);
         }
     }
 }

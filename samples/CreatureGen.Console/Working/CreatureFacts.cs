@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Console.Arguments;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Rigging;
@@ -11,7 +12,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Console.Working;
 
 /// <summary>What there is to tell of a creature, small enough to be kept when the creature is gone.</summary>
-/// <param name="Seed">Its seed.</param>
+/// <param name="Specimen">Its seed, and which individual it is where that is known.</param>
 /// <param name="Kind">How it moves.</param>
 /// <param name="Plan">How it carries its body.</param>
 /// <param name="Scale">Its size as a factor.</param>
@@ -26,7 +27,7 @@ namespace CreatureGen.Console.Working;
 /// <param name="Mass">Kilograms.</param>
 /// <param name="Speed">Metres per second.</param>
 internal sealed record CreatureFacts(
-    ulong Seed,
+    Specimen Specimen,
     LocomotionKind Kind,
     BodyPlan Plan,
     double Scale,
@@ -44,8 +45,11 @@ internal sealed record CreatureFacts(
     /// <summary>Width (x), height (y) and length (z) of its bounding box, metres.</summary>
     public Vector3 Size => Greatest - Least;
 
-    /// <summary>The facts of a creature.</summary>
-    public static CreatureFacts Of(Creature creature)
+    /// <summary>The facts of a creature of which only its blueprint tells.</summary>
+    public static CreatureFacts Of(Creature creature) => Of(creature, new Specimen(creature.Blueprint.Seed, null));
+
+    /// <summary>The facts of a creature that was asked for.</summary>
+    public static CreatureFacts Of(Creature creature, Specimen specimen)
     {
         CreatureMesh mesh = creature.Mesh;
         Vector3 least = mesh.Positions[0];
@@ -58,7 +62,7 @@ internal sealed record CreatureFacts(
 
         CreatureBlueprint blueprint = creature.Blueprint;
         return new CreatureFacts(
-            blueprint.Seed,
+            specimen,
             blueprint.Kind,
             blueprint.Plan,
             blueprint.Scale,

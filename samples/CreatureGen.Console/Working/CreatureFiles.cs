@@ -65,13 +65,13 @@ internal static class CreatureFiles
 
     /// <summary>Puts files of a creature into a folder, all or none.</summary>
     /// <exception cref="WriteFailure">One cannot be written.</exception>
-    public static IReadOnlyList<CreatureFile> Write(string folder, ulong seed, IEnumerable<(string Form, byte[] Content)> contents, CancellationToken cancellation)
+    public static IReadOnlyList<CreatureFile> Write(string folder, Specimen specimen, IEnumerable<(string Form, byte[] Content)> contents, CancellationToken cancellation)
     {
         var files = new List<CreatureFile>();
         using var set = new FileSet();
         foreach ((string form, byte[] content) in contents)
         {
-            string path = Path.Combine(folder, $"creature-{SeedText.Of(seed)}.{form}");
+            string path = Path.Combine(folder, $"creature-{specimen.Name}.{form}");
             set.Stage(path, stream => stream.Write(content));
             files.Add(new CreatureFile(form, path, content.Length));
         }

@@ -2,25 +2,26 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
+using CreatureGen.Console.Arguments;
 using CreatureGen.Inspection;
 
 namespace CreatureGen.Console.Working;
 
 /// <summary>An invariant that a creature breaks.</summary>
-internal sealed record VerificationProblem(LocomotionKind Kind, ulong Seed, string Invariant, string Detail);
+internal sealed record VerificationProblem(LocomotionKind Kind, Specimen Specimen, string Invariant, string Detail);
 
 /// <summary>What came of checking one creature.</summary>
 /// <param name="Kind">How it moves.</param>
-/// <param name="Seed">Its seed.</param>
+/// <param name="Specimen">Its seed and individual.</param>
 /// <param name="Problems">What it breaks.</param>
 /// <param name="CrossesItself">Whether its surface crosses itself.</param>
-internal sealed record VerifiedCreature(LocomotionKind Kind, ulong Seed, IReadOnlyList<VerificationProblem> Problems, bool CrossesItself);
+internal sealed record VerifiedCreature(LocomotionKind Kind, Specimen Specimen, IReadOnlyList<VerificationProblem> Problems, bool CrossesItself);
 
 /// <summary>What came of checking many creatures.</summary>
 internal sealed class Verification
 {
     private readonly List<VerificationProblem> problems = [];
-    private readonly List<(LocomotionKind Kind, ulong Seed)> crossing = [];
+    private readonly List<(LocomotionKind Kind, Specimen Specimen)> crossing = [];
     private readonly long[] checkedByKind = new long[Enum.GetValues<LocomotionKind>().Length];
     private readonly long[] failedByKind = new long[Enum.GetValues<LocomotionKind>().Length];
 
@@ -37,7 +38,7 @@ internal sealed class Verification
     public IReadOnlyList<VerificationProblem> Problems => problems;
 
     /// <summary>The creatures whose surface crosses itself, in the order of the seeds.</summary>
-    public IReadOnlyList<(LocomotionKind Kind, ulong Seed)> Crossing => crossing;
+    public IReadOnlyList<(LocomotionKind Kind, Specimen Specimen)> Crossing => crossing;
 
     /// <summary>Creatures of a kind that were checked.</summary>
     public long CheckedOf(LocomotionKind kind) => checkedByKind[(int)kind];
@@ -50,7 +51,7 @@ internal sealed class Verification
 
     /// <summary>Creatures of a kind that break one invariant.</summary>
     public int FailedOf(LocomotionKind kind, string invariant) =>
-        problems.Where(problem => problem.Kind == kind && problem.Invariant == invariant).Select(problem => problem.Seed).Distinct().Count();
+        problems.Where(problem => problem.Kind == kind && problem.Invariant == invariant).Select(problem => problem.Specimen).Distinct().Count();
 
     /// <summary>Adds a creature.</summary>
     public void Add(VerifiedCreature creature)
@@ -60,7 +61,7 @@ internal sealed class Verification
         failedByKind[kind] += creature.Problems.Count > 0 ? 1 : 0;
         if (creature.CrossesItself)
         {
-            crossing.Add((creature.Kind, creature.Seed));
+            crossing.Add((creature.Kind, creature.Specimen));
         }
 
         problems.AddRange(creature.Problems);

@@ -31,7 +31,7 @@ internal sealed class CoatPainter
     {
         this.subject = subject;
         palette = new CoatPalette(coat);
-        pattern = new PatternField(coat.PatternKind, coat.PatternScale, coat.PatternSeed);
+        pattern = new PatternField(coat.PatternKind, coat.PatternScale, coat.PatternSeed, coat.Marks);
         strength = Scalar.Clamp((float)coat.PatternStrength, 0f, 1f);
         salt = unchecked((coat.PatternSeed * 16) + 8);
         head = new HeadCoat(palette, subject, coat);

@@ -36,19 +36,28 @@ internal sealed class PatternField
     private const float StripeFrequency = 26f;
     private const float BandFrequency = 15f;
 
+    /// <summary>Odd, so that the marks of no two individuals are those of another species' pattern a few steps on.</summary>
+    private const int MarkStep = 0x2545F491;
+
+    /// <summary>Shifts of stripes and bands along the body.</summary>
+    private const int PhaseSteps = 1024;
+
     private readonly PatternKind kind;
     private readonly float scale;
     private readonly int salt;
+    private readonly float phase;
 
     /// <summary>Chooses the pattern.</summary>
     /// <param name="kind">What it looks like.</param>
     /// <param name="scale">Factor on its frequency.</param>
     /// <param name="seed">Which one of its kind.</param>
-    public PatternField(PatternKind kind, double scale, int seed)
+    /// <param name="marks">Which arrangement of its marks.</param>
+    public PatternField(PatternKind kind, double scale, int seed, int marks)
     {
         this.kind = kind;
         this.scale = (float)scale;
-        salt = unchecked(seed * 16);
+        salt = unchecked((seed * 16) + (marks * MarkStep));
+        phase = (float)PortableMath.Tau * (marks % PhaseSteps) / PhaseSteps;
     }
 
     /// <summary>Share of the pattern colour at a place, 0..1.</summary>
@@ -95,8 +104,7 @@ internal sealed class PatternField
     private float Stripes(in PatternPlace place)
     {
         float waver = ValueNoise.At(place.Position * (4f * scale), salt + 3);
-        float phase = (place.Run * StripeFrequency * scale) + (4.5f * waver) + (0.8f * (float)PortableMath.Sin(place.Around));
-        float wave = (float)PortableMath.Sin(phase);
+        float wave = (float)PortableMath.Sin((place.Run * StripeFrequency * scale) + (4.5f * waver) + (0.8f * (float)PortableMath.Sin(place.Around)) + phase);
 
         // Stripes narrow towards the belly, and some break off earlier than others.
         float taper = 0.55f * Scalar.Smooth((place.Around - 1.2f) / 1.3f) * (0.5f + waver);
@@ -106,7 +114,7 @@ internal sealed class PatternField
     private float Bands(in PatternPlace place)
     {
         float waver = ValueNoise.At(place.Position * (3f * scale), salt + 4);
-        float wave = (float)PortableMath.Sin((place.Run * BandFrequency * scale) + (1.2f * waver));
+        float wave = (float)PortableMath.Sin((place.Run * BandFrequency * scale) + (1.2f * waver) + phase);
         return Scalar.Smooth((wave - 0.10f) / 0.30f);
     }
 

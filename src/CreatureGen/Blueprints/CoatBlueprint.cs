@@ -17,7 +17,8 @@ namespace CreatureGen.Blueprints;
 /// <param name="PatternKind">Pattern.</param>
 /// <param name="PatternScale">Frequency of the pattern.</param>
 /// <param name="PatternStrength">0..1.</param>
-/// <param name="PatternSeed">Chooses among patterns of one kind.</param>
+/// <param name="PatternSeed">Chooses among patterns of one kind, and where colours go.</param>
+/// <param name="Marks">Where the marks of the pattern lie: the fingerprint by which one individual is told from another.</param>
 public sealed record CoatBlueprint(
     ColourBlueprint Base,
     ColourBlueprint Back,
@@ -33,7 +34,8 @@ public sealed record CoatBlueprint(
     PatternKind PatternKind,
     double PatternScale,
     double PatternStrength,
-    int PatternSeed)
+    int PatternSeed,
+    int Marks = 0)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, CoatFields.Coat);

@@ -51,5 +51,6 @@ internal static class CoatFields
             visit.Choice("patternKind", coat.PatternKind, AnatomyChoices.Pattern),
             visit.Number("patternScale", coat.PatternScale, new NumberRange(0.1, 10)),
             visit.Number("patternStrength", coat.PatternStrength, Share),
-            visit.Whole("patternSeed", coat.PatternSeed, new WholeRange(0, int.MaxValue))));
+            visit.Whole("patternSeed", coat.PatternSeed, new WholeRange(0, int.MaxValue)),
+            visit.Whole("marks", coat.Marks, new WholeRange(0, int.MaxValue))));
 }

@@ -65,6 +65,9 @@ internal sealed class FieldChecker : IFieldVisitor
     public ulong UnsignedText(string name, ulong value) => value;
 
     /// <inheritdoc/>
+    public ulong? OptionalText(string name, ulong? value) => value;
+
+    /// <inheritdoc/>
     public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
         where TEnum : struct, Enum
     {

@@ -102,6 +102,13 @@ internal sealed class FieldReader : IFieldVisitor
     }
 
     /// <inheritdoc/>
+    public ulong? OptionalText(string name, ulong? value)
+    {
+        visited.Add(name);
+        return source.TryGet(name, out _) ? UnsignedText(name, value ?? 0) : value;
+    }
+
+    /// <inheritdoc/>
     public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
         where TEnum : struct, Enum
     {

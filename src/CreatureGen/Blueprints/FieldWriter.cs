@@ -53,6 +53,9 @@ internal sealed class FieldWriter : IFieldVisitor
     }
 
     /// <inheritdoc/>
+    public ulong? OptionalText(string name, ulong? value) => value is ulong number ? UnsignedText(name, number) : null;
+
+    /// <inheritdoc/>
     public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
         where TEnum : struct, Enum
     {

@@ -18,6 +18,9 @@ internal interface IFieldVisitor
     /// <summary>A whole number of 64 bits; in JSON, whose numbers are doubles to many, a string of its decimal digits.</summary>
     ulong UnsignedText(string name, ulong value);
 
+    /// <summary>The same, or nothing at all: a field that is left out.</summary>
+    ulong? OptionalText(string name, ulong? value);
+
     /// <summary>One of the values of an enumeration.</summary>
     TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
         where TEnum : struct, Enum;

@@ -39,7 +39,8 @@ public static class BlueprintSampler
             CreatureDraft? draft = Stand(attempt == 0 ? root : root.Child("attempt").Child(attempt), choice, options);
             if (draft != null)
             {
-                return Finish(seed, draft, options, out sockets);
+                CreatureBlueprint type = Finish(seed, draft, options, out sockets);
+                return options.Individual is ulong individual ? IndividualSampler.Vary(type, draft, IndividualTraits.Draw(root, individual), options) : type;
             }
         }
 

@@ -19,7 +19,8 @@ internal static class BodySampler
         draft.Blend = Blend(draft);
         draft.Signature = DrawSignature(draft);
         draft.Proportions = Proportions(draft);
-        draft.Posture = Posture(draft);
+        draft.Drawn = Posture(draft);
+        draft.Posture = draft.Drawn;
         draft.Slices = Slices(draft);
         draft.Tail = Tail(draft);
         draft.Disc = Disc(draft);

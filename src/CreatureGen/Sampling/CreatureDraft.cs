@@ -54,6 +54,9 @@ internal sealed class CreatureDraft
 
     public BodyPosture Posture { get; set; } = new(0, 0, 0, 0, 0, 0, 0);
 
+    /// <summary>The posture before it was settled.</summary>
+    public BodyPosture Drawn { get; set; } = new(0, 0, 0, 0, 0, 0, 0);
+
     public ValueList<LatticeSlice> Slices { get; set; } = ValueList<LatticeSlice>.Empty;
 
     public TailBlueprint Tail { get; set; } = new(TailStyle.Plain, 0, 0);
@@ -75,6 +78,15 @@ internal sealed class CreatureDraft
 
     /// <summary>Hip height that the plan asks for, metres.</summary>
     public double HipHeight { get; set; }
+
+    /// <summary>Added to the share of its plan's range of heights at which the body is carried.</summary>
+    public double StanceShift { get; set; }
+
+    /// <summary>How far the attachment rules raised the body for its legs, metres.</summary>
+    public double Raised { get; set; }
+
+    /// <summary>The places of its standing legs and their size; null when it does not stand on legs.</summary>
+    public LegStand? Stand { get; set; }
 
     public List<LegBlueprint> Legs { get; } = new();
 

@@ -41,6 +41,12 @@ public sealed record CreatureOptions
     /// <summary>Triangles that the creature may have at the finest level of detail, 6000..100000. Default: 20000.</summary>
     public int TriangleBudget { get; init; } = 20000;
 
+    /// <summary>
+    /// Which individual of the seed's species: all share plan, body, ornaments and palette, and differ in size, age, proportions and marks. Any value will do.
+    /// Default: null, the type specimen of the species.
+    /// </summary>
+    public ulong? Individual { get; init; }
+
     /// <summary>All problems of these options: fields out of range, and fields that contradict one another. Empty for good ones.</summary>
     public IReadOnlyList<Problem> Validate() => OptionsRules.Validate(this);
 

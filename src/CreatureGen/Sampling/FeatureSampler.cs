@@ -12,6 +12,9 @@ internal static class FeatureSampler
     /// <summary>Metres between the tip of a part and the ground.</summary>
     private const double Clearance = 0.045;
 
+    /// <summary>First ring of the end of the tail.</summary>
+    private const int TailEndRing = 46;
+
     /// <summary>Fills in the features of the draft, as many as are asked for.</summary>
     public static void Sample(CreatureDraft draft, OrnamentLevel level)
     {
@@ -65,7 +68,7 @@ internal static class FeatureSampler
     }
 
     /// <summary>The part of a walker, bent up until its tip clears the ground.</summary>
-    private static FeatureBlueprint OffGround(CreatureDraft draft, FeatureBlueprint part)
+    public static FeatureBlueprint OffGround(CreatureDraft draft, FeatureBlueprint part)
     {
         if (draft.Kind != LocomotionKind.Walking)
         {
@@ -202,12 +205,9 @@ internal static class FeatureSampler
 
         BodyShape s = draft.Shape;
         double radius = Math.Max(0.035, 1.5 * s.Width[48]);
-        for (int ring = 46; ring < BodyGrid.Rings; ring++)
+        if (!TailClears(draft, radius))
         {
-            if (s.Y[ring] < (1.2 * radius) + Clearance)
-            {
-                return;
-            }
+            return;
         }
 
         if (club)
@@ -219,6 +219,31 @@ internal static class FeatureSampler
         {
             draft.Features.Add(new FeatureBlueprint(FeatureKind.Spike, 46 + (2 * k), 4, 1.4 * radius, 0.3 * radius, 0.9, 0.1, -0.4, 0, 0, 0, 0, 1, 1));
         }
+    }
+
+    /// <summary>Whether the tail is high enough for a club, if there is one.</summary>
+    public static bool TailClears(CreatureDraft draft, ValueList<FeatureBlueprint> parts)
+    {
+        double radius = 0;
+        foreach (FeatureBlueprint part in parts)
+        {
+            radius = part.Kind == FeatureKind.Club || (part.Kind == FeatureKind.Spike && part.Ring >= TailEndRing && part.Segment > 0) ? Math.Max(radius, part.Radius / 0.85) : radius;
+        }
+
+        return radius == 0 || TailClears(draft, radius);
+    }
+
+    private static bool TailClears(CreatureDraft draft, double radius)
+    {
+        for (int ring = TailEndRing; ring < BodyGrid.Rings; ring++)
+        {
+            if (draft.Shape.Y[ring] < (1.2 * radius) + Clearance)
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 
     /// <summary>Tusks where there are no horns.</summary>

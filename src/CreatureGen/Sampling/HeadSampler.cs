@@ -14,6 +14,15 @@ internal static class HeadSampler
     /// <summary>Metres between an open jaw and the ground, with room for the chin and the gap between closed lips.</summary>
     private const double JawClearance = 0.05;
 
+    /// <summary>A mouth that is open no further shows no teeth, radians.</summary>
+    public const double LeastToothed = 0.05;
+
+    /// <summary>Mean of half the width and half the height of a head at the eyes, metres.</summary>
+    public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[10] + (0.5 * (shape.Top[10] + shape.Bottom[10])));
+
+    /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
+    public static double LargestEye(CreatureDraft draft) => (draft.Species.Family == "insect" ? 0.85 : 0.46) * HalfHeight(draft.Shape);
+
     /// <summary>The face of the draft.</summary>
     public static HeadBlueprint Sample(CreatureDraft draft)
     {
@@ -111,10 +120,10 @@ internal static class HeadSampler
         SpeciesProfile species = draft.Species;
         RandomStream random = draft.Stream("eyes");
         BodyShape s = draft.Shape;
-        double half = 0.5 * (s.Width[10] + (0.5 * (s.Top[10] + s.Bottom[10])));
+        double half = HalfHeight(s);
         double radius = species.EyeSize * half * Scalar.Clamp(1 + (0.14 * draft.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (draft.Signature == Signature.BigEyes ? 1.36 : 1);
         bool insect = species.Family == "insect";
-        radius = Math.Min(radius, (insect ? 0.85 : 0.46) * half);
+        radius = Math.Min(radius, LargestEye(draft));
         bool faceted = random.Chance(0.85);
         bool slit = random.Chance(species.SlitPupils);
         EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : insect && faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : EyeStyle.Round;
@@ -136,11 +145,11 @@ internal static class HeadSampler
         }
 
         opening = species.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(draft));
-        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > 0.05 ? species.ToothLength : 0);
+        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > LeastToothed ? species.ToothLength : 0);
     }
 
     /// <summary>How far a walker may open its mouth before the lower jaw touches the ground, radians.</summary>
-    private static double WidestOpening(CreatureDraft draft)
+    public static double WidestOpening(CreatureDraft draft)
     {
         if (draft.Kind != LocomotionKind.Walking)
         {

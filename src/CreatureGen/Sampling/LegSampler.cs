@@ -55,34 +55,19 @@ internal static class LegSampler
         BirdKit? bird = draft.Species.Bird;
         style = kit != null ? OwnLegs.StyleOf(draft, style, kit) : bird != null ? OwnLegs.StyleOf(draft, style, bird) : style;
         var size = new LegSize(1, kit != null ? 1 : style.Reach, style.FootSize, style.Toes);
-        WalkingPlacement placement = Place();
-        for (int round = 1; round < Rounds; round++)
-        {
-            double pitch = placement.Balance?.Pitch ?? 0;
-            if (placement.RaiseBody == 0 && pitch == 0)
-            {
-                break;
-            }
-
-            draft.Elevation += placement.RaiseBody;
-            draft.Posture = draft.Posture with { Trunk = draft.Posture.Trunk + pitch };
-            draft.Shape = StanceSampler.ShapeOf(draft);
-            placement = Place();
-        }
-
+        WalkingPlacement placement = Settle(draft, SetFor, size);
         if (placement.PlanChange != null && placement.PlanChange != draft.Plan)
         {
             return placement.PlanChange;
         }
 
-        bool biped = placement.Legs.Count == 1;
+        draft.Stand = new LegStand(SetFor(Measure(draft)).Pinned(SitesOf(placement), placement.Girth), size, placement.Balance?.FootGrowth ?? 1);
         double growth = placement.Balance?.FootGrowth ?? 1;
         foreach (LegPlacement leg in placement.Legs)
         {
             LegBuild build = LegBuild.Of(leg.Site.Archetype);
             bool splayed = build.Carriage == LegCarriage.Splayed;
-            double shear = biped ? UnderMass(draft, leg, placement.Arms) : leg.Shear;
-            double azimuth = leg.Site.Archetype == LimbArchetype.Insect && leg == placement.Legs[placement.Legs.Count - 1] ? UnderAbdomen(draft, leg, placement.Legs[0]) : leg.Site.Azimuth;
+            (double azimuth, double shear) = Carriage(draft, placement, leg);
             double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && kit == null ? 1.05 : 1);
             Add(draft, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
         }
@@ -111,12 +96,54 @@ internal static class LegSampler
         draft.Legs.Sort((a, b) => a.Socket.Ring.CompareTo(b.Socket.Ring));
         return null;
 
+        SocketSet SetFor(SpineMeasure measure) => kit != null ? OwnLegs.SetOf(draft, kit, measure) : bird != null ? OwnLegs.SetOf(draft, bird) : SetOf(draft);
+    }
+
+    /// <summary>Places the legs of a walker, and raises and pitches the body until it stands on them.</summary>
+    public static WalkingPlacement Settle(CreatureDraft draft, Func<SpineMeasure, SocketSet> anatomy, LegSize size)
+    {
+        WalkingPlacement placement = Place();
+        for (int round = 1; round < Rounds; round++)
+        {
+            double pitch = placement.Balance?.Pitch ?? 0;
+            if (placement.RaiseBody == 0 && pitch == 0)
+            {
+                break;
+            }
+
+            draft.Raised += placement.RaiseBody;
+            draft.Elevation += placement.RaiseBody;
+            draft.Posture = draft.Posture with { Trunk = draft.Posture.Trunk + pitch };
+            draft.Shape = StanceSampler.ShapeOf(draft);
+            placement = Place();
+        }
+
+        return placement;
+
         WalkingPlacement Place()
         {
             SpineMeasure measure = Measure(draft);
-            SocketSet set = kit != null ? OwnLegs.SetOf(draft, kit, measure) : bird != null ? OwnLegs.SetOf(draft, bird) : SetOf(draft);
-            return WalkingRules.Place(measure, set, size, draft.Stream("arms"));
+            return WalkingRules.Place(measure, anatomy(measure), size, draft.Stream("arms"));
         }
+    }
+
+    /// <summary>How a leg of a placement turns to the front and leans, radians and shift of the foot in units of the length.</summary>
+    public static (double Azimuth, double Shear) Carriage(CreatureDraft draft, WalkingPlacement placement, LegPlacement leg)
+    {
+        bool last = leg == placement.Legs[placement.Legs.Count - 1];
+        double azimuth = leg.Site.Archetype == LimbArchetype.Insect && last ? UnderAbdomen(draft, leg, placement.Legs[0]) : leg.Site.Azimuth;
+        return (azimuth, placement.Legs.Count == 1 ? UnderMass(draft, leg, placement.Arms) : leg.Shear);
+    }
+
+    private static List<LimbSocket> SitesOf(WalkingPlacement placement)
+    {
+        var sites = new List<LimbSocket>();
+        foreach (LegPlacement leg in placement.Legs)
+        {
+            sites.Add(leg.Site);
+        }
+
+        return sites;
     }
 
     /// <summary>A biped stands with its feet under its centre of mass, as far as its hips allow; the rules have seen to it that it can.</summary>
@@ -214,6 +241,12 @@ internal static class LegSampler
         }
     }
 }
+
+/// <summary>What the legs of a walker grew by.</summary>
+/// <param name="Places">Their places, on any body of the species.</param>
+/// <param name="Size">Their size.</param>
+/// <param name="FootGrowth">Factor on their feet for balance.</param>
+internal sealed record LegStand(SocketSet Places, LegSize Size, double FootGrowth);
 
 /// <summary>What all legs of one creature share.</summary>
 internal sealed record LegStyle

@@ -61,5 +61,6 @@ internal static class OptionsFields
             Palette = visit.Choice("palette", options.Palette, palettes),
             Ornaments = visit.Choice("ornaments", options.Ornaments, levels),
             TriangleBudget = visit.Whole("triangleBudget", options.TriangleBudget, CreatureFields.TriangleBudget),
+            Individual = visit.OptionalText("individual", options.Individual),
         });
 }

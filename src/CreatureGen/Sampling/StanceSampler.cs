@@ -24,7 +24,7 @@ internal static class StanceSampler
     /// <summary>Sets the elevation and the final posture.</summary>
     public static void Settle(CreatureDraft draft)
     {
-        double draw = draft.Stream("stance").Uniform();
+        double draw = Scalar.Clamp(draft.Stream("stance").Uniform() + draft.StanceShift, 0, 1);
         for (int attempt = 0; attempt < Attempts; attempt++)
         {
             Measure(draft);

@@ -16,7 +16,7 @@ public sealed class PatternFieldTests
     [MemberData(nameof(Kinds))]
     public void Patterns_are_symmetric_in_range_and_repeatable(PatternKind kind)
     {
-        var field = new PatternField(kind, 1.1, 12);
+        var field = new PatternField(kind, 1.1, 12, 0);
         RandomStream random = new Seed(5).Stream();
         for (int n = 0; n < 500; n++)
         {
@@ -39,7 +39,7 @@ public sealed class PatternFieldTests
     [InlineData(PatternKind.Plain, 0.0, 0.25)]
     public void Each_pattern_covers_its_share_of_the_skin(PatternKind kind, double least, double most)
     {
-        double mean = Enumerable.Range(0, 5).Average(seed => Sample(new PatternField(kind, 1, seed)).Average());
+        double mean = Enumerable.Range(0, 5).Average(seed => Sample(new PatternField(kind, 1, seed, 0)).Average());
         Assert.InRange(mean, least, most);
     }
 
@@ -47,15 +47,15 @@ public sealed class PatternFieldTests
     [MemberData(nameof(Kinds))]
     public void The_seed_chooses_among_patterns_of_one_kind(PatternKind kind)
     {
-        float[] one = Sample(new PatternField(kind, 1, 1));
-        float[] two = Sample(new PatternField(kind, 1, 2));
+        float[] one = Sample(new PatternField(kind, 1, 1, 0));
+        float[] two = Sample(new PatternField(kind, 1, 2, 0));
         Assert.True(one.Zip(two, (a, b) => Math.Abs(a - b)).Max() > 0.1f);
     }
 
     [Fact]
     public void A_saddle_lies_on_the_back_and_not_on_the_belly()
     {
-        var field = new PatternField(PatternKind.Saddle, 1, 3);
+        var field = new PatternField(PatternKind.Saddle, 1, 3, 0);
         for (int n = 0; n < 50; n++)
         {
             var p = new Vector3(0.1f, 1f, n * 0.05f);
@@ -73,7 +73,7 @@ public sealed class PatternFieldTests
 
     private static int Edges(double scale)
     {
-        var field = new PatternField(PatternKind.Bands, scale, 4);
+        var field = new PatternField(PatternKind.Bands, scale, 4, 0);
         int edges = 0;
         bool last = false;
         for (int n = 0; n <= 2000; n++)

@@ -55,6 +55,8 @@ public sealed class FieldTablesTests
 
         public ulong UnsignedText(string name, ulong value) => Row(name, "a string of the digits of a number of 64 bits", value);
 
+        public ulong? OptionalText(string name, ulong? value) => Row(name, "left out, or a string of the digits of a number of 64 bits", value);
+
         public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
             where TEnum : struct, Enum => Row(name, names.ToString(), value);
 

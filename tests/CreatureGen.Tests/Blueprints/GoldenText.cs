@@ -187,7 +187,8 @@ internal static class GoldenText
             "patternKind": "plain",
             "patternScale": 1,
             "patternStrength": 0,
-            "patternSeed": 0
+            "patternSeed": 0,
+            "marks": 0
           }
         }
 

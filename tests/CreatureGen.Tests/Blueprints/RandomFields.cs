@@ -38,6 +38,8 @@ internal sealed class RandomFields : IFieldVisitor
 
     public ulong UnsignedText(string name, ulong value) => random.NextUInt64() >> random.Integer(0, 64);
 
+    public ulong? OptionalText(string name, ulong? value) => random.Chance(0.5) ? UnsignedText(name, 0) : null;
+
     public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
         where TEnum : struct, Enum => names.Values.ElementAt(random.Integer(0, names.Count));
 

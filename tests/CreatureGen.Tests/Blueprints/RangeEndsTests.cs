@@ -56,6 +56,8 @@ public sealed class RangeEndsTests
 
         public ulong UnsignedText(string name, ulong value) => value;
 
+        public ulong? OptionalText(string name, ulong? value) => value;
+
         public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
             where TEnum : struct, Enum => value;
 

@@ -34,6 +34,32 @@ public sealed class VerbTests
     }
 
     [Fact]
+    public void Individuals_have_files_of_their_own_and_are_told_apart()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("generate", "--seed", "42", "--individuals", "1-2", "--no-picture", "--json"));
+        Assert.Equal(["creature-42-1.glb", "creature-42-1.json", "creature-42-2.glb", "creature-42-2.json"], run.Files);
+        JsonElement[] creatures = run.Json().GetProperty("creatures").EnumerateArray().ToArray();
+        Assert.Equal(["42", "42"], creatures.Select(creature => creature.GetProperty("seed").GetString()));
+        Assert.Equal(["1", "2"], creatures.Select(creature => creature.GetProperty("individual").GetString()));
+        using var single = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, single.Run("generate", "--seed", "42", "--individual", "2", "--no-picture"));
+        Assert.Contains("creature 42-2", single.Out, StringComparison.Ordinal);
+        Assert.Equal(["creature-42-2.glb", "creature-42-2.json"], single.Files);
+    }
+
+    [Fact]
+    public void Individuals_can_be_verified_and_drawn()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("verify", "--seeds", "1-2", "--individuals", "1-3", "--json"));
+        Assert.Equal(6, run.Json().GetProperty("checked").GetInt32());
+        using var sheet = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, sheet.Run("sheet", "--seed", "1", "--individuals", "1-2", "--size", "32", "--out", "family.png"));
+        Assert.Contains("2 creatures", sheet.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Two_runs_give_the_same_bytes_for_any_number_of_threads()
     {
         using var one = new ConsoleRun();

@@ -14,6 +14,13 @@ internal sealed record SocketSet(BodyPlan Plan, IReadOnlyList<LimbSocket> Legs, 
     /// <summary>Whether legs grow at all of the places, however close, instead of where the rules choose.</summary>
     public bool TakesAll { get; init; }
 
+    /// <summary>How thick legs are that grow at all of the places.</summary>
+    public LegGirth Girth { get; init; }
+
+    /// <summary>The same anatomy with legs at the given places and nowhere else.</summary>
+    public SocketSet Pinned(IReadOnlyList<LimbSocket> places, LegGirth girth) =>
+        this with { Legs = places, MinimumPairs = places.Count, Arms = null, TakesAll = true, Girth = girth };
+
     /// <summary>The same places with other girths: of the legs in front of the body's middle and of those behind it.</summary>
     public SocketSet WithGirth(double fore, double hind) =>
         this with { Legs = Scale(Legs, fore, hind), Arms = Arms is null ? null : Arms with { Legs = Scale(Arms.Legs, fore, hind) } };

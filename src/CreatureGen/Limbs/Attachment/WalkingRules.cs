@@ -46,7 +46,7 @@ internal static class WalkingRules
     {
         if (set.TakesAll)
         {
-            return Choose(measure, set, sockets, size, LegGirth.Nominal, 0, AllPlaces);
+            return Choose(measure, set, sockets, size, set.Girth, 0, AllPlaces);
         }
 
         Attempt best = Choose(measure, set, sockets, size, LegGirth.Nominal, 0, LegRules.Choose);
