@@ -12,6 +12,11 @@ namespace CreatureGen.Preview.Films;
 internal static class ContactMarks
 {
     private const float Flatness = 0.42f;
+
+    // Radius of a mark, part of the leg's length, and at least, pixels.
+    private const float LegShare = 0.1f;
+    private const float LeastRadius = 3f;
+
     private static readonly Pixel outline = new(20, 22, 26);
 
     /// <summary>Draws the marks of all feet at a moment.</summary>
@@ -32,7 +37,8 @@ internal static class ContactMarks
             bool stands = report.Phase == FootPhase.Stance;
             Vector3 below = stands ? report.Place : Below(joints[report.Joint] + offset, take.Ground);
             Vector3 pixel = camera.Project(below - offset, picture.Width, picture.Height);
-            Ellipse(picture, pixel.X, pixel.Y, Math.Max(3f, picture.Width / 30f), FootName.Colour(body, foot), stands ? 235 : 0);
+            float radius = camera.Project(below - offset + (camera.Right * (LegShare * body.Legs[foot].Length)), picture.Width, picture.Height).X - pixel.X;
+            Ellipse(picture, pixel.X, pixel.Y, Math.Clamp(radius, LeastRadius, picture.Width / 28f), FootName.Colour(body, foot), stands ? 235 : 0);
         }
     }
 

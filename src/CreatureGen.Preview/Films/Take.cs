@@ -16,7 +16,7 @@ namespace CreatureGen.Preview.Films;
 /// A creature in motion as a camera sees it that goes along at its mean speed: so many whole cycles as it takes until everything, the ground too, is as it was. Moments are counted from 0; the one
 /// after the last is the first again.
 /// </summary>
-/// <remarks>Rough ground repeats itself too: one cycle of a slow walk is shorter than a hill, so that several are taken.</remarks>
+/// <remarks>The ground repeats itself too: where one cycle is shorter than a hill, or than two of the checks on it, several are taken.</remarks>
 internal sealed class Take
 {
     /// <summary>Pictures of a film strip: the frames of what repeats are a multiple of it.</summary>
@@ -31,6 +31,10 @@ internal sealed class Take
 
     // Hills are not shorter than this, leg lengths.
     private const float ShortestPeriod = 4f;
+
+    // Way of the whole film at least, body lengths, for checks that can be seen: many-legged creatures take small steps.
+    private const float ShortestWay = 0.16f;
+    private const float MostCycles = 8f;
 
     private readonly MotionProfile profile;
     private readonly RecordedCycle cycle;
@@ -47,15 +51,16 @@ internal sealed class Take
         float seconds = level.CycleSeconds();
         int strokes = StrokesIn(profile, movement, ref seconds);
         float way = Math.Max(level.Animator.Speed, 0f) * seconds;
-        int cycles = 1;
+        (Vector3 least, Vector3 most) = MotionTrial.Extent(profile.Creature);
+        float body = most.Z - least.Z;
+        int cycles = OnGround && way > 0f ? (int)Scalar.Clamp((float)Math.Ceiling(ShortestWay * body / way), 1f, MostCycles) : 1;
         SteadyMotion motion = level;
         Ground = FlatGround.Level;
         if (relief == GroundRelief.Rough && OnGround && way > 0f)
         {
             float length = MotionTrial.HillLength(profile, movement);
-            cycles = Math.Max(1, (int)Math.Ceiling(ShortestPeriod * length / way));
-            (Vector3 least, Vector3 most) = MotionTrial.Extent(profile.Creature);
-            float around = 2f * (most.Z - least.Z) + (4f * length);
+            cycles = Math.Max(cycles, (int)Math.Ceiling(ShortestPeriod * length / way));
+            float around = (2f * body) + (4f * length);
             float far = level.Animator.Speed * (SettleSeconds + ((2 + cycles) * (seconds + 1f)));
             Ground = new HillField(new Seed(profile.Creature.Blueprint.Seed), length, cycles * way).Around(around, -around, far + around);
             motion = new SteadyMotion(profile, movement, Ground);
