@@ -89,7 +89,7 @@ internal sealed class SkinRelief
         float v = 1.15f * place.Y / size;
         float u = place.X / size;
         int row = (int)Math.Floor((double)v);
-        for (int k = 0; k < 2; k++)
+        for (int k = 1; k >= 0; k--)
         {
             int r = row - k;
             float along = v - r;
@@ -101,7 +101,7 @@ internal sealed class SkinRelief
             float beyond = Math.Max(fv - 0.62f, 0f);
             float squared = (3.0625f * fu * fu) + (6.5f * beyond * beyond);
             float edge = Scalar.Smooth((0.92f - (float)Math.Sqrt(squared)) / 0.1f);
-            if (k == 1 || edge > 0.5f)
+            if (k == 0 || edge > 0.5f)
             {
                 float rib = shaft == 0f ? 0f : shaft * Math.Max(0f, 1f - (400f * fu * fu));
                 return edge * ((0.45f + (0.5f * fv)) * (1f - (1.6f * fu * fu)) - rib);

@@ -1,0 +1,55 @@
+using System;
+using System.Numerics;
+using CreatureGen.Appearance.Textures;
+using Xunit;
+
+namespace CreatureGen.Tests.Appearance;
+
+public sealed class SkinReliefTests
+{
+    // Rows follow each other at 1/1.15 of the size of a scale.
+    private const float Row = 1f / 1.15f;
+
+    [Fact]
+    public void The_rounded_end_of_a_scale_lies_over_the_row_behind_it()
+    {
+        var scales = new SkinRelief(SkinCover.Scales, 1f, 3);
+        float middle = scales.At(new Vector2(0.5f, 1.2f * Row));
+        float between = scales.At(new Vector2(0f, 1.2f * Row));
+
+        // In the middle the end of the scale in front, between two of them the low beginning of the one behind.
+        Assert.Equal(0.45f + (0.5f * 0.8f), middle, 1e-4f);
+        Assert.Equal(0.45f + (0.5f * 0.2f / 1.5f), between, 1e-4f);
+    }
+
+    [Fact]
+    public void A_scale_ends_after_one_and_a_half_rows()
+    {
+        var scales = new SkinRelief(SkinCover.Scales, 1f, 3);
+        float before = scales.At(new Vector2(0.5f, 1.4f * Row));
+        float after = scales.At(new Vector2(0.5f, 1.55f * Row));
+        Assert.True(before > after + 0.2f, $"{before} before the end, {after} behind it");
+    }
+
+    [Theory]
+    [InlineData((int)SkinCover.Wrinkles)]
+    [InlineData((int)SkinCover.Fur)]
+    [InlineData((int)SkinCover.Scales)]
+    [InlineData((int)SkinCover.Feathers)]
+    [InlineData((int)SkinCover.Plates)]
+    public void Every_cover_stays_within_its_amplitude_and_uses_most_of_it(int cover)
+    {
+        var relief = new SkinRelief((SkinCover)cover, 0.04f, 5);
+        float least = float.MaxValue;
+        float most = float.MinValue;
+        for (int i = 0; i < 20000; i++)
+        {
+            float height = relief.At(new Vector2((i % 141) * 0.0031f, (i / 141) * 0.0029f));
+            least = Math.Min(least, height);
+            most = Math.Max(most, height);
+        }
+
+        Assert.InRange(least, 0f, 0.4f);
+        Assert.InRange(most, 0.75f, 1f);
+    }
+}
