@@ -304,8 +304,9 @@ internal sealed class MouthSlit
             for (int k = 0; k < last / 2; k++)
             {
                 int m = last - k;
-                AddBagFace(surface, chart, previous[k], current[k], current[k + 1], previous[k + 1], k, row);
-                AddBagFace(surface, chart, previous[m], previous[m - 1], current[m - 1], current[m], k, row);
+                FaceTexcoords t = CapGrid.CellTexcoords(row, k, BagRows + 1, last / 2, new Vector2(0.1f, 0.05f));
+                AddBagFace(surface, chart, previous[k], current[k], current[k + 1], previous[k + 1], new FaceTexcoords(t.A, t.D, t.C, t.B));
+                AddBagFace(surface, chart, previous[m], previous[m - 1], current[m - 1], current[m], t);
             }
 
             previous = current;
@@ -313,10 +314,8 @@ internal sealed class MouthSlit
     }
 
     /// <summary>Adds a face of the bag, facing into the mouth; at the lip corners it is a triangle.</summary>
-    private static void AddBagFace(SurfaceBuilder surface, int chart, int a, int b, int c, int d, int column, int row)
+    private static void AddBagFace(SurfaceBuilder surface, int chart, int a, int b, int c, int d, FaceTexcoords t)
     {
-        FaceTexcoords t = CapGrid.CellTexcoords(row, column, BagRows + 1, 16, new Vector2(0.1f, 0.05f));
-
         // Reversed: seen from inside the mouth.
         if (a == b)
         {

@@ -133,8 +133,8 @@ internal sealed class TexturePainter
         _ => 0.15f,
     };
 
-    /// <summary>Nose and muzzle are nearly bare.</summary>
-    private static float Muzzle(float ring, short appendage) => appendage >= 0 ? 1f : Scalar.Lerp(0.25f, 1f, Scalar.Smooth((ring - 2f) / 6f));
+    /// <summary>Nose and tip of the muzzle are bare: the rings of the chart run together there.</summary>
+    private static float Muzzle(float ring, short appendage) => appendage >= 0 ? 1f : Scalar.Smooth((ring - 1.5f) / 7f);
 
     private float Roughness(SurfaceRegion region) => region switch
     {
