@@ -171,10 +171,10 @@ internal static class EyeShape
         for (int k = 0; k < sides; k++)
         {
             Vector2 at = chart + (circle[k] * angularRadius);
-            builder.Vertex(SurfacePoint(frame, at, 1.012f, out Vector3 normal), normal, colour);
+            builder.Vertex(SurfacePoint(frame, at, 1.008f, out Vector3 normal), normal, colour);
         }
 
-        int top = builder.Vertex(SurfacePoint(frame, chart, 1.03f, out Vector3 outward), outward, colour);
+        int top = builder.Vertex(SurfacePoint(frame, chart, 1.018f, out Vector3 outward), outward, colour);
         int bottom = builder.Vertex(SurfacePoint(frame, chart, 0.95f, out _), Vector3.Zero - outward, colour);
         builder.Fan(rim, top, sides);
         builder.FanBelow(rim, bottom, sides);

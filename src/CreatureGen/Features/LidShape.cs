@@ -25,10 +25,10 @@ internal enum LidPart
 internal static class LidShape
 {
     // Radii of the shell, in radii of the eyeball: so far out that no flat side of it cuts into the cornea when the lid lies over it. The shut upper lid overlaps the lower at the corners.
-    private const float UpperRadius = 1.18f;
+    private const float UpperRadius = 1.2f;
     private const float LowerRadius = 1.115f;
     private const float EdgeRadius = 1.055f;
-    private const float UpperRim = 1.115f;
+    private const float UpperRim = 1.12f;
     private const float LowerRim = 1.09f;
 
     // Width of the dark rim, radians.
