@@ -29,7 +29,7 @@ internal sealed class Subject
         Palette = new CoatPalette(Blueprint.Coat);
         (Pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(Blueprint, Grown, Palette, Normals);
         EyeFrame eye = FeatureSetter.EyeOf(Blueprint, Grown);
-        RigInput = new RigInput(Blueprint, Grown.Skin, Grown.Surface, Grown.Adjacency, appendages, Grown.Mouth, new EyeSocket(eye.Centre, eye.Gaze, eye.Radius));
+        RigInput = new RigInput(Blueprint, Grown.Skin, Grown.Surface, Grown.Adjacency, appendages, Grown.Mouth, FeatureSetter.SocketOf(Blueprint, eye));
         Rig = CreatureRigger.Build(RigInput);
         Weights = AnatomicalWeights.Solve(RigInput, Rig);
         Coat = new CoatSubject(Shape)

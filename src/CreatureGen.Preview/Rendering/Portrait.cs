@@ -78,7 +78,7 @@ public static class Portrait
         bool any = false;
         for (int i = 0; i < creature.Mesh.Positions.Length; i++)
         {
-            if (creature.Skeleton.Joints[creature.Mesh.Weights[i].Joint0].Role is JointRole.Head or JointRole.Jaw or JointRole.Eye)
+            if (creature.Skeleton.Joints[creature.Mesh.Weights[i].Joint0].Role is JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Lid)
             {
                 Vector3 p = creature.Mesh.Positions[i];
                 var point = new BoundingBox(p, p);

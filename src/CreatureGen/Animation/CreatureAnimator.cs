@@ -5,6 +5,7 @@ using CreatureGen.Animation.Events;
 using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.RootMotion;
+using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -57,7 +58,7 @@ public sealed class CreatureAnimator
         events = new EventQueue((2 * feet * Locomotion.LeggedMotion.MostSteps) + (profile.Flight != null ? FlightDrive.MostBeats : 0));
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
-        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, new Seed(profile.Creature.Blueprint.Seed).Child("glances"), profile.Creature.Mass.Mass);
+        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature.Mass.Mass);
         legs = profile.Legs == null ? null : new Locomotion.LeggedMotion(profile.Legs, profile.Gaits!, events);
         motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs, events)
             : profile.Swim != null ? new SwimDrive(profile.Swim)
@@ -210,6 +211,21 @@ public sealed class CreatureAnimator
         secondary.Rebase(offset);
     }
 
+    /// <summary>Holds the lids, 0 as at rest to 1 shut; null to let the creature blink by itself.</summary>
+    internal void HoldLids(float? shut)
+    {
+        if (attention != null)
+        {
+            attention.Lids = shut;
+        }
+    }
+
+    /// <summary>The habits of an individual: no two of a species look about or blink together.</summary>
+    private static Seed Habits(CreatureBlueprint blueprint)
+    {
+        Seed species = new Seed(blueprint.Seed).Child("glances");
+        return blueprint.Coat.Marks == 0 ? species : species.Child(blueprint.Coat.Marks);
+    }
 
     private void Check(ref float dt, IGround ground)
     {

@@ -7,7 +7,7 @@ using CreatureGen.Seeding;
 
 namespace CreatureGen.Animation;
 
-/// <summary>Where head and eyes look: at what the game says, else about while the creature stands.</summary>
+/// <summary>Where head and eyes look: at what the game says, else about while the creature stands; and when it blinks.</summary>
 internal sealed class HeadAttention
 {
     /// <summary>Leg or body lengths per second above which nobody looks about.</summary>
@@ -16,6 +16,8 @@ internal sealed class HeadAttention
     private readonly GazeRig rig;
     private readonly Seed habits;
     private readonly GazeSettings head;
+    private readonly Eyelids? lids;
+    private readonly float blinkPeriod;
     private GazeState state;
     private double seconds;
 
@@ -26,7 +28,14 @@ internal sealed class HeadAttention
 
         // Big heads turn slowly: 10 s⁻¹ for a cat, 4 for a cow.
         head = new GazeSettings((float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16));
+        lids = Eyelids.Of(rig.Skeleton);
+
+        // Seconds from blink to blink: 4 for a cat, 5 for a dog, 9 for a cow.
+        blinkPeriod = (float)Scalar.Clamp(3 * PortableMath.Pow(mass, 0.165), 2, 12);
     }
+
+    /// <summary>How far the lids are held shut, 0..1; null when the creature blinks by itself.</summary>
+    public float? Lids { get; set; }
 
     /// <summary>Turns head and eyes.</summary>
     /// <param name="target">A point in the world to look at; null for none.</param>
@@ -39,6 +48,7 @@ internal sealed class HeadAttention
     public void Update(Vector3? target, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
     {
         seconds += dt;
+        lids?.Close(Lids ?? Blinks.At(habits.Child("blinks"), seconds, blinkPeriod), local, model);
         GazeTarget wanted = GazeTarget.None;
         if (target is Vector3 point)
         {

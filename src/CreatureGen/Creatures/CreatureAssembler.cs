@@ -40,7 +40,7 @@ public static class CreatureAssembler
         observer?.StageFinished(AssemblyStage.Features);
 
         EyeFrame eye = FeatureSetter.EyeOf(blueprint, grown);
-        var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages, grown.Mouth, new EyeSocket(eye.Centre, eye.Gaze, eye.Radius));
+        var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages, grown.Mouth, FeatureSetter.SocketOf(blueprint, eye));
         Rig rig = CreatureRigger.Build(input);
         FinishedRig finished = rig.Scaled(scale);
         observer?.StageFinished(AssemblyStage.Rig);

@@ -51,6 +51,25 @@ internal sealed class FeatureSetter
         return EyeFrame.On(grown.Skin.At(eye.Ring, eye.Segment), eye, grown.Skin.Shape.Forward((int)eye.Ring), 1f);
     }
 
+    /// <summary>The left eye as the rig sees it.</summary>
+    public static EyeSocket SocketOf(CreatureBlueprint blueprint, in EyeFrame frame)
+    {
+        EyeBlueprint eye = blueprint.Head.Eyes;
+        return new EyeSocket(frame.Centre, frame.Gaze, frame.Radius)
+        {
+            Lids = !HasLids(blueprint) ? null : new LidHinge(
+                LidShape.Hinge(frame, eye),
+                LidShape.RimDirection(frame, eye, LidPart.Upper),
+                LidShape.RimDirection(frame, eye, LidPart.Lower),
+                LidShape.Closing(eye, LidPart.Upper),
+                LidShape.Closing(eye, LidPart.Lower)),
+        };
+    }
+
+    /// <summary>Whether the eyes of a creature can be shut: not those of insects.</summary>
+    private static bool HasLids(CreatureBlueprint blueprint) =>
+        blueprint.Head.Eyes.Style is EyeStyle.Round or EyeStyle.Slit && BaseBodies.Find(blueprint.Body.Blend.First).Family != "insect";
+
     /// <summary>All pieces, and the appendages of the creature with those of antennae and insect wings behind them.</summary>
     public static (IReadOnlyList<Piece> Pieces, IReadOnlyList<Appendage> Appendages) Set(CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette, Vector3[] normals)
     {
@@ -77,7 +96,15 @@ internal sealed class FeatureSetter
         EyeBlueprint eye = blueprint.Head.Eyes;
         EyeFrame frame = EyeOf(blueprint, grown);
         builder.Clear(SurfaceFinish.Eye);
-        EyeShape.Append(builder, frame, eye.Style, palette.Iris);
+        if (HasLids(blueprint))
+        {
+            EyeShape.Append(builder, frame, eye.Style, palette.Iris, palette.Lid * 0.8f);
+        }
+        else
+        {
+            EyeShape.Append(builder, frame, eye.Style, palette.Iris);
+        }
+
         Piece left = builder.ToPiece(MaterialKind.Skin);
         left.JointName = "Eye_L";
         left.Attention = eye.Style == EyeStyle.Compound ? 1f : EyeAttention;
@@ -85,14 +112,23 @@ internal sealed class FeatureSetter
         Piece right = PieceMirror.Mirror(left);
         right.JointName = "Eye_R";
         pieces.Add(right);
-        if (eye.Style is EyeStyle.Round or EyeStyle.Slit && family != "insect")
+        if (HasLids(blueprint))
         {
-            builder.Clear();
-            LidShape.Append(builder, frame, eye, LidPart.Upper, palette.Lid);
-            LidShape.Append(builder, frame, eye, LidPart.Lower, palette.Lid);
-            builder.AppendMirrored(0, 0);
-            AddRigid("Head");
+            AddLid(frame, LidPart.Upper, "UpperLid_");
+            AddLid(frame, LidPart.Lower, "LowerLid_");
         }
+    }
+
+    private void AddLid(in EyeFrame frame, LidPart part, string joint)
+    {
+        builder.Clear();
+        LidShape.Append(builder, frame, blueprint.Head.Eyes, part, palette.Lid);
+        Piece left = builder.ToPiece(MaterialKind.Skin);
+        left.JointName = joint + "L";
+        pieces.Add(left);
+        Piece right = PieceMirror.Mirror(left);
+        right.JointName = joint + "R";
+        pieces.Add(right);
     }
 
     private void AddNostrils()

@@ -26,7 +26,7 @@ internal static class EyeShape
     private const float IrisEdge = 0.86f;
     private const float LimbusEdge = 0.98f;
     private const float RimEdge = 1.13f;
-    private const float BackRing = 2.0f;
+    private const float BackRing = 1.85f;
     private const float CorneaEdge = 1.0f;
 
     private static readonly Vector3 pupilColour = new(0.006f, 0.006f, 0.008f);
@@ -38,7 +38,15 @@ internal static class EyeShape
     /// <param name="frame">Place, size and gaze.</param>
     /// <param name="style">How the eye is made.</param>
     /// <param name="iris">Linear RGB of the iris, or of the facets.</param>
-    public static void Append(PieceBuilder builder, in EyeFrame frame, EyeStyle style, Vector3 iris)
+    public static void Append(PieceBuilder builder, in EyeFrame frame, EyeStyle style, Vector3 iris) => Append(builder, frame, style, iris, rimColour);
+
+    /// <summary>Appends the left eye.</summary>
+    /// <param name="builder">Where the eye goes.</param>
+    /// <param name="frame">Place, size and gaze.</param>
+    /// <param name="style">How the eye is made.</param>
+    /// <param name="iris">Linear RGB of the iris, or of the facets.</param>
+    /// <param name="back">Linear RGB of the back of the ball, which shows behind shut lids where an eye stands far out.</param>
+    public static void Append(PieceBuilder builder, in EyeFrame frame, EyeStyle style, Vector3 iris, Vector3 back)
     {
         if (style == EyeStyle.Compound)
         {
@@ -53,12 +61,12 @@ internal static class EyeShape
             return;
         }
 
-        AppendBall(builder, frame, style, iris);
+        AppendBall(builder, frame, style, iris, back);
         AppendGlint(builder, frame, new Vector2(-0.20f, 0.40f), 0.19f, 10, Vector3.One);
         AppendGlint(builder, frame, new Vector2(0.26f, -0.42f), 0.085f, 8, Vec.Lerp(iris, Vector3.One, 0.55f));
     }
 
-    private static void AppendBall(PieceBuilder builder, in EyeFrame frame, EyeStyle style, Vector3 iris)
+    private static void AppendBall(PieceBuilder builder, in EyeFrame frame, EyeStyle style, Vector3 iris, Vector3 socket)
     {
         Span<Vector2> pupil = stackalloc Vector2[Segments];
         Span<Vector2> inner = stackalloc Vector2[Segments];
@@ -100,9 +108,9 @@ internal static class EyeShape
         b = Ring(builder, frame, ring, rimColour, rimColour, 0f);
         builder.Band(b, a, Segments);
         Scale(circle, BackRing, ring);
-        c = Ring(builder, frame, ring, rimColour, rimColour, 0f);
+        c = Ring(builder, frame, ring, socket, socket, 0f);
         builder.Band(c, b, Segments);
-        int back = builder.Vertex(frame.Centre - (frame.Gaze * frame.Radius), Vector3.Zero - frame.Gaze, rimColour);
+        int back = builder.Vertex(frame.Centre - (frame.Gaze * frame.Radius), Vector3.Zero - frame.Gaze, socket);
         builder.FanBelow(c, back, Segments);
     }
 
@@ -163,10 +171,10 @@ internal static class EyeShape
         for (int k = 0; k < sides; k++)
         {
             Vector2 at = chart + (circle[k] * angularRadius);
-            builder.Vertex(SurfacePoint(frame, at, 1.012f, out Vector3 normal), normal, colour);
+            builder.Vertex(SurfacePoint(frame, at, 1.008f, out Vector3 normal), normal, colour);
         }
 
-        int top = builder.Vertex(SurfacePoint(frame, chart, 1.03f, out Vector3 outward), outward, colour);
+        int top = builder.Vertex(SurfacePoint(frame, chart, 1.018f, out Vector3 outward), outward, colour);
         int bottom = builder.Vertex(SurfacePoint(frame, chart, 0.95f, out _), Vector3.Zero - outward, colour);
         builder.Fan(rim, top, sides);
         builder.FanBelow(rim, bottom, sides);

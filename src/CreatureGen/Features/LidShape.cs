@@ -24,17 +24,25 @@ internal enum LidPart
 /// </remarks>
 internal static class LidShape
 {
-    // Radii of the shell, in radii of the eyeball. The upper lid overlaps the lower at the corners.
-    private const float UpperRadius = 1.16f;
-    private const float LowerRadius = 1.13f;
-    private const float InnerRadius = 1.015f;
-    private const float RimThickness = 0.065f;
+    // Radii of the shell, in radii of the eyeball: so far out that no flat side of it cuts into the cornea when the lid lies over it. The shut upper lid overlaps the lower at the corners.
+    private const float UpperRadius = 1.2f;
+    private const float LowerRadius = 1.115f;
+    private const float EdgeRadius = 1.055f;
+    private const float UpperRim = 1.12f;
+    private const float LowerRim = 1.09f;
 
     // Width of the dark rim, radians.
     private const float RimWidth = 0.05f;
 
     // How far the shell goes around the hinge, radians from the gaze: far enough to stay below the skin in a blink.
-    private const float Back = 2.5f;
+    private const float UpperBack = 3.7f;
+    private const float LowerBack = 2.9f;
+
+    /// <summary>Share of the lower opening that the upper lid closes: it comes down far, the lower one comes up a little.</summary>
+    private const float UpperShare = 0.35f;
+
+    // How far shut lids overlap between the corners, radians.
+    private const float Overlap = 0.12f;
 
     // Where the shell ends along the hinge, radians of latitude.
     private const float EndLatitude = 1.50f;
@@ -45,8 +53,24 @@ internal static class LidShape
     private const int Columns = OpeningColumns + 2;
     private const int Profile = 6;
 
+    // Where the rows behind the rim lie, as shares of the way from the rim to the back.
+    private const float FirstRow = 0.22f;
+    private const float SecondRow = 0.55f;
+
     /// <summary>The unit axis through <see cref="EyeFrame.Centre"/> about which the lids of the left eye turn.</summary>
     public static Vector3 Hinge(in EyeFrame frame, EyeBlueprint eye) => frame.Rolled(eye.LidTilt).Outward;
+
+    /// <summary>How far a lid turns about the hinge until the eye is shut, radians, not negative.</summary>
+    public static float Closing(EyeBlueprint eye, LidPart part) => part == LidPart.Upper
+        ? Opening(eye.UpperLid) + (UpperShare * Opening(eye.LowerLid)) + Overlap
+        : (1f - UpperShare) * Opening(eye.LowerLid);
+
+    /// <summary>Unit direction from the centre of the eye to the middle of a lid's rim at rest.</summary>
+    public static Vector3 RimDirection(in EyeFrame frame, EyeBlueprint eye, LidPart part)
+    {
+        float angle = part == LidPart.Upper ? Opening(eye.UpperLid) : -Opening(eye.LowerLid);
+        return (frame.Gaze * (float)PortableMath.Cos(angle)) + (frame.Rolled(eye.LidTilt).Up * (float)PortableMath.Sin(angle));
+    }
 
     /// <summary>Appends a lid of the left eye.</summary>
     /// <param name="builder">Where the lid goes.</param>
@@ -57,32 +81,37 @@ internal static class LidShape
     public static void Append(PieceBuilder builder, in EyeFrame frame, EyeBlueprint eye, LidPart part, Vector3 skin)
     {
         EyeFrame rolled = frame.Rolled(eye.LidTilt);
-        float upper = Scalar.Clamp((float)eye.UpperLid, 0.05f, LargestOpening);
-        float lower = Scalar.Clamp((float)eye.LowerLid, 0.05f, LargestOpening);
+        float upper = Opening(eye.UpperLid);
+        float lower = Opening(eye.LowerLid);
         float corner = Scalar.Clamp(Math.Max(upper, lower) + CornerMargin, 0.6f, LargestOpening);
-        float sign = part == LidPart.Upper ? 1f : -1f;
-        float opening = part == LidPart.Upper ? upper : lower;
-        float outer = part == LidPart.Upper ? UpperRadius : LowerRadius;
+        bool above = part == LidPart.Upper;
+        float sign = above ? 1f : -1f;
+        float opening = above ? upper : lower;
+        float outer = above ? UpperRadius : LowerRadius;
+        float rim = above ? UpperRim : LowerRim;
+        float back = above ? UpperBack : LowerBack;
         int first = builder.VertexCount;
-        float lift = part == LidPart.Upper ? 0.02f : 0f;
         Vector3 liner = skin * 0.10f;
         for (int k = 0; k <= Columns; k++)
         {
             // Columns run counter-clockwise about the gaze: outer to inner corner above, inner to outer below.
             ColumnEdge(k, corner, opening, sign, out float latitude, out float edge);
             bool seam = k == 0 || k == Columns;
-            Vector3 rim = seam ? skin * 0.5f : liner;
-            AddPoint(builder, rolled, latitude, edge + RimWidth, sign, InnerRadius, rim);
-            AddPoint(builder, rolled, latitude, edge - 0.015f, sign, InnerRadius + (0.6f * RimThickness), rim);
-            AddPoint(builder, rolled, latitude, edge + RimWidth, sign, InnerRadius + RimThickness + lift, rim);
-            AddPoint(builder, rolled, latitude, edge + RimWidth, sign, InnerRadius + RimThickness + lift, skin * 0.72f);
-            AddPoint(builder, rolled, latitude, edge + (0.5f * (Back - edge)), sign, outer, skin);
-            AddPoint(builder, rolled, latitude, Back, sign, outer - 0.04f, skin);
+            Vector3 dark = seam ? skin * 0.5f : liner;
+            float start = edge + RimWidth;
+            AddPoint(builder, rolled, latitude, edge - 0.015f, sign, EdgeRadius, dark);
+            AddPoint(builder, rolled, latitude, start, sign, rim, dark);
+            AddPoint(builder, rolled, latitude, start, sign, rim, skin * 0.72f);
+            AddPoint(builder, rolled, latitude, start + (FirstRow * (back - start)), sign, outer, skin);
+            AddPoint(builder, rolled, latitude, start + (SecondRow * (back - start)), sign, outer, skin);
+            AddPoint(builder, rolled, latitude, back, sign, outer - 0.04f, skin);
         }
 
         AppendFaces(builder, first);
         SetNormals(builder, first);
     }
+
+    private static float Opening(double angle) => Scalar.Clamp((float)angle, 0.05f, LargestOpening);
 
     private static void ColumnEdge(int column, float corner, float opening, float sign, out float latitude, out float edge)
     {
@@ -124,9 +153,9 @@ internal static class LidShape
             int next = here + Profile;
             for (int i = 0; i < Profile; i++)
             {
-                // Rows 2 and 3 are the two sides of the edge between rim and skin.
+                // Rows 1 and 2 are the two sides of the edge between rim and skin.
                 int j = i == Profile - 1 ? 0 : i + 1;
-                if (i != 2)
+                if (i != 1)
                 {
                     builder.Quad(here + j, next + j, next + i, here + i);
                 }
@@ -134,8 +163,8 @@ internal static class LidShape
         }
 
         int last = first + (Columns * Profile);
-        AppendEnd(builder, first, first + 5, first + 4, first + 2, first + 1);
-        AppendEnd(builder, last, last + 1, last + 2, last + 4, last + 5);
+        AppendEnd(builder, first, first + 5, first + 4, first + 3, first + 1);
+        AppendEnd(builder, last, last + 1, last + 3, last + 4, last + 5);
     }
 
     private static void AppendEnd(PieceBuilder builder, int a, int b, int c, int d, int e)
@@ -154,8 +183,8 @@ internal static class LidShape
             int right = first + (Math.Min(k + 1, Columns) * Profile);
             for (int i = 0; i < Profile; i++)
             {
-                int towards = i == 0 ? Profile - 1 : i == 3 ? 1 : i - 1;
-                int away = i == Profile - 1 ? 0 : i == 2 ? 4 : i + 1;
+                int towards = i == 0 ? Profile - 1 : i == 2 ? 0 : i - 1;
+                int away = i == Profile - 1 ? 0 : i == 1 ? 3 : i + 1;
                 Vector3 across = builder.Position(right + i) - builder.Position(left + i);
                 Vector3 along = builder.Position(here + towards) - builder.Position(here + away);
                 Vector3 normal = Vec.Cross(across / Vec.Length(across), along / Vec.Length(along));

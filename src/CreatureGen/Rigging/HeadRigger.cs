@@ -5,11 +5,14 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Rigging;
 
-/// <summary>Gives the head its jaw and its eyes.</summary>
+/// <summary>Gives the head its jaw, its eyes and their lids.</summary>
 internal static class HeadRigger
 {
     /// <summary>Segment of the mouth slit on the left flank.</summary>
     private const int SlitSegment = 10;
+
+    /// <summary>How much wider than at rest lids open, radians.</summary>
+    private const float Widening = 0.2f;
 
     /// <summary>Adds the jaw, which turns about the line through both flanks behind the lip corners, and gives its joint; −1 without a mouth.</summary>
     public static int AddJaw(SkeletonBuilder skeleton, RigInput input, int head)
@@ -43,5 +46,23 @@ internal static class HeadRigger
             new("Eye_L_End", JointRole.End, eye.Centre + (eye.Gaze * eye.Radius), frame, 0f, JointLimit.Fixed),
         };
         skeleton.AddPair(head, left, new[] { "Eye_R", "Eye_R_End" });
+        if (eye.Lids is LidHinge lids)
+        {
+            AddLids(skeleton, head, "UpperLid", eye, lids.Axis, lids.UpperRim, new AngleRange(-Widening, lids.UpperClosing));
+            AddLids(skeleton, head, "LowerLid", eye, lids.Axis, lids.LowerRim, new AngleRange(-lids.LowerClosing, Widening));
+        }
+    }
+
+    /// <summary>Adds a lid of both eyes; +X of its joint is the hinge, +Y points at its rim.</summary>
+    private static void AddLids(SkeletonBuilder skeleton, int head, string name, EyeSocket eye, Vector3 axis, Vector3 rim, AngleRange turns)
+    {
+        Quaternion frame = Rotation.FromBasis(axis, rim, Vec.Cross(axis, rim));
+        var limit = new JointLimit(turns, AngleRange.Both(0f), AngleRange.Both(0f));
+        JointDraft[] left =
+        {
+            new(name + "_L", JointRole.Lid, eye.Centre, frame, eye.Radius, limit),
+            new(name + "_L_End", JointRole.End, eye.Centre + (rim * eye.Radius), frame, 0f, JointLimit.Fixed),
+        };
+        skeleton.AddPair(head, left, new[] { name + "_R", name + "_R_End" });
     }
 }

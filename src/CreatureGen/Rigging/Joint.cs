@@ -33,6 +33,9 @@ public enum JointRole
     /// <summary>Eyeball; local +Z of the model is its gaze at rest.</summary>
     Eye,
 
+    /// <summary>Eyelid: turns about local X to the end of its range until the eye is shut.</summary>
+    Lid,
+
     /// <summary>Tail.</summary>
     Tail,
 

@@ -22,6 +22,37 @@ internal readonly struct EyeSocket
     public Vector3 Gaze { get; }
 
     public float Radius { get; }
+
+    /// <summary>Its lids; null for an eye without.</summary>
+    public LidHinge? Lids { get; init; }
+}
+
+/// <summary>The lids of the left eye. Both turn about one axis through its centre.</summary>
+internal readonly struct LidHinge
+{
+    public LidHinge(Vector3 axis, Vector3 upperRim, Vector3 lowerRim, float upperClosing, float lowerClosing)
+    {
+        Axis = axis;
+        UpperRim = upperRim;
+        LowerRim = lowerRim;
+        UpperClosing = upperClosing;
+        LowerClosing = lowerClosing;
+    }
+
+    /// <summary>Unit, towards the outer corner of the eye.</summary>
+    public Vector3 Axis { get; }
+
+    /// <summary>Unit direction from the eye's centre to the middle of the upper rim at rest; at right angles to the axis.</summary>
+    public Vector3 UpperRim { get; }
+
+    /// <summary>The same of the lower rim.</summary>
+    public Vector3 LowerRim { get; }
+
+    /// <summary>Radians about the axis that shut the upper lid.</summary>
+    public float UpperClosing { get; }
+
+    /// <summary>Radians against the axis that shut the lower lid.</summary>
+    public float LowerClosing { get; }
 }
 
 /// <summary>What a rig and its weights are made from: the finished surface and what is known of its anatomy. Everything at scale 1.</summary>

@@ -45,7 +45,7 @@ internal static class BoneCapsules
             Joint joint = skeleton.Joints[j];
             int source = joint.Side == Side.Right ? skeleton.Mirrors[j] : j;
             int count = start[source + 1] - start[source];
-            if (count < FewestVertices)
+            if (count < FewestVertices || joint.Role == JointRole.Lid)
             {
                 continue;
             }

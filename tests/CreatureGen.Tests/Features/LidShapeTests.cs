@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using System;
@@ -55,20 +56,61 @@ public sealed class LidShapeTests
         Assert.True(Covers(top, ahead.Direction(new Vector2(0.5f, 1.2f))));
     }
 
+    public static TheoryData<double, double, double> Moods => new() { { 0.95, 1.15, 0 }, { 0.6, 1.1, 0.4 }, { 1.2, 1.25, -0.4 }, { 0.7, 0.7, 0.2 }, { 1.25, 0.9, 0 } };
+
+    [Theory]
+    [MemberData(nameof(Moods))]
+    public void Shut_lids_cover_the_whole_front_of_the_eyeball(double upper, double lower, double tilt)
+    {
+        EyeBlueprint eye = calm with { UpperLid = upper, LowerLid = lower, LidTilt = tilt };
+        Piece top = Shut(eye, LidPart.Upper, 1);
+        Piece bottom = Shut(eye, LidPart.Lower, 1);
+        foreach (Vector3 look in Front(1.2f))
+        {
+            Assert.True(Covers(top, look) || Covers(bottom, look), FormattableString.Invariant($"{look} is covered"));
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Moods))]
+    public void Moving_lids_never_let_the_eyeball_through(double upper, double lower, double tilt)
+    {
+        EyeBlueprint eye = calm with { UpperLid = upper, LowerLid = lower, LidTilt = tilt };
+        var builder = new PieceBuilder();
+        EyeShape.Append(builder, ahead, EyeStyle.Round, Vector3.One);
+        Piece ball = builder.ToPiece(MaterialKind.Skin);
+        for (int step = 0; step <= 4; step++)
+        {
+            Piece top = Shut(eye, LidPart.Upper, step / 4f);
+            Piece bottom = Shut(eye, LidPart.Lower, step / 4f);
+            foreach (Vector3 look in Front(1.1f))
+            {
+                float lid = Math.Max(Farthest(top, look), Farthest(bottom, look));
+                float eyeball = Farthest(ball, look);
+                Assert.True(lid == 0f || lid > eyeball - 0.01f, FormattableString.Invariant($"step {step}, {look}: lid at {lid}, ball at {eyeball}"));
+            }
+        }
+    }
+
     [Fact]
-    public void A_turn_about_the_hinge_blinks()
+    public void Half_shut_lids_cover_half_of_the_pupil()
+    {
+        Piece top = Shut(calm, LidPart.Upper, 0.5f);
+        Assert.True(Covers(top, ahead.Direction(new Vector2(0f, 0.4f))));
+        Assert.False(Covers(top, ahead.Direction(new Vector2(0f, -0.3f))));
+    }
+
+    [Fact]
+    public void The_rim_of_a_lid_lies_in_its_direction()
     {
         EyeBlueprint eye = calm with { LidTilt = 0.3 };
-        Vector3 hinge = LidShape.Hinge(ahead, eye);
-        Piece top = Build(eye, LidPart.Upper, ahead);
-        for (int v = 0; v < top.Positions.Length; v++)
+        foreach (LidPart part in new[] { LidPart.Upper, LidPart.Lower })
         {
-            top.Positions[v] = Vec.Rotate(top.Positions[v], hinge, 1.5);
-        }
-
-        foreach ((float x, float y) in new[] { (0f, 0f), (0.5f, 0.2f), (-0.5f, 0f), (0f, 0.9f), (0f, -0.4f) })
-        {
-            Assert.True(Covers(top, ahead.Direction(new Vector2(x, y))), FormattableString.Invariant($"({x}, {y}) is covered"));
+            Vector3 rim = LidShape.RimDirection(ahead, eye, part);
+            Assert.Equal(1f, rim.Length(), 1e-5f);
+            Assert.Equal(0f, Vector3.Dot(rim, LidShape.Hinge(ahead, eye)), 1e-5f);
+            Assert.Equal(part == LidPart.Upper, Vector3.Dot(rim, Vector3.UnitY) > 0f);
+            Assert.Contains(Build(eye, part, ahead).Positions, p => Vector3.Distance(Vector3.Normalize(p), rim) < 0.03f);
         }
     }
 
@@ -100,6 +142,46 @@ public sealed class LidShapeTests
         var builder = new PieceBuilder();
         LidShape.Append(builder, frame, eye, part, new Vector3(0.4f, 0.3f, 0.2f));
         return builder.ToPiece(MaterialKind.Skin);
+    }
+
+    /// <summary>A lid turned by a share of its closing angle.</summary>
+    private static Piece Shut(EyeBlueprint eye, LidPart part, float share)
+    {
+        Piece lid = Build(eye, part, ahead);
+        double turn = share * LidShape.Closing(eye, part) * (part == LidPart.Upper ? 1 : -1);
+        for (int v = 0; v < lid.Positions.Length; v++)
+        {
+            lid.Positions[v] = Vec.Rotate(lid.Positions[v], LidShape.Hinge(ahead, eye), turn);
+        }
+
+        return lid;
+    }
+
+    private static IEnumerable<Vector3> Front(float angle)
+    {
+        for (int ring = 0; ring <= 8; ring++)
+        {
+            for (int k = 0; k < 24; k++)
+            {
+                double around = Math.Tau * (k + 0.37) / 24;
+                yield return ahead.Direction(new Vector2((float)Math.Cos(around), (float)Math.Sin(around)) * (angle * ring / 8f));
+            }
+        }
+    }
+
+    /// <summary>Where a ray from the centre leaves a piece, 0 when it misses it.</summary>
+    private static float Farthest(Piece piece, Vector3 direction)
+    {
+        float farthest = 0f;
+        for (int t = 0; t < piece.Triangles.Length; t += 3)
+        {
+            if (RayCast.Hit(Vector3.Zero, direction, piece.Positions[piece.Triangles[t]], piece.Positions[piece.Triangles[t + 1]], piece.Positions[piece.Triangles[t + 2]], out float distance, out _, out _))
+            {
+                farthest = Math.Max(farthest, distance);
+            }
+        }
+
+        return farthest;
     }
 
     private static bool Covers(Piece lid, Vector3 direction)

@@ -33,6 +33,10 @@ public static class Blinks
             x -= Length;
         }
 
-        return (float)(x < Closing ? Scalar.Smooth(x / Closing) : 1 - Scalar.Smooth((x - Closing - Shut) / Opening));
+        return Once(x);
     }
+
+    /// <summary>How far lids are shut in a single blink, so many seconds after it began; 0 before and after it.</summary>
+    internal static float Once(double seconds) =>
+        (float)(seconds < Closing ? Scalar.Smooth(seconds / Closing) : 1 - Scalar.Smooth((seconds - Closing - Shut) / Opening));
 }

@@ -40,6 +40,7 @@ internal sealed class RecordedCycle
 
             if (frame < frames)
             {
+                motion.Blink((frame + 1) * step);
                 motion.Advance(step);
                 speed += animator.Speed / frames;
             }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Animation.Aiming;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Maths;
 
@@ -9,6 +10,9 @@ internal sealed class SteadyMotion
 {
     /// <summary>Seconds of a movement that has no cycle.</summary>
     public const float IdleSeconds = 4f;
+
+    /// <summary>Seconds into a movement without a cycle at which the eyes blink.</summary>
+    private const float BlinkAt = 1.4f;
 
     private const float MeasureStep = 1f / 480f;
     private const float LongestCycle = 6f;
@@ -22,6 +26,7 @@ internal sealed class SteadyMotion
         this.movement = movement;
         this.ground = ground;
         Animator = movement.Begin(profile, ground);
+        Animator.HoldLids(0f);
     }
 
     /// <summary>What moves it.</summary>
@@ -44,6 +49,9 @@ internal sealed class SteadyMotion
         Animator.LookAt = Animator.Root.Position + Rotation.Rotate(Animator.Root.Rotation, new Vector3(0f, height, 100f * height));
         Animator.Update(step, movement.Input, ground);
     }
+
+    /// <summary>Holds the lids as they are so many seconds into a recording: one blink of a creature that stands, none in a cycle, where it would come at every round.</summary>
+    public void Blink(float seconds) => Animator.HoldLids(movement.IsCyclic ? 0f : Blinks.Once(seconds - BlinkAt));
 
     /// <summary>Goes on to the next beginning of the cycle and from there to the one after.</summary>
     /// <returns>Seconds between the two; <see cref="IdleSeconds"/> where nothing repeats.</returns>

@@ -93,8 +93,8 @@ public sealed class MotionRecorder
             if (frames > 0 && dt > 0f)
             {
                 float angle = (float)Rotation.Angle(Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(before[j]), rotations[j])));
-                change += angle * angle;
-                fastest = joint.Role is JointRole.Tail or JointRole.Ear or JointRole.Antenna ? fastest : Math.Max(fastest, angle / dt);
+                change += joint.Role == JointRole.Lid ? 0 : angle * angle;
+                fastest = joint.Role is JointRole.Lid or JointRole.Tail or JointRole.Ear or JointRole.Antenna ? fastest : Math.Max(fastest, angle / dt);
             }
 
             before[j] = rotations[j];

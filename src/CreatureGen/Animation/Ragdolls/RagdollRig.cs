@@ -108,7 +108,7 @@ public sealed class RagdollRig
         {
             Joint joint = skeleton.Joints[i];
             int parent = Math.Max(joint.Parent, body);
-            bool turns = joint.Limit != JointLimit.Fixed && joint.Role is not (JointRole.End or JointRole.Girdle or JointRole.Eye or JointRole.Jaw or JointRole.Ear or JointRole.Antenna or JointRole.Fin);
+            bool turns = joint.Limit != JointLimit.Fixed && joint.Role is not (JointRole.End or JointRole.Girdle or JointRole.Eye or JointRole.Lid or JointRole.Jaw or JointRole.Ear or JointRole.Antenna or JointRole.Fin);
             if (turns && solid[i] && !firstIsSolid)
             {
                 // A body joint without skin of its own is one with the first that has some.
