@@ -84,24 +84,36 @@ public static class SwingTwistLimit
     /// <summary>Whether a turn is certainly within its limit, from bounds of its angles that cost no inverse function.</summary>
     private static bool IsWellWithin(Quaternion turn, JointLimit limit)
     {
-        // |(x, z)| is the sine of half the swing; y over the length of (y, w) that of half the twist.
-        float across = (turn.X * turn.X) + (turn.Z * turn.Z);
-        float along = (turn.Y * turn.Y) + (turn.W * turn.W);
-        if (across > 0.25f || turn.Y * turn.Y > 0.25f * along)
+        if (!TryBound(turn, out float x, out float z, out float twist))
         {
             return false;
         }
 
-        float inverse = 1f / (float)Math.Sqrt(along);
-        float sign = turn.W < 0f ? -inverse : inverse;
-        float twist = AnglePerHalfSine * sign * turn.Y;
-        float x = AnglePerHalfSine * sign * ((turn.X * turn.W) + (turn.Z * turn.Y));
-        float z = AnglePerHalfSine * sign * ((turn.Z * turn.W) - (turn.X * turn.Y));
         float a = x < 0f ? limit.SwingX.Min : limit.SwingX.Max;
         float b = z < 0f ? limit.SwingZ.Min : limit.SwingZ.Max;
         float aa = a * a;
         float bb = b * b;
         return twist >= limit.Twist.Min && twist <= limit.Twist.Max && (x * x * bb) + (z * z * aa) < aa * bb;
+    }
+
+    /// <summary>Bounds of the angles of a turn that is not large, without an inverse function: of their signs, and no nearer to 0 than they are.</summary>
+    internal static bool TryBound(Quaternion turn, out float x, out float z, out float twist)
+    {
+        // |(x, z)| is the sine of half the swing; y over the length of (y, w) that of half the twist.
+        float across = (turn.X * turn.X) + (turn.Z * turn.Z);
+        float along = (turn.Y * turn.Y) + (turn.W * turn.W);
+        if (across > 0.25f || turn.Y * turn.Y > 0.25f * along)
+        {
+            x = z = twist = 0f;
+            return false;
+        }
+
+        float inverse = 1f / (float)Math.Sqrt(along);
+        float sign = turn.W < 0f ? -inverse : inverse;
+        twist = AnglePerHalfSine * sign * turn.Y;
+        x = AnglePerHalfSine * sign * ((turn.X * turn.W) + (turn.Z * turn.Y));
+        z = AnglePerHalfSine * sign * ((turn.Z * turn.W) - (turn.X * turn.Y));
+        return true;
     }
 
     /// <summary>The parts of a turn: swing as axis times angle across local Y, then twist, radians.</summary>

@@ -151,7 +151,7 @@ internal sealed class BodyPlacer
             PelvisYaw = pelvisYaw,
             PelvisPitch = lean - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,
-            BendYaw = chestYaw - pelvisYaw,
+            BendYaw = Scalar.Clamp(chestYaw - pelvisYaw, -body.MostBendYaw, body.MostBendYaw),
             BendPitch = flexion,
             BendRoll = chestRoll - pelvisRoll,
             ChestPitch = -0.3f * lean,

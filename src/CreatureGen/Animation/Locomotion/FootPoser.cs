@@ -74,7 +74,7 @@ internal static class FootPoser
 
         foot.Heading = heading;
         foot.Normal = normal;
-        float pitch = (FootRoll.Pitch(foot, leg.Traits, gait.Duty) * gait.Activity) + gait.RestPitch;
+        float pitch = (FootRoll.Pitch(foot, leg, gait.Duty) * gait.Activity) + gait.RestPitch;
         Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitTurn.FromTo(Vector3.UnitY, normal), heading) : heading;
         pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, Rotation.FromAxisAngle(leg.RollAxis, pitch));
         Vector3 ball;

@@ -24,29 +24,31 @@ internal static class FootRoll
 
     /// <summary>Pitch of a foot, radians, toes down.</summary>
     /// <param name="foot">Its place in the cycle.</param>
-    /// <param name="traits">Its build.</param>
+    /// <param name="leg">Its build.</param>
     /// <param name="duty">Part of the cycle that it is down.</param>
-    public static float Pitch(in Foot foot, LegTraits traits, float duty)
+    public static float Pitch(in Foot foot, LegShape leg, float duty)
     {
+        LegTraits traits = leg.Traits;
+        float off = traits.ToeOff * leg.RollShare;
         if (foot.Phase == FootPhase.Stance)
         {
             float rise = Scalar.Clamp((foot.Stance - HeelRise) / (1f - HeelRise), 0f, 1f);
-            return (traits.ToeOff * rise * rise) + (traits.Strike * (1f - Scalar.Smooth(foot.Stance / FlatFrom)));
+            return (off * rise * rise) + (traits.Strike * (1f - Scalar.Smooth(foot.Stance / FlatFrom)));
         }
 
         float u = foot.Swing;
+        float peak = traits.SwingPitch * leg.RollShare;
         if (u >= PeakAt)
         {
-            return traits.SwingPitch + ((traits.Strike - traits.SwingPitch) * Scalar.Smooth((u - PeakAt) / 0.58f));
+            return peak + ((traits.Strike - peak) * Scalar.Smooth((u - PeakAt) / 0.58f));
         }
 
         // Hermite from the end of stance, with its rate, to the peak.
         float x = u / PeakAt;
-        float off = traits.ToeOff;
         float rate = 2f * off / ((1f - HeelRise) * duty) * (1f - duty) * PeakAt;
-        rate = Math.Min(rate, (3f * (traits.SwingPitch - off)) + (0.5f * off));
+        rate = Math.Min(rate, (3f * (peak - off)) + (0.5f * off));
         float y = 1f - x;
-        return (off * (1f + (2f * x)) * y * y) + (rate * x * y * y) + (traits.SwingPitch * x * x * (3f - (2f * x)));
+        return (off * (1f + (2f * x)) * y * y) + (rate * x * y * y) + (peak * x * x * (3f - (2f * x)));
     }
 
     /// <summary>Fold of the metatarsus beyond its link to the thigh, radians.</summary>

@@ -60,7 +60,7 @@ internal sealed class LegPoser
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
-        LegSolver.Solve(leg, pose.Upper, chord, side, slack, out LegTurns solved);
+        LegSolver.Solve(leg, pose.Upper, chord, side, slack, foot.Phase, out LegTurns solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Slide(local, leg.Girdle, slide);
@@ -81,6 +81,7 @@ internal sealed class LegPoser
         if (foot.Phase == FootPhase.Swing)
         {
             // In the air the foot gives way to the limits of its joints.
+            local.Rotations[leg.Hip] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Hip], leg.HipJoint);
             local.Rotations[leg.Ankle] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ankle], leg.AnkleJoint);
             local.Rotations[leg.Ball] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ball], leg.BallJoint);
         }

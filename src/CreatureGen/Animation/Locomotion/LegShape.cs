@@ -25,6 +25,9 @@ internal sealed class LegShape
 
     private const float SprawlFollow = 0.4f;
 
+    /// <summary>How high the ball rises at most as the foot rolls over the tip of its toes, leg lengths: on the long toes of raptors and ducks a full roll would fold the leg up.</summary>
+    private const float HighestRoll = 0.16f;
+
     /// <summary>How far legs out to the side sweep ahead and back (tan 36°).</summary>
     private const float SweepTangent = 0.72f;
 
@@ -67,6 +70,8 @@ internal sealed class LegShape
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
+        double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
+        RollShare = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
         FollowShare = Traits.Archetype == LimbArchetype.Insect ? 1f : Traits.Archetype == LimbArchetype.Sprawl ? SprawlFollow : 0f;
         Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
@@ -74,12 +79,14 @@ internal sealed class LegShape
         Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
         AcrossSign = Vec.Dot(across, Hinge) < 0f ? -1f : 1f;
         Skew = Hinge - (across * AcrossSign);
+        HipJoint = skeleton.Joints[Hip];
         AnkleJoint = skeleton.Joints[Ankle];
         BallJoint = skeleton.Joints[Ball];
         Vector3 a = Vec.Reject(upper, Hinge);
         Vector3 b = Vec.Reject(Shank, Hinge);
         float turn = Vec.Dot(Vec.Cross(a, b), Hinge);
         AngleRange fold = skeleton.Joints[Knee].Limit.SwingX;
+        KneeFold = new FoldLimit(fold);
         bool straight = Math.Abs(turn) < Straight * Vec.Length(a) * Vec.Length(b);
         BendSign = straight || Traits.Linkage == LegLinkage.Pantograph ? (fold.Max >= -fold.Min ? 1 : -1) : turn >= 0f ? 1 : -1;
         double la = Vec.Length(a);
@@ -178,6 +185,9 @@ internal sealed class LegShape
     /// <summary>From the ball to the tip of the toes, level.</summary>
     public float Toe { get; }
 
+    /// <summary>Share of the roll over its toes that the foot makes: less on long toes.</summary>
+    public float RollShare { get; }
+
     /// <summary>From the ball back to the heel, level.</summary>
     public float Heel { get; }
 
@@ -195,6 +205,12 @@ internal sealed class LegShape
 
     /// <summary>What the hinge of a leg out to the side is off that product at rest.</summary>
     public Vector3 Skew { get; }
+
+    /// <summary>How far the knee turns from rest.</summary>
+    public FoldLimit KneeFold { get; }
+
+    /// <summary>Limits and rest of the hip.</summary>
+    public Joint HipJoint { get; }
 
     /// <summary>Limits and rest of the ankle.</summary>
     public Joint AnkleJoint { get; }

@@ -44,8 +44,9 @@ internal static class LegSolver
     /// <param name="target">Where the end has to be, from the hip.</param>
     /// <param name="side">Where the hinge has to point.</param>
     /// <param name="slack">0..1: how early the reach is eased.</param>
+    /// <param name="phase">Of its foot.</param>
     /// <param name="turns">The turns.</param>
-    public static void Solve(LegShape leg, Vector3 upper, Vector3 target, Vector3 side, float slack, out LegTurns turns)
+    public static void Solve(LegShape leg, Vector3 upper, Vector3 target, Vector3 side, float slack, FootPhase phase, out LegTurns turns)
     {
         Vector3 n = leg.Hinge;
         Vector3 lower = leg.Shank;
@@ -81,7 +82,15 @@ internal static class LegSolver
         double sinNow = Vec.Dot(Vec.Cross(a, b), n) / product;
         double cosThen = Scalar.Clamp(((taken * taken) - aa - bb) / (2 * product), -1, 1);
         double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
-        HalfAngle.Of((cosThen * cosNow) + (sinThen * sinNow), (sinThen * cosNow) - (cosThen * sinNow), out double halfCosine, out double halfSine);
+        double cosKnee = (cosThen * cosNow) + (sinThen * sinNow);
+        double sinKnee = (sinThen * cosNow) - (cosThen * sinNow);
+        if (phase == FootPhase.Swing)
+        {
+            // In the air the foot gives way to the limits of the knee.
+            leg.KneeFold.Clamp(ref cosKnee, ref sinKnee);
+        }
+
+        HalfAngle.Of(cosKnee, sinKnee, out double halfCosine, out double halfSine);
         turns.Bend = (float)cosThen;
         turns.Knee = new Quaternion((float)(n.X * halfSine), (float)(n.Y * halfSine), (float)(n.Z * halfSine), (float)halfCosine);
 

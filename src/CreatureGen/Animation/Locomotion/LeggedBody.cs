@@ -11,6 +11,9 @@ namespace CreatureGen.Animation.Locomotion;
 /// <summary>A creature that stands on legs, as its walk needs it. Immutable, shared between all its animators.</summary>
 internal sealed class LeggedBody
 {
+    /// <summary>Part of the joints' limits that bends to a side take up: the rest is for pitch and roll.</summary>
+    private const float BendShare = 0.95f;
+
     private LeggedBody(Creature creature, LimbChain[] standing)
     {
         Creature = creature;
@@ -69,6 +72,7 @@ internal sealed class LeggedBody
         BellyHeight = BellyOf(creature);
         Arms = ArmsOf(creature);
         Body = Skeleton.IndexOf("Body");
+        MostBendYaw = MostYaw(Skeleton, Trunk, ForeSlot);
         Turns = new RestTurns(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
         Hops = Rows == 1 && creature.Blueprint.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
@@ -96,6 +100,9 @@ internal sealed class LeggedBody
 
     /// <summary>The trunk joint that carries the foremost legs, as a place in <see cref="Trunk"/>; of bipeds the chest.</summary>
     public int ForeSlot { get; }
+
+    /// <summary>How far the trunk bends to a side from the pelvis to the fore legs' joint, radians.</summary>
+    public float MostBendYaw { get; }
 
     /// <summary>Neck joints and the head, which is the last.</summary>
     public int[] Neck { get; }
@@ -218,6 +225,19 @@ internal sealed class LeggedBody
         }
 
         return trunk.ToArray();
+    }
+
+    /// <summary>The stiffest joint decides: all bend alike.</summary>
+    private static float MostYaw(Skeleton skeleton, int[] trunk, int foreSlot)
+    {
+        float least = float.MaxValue;
+        for (int i = 1; i <= foreSlot && i < trunk.Length; i++)
+        {
+            AngleRange side = skeleton.Joints[trunk[i]].Limit.SwingZ;
+            least = Math.Min(least, Math.Min(-side.Min, side.Max));
+        }
+
+        return least == float.MaxValue ? 0f : BendShare * least * foreSlot;
     }
 
     private static int[] NeckOf(Skeleton skeleton)

@@ -136,7 +136,7 @@ internal sealed class AxialChain
 
             Quaternion parent = turns[bone.Parent];
             Quaternion own = bone.Turn.Write(local, Rotation.Multiply(Rotation.Inverse(parent), turns[b]));
-            turns[b] = Rotation.Normalize(Rotation.Multiply(parent, own));
+            turns[b] = UnitTurn.Renormalize(Rotation.Multiply(parent, own));
             pivots[b] = pivots[bone.Parent] + Rotation.Rotate(parent, bone.Pivot - bones[bone.Parent].Pivot);
         }
     }

@@ -35,10 +35,17 @@ internal readonly struct JointTurn
     /// <summary>Writes the local rotation and gives the turn that the limits left.</summary>
     public Quaternion Write(in Pose local, Quaternion turn)
     {
-        Quaternion own = limit.Apply(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest));
-        Quaternion kept = Rotation.Multiply(Rotation.Multiply(rest, own), restInverse);
-        local.Rotations[Joint] = Rotation.Normalize(Rotation.Multiply(parentInverse, Rotation.Multiply(kept, rest)));
-        return kept;
+        Quaternion turned = Rotation.Multiply(turn, rest);
+        Quaternion own = Rotation.Multiply(restInverse, turned);
+        if (limit.Leaves(own))
+        {
+            local.Rotations[Joint] = UnitTurn.Renormalize(Rotation.Multiply(parentInverse, turned));
+            return turn;
+        }
+
+        turned = Rotation.Multiply(rest, limit.Apply(own));
+        local.Rotations[Joint] = UnitTurn.Renormalize(Rotation.Multiply(parentInverse, turned));
+        return Rotation.Multiply(turned, restInverse);
     }
 
     /// <summary>The turn that the limits leave of a turn.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.Ik;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -29,6 +30,10 @@ internal readonly struct SoftLimit
         z = swing.Z * factor;
     }
 
+    /// <summary>Whether a rotation is certainly left as it is: told without an inverse function.</summary>
+    public bool Leaves(Quaternion q) =>
+        SwingTwistLimit.TryBound(q, out float x, out float z, out float twist) && IsFree(x, limit.SwingX) && IsFree(z, limit.SwingZ) && IsFree(twist, limit.Twist);
+
     /// <summary>The rotation within the limit.</summary>
     public Quaternion Apply(Quaternion q)
     {
@@ -47,6 +52,8 @@ internal readonly struct SoftLimit
         var swing = new Quaternion((float)(sx * share), 0f, (float)(sz * share), (float)cosine);
         return Rotation.Multiply(swing, Rotation.FromAxisAngle(Vector3.UnitY, st));
     }
+
+    private static bool IsFree(float a, AngleRange range) => a >= (float)Free * range.Min && a <= (float)Free * range.Max;
 
     private static double Soft(double a, AngleRange range)
     {

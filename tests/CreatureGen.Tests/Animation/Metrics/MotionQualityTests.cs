@@ -11,8 +11,8 @@ namespace CreatureGen.Tests.Animation.Metrics;
 
 public class MotionQualityTests
 {
-    // Legs that walk, but not yet within the targets: docs/motion.md, known limits.
-    private static readonly LimbArchetype[] Untried = { LimbArchetype.Bird, LimbArchetype.FrogFore, LimbArchetype.FrogHind, LimbArchetype.Jumper, LimbArchetype.Raptorial };
+    // The hind feet of grasshoppers float, and feet of frogs are off their places, by a little more than the targets: docs/motion.md, known limits.
+    private static readonly LimbArchetype[] Untried = { LimbArchetype.Jumper, LimbArchetype.FrogHind };
 
     [Theory]
     [InlineData(30f, 1000)]
@@ -21,7 +21,6 @@ public class MotionQualityTests
     public void Feet_of_any_walker_stay_where_they_stand_and_clear_the_ground_in_all_its_gaits(float rate, int firstSeed)
     {
         int stances = 0;
-        int within = 0;
         foreach ((MotionReport report, string name) in Record(firstSeed, 40, rate, GroundRelief.Flat))
         {
             // Targets of docs/motion.md, in leg lengths.
@@ -32,12 +31,11 @@ public class MotionQualityTests
             Assert.True(report.Penetration <= 0.02f, $"{name}: sunk {report.Penetration}");
             Assert.True(report.Float <= 0.005f, $"{name}: floats {report.Float}");
             Assert.True(report.Clearance >= 0.02f, $"{name}: clearance {report.Clearance}");
+            Assert.True(report.LimitViolations == 0, $"{name}: {report.LimitViolations} joints beyond their limits, by up to {report.LimitExcess} rad");
             stances++;
-            within += report.LimitViolations == 0 ? 1 : 0;
         }
 
         Assert.True(stances > 60);
-        Assert.True(within > 0.5 * stances, $"{within} of {stances} within all joint limits");
     }
 
     [Fact]
@@ -71,7 +69,7 @@ public class MotionQualityTests
         {
             Creature creature = Walkers.Any((ulong)seed);
             var profile = new MotionProfile(creature);
-            if (profile.Gaits == null || creature.Blueprint.Body.Blend.First == "turtle" || creature.Blueprint.Legs.Any(leg => Untried.Contains(leg.Archetype)))
+            if (profile.Gaits == null || creature.Blueprint.Legs.Any(leg => Untried.Contains(leg.Archetype)))
             {
                 continue;
             }

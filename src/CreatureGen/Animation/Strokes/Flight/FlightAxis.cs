@@ -19,6 +19,7 @@ internal sealed class FlightAxis
     private readonly AxialChain chain;
     private readonly int chest;
     private readonly int pelvis;
+    private readonly double[] risen;
 
     public FlightAxis(Skeleton skeleton, AxialChain chain)
     {
@@ -36,6 +37,12 @@ internal sealed class FlightAxis
 
         // Swimmers have neither: all behind the head counts as trunk.
         pelvis = Math.Min(pelvis, chain.Count - 1);
+        risen = new double[chain.Count];
+        for (int b = 0; b < risen.Length; b++)
+        {
+            Vector3 way = chain.Bones[b].Front - chain.Bones[b].Rear;
+            risen[b] = PortableMath.Atan2(way.Y, way.Z);
+        }
     }
 
     /// <summary>Writes the joints of the axis.</summary>
@@ -54,9 +61,7 @@ internal sealed class FlightAxis
     private Quaternion Fore(int b, in AxisStroke stroke)
     {
         double share = (double)(chest - b) / chest;
-        Vector3 way = chain.Bones[b].Front - chain.Bones[b].Rear;
-        double risen = PortableMath.Atan2(way.Y, way.Z);
-        double stretch = b == 0 ? 0 : NeckStretch * stroke.Stream * risen;
+        double stretch = b == 0 ? 0 : NeckStretch * stroke.Stream * risen[b];
         double pitch = stretch - (share * HeadPitchKept * stroke.Pitch);
         return Rotation.Multiply(Turn.Yaw(share * stroke.Look), Rotation.Multiply(Turn.Pitch(pitch), Turn.Roll(-share * HeadRollKept * stroke.Roll)));
     }
@@ -64,10 +69,8 @@ internal sealed class FlightAxis
     private Quaternion Aft(int b, in AxisStroke stroke)
     {
         double share = (double)(b - pelvis) / (chain.Count - 1 - pelvis);
-        Vector3 way = chain.Bones[b].Rear - chain.Bones[b].Front;
-        double risen = PortableMath.Atan2(way.Y, -way.Z);
         double beat = TailBeat * stroke.Beat * share * PortableMath.Sin(2 * PortableMath.Pi * (stroke.Phase - 0.15 - (0.2 * share)));
-        double pitch = (-TailStream * stroke.Stream * risen) + beat + (share * TailHover * stroke.Hover) - (share * 0.25 * stroke.Rise);
+        double pitch = (TailStream * stroke.Stream * risen[b]) + beat + (share * TailHover * stroke.Hover) - (share * 0.25 * stroke.Rise);
         return Rotation.Multiply(Turn.Yaw(-share * TailYaw * stroke.Steer), Turn.Pitch(pitch));
     }
 }

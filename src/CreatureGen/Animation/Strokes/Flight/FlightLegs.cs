@@ -14,6 +14,9 @@ internal sealed class FlightLegs
     private const double FullReach = 0.995;
     private const double Dangle = 0.05;
 
+    /// <summary>Share below which a leg is in the air alone.</summary>
+    private const double LeastPlanted = 1e-5;
+
     private readonly PairedChain chain;
     private readonly LegPosture tucked;
     private readonly LegPosture hanging;
@@ -62,7 +65,7 @@ internal sealed class FlightLegs
         turns[2] = lateral ? Turn.Roll(posture.Knee) : Turn.Pitch(posture.Knee);
         turns[3] = lateral ? Turn.Roll(-0.5 * posture.Ankle) : Turn.Pitch(posture.Ankle + dangle);
         turns[4] = lateral ? Turn.Roll(-0.5 * posture.Ball) : Turn.Pitch(posture.Ball);
-        if (Stands && stroke.Planted > 0)
+        if (Stands && stroke.Planted > LeastPlanted)
         {
             Plant(turns, stroke, body, bodyPivot, bodyNow);
         }

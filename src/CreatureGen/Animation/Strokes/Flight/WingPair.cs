@@ -10,6 +10,9 @@ internal sealed class WingPair
 {
     private const int Joints = 4;
 
+    /// <summary>Share of the way from folded to spread from which on a wing is spread.</summary>
+    private const double Spread = 1 - 1e-6;
+
     // Share of a cycle by which each joint is behind the shoulder.
     private static readonly double[] lags = { 0, 0.035, 0.075, 0.12 };
 
@@ -31,23 +34,29 @@ internal sealed class WingPair
     /// <summary>Writes the joints of both sides.</summary>
     public void Write(in Pose local, in WingStroke stroke)
     {
-        Write(local, Side.Left, stroke);
-        Write(local, Side.Right, stroke);
-    }
-
-    private void Write(in Pose local, Side side, in WingStroke stroke)
-    {
-        double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
         for (int k = 0; k < chain.Count && k < Joints; k++)
         {
             WingBeat beat = WingBeat.At(stroke.Phase - lags[k]);
-            Beating(k, beat, stroke, inside, out double raise, out double sweep, out double twist);
-            Gliding(k, stroke, inside, out double glideRaise, out double glideSweep, out double glideTwist);
-            double glide = stroke.Glide;
-            Quaternion spread = chain.Stroke(k, Scalar.Lerp(raise, glideRaise, glide), Scalar.Lerp(sweep, glideSweep, glide), Scalar.Lerp(twist, glideTwist, glide));
-            double open = Scalar.Smooth((stroke.Spread - unfolding[k]) / (1 - 0.25));
-            chain.Write(local, side, k, open >= 1 ? spread : Rotation.Slerp(folded[k], spread, open));
+            Write(local, Side.Left, k, beat, stroke);
+            Write(local, Side.Right, k, beat, stroke);
         }
+    }
+
+    private void Write(in Pose local, Side side, int k, in WingBeat beat, in WingStroke stroke)
+    {
+        double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
+        Beating(k, beat, stroke, inside, out double raise, out double sweep, out double twist);
+        if (stroke.Glide > 0)
+        {
+            Gliding(k, stroke, inside, out double glideRaise, out double glideSweep, out double glideTwist);
+            raise = Scalar.Lerp(raise, glideRaise, stroke.Glide);
+            sweep = Scalar.Lerp(sweep, glideSweep, stroke.Glide);
+            twist = Scalar.Lerp(twist, glideTwist, stroke.Glide);
+        }
+
+        Quaternion spread = chain.Stroke(k, raise, sweep, twist);
+        double open = Scalar.Smooth((stroke.Spread - unfolding[k]) / (1 - 0.25));
+        chain.Write(local, side, k, open >= Spread ? spread : Rotation.Slerp(folded[k], spread, open));
     }
 
     private void Beating(int joint, in WingBeat b, in WingStroke stroke, double inside, out double raise, out double sweep, out double twist)

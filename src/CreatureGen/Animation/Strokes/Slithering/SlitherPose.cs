@@ -15,6 +15,12 @@ internal static class SlitherPose
     private const double HeadLift = 0.10;
     private const int Search = 4;
 
+    /// <summary>Part of a bone's length by which its ends may miss it.</summary>
+    private const double Near = 1e-5;
+
+    /// <summary>Share of the belly's waves below which there are none.</summary>
+    private const double LeastWave = 1e-5;
+
     /// <summary>From the root forward to the joint of the head, which leads the track, metres.</summary>
     public static double Lead(SlitherProfile profile) => profile.Chain.Bones[0].Rear.Z;
 
@@ -47,8 +53,8 @@ internal static class SlitherPose
         Span<Quaternion> turns = stackalloc Quaternion[chain.Count];
         Span<Vector3> pivots = stackalloc Vector3[chain.Count];
         Span<Vector3> middles = stackalloc Vector3[chain.Count];
-        SlitherTrack track = state.Track;
-        double arc = track.Head;
+        PortableMath.SinCos(state.Root.Yaw, out double sine, out double cosine);
+        double arc = state.Track.Head;
         Vector3 front = Place(profile, state, ground, arc, out Vector3 frontUp);
         for (int b = 1; b < chain.Count; b++)
         {
@@ -57,12 +63,19 @@ internal static class SlitherPose
             Vector3 rear = Place(profile, state, ground, behind, out Vector3 rearUp);
             for (int k = 0; k < Search; k++)
             {
-                behind += Vec.Distance(front, rear) - length;
+                double missing = Vec.Distance(front, rear) - length;
+                if (Math.Abs(missing) < Near * length)
+                {
+                    break;
+                }
+
+                behind += missing;
                 rear = Place(profile, state, ground, behind, out rearUp);
             }
 
-            turns[b] = Lie(front - rear, frontUp + rearUp);
-            middles[b] = ((front + rear) * 0.5f) + (Vec.Normalize(frontUp + rearUp, Vector3.UnitY) * (float)profile.Heights[b]);
+            Vector3 up = Level(frontUp + rearUp, sine, cosine);
+            turns[b] = Lie(Level(front - rear, sine, cosine), up);
+            middles[b] = Level((front + rear) * 0.5f, sine, cosine) + (Vec.Normalize(up, Vector3.UnitY) * (float)profile.Heights[b]);
             arc = behind;
             front = rear;
             frontUp = rearUp;
@@ -85,7 +98,7 @@ internal static class SlitherPose
         local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + (shift / (float)weight) - chain.BodyPivot;
     }
 
-    /// <summary>A point of the track in the root's axes, with the lift of parts that do not rest.</summary>
+    /// <summary>A point of the track from the root's place, world axes, with the lift of parts that do not rest.</summary>
     private static Vector3 Place(SlitherProfile profile, SlitherState state, ISlitherGround ground, double arc, out Vector3 up)
     {
         TrackPoint point = state.Track.At(arc);
@@ -103,18 +116,17 @@ internal static class SlitherPose
         }
 
         double straight = 1 - Math.Min(1, state.Winding.Value / Math.Max(profile.Alpha, 1e-3));
-        height += straight * BellyWave * profile.Wavelength * (1 - PortableMath.Cos(8 * PortableMath.Pi * arc / state.Track.Wavelength)) * (1 - state.Idle.Value);
-        Vector3 world = new((float)(point.X - state.Root.Position.X), (float)(height - state.Root.Position.Y), (float)(point.Z - state.Root.Position.Z));
-        up = Level(Vec.Normalize(normal, Vector3.UnitY), state.Root.Yaw);
-        return Level(world, state.Root.Yaw);
+        if (straight > LeastWave)
+        {
+            height += straight * BellyWave * profile.Wavelength * (1 - PortableMath.Cos(8 * PortableMath.Pi * arc / state.Track.Wavelength)) * (1 - state.Idle.Value);
+        }
+
+        up = Vec.Normalize(normal, Vector3.UnitY);
+        return new Vector3((float)(point.X - state.Root.Position.X), (float)(height - state.Root.Position.Y), (float)(point.Z - state.Root.Position.Z));
     }
 
-    /// <summary>World axes to the root's.</summary>
-    private static Vector3 Level(Vector3 v, double yaw)
-    {
-        PortableMath.SinCos(yaw, out double sine, out double cosine);
-        return new Vector3((float)((v.X * cosine) - (v.Z * sine)), v.Y, (float)((v.Z * cosine) + (v.X * sine)));
-    }
+    /// <summary>World axes to the root's, from sine and cosine of its yaw.</summary>
+    private static Vector3 Level(Vector3 v, double sine, double cosine) => new((float)((v.X * cosine) - (v.Z * sine)), v.Y, (float)((v.Z * cosine) + (v.X * sine)));
 
     /// <summary>How a bone lies that points along a direction, with its back away from the ground.</summary>
     private static Quaternion Lie(Vector3 direction, Vector3 up)

@@ -98,9 +98,9 @@ internal sealed class SlitherTrack
         long i = Math.Min((long)Math.Floor(grid), newest - 2);
         double t = grid - i;
         int a = Slot(i - 1);
-        int b = Slot(i);
-        int c = Slot(i + 1);
-        int d = Slot(i + 2);
+        int b = After(a);
+        int c = After(b);
+        int d = After(c);
         double u = t * t;
         double w0 = 0.5 * ((-t * u) + (2 * u) - t);
         double w1 = 0.5 * ((3 * t * u) - (5 * u) + 2);
@@ -118,7 +118,8 @@ internal sealed class SlitherTrack
     {
         double grid = Scalar.Clamp(arc / Step, newest - x.Length + 1, newest - 1);
         long i = (long)Math.Floor(grid);
-        return Scalar.Lerp(travel[Slot(i)], travel[Slot(i + 1)], grid - i);
+        int slot = Slot(i);
+        return Scalar.Lerp(travel[slot], travel[After(slot)], grid - i);
     }
 
     /// <summary>Takes the whole track along, turned about the origin and then shifted.</summary>
@@ -205,6 +206,8 @@ internal sealed class SlitherTrack
         normals[k] = at.Normal;
         travel[k] = heading;
     }
+
+    private int After(int slot) => slot + 1 < x.Length ? slot + 1 : 0;
 
     private int Slot(long point)
     {
