@@ -26,20 +26,12 @@ internal sealed class Subject
         Grown = GrownSurface.Grow(Blueprint);
         Normals = new Vector3[Grown.Surface.Positions.Length];
         SurfaceNormals.Smooth(Grown.Surface.Positions, Grown.Surface.Triangles, Normals);
-        Palette = new CoatPalette(Blueprint.Coat);
-        (Pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(Blueprint, Grown, Palette, Normals);
         EyeFrame eye = FeatureSetter.EyeOf(Blueprint, Grown);
+        Painter = new CoatPainter(Blueprint.Coat, CoatSubjects.Of(Blueprint, Grown, eye));
+        (Pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(Blueprint, Grown, Painter, Normals);
         RigInput = new RigInput(Blueprint, Grown.Skin, Grown.Surface, Grown.Adjacency, appendages, Grown.Mouth, FeatureSetter.SocketOf(Blueprint, eye));
         Rig = CreatureRigger.Build(RigInput);
         Weights = AnatomicalWeights.Solve(RigInput, Rig);
-        Coat = new CoatSubject(Shape)
-        {
-            Mark = HeadMarks.FromSeed(Blueprint.Coat.PatternSeed),
-            Tail = Blueprint.Tail.Style,
-            WingStyles = Array.ConvertAll(new WingStyle[appendages.Count], _ => WingStyle.Feathered),
-            EyeCentre = eye.Centre,
-            EyeRadius = eye.Radius,
-        };
         Creature = CreatureAssembler.Assemble(Blueprint);
     }
 
@@ -53,7 +45,7 @@ internal sealed class Subject
 
     public Vector3[] Normals { get; }
 
-    public CoatPalette Palette { get; }
+    public CoatPainter Painter { get; }
 
     public IReadOnlyList<Piece> Pieces { get; }
 
@@ -62,8 +54,6 @@ internal sealed class Subject
     public Rig Rig { get; }
 
     public SkinWeights[] Weights { get; }
-
-    public CoatSubject Coat { get; }
 
     public Creature Creature { get; }
 }

@@ -40,6 +40,9 @@ internal sealed class CoatPainter
         shell = new ShellCoat(subject.Shell, palette);
     }
 
+    /// <summary>The colours that the coat is made of.</summary>
+    public CoatPalette Palette => palette;
+
     /// <summary>Paints all vertices of a surface.</summary>
     /// <param name="addresses">Where each vertex lies.</param>
     /// <param name="positions">Rest positions, metres at scale 1.</param>

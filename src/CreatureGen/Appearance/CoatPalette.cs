@@ -47,9 +47,6 @@ internal sealed class CoatPalette
 
     public Vector3 Iris { get; }
 
-    /// <summary>Lids: between back and flank, a little darker than both.</summary>
-    public Vector3 Lid => Vec.Lerp(Base, Back, 0.75f) * 0.85f;
-
     /// <summary>Inside of the ears: thinly haired flesh.</summary>
     public Vector3 EarInside => Vec.Lerp(flesh, Belly, 0.25f);
 

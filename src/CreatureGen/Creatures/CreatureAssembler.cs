@@ -35,11 +35,11 @@ public static class CreatureAssembler
 
         Vector3[] normals = new Vector3[surface.Positions.Length];
         SurfaceNormals.Smooth(surface.Positions, surface.Triangles, normals);
-        var palette = new CoatPalette(blueprint.Coat);
-        (IReadOnlyList<Piece> pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(blueprint, grown, palette, normals);
+        EyeFrame eye = FeatureSetter.EyeOf(blueprint, grown);
+        var coat = new CoatPainter(blueprint.Coat, CoatSubjects.Of(blueprint, grown, eye));
+        (IReadOnlyList<Piece> pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(blueprint, grown, coat, normals);
         observer?.StageFinished(AssemblyStage.Features);
 
-        EyeFrame eye = FeatureSetter.EyeOf(blueprint, grown);
         var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages, grown.Mouth, FeatureSetter.SocketOf(blueprint, eye));
         Rig rig = CreatureRigger.Build(input);
         FinishedRig finished = rig.Scaled(scale);
@@ -49,7 +49,7 @@ public static class CreatureAssembler
         observer?.StageFinished(AssemblyStage.Skin);
 
         var colours = new Vector3[surface.Positions.Length];
-        new CoatPainter(blueprint.Coat, CoatSubjects.Of(blueprint, grown, eye)).Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
+        coat.Paint(surface.Addresses, surface.Positions, surface.Mirror, normals, colours);
         CreatureMesh full = MeshAssembler.Assemble(surface, normals, colours, weights, pieces, rig, scale);
         observer?.StageFinished(AssemblyStage.Appearance);
 

@@ -25,8 +25,11 @@ internal sealed class FeatureSetter
     /// <summary>Eyes that look are looked at first; a face without them is none.</summary>
     private const float EyeAttention = 3f;
 
+    private const float LidShade = 0.8f;
+
     private readonly CreatureBlueprint blueprint;
     private readonly GrownSurface grown;
+    private readonly CoatPainter coat;
     private readonly CoatPalette palette;
     private readonly Vector3[] normals;
     private readonly List<Piece> pieces = new();
@@ -34,11 +37,12 @@ internal sealed class FeatureSetter
     private readonly PieceBuilder builder = new();
     private readonly string family;
 
-    private FeatureSetter(CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette, Vector3[] normals)
+    private FeatureSetter(CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, Vector3[] normals)
     {
         this.blueprint = blueprint;
         this.grown = grown;
-        this.palette = palette;
+        this.coat = coat;
+        palette = coat.Palette;
         this.normals = normals;
         family = BaseBodies.Find(blueprint.Body.Blend.First).Family;
         appendages = new List<Appendage>(grown.Appendages);
@@ -71,9 +75,9 @@ internal sealed class FeatureSetter
         blueprint.Head.Eyes.Style is EyeStyle.Round or EyeStyle.Slit && BaseBodies.Find(blueprint.Body.Blend.First).Family != "insect";
 
     /// <summary>All pieces, and the appendages of the creature with those of antennae and insect wings behind them.</summary>
-    public static (IReadOnlyList<Piece> Pieces, IReadOnlyList<Appendage> Appendages) Set(CreatureBlueprint blueprint, GrownSurface grown, CoatPalette palette, Vector3[] normals)
+    public static (IReadOnlyList<Piece> Pieces, IReadOnlyList<Appendage> Appendages) Set(CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, Vector3[] normals)
     {
-        var setter = new FeatureSetter(blueprint, grown, palette, normals);
+        var setter = new FeatureSetter(blueprint, grown, coat, normals);
         setter.AddEyes();
         setter.AddNostrils();
         setter.AddTeeth();
@@ -95,10 +99,11 @@ internal sealed class FeatureSetter
     {
         EyeBlueprint eye = blueprint.Head.Eyes;
         EyeFrame frame = EyeOf(blueprint, grown);
+        Vector3 lid = LidColour(frame);
         builder.Clear(SurfaceFinish.Eye);
         if (HasLids(blueprint))
         {
-            EyeShape.Append(builder, frame, eye.Style, palette.Iris, palette.Lid * 0.8f);
+            EyeShape.Append(builder, frame, eye.Style, palette.Iris, lid * 0.8f);
         }
         else
         {
@@ -114,15 +119,23 @@ internal sealed class FeatureSetter
         pieces.Add(right);
         if (HasLids(blueprint))
         {
-            AddLid(frame, LidPart.Upper, "UpperLid_");
-            AddLid(frame, LidPart.Lower, "LowerLid_");
+            AddLid(frame, LidPart.Upper, "UpperLid_", lid);
+            AddLid(frame, LidPart.Lower, "LowerLid_", lid);
         }
     }
 
-    private void AddLid(in EyeFrame frame, LidPart part, string joint)
+    /// <summary>Lids wear the coat of the skin above the eye, a little darker.</summary>
+    private Vector3 LidColour(in EyeFrame frame)
+    {
+        EyeBlueprint eye = blueprint.Head.Eyes;
+        var address = new VertexAddress { Region = SurfaceRegion.Body, Appendage = -1, Sign = 1, Ring = (float)eye.Ring, Segment = (float)eye.Segment };
+        return LidShade * coat.At(address, frame.Centre + (frame.Up * (1.1f * frame.Radius)), frame.Up);
+    }
+
+    private void AddLid(in EyeFrame frame, LidPart part, string joint, Vector3 colour)
     {
         builder.Clear();
-        LidShape.Append(builder, frame, blueprint.Head.Eyes, part, palette.Lid);
+        LidShape.Append(builder, frame, blueprint.Head.Eyes, part, colour);
         Piece left = builder.ToPiece(MaterialKind.Skin);
         left.JointName = joint + "L";
         pieces.Add(left);

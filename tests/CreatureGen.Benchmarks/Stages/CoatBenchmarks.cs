@@ -22,6 +22,6 @@ public class CoatBenchmarks : StageBenchmark
     public void Paint()
     {
         Surface surface = Subject.Grown.Surface;
-        new CoatPainter(Subject.Blueprint.Coat, Subject.Coat).Paint(surface.Addresses, surface.Positions, surface.Mirror, Subject.Normals, colours);
+        Subject.Painter.Paint(surface.Addresses, surface.Positions, surface.Mirror, Subject.Normals, colours);
     }
 }

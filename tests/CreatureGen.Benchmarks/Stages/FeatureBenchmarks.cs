@@ -8,5 +8,5 @@ public class FeatureBenchmarks : StageBenchmark
 {
     /// <summary>All pieces of a creature.</summary>
     [Benchmark]
-    public object Set() => FeatureSetter.Set(Subject.Blueprint, Subject.Grown, Subject.Palette, Subject.Normals).Pieces;
+    public object Set() => FeatureSetter.Set(Subject.Blueprint, Subject.Grown, Subject.Painter, Subject.Normals).Pieces;
 }
