@@ -16,7 +16,7 @@ internal sealed class ClipBuffers
     private readonly IReadOnlyList<Clip> clips;
     private readonly List<int> turning = new();
     private readonly List<int> sliding = new();
-    private readonly Dictionary<int, Accessor> times = new();
+    private readonly Dictionary<(int Frames, int Rate), Accessor> times = new();
     private readonly List<Accessor> outputs = new();
 
     /// <summary>Appends the accessors of clips to a plan.</summary>
@@ -53,9 +53,9 @@ internal sealed class ClipBuffers
 
         foreach (Clip clip in clips)
         {
-            if (!times.ContainsKey(clip.Frames))
+            if (!times.ContainsKey((clip.Frames, clip.Rate)))
             {
-                times.Add(clip.Frames, plan.Add(ElementShape.Scalar, ComponentFormat.Float, clip.Frames, BufferTarget.None));
+                times.Add((clip.Frames, clip.Rate), plan.Add(ElementShape.Scalar, ComponentFormat.Float, clip.Frames, BufferTarget.None));
             }
 
             foreach (int _ in turning)
@@ -80,19 +80,27 @@ internal sealed class ClipBuffers
     public IReadOnlyList<int> Sliding => sliding;
 
     /// <summary>The times of a clip.</summary>
-    public Accessor TimesOf(int clip) => times[clips[clip].Frames];
+    public Accessor TimesOf(int clip) => times[(clips[clip].Frames, clips[clip].Rate)];
 
-    /// <summary>Whether an accessor holds times, which need their bounds in the file.</summary>
-    public bool AreTimes(Accessor accessor) => times.TryGetValue(accessor.Count, out Accessor? known) && known == accessor;
+    /// <summary>The last of the times that an accessor holds, which need their bounds in the file; null if it holds none.</summary>
+    public float? LastTime(Accessor accessor)
+    {
+        foreach (Clip clip in clips)
+        {
+            if (times[(clip.Frames, clip.Rate)] == accessor)
+            {
+                return clip.Duration;
+            }
+        }
+
+        return null;
+    }
 
     /// <summary>The rotations of the k-th turning joint in a clip.</summary>
     public Accessor RotationsOf(int clip, int k) => outputs[(clip * (turning.Count + sliding.Count)) + k];
 
     /// <summary>The positions of the k-th sliding joint in a clip.</summary>
     public Accessor PositionsOf(int clip, int k) => outputs[(clip * (turning.Count + sliding.Count)) + turning.Count + k];
-
-    /// <summary>Seconds of a frame.</summary>
-    public static float TimeOf(int frame) => frame / (float)Clip.Rate;
 
     /// <summary>Writes all accessors into the binary chunk.</summary>
     public void Write(Span<byte> binary)
@@ -103,7 +111,7 @@ internal sealed class ClipBuffers
             Span<byte> seconds = BufferPlan.Bytes(TimesOf(c), binary);
             for (int frame = 0; frame < clip.Frames; frame++)
             {
-                LittleEndian.Write(seconds, 4 * frame, TimeOf(frame));
+                LittleEndian.Write(seconds, 4 * frame, clip.TimeOf(frame));
                 for (int k = 0; k < turning.Count; k++)
                 {
                     Quaternion q = clip.RotationsAt(frame)[turning[k]];

@@ -208,10 +208,10 @@ internal static class DocumentWriter
                 json.Name("min").Vector(box.Min);
                 json.Name("max").Vector(box.Max);
             }
-            else if (clips.AreTimes(accessor))
+            else if (clips.LastTime(accessor) is float seconds)
             {
                 json.Name("min").BeginArray().Number(0).EndArray();
-                json.Name("max").BeginArray().Number(ClipBuffers.TimeOf(accessor.Count - 1)).EndArray();
+                json.Name("max").BeginArray().Number(seconds).EndArray();
             }
 
             json.EndObject();

@@ -76,7 +76,7 @@ public sealed class GlbClipTests
     {
         Skeleton(out Quaternion[] rotations, out Vector3[] positions);
         positions[^1] += new Vector3(1e-6f, 0f, 0f);
-        ArgumentException refusal = Assert.Throws<ArgumentException>(() => new Clip("Walk", ClipEnd.Loops, 0f, Subject.Skeleton.Count, rotations, positions));
+        ArgumentException refusal = Assert.Throws<ArgumentException>(() => new Clip("Walk", ClipEnd.Loops, Clip.UsualRate, 0f, Subject.Skeleton.Count, rotations, positions));
         Assert.Contains("Walk", refusal.Message, StringComparison.Ordinal);
     }
 
@@ -87,7 +87,7 @@ public sealed class GlbClipTests
     public void A_name_that_importers_would_change_is_refused(string name)
     {
         Skeleton(out Quaternion[] rotations, out Vector3[] positions);
-        Assert.Throws<ArgumentException>(() => new Clip(name, ClipEnd.Loops, 0f, Subject.Skeleton.Count, rotations, positions));
+        Assert.Throws<ArgumentException>(() => new Clip(name, ClipEnd.Loops, Clip.UsualRate, 0f, Subject.Skeleton.Count, rotations, positions));
     }
 
     [Fact]
@@ -143,6 +143,6 @@ public sealed class GlbClipTests
         }
 
         rotations[((Frames - 1) * count) + index] = rotations[index];
-        return new Clip(name, ClipEnd.Loops, 1.5f, count, rotations, positions);
+        return new Clip(name, ClipEnd.Loops, Clip.UsualRate, 1.5f, count, rotations, positions);
     }
 }

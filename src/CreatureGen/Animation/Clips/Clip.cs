@@ -19,8 +19,8 @@ public enum ClipEnd
 /// <remarks>Frames follow one another; each holds one entry per joint in the order of the skeleton. Rotations are unit quaternions that never jump to the other sign from frame to frame; positions are metres.</remarks>
 public sealed class Clip
 {
-    /// <summary>Frames per second of every clip.</summary>
-    public const int Rate = 30;
+    /// <summary>Frames per second of a clip whose joints turn slowly enough; quick wings take more.</summary>
+    public const int UsualRate = 30;
 
     /// <summary>Most that a rotation may be off unit length.</summary>
     private const float UnitLength = 1e-4f;
@@ -31,12 +31,14 @@ public sealed class Clip
     /// <summary>Takes ownership of the arrays; turns signs of rotations so that none jumps.</summary>
     /// <param name="name">ASCII letters, digits and underscores.</param>
     /// <param name="end">What becomes of it at its end.</param>
+    /// <param name="rate">Frames per second, at least 1.</param>
     /// <param name="speed">Metres per second ahead at which the creature has to be moved for its feet not to slide; 0 for a clip on the spot.</param>
     /// <param name="joints">Number of joints.</param>
     /// <param name="rotations">Frames × joints, at least two frames.</param>
     /// <param name="positions">Frames × joints.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The rate is below 1.</exception>
     /// <exception cref="ArgumentException">A length, a number or the name is wrong, or a loop does not close.</exception>
-    public Clip(string name, ClipEnd end, float speed, int joints, Quaternion[] rotations, Vector3[] positions)
+    public Clip(string name, ClipEnd end, int rate, float speed, int joints, Quaternion[] rotations, Vector3[] positions)
     {
         if (string.IsNullOrEmpty(name))
         {
@@ -56,6 +58,11 @@ public sealed class Clip
             throw new ArgumentException(FormattableString.Invariant($"clip {name} has {rotations.Length} rotations and {positions.Length} positions of {joints} joints; expected one of each for every joint of at least two frames"), nameof(rotations));
         }
 
+        if (rate < 1)
+        {
+            throw new ArgumentOutOfRangeException(nameof(rate), rate, "expected at least 1 frame per second");
+        }
+
         if (!float.IsFinite(speed))
         {
             throw new ArgumentException(FormattableString.Invariant($"clip {name} has the speed {speed}; expected a finite number"), nameof(speed));
@@ -63,6 +70,7 @@ public sealed class Clip
 
         Name = name;
         End = end;
+        Rate = rate;
         Speed = speed;
         Joints = joints;
         this.rotations = rotations;
@@ -79,6 +87,9 @@ public sealed class Clip
     /// <summary>What becomes of it at its end.</summary>
     public ClipEnd End { get; }
 
+    /// <summary>Frames per second.</summary>
+    public int Rate { get; }
+
     /// <summary>Metres per second ahead at which the creature has to be moved for its feet not to slide.</summary>
     public float Speed { get; }
 
@@ -89,7 +100,10 @@ public sealed class Clip
     public int Frames => rotations.Length / Joints;
 
     /// <summary>Seconds from the first to the last frame.</summary>
-    public float Duration => (Frames - 1) / (float)Rate;
+    public float Duration => TimeOf(Frames - 1);
+
+    /// <summary>Seconds from the first to another frame.</summary>
+    public float TimeOf(int frame) => frame / (float)Rate;
 
     /// <summary>The rotations of a frame, one per joint.</summary>
     public ReadOnlySpan<Quaternion> RotationsAt(int frame) => rotations.AsSpan(frame * Joints, Joints);

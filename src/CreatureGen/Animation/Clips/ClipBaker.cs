@@ -7,13 +7,17 @@ namespace CreatureGen.Animation.Clips;
 
 /// <summary>Turns the motion of an animator into clips: one exact, closed cycle of each thing that a creature does, in place, on level ground.</summary>
 /// <remarks>
-/// The animator runs until its motion repeats; then one cycle is taken in a whole number of frames, and played at <see cref="Clip.Rate"/> it lasts up to half a frame more or less than the live
-/// one. What is left between the last and the first frame is spread evenly over the cycle, so that the loop closes to the bit.
+/// The animator runs until its motion repeats; then one cycle is taken in a whole number of frames, and played at its rate it lasts up to half a frame more or less than the live
+/// one. The rate is <see cref="Clip.UsualRate"/>, doubled until no joint turns far from frame to frame: quick wings would strobe. What is left between the last and the first frame is spread evenly over the cycle, so that the loop closes to the bit.
 /// </remarks>
 public static class ClipBaker
 {
     private const float SettleSeconds = 5f;
     private const int FewestFrames = 8;
+    private const int HighestRate = 240;
+
+    /// <summary>Most that a joint may turn from frame to frame, radians; about twelve frames make a beat of a wing.</summary>
+    private const float FarthestTurn = 0.5f;
 
     /// <summary>Bakes every clip of a creature.</summary>
     /// <exception cref="ArgumentNullException">There is no creature.</exception>
@@ -34,14 +38,26 @@ public static class ClipBaker
         var motion = new SteadyMotion(profile, movement, FlatGround.Level);
         motion.Settle(SettleSeconds);
         float seconds = motion.CycleSeconds();
-        int frames = Math.Max(FewestFrames, (int)Math.Round(seconds * Clip.Rate));
+        int rate = Clip.UsualRate;
+        RecordedCycle cycle = Record(motion, seconds, rate);
+        while (cycle.FarthestTurn() > FarthestTurn && rate < HighestRate)
+        {
+            rate *= 2;
+            cycle = Record(motion, seconds, rate);
+        }
+
+        return new Clip(movement.Name, ClipEnd.Loops, rate, (float)(cycle.MeanSpeed * cycle.Step * rate), cycle.Joints, cycle.Rotations, cycle.Positions);
+    }
+
+    private static RecordedCycle Record(SteadyMotion motion, float seconds, int rate)
+    {
+        int frames = Math.Max(FewestFrames, (int)Math.Round(seconds * rate));
         float step = seconds / frames;
         for (int k = 0; k < 2 * frames; k++)
         {
             motion.Advance(step);
         }
 
-        var cycle = new RecordedCycle(motion, frames, step);
-        return new Clip(movement.Name, ClipEnd.Loops, (float)(cycle.MeanSpeed * step * Clip.Rate), cycle.Joints, cycle.Rotations, cycle.Positions);
+        return new RecordedCycle(motion, frames, step);
     }
 }

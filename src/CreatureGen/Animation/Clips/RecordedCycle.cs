@@ -2,12 +2,14 @@ using System;
 using System.Numerics;
 using CreatureGen.Animation.RootMotion;
 using CreatureGen.Maths;
+using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Clips;
 
 /// <summary>Poses of a time after which motion begins anew, with where the creature and its feet were. What is left between the last pose and the first is spread evenly, so that the poses close to the bit.</summary>
 internal sealed class RecordedCycle
 {
+    private readonly Skeleton skeleton;
     private readonly RootPlace[] places;
     private readonly FootReport[] feet;
     private readonly int footCount;
@@ -20,7 +22,8 @@ internal sealed class RecordedCycle
     {
         CreatureAnimator animator = motion.Animator;
         Frames = frames;
-        Joints = animator.Profile.Creature.Skeleton.Count;
+        skeleton = animator.Profile.Creature.Skeleton;
+        Joints = skeleton.Count;
         Step = step;
         Rotations = new Quaternion[(frames + 1) * Joints];
         Positions = new Vector3[(frames + 1) * Joints];
@@ -73,6 +76,25 @@ internal sealed class RecordedCycle
 
     /// <summary>One for each joint of each frame, in the parents' space.</summary>
     public Vector3[] Positions { get; }
+
+    /// <summary>The farthest that any joint turns from one frame to the next, radians. A blink is a matter of a frame or two and does not count.</summary>
+    public float FarthestTurn()
+    {
+        float least = 1f;
+        for (int i = Joints; i < Rotations.Length; i++)
+        {
+            if (skeleton.Joints[i % Joints].Role == JointRole.Lid)
+            {
+                continue;
+            }
+
+            Quaternion a = Rotations[i - Joints];
+            Quaternion b = Rotations[i];
+            least = Math.Min(least, Math.Abs((a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W)));
+        }
+
+        return 2f * (float)PortableMath.Acos(least);
+    }
 
     /// <summary>Where the root was.</summary>
     public RootPlace PlaceAt(int frame) => places[frame];
