@@ -15,6 +15,9 @@ internal static class StanceSampler
     /// <summary>Metres by which the feathers of a lowered tail reach below its spine.</summary>
     private const double FanDrop = 0.06;
 
+    /// <summary>Least size of a head that is made smaller.</summary>
+    private const double LeastHead = 0.6;
+
     /// <summary>Radians by which a low head or tail is raised at a time.</summary>
     private static readonly double lift = Scalar.Radians(7);
 
@@ -37,6 +40,13 @@ internal static class StanceSampler
 
         Measure(draft);
         Place(draft, draw);
+        for (int attempt = 0; attempt < Attempts && draft.Plan == BodyPlan.Legless && IsFrontHeavy(draft.Shape); attempt++)
+        {
+            // No rearing carries this head: it is too large.
+            draft.Proportions = draft.Proportions with { Head = Math.Max(0.94 * draft.Proportions.Head, LeastHead) };
+            Measure(draft);
+            Place(draft, draw);
+        }
     }
 
     /// <summary>The body's shape with the current posture and elevation.</summary>

@@ -94,4 +94,12 @@ public sealed class EverySeedTests
 
         Assert.True(armed > 60, $"{armed} with arms");
     }
+
+    /// <summary>Serpents with great heads and short tails, which even a raised front did not carry.</summary>
+    [Theory]
+    [InlineData(57061)]
+    [InlineData(53362)]
+    [InlineData(81008)]
+    public void Heavy_heads_do_not_tip_a_serpent_over(ulong seed) =>
+        Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Build(BlueprintSampler.Sample(seed, LocomotionKind.Walking))));
 }
