@@ -286,6 +286,15 @@ public enum PatternKind
 
     /// <summary>A dark saddle over the back.</summary>
     Saddle,
+
+    /// <summary>Broken rings around a darker middle (leopard).</summary>
+    Rosettes,
+
+    /// <summary>Large plates with narrow seams between them.</summary>
+    Giraffe,
+
+    /// <summary>A labyrinth of winding ribbons of one width (puffer fish).</summary>
+    Turing,
 }
 
 /// <summary>Left or right, as the creature itself would say it.</summary>

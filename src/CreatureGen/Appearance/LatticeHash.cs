@@ -34,5 +34,5 @@ internal static class LatticeHash
     }
 
     /// <summary>The upper 24 bits as a number 0..1, 1 excluded.</summary>
-    public static float Unit(uint bits) => (bits >> 8) * (1f / 16777216f);
+    public static float Unit(uint bits) => (int)(bits >> 8) * (1f / 16777216f);
 }

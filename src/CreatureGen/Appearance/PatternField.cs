@@ -36,6 +36,15 @@ internal sealed class PatternField
     private const float StripeFrequency = 26f;
     private const float BandFrequency = 15f;
 
+    /// <summary>Pairs of ribbons of a labyrinth per metre of torso.</summary>
+    private const float WavesPerMetre = 8.5f;
+
+    /// <summary>Of a rosette, in cells.</summary>
+    private const float RingRadius = 0.46f;
+
+    /// <summary>Difference of the two nearest distances, in cells, across half a seam of plates, and across the whole of its soft edge.</summary>
+    private const float SeamWidth = 0.09f, SeamEdge = 0.10f;
+
     /// <summary>Odd, so that the marks of no two individuals are those of another species' pattern a few steps on.</summary>
     private const int MarkStep = 0x2545F491;
 
@@ -46,6 +55,7 @@ internal sealed class PatternField
     private readonly float scale;
     private readonly int salt;
     private readonly float phase;
+    private readonly RandomWaves? waves;
 
     /// <summary>Chooses the pattern.</summary>
     /// <param name="kind">What it looks like.</param>
@@ -58,6 +68,7 @@ internal sealed class PatternField
         this.scale = (float)scale;
         salt = unchecked((seed * 16) + (marks * MarkStep));
         phase = (float)PortableMath.Tau * (marks % PhaseSteps) / PhaseSteps;
+        waves = kind == PatternKind.Turing ? new RandomWaves(WavesPerMetre * this.scale, salt + 5) : null;
     }
 
     /// <summary>Share of the pattern colour at a place, 0..1.</summary>
@@ -79,6 +90,12 @@ internal sealed class PatternField
                 return 0.85f * Scalar.Smooth((Clouds(place, 8f, 18f, 0.55f) - 0.42f) / 0.24f);
             case PatternKind.Saddle:
                 return Saddle(place);
+            case PatternKind.Rosettes:
+                return Rosettes(place);
+            case PatternKind.Giraffe:
+                return Scalar.Smooth((WorleyNoise.Gap(place.Position * (4.2f * scale), salt + 2, SeamWidth + SeamEdge) - SeamWidth) / SeamEdge);
+            case PatternKind.Turing:
+                return Scalar.Smooth(0.5f + (1.6f * waves!.At(place.Position)));
             default:
                 throw new InvalidOperationException("pattern kind " + kind + " is not known; expected one of " + nameof(PatternKind));
         }
@@ -99,6 +116,21 @@ internal sealed class PatternField
 
         float radius = 0.30f + (0.20f * point.Value);
         return Scalar.Smooth((radius + 0.03f - point.Distance) / 0.15f);
+    }
+
+    // A ring around each point, broken in up to four places, and in its middle a share of the pattern colour: warmer and darker than the coat.
+    private float Rosettes(in PatternPlace place)
+    {
+        NearestPoint point = WorleyNoise.Nearest(place.Position * (4f * scale), salt + 2);
+        float distance = point.Distance;
+        float share = 0.36f * Scalar.Smooth((RingRadius - distance) / 0.08f);
+        float ring = Scalar.Smooth((0.145f - Math.Abs(distance - RingRadius)) / 0.08f);
+        if (ring > share)
+        {
+            share = Math.Max(share, ring * Scalar.Smooth((Math.Abs(point.Lobes) - 0.02f) / 0.08f));
+        }
+
+        return share * Scalar.Smooth(point.Margin / 0.07f);
     }
 
     private float Stripes(in PatternPlace place)

@@ -1,62 +1,188 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance;
 
 /// <summary>The scattered point nearest to a place.</summary>
 internal readonly struct NearestPoint
 {
-    public NearestPoint(float distance, float value)
+    private readonly Vector3 offset;
+    private readonly uint bits;
+    private readonly float second;
+
+    /// <summary>The point of a cell.</summary>
+    /// <param name="offset">From the place to the point, cells.</param>
+    /// <param name="bits">Random bits of its cell.</param>
+    /// <param name="second">Square of the distance to the next point.</param>
+    public NearestPoint(Vector3 offset, uint bits, float second)
     {
-        Distance = distance;
-        Value = value;
+        this.offset = offset;
+        this.bits = bits;
+        this.second = second;
     }
 
     /// <summary>Distance to the point, in cells.</summary>
-    public float Distance { get; }
+    public float Distance => Vec.Length(offset);
+
+    /// <summary>By how much the next point is farther away, in cells; both distances are cut at <see cref="WorleyNoise.Reach"/>, so that it changes without a jump.</summary>
+    public float Margin => Math.Max(0f, Math.Min(WorleyNoise.Reach, (float)Math.Sqrt(second)) - Distance);
 
     /// <summary>A random number 0..1 of the point, the same for all places that it is nearest to.</summary>
-    public float Value { get; }
+    public float Value => LatticeHash.Unit(LatticeHash.Mix(bits));
+
+    /// <summary>
+    /// −1..1 by the direction of the point alone: the product of the cosines to two random axes of the point, so that a circle around it meets up to four zeros. 0 at the point itself.
+    /// </summary>
+    public float Lobes
+    {
+        get
+        {
+            uint first = LatticeHash.Mix(bits ^ 0x55555555u);
+            Vector3 a = Axis(first);
+            Vector3 b = Axis(LatticeHash.Mix(first));
+            float size = Vec.LengthSquared(offset) * (float)Math.Sqrt(Vec.LengthSquared(a) * Vec.LengthSquared(b));
+            return size > 1e-12f ? Scalar.Clamp(Vec.Dot(offset, a) * Vec.Dot(offset, b) / size, -1f, 1f) : 0f;
+        }
+    }
+
+    private static Vector3 Axis(uint bits) => new((bits >> 22) - 511.5f, ((bits >> 12) & 1023u) - 511.5f, ((bits >> 2) & 1023u) - 511.5f);
 }
 
 /// <summary>Scattered points, one in each cell of an integer lattice, and which of them is nearest.</summary>
 /// <remarks>
-/// Based on: S. Worley, "A cellular texture basis function" (1996). Only the 8 cells around a place are searched. Points stay within
-/// <see cref="Jitter"/> of the centre of their cell, so the answer is exact wherever the nearest point is closer than 1 − <see cref="Jitter"/>.
+/// Based on: S. Worley, "A cellular texture basis function" (1996). Points stay within <see cref="Jitter"/> of the centre of their cell, so none outside
+/// of the 8 cells around a place is closer to it than <see cref="Reach"/>.
 /// </remarks>
 internal static class WorleyNoise
 {
     /// <summary>How far a point may lie from the centre of its cell along each axis, in cells.</summary>
     public const float Jitter = 0.36f;
 
-    /// <summary>The nearest point.</summary>
+    /// <summary>No point outside of the 8 cells around a place is closer to it, in cells.</summary>
+    public const float Reach = 1f - Jitter;
+
+    // A point's place along one axis of its cell: the least, and the step of its 10 random bits.
+    private const float Least = 0.5f - Jitter;
+    private const float Step = 2f * Jitter / 1023f;
+
+    /// <summary>The bits of a squared distance that say which of eight cells it is of.</summary>
+    private const int CellMask = 7;
+
+    /// <summary>The nearest point; exact wherever it is closer than <see cref="Reach"/>.</summary>
     public static NearestPoint Nearest(Vector3 point, int salt)
     {
-        int x0 = (int)Math.Floor(point.X - 0.5);
-        int y0 = (int)Math.Floor(point.Y - 0.5);
-        int z0 = (int)Math.Floor(point.Z - 0.5);
-        float best = float.MaxValue;
-        uint winner = 0;
-        for (int i = 0; i < 8; i++)
+        int x = Low(point.X);
+        int y = Low(point.Y);
+        int z = Low(point.Z);
+        Survey(x, y, z, point, salt, out int first, out int second);
+        x += first & 1;
+        y += (first >> 1) & 1;
+        z += (first >> 2) & 1;
+        uint bits = LatticeHash.Bits(x, y, z, salt);
+        return new NearestPoint(new Vector3(Offset(x - point.X, bits), Offset(y - point.Y, bits << 10), Offset(z - point.Z, bits << 20)), bits, Squared(second));
+    }
+
+    /// <summary>By how much the second nearest point is farther away than the nearest, in cells: 0 on the borders between their plates.</summary>
+    /// <param name="point">The place, in cells.</param>
+    /// <param name="salt">Which scatter.</param>
+    /// <param name="most">The answer is exact up to here, and no less than this wherever it is more.</param>
+    public static float Gap(Vector3 point, int salt, float most)
+    {
+        int x0 = Low(point.X);
+        int y0 = Low(point.Y);
+        int z0 = Low(point.Z);
+        Survey(x0, y0, z0, point, salt, out int first, out int second);
+
+        // Of the cells around these eight only the nearer side of each axis can matter, and few of them do.
+        float within = (float)Math.Sqrt(Squared(first)) + most;
+        float reach = Math.Min(Squared(second), within * within);
+        if (reach > Reach * Reach)
         {
-            int x = x0 + (i & 1);
-            int y = y0 + ((i >> 1) & 1);
-            int z = z0 + (i >> 2);
-            uint bits = LatticeHash.Bits(x, y, z, salt);
-            float dx = x + Offset(bits) - point.X;
-            float dy = y + Offset(bits << 10) - point.Y;
-            float dz = z + Offset(bits << 20) - point.Z;
-            float squared = (dx * dx) + (dy * dy) + (dz * dz);
-            if (squared < best)
+            (int outerX, float dx) = Beyond(point.X, x0);
+            (int outerY, float dy) = Beyond(point.Y, y0);
+            (int outerZ, float dz) = Beyond(point.Z, z0);
+            if (Math.Min(dx, Math.Min(dy, dz)) < reach)
             {
-                best = squared;
-                winner = bits;
+                for (int k = 0; k < 3; k++)
+                {
+                    for (int j = 0; j < 3; j++)
+                    {
+                        for (int i = 0; i < 3; i++)
+                        {
+                            float apart = (i < 2 ? 0f : dx) + (j < 2 ? 0f : dy) + (k < 2 ? 0f : dz);
+                            if (apart > 0f && apart < reach)
+                            {
+                                int x = i < 2 ? x0 + i : outerX;
+                                int y = j < 2 ? y0 + j : outerY;
+                                int z = k < 2 ? z0 + k : outerZ;
+                                Meet(SquaredOffset(x - point.X, y - point.Y, z - point.Z, LatticeHash.Bits(x, y, z, salt)), 0, ref first, ref second);
+                            }
+                        }
+                    }
+                }
             }
         }
 
-        return new NearestPoint((float)Math.Sqrt(best), LatticeHash.Unit(LatticeHash.Mix(winner)));
+        return (float)Math.Sqrt(Squared(second)) - (float)Math.Sqrt(Squared(first));
     }
 
-    // Place of the point along one axis of its cell, from the highest 10 bits.
-    private static float Offset(uint bits) => 0.5f + (Jitter * (((bits >> 22) * (2f / 1023f)) - 1f));
+    // The lower of the two cells along an axis whose middles are nearest to a place.
+    private static int Low(float at) => (int)Math.Floor(at - 0.5);
+
+    // The nearer of the two cells beside a pair of cells, and the square of the least distance to its point along this axis.
+    private static (int Cell, float Squared) Beyond(float at, int low)
+    {
+        float share = at - 0.5f - low;
+        float least = Reach + Math.Min(share, 1f - share);
+        return (share < 0.5f ? low - 1 : low + 2, least * least);
+    }
+
+    // The two least squared distances to the points of eight cells, as Meet orders them.
+    private static void Survey(int x0, int y0, int z0, Vector3 point, int salt, out int first, out int second)
+    {
+        int least = int.MaxValue;
+        int next = int.MaxValue;
+        uint left = LatticeHash.AlongX(x0);
+        uint right = LatticeHash.AlongX(unchecked(x0 + 1));
+        float dx = x0 - point.X;
+        for (int k = 0; k < 4; k++)
+        {
+            int y = y0 + (k & 1);
+            int z = z0 + (k >> 1);
+            uint row = LatticeHash.AlongY(y) ^ LatticeHash.AlongZ(z) ^ LatticeHash.Salt(salt);
+            float dy = y - point.Y;
+            float dz = z - point.Z;
+            Meet(SquaredOffset(dx, dy, dz, LatticeHash.Mix(left ^ row)), 2 * k, ref least, ref next);
+            Meet(SquaredOffset(dx + 1f, dy, dz, LatticeHash.Mix(right ^ row)), (2 * k) + 1, ref least, ref next);
+        }
+
+        first = least;
+        second = next;
+    }
+
+    // Positive numbers are ordered as their bits are: as integers they can be compared without a branch, and carry their cell in the bits that matter least.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Meet(float squared, int cell, ref int first, ref int second)
+    {
+        int key = (BitConverter.SingleToInt32Bits(squared) & ~CellMask) | cell;
+        second = Math.Min(second, Math.Max(first, key));
+        first = Math.Min(first, key);
+    }
+
+    private static float Squared(int key) => BitConverter.Int32BitsToSingle(key & ~CellMask);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static float SquaredOffset(float x, float y, float z, uint bits)
+    {
+        float dx = Offset(x, bits);
+        float dy = Offset(y, bits << 10);
+        float dz = Offset(z, bits << 20);
+        return (dx * dx) + (dy * dy) + (dz * dz);
+    }
+
+    // From a place to the point of a cell along one axis: from the place to the cell, and the highest 10 bits.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static float Offset(float toCell, uint bits) => toCell + (Least + (Step * (int)(bits >> 22)));
 }

@@ -107,5 +107,8 @@ internal static class AnatomyChoices
         (PatternKind.Bands, "bands"),
         (PatternKind.Patches, "patches"),
         (PatternKind.Mottle, "mottle"),
-        (PatternKind.Saddle, "saddle"));
+        (PatternKind.Saddle, "saddle"),
+        (PatternKind.Rosettes, "rosettes"),
+        (PatternKind.Giraffe, "giraffe"),
+        (PatternKind.Turing, "turing"));
 }

@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
@@ -10,6 +11,10 @@ internal static class CoatSampler
 {
     /// <summary>Probability that a species wears a colouring that it is known by.</summary>
     private const double KnownColourings = 0.65;
+
+    // Degrees: the hue of tanned leather, and how far towards it the marks of great cats and giraffes turn at most.
+    private const double WarmHue = 48;
+    private const double WarmTurn = 20;
 
     private static readonly double[] vividHues = { 25, 45, 70, 110, 145, 175, 200, 230, 260, 290, 330 };
     private static readonly double[] darkHues = { 30, 60, 150, 220, 260, 300 };
@@ -77,8 +82,13 @@ internal static class CoatSampler
             random.Integer(0, 1 << 16));
         Colouring[] known = draft.Species.Colourings;
         RandomStream choice = draft.Stream("colouring");
-        return palette == PaletteMood.Any && known.Length > 0 && choice.Chance(KnownColourings) ? Wear(coat, known[choice.Integer(0, known.Length)], choice) : coat;
+        CoatBlueprint worn = palette == PaletteMood.Any && known.Length > 0 && choice.Chance(KnownColourings) ? Wear(coat, known[choice.Integer(0, known.Length)], choice) : coat;
+        return RareCoats.Perhaps(Darkened(worn), palette, draft.Stream("rarity"));
     }
+
+    /// <summary>A colour in OKLCH with its hue in degrees, of any number of turns.</summary>
+    public static ColourBlueprint Colour(double lightness, double chroma, double hueDegrees) =>
+        new(lightness, chroma, Scalar.Radians(((hueDegrees % 360) + 360) % 360));
 
     /// <summary>The coat in a colouring that its species is known by, a little varied.</summary>
     private static CoatBlueprint Wear(CoatBlueprint coat, Colouring known, RandomStream random)
@@ -101,10 +111,21 @@ internal static class CoatSampler
         };
     }
 
+    /// <summary>Rosettes and plates are always darker than the coat and a little warmer, whatever the colour drawn for them.</summary>
+    private static CoatBlueprint Darkened(CoatBlueprint coat)
+    {
+        if (coat.PatternKind is not (PatternKind.Rosettes or PatternKind.Giraffe))
+        {
+            return coat;
+        }
+
+        double hue = Scalar.Degrees(coat.Pattern.Hue);
+        double warmer = Scalar.Clamp(((WarmHue - hue + 540) % 360) - 180, -WarmTurn, WarmTurn);
+        double lightness = Math.Min(coat.Pattern.Lightness, Math.Max(0.2, coat.Base.Lightness - 0.31));
+        return coat with { Pattern = Colour(lightness, coat.Pattern.Chroma * 1.2, hue + warmer), PatternStrength = Math.Max(coat.PatternStrength, 0.88) };
+    }
+
     private static ColourBlueprint? Of(Tint? tint) => tint is Tint t ? Colour(t.Lightness, t.Chroma, t.Hue) : null;
 
     private static double Pick(RandomStream random, double[] values) => values[random.Integer(0, values.Length)];
-
-    private static ColourBlueprint Colour(double lightness, double chroma, double hueDegrees) =>
-        new(lightness, chroma, Scalar.Radians(((hueDegrees % 360) + 360) % 360));
 }

@@ -32,6 +32,7 @@ internal static class CrawlerSpecies
                 new Colouring(new Tint(0.58, 0.16, 250)) { Pattern = new Tint(0.2, 0.03, 260), Kind = PatternKind.Spots },
                 new Colouring(new Tint(0.82, 0.16, 92)) { Pattern = new Tint(0.2, 0.02, 60), Kind = PatternKind.Patches },
                 new Colouring(new Tint(0.50, 0.07, 85)) { Pattern = new Tint(0.32, 0.05, 70), Kind = PatternKind.Mottle },
+                new Colouring(new Tint(0.78, 0.14, 95)) { Pattern = new Tint(0.25, 0.03, 80), Kind = PatternKind.Turing, Limb = new Tint(0.45, 0.05, 210) },
             },
         },
         SwimmerSpecies.Tamed(FamilyProfiles.Find("serpent")) with

@@ -18,7 +18,7 @@ internal static class FamilyProfiles
             Eye = (9.6, 5.2), EyeSize = 0.325, EyeSink = 0.66, EyeForward = 0.65, LidDegrees = (54, 64), Bone = 1,
             Swelling = (0.10, 0.10), MouthCorner = 8, MuzzleSquareness = 2.9, Nostril = 0.19,
             HeadOrnament = (1, 0.15), Teeth = 0.5,
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Saddle, 1.2), (PatternKind.Patches, 0.8), (PatternKind.Spots, 0.5)),
+            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Saddle, 1.2), (PatternKind.Patches, 0.8), (PatternKind.Spots, 0.5), (PatternKind.Rosettes, 0.1)),
         },
         new("bovine")
         {
@@ -29,7 +29,7 @@ internal static class FamilyProfiles
             Eye = (9.6, 6.0), EyeSize = 0.35, EyeSink = 0.64, EyeForward = 0.4, LidDegrees = (50, 64), Bone = 0.8,
             Swelling = (0.10, 0.08), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
             HeadOrnament = (1, 0.85),
-            Patterns = Patterns((PatternKind.Patches, 1.2), (PatternKind.Plain, 0.9), (PatternKind.Stripes, 0.7), (PatternKind.Saddle, 0.8)),
+            Patterns = Patterns((PatternKind.Patches, 1.2), (PatternKind.Plain, 0.9), (PatternKind.Stripes, 0.7), (PatternKind.Saddle, 0.8), (PatternKind.Giraffe, 1), (PatternKind.Rosettes, 0.15)),
         },
         new("feline")
         {
@@ -40,7 +40,7 @@ internal static class FamilyProfiles
             Eye = (9.6, 5.0), EyeSize = 0.375, EyeSink = 0.60, EyeForward = 0.75, LidDegrees = (56, 66), SlitPupils = 0.75, Bone = 0.9,
             Swelling = (0.08, 0.13), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
             HeadOrnament = (1, 0.12), Teeth = 0.5,
-            Patterns = Patterns((PatternKind.Stripes, 1), (PatternKind.Spots, 1.6), (PatternKind.Plain, 0.6), (PatternKind.Saddle, 0.3)),
+            Patterns = Patterns((PatternKind.Stripes, 1), (PatternKind.Spots, 0.8), (PatternKind.Plain, 0.6), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 1.3), (PatternKind.Giraffe, 0.3)),
         },
         new("reptile")
         {
@@ -51,7 +51,7 @@ internal static class FamilyProfiles
             Eye = (9.6, 4.8), EyeSize = 0.3125, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.8,
             Swelling = (0.16, 0.08), MouthCorner = 9, Nostril = 0.15, Mood = 0.55,
             HeadOrnament = (0.04, 0.4), Teeth = 0.55,
-            Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Mottle, 1), (PatternKind.Stripes, 0.8), (PatternKind.Patches, 0.4), (PatternKind.Saddle, 0.3)),
+            Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Mottle, 1), (PatternKind.Stripes, 0.8), (PatternKind.Patches, 0.4), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 0.12), (PatternKind.Giraffe, 0.15)),
         },
         new("avian")
         {
@@ -73,7 +73,7 @@ internal static class FamilyProfiles
             Eye = (10, 7.0), EyeSize = 0.3, EyeSink = 0.62, EyeForward = 0.3, LidDegrees = (70, 80), Bone = 0,
             Swelling = (0.03, 0.02), MouthCorner = 5, Nostril = 0.12,
             Teeth = 0.4,
-            Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Stripes, 0.6), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Saddle, 0.9)),
+            Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Stripes, 0.6), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Saddle, 0.9), (PatternKind.Turing, 0.8)),
         },
         new("insect")
         {
@@ -106,7 +106,7 @@ internal static class FamilyProfiles
             Eye = (9.5, 4.2), EyeSize = 0.375, EyeSink = 0.25, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.5, Bone = 0,
             Swelling = (0.16, 0.06), MouthCorner = 9, Nostril = 0.12,
             HeadOrnament = (0, 0.12),
-            Patterns = Patterns((PatternKind.Spots, 1), (PatternKind.Mottle, 0.9), (PatternKind.Patches, 0.6), (PatternKind.Bands, 0.4)),
+            Patterns = Patterns((PatternKind.Spots, 1), (PatternKind.Mottle, 0.9), (PatternKind.Patches, 0.6), (PatternKind.Bands, 0.4), (PatternKind.Turing, 0.9)),
         },
     };
 

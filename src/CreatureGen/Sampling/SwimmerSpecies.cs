@@ -219,6 +219,7 @@ internal static class SwimmerSpecies
                 new Colouring(new Tint(0.34, 0.03, 50)) { Pattern = new Tint(0.68, 0.17, 50), Kind = PatternKind.Patches, Accent = new Tint(0.66, 0.18, 42) },
                 new Colouring(new Tint(0.86, 0.05, 12)) { Kind = PatternKind.Plain, Limb = new Tint(0.8, 0.07, 12), Accent = new Tint(0.60, 0.17, 18) },
                 new Colouring(new Tint(0.48, 0.08, 110)) { Pattern = new Tint(0.25, 0.03, 100), Kind = PatternKind.Spots },
+                new Colouring(new Tint(0.64, 0.13, 132)) { Pattern = new Tint(0.26, 0.03, 120), Kind = PatternKind.Turing, Accent = new Tint(0.62, 0.15, 45) },
             },
         },
         serpent with
@@ -227,11 +228,13 @@ internal static class SwimmerSpecies
             Frequency = (0, 0, 0.28),
             HeadOrnament = (0, 0),
             SwimmingPlans = Only(BodyPlan.Eel),
+            Patterns = Patterns((PatternKind.Bands, 1.2), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Turing, 1)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.42, 0.07, 95)) { Pattern = new Tint(0.75, 0.13, 90), Kind = PatternKind.Spots, Accent = new Tint(0.5, 0.1, 100) },
                 new Colouring(new Tint(0.70, 0.02, 90)) { Pattern = new Tint(0.2, 0.02, 60), Kind = PatternKind.Bands },
                 new Colouring(new Tint(0.30, 0.03, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.7, 0.03, 90) },
+                new Colouring(new Tint(0.76, 0.06, 88)) { Pattern = new Tint(0.30, 0.04, 62), Kind = PatternKind.Turing },
             },
         },
     };

@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Appearance;
 using CreatureGen.Seeding;
@@ -66,9 +68,12 @@ public sealed class NoiseTests
         {
             Vector3 point = Point(random, 30);
             NearestPoint found = WorleyNoise.Nearest(point, 3);
-            double wide = WideSearch(point, 3);
+            double[] all = WideSearch(point, 3);
+            double wide = all[0];
+            double reach = WorleyNoise.Reach;
+            Assert.Equal(Math.Max(0, Math.Min(reach, all[1]) - wide), found.Margin, 1e-4);
             Assert.True(found.Distance >= wide - 1e-5);
-            if (wide < 1 - WorleyNoise.Jitter)
+            if (wide < WorleyNoise.Reach)
             {
                 Assert.Equal(wide, found.Distance, 1e-4);
                 close++;
@@ -76,6 +81,44 @@ public sealed class NoiseTests
         }
 
         Assert.InRange(close, 2500, 4000);
+    }
+
+    [Fact]
+    public void The_gap_of_two_nearest_points_is_the_one_that_a_wide_search_finds()
+    {
+        const float Most = 0.25f;
+        RandomStream random = new Seed(6).Stream();
+        int beyond = 0;
+        for (int n = 0; n < 6000; n++)
+        {
+            Vector3 point = Point(random, 30);
+            double[] nearest = WideSearch(point, 3);
+            double gap = nearest[1] - nearest[0];
+            float found = WorleyNoise.Gap(point, 3, Most);
+            if (gap < Most)
+            {
+                Assert.Equal(gap, found, 1e-4);
+                beyond += nearest[1] > WorleyNoise.Reach ? 1 : 0;
+            }
+            else
+            {
+                Assert.True(found >= Most - 1e-4);
+            }
+        }
+
+        Assert.InRange(beyond, 1000, 6000);
+    }
+
+    [Fact]
+    public void Lobes_lie_between_minus_one_and_one_and_change_sign_around_a_point()
+    {
+        Assert.Equal(0f, new NearestPoint(Vector3.Zero, 77, 1f).Lobes);
+        for (uint bits = 0; bits < 200; bits++)
+        {
+            float[] lobes = Enumerable.Range(0, 360).Select(degree => new NearestPoint(new Vector3(MathF.Cos(degree * MathF.PI / 180f), MathF.Sin(degree * MathF.PI / 180f), 0f), bits, 4f).Lobes).ToArray();
+            Assert.All(lobes, lobe => Assert.InRange(lobe, -1f, 1f));
+            Assert.Equal(4, Enumerable.Range(0, 360).Count(degree => lobes[degree] < 0f != lobes[(degree + 1) % 360] < 0f));
+        }
     }
 
     [Fact]
@@ -111,9 +154,10 @@ public sealed class NoiseTests
     private static Vector3 Point(RandomStream random, double range) =>
         new((float)random.Uniform(-range, range), (float)random.Uniform(-range, range), (float)random.Uniform(-range, range));
 
-    private static double WideSearch(Vector3 point, int salt)
+    /// <summary>Distances to the nearest and to the second nearest point.</summary>
+    private static double[] WideSearch(Vector3 point, int salt)
     {
-        double best = double.MaxValue;
+        var all = new List<double>();
         int cx = (int)Math.Floor(point.X);
         int cy = (int)Math.Floor(point.Y);
         int cz = (int)Math.Floor(point.Z);
@@ -127,12 +171,12 @@ public sealed class NoiseTests
                     double dx = x + Offset(bits >> 22) - point.X;
                     double dy = y + Offset((bits >> 12) & 1023) - point.Y;
                     double dz = z + Offset((bits >> 2) & 1023) - point.Z;
-                    best = Math.Min(best, Math.Sqrt((dx * dx) + (dy * dy) + (dz * dz)));
+                    all.Add(Math.Sqrt((dx * dx) + (dy * dy) + (dz * dz)));
                 }
             }
         }
 
-        return best;
+        return all.Order().Take(2).ToArray();
     }
 
     private static double Offset(uint tenBits) => 0.5 + (WorleyNoise.Jitter * ((tenBits / 511.5) - 1));

@@ -62,7 +62,7 @@ public sealed class BlueprintValidatorTests
                 "legs[1].toes = 0; expected a whole number 1..8",
                 "wings = null; expected an array of 0..4 elements",
                 "coat.iris = null; expected an object",
-                "coat.patternKind = an undefined value; expected one of plain, spots, stripes, bands, patches, mottle, saddle",
+                "coat.patternKind = an undefined value; expected one of plain, spots, stripes, bands, patches, mottle, saddle, rosettes, giraffe, turing",
             },
             Sentences(wrong));
     }
