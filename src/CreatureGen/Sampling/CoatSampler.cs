@@ -10,7 +10,12 @@ namespace CreatureGen.Sampling;
 internal static class CoatSampler
 {
     /// <summary>Probability that a species wears a colouring that it is known by.</summary>
-    private const double KnownColourings = 0.65;
+    private const double KnownColourings = 0.55;
+
+    // How far one species' wear of a known colouring may be from another's: lightness, factor of chroma, degrees of hue; its marks half as far.
+    private const double LightnessVariety = 0.07;
+    private const double ChromaVariety = 0.3;
+    private const double HueVariety = 15;
 
     // Degrees: the hue of tanned leather, and how far towards it the marks of great cats and giraffes turn at most.
     private const double WarmHue = 48;
@@ -90,25 +95,29 @@ internal static class CoatSampler
     public static ColourBlueprint Colour(double lightness, double chroma, double hueDegrees) =>
         new(lightness, chroma, Scalar.Radians(((hueDegrees % 360) + 360) % 360));
 
-    /// <summary>The coat in a colouring that its species is known by, a little varied.</summary>
+    /// <summary>The coat in a colouring that its species is known by, varied so that two species of one kind differ.</summary>
     private static CoatBlueprint Wear(CoatBlueprint coat, Colouring known, RandomStream random)
     {
-        double lightness = known.Base.Lightness + random.Uniform(-0.03, 0.03);
-        double chroma = known.Base.Chroma;
-        double hue = known.Base.Hue + random.Uniform(-6, 6);
+        double lightness = Scalar.Clamp(known.Base.Lightness + random.Uniform(-LightnessVariety, LightnessVariety), 0.16, 0.94);
+        double chroma = known.Base.Chroma * random.Uniform(1 - ChromaVariety, 1 + ChromaVariety);
+        double hue = known.Base.Hue + random.Uniform(-HueVariety, HueVariety);
         return coat with
         {
             Base = Colour(lightness, chroma, hue),
             Back = Colour(Math.Max(0.16, lightness - 0.12), chroma, hue - 8),
-            Belly = Of(known.Belly) ?? Colour(Math.Min(0.92, lightness + 0.18), chroma * 0.5, hue + 8),
-            Limb = Of(known.Limb) ?? Colour(Math.Max(0.18, lightness - 0.17), chroma * 0.7, hue - 6),
-            Pattern = Of(known.Pattern) ?? Colour(Math.Max(0.17, lightness - 0.26), chroma * 0.8, hue - 10),
-            Accent = Of(known.Accent) ?? (known.KeepsAccent ? coat.Accent : Colour(Math.Max(0.2, lightness - 0.1), chroma * 1.15, hue + 8)),
-            Muzzle = Of(known.Muzzle) ?? coat.Muzzle,
+            Belly = Varied(known.Belly) ?? Colour(Math.Min(0.92, lightness + 0.18), chroma * 0.5, hue + 8),
+            Limb = Varied(known.Limb) ?? Colour(Math.Max(0.18, lightness - 0.17), chroma * 0.7, hue - 6),
+            Pattern = Varied(known.Pattern) ?? Colour(Math.Max(0.17, lightness - 0.26), chroma * 0.8, hue - 10),
+            Accent = Varied(known.Accent) ?? (known.KeepsAccent ? coat.Accent : Colour(Math.Max(0.2, lightness - 0.1), chroma * 1.15, hue + 8)),
+            Muzzle = Varied(known.Muzzle) ?? coat.Muzzle,
             PatternKind = known.Kind ?? coat.PatternKind,
             PatternScale = coat.PatternScale * known.Scale,
             PatternStrength = known.Kind is null ? coat.PatternStrength : Math.Max(coat.PatternStrength, 0.85),
         };
+
+        ColourBlueprint? Varied(Tint? tint) => tint is not Tint t
+            ? null
+            : Colour(Scalar.Clamp(t.Lightness + (0.5 * random.Uniform(-LightnessVariety, LightnessVariety)), 0.1, 0.96), t.Chroma, t.Hue + (0.5 * random.Uniform(-HueVariety, HueVariety)));
     }
 
     /// <summary>Rosettes and plates are always darker than the coat and a little warmer, whatever the colour drawn for them.</summary>
@@ -124,8 +133,6 @@ internal static class CoatSampler
         double lightness = Math.Min(coat.Pattern.Lightness, Math.Max(0.2, coat.Base.Lightness - 0.31));
         return coat with { Pattern = Colour(lightness, coat.Pattern.Chroma * 1.2, hue + warmer), PatternStrength = Math.Max(coat.PatternStrength, 0.88) };
     }
-
-    private static ColourBlueprint? Of(Tint? tint) => tint is Tint t ? Colour(t.Lightness, t.Chroma, t.Hue) : null;
 
     private static double Pick(RandomStream random, double[] values) => values[random.Integer(0, values.Length)];
 }
