@@ -25,6 +25,7 @@ internal sealed class SheetVerb : IVerb
     private const int MostPixels = 100_000_000;
 
     private static readonly OptionSyntax skeleton = new("--skeleton", null, "show the bones through the skin");
+    private static readonly OptionSyntax face = new("--face", null, "show the heads alone, close");
     private static readonly OptionSyntax columns = new("--columns", "N", "creatures in a row, 1 to 200 (default 6)");
     private static readonly OptionSyntax size = new("--size", "PIXELS", "width of one creature's picture, 32 to 4096 (default 340)");
 
@@ -37,9 +38,10 @@ internal sealed class SheetVerb : IVerb
             new("sheet --seeds 1-36 --out sheet.png", "a first look at many"),
             new("sheet --seeds 1-24 --kind swimming --view side --out swimmers.png", "swimmers from the side"),
             new("sheet --seed 42 --individuals 1-36 --out family.png", "one species, young and old"),
+            new("sheet --seeds 1-12 --face --columns 4 --out faces.png", "their heads"),
             new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, face, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -62,7 +64,7 @@ internal sealed class SheetVerb : IVerb
         bool alone = specimens.Count == 1;
         var style = new Style(
             CommonOptions.ReadView(arguments),
-            arguments.Has(skeleton.Name) ? Figure.Skeleton : Figure.Skin,
+            ReadFigure(arguments),
             new RenderOptions { Shading = arguments.Has(CommonOptions.Flat.Name) ? ShadingMode.Faceted : ShadingMode.Smooth, Threads = alone ? layout.Threads : 1 });
         using var progress = new ProgressLine(surroundings, "creatures", specimens.Count, ProgressKind.Shown);
         SheetCell[] cells = specimens.Select(specimen => Cell(specimen, options, style, progress)).ToArray();
@@ -72,6 +74,16 @@ internal sealed class SheetVerb : IVerb
         FileSet.Write(path, stream => stream.Write(png), surroundings.Cancellation);
         surroundings.Out.WriteLine(FormattableString.Invariant($"{path}: {cells.Length} {(alone ? "creature" : "creatures")}, {sheet.Width} x {sheet.Height} pixels, {Units.Bytes(png.Length)}"));
         return ExitCode.Done;
+    }
+
+    private static Figure ReadFigure(ParsedArguments arguments)
+    {
+        if (arguments.Has(face.Name) && arguments.Has(skeleton.Name))
+        {
+            throw arguments.Wrong("--face and --skeleton; expected one of them");
+        }
+
+        return arguments.Has(face.Name) ? Figure.Face : arguments.Has(skeleton.Name) ? Figure.Skeleton : Figure.Skin;
     }
 
     private static void RequireRoom(ParsedArguments arguments, UInt128 count, ContactSheetOptions layout)
@@ -94,7 +106,12 @@ internal sealed class SheetVerb : IVerb
         {
             Creature creature = CreatureAssembler.Assemble(blueprint);
             RenderOptions render = style.Render with { Width = width, Height = height };
-            Picture picture = style.Figure == Figure.Skeleton ? Portrait.TakeSkeleton(creature, style.View, render) : Portrait.Take(creature, style.View, render);
+            Picture picture = style.Figure switch
+            {
+                Figure.Skeleton => Portrait.TakeSkeleton(creature, style.View, render),
+                Figure.Face => Portrait.TakeFace(creature, style.View, render),
+                _ => Portrait.Take(creature, style.View, render),
+            };
             progress.Step();
             return picture;
         });
@@ -105,6 +122,7 @@ internal sealed class SheetVerb : IVerb
     {
         Skin,
         Skeleton,
+        Face,
     }
 
     private sealed record Style(View View, Figure Figure, RenderOptions Render);

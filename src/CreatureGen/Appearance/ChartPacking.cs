@@ -14,8 +14,8 @@ namespace CreatureGen.Appearance;
 /// </remarks>
 internal sealed class ChartPacking
 {
-    /// <summary>Free space around a chart, as a part of the picture's side: two texels of a picture of 512.</summary>
-    private const float Margin = 2f / 512f;
+    /// <summary>Free space around a chart, as a part of the picture's side: two texels of the smallest picture, of 256.</summary>
+    private const float Margin = 2f / 256f;
 
     private const int Bisections = 16;
 

@@ -245,6 +245,9 @@ public sealed class VerbTests
         Assert.Equal(ExitCode.Done, run.Run("sheet", "--seeds", "1-3", "--columns", "2", "--size", "68", "--view", "side", "--out", "a.png", "--threads", "1"));
         Assert.Equal(ExitCode.Done, run.Run("sheet", "--seeds", "1-3", "--columns", "2", "--size", "68", "--view", "side", "--out", "b.png", "--threads", "3"));
         Assert.Equal(ExitCode.Done, run.Run("sheet", "--seeds", "1-3", "--columns", "2", "--size", "68", "--view", "side", "--out", "c.png", "--skeleton"));
+        Assert.Equal(ExitCode.Done, run.Run("sheet", "--seeds", "1-3", "--columns", "2", "--size", "68", "--view", "side", "--out", "d.png", "--face"));
+        Assert.NotEqual(run.Bytes("c.png"), run.Bytes("d.png"));
+        Assert.Contains("--face and --skeleton", run.Refusal(ExitCode.BadInput, "sheet", "--seed", "1", "--out", "e.png", "--face", "--skeleton"), StringComparison.Ordinal);
         byte[] png = run.Bytes("a.png");
         Assert.Equal([137, 80, 78, 71, 13, 10, 26, 10], png[..8]);
         Assert.Equal([0, 0, 0, 136, 0, 0, 0, 112], png[16..24]);
