@@ -147,6 +147,9 @@ internal sealed class LeggedBody
     /// <summary>Whether it is built to hop: upright, with long feet under it and a tail to counter them.</summary>
     public bool Hops { get; }
 
+    /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers.</summary>
+    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype == LimbArchetype.Jumper);
+
     /// <summary>M^−0.26.</summary>
     public double BreathShare { get; }
 
