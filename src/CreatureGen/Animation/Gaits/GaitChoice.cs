@@ -29,7 +29,7 @@ internal static class GaitChoice
         else if (body.Rows > 2)
         {
             steps.Add(new GaitStep(GaitLibrary.Wave, 0f, 0f));
-            steps.Add(new GaitStep(GaitLibrary.Tripod, 0.80f, 0.6f));
+            steps.Add(body.Leaps ? new GaitStep(GaitLibrary.Leap, 0.15f, 0.09f) : new GaitStep(GaitLibrary.Tripod, 0.80f, 0.6f));
         }
         else if (plan == BodyPlan.Sprawling || body.Legs[0].Lateral)
         {

@@ -85,6 +85,12 @@ public static class GaitLibrary
         MostRows = 1, Comfortable = 2f, Fastest = 8f, Lift = 1.2f, Track = 0.95f, Crouch = 0.05f, BounceCap = 0.22f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f,
     };
 
+    /// <summary>The hind pair pushes, all other legs catch: grasshoppers.</summary>
+    public static Gait Leap { get; } = new("Leap", new LeapPhases(), new DutyLaw(0.46f, 0.08f, 0.30f, 0.42f), StrideLaw.Asymmetric)
+    {
+        LeastRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, BounceCap = 0.16f, ForeBias = 0f, HindBias = 0f,
+    };
+
     /// <summary>Steps run along the body from the rear, each leg a swing later than the one behind it: one leg after the other when slow, tetrapod, tripod when fast. For any number of legs.</summary>
     public static Gait Wave { get; } = new("Wave", new WavePhases(WaveDirection.Forward), new DutyLaw(0.74f, 0.30f, 0.50f, 0.75f), StrideLaw.Symmetric)
     {

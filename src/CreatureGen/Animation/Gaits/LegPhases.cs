@@ -89,3 +89,16 @@ public sealed class WavePhases : LegPhases
         return (along * step) + (side == Side.Right ? 0.5f : 0f);
     }
 }
+
+/// <summary>
+/// Leaps, as of grasshoppers: the hindmost pair pushes together, and after a flight all other legs catch the body together; they leave the ground when the hind feet have come down again.
+/// For any number of pairs from two on.
+/// </summary>
+public sealed class LeapPhases : LegPhases
+{
+    /// <summary>Part of their stance that the catching legs stay down beside the hind legs.</summary>
+    private const float Overlap = 0.3f;
+
+    /// <inheritdoc/>
+    public override float Lag(int row, int rows, Side side, float duty) => row == 0 ? 0f : 1f - ((1f - Overlap) * duty);
+}

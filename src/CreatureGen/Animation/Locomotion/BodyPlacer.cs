@@ -24,6 +24,9 @@ internal sealed class BodyPlacer
     /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
     private const float MostDrop = 0.35f;
 
+    /// <summary>Part of a swing in which its leg stops drawing the body down.</summary>
+    private const float LettingGo = 0.25f;
+
     private const float LateralDrop = 0.025f;
     private const float SurgeCap = 0.04f;
 
@@ -143,6 +146,7 @@ internal sealed class BodyPlacer
         float push = Scalar.Clamp(context.Acceleration / settings.Gravity, -0.5f, 0.5f);
         hindRise += HindGround + context.Idle.Breath - crouch - (0.06f * push * length);
         foreRise += ForeGround + context.Idle.Breath - crouch + (0.06f * push * length);
+        Level(ref hindRise, ref foreRise);
         float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + (0.35f * push) : 0f;
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
@@ -159,12 +163,21 @@ internal sealed class BodyPlacer
         Vector3 between = Trunk.Flex(plan);
         Settle(plan, between, rest.Y, foreRise, 0f, 0f);
         Reach(feet, poses, out float hindDrop, out float foreDrop);
-        HindDrop = hindDrop;
-        ForeDrop = foreDrop;
+        float level = 1f - body.PitchShare;
+        HindDrop = hindDrop = Math.Max(hindDrop, level * foreDrop);
+        ForeDrop = foreDrop = Math.Max(foreDrop, level * hindDrop);
         if (hindDrop > 1e-5f * length || foreDrop > 1e-5f * length)
         {
             Settle(plan, between, rest.Y, foreRise, hindDrop, foreDrop);
         }
+    }
+
+    /// <summary>Brings the heights of hind and fore body, which are those under the feet, to where the joints of the legs are.</summary>
+    private void Level(ref float hindRise, ref float foreRise)
+    {
+        float middle = 0.5f * (hindRise + foreRise);
+        hindRise = middle + ((hindRise - middle) * body.PitchShare);
+        foreRise = middle + ((foreRise - middle) * body.PitchShare);
     }
 
     /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>
@@ -258,7 +271,7 @@ internal sealed class BodyPlacer
         {
             LegShape leg = body.Legs[i];
             float y = feet[i].Base.Y;
-            if (leg.Row * 2 < body.Rows)
+            if (leg.IsHind(body.Rows))
             {
                 hindLeast = Math.Min(hindLeast, y);
                 hindSum += y;
@@ -336,7 +349,7 @@ internal sealed class BodyPlacer
         for (int i = 0; i < feet.Length; i++)
         {
             LegShape leg = body.Legs[i];
-            float weight = feet[i].Phase == FootPhase.Stance ? 1f : feet[i].Correcting ? 0f : Scalar.Smooth((feet[i].Swing - 0.75f) / 0.25f);
+            float weight = feet[i].Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(feet[i].Swing / LettingGo) + (feet[i].Correcting ? 0f : Scalar.Smooth((feet[i].Swing - 0.75f) / 0.25f));
             if (weight == 0f)
             {
                 continue;

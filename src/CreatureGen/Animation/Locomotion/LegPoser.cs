@@ -69,7 +69,7 @@ internal sealed class LegPoser
         Quaternion metatarsus;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
-            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, Rotation.FromAxisAngle(leg.Hinge, pose.Fold));
+            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, Rotation.FromAxisAngle(leg.Hinge, FoldOf(leg, pose.Fold, solved.KneeTurn)));
         }
         else
         {
@@ -85,5 +85,12 @@ internal sealed class LegPoser
             local.Rotations[leg.Ankle] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ankle], leg.AnkleJoint);
             local.Rotations[leg.Ball] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ball], leg.BallJoint);
         }
+    }
+
+    /// <summary>Fold of the metatarsus that the ankle can follow. Bounded here, as an angle: folded by more than half a turn the ankle would seem to be bent the other way.</summary>
+    private static float FoldOf(LegShape leg, float fold, float knee)
+    {
+        AngleRange range = leg.AnkleJoint.Limit.SwingX;
+        return knee + Scalar.Clamp(fold - knee, range.Min, range.Max);
     }
 }

@@ -128,6 +128,10 @@ internal sealed class LegShape
         return Math.Max(most, 0.1f * Length);
     }
 
+    /// <summary>Whether it is in the rear half of the rows, which carries the pelvis.</summary>
+    /// <param name="rows">Number of pairs of legs.</param>
+    public bool IsHind(int rows) => Row * 2 < rows;
+
     public int Girdle { get; }
 
     public int Hip { get; }

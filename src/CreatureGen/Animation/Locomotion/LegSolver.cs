@@ -16,6 +16,9 @@ internal struct LegTurns
     /// <summary>Turn of the shank from rest.</summary>
     public Quaternion Shank;
 
+    /// <summary>Sine of half the angle of that turn.</summary>
+    public float KneeHalfSine;
+
     /// <summary>Length needed as part of the reach; above 1 is out of reach.</summary>
     public float Stretch;
 
@@ -24,6 +27,9 @@ internal struct LegTurns
 
     /// <summary>Bend of the knee about its hinge, radians: 0 is straight, negative for elbows.</summary>
     public float Bend;
+
+    /// <summary>Turn of the shank relative to the thigh about the hinge, radians.</summary>
+    public readonly float KneeTurn => 2f * (float)PortableMath.Atan2(KneeHalfSine, Knee.W);
 }
 
 /// <summary>
@@ -92,6 +98,7 @@ internal static class LegSolver
 
         HalfAngle.Of(cosKnee, sinKnee, out double halfCosine, out double halfSine);
         turns.Bend = (float)cosThen;
+        turns.KneeHalfSine = (float)halfSine;
         turns.Knee = new Quaternion((float)(n.X * halfSine), (float)(n.Y * halfSine), (float)(n.Z * halfSine), (float)halfCosine);
 
         Vector3 chord = upper + Rotation.Rotate(turns.Knee, lower);

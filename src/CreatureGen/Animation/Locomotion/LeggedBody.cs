@@ -57,6 +57,7 @@ internal sealed class LeggedBody
 
         Traits = TrunkTraits.Of(creature.Blueprint.Plan, BaseBodyNames.FamilyOf(creature.Blueprint.Body.Blend.First), Mass);
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
+        PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase(), 1e-3f));
         Neck = NeckOf(Skeleton);
         Tail = ChainOf(Skeleton, JointRole.Tail);
         TailLimits = new float[Tail.Length];
@@ -132,6 +133,9 @@ internal sealed class LeggedBody
 
     public float TrunkLength { get; }
 
+    /// <summary>Share of a difference in height between hind and fore feet that the joints of the legs take up: the trunk goes with the slope under its feet, and these may be farther apart than the joints.</summary>
+    public float PitchShare { get; }
+
     public float NeckLength { get; }
 
     /// <summary>Lowest point of the trunk at rest, metres above the ground.</summary>
@@ -142,6 +146,9 @@ internal sealed class LeggedBody
 
     /// <summary>Whether it is built to hop: upright, with long feet under it and a tail to counter them.</summary>
     public bool Hops { get; }
+
+    /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers.</summary>
+    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype == LimbArchetype.Jumper);
 
     /// <summary>M^−0.26.</summary>
     public double BreathShare { get; }
@@ -280,6 +287,29 @@ internal sealed class LeggedBody
         }
 
         return arms.ToArray();
+    }
+
+    /// <summary>Distance from the middle of the feet of the rear half of the rows to that of the others, metres.</summary>
+    private float Wheelbase()
+    {
+        float hind = 0f;
+        float fore = 0f;
+        int hindCount = 0;
+        foreach (LegShape leg in Legs)
+        {
+            if (leg.IsHind(Rows))
+            {
+                hind += leg.Home.Z;
+                hindCount++;
+            }
+            else
+            {
+                fore += leg.Home.Z;
+            }
+        }
+
+        int foreCount = Legs.Length - hindCount;
+        return foreCount == 0 ? 0f : (fore / foreCount) - (hind / Math.Max(hindCount, 1));
     }
 
     private bool LongFeet() => Vec.Length(Legs[0].Metatarsus) + Legs[0].Toe > 0.42f * LegLength;

@@ -81,4 +81,22 @@ public class GaitTests
     }
 
     private static GaitSet Dog() => new MotionProfile(Walkers.Of(BodyPlan.Digitigrade, 5)).Gaits!;
+
+    [Theory]
+    [InlineData(2, 0.3f)]
+    [InlineData(3, 0.42f)]
+    public void In_a_leap_the_hind_pair_pushes_together_and_the_others_catch_together_after_a_flight(int rows, float duty)
+    {
+        LegPhases phases = GaitLibrary.Leap.Phases;
+        float caught = phases.Lag(rows - 1, rows, Side.Left, duty);
+        Assert.Equal(0f, phases.Lag(0, rows, Side.Left, duty));
+        for (int row = 0; row < rows; row++)
+        {
+            Assert.Equal(phases.Lag(row, rows, Side.Left, duty), phases.Lag(row, rows, Side.Right, duty));
+            Assert.Equal(row == 0 ? 0f : caught, phases.Lag(row, rows, Side.Left, duty));
+        }
+
+        Assert.True(caught > duty + 0.2f, "no flight between push and catch");
+        Assert.True(caught + duty > 1f, "the catching legs leave before the hind legs are down");
+    }
 }

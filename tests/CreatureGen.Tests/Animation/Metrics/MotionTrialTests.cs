@@ -60,4 +60,30 @@ public sealed class MotionTrialTests
     }
 
     private static Creature Of(RequestedKind kind, ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
+
+    [Theory]
+    [InlineData(287, "Crawl", GroundRelief.Rough)]
+    [InlineData(143, "Trot", GroundRelief.Rough)]
+    [InlineData(222, "Trot", GroundRelief.Rough)]
+    [InlineData(37, "Canter", GroundRelief.Flat)]
+    public void Short_trunks_folded_legs_and_stretched_legs_do_not_make_the_pose_jump(int seed, string gait, GroundRelief relief)
+    {
+        var profile = new MotionProfile(Walkers.Any((ulong)seed));
+        MotionTrial trial = MotionTrial.Of(profile).Single(t => t.Movement.GaitName == gait && t.Relief == relief && t.Hertz == 144f);
+        MotionReport report = trial.Run(profile);
+        Assert.True(report.PoseJump <= 3f, $"{seed} {gait}: the pose jumps by {report.PoseJump} times its usual change");
+    }
+
+    [Theory]
+    [InlineData(105)]
+    [InlineData(245)]
+    [InlineData(287)]
+    public void Mantises_whose_four_legs_stand_close_together_do_not_stand_on_their_heads_on_hills(int seed)
+    {
+        var profile = new MotionProfile(Walkers.Any((ulong)seed));
+        MotionTrial trial = MotionTrial.Of(profile).Single(t => t.Movement.GaitName == "Crawl" && t.Relief == GroundRelief.Rough && t.Hertz == 144f);
+        MotionReport report = trial.Run(profile);
+        Assert.True(report.LimitExcess < 0.2f, $"{seed}: a joint is {report.LimitExcess} rad beyond its limits");
+        Assert.True(report.PoseJump < 4f, $"{seed}: the pose jumps by {report.PoseJump} times its usual change");
+    }
 }
