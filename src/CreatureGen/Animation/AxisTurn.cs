@@ -3,25 +3,28 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Animation;
 
-/// <summary>Turns about the axes of the model. X: a positive turn tips a snout down and swings a hanging leg back; Y: to the left; Z: left side up.</summary>
+/// <summary>Turns about the axes of the model, radians: +X is the creature's left, +Y up, +Z ahead.</summary>
 internal static class AxisTurn
 {
-    public static Quaternion X(float angle)
+    /// <summary>About X. Positive tips the front down, and swings what hangs backward.</summary>
+    public static Quaternion Pitch(double angle)
     {
-        PortableMath.SinCos(0.5 * angle, out double s, out double c);
-        return new Quaternion((float)s, 0f, 0f, (float)c);
+        PortableMath.SinCos(0.5 * angle, out double sine, out double cosine);
+        return new Quaternion((float)sine, 0f, 0f, (float)cosine);
     }
 
-    public static Quaternion Y(float angle)
+    /// <summary>About Y. Positive turns the front to the left, and sweeps what lies out to the left backward.</summary>
+    public static Quaternion Yaw(double angle)
     {
-        PortableMath.SinCos(0.5 * angle, out double s, out double c);
-        return new Quaternion(0f, (float)s, 0f, (float)c);
+        PortableMath.SinCos(0.5 * angle, out double sine, out double cosine);
+        return new Quaternion(0f, (float)sine, 0f, (float)cosine);
     }
 
-    public static Quaternion Z(float angle)
+    /// <summary>About Z. Positive raises the left side.</summary>
+    public static Quaternion Roll(double angle)
     {
-        PortableMath.SinCos(0.5 * angle, out double s, out double c);
-        return new Quaternion(0f, 0f, (float)s, (float)c);
+        PortableMath.SinCos(0.5 * angle, out double sine, out double cosine);
+        return new Quaternion(0f, 0f, (float)sine, (float)cosine);
     }
 
     /// <summary>First about Z, then about X, then about Y.</summary>

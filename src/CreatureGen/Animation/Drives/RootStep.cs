@@ -12,7 +12,7 @@ internal static class RootStep
     public static RootPlace Advance(in RootPlace place, in RootVelocity velocity, float dt)
     {
         // Half of the turn before the way, half after: the chord of the arc.
-        Quaternion half = AxisTurn.Y(0.5f * velocity.YawRate * dt);
+        Quaternion half = AxisTurn.Yaw(0.5f * velocity.YawRate * dt);
         Quaternion middle = Rotation.Multiply(place.Rotation, half);
         Vector3 way = Rotation.Rotate(middle, new Vector3(0f, velocity.Up, velocity.Forward)) * dt;
         return new RootPlace(place.Position + way, Rotation.Normalize(Rotation.Multiply(middle, half)), place.Scale);

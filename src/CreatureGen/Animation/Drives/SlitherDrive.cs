@@ -37,7 +37,7 @@ internal sealed class SlitherDrive : IBodyMotion
         Speed = input.Speed / scale;
         var asked = new SlitherInput(SlitherMode.Undulating, Speed, input.TurnRate, place.Position / scale, yaw);
         Strokes.Slithering.RootPlace root = SlitherMotion.Update(profile, asked, rayed, state, dt, local);
-        return new RootPlace(root.Position * scale, AxisTurn.Y(root.Yaw), scale);
+        return new RootPlace(root.Position * scale, AxisTurn.Yaw(root.Yaw), scale);
     }
 
     public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local) =>

@@ -22,9 +22,9 @@ internal static class ArmSwing
             float size = body.IsBiped ? SwingPerScissor : CarriedSwing;
             float swing = Scalar.Clamp(size * placer.Scissor * side, -0.7f, 0.7f) * context.Activity;
             float bend = (Forearm * (swing > 0f ? swing : 0f)) + (context.Clock.Shape.ElbowBend * 0.5f * context.Activity);
-            turns.Set(local, arm.Shoulder, AxisTurn.X(-swing));
-            turns.Set(local, arm.Elbow, AxisTurn.X(-bend));
-            turns.Set(local, arm.Wrist, AxisTurn.X(Wrist * swing));
+            turns.Set(local, arm.Shoulder, AxisTurn.Pitch(-swing));
+            turns.Set(local, arm.Elbow, AxisTurn.Pitch(-bend));
+            turns.Set(local, arm.Wrist, AxisTurn.Pitch(Wrist * swing));
         }
     }
 }

@@ -264,7 +264,7 @@ internal sealed class FootPlanner
     private bool Wants(int leg, in StepContext step, float ahead)
     {
         Vector3 there = step.Travel.Predict(ahead, out float yaw);
-        Quaternion turn = AxisTurn.Y(yaw);
+        Quaternion turn = AxisTurn.Yaw(yaw);
         Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed));
         Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
         away.Y = 0f;
@@ -312,7 +312,7 @@ internal sealed class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         Vector3 there = step.Travel.Predict(ahead, out float yaw);
-        Quaternion turn = AxisTurn.Y(yaw);
+        Quaternion turn = AxisTurn.Yaw(yaw);
         Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed)));
         Quaternion heading = UnitTurn.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
         float share = foot.Swing > 0f && foot.Aimed ? aimDecay.Share(AimRate * step.Step) : 1f;

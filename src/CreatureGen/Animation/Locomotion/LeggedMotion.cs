@@ -150,7 +150,7 @@ internal sealed class LeggedMotion : IBodyMotion
         for (int i = 0; i < steps; i++)
         {
             Vector3 way = travel.Advance(h, out float yaw);
-            Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisTurn.Y(yaw));
+            Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisTurn.Yaw(yaw));
             placement = new RootPlace(placement.ToWorld(way), Upright(rotation, settings.Up), scale);
             placement = FollowGround(placement, h, settings);
             Step(placement, h, Math.Max(dt - ((i + 1) * h), 0f), settings, ground);

@@ -61,7 +61,7 @@ internal sealed class TrunkChain
         int foreSlot = body.ForeSlot;
         float share = 1f / Math.Max(foreSlot, 1);
         Bend = AxisTurn.YawPitchRoll(plan.BendYaw * share, plan.BendPitch * share, plan.BendRoll * share);
-        ChestTurn = plan.ChestPitch == 0f ? Quaternion.Identity : AxisTurn.X(plan.ChestPitch);
+        ChestTurn = plan.ChestPitch == 0f ? Quaternion.Identity : AxisTurn.Pitch(plan.ChestPitch);
         Vector3[] rest = Rest;
         bends[0] = Quaternion.Identity;
         bent[0] = Vector3.Zero;

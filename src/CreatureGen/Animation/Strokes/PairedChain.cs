@@ -91,5 +91,5 @@ internal sealed class PairedChain
 
     /// <summary>A turn of a bone that lies out to the left: it is twisted about itself (positive: leading edge down), swept back, then raised.</summary>
     public Quaternion Stroke(int joint, double raise, double sweep, double twist) =>
-        Rotation.Multiply(Turn.Roll(raise), Rotation.Multiply(Turn.Yaw(sweep), Rotation.FromAxisAngle(axes[joint], twist)));
+        Rotation.Multiply(AxisTurn.Roll(raise), Rotation.Multiply(AxisTurn.Yaw(sweep), Rotation.FromAxisAngle(axes[joint], twist)));
 }

@@ -23,7 +23,7 @@ public class TravelTests
             for (int i = 0; i < steps; i++)
             {
                 at += Rotation.Rotate(heading, travel.Advance(1f / steps, out float yaw));
-                heading = Rotation.Multiply(heading, AxisTurn.Y(yaw));
+                heading = Rotation.Multiply(heading, AxisTurn.Yaw(yaw));
             }
 
             return at;

@@ -63,7 +63,7 @@ internal sealed class FlightAxis
         double share = (double)(chest - b) / chest;
         double stretch = b == 0 ? 0 : NeckStretch * stroke.Stream * risen[b];
         double pitch = stretch - (share * HeadPitchKept * stroke.Pitch);
-        return Rotation.Multiply(Turn.Yaw(share * stroke.Look), Rotation.Multiply(Turn.Pitch(pitch), Turn.Roll(-share * HeadRollKept * stroke.Roll)));
+        return Rotation.Multiply(AxisTurn.Yaw(share * stroke.Look), Rotation.Multiply(AxisTurn.Pitch(pitch), AxisTurn.Roll(-share * HeadRollKept * stroke.Roll)));
     }
 
     private Quaternion Aft(int b, in AxisStroke stroke)
@@ -71,6 +71,6 @@ internal sealed class FlightAxis
         double share = (double)(b - pelvis) / (chain.Count - 1 - pelvis);
         double beat = TailBeat * stroke.Beat * share * PortableMath.Sin(2 * PortableMath.Pi * (stroke.Phase - 0.15 - (0.2 * share)));
         double pitch = (TailStream * stroke.Stream * risen[b]) + beat + (share * TailHover * stroke.Hover) - (share * 0.25 * stroke.Rise);
-        return Rotation.Multiply(Turn.Yaw(-share * TailYaw * stroke.Steer), Turn.Pitch(pitch));
+        return Rotation.Multiply(AxisTurn.Yaw(-share * TailYaw * stroke.Steer), AxisTurn.Pitch(pitch));
     }
 }

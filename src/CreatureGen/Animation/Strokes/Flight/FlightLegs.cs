@@ -62,9 +62,9 @@ internal sealed class FlightLegs
         double dangle = Dangle * stroke.Swing;
         turns[0] = Quaternion.Identity;
         turns[1] = Bend(posture.Hip + dangle);
-        turns[2] = lateral ? Turn.Roll(posture.Knee) : Turn.Pitch(posture.Knee);
-        turns[3] = lateral ? Turn.Roll(-0.5 * posture.Ankle) : Turn.Pitch(posture.Ankle + dangle);
-        turns[4] = lateral ? Turn.Roll(-0.5 * posture.Ball) : Turn.Pitch(posture.Ball);
+        turns[2] = lateral ? AxisTurn.Roll(posture.Knee) : AxisTurn.Pitch(posture.Knee);
+        turns[3] = lateral ? AxisTurn.Roll(-0.5 * posture.Ankle) : AxisTurn.Pitch(posture.Ankle + dangle);
+        turns[4] = lateral ? AxisTurn.Roll(-0.5 * posture.Ball) : AxisTurn.Pitch(posture.Ball);
         if (Stands && stroke.Planted > LeastPlanted)
         {
             Plant(turns, stroke, body, bodyPivot, bodyNow);
@@ -77,7 +77,7 @@ internal sealed class FlightLegs
         }
     }
 
-    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(Turn.Roll(-0.5 * Math.Abs(hip)), Turn.Yaw(hip)) : Turn.Pitch(hip);
+    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisTurn.Roll(-0.5 * Math.Abs(hip)), AxisTurn.Yaw(hip)) : AxisTurn.Pitch(hip);
 
     /// <summary>Two bones reach from the hip, wherever the body has taken it, to the ankle's place over the foothold; the foot stays level.</summary>
     private void Plant(Span<Quaternion> turns, in LegStroke stroke, Quaternion body, Vector3 bodyPivot, Vector3 bodyNow)

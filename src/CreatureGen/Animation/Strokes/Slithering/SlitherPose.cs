@@ -139,10 +139,10 @@ internal static class SlitherPose
     /// <summary>The head looks along the way, and swings little with the neck; a crawler that lies still lifts it and looks about.</summary>
     private static Quaternion Head(SlitherState state, Quaternion neck)
     {
-        Quaternion along = Turn.Yaw(state.Travel - state.Root.Yaw);
+        Quaternion along = AxisTurn.Yaw(state.Travel - state.Root.Yaw);
         Quaternion gaze = Rotation.Slerp(along, neck, HeadSwing);
         double idle = state.Idle.Value;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Breath, out double sine, out double cosine);
-        return Rotation.Multiply(gaze, Rotation.Multiply(Turn.Yaw(0.12 * idle * sine), Turn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
+        return Rotation.Multiply(gaze, Rotation.Multiply(AxisTurn.Yaw(0.12 * idle * sine), AxisTurn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
     }
 }

@@ -42,7 +42,7 @@ internal sealed class MedianFin
             sway += IdleRipple * (k == 0 ? 0.5 : 1) * stroke.Hover * ripple;
             sway += TurnSway * stroke.Steer;
             double fold = k == 0 ? FastFold * stroke.Fast : 0;
-            joints[k].Write(local, Rotation.Multiply(Turn.Roll(up * sway), Turn.Pitch(-up * fold)));
+            joints[k].Write(local, Rotation.Multiply(AxisTurn.Roll(up * sway), AxisTurn.Pitch(-up * fold)));
         }
     }
 }

@@ -134,7 +134,7 @@ public static class SwimMotion
             ref readonly AxialBone bone = ref chain.Bones[b];
             double heading = profile.Wave.Heading(b, amplitude, cosine, sine);
             double round = bend * (bone.Middle.Z - chain.Centre.Z) / chain.Length;
-            turns[b] = vertical ? Rotation.Multiply(Turn.Yaw(round), Turn.Pitch(-heading)) : Turn.Yaw(round + heading);
+            turns[b] = vertical ? Rotation.Multiply(AxisTurn.Yaw(round), AxisTurn.Pitch(-heading)) : AxisTurn.Yaw(round + heading);
         }
 
         // The body's root lies as the axis does there, or the joints next to it would have to turn by all of it.
@@ -184,7 +184,7 @@ public static class SwimMotion
 
         // Standing still it hangs in the water and floats up and down a little.
         heave += 0.008 * chain.Length * Hover(profile, state) * sine;
-        Quaternion body = Rotation.Multiply(Rotation.Multiply(Turn.Pitch(pitch), Turn.Roll(roll)), there);
+        Quaternion body = Rotation.Multiply(Rotation.Multiply(AxisTurn.Pitch(pitch), AxisTurn.Roll(roll)), there);
         Vector3 centre = chain.CentreOf(turns, pivots);
         Vector3 rest = chain.Centre - chain.BodyPivot;
         Vector3 sway = profile.Style == SwimStyle.Cetacean ? new Vector3(0f, (float)(heave + mean), 0f) : new Vector3((float)mean, (float)heave, 0f);
