@@ -66,7 +66,7 @@ public sealed class CreatureTextures
         var painter = new TexturePainter(coat, CoatSubjects.ReliefOf(creature.Blueprint), pictures);
         ChartPacking packing = ChartPacking.Pack(surface);
         PaintSwatches(pictures);
-        Paint(surface, normals, packing, coat, painter);
+        Paint(surface, packing, new VertexCoat(coat, surface, normals), painter);
         pictures.Bleed(Math.Max(2, size / 256));
         pictures.Emboss(1f / (packing.Density * size));
         return new CreatureTextures(pictures);
@@ -99,7 +99,7 @@ public sealed class CreatureTextures
     };
 
     /// <summary>The right side shares the texels of the left. Charts do not overlap, so each can be painted by a thread of its own.</summary>
-    private static void Paint(Surface surface, Vector3[] normals, ChartPacking packing, CoatPainter coat, TexturePainter painter)
+    private static void Paint(Surface surface, ChartPacking packing, VertexCoat coat, TexturePainter painter)
     {
         for (int pass = 0; pass < 2; pass++)
         {
@@ -107,7 +107,7 @@ public sealed class CreatureTextures
             {
                 if (IsRight(surface, f) == (pass == 1))
                 {
-                    painter.Paint(ChartFace.Of(surface, normals, packing, f, coat));
+                    painter.Paint(ChartFace.Of(surface, packing, f, coat));
                 }
             }
         }

@@ -25,7 +25,7 @@ internal struct ChartFace
     public readonly bool IsUniform => RegionA == RegionB && RegionA == RegionC && RegionA == RegionD;
 
     /// <summary>Prepares a face.</summary>
-    public static ChartFace Of(Surface surface, Vector3[] normals, ChartPacking packing, int face, CoatPainter coat)
+    public static ChartFace Of(Surface surface, ChartPacking packing, int face, VertexCoat coat)
     {
         Face f = surface.Faces[face];
         FaceTexcoords t = surface.Texcoords[face];
@@ -53,16 +53,12 @@ internal struct ChartFace
         {
             VertexAddress address = addresses[vertex];
             bool rooted = result.Appendage >= 0 && address.Appendage < 0;
-            float side = address.Sign;
-            Vector3 p = surface.Positions[vertex], n = normals[vertex];
             float segment = Math.Abs(address.Segment);
-            var position = new Vector3(Math.Abs(p.X), p.Y, p.Z);
-            var normal = new Vector3(n.X * side, n.Y, n.Z);
-            CoatRange range = coat.RangeAt(address, position, normal);
+            CoatRange range = coat.RangeOf(vertex);
             return new TexelPlace
             {
-                Position = position,
-                Normal = normal,
+                Position = coat.PositionOf(vertex),
+                Normal = coat.NormalOf(vertex),
                 Plain = range.Plain,
                 Patterned = range.Patterned,
                 Run = range.Place.Run,
