@@ -227,7 +227,7 @@ internal static class StanceSampler
         double moment = 0;
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            double m = s.Width[i] * (s.Top[i] + s.Bottom[i]) * s.Step[i];
+            double m = Slice(s, i);
             mass += m;
             moment += m * s.Z[i];
         }
@@ -241,9 +241,12 @@ internal static class StanceSampler
         double sum = 0;
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            sum += s.Width[i] * (s.Top[i] + s.Bottom[i]) * s.Step[i];
+            sum += Slice(s, i);
         }
 
         return 0.5 * PortableMath.Pi * sum;
     }
+
+    /// <summary>Volume of the body from the ring before, as a part of that of an elliptic slice: times π / 2.</summary>
+    private static double Slice(BodyShape s, int ring) => s.Width[ring] * (s.Top[ring] + s.Bottom[ring]) * s.Step[ring];
 }

@@ -137,35 +137,60 @@ internal sealed class AtlasPictures
         }
     }
 
-    private bool HasPaintedNeighbour(int texel)
+    /// <summary>The texels beside one, within the picture: left, right, above, below.</summary>
+    private int Neighbours(int texel, Span<int> found)
     {
         int x = texel & (Size - 1);
-        return (x > 0 && painted[texel - 1]) || (x < Size - 1 && painted[texel + 1])
-            || (texel >= Size && painted[texel - Size]) || (texel < painted.Length - Size && painted[texel + Size]);
+        int count = 0;
+        if (x > 0)
+        {
+            found[count++] = texel - 1;
+        }
+
+        if (x < Size - 1)
+        {
+            found[count++] = texel + 1;
+        }
+
+        if (texel >= Size)
+        {
+            found[count++] = texel - Size;
+        }
+
+        if (texel < painted.Length - Size)
+        {
+            found[count++] = texel + Size;
+        }
+
+        return count;
+    }
+
+    private bool HasPaintedNeighbour(int texel)
+    {
+        Span<int> beside = stackalloc int[4];
+        int count = Neighbours(texel, beside);
+        for (int i = 0; i < count; i++)
+        {
+            if (painted[beside[i]])
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>Adds the neighbours that are not painted yet. One beside two painted ones is added twice, which its mean does not mind.</summary>
     private void AddUnpainted(int texel, List<int> found)
     {
-        int x = texel & (Size - 1);
-        if (x > 0 && !painted[texel - 1])
+        Span<int> beside = stackalloc int[4];
+        int count = Neighbours(texel, beside);
+        for (int i = 0; i < count; i++)
         {
-            found.Add(texel - 1);
-        }
-
-        if (x < Size - 1 && !painted[texel + 1])
-        {
-            found.Add(texel + 1);
-        }
-
-        if (texel >= Size && !painted[texel - Size])
-        {
-            found.Add(texel - Size);
-        }
-
-        if (texel < painted.Length - Size && !painted[texel + Size])
-        {
-            found.Add(texel + Size);
+            if (!painted[beside[i]])
+            {
+                found.Add(beside[i]);
+            }
         }
     }
 
@@ -187,29 +212,25 @@ internal sealed class AtlasPictures
     /// <summary>Gives a texel the mean of its painted neighbours, of which there is at least one.</summary>
     private void Average(int texel)
     {
-        int x = texel & (Size - 1);
-        int y = texel / Size;
+        Span<int> beside = stackalloc int[4];
         Span<int> sums = stackalloc int[6];
         sums.Clear();
         float height = 0f;
         int count = 0;
-        for (int k = 0; k < 4; k++)
+        foreach (int neighbour in beside.Slice(0, Neighbours(texel, beside)))
         {
-            int nx = x + (k == 0 ? -1 : k == 1 ? 1 : 0);
-            int ny = y + (k == 2 ? -1 : k == 3 ? 1 : 0);
-            if ((uint)nx >= (uint)Size || (uint)ny >= (uint)Size || !painted[(ny * Size) + nx])
+            if (!painted[neighbour])
             {
                 continue;
             }
 
-            int from = 3 * ((ny * Size) + nx);
             for (int c = 0; c < 3; c++)
             {
-                sums[c] += BaseColour[from + c];
-                sums[3 + c] += Roughness[from + c];
+                sums[c] += BaseColour[(3 * neighbour) + c];
+                sums[3 + c] += Roughness[(3 * neighbour) + c];
             }
 
-            height += heights[(ny * Size) + nx];
+            height += heights[neighbour];
             count++;
         }
 

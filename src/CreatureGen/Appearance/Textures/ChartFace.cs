@@ -21,9 +21,6 @@ internal struct ChartFace
     /// <summary>The appendage of the corners that have one, else −1.</summary>
     public short Appendage;
 
-    /// <summary>Whether all corners are of one region.</summary>
-    public readonly bool IsUniform => RegionA == RegionB && RegionA == RegionC && RegionA == RegionD;
-
     /// <summary>Prepares a face.</summary>
     public static ChartFace Of(Surface surface, ChartPacking packing, int face, VertexCoat coat)
     {

@@ -138,11 +138,7 @@ public sealed class SwimMotionTests
             var input = new SwimInput(0.9f * profile.CruiseSpeed, 0.2f, 0.1f);
             SwimState state = Steady(profile, input, body);
             Quaternion[] first = (Quaternion[])body.Rotations.Clone();
-            double period = 1 / (double)state.BeatFrequency;
-            for (int i = 0; i < 50; i++)
-            {
-                SwimMotion.Update(profile, input, ref state, (float)(period / 50), body.Local);
-            }
+            Go(profile, input, ref state, 1 / (double)state.BeatFrequency, 50, body);
 
             Assert.True(body.Apart(first) < 1e-3, FormattableString.Invariant($"{plan} {creature.Blueprint.Seed}: {body.Apart(first)}"));
         }
@@ -160,11 +156,7 @@ public sealed class SwimMotionTests
             var input = new SwimInput(profile.CruiseSpeed);
             SwimState state = Steady(profile, input, body);
             Quaternion[] first = (Quaternion[])body.Rotations.Clone();
-            double half = 0.5 / state.BeatFrequency;
-            for (int i = 0; i < 20; i++)
-            {
-                SwimMotion.Update(profile, input, ref state, (float)(half / 20), body.Local);
-            }
+            Go(profile, input, ref state, 0.5 / state.BeatFrequency, 20, body);
 
             Assert.True(body.ApartFromMirror(first) < 1e-3, FormattableString.Invariant($"{plan} {creature.Blueprint.Seed}: {body.ApartFromMirror(first)}"));
         }
@@ -421,5 +413,13 @@ public sealed class SwimMotionTests
         }
 
         return best;
+    }
+
+    private static void Go(SwimProfile profile, in SwimInput input, ref SwimState state, double seconds, int steps, StrokeSubject body)
+    {
+        for (int i = 0; i < steps; i++)
+        {
+            SwimMotion.Update(profile, input, ref state, (float)(seconds / steps), body.Local);
+        }
     }
 }
