@@ -108,5 +108,10 @@ internal static class IndividualSampler
         ColourBlueprint Shift(ColourBlueprint colour) => new(Scalar.Clamp(colour.Lightness + lightness, 0.1, 0.95), colour.Chroma * chroma, Turned(colour.Hue, hue));
     }
 
-    private static double Turned(double hue, double by) => hue + by > PortableMath.Tau ? hue + by - PortableMath.Tau : hue + by;
+    /// <summary>A hue turned either way by less than a full turn, within 0 and 2π again.</summary>
+    private static double Turned(double hue, double by)
+    {
+        double turned = hue + by;
+        return turned < 0 ? turned + PortableMath.Tau : turned > PortableMath.Tau ? turned - PortableMath.Tau : turned;
+    }
 }
