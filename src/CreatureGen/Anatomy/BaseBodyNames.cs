@@ -11,19 +11,23 @@ public static class BaseBodyNames
     private static readonly string[] all =
     {
         "canine", "bovine", "feline", "reptile", "avian", "fish", "insect", "serpent", "amphibian",
-        "beetle", "ant", "wasp", "mantis", "hopper", "spider", "centipede", "butterfly", "dragonfly",
-        "shark", "ray", "angler", "turtle", "plesiosaur", "crocodile", "seal", "newt", "eel",
-        "duck", "raptor", "ostrich", "parrot", "heron", "owl",
+        "beetle", "ant", "wasp", "mantis", "hopper", "spider", "centipede", "butterfly", "dragonfly", "bee", "moth",
+        "shark", "ray", "angler", "turtle", "plesiosaur", "crocodile", "seal", "newt", "eel", "dolphin", "puffer", "swordfish",
+        "duck", "raptor", "ostrich", "parrot", "heron", "owl", "penguin", "toucan",
         "frog", "cobra",
+        "bear", "boar", "rhino", "horse", "rabbit",
+        "bat", "pterosaur",
     };
 
     /// <summary>Family of each species, in the order of <see cref="all"/> behind the families.</summary>
     private static readonly string[] families =
     {
-        "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect",
-        "fish", "fish", "fish", "reptile", "reptile", "reptile", "canine", "amphibian", "serpent",
-        "avian", "avian", "avian", "avian", "avian", "avian",
+        "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect",
+        "fish", "fish", "fish", "reptile", "reptile", "reptile", "canine", "amphibian", "serpent", "fish", "fish", "fish",
+        "avian", "avian", "avian", "avian", "avian", "avian", "avian", "avian",
         "amphibian", "serpent",
+        "canine", "bovine", "bovine", "bovine", "canine",
+        "canine", "reptile",
     };
 
     /// <summary>All names, in a fixed order.</summary>

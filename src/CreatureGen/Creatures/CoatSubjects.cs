@@ -39,12 +39,15 @@ internal static class CoatSubjects
         string body = blueprint.Body.Blend.First;
         (SkinCover cover, float size) = BaseBodies.Find(body).Family switch
         {
+            _ when body is "bee" or "moth" => (SkinCover.Fur, 0.022f),
+            _ when body is "shark" or "ray" or "dolphin" => (SkinCover.Wrinkles, 0.022f),
+            _ when body is "angler" or "puffer" or "pterosaur" or "rhino" => (SkinCover.Wrinkles, 0.05f),
             "canine" or "feline" => (SkinCover.Fur, 0.022f),
             "bovine" => (SkinCover.Fur, 0.016f),
             "avian" => (SkinCover.Feathers, 0.04f),
             "reptile" => (SkinCover.Scales, 0.04f),
             "serpent" => (SkinCover.Scales, 0.034f),
-            "fish" => blueprint.Plan == BodyPlan.Whale || body is "shark" or "ray" or "angler" ? (SkinCover.Wrinkles, 0.05f) : (SkinCover.Scales, 0.045f),
+            "fish" => blueprint.Plan == BodyPlan.Whale ? (SkinCover.Wrinkles, 0.05f) : (SkinCover.Scales, 0.045f),
             "insect" => (SkinCover.Plates, 0.09f),
             _ => (SkinCover.Wrinkles, 0.05f),
         };

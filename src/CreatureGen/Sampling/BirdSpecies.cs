@@ -11,6 +11,7 @@ internal static class BirdSpecies
         HeadSize = (1.12, 0.7),
         LatticeSpread = 0.16,
         HeadOrnament = (0, 0),
+        WingMembrane = 0,
         WalkingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Theropod, 1) },
         FlyingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Flapping, 1) },
     };
@@ -64,7 +65,7 @@ internal static class BirdSpecies
             Body = "parrot",
             Frequency = (0.15, 0.25, 0),
             Eye = (10.4, 6.4), EyeSize = 0.275,
-            Bird = new BirdKit { HipHeight = (0.34, 0.42), Thigh = (0.48, 0.60), Foot = 0.9, FoldRing = 47.5, Fan = 0.11, FlightPitch = (-34, -40) },
+            Bird = new BirdKit { HipHeight = (0.44, 0.52), Thigh = (0.48, 0.60), Foot = 0.9, FoldRing = 47.5, Fan = 0.11, FlightPitch = (-34, -40) },
             Parts = new[] { new PartSlot(new PartChoice(1.2, Crest(1)), new PartChoice(1)) },
             Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Saddle, 0.7), new Weighted<PatternKind>(PatternKind.Patches, 0.4) },
             Colourings = new[]
@@ -103,6 +104,39 @@ internal static class BirdSpecies
                 new Colouring(new Tint(0.42, 0.04, 50)) { Pattern = new Tint(0.7, 0.05, 75), Kind = PatternKind.Spots, Muzzle = new Tint(0.75, 0.1, 85) },
             },
         },
+        avian with
+        {
+            Body = "penguin",
+            Frequency = (0.16, 0, 0),
+            Dominance = (0.93, 0.98),
+            Eye = (9.8, 6.0), EyeSize = 0.26,
+            Bird = new BirdKit { HipHeight = (0.2, 0.27), Thigh = (0.6, 0.7), Foot = 1.2, Claw = 0.5, FoldRing = 41, Fan = 0.08 },
+            Parts = new[] { new PartSlot(new PartChoice(1, Brows()), new PartChoice(2)) },
+            Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Saddle, 0.5) },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.25, 0.02, 260)) { Kind = PatternKind.Plain, Belly = new Tint(0.95, 0.01, 90), Limb = new Tint(0.3, 0.02, 60), Accent = new Tint(0.80, 0.15, 80), Muzzle = new Tint(0.62, 0.17, 50) },
+                new Colouring(new Tint(0.46, 0.05, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.94, 0.01, 220), Limb = new Tint(0.72, 0.08, 30), Accent = new Tint(0.36, 0.05, 250), Muzzle = new Tint(0.3, 0.02, 260) },
+                new Colouring(new Tint(0.40, 0.015, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.93, 0.01, 90), Limb = new Tint(0.66, 0.15, 55), Accent = new Tint(0.84, 0.16, 92), Muzzle = new Tint(0.55, 0.15, 40) },
+            },
+        },
+        avian with
+        {
+            Body = "toucan",
+            Frequency = (0.14, 0.22, 0),
+            Dominance = (0.92, 0.97),
+            Eye = (10.6, 6.2), EyeSize = 0.28,
+            Bird = new BirdKit { HipHeight = (0.44, 0.52), Thigh = (0.48, 0.60), Foot = 0.9, FoldRing = 47, Fan = 0.11, FlightPitch = (-34, -34) },
+            Parts = System.Array.Empty<PartSlot>(),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.24, 0.015, 270)) { Kind = PatternKind.Plain, Belly = new Tint(0.93, 0.03, 95), Limb = new Tint(0.45, 0.06, 240), Accent = new Tint(0.36, 0.06, 270), Muzzle = new Tint(0.74, 0.17, 65) },
+                new Colouring(new Tint(0.26, 0.02, 150)) { Kind = PatternKind.Plain, Belly = new Tint(0.86, 0.15, 100), Limb = new Tint(0.45, 0.06, 240), Accent = new Tint(0.56, 0.19, 28), Muzzle = new Tint(0.72, 0.16, 130) },
+                new Colouring(new Tint(0.34, 0.05, 30)) { Kind = PatternKind.Plain, Belly = new Tint(0.62, 0.17, 30), Limb = new Tint(0.4, 0.04, 60), Accent = new Tint(0.84, 0.15, 92), Muzzle = new Tint(0.24, 0.02, 60) },
+                new Colouring(new Tint(0.92, 0.02, 90)) { Pattern = new Tint(0.24, 0.02, 260), Kind = PatternKind.Saddle, Limb = new Tint(0.55, 0.13, 40), Accent = new Tint(0.24, 0.02, 260), Muzzle = new Tint(0.66, 0.18, 45) },
+                new Colouring(new Tint(0.44, 0.10, 150)) { Kind = PatternKind.Plain, Belly = new Tint(0.66, 0.13, 150), Limb = new Tint(0.4, 0.05, 150), Accent = new Tint(0.6, 0.17, 35), Muzzle = new Tint(0.84, 0.14, 95) },
+            },
+        },
     };
 
     /// <summary>Five tufts over the crown.</summary>
@@ -117,6 +151,13 @@ internal static class BirdSpecies
 
         return tufts;
     }
+
+    /// <summary>A long feather over each eye.</summary>
+    private static PartKit[] Brows() => new[]
+    {
+        new PartKit(new FeatureBlueprint(FeatureKind.Tuft, 9.4, 4.0, 0.2, 0.016, 0.35, 0.2, -0.8, 0.5, -0.15, 0, 0, 0.6, 0.8), 0.8, 1.3),
+        new PartKit(new FeatureBlueprint(FeatureKind.Tuft, 10.2, 3.4, 0.15, 0.014, 0.4, 0.3, -0.8, 0.4, -0.1, 0, 0, 0.6, 0.8), 0.8, 1.3),
+    };
 
     /// <summary>Two long feathers from the nape.</summary>
     private static PartKit[] Plumes() => new[]

@@ -17,7 +17,7 @@ internal static class FamilyProfiles
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
             Eye = (9.6, 5.2), EyeSize = 0.325, EyeSink = 0.66, EyeForward = 0.65, LidDegrees = (54, 64), Bone = 1,
             Swelling = (0.10, 0.10), MouthCorner = 8, MuzzleSquareness = 2.9, Nostril = 0.19,
-            HeadOrnament = (1, 0.15), Teeth = 0.5,
+            HeadOrnament = (1, 0.15), Ears = Ears((EarShape.Pointed, 0.6), (EarShape.Drooping, 0.25), (EarShape.Big, 0.15)), Teeth = 0.5,
             Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Saddle, 1.2), (PatternKind.Patches, 0.8), (PatternKind.Spots, 0.5), (PatternKind.Rosettes, 0.1)),
         },
         new("bovine")
@@ -28,7 +28,7 @@ internal static class FamilyProfiles
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
             Eye = (9.6, 6.0), EyeSize = 0.35, EyeSink = 0.64, EyeForward = 0.4, LidDegrees = (50, 64), Bone = 0.8,
             Swelling = (0.10, 0.08), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
-            HeadOrnament = (1, 0.85),
+            HeadOrnament = (1, 0.85), Ears = Ears((EarShape.Sideways, 1)),
             Patterns = Patterns((PatternKind.Patches, 1.2), (PatternKind.Plain, 0.9), (PatternKind.Stripes, 0.7), (PatternKind.Saddle, 0.8), (PatternKind.Giraffe, 1), (PatternKind.Rosettes, 0.15)),
         },
         new("feline")
@@ -39,12 +39,12 @@ internal static class FamilyProfiles
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
             Eye = (9.6, 5.0), EyeSize = 0.375, EyeSink = 0.60, EyeForward = 0.75, LidDegrees = (56, 66), SlitPupils = 0.75, Bone = 0.9,
             Swelling = (0.08, 0.13), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
-            HeadOrnament = (1, 0.12), Teeth = 0.5,
+            HeadOrnament = (1, 0.12), Ears = Ears((EarShape.Pointed, 0.6), (EarShape.Round, 0.4)), Teeth = 0.5,
             Patterns = Patterns((PatternKind.Stripes, 1), (PatternKind.Spots, 0.8), (PatternKind.Plain, 0.6), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 1.3), (PatternKind.Giraffe, 0.3)),
         },
         new("reptile")
         {
-            Frequency = (0.6, 0.8, 0.3),
+            Frequency = (0.6, 0.65, 0.3),
             Partners = new[] { "amphibian", "serpent", "canine", "avian" },
             WalkingPlans = Plans((BodyPlan.Sprawling, 0.45), (BodyPlan.Theropod, 0.33), (BodyPlan.Plantigrade, 0.22)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.65), (BodyPlan.Fish, 0.2), (BodyPlan.Whale, 0.15)),
@@ -61,7 +61,7 @@ internal static class FamilyProfiles
             SwimmingPlans = Plans((BodyPlan.Flipper, 1)),
             Eye = (9.6, 6.6), EyeSize = 0.4125, EyeSink = 0.60, EyeForward = 0.35, LidDegrees = (60, 72), Bone = 0.5,
             Swelling = (0.06, 0.04), MouthCorner = 7, Nostril = 0.12,
-            HeadOrnament = (0.02, 0.12),
+            HeadOrnament = (0.02, 0.12), WingMembrane = 0.12,
             Patterns = Patterns((PatternKind.Saddle, 1), (PatternKind.Plain, 0.6), (PatternKind.Mottle, 0.7), (PatternKind.Bands, 0.4), (PatternKind.Spots, 0.4)),
         },
         new("fish")
@@ -88,7 +88,7 @@ internal static class FamilyProfiles
         },
         new("serpent")
         {
-            Frequency = (0.38, 0.4, 0.2),
+            Frequency = (0.38, 0.22, 0.2),
             Partners = new[] { "reptile", "fish", "feline", "amphibian" },
             WalkingPlans = Plans((BodyPlan.ManyLegged, 0.42), (BodyPlan.Legless, 0.34), (BodyPlan.Sprawling, 0.24)),
             SwimmingPlans = Plans((BodyPlan.Eel, 0.75), (BodyPlan.Fish, 0.25)),
@@ -118,6 +118,9 @@ internal static class FamilyProfiles
 
     private static Weighted<BodyPlan>[] Plans(params (BodyPlan Plan, double Weight)[] plans) =>
         Array.ConvertAll(plans, p => new Weighted<BodyPlan>(p.Plan, p.Weight));
+
+    private static Weighted<EarShape>[] Ears(params (EarShape Shape, double Weight)[] ears) =>
+        Array.ConvertAll(ears, e => new Weighted<EarShape>(e.Shape, e.Weight));
 
     private static Weighted<PatternKind>[] Patterns(params (PatternKind Pattern, double Weight)[] patterns) =>
         Array.ConvertAll(patterns, p => new Weighted<PatternKind>(p.Pattern, p.Weight));

@@ -42,22 +42,17 @@ internal static class HeadSampler
             return;
         }
 
-        double head = draft.Shape.Width[13];
+        double head = draft.Species.EarSize * draft.Shape.Width[13];
         double size = random.Uniform(0.85, 1.2) * head;
-        string shape = draft.Species.Family switch
-        {
-            "canine" => CreatureDraft.Choose(random, ("pointed", 0.6), ("drooping", 0.25), ("big", 0.15)),
-            "feline" => CreatureDraft.Choose(random, ("pointed", 0.6), ("round", 0.4)),
-            "bovine" => "sideways",
-            _ => CreatureDraft.Choose(random, ("pointed", 0.6), ("big", 0.4)),
-        };
-        var socket = new SocketBlueprint(13, shape == "sideways" ? 4 : 2, 2, 2);
+        EarShape shape = draft.Species.Ears[random.Weighted(Array.ConvertAll(draft.Species.Ears, ear => ear.Weight))].Value;
+        var socket = new SocketBlueprint(13, shape == EarShape.Sideways ? 4 : 2, 2, 2);
         EarBlueprint ear = shape switch
         {
-            "drooping" => new EarBlueprint(socket, 1.15 * size, 0.42 * head, 0.9, 0.45, -0.1, 0.9, 0),
-            "big" => new EarBlueprint(socket, 2.0 * size, 0.5 * head, 0.55, 1, -0.35, 0, 0),
-            "round" => new EarBlueprint(socket, 0.75 * size, 0.48 * head, 0.6, 0.9, -0.15, 0, 1),
-            "sideways" => new EarBlueprint(socket, 1.15 * size, 0.36 * head, 1, 0.12, -0.25, 0.35, 0),
+            EarShape.Drooping => new EarBlueprint(socket, 1.15 * size, 0.42 * head, 0.9, 0.45, -0.1, 0.9, 0),
+            EarShape.Big => new EarBlueprint(socket, 2.0 * size, 0.5 * head, 0.55, 1, -0.35, 0, 0),
+            EarShape.Round => new EarBlueprint(socket, 0.75 * size, 0.48 * head, 0.6, 0.9, -0.15, 0, 1),
+            EarShape.Sideways => new EarBlueprint(socket, 1.15 * size, 0.36 * head, 1, 0.12, -0.25, 0.35, 0),
+            EarShape.Long => new EarBlueprint(socket, 2.9 * size, 0.40 * head, 0.22, 1, -0.3, 0, 0.4),
             _ => new EarBlueprint(socket, 1.15 * size, 0.42 * head, 0.38, 1, -0.25, 0, 0),
         };
         if (draft.Sockets.TryReserve(socket, 0))

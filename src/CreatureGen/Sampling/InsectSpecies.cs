@@ -78,7 +78,8 @@ internal static class InsectSpecies
         insect with
         {
             Body = "wasp",
-            Frequency = (0.13, 0.28, 0),
+            Frequency = (0.13, 0.24, 0),
+            Variety = 0.6, LatticeSpread = 0.2,
             Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes, Signature.BigTail },
             Eye = (8.6, 7.0), EyeSize = 0.70, EyeSink = 0.55,
             Annuli = new AnnuliBlueprint(41, 0.06),
@@ -97,6 +98,9 @@ internal static class InsectSpecies
             {
                 new Colouring(new Tint(0.78, 0.15, 88)) { Pattern = new Tint(0.20, 0.02, 60), Kind = PatternKind.Bands, Scale = 1.5, Limb = new Tint(0.30, 0.05, 60) },
                 new Colouring(new Tint(0.62, 0.16, 50)) { Pattern = new Tint(0.2, 0.02, 60), Kind = PatternKind.Bands, Scale = 1.4 },
+                new Colouring(new Tint(0.22, 0.02, 270)) { Pattern = new Tint(0.92, 0.02, 90), Kind = PatternKind.Bands, Scale = 0.8, Limb = new Tint(0.2, 0.02, 270) },
+                new Colouring(new Tint(0.46, 0.11, 200)) { Kind = PatternKind.Plain, Limb = new Tint(0.34, 0.10, 300), Accent = new Tint(0.46, 0.14, 320) },
+                new Colouring(new Tint(0.24, 0.02, 40)) { Pattern = new Tint(0.50, 0.17, 30), Kind = PatternKind.Saddle, Limb = new Tint(0.5, 0.16, 32) },
             },
         },
         insect with
@@ -236,6 +240,38 @@ internal static class InsectSpecies
                 new Colouring(new Tint(0.60, 0.13, 232)) { Pattern = new Tint(0.22, 0.03, 250), Kind = PatternKind.Bands },
                 new Colouring(new Tint(0.62, 0.15, 150)) { Pattern = new Tint(0.24, 0.04, 150), Kind = PatternKind.Bands },
                 new Colouring(new Tint(0.55, 0.19, 28)) { Kind = PatternKind.Plain },
+            },
+        },
+        insect with
+        {
+            Body = "bee",
+            Frequency = (0, 0.24, 0),
+            Eye = (8.8, 6.6), EyeSize = 0.50, EyeSink = 0.55,
+            Legs = new LegKit { Sites = Sixth(0.45, -0.05, -0.6), Reach = (0.22, 0.28), Height = (0.14, 0.2), Thickness = 0.04 },
+            Wings = new ThinWings { Spread = new[] { new ThinWing(26, 0.72, 0.22, -4, 34), new ThinWing(30, 0.48, 0.17, -36, 26) } },
+            Parts = new[] { SmallJaws(), new PartSlot(new PartChoice(1, Part(Feeler(6, 2.6, 0.24, 0.014, 0.35, 1.05, 0.35, -0.6, 0.6), 0.85, 1.1))) },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.74, 0.15, 82)) { Pattern = new Tint(0.18, 0.02, 60), Kind = PatternKind.Bands, Scale = 0.9, Limb = new Tint(0.2, 0.02, 60) },
+                new Colouring(new Tint(0.22, 0.02, 60)) { Pattern = new Tint(0.62, 0.15, 50), Kind = PatternKind.Bands, Scale = 0.7, Limb = new Tint(0.2, 0.02, 60) },
+                new Colouring(new Tint(0.52, 0.10, 55)) { Pattern = new Tint(0.86, 0.05, 90), Kind = PatternKind.Bands, Scale = 1.1, Limb = new Tint(0.25, 0.03, 50) },
+            },
+        },
+        insect with
+        {
+            Body = "moth",
+            Frequency = (0, 0.26, 0),
+            Eye = (8.8, 6.6), EyeSize = 0.58, EyeSink = 0.55,
+            Legs = new LegKit { Sites = Sixth(0.45, -0.05, -0.6), Reach = (0.2, 0.24), Height = (0.14, 0.2), Thickness = 0.036 },
+            Wings = new ThinWings { Spread = new[] { new ThinWing(26, 1.0, 0.66, -10, 16), new ThinWing(30, 0.66, 0.56, -50, 10) } },
+            Parts = new[] { new PartSlot(new PartChoice(1, Part(Feeler(6, 2.6, 0.3, 0.03, 0.75, 0.8, 0.5, 0.15, 0.3, 0.2), 0.85, 1.15))) },
+            Patterns = Patterns((PatternKind.Mottle, 1), (PatternKind.Bands, 0.6), (PatternKind.Spots, 0.6)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.62, 0.05, 70)) { Pattern = new Tint(0.4, 0.05, 55), Kind = PatternKind.Mottle, Accent = new Tint(0.52, 0.08, 60) },
+                new Colouring(new Tint(0.84, 0.06, 140)) { Kind = PatternKind.Plain, Accent = new Tint(0.78, 0.10, 140) },
+                new Colouring(new Tint(0.34, 0.03, 60)) { Pattern = new Tint(0.72, 0.14, 70), Kind = PatternKind.Bands, Accent = new Tint(0.60, 0.15, 40) },
+                new Colouring(new Tint(0.88, 0.02, 90)) { Pattern = new Tint(0.3, 0.02, 60), Kind = PatternKind.Spots, Accent = new Tint(0.85, 0.03, 95) },
             },
         },
     };

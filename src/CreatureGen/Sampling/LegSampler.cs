@@ -192,7 +192,8 @@ internal static class LegSampler
             set = set with { Arms = set.Arms with { OddsNear = 0, OddsFar = 0.15 } };
         }
 
-        return set.WithGirth(draft.Signature == Signature.Hulk ? 1.3 : 1, draft.Signature == Signature.Rump ? 1.15 : 1);
+        double girth = draft.Species.LegGirth;
+        return set.WithGirth(draft.Signature == Signature.Hulk ? 1.3 * girth : girth, draft.Signature == Signature.Rump ? 1.15 * girth : girth);
     }
 
     private static void Fly(CreatureDraft draft, LegStyle style)
@@ -201,7 +202,8 @@ internal static class LegSampler
         bool insect = draft.Species.Family == "insect";
         bool bird = draft.Species.Family == "avian";
         bool mammal = draft.Species.Family is "canine" or "feline" or "bovine";
-        int pairs = insect ? CreatureDraft.Choose(random, (3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02))
+        int pairs = draft.Species.FlierLegPairs is int own ? own
+            : insect ? CreatureDraft.Choose(random, (3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02))
             : bird ? 1
             : mammal ? 2
             : CreatureDraft.Choose(random, (1, 0.36), (2, 0.48), (0, 0.12), (3, 0.04));
@@ -213,11 +215,11 @@ internal static class LegSampler
             anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).FindAll(site => site.Ring <= ThoraxEnd) };
         }
 
-        if (draft.Species.Bird is BirdKit own)
+        if (draft.Species.Bird is BirdKit bones)
         {
-            double thigh = CreatureDraft.Between(draft.Stream("thigh"), own.Thigh);
+            double thigh = CreatureDraft.Between(draft.Stream("thigh"), bones.Thigh);
             anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).ConvertAll(site => site with { Archetype = LimbArchetype.Bird, Girth = thigh }) };
-            style = OwnLegs.StyleOf(draft, style, own);
+            style = OwnLegs.StyleOf(draft, style, bones);
         }
 
         anatomy = anatomy with { Size = anatomy.Size with { Toes = insect ? 0 : style.Toes } };

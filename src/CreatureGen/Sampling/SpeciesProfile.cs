@@ -84,11 +84,20 @@ internal sealed record SpeciesProfile
         _ => SwimmingPlans,
     };
 
+    /// <summary>Height of its hip relative to the length of the torso where the rules of the plan place its legs; null for the plan's own.</summary>
+    public (double Least, double Most)? HipHeight { get; init; }
+
+    /// <summary>Factor on the girth of legs that the rules of the plan place.</summary>
+    public double LegGirth { get; init; } = 1;
+
     /// <summary>Legs of its own, of walkers and fliers; null when the plan's rules place them.</summary>
     public LegKit? Legs { get; init; }
 
     /// <summary>Legs of its swimmers; null for none.</summary>
     public LegKit? Paddles { get; init; }
+
+    /// <summary>Pairs of legs that its fliers have; null when the family decides.</summary>
+    public int? FlierLegPairs { get; init; }
 
     /// <summary>Proportions of a bird's legs and wings; null for all others.</summary>
     public BirdKit? Bird { get; init; }
@@ -158,6 +167,15 @@ internal sealed record SpeciesProfile
 
     /// <summary>Probability of ears and of horns.</summary>
     public (double Ears, double Horns) HeadOrnament { get; init; }
+
+    /// <summary>Shapes of its ears.</summary>
+    public Weighted<EarShape>[] Ears { get; init; } = { new(EarShape.Pointed, 0.6), new(EarShape.Big, 0.4) };
+
+    /// <summary>Factor on the size of the ears.</summary>
+    public double EarSize { get; init; } = 1;
+
+    /// <summary>Probability that the wings of a flier are membranes instead of feathers; those of thin-winged species are neither.</summary>
+    public double WingMembrane { get; init; } = 0.72;
 
     /// <summary>Probability of teeth when the mouth is open.</summary>
     public double Teeth { get; init; }

@@ -12,6 +12,9 @@ internal static class StanceSampler
 {
     private const int Attempts = 12;
 
+    /// <summary>First ring that a raised tail takes with it: its root stays as low as the rump, however steep the rest.</summary>
+    private const int FirstRaised = 47;
+
     /// <summary>Metres by which the feathers of a lowered tail reach below its spine.</summary>
     private const double FanDrop = 0.06;
 
@@ -86,6 +89,10 @@ internal static class StanceSampler
         if (draft.Species.Bird is BirdKit bird)
         {
             (min, max) = bird.HipHeight;
+        }
+        else if (draft.Species.HipHeight is (double Least, double Most) own)
+        {
+            (min, max) = own;
         }
 
         double hip = Scalar.Lerp(min, max, draw) * torso / 0.92;
@@ -164,7 +171,7 @@ internal static class StanceSampler
         double torsoPitch = p.Torso;
         if (draft.Kind != LocomotionKind.Swimming)
         {
-            if (Lowest(s, 43, 55) < tailGap)
+            if (Lowest(s, FirstRaised, BodyGrid.Rings) < tailGap)
             {
                 tail -= lift;
                 bend -= bend > 0 ? lift / 3 : 0;

@@ -237,6 +237,90 @@ internal static class SwimmerSpecies
                 new Colouring(new Tint(0.76, 0.06, 88)) { Pattern = new Tint(0.30, 0.04, 62), Kind = PatternKind.Turing },
             },
         },
+        fish with
+        {
+            Body = "dolphin",
+            Frequency = (0, 0, 0.34),
+            Dominance = (0.93, 0.98),
+            Eye = (8.6, 8.2), EyeSize = 0.17,
+            MouthCorner = 8, Teeth = 0.3, ToothLength = 0.1, Nostril = 0,
+            MouthOpenings = Openings((0, 1), (0.12, 0.6)),
+            SwimmingPlans = Only(BodyPlan.Whale),
+            Fins = new FinKit
+            {
+                Fins = new[]
+                {
+                    new FinSiteKit(FinPlace.Dorsal, FinStyle.Shark, 29, 0, 8, (0.19, 0.3), (0, 0), 0, 0.9),
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 24, 10.4, 4, (0.32, 0.42), (0.40, 0.48), 0.6, 0.6),
+                },
+                Tail = TailStyle.Fluke, TailSize = (0.24, 0.3), TailFork = (0.7, 1.0),
+            },
+            Parts = System.Array.Empty<PartSlot>(),
+            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Saddle, 0.6), (PatternKind.Spots, 0.3)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.56, 0.03, 240)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.44, 0.03, 240) },
+                new Colouring(new Tint(0.22, 0.015, 260)) { Pattern = new Tint(0.94, 0.01, 90), Kind = PatternKind.Patches, Scale = 0.6, Belly = new Tint(0.95, 0.01, 90), Accent = new Tint(0.2, 0.015, 260), Limb = new Tint(0.2, 0.015, 260) },
+                new Colouring(new Tint(0.76, 0.07, 10)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.03, 20), Accent = new Tint(0.66, 0.09, 10) },
+                new Colouring(new Tint(0.9, 0.01, 220)) { Kind = PatternKind.Plain },
+            },
+        },
+        fish with
+        {
+            Body = "puffer",
+            Frequency = (0, 0, 0.22),
+            Dominance = (0.93, 0.98),
+            Signatures = new[] { Signature.None, Signature.BigEyes },
+            Eye = (9.2, 5.6), EyeSize = 0.26,
+            MouthCorner = 3, Teeth = 0,
+            MouthOpenings = Openings((0, 1), (0.1, 0.5)),
+            SwimmingPlans = Only(BodyPlan.Fish),
+            Fins = new FinKit
+            {
+                Fins = new[]
+                {
+                    new FinSiteKit(FinPlace.Dorsal, FinStyle.Sail, 38, 0, 6, (0.13, 0.17), (0, 0), 0, 0.5),
+                    new FinSiteKit(FinPlace.Ventral, FinStyle.Sail, 39, 0, 6, (0.1, 0.14), (0, 0), 0, 0.5),
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 24, 8.6, 4, (0.2, 0.26), (0.8, 0.9), 0.2, 0.6),
+                },
+                Tail = TailStyle.Fan, TailSize = (0.16, 0.2), TailFork = (-0.4, -0.2),
+            },
+            Parts = new[] { new PartSlot(new PartChoice(1, Quills(0.075)), new PartChoice(0.5, Quills(0.14)), new PartChoice(0.4)) },
+            Patterns = Patterns((PatternKind.Spots, 1), (PatternKind.Turing, 1), (PatternKind.Mottle, 0.6)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.62, 0.08, 85)) { Pattern = new Tint(0.32, 0.05, 70), Kind = PatternKind.Spots, Belly = new Tint(0.94, 0.01, 90) },
+                new Colouring(new Tint(0.42, 0.06, 220)) { Pattern = new Tint(0.9, 0.02, 200), Kind = PatternKind.Spots, Belly = new Tint(0.94, 0.01, 200) },
+                new Colouring(new Tint(0.78, 0.14, 92)) { Pattern = new Tint(0.3, 0.04, 70), Kind = PatternKind.Turing, Belly = new Tint(0.93, 0.03, 95) },
+            },
+        },
+        fish with
+        {
+            Body = "swordfish",
+            Frequency = (0, 0, 0.22),
+            Dominance = (0.93, 0.98),
+            Eye = (10, 6.8), EyeSize = 0.26,
+            MouthCorner = 7, Teeth = 0,
+            MouthOpenings = Openings((0, 1)),
+            SwimmingPlans = Only(BodyPlan.Fish),
+            Fins = new FinKit
+            {
+                Fins = new[]
+                {
+                    new FinSiteKit(FinPlace.Dorsal, FinStyle.Shark, 22, 0, 8, (0.22, 0.34), (0, 0), 0, 0.8),
+                    new FinSiteKit(FinPlace.Ventral, FinStyle.Shark, 40, 0, 4, (0.09, 0.13), (0, 0), 0, 0.9),
+                    new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 23, 11, 4, (0.3, 0.4), (0.26, 0.32), 0.6, 0.7),
+                },
+                Tail = TailStyle.Fork, TailSize = (0.28, 0.34), TailFork = (1.3, 1.7),
+            },
+            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Bands, 0.6)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.36, 0.07, 255)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.3, 0.08, 262) },
+                new Colouring(new Tint(0.48, 0.08, 250)) { Pattern = new Tint(0.34, 0.10, 262), Kind = PatternKind.Bands, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.4, 0.15, 262) },
+                new Colouring(new Tint(0.44, 0.03, 60)) { Kind = PatternKind.Plain, Belly = new Tint(0.86, 0.02, 80) },
+            },
+        },
     };
 
     /// <summary>What all species have in common against their families: they keep more of their own table.</summary>
@@ -275,6 +359,22 @@ internal static class SwimmerSpecies
 
     private static PartKit Scute(double ring, double segment, double size) =>
         new(new FeatureBlueprint(FeatureKind.Scute, ring, segment, size, size * 0.95, 0.9, 0, -0.5, 0, 0, 0, 0, 0.75, 0.8), 0.85, 1.15);
+
+    /// <summary>Rows of short spines over back and flanks.</summary>
+    private static PartKit[] Quills(double length)
+    {
+        var quills = new System.Collections.Generic.List<PartKit>();
+        for (int row = 0; row < 5; row++)
+        {
+            double first = 1.6 + (row % 2 * 1.1);
+            for (double segment = first; segment < 14; segment += 2.6)
+            {
+                quills.Add(new PartKit(new FeatureBlueprint(FeatureKind.Spike, 18 + (3.6 * row), segment, length, 0.012 + (0.05 * length), 1, 0, -0.45, 0, 0, 0, 0, 1, 1), 0.85, 1.2));
+            }
+        }
+
+        return quills.ToArray();
+    }
 
     private static PartKit[] Gills()
     {

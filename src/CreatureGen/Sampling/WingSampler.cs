@@ -12,6 +12,12 @@ namespace CreatureGen.Sampling;
 /// <summary>Gives fliers their wings where the attachment rules put them.</summary>
 internal static class WingSampler
 {
+    /// <summary>Fore and hind wings of insects; where they sit is the placement's.</summary>
+    private static readonly ThinWing[] insectWings = { new(0, 0.95, 0.21, -6, 36), new(0, 0.68, 0.17, -36, 26) };
+
+    /// <summary>Those of heavier bodies: long and broad, or they would look too small to carry them.</summary>
+    private static readonly ThinWing[] fairyWings = { new(0, 1.45, 0.44, 6, 32), new(0, 1.0, 0.36, -40, 20) };
+
     /// <summary>Adds thin wings of a species' own.</summary>
     public static void AddThin(CreatureDraft draft, ThinWing[] wings)
     {
@@ -43,7 +49,7 @@ internal static class WingSampler
     public static void Add(CreatureDraft draft, FlyingPlacement placement)
     {
         RandomStream random = draft.Stream("wings");
-        bool bat = random.Chance(draft.Species.Family == "avian" ? draft.Species.IsSpecies ? 0 : 0.12 : 0.72);
+        bool bat = random.Chance(draft.Species.WingMembrane);
         double rise = random.Uniform(0.42, 0.75);
         double sweep = random.Uniform(0.05, 0.25);
         foreach (WingPlacement wing in placement.Wings)
@@ -59,11 +65,9 @@ internal static class WingSampler
             }
             else
             {
-                bool front = draft.InsectWings.Count == 0;
-                double length = (front ? 0.95 : 0.68) * wing.Scale.X;
-                double width = (front ? 0.21 : 0.17) * wing.Scale.Z;
-                double elevation = Scalar.Radians((front ? 36 : 26) * wing.Scale.Y);
-                draft.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.6, length, width, Scalar.Radians(front ? -6 : -36), elevation));
+                ThinWing thin = (draft.Species.Family == "insect" ? insectWings : fairyWings)[draft.InsectWings.Count == 0 ? 0 : 1];
+                double elevation = Scalar.Radians(thin.Elevation * wing.Scale.Y);
+                draft.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.6, thin.Length * wing.Scale.X, thin.Width * wing.Scale.Z, Scalar.Radians(thin.Azimuth), elevation));
             }
         }
     }

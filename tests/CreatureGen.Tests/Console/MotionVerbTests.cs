@@ -148,13 +148,13 @@ public sealed class MotionVerbTests
     [InlineData("Fly", RequestedKind.Flying, 1)]
     [InlineData("Hover", RequestedKind.Flying, 1, "--gait", "hover")]
     [InlineData("Swim", RequestedKind.Swimming, 4, "--speed", "0.4")]
-    [InlineData("Slither", RequestedKind.Walking, 7)]
+    [InlineData("Slither", RequestedKind.Walking, 18)]
     [InlineData("Walk", RequestedKind.Any, 42)]
     [InlineData("Walk", RequestedKind.Any, 42, "--speed", "0.4")]
     [InlineData("RotaryGallop", RequestedKind.Any, 42, "--speed", "1000")]
     [InlineData("Canter", RequestedKind.Any, 42, "--speed", "0.2", "--gait", "CANTER")]
-    [InlineData("BipedRun", RequestedKind.Walking, 8, "--gait", "run")]
-    [InlineData("BipedRun", RequestedKind.Walking, 8, "--gait", "biped-run")]
+    [InlineData("BipedRun", RequestedKind.Walking, 6, "--gait", "run")]
+    [InlineData("BipedRun", RequestedKind.Walking, 6, "--gait", "biped-run")]
     public void Without_a_gait_a_creature_does_what_suits_it_and_the_speed(string gait, RequestedKind kind, ulong seed, params string[] words)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));

@@ -19,7 +19,7 @@ public sealed class GlbClipTests
 {
     private const int Frames = 31;
 
-    private static readonly Creature Subject = CreatureGenerator.Build(BlueprintSampler.Sample(7, LocomotionKind.Walking));
+    private static readonly Creature Subject = CreatureGenerator.Build(BlueprintSampler.Sample(18, LocomotionKind.Walking));
 
     [Fact]
     public void Every_clip_keys_the_same_joints_whichever_of_them_moves_each()

