@@ -10,7 +10,7 @@ namespace CreatureGen.Appearance;
 /// <summary>The colour of every vertex of a creature's surface, as a function of where the vertex lies and nothing else.</summary>
 /// <remarks>
 /// From the ground up: countershading (dark back, pale belly), pattern, extremities in the limb colour, then head, tail, fins and wings.
-/// Both sides of the body get identical colours, in whatever order the vertices are painted.
+/// Both sides of the body get identical colours, in whatever order the vertices are painted. Each thread needs a painter of its own.
 /// </remarks>
 internal sealed class CoatPainter
 {
@@ -24,7 +24,9 @@ internal sealed class CoatPainter
     private readonly TailCoat tail;
     private readonly ShellCoat shell;
     private readonly float strength;
-    private readonly int salt;
+    private readonly ValueNoise grain;
+    private readonly ValueNoise tide;
+    private readonly ValueNoise tone;
 
     /// <summary>Prepares the coat of one creature.</summary>
     public CoatPainter(CoatBlueprint coat, CoatSubject subject)
@@ -33,7 +35,10 @@ internal sealed class CoatPainter
         palette = new CoatPalette(coat);
         pattern = new PatternField(coat.PatternKind, coat.PatternScale, coat.PatternSeed, coat.Marks);
         strength = Scalar.Clamp((float)coat.PatternStrength, 0f, 1f);
-        salt = unchecked((coat.PatternSeed * 16) + 8);
+        int salt = unchecked((coat.PatternSeed * 16) + 8);
+        grain = new ValueNoise(salt);
+        tide = new ValueNoise(salt + 1);
+        tone = new ValueNoise(salt + 2);
         head = new HeadCoat(palette, subject, coat);
         blades = new BladeCoat(palette, subject, coat.PatternSeed);
         tail = new TailCoat(palette, subject, coat.PatternSeed);
@@ -90,8 +95,7 @@ internal sealed class CoatPainter
             SurfaceRegion.EarInside => palette.EarInside,
             _ => Skin(place, patternShare),
         };
-        float grain = 0.94f + (0.12f * ValueNoise.At(place.Position * 9f, salt));
-        colour *= grain;
+        colour *= 0.94f + (0.12f * grain.At(place.Position * 9f));
         return new Vector3(Limit(colour.X), Limit(colour.Y), Limit(colour.Z));
     }
 
@@ -108,12 +112,12 @@ internal sealed class CoatPainter
 
     private Vector3 Undercoat(in SkinPlace place, float patternShare)
     {
-        float ventral = Countershade(place) + (0.10f * (ValueNoise.At(place.Position * 5f, salt + 1) - 0.5f));
+        float ventral = Countershade(place) + (0.10f * (tide.At(place.Position * 5f) - 0.5f));
         float belly = Scalar.Smooth((ventral - 0.52f) / 0.30f);
         float back = 0.62f * Scalar.Smooth((0.26f - ventral) / 0.26f);
 
         // Broad, faint drifts of tone keep a plain skin alive.
-        float drift = ValueNoise.At(place.Position * 2.3f, salt + 2) - 0.5f;
+        float drift = tone.At(place.Position * 2.3f) - 0.5f;
         Vector3 colour = Vec.Lerp(palette.Base, drift > 0f ? palette.Back : palette.Belly, 0.34f * Math.Abs(drift));
         colour = Vec.Lerp(colour, palette.Back, back);
         float mask = patternShare * strength * (1f - (0.75f * belly));

@@ -34,8 +34,8 @@ internal sealed class AtlasPictures
     /// <summary>Roughness in the green channel, metalness (none) in the blue one, as glTF wants it.</summary>
     public byte[] Roughness { get; }
 
-    /// <summary>Whether a texel has been set.</summary>
-    public bool IsPainted(int x, int y) => painted[(y * Size) + x];
+    /// <summary>Which texels of a row have been set.</summary>
+    public ReadOnlySpan<bool> PaintedRow(int y) => painted.AsSpan(y * Size, Size);
 
     /// <summary>Sets a texel.</summary>
     /// <param name="x">From the left.</param>

@@ -23,13 +23,16 @@ internal enum SkinCover
     Plates,
 }
 
-/// <summary>The fine relief of a skin as a height over its texture chart. Everything in metres at scale 1.</summary>
+/// <summary>The fine relief of a skin as a height over its texture chart. Everything in metres at scale 1. Each thread needs its own.</summary>
 /// <remarks>Rows of scales and feathers run around the chart (along u) and overlap along v, from head to tail or from root to tip.</remarks>
 internal sealed class SkinRelief
 {
     private readonly SkinCover cover;
     private readonly float size;
-    private readonly int salt;
+    private readonly PlaneNoise broad;
+    private readonly PlaneNoise coarse;
+    private readonly PlaneNoise fine;
+    private readonly PlateCentres centres;
 
     /// <summary>Chooses the relief.</summary>
     /// <param name="cover">What it is made of.</param>
@@ -39,7 +42,10 @@ internal sealed class SkinRelief
     {
         this.cover = cover;
         this.size = cover == SkinCover.Feathers ? 1.7f * size : size;
-        this.salt = salt;
+        broad = new PlaneNoise(salt);
+        coarse = new PlaneNoise(salt + 1);
+        fine = new PlaneNoise(salt + 2);
+        centres = new PlateCentres(salt);
         Amplitude = this.size * cover switch
         {
             SkinCover.Scales => 0.22f,
@@ -48,29 +54,31 @@ internal sealed class SkinRelief
             SkinCover.Fur => 0.2f,
             _ => 0.12f,
         };
+        Shade = cover switch
+        {
+            SkinCover.Scales or SkinCover.Plates => 0.34f,
+            SkinCover.Feathers => 0.3f,
+            SkinCover.Fur => 0.3f,
+            _ => 0.14f,
+        };
+        Roughness = cover switch
+        {
+            SkinCover.Scales => 0.55f,
+            SkinCover.Plates => 0.38f,
+            SkinCover.Feathers => 0.78f,
+            SkinCover.Fur => 0.92f,
+            _ => 0.6f,
+        };
     }
 
     /// <summary>Height of the relief between its lowest and its highest place, metres.</summary>
     public float Amplitude { get; }
 
     /// <summary>How much of the colour the relief changes: dark in the gaps, light on the crests.</summary>
-    public float Shade => cover switch
-    {
-        SkinCover.Scales or SkinCover.Plates => 0.34f,
-        SkinCover.Feathers => 0.3f,
-        SkinCover.Fur => 0.3f,
-        _ => 0.14f,
-    };
+    public float Shade { get; }
 
     /// <summary>Roughness of the skin between 0 and 1.</summary>
-    public float Roughness => cover switch
-    {
-        SkinCover.Scales => 0.55f,
-        SkinCover.Plates => 0.38f,
-        SkinCover.Feathers => 0.78f,
-        SkinCover.Fur => 0.92f,
-        _ => 0.6f,
-    };
+    public float Roughness { get; }
 
     /// <summary>Height at a place of a chart, 0..1 of the amplitude.</summary>
     /// <param name="place">Metres around and along.</param>
@@ -111,53 +119,25 @@ internal sealed class SkinRelief
         return 0f;
     }
 
-    private float Plates(Vector2 place)
-    {
-        float u = place.X / (1.6f * size);
-        float v = place.Y / (1.1f * size);
-        int x0 = (int)Math.Floor(u - 0.5);
-        int y0 = (int)Math.Floor(v - 0.5);
-        float first = float.MaxValue;
-        float second = float.MaxValue;
-        for (int i = 0; i < 9; i++)
-        {
-            int x = x0 - 1 + (i % 3) + 1;
-            int y = y0 - 1 + (i / 3) + 1;
-            uint bits = LatticeHash.Bits(x, y, 0, salt);
-            float dx = x + 0.2f + (0.6f * LatticeHash.Unit(bits)) - u;
-            float dy = y + 0.2f + (0.6f * LatticeHash.Unit(LatticeHash.Mix(bits))) - v;
-            float squared = (dx * dx) + (dy * dy);
-            if (squared < first)
-            {
-                second = first;
-                first = squared;
-            }
-            else if (squared < second)
-            {
-                second = squared;
-            }
-        }
-
-        return Scalar.Smooth(((float)Math.Sqrt(second) - (float)Math.Sqrt(first)) / 0.22f);
-    }
+    private float Plates(Vector2 place) => Scalar.Smooth(centres.Gap(place.X / (1.6f * size), place.Y / (1.1f * size)) / 0.22f);
 
     /// <summary>Hair lies along v: noise that is long in v, shifted by a slower noise so that it waves.</summary>
     private float Fur(Vector2 place)
     {
         float u = place.X / size;
         float v = place.Y / size;
-        float wave = ValueNoise.At(new Vector2(0.9f * u, 0.7f * v), salt);
-        float coarse = ValueNoise.At(new Vector2((2.6f * u) + wave, 0.42f * v), salt + 1);
-        float fine = ValueNoise.At(new Vector2((6f * u) + (2f * wave), 0.9f * v), salt + 2);
-        return (0.55f * coarse) + (0.45f * fine);
+        float wave = broad.At(0.9f * u, 0.7f * v);
+        float tufts = coarse.At((2.6f * u) + wave, 0.42f * v);
+        float hairs = fine.At((6f * u) + (2f * wave), 0.9f * v);
+        return (0.55f * tufts) + (0.45f * hairs);
     }
 
     private float Wrinkles(Vector2 place)
     {
         float u = place.X / size;
         float v = place.Y / size;
-        float ridge = 1f - Math.Abs((2f * ValueNoise.At(new Vector2(1.1f * u, 1.9f * v), salt)) - 1f);
-        float pores = ValueNoise.At(new Vector2(5f * u, 5f * v), salt + 1);
+        float ridge = 1f - Math.Abs((2f * broad.At(1.1f * u, 1.9f * v)) - 1f);
+        float pores = coarse.At(5f * u, 5f * v);
         return 1f - (0.7f * ridge * ridge * ridge) - (0.15f * pores);
     }
 }

@@ -25,22 +25,24 @@ internal sealed class TexturePainter
     /// <summary>Paints the texels whose middles lie in a face.</summary>
     public void Paint(in ChartFace face)
     {
-        Triangle(face, face.A, face.B, face.C, face.PictureA, face.PictureB, face.PictureC, face.RegionA, face.RegionB, face.RegionC);
-        Triangle(face, face.A, face.C, face.D, face.PictureA, face.PictureC, face.PictureD, face.RegionA, face.RegionC, face.RegionD);
+        Triangle(face.A, face.B, face.C, face.Appendage);
+        Triangle(face.A, face.C, face.D, face.Appendage);
     }
 
-    private void Triangle(in ChartFace face, in TexelPlace a, in TexelPlace b, in TexelPlace c, Vector2 pa, Vector2 pb, Vector2 pc, SurfaceRegion ra, SurfaceRegion rb, SurfaceRegion rc)
+    private void Triangle(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
     {
         int size = pictures.Size;
-        pa *= size;
-        pb *= size;
-        pc *= size;
+        Vector2 pa = a.Picture * size;
+        Vector2 pb = b.Picture * size;
+        Vector2 pc = c.Picture * size;
         float area = Cross(pb - pa, pc - pa);
         if (area == 0f)
         {
             return;
         }
 
+        var covered = new Vector3(Covered(a.Region), Covered(b.Region), Covered(c.Region));
+        var roughness = new Vector3(Roughness(a.Region), Roughness(b.Region), Roughness(c.Region));
         int top = Math.Max(0, (int)Math.Floor(Math.Min(pa.Y, Math.Min(pb.Y, pc.Y)) - 0.5));
         int bottom = Math.Min(size - 1, (int)Math.Ceiling(Math.Max(pa.Y, Math.Max(pb.Y, pc.Y)) - 0.5));
         int left = Math.Max(0, (int)Math.Floor(Math.Min(pa.X, Math.Min(pb.X, pc.X)) - 0.5));
@@ -52,21 +54,27 @@ internal sealed class TexturePainter
             Narrow(pb, pc, area, y + 0.5f, ref first, ref last);
             Narrow(pc, pa, area, y + 0.5f, ref first, ref last);
             Narrow(pa, pb, area, y + 0.5f, ref first, ref last);
+            ReadOnlySpan<bool> painted = pictures.PaintedRow(y);
             for (int x = (int)first; x <= last; x++)
             {
+                if (painted[x])
+                {
+                    continue;
+                }
+
                 var p = new Vector2(x + 0.5f, y + 0.5f);
                 float wa = Cross(pb - p, pc - p) / area;
                 float wb = Cross(pc - p, pa - p) / area;
                 float wc = 1f - wa - wb;
 
                 // A hair's breadth outside counts, so that no texel between two faces is missed.
-                if (Math.Min(wa, Math.Min(wb, wc)) < -1e-4f || pictures.IsPainted(x, y))
+                if (Math.Min(wa, Math.Min(wb, wc)) < -1e-4f)
                 {
                     continue;
                 }
 
-                TexelPlace place = TexelPlace.Between(a, b, c, wa, wb, wc);
-                Texel(face, place, x, y, wa, wb, wc, ra, rb, rc);
+                var weights = new Barycentric(wa, wb, wc);
+                Texel(a, b, c, appendage, weights, x, y, weights.Mix(covered.X, covered.Y, covered.Z), weights.Mix(roughness.X, roughness.Y, roughness.Z));
             }
         }
     }
@@ -91,15 +99,15 @@ internal sealed class TexturePainter
         }
     }
 
-    private void Texel(in ChartFace face, in TexelPlace place, int x, int y, float wa, float wb, float wc, SurfaceRegion ra, SurfaceRegion rb, SurfaceRegion rc)
+    private void Texel(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, in Barycentric weights, int x, int y, float covered, float roughness)
     {
-        float covered = (Covered(ra) * wa) + (Covered(rb) * wb) + (Covered(rc) * wc);
-        float roughness = (Roughness(ra) * wa) + (Roughness(rb) * wb) + (Roughness(rc) * wc);
-        Vector3 colour = IsDetailed(ra, place.Ring)
-            ? Detailed(face, place, wa, wb, wc, ra, rb, rc)
-            : Vec.Lerp(place.Plain, place.Patterned, coat.PatternShare(new PatternPlace(place.Position, place.Run, place.Girth)));
-        covered *= Muzzle(place.Ring, face.Appendage);
-        float height = relief.At(place.Chart);
+        Vector4 position = weights.Mix(a.PositionAndRing, b.PositionAndRing, c.PositionAndRing);
+        Vector4 chart = weights.Mix(a.ChartAndTurns, b.ChartAndTurns, c.ChartAndTurns);
+        Vector3 colour = IsDetailed(a.Region, position.W)
+            ? Detailed(a, b, c, appendage, weights, position, chart)
+            : Patterned(weights.Mix(a.PlainAndRun, b.PlainAndRun, c.PlainAndRun), weights.Mix(a.PatternedAndGirth, b.PatternedAndGirth, c.PatternedAndGirth), position);
+        covered *= Muzzle(position.W, appendage);
+        float height = relief.At(new Vector2(chart.X, chart.Y));
         colour *= 1f + (covered * relief.Shade * (height - 0.6f));
         pictures.Set(x, y, colour, covered * relief.Amplitude * height, roughness + (0.12f * covered * (0.5f - height)));
     }
@@ -108,19 +116,38 @@ internal sealed class TexturePainter
     private static bool IsDetailed(SurfaceRegion region, float ring) =>
         region is not (SurfaceRegion.Body or SurfaceRegion.Leg or SurfaceRegion.Toe) || (region == SurfaceRegion.Body && ring < LastRingOfHead);
 
-    /// <summary>The whole coat at one place; where regions meet, each has the share of its corners.</summary>
-    private Vector3 Detailed(in ChartFace face, in TexelPlace place, float wa, float wb, float wc, SurfaceRegion ra, SurfaceRegion rb, SurfaceRegion rc)
+    /// <summary>The pattern over colours that the corners know.</summary>
+    private Vector3 Patterned(in Vector4 plainAndRun, in Vector4 patternedAndGirth, in Vector4 position)
     {
-        Vector3 normal = place.UnitNormal;
-        Vector3 colour = coat.At(place.Address(ra, face.Appendage), place.Position, normal);
-        if (ra == rb && rb == rc)
+        float share = coat.PatternShare(new PatternPlace(Xyz(position), plainAndRun.W, patternedAndGirth.W));
+        return Vec.Lerp(Xyz(plainAndRun), Xyz(patternedAndGirth), share);
+    }
+
+    /// <summary>The whole coat at one place; where regions meet, each has the share of its corners.</summary>
+    private Vector3 Detailed(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, in Barycentric weights, in Vector4 position, in Vector4 chart)
+    {
+        Vector4 normal = weights.Mix(a.NormalAndAlong, b.NormalAndAlong, c.NormalAndAlong);
+        Vector3 place = Xyz(position);
+        Vector3 unit = Vec.Normalize(Xyz(normal), Vector3.UnitY);
+        var address = new VertexAddress
+        {
+            Region = a.Region,
+            Appendage = appendage,
+            Sign = 1,
+            Along = normal.W,
+            Around = chart.W,
+            Ring = position.W,
+            Segment = chart.Z,
+        };
+        Vector3 colour = coat.At(address, place, unit);
+        if (a.Region == b.Region && b.Region == c.Region)
         {
             return colour;
         }
 
-        Vector3 second = rb == ra ? colour : coat.At(place.Address(rb, face.Appendage), place.Position, normal);
-        Vector3 third = rc == ra ? colour : rc == rb ? second : coat.At(place.Address(rc, face.Appendage), place.Position, normal);
-        return (colour * wa) + (second * wb) + (third * wc);
+        Vector3 second = b.Region == a.Region ? colour : coat.At(address with { Region = b.Region }, place, unit);
+        Vector3 third = c.Region == a.Region ? colour : c.Region == b.Region ? second : coat.At(address with { Region = c.Region }, place, unit);
+        return weights.Mix(colour, second, third);
     }
 
     /// <summary>How much of the skin's cover a region wears.</summary>
@@ -144,6 +171,8 @@ internal sealed class TexturePainter
         SurfaceRegion.EarInside => 0.65f,
         _ => relief.Roughness,
     };
+
+    private static Vector3 Xyz(in Vector4 v) => new(v.X, v.Y, v.Z);
 
     private static float Cross(Vector2 a, Vector2 b) => (a.X * b.Y) - (a.Y * b.X);
 }
