@@ -24,7 +24,7 @@ internal sealed class CoatPainter
     private readonly TailCoat tail;
     private readonly ShellCoat shell;
     private readonly float strength;
-    private readonly ValueNoise grain;
+    private readonly ValueNoise grains;
     private readonly ValueNoise tide;
     private readonly ValueNoise tone;
 
@@ -36,7 +36,7 @@ internal sealed class CoatPainter
         pattern = new PatternField(coat.PatternKind, coat.PatternScale, coat.PatternSeed, coat.Marks);
         strength = Scalar.Clamp((float)coat.PatternStrength, 0f, 1f);
         int salt = unchecked((coat.PatternSeed * 16) + 8);
-        grain = new ValueNoise(salt);
+        grains = new ValueNoise(salt);
         tide = new ValueNoise(salt + 1);
         tone = new ValueNoise(salt + 2);
         head = new HeadCoat(palette, subject, coat);
@@ -71,43 +71,55 @@ internal sealed class CoatPainter
     public Vector3 At(in VertexAddress address, Vector3 position, Vector3 normal)
     {
         var place = new SkinPlace(address, position, normal, subject.Body);
-        return Colour(place, pattern.At(PatternAt(place)));
+        return Marked(place, Undercoat(place, pattern.At(PatternAt(place))), Grain(place));
     }
 
-    /// <summary>The two colours of a place between which the pattern goes, linearly: without and with the full pattern. They change slowly over the surface; the pattern does not.</summary>
+    /// <summary>The colours of a place between which the pattern goes, linearly: without and with the full pattern. They change slowly over the surface; the pattern and markings do not.</summary>
     public CoatRange RangeAt(in VertexAddress address, Vector3 position, Vector3 normal)
     {
         var place = new SkinPlace(address, position, normal, subject.Body);
-        return new CoatRange(Colour(place, 0f), Colour(place, 1f), PatternAt(place));
+        Vector3 plain = Undercoat(place, 0f);
+        Vector3 patterned = Undercoat(place, 1f);
+        float grain = Grain(place);
+        return new CoatRange(plain, patterned, grain, Marked(place, plain, grain), Marked(place, patterned, grain), PatternAt(place));
     }
 
     /// <summary>Share of the full pattern at a place, 0..1.</summary>
     public float PatternShare(in PatternPlace place) => pattern.At(place);
 
-    private PatternPlace PatternAt(in SkinPlace place) => new(place.Position, Run(place), place.Around);
+    /// <summary>Lays what a region wears of its own (markings of the head, rays of a fin, feathers of a wing) over the colour of the coat below it. Not for hooves, which need a normal.</summary>
+    /// <param name="address">Where it lies.</param>
+    /// <param name="position">Rest position, model space, metres at scale 1.</param>
+    /// <param name="undercoat">Linear RGB, with the pattern.</param>
+    /// <param name="grain">Factor on the result.</param>
+    public Vector3 MarkedAt(in VertexAddress address, Vector3 position, Vector3 undercoat, float grain) =>
+        Marked(new SkinPlace(address, position, Vector3.UnitY, subject.Body), undercoat, grain);
 
-    private Vector3 Colour(in SkinPlace place, float patternShare)
+    private Vector3 Marked(in SkinPlace place, Vector3 undercoat, float grain)
     {
         Vector3 colour = place.Region switch
         {
             SurfaceRegion.Mouth => palette.MouthInside,
             SurfaceRegion.Hoof => palette.Claw * Scalar.Lerp(1.15f, 0.8f, Scalar.Smooth(place.Normal.Y + 0.5f)),
             SurfaceRegion.EarInside => palette.EarInside,
-            _ => Skin(place, patternShare),
+            _ => Skin(place, undercoat),
         };
-        colour *= 0.94f + (0.12f * grain.At(place.Position * 9f));
+        colour *= grain;
         return new Vector3(Limit(colour.X), Limit(colour.Y), Limit(colour.Z));
     }
 
-    private Vector3 Skin(in SkinPlace place, float patternShare)
+    private PatternPlace PatternAt(in SkinPlace place) => new(place.Position, Run(place), place.Around);
+
+    private float Grain(in SkinPlace place) => 0.94f + (0.12f * grains.At(place.Position * 9f));
+
+    private Vector3 Skin(in SkinPlace place, Vector3 undercoat)
     {
-        Vector3 colour = Undercoat(place, patternShare);
         if (place.IsTrunk)
         {
-            return head.Over(shell.Over(tail.Over(colour, place), place), place);
+            return head.Over(shell.Over(tail.Over(undercoat, place), place), place);
         }
 
-        return place.IsLimb ? Limb(colour, place) : blades.Over(colour, place);
+        return place.IsLimb ? Limb(undercoat, place) : blades.Over(undercoat, place);
     }
 
     private Vector3 Undercoat(in SkinPlace place, float patternShare)

@@ -11,7 +11,7 @@ internal sealed class AtlasPictures
     private readonly bool[] painted;
     private readonly float[] heights;
 
-    /// <summary>Empty pictures of a power of two texels a side: white, flat and rough, the way that pieces with colours of their own need them.</summary>
+    /// <summary>Pictures of a plain ground, grey, flat and rough, with a power of two texels a side, at least 256.</summary>
     public AtlasPictures(int size)
     {
         Size = size;
@@ -20,6 +20,9 @@ internal sealed class AtlasPictures
         BaseColour = new byte[3 * size * size];
         Normal = new byte[3 * size * size];
         Roughness = new byte[3 * size * size];
+        BaseColour.AsSpan().Fill(128);
+        Fill(Roughness, 255, 191, 0);
+        Fill(Normal, 128, 128, 255);
     }
 
     /// <summary>Texels along a side.</summary>
@@ -69,30 +72,30 @@ internal sealed class AtlasPictures
         }
     }
 
-    /// <summary>Makes the normals of all texels from the heights of those beside them.</summary>
+    /// <summary>Makes the normals of all painted texels from the heights of those beside them.</summary>
     /// <param name="texel">Side of a texel on the surface, metres.</param>
     public void Emboss(float texel)
     {
-        for (int y = 0; y < Size; y++)
+        for (int row = 0; row < painted.Length; row += Size)
         {
-            for (int x = 0; x < Size; x++)
+            bool upper = row > 0;
+            bool lower = row < painted.Length - Size;
+            for (int at = row; at < row + Size; at++)
             {
-                int at = (y * Size) + x;
                 if (!painted[at])
                 {
-                    SetNormal(at, 0f, 0f, 127f);
                     continue;
                 }
 
-                float du = Slope(at, x, 1) / texel;
-                float dv = Slope(at, y, Size) / texel;
+                float du = Slope(at, at > row, at < row + Size - 1, 1) / texel;
+                float dv = Slope(at, upper, lower, Size) / texel;
                 float scale = 127f / (float)Math.Sqrt(1f + (du * du) + (dv * dv));
                 SetNormal(at, -du * scale, dv * scale, scale);
             }
         }
     }
 
-    /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour; what is left gets a plain ground.</summary>
+    /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour; what is left keeps its plain ground.</summary>
     public void Bleed(int texels)
     {
         var border = new List<int>();
@@ -125,15 +128,21 @@ internal sealed class AtlasPictures
 
             (border, next) = (next, border);
         }
+    }
 
-        for (int texel = 0; texel < painted.Length; texel++)
+    private static void Fill(Span<byte> picture, byte red, byte green, byte blue)
+    {
+        Span<byte> first = picture.Slice(0, 3 * 256);
+        for (int i = 0; i < first.Length; i += 3)
         {
-            if (!painted[texel])
-            {
-                BaseColour.AsSpan(3 * texel, 3).Fill(128);
-                Roughness[3 * texel] = 255;
-                Roughness[(3 * texel) + 1] = 191;
-            }
+            first[i] = red;
+            first[i + 1] = green;
+            first[i + 2] = blue;
+        }
+
+        for (int at = first.Length; at < picture.Length; at += first.Length)
+        {
+            first.CopyTo(picture.Slice(at));
         }
     }
 
@@ -202,11 +211,14 @@ internal sealed class AtlasPictures
     }
 
     /// <summary>Change of the height from one texel to the next: in the middle where both neighbours have one.</summary>
-    private float Slope(int texel, int along, int stride)
+    private float Slope(int texel, bool hasBefore, bool hasAfter, int stride)
     {
-        int before = along > 0 && painted[texel - stride] ? texel - stride : texel;
-        int after = along < Size - 1 && painted[texel + stride] ? texel + stride : texel;
-        return before == after ? 0f : (heights[after] - heights[before]) * stride / (after - before);
+        bool before = hasBefore && painted[texel - stride];
+        bool after = hasAfter && painted[texel + stride];
+        return before && after ? 0.5f * (heights[texel + stride] - heights[texel - stride])
+            : before ? heights[texel] - heights[texel - stride]
+            : after ? heights[texel + stride] - heights[texel]
+            : 0f;
     }
 
     /// <summary>Gives a texel the mean of its painted neighbours, of which there is at least one.</summary>

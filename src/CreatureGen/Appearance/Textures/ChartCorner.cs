@@ -24,6 +24,9 @@ internal struct ChartCorner
     /// <summary>Colour with the full pattern, linear; radians around the body, 0 dorsal to π ventral.</summary>
     public Vector4 PatternedAndGirth;
 
-    /// <summary>Smooth normal, between corners not of unit length; 0..1 along the appendage.</summary>
-    public Vector4 NormalAndAlong;
+    /// <summary>Colour below the markings without pattern, linear; 0..1 along the appendage.</summary>
+    public Vector4 PlainUndercoatAndAlong;
+
+    /// <summary>Colour below the markings with the full pattern, linear; factor on the whole.</summary>
+    public Vector4 PatternedUndercoatAndGrain;
 }

@@ -49,7 +49,8 @@ internal struct ChartFace
                 ChartAndTurns = new Vector4(chart.X, chart.Y, segment, rooted ? around : Unwrapped(address.Around, around)),
                 PlainAndRun = new Vector4(range.Plain, range.Place.Run),
                 PatternedAndGirth = new Vector4(range.Patterned, range.Place.Around),
-                NormalAndAlong = new Vector4(coat.NormalOf(vertex), rooted ? 0f : address.Along),
+                PlainUndercoatAndAlong = new Vector4(range.PlainUndercoat, rooted ? 0f : address.Along),
+                PatternedUndercoatAndGrain = new Vector4(range.PatternedUndercoat, range.Grain),
             };
         }
     }

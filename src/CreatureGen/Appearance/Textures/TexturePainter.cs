@@ -103,9 +103,15 @@ internal sealed class TexturePainter
     {
         Vector4 position = weights.Mix(a.PositionAndRing, b.PositionAndRing, c.PositionAndRing);
         Vector4 chart = weights.Mix(a.ChartAndTurns, b.ChartAndTurns, c.ChartAndTurns);
-        Vector3 colour = IsDetailed(a.Region, position.W)
-            ? Detailed(a, b, c, appendage, weights, position, chart)
-            : Patterned(weights.Mix(a.PlainAndRun, b.PlainAndRun, c.PlainAndRun), weights.Mix(a.PatternedAndGirth, b.PatternedAndGirth, c.PatternedAndGirth), position);
+        Vector4 plain = weights.Mix(a.PlainAndRun, b.PlainAndRun, c.PlainAndRun);
+        Vector4 patterned = weights.Mix(a.PatternedAndGirth, b.PatternedAndGirth, c.PatternedAndGirth);
+        float share = coat.PatternShare(new PatternPlace(Xyz(position), plain.W, patterned.W));
+        Vector3 colour = Vec.Lerp(Xyz(plain), Xyz(patterned), share);
+        if (IsMarked(a.Region, position.W))
+        {
+            colour = Marked(a, b, c, appendage, weights, position, chart, share, colour);
+        }
+
         covered *= Muzzle(position.W, appendage);
         float height = relief.At(new Vector2(chart.X, chart.Y));
         colour *= 1f + (covered * relief.Shade * (height - 0.6f));
@@ -113,40 +119,43 @@ internal sealed class TexturePainter
     }
 
     /// <summary>Whether a region has markings with edges finer than the mesh; everywhere else only the pattern is.</summary>
-    private static bool IsDetailed(SurfaceRegion region, float ring) =>
-        region is not (SurfaceRegion.Body or SurfaceRegion.Leg or SurfaceRegion.Toe) || (region == SurfaceRegion.Body && ring < LastRingOfHead);
+    private static bool IsMarked(SurfaceRegion region, float ring) =>
+        region == SurfaceRegion.Body ? ring < LastRingOfHead : region is not (SurfaceRegion.Leg or SurfaceRegion.Toe) && !IsPlain(region);
 
-    /// <summary>The pattern over colours that the corners know.</summary>
-    private Vector3 Patterned(in Vector4 plainAndRun, in Vector4 patternedAndGirth, in Vector4 position)
-    {
-        float share = coat.PatternShare(new PatternPlace(Xyz(position), plainAndRun.W, patternedAndGirth.W));
-        return Vec.Lerp(Xyz(plainAndRun), Xyz(patternedAndGirth), share);
-    }
+    /// <summary>Whether a region is of one colour all over.</summary>
+    private static bool IsPlain(SurfaceRegion region) => region is SurfaceRegion.Mouth or SurfaceRegion.Hoof or SurfaceRegion.EarInside;
 
-    /// <summary>The whole coat at one place; where regions meet, each has the share of its corners.</summary>
-    private Vector3 Detailed(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, in Barycentric weights, in Vector4 position, in Vector4 chart)
+    /// <summary>The markings over the coat at one place; where regions meet, each has the share of its corners.</summary>
+    /// <remarks>The undercoat is that of the corners, and <paramref name="between"/> their finished colour.</remarks>
+    private Vector3 Marked(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, in Barycentric weights, in Vector4 position, in Vector4 chart, float share, Vector3 between)
     {
-        Vector4 normal = weights.Mix(a.NormalAndAlong, b.NormalAndAlong, c.NormalAndAlong);
-        Vector3 place = Xyz(position);
-        Vector3 unit = Vec.Normalize(Xyz(normal), Vector3.UnitY);
+        Vector4 plain = weights.Mix(a.PlainUndercoatAndAlong, b.PlainUndercoatAndAlong, c.PlainUndercoatAndAlong);
+        Vector4 patterned = weights.Mix(a.PatternedUndercoatAndGrain, b.PatternedUndercoatAndGrain, c.PatternedUndercoatAndGrain);
+        Vector3 undercoat = Vec.Lerp(Xyz(plain), Xyz(patterned), share);
         var address = new VertexAddress
         {
             Region = a.Region,
             Appendage = appendage,
             Sign = 1,
-            Along = normal.W,
+            Along = plain.W,
             Around = chart.W,
             Ring = position.W,
             Segment = chart.Z,
         };
-        Vector3 colour = coat.At(address, place, unit);
+        float grain = patterned.W;
+        Vector3 colour = coat.MarkedAt(address, Xyz(position), undercoat, grain);
         if (a.Region == b.Region && b.Region == c.Region)
         {
             return colour;
         }
 
-        Vector3 second = b.Region == a.Region ? colour : coat.At(address with { Region = b.Region }, place, unit);
-        Vector3 third = c.Region == a.Region ? colour : c.Region == b.Region ? second : coat.At(address with { Region = c.Region }, place, unit);
+        Vector3 second = b.Region == a.Region ? colour
+            : IsPlain(b.Region) ? between
+            : coat.MarkedAt(address with { Region = b.Region }, Xyz(position), undercoat, grain);
+        Vector3 third = c.Region == a.Region ? colour
+            : c.Region == b.Region ? second
+            : IsPlain(c.Region) ? between
+            : coat.MarkedAt(address with { Region = c.Region }, Xyz(position), undercoat, grain);
         return weights.Mix(colour, second, third);
     }
 
