@@ -37,8 +37,8 @@ internal sealed class AtlasPictures
     /// <summary>Roughness in the green channel, metalness (none) in the blue one, as glTF wants it.</summary>
     public byte[] Roughness { get; }
 
-    /// <summary>Which texels of a row have been set.</summary>
-    public ReadOnlySpan<bool> PaintedRow(int y) => painted.AsSpan(y * Size, Size);
+    /// <summary>Whether a texel has been set.</summary>
+    public bool IsPainted(int x, int y) => painted[(y * Size) + x];
 
     /// <summary>Sets a texel.</summary>
     /// <param name="x">From the left.</param>
@@ -50,14 +50,12 @@ internal sealed class AtlasPictures
     {
         int texel = (y * Size) + x;
         painted[texel] = true;
-        int at = 3 * texel;
-        BaseColour[at] = SrgbCurve.Encode(colour.X);
-        BaseColour[at + 1] = SrgbCurve.Encode(colour.Y);
-        BaseColour[at + 2] = SrgbCurve.Encode(colour.Z);
         heights[texel] = height;
-        Roughness[at] = 255;
-        Roughness[at + 1] = (byte)((Scalar.Clamp(roughness, 0f, 1f) * 255f) + 0.5f);
-        Roughness[at + 2] = 0;
+        Span<byte> rgb = BaseColour.AsSpan(3 * texel, 3);
+        rgb[2] = SrgbCurve.Encode(colour.Z);
+        rgb[1] = SrgbCurve.Encode(colour.Y);
+        rgb[0] = SrgbCurve.Encode(colour.X);
+        Roughness[(3 * texel) + 1] = (byte)(int)((Scalar.Clamp(roughness, 0f, 1f) * 255f) + 0.5f);
     }
 
     /// <summary>Fills a square block of texels with white, flat and of one roughness.</summary>
@@ -76,6 +74,7 @@ internal sealed class AtlasPictures
     /// <param name="texel">Side of a texel on the surface, metres.</param>
     public void Emboss(float texel)
     {
+        float perTexel = 1f / texel;
         for (int row = 0; row < painted.Length; row += Size)
         {
             bool upper = row > 0;
@@ -87,8 +86,8 @@ internal sealed class AtlasPictures
                     continue;
                 }
 
-                float du = Slope(at, at > row, at < row + Size - 1, 1) / texel;
-                float dv = Slope(at, upper, lower, Size) / texel;
+                float du = Slope(at, at > row, at < row + Size - 1, 1) * perTexel;
+                float dv = Slope(at, upper, lower, Size) * perTexel;
                 float scale = 127f / (float)Math.Sqrt(1f + (du * du) + (dv * dv));
                 SetNormal(at, -du * scale, dv * scale, scale);
             }
@@ -107,6 +106,8 @@ internal sealed class AtlasPictures
             }
         }
 
+        // A texel beside two painted ones is found twice, but listed once.
+        var listed = new bool[painted.Length];
         var next = new List<int>();
         for (int round = 0; round < texels; round++)
         {
@@ -123,7 +124,7 @@ internal sealed class AtlasPictures
             next.Clear();
             foreach (int texel in border)
             {
-                AddUnpainted(texel, next);
+                AddUnpainted(texel, next, listed);
             }
 
             (border, next) = (next, border);
@@ -189,15 +190,16 @@ internal sealed class AtlasPictures
         return false;
     }
 
-    /// <summary>Adds the neighbours that are not painted yet. One beside two painted ones is added twice, which its mean does not mind.</summary>
-    private void AddUnpainted(int texel, List<int> found)
+    /// <summary>Adds the neighbours that are neither painted yet nor listed.</summary>
+    private void AddUnpainted(int texel, List<int> found, bool[] listed)
     {
         Span<int> beside = stackalloc int[4];
         int count = Neighbours(texel, beside);
         for (int i = 0; i < count; i++)
         {
-            if (!painted[beside[i]])
+            if (!painted[beside[i]] && !listed[beside[i]])
             {
+                listed[beside[i]] = true;
                 found.Add(beside[i]);
             }
         }
@@ -205,9 +207,10 @@ internal sealed class AtlasPictures
 
     private void SetNormal(int texel, float x, float y, float z)
     {
-        Normal[3 * texel] = (byte)(x + 128.5f);
-        Normal[(3 * texel) + 1] = (byte)(y + 128.5f);
-        Normal[(3 * texel) + 2] = (byte)(z + 128.5f);
+        Span<byte> rgb = Normal.AsSpan(3 * texel, 3);
+        rgb[2] = (byte)(int)(z + 128.5f);
+        rgb[1] = (byte)(int)(y + 128.5f);
+        rgb[0] = (byte)(int)(x + 128.5f);
     }
 
     /// <summary>Change of the height from one texel to the next: in the middle where both neighbours have one.</summary>

@@ -36,8 +36,9 @@ internal sealed class PlateCentres
             float dx = alongX[k] - x;
             float dy = alongY[k] - y;
             float squared = (dx * dx) + (dy * dy);
-            second = Math.Min(second, Math.Max(first, squared));
-            first = Math.Min(first, squared);
+            float farther = squared > first ? squared : first;
+            second = farther < second ? farther : second;
+            first = squared < first ? squared : first;
         }
 
         return (float)Math.Sqrt(second) - (float)Math.Sqrt(first);

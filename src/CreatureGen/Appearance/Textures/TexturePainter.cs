@@ -9,154 +9,62 @@ namespace CreatureGen.Appearance.Textures;
 /// <remarks>Each texel is a place of the surface: what it shows depends on that place alone, so neither the order of the faces nor the seams between charts can be seen.</remarks>
 internal sealed class TexturePainter
 {
-    private const float LastRingOfHead = 16f;
+    /// <summary>From here on the coat is worked out at half the size.</summary>
+    private const int LargeAtlas = 1024;
 
-    private readonly CoatPainter coat;
+    private readonly CoatBetween coat;
     private readonly SkinRelief relief;
     private readonly AtlasPictures pictures;
+    private readonly CoarseColours? coarse;
 
     public TexturePainter(CoatPainter coat, SkinRelief relief, AtlasPictures pictures)
     {
-        this.coat = coat;
+        this.coat = new CoatBetween(coat);
         this.relief = relief;
         this.pictures = pictures;
+        coarse = pictures.Size >= LargeAtlas ? new CoarseColours(pictures.Size) : null;
     }
 
-    /// <summary>Paints the texels whose middles lie in a face.</summary>
+    /// <summary>Works out the coat of a face before it is painted, where the atlas is so large that it can be coarser. A face that was left out is only slower to paint.</summary>
+    public void Sketch(in ChartFace face)
+    {
+        if (coarse != null)
+        {
+            Sketch(face.A, face.B, face.C, face.Appendage, coarse);
+            Sketch(face.A, face.C, face.D, face.Appendage, coarse);
+        }
+    }
+
+    /// <summary>Paints the texels whose middles lie in a face and that no other has painted.</summary>
     public void Paint(in ChartFace face)
     {
-        Triangle(face.A, face.B, face.C, face.Appendage);
-        Triangle(face.A, face.C, face.D, face.Appendage);
+        Paint(face.A, face.B, face.C, face.Appendage);
+        Paint(face.A, face.C, face.D, face.Appendage);
     }
 
-    private void Triangle(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
+    /// <summary>Whether there is a texel to paint in a face.</summary>
+    /// <param name="a">First corner in the picture, 0..1.</param>
+    /// <param name="b">Second corner.</param>
+    /// <param name="c">Third corner.</param>
+    /// <param name="d">Fourth corner.</param>
+    public bool HasGap(Vector2 a, Vector2 b, Vector2 c, Vector2 d)
     {
-        int size = pictures.Size;
-        Vector2 pa = a.Picture * size;
-        Vector2 pb = b.Picture * size;
-        Vector2 pc = c.Picture * size;
-        float area = Cross(pb - pa, pc - pa);
-        if (area == 0f)
-        {
-            return;
-        }
-
-        var covered = new Vector3(Covered(a.Region), Covered(b.Region), Covered(c.Region));
-        var roughness = new Vector3(Roughness(a.Region), Roughness(b.Region), Roughness(c.Region));
-        int top = Math.Max(0, (int)Math.Floor(Math.Min(pa.Y, Math.Min(pb.Y, pc.Y)) - 0.5));
-        int bottom = Math.Min(size - 1, (int)Math.Ceiling(Math.Max(pa.Y, Math.Max(pb.Y, pc.Y)) - 0.5));
-        int left = Math.Max(0, (int)Math.Floor(Math.Min(pa.X, Math.Min(pb.X, pc.X)) - 0.5));
-        int right = Math.Min(size - 1, (int)Math.Ceiling(Math.Max(pa.X, Math.Max(pb.X, pc.X)) - 0.5));
-        for (int y = top; y <= bottom; y++)
-        {
-            float first = left;
-            float last = right;
-            Narrow(pb, pc, area, y + 0.5f, ref first, ref last);
-            Narrow(pc, pa, area, y + 0.5f, ref first, ref last);
-            Narrow(pa, pb, area, y + 0.5f, ref first, ref last);
-            ReadOnlySpan<bool> painted = pictures.PaintedRow(y);
-            for (int x = (int)first; x <= last; x++)
-            {
-                if (painted[x])
-                {
-                    continue;
-                }
-
-                var p = new Vector2(x + 0.5f, y + 0.5f);
-                float wa = Cross(pb - p, pc - p) / area;
-                float wb = Cross(pc - p, pa - p) / area;
-                float wc = 1f - wa - wb;
-
-                // A hair's breadth outside counts, so that no texel between two faces is missed.
-                if (Math.Min(wa, Math.Min(wb, wc)) < -1e-4f)
-                {
-                    continue;
-                }
-
-                var weights = new Barycentric(wa, wb, wc);
-                Texel(a, b, c, appendage, weights, x, y, weights.Mix(covered.X, covered.Y, covered.Z), weights.Mix(roughness.X, roughness.Y, roughness.Z));
-            }
-        }
+        var gap = new Gap(pictures);
+        TriangleRaster.Fill(pictures.Size, a, b, c, ref gap);
+        TriangleRaster.Fill(pictures.Size, a, c, d, ref gap);
+        return gap.Found;
     }
 
-    /// <summary>Narrows a row of texels to those on the inner side of an edge, and a texel more at either end.</summary>
-    private static void Narrow(Vector2 from, Vector2 to, float area, float y, ref float first, ref float last)
+    private void Sketch(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, CoarseColours colours)
     {
-        float rise = to.Y - from.Y;
-        if (rise == 0f)
-        {
-            return;
-        }
-
-        float crossing = from.X + ((to.X - from.X) * (y - from.Y) / rise);
-        if (rise < 0f == area > 0f)
-        {
-            first = Math.Max(first, Math.Min(crossing - 1.5f, last + 1f));
-        }
-        else
-        {
-            last = Math.Min(last, crossing + 0.5f);
-        }
+        var pencil = new Pencil(coat, colours, a, b, c, appendage);
+        TriangleRaster.Fill(colours.Size, a.Picture, b.Picture, c.Picture, ref pencil);
     }
 
-    private void Texel(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, in Barycentric weights, int x, int y, float covered, float roughness)
+    private void Paint(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
     {
-        Vector4 position = weights.Mix(a.PositionAndRing, b.PositionAndRing, c.PositionAndRing);
-        Vector4 chart = weights.Mix(a.ChartAndTurns, b.ChartAndTurns, c.ChartAndTurns);
-        Vector4 plain = weights.Mix(a.PlainAndRun, b.PlainAndRun, c.PlainAndRun);
-        Vector4 patterned = weights.Mix(a.PatternedAndGirth, b.PatternedAndGirth, c.PatternedAndGirth);
-        float share = coat.PatternShare(new PatternPlace(Xyz(position), plain.W, patterned.W));
-        Vector3 colour = Vec.Lerp(Xyz(plain), Xyz(patterned), share);
-        if (IsMarked(a.Region, position.W))
-        {
-            colour = Marked(a, b, c, appendage, weights, position, chart, share, colour);
-        }
-
-        covered *= Muzzle(position.W, appendage);
-        float height = relief.At(new Vector2(chart.X, chart.Y));
-        colour *= 1f + (covered * relief.Shade * (height - 0.6f));
-        pictures.Set(x, y, colour, covered * relief.Amplitude * height, roughness + (0.12f * covered * (0.5f - height)));
-    }
-
-    /// <summary>Whether a region has markings with edges finer than the mesh; everywhere else only the pattern is.</summary>
-    private static bool IsMarked(SurfaceRegion region, float ring) =>
-        region == SurfaceRegion.Body ? ring < LastRingOfHead : region is not (SurfaceRegion.Leg or SurfaceRegion.Toe) && !IsPlain(region);
-
-    /// <summary>Whether a region is of one colour all over.</summary>
-    private static bool IsPlain(SurfaceRegion region) => region is SurfaceRegion.Mouth or SurfaceRegion.Hoof or SurfaceRegion.EarInside;
-
-    /// <summary>The markings over the coat at one place; where regions meet, each has the share of its corners.</summary>
-    /// <remarks>The undercoat is that of the corners, and <paramref name="between"/> their finished colour.</remarks>
-    private Vector3 Marked(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, in Barycentric weights, in Vector4 position, in Vector4 chart, float share, Vector3 between)
-    {
-        Vector4 plain = weights.Mix(a.PlainUndercoatAndAlong, b.PlainUndercoatAndAlong, c.PlainUndercoatAndAlong);
-        Vector4 patterned = weights.Mix(a.PatternedUndercoatAndGrain, b.PatternedUndercoatAndGrain, c.PatternedUndercoatAndGrain);
-        Vector3 undercoat = Vec.Lerp(Xyz(plain), Xyz(patterned), share);
-        var address = new VertexAddress
-        {
-            Region = a.Region,
-            Appendage = appendage,
-            Sign = 1,
-            Along = plain.W,
-            Around = chart.W,
-            Ring = position.W,
-            Segment = chart.Z,
-        };
-        float grain = patterned.W;
-        Vector3 colour = coat.MarkedAt(address, Xyz(position), undercoat, grain);
-        if (a.Region == b.Region && b.Region == c.Region)
-        {
-            return colour;
-        }
-
-        Vector3 second = b.Region == a.Region ? colour
-            : IsPlain(b.Region) ? between
-            : coat.MarkedAt(address with { Region = b.Region }, Xyz(position), undercoat, grain);
-        Vector3 third = c.Region == a.Region ? colour
-            : c.Region == b.Region ? second
-            : IsPlain(c.Region) ? between
-            : coat.MarkedAt(address with { Region = c.Region }, Xyz(position), undercoat, grain);
-        return weights.Mix(colour, second, third);
+        var brush = new Brush(this, a, b, c, appendage);
+        TriangleRaster.Fill(pictures.Size, a.Picture, b.Picture, c.Picture, ref brush);
     }
 
     /// <summary>How much of the skin's cover a region wears.</summary>
@@ -181,7 +89,83 @@ internal sealed class TexturePainter
         _ => relief.Roughness,
     };
 
-    private static Vector3 Xyz(in Vector4 v) => new(v.X, v.Y, v.Z);
+    /// <summary>Finds whether a texel is not painted yet.</summary>
+    private struct Gap : ITexelSink
+    {
+        private readonly AtlasPictures pictures;
 
-    private static float Cross(Vector2 a, Vector2 b) => (a.X * b.Y) - (a.Y * b.X);
+        public Gap(AtlasPictures pictures)
+        {
+            this.pictures = pictures;
+            Found = false;
+        }
+
+        public bool Found { get; private set; }
+
+        public readonly bool Skips(int x, int y) => Found || pictures.IsPainted(x, y);
+
+        public void Take(int x, int y, in Barycentric weights) => Found = true;
+    }
+
+    /// <summary>Puts the coat of a triangle into the coarse colours.</summary>
+    private readonly struct Pencil : ITexelSink
+    {
+        private readonly CoatBetween coat;
+        private readonly CoarseColours colours;
+        private readonly ChartCorner a, b, c;
+        private readonly short appendage;
+
+        public Pencil(CoatBetween coat, CoarseColours colours, in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
+        {
+            this.coat = coat;
+            this.colours = colours;
+            this.a = a;
+            this.b = b;
+            this.c = c;
+            this.appendage = appendage;
+        }
+
+        public bool Skips(int x, int y) => colours.Has(x, y);
+
+        public void Take(int x, int y, in Barycentric weights) => colours.Set(x, y, coat.At(a, b, c, appendage, weights));
+    }
+
+    /// <summary>Paints a triangle into the pictures.</summary>
+    private readonly struct Brush : ITexelSink
+    {
+        private readonly TexturePainter painter;
+        private readonly ChartCorner a, b, c;
+        private readonly short appendage;
+        private readonly Vector3 covered;
+        private readonly Vector3 roughness;
+
+        public Brush(TexturePainter painter, in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
+        {
+            this.painter = painter;
+            this.a = a;
+            this.b = b;
+            this.c = c;
+            this.appendage = appendage;
+            covered = new Vector3(Covered(a.Region), Covered(b.Region), Covered(c.Region));
+            roughness = new Vector3(painter.Roughness(a.Region), painter.Roughness(b.Region), painter.Roughness(c.Region));
+        }
+
+        public bool Skips(int x, int y) => painter.pictures.IsPainted(x, y);
+
+        public void Take(int x, int y, in Barycentric weights)
+        {
+            if (painter.coarse == null || !painter.coarse.TryRead(x, y, out Vector3 colour))
+            {
+                colour = painter.coat.At(a, b, c, appendage, weights);
+            }
+
+            float ring = weights.Mix(a.PositionAndRing.W, b.PositionAndRing.W, c.PositionAndRing.W);
+            float cover = weights.Mix(covered.X, covered.Y, covered.Z) * Muzzle(ring, appendage);
+            Vector4 chart = weights.Mix(a.ChartAndTurns, b.ChartAndTurns, c.ChartAndTurns);
+            SkinRelief relief = painter.relief;
+            float height = relief.At(new Vector2(chart.X, chart.Y));
+            colour *= 1f + (cover * relief.Shade * (height - 0.6f));
+            painter.pictures.Set(x, y, colour, cover * relief.Amplitude * height, weights.Mix(roughness.X, roughness.Y, roughness.Z) + (0.12f * cover * (0.5f - height)));
+        }
+    }
 }
