@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace CreatureGen.Appearance.Textures;
 
-/// <summary>The coat alone at half the size of an atlas. Its finest edges are wider than two texels of a large atlas, which takes the colours between them from here.</summary>
+/// <summary>The coat alone at half the size of an atlas. Its finest edges are several texels of a large atlas wide, which takes its colours from between these.</summary>
 internal sealed class CoarseColours
 {
     /// <summary>Shares of the nearest texel, of the two beside it and of the one across, for a place a quarter of a texel off on both axes.</summary>
