@@ -10,7 +10,7 @@ internal static class ExportOptions
 {
     private static readonly OptionSyntax textures = new("--textures", "SIZE", "texture atlas in the GLB, texels along a side: 256, 512, 1024, 2048 or 4096 (default: none, colours in the vertices)");
     private static readonly OptionSyntax levels = new("--levels", "CHOICE", "levels of detail in the GLB: finest (the default), half, quarter, tenth or all (MSFT_lod)");
-    private static readonly OptionSyntax materials = new("--materials", "NUMBER", "materials in the GLB at most: two (the default: solid skin, double-sided membrane) or one, double-sided, for a single draw call");
+    private static readonly OptionSyntax materials = new("--materials", "CHOICE", "materials in the GLB at most: two (the default: solid skin, double-sided membrane) or one, double-sided, for a single draw call");
 
     private static readonly OptionSyntax clips = new("--clips", "all", "the creature's motion as clips: idle, every gait, flight, swimming, crawling (default: none)");
 

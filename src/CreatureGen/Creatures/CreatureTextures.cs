@@ -14,6 +14,7 @@ namespace CreatureGen.Creatures;
 /// </summary>
 /// <remarks>
 /// Every texel is a place of the surface at rest: coat, scales, fur or feathers are evaluated there, so seams between charts do not show and left and right are alike.
+/// From 1024 texels a side on, the coat is evaluated at every second texel of every second row, and smoothly between; its finest edges are several texels wide there.
 /// Pieces set into the skin (eyes, claws, horns, teeth) keep their vertex colours and lie on white texels; the skin's vertex colours are not to be multiplied with the base colour.
 /// </remarks>
 public sealed class CreatureTextures
