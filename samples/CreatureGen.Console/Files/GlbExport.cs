@@ -34,10 +34,14 @@ internal static class GlbExport
         {
             Provenance = Provenance(root),
             Shading = IsFlat(root) ? Shading.Flat : Shading.Smooth,
-            Levels = extras.TryGetProperty("levels", out JsonElement levels) && Enum.TryParse(levels.ToString(), true, out LevelChoice choice) && Enum.IsDefined(choice) ? choice : LevelChoice.Finest,
+            Levels = Choice(extras, "levels", LevelChoice.Finest),
+            Materials = Choice(extras, "materials", MaterialChoice.Two),
             TextureSize = extras.TryGetProperty("textureSize", out JsonElement size) && size.ValueKind == JsonValueKind.Number && size.TryGetInt32(out int texels) && IsTextureSize(texels) ? texels : 0,
         };
     }
+
+    private static T Choice<T>(JsonElement extras, string name, T otherwise)
+        where T : struct, Enum => extras.TryGetProperty(name, out JsonElement word) && Enum.TryParse(word.ToString(), true, out T choice) && Enum.IsDefined(choice) ? choice : otherwise;
 
     private static bool IsTextureSize(int size) => size is >= CreatureTextures.SmallestSize and <= CreatureTextures.LargestSize && (size & (size - 1)) == 0;
 

@@ -10,11 +10,12 @@ internal static class ExportOptions
 {
     private static readonly OptionSyntax textures = new("--textures", "SIZE", "texture atlas in the GLB, texels along a side: 256, 512, 1024, 2048 or 4096 (default: none, colours in the vertices)");
     private static readonly OptionSyntax levels = new("--levels", "CHOICE", "levels of detail in the GLB: finest (the default), half, quarter, tenth or all (MSFT_lod)");
+    private static readonly OptionSyntax materials = new("--materials", "CHOICE", "materials in the GLB at most: two (the default: solid skin, double-sided membrane) or one, double-sided, for a single draw call");
 
     private static readonly OptionSyntax clips = new("--clips", "all", "the creature's motion as clips: idle, every gait, flight, swimming, crawling (default: none)");
 
     /// <summary>All of them.</summary>
-    public static OptionSyntax[] Syntax { get; } = [textures, levels, clips, CommonOptions.Flat];
+    public static OptionSyntax[] Syntax { get; } = [textures, levels, materials, clips, CommonOptions.Flat];
 
     /// <summary>Whether motion is to be in the file.</summary>
     /// <exception cref="UsageError">A value is none of the known ones.</exception>
@@ -32,6 +33,7 @@ internal static class ExportOptions
     {
         Shading = arguments.Has(CommonOptions.Flat.Name) ? Shading.Flat : otherwise.Shading,
         Levels = arguments.Choice(levels.Name, WordList<LevelChoice>.Instance, otherwise.Levels),
+        Materials = arguments.Choice(materials.Name, WordList<MaterialChoice>.Instance, otherwise.Materials),
         TextureSize = arguments.Value(textures.Name) is null ? otherwise.TextureSize : SizeOf(arguments),
     };
 

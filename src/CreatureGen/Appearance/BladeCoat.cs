@@ -56,15 +56,17 @@ internal sealed class BladeCoat
     // The arm along the leading edge keeps the coat of the body.
     private Vector3 Membrane(Vector3 colour, in SkinPlace place)
     {
-        float share = Scalar.Smooth((place.Chord - 0.10f) / 0.15f) * Scalar.Smooth(place.Along * 4f);
-        return Vec.Lerp(colour, membraneColour * (1.05f - (0.25f * place.Chord)), share);
+        float chord = place.Chord;
+        float share = Scalar.Smooth((chord - 0.10f) / 0.15f) * Scalar.Smooth(place.Along * 4f);
+        return Vec.Lerp(colour, membraneColour * (1.05f - (0.25f * chord)), share);
     }
 
     // Three rows from the leading edge: lesser coverts in the coat of the body, greater coverts, flight feathers.
     private Vector3 Feathers(Vector3 colour, in SkinPlace place)
     {
+        float chord = place.Chord;
         float rooted = 0.9f * Scalar.Smooth(place.Along * 5f);
-        colour = Vec.Lerp(colour, covertColour, rooted * Scalar.Smooth((place.Chord - 0.30f) / 0.06f));
-        return Vec.Lerp(colour, featherColour, rooted * Scalar.Smooth((place.Chord - 0.62f) / 0.06f));
+        colour = Vec.Lerp(colour, covertColour, rooted * Scalar.Smooth((chord - 0.30f) / 0.06f));
+        return Vec.Lerp(colour, featherColour, rooted * Scalar.Smooth((chord - 0.62f) / 0.06f));
     }
 }

@@ -10,7 +10,7 @@ namespace CreatureGen.Appearance;
 /// <summary>The colour of every vertex of a creature's surface, as a function of where the vertex lies and nothing else.</summary>
 /// <remarks>
 /// From the ground up: countershading (dark back, pale belly), pattern, extremities in the limb colour, then head, tail, fins and wings.
-/// Both sides of the body get identical colours, in whatever order the vertices are painted.
+/// Both sides of the body get identical colours, in whatever order the vertices are painted. Each thread needs a painter of its own.
 /// </remarks>
 internal sealed class CoatPainter
 {
@@ -24,7 +24,9 @@ internal sealed class CoatPainter
     private readonly TailCoat tail;
     private readonly ShellCoat shell;
     private readonly float strength;
-    private readonly int salt;
+    private readonly ValueNoise grains;
+    private readonly ValueNoise tide;
+    private readonly ValueNoise tone;
 
     /// <summary>Prepares the coat of one creature.</summary>
     public CoatPainter(CoatBlueprint coat, CoatSubject subject)
@@ -33,7 +35,10 @@ internal sealed class CoatPainter
         palette = new CoatPalette(coat);
         pattern = new PatternField(coat.PatternKind, coat.PatternScale, coat.PatternSeed, coat.Marks);
         strength = Scalar.Clamp((float)coat.PatternStrength, 0f, 1f);
-        salt = unchecked((coat.PatternSeed * 16) + 8);
+        int salt = unchecked((coat.PatternSeed * 16) + 8);
+        grains = new ValueNoise(salt);
+        tide = new ValueNoise(salt + 1);
+        tone = new ValueNoise(salt + 2);
         head = new HeadCoat(palette, subject, coat);
         blades = new BladeCoat(palette, subject, coat.PatternSeed);
         tail = new TailCoat(palette, subject, coat.PatternSeed);
@@ -66,54 +71,65 @@ internal sealed class CoatPainter
     public Vector3 At(in VertexAddress address, Vector3 position, Vector3 normal)
     {
         var place = new SkinPlace(address, position, normal, subject.Body);
-        return Colour(place, pattern.At(PatternAt(place)));
+        return Marked(place, Undercoat(place, pattern.At(PatternAt(place))), Grain(place));
     }
 
-    /// <summary>The two colours of a place between which the pattern goes, linearly: without and with the full pattern. They change slowly over the surface; the pattern does not.</summary>
+    /// <summary>The colours of a place between which the pattern goes, linearly: without and with the full pattern. They change slowly over the surface; the pattern and markings do not.</summary>
     public CoatRange RangeAt(in VertexAddress address, Vector3 position, Vector3 normal)
     {
         var place = new SkinPlace(address, position, normal, subject.Body);
-        return new CoatRange(Colour(place, 0f), Colour(place, 1f), PatternAt(place));
+        Vector3 plain = Undercoat(place, 0f);
+        Vector3 patterned = Undercoat(place, 1f);
+        float grain = Grain(place);
+        return new CoatRange(plain, patterned, grain, Marked(place, plain, grain), Marked(place, patterned, grain), PatternAt(place));
     }
 
     /// <summary>Share of the full pattern at a place, 0..1.</summary>
     public float PatternShare(in PatternPlace place) => pattern.At(place);
 
-    private PatternPlace PatternAt(in SkinPlace place) => new(place.Position, Run(place), place.Around);
+    /// <summary>Lays what a region wears of its own (markings of the head, rays of a fin, feathers of a wing) over the colour of the coat below it. Not for hooves, which need a normal.</summary>
+    /// <param name="address">Where it lies.</param>
+    /// <param name="position">Rest position, model space, metres at scale 1.</param>
+    /// <param name="undercoat">Linear RGB, with the pattern.</param>
+    /// <param name="grain">Factor on the result.</param>
+    public Vector3 MarkedAt(in VertexAddress address, Vector3 position, Vector3 undercoat, float grain) =>
+        Marked(new SkinPlace(address, position, Vector3.UnitY, subject.Body), undercoat, grain);
 
-    private Vector3 Colour(in SkinPlace place, float patternShare)
+    private Vector3 Marked(in SkinPlace place, Vector3 undercoat, float grain)
     {
         Vector3 colour = place.Region switch
         {
             SurfaceRegion.Mouth => palette.MouthInside,
             SurfaceRegion.Hoof => palette.Claw * Scalar.Lerp(1.15f, 0.8f, Scalar.Smooth(place.Normal.Y + 0.5f)),
             SurfaceRegion.EarInside => palette.EarInside,
-            _ => Skin(place, patternShare),
+            _ => Skin(place, undercoat),
         };
-        float grain = 0.94f + (0.12f * ValueNoise.At(place.Position * 9f, salt));
         colour *= grain;
         return new Vector3(Limit(colour.X), Limit(colour.Y), Limit(colour.Z));
     }
 
-    private Vector3 Skin(in SkinPlace place, float patternShare)
+    private PatternPlace PatternAt(in SkinPlace place) => new(place.Position, Run(place), place.Around);
+
+    private float Grain(in SkinPlace place) => 0.94f + (0.12f * grains.At(place.Position * 9f));
+
+    private Vector3 Skin(in SkinPlace place, Vector3 undercoat)
     {
-        Vector3 colour = Undercoat(place, patternShare);
         if (place.IsTrunk)
         {
-            return head.Over(shell.Over(tail.Over(colour, place), place), place);
+            return head.Over(shell.Over(tail.Over(undercoat, place), place), place);
         }
 
-        return place.IsLimb ? Limb(colour, place) : blades.Over(colour, place);
+        return place.IsLimb ? Limb(undercoat, place) : blades.Over(undercoat, place);
     }
 
     private Vector3 Undercoat(in SkinPlace place, float patternShare)
     {
-        float ventral = Countershade(place) + (0.10f * (ValueNoise.At(place.Position * 5f, salt + 1) - 0.5f));
+        float ventral = Countershade(place) + (0.10f * (tide.At(place.Position * 5f) - 0.5f));
         float belly = Scalar.Smooth((ventral - 0.52f) / 0.30f);
         float back = 0.62f * Scalar.Smooth((0.26f - ventral) / 0.26f);
 
         // Broad, faint drifts of tone keep a plain skin alive.
-        float drift = ValueNoise.At(place.Position * 2.3f, salt + 2) - 0.5f;
+        float drift = tone.At(place.Position * 2.3f) - 0.5f;
         Vector3 colour = Vec.Lerp(palette.Base, drift > 0f ? palette.Back : palette.Belly, 0.34f * Math.Abs(drift));
         colour = Vec.Lerp(colour, palette.Back, back);
         float mask = patternShare * strength * (1f - (0.75f * belly));

@@ -53,7 +53,10 @@ internal sealed class PatternField
 
     private readonly PatternKind kind;
     private readonly float scale;
-    private readonly int salt;
+    private readonly ValueNoise coarseClouds;
+    private readonly ValueNoise fineClouds;
+    private readonly ValueNoise waver;
+    private readonly WorleyNoise scatter;
     private readonly float phase;
     private readonly RandomWaves? waves;
 
@@ -66,7 +69,11 @@ internal sealed class PatternField
     {
         this.kind = kind;
         this.scale = (float)scale;
-        salt = unchecked((seed * 16) + (marks * MarkStep));
+        int salt = unchecked((seed * 16) + (marks * MarkStep));
+        coarseClouds = new ValueNoise(salt);
+        fineClouds = new ValueNoise(salt + 1);
+        scatter = new WorleyNoise(salt + 2);
+        waver = new ValueNoise(salt + (kind == PatternKind.Stripes ? 3 : 4));
         phase = (float)PortableMath.Tau * (marks % PhaseSteps) / PhaseSteps;
         waves = kind == PatternKind.Turing ? new RandomWaves(WavesPerMetre * this.scale, salt + 5) : null;
     }
@@ -93,7 +100,7 @@ internal sealed class PatternField
             case PatternKind.Rosettes:
                 return Rosettes(place);
             case PatternKind.Giraffe:
-                return Scalar.Smooth((WorleyNoise.Gap(place.Position * (4.2f * scale), salt + 2, SeamWidth + SeamEdge) - SeamWidth) / SeamEdge);
+                return Scalar.Smooth((scatter.Gap(place.Position * (4.2f * scale), SeamWidth + SeamEdge) - SeamWidth) / SeamEdge);
             case PatternKind.Turing:
                 return Scalar.Smooth(0.5f + (1.6f * waves!.At(place.Position)));
             default:
@@ -102,11 +109,11 @@ internal sealed class PatternField
     }
 
     private float Clouds(in PatternPlace place, float coarse, float fine, float share) =>
-        (share * ValueNoise.At(place.Position * (coarse * scale), salt)) + ((1f - share) * ValueNoise.At(place.Position * (fine * scale), salt + 1));
+        (share * coarseClouds.At(place.Position * (coarse * scale))) + ((1f - share) * fineClouds.At(place.Position * (fine * scale)));
 
     private float Spots(in PatternPlace place)
     {
-        NearestPoint point = WorleyNoise.Nearest(place.Position * (7.5f * scale), salt + 2);
+        NearestPoint point = scatter.Nearest(place.Position * (7.5f * scale));
 
         // A quarter of the cells stay empty; the others differ in size.
         if (point.Value < 0.25f)
@@ -121,7 +128,7 @@ internal sealed class PatternField
     // A ring around each point, broken in up to four places, and in its middle a share of the pattern colour: warmer and darker than the coat.
     private float Rosettes(in PatternPlace place)
     {
-        NearestPoint point = WorleyNoise.Nearest(place.Position * (4f * scale), salt + 2);
+        NearestPoint point = scatter.Nearest(place.Position * (4f * scale));
         float distance = point.Distance;
         float share = 0.36f * Scalar.Smooth((RingRadius - distance) / 0.08f);
         float ring = Scalar.Smooth((0.145f - Math.Abs(distance - RingRadius)) / 0.08f);
@@ -135,18 +142,18 @@ internal sealed class PatternField
 
     private float Stripes(in PatternPlace place)
     {
-        float waver = ValueNoise.At(place.Position * (4f * scale), salt + 3);
-        float wave = (float)PortableMath.Sin((place.Run * StripeFrequency * scale) + (4.5f * waver) + (0.8f * (float)PortableMath.Sin(place.Around)) + phase);
+        float bend = waver.At(place.Position * (4f * scale));
+        float wave = (float)PortableMath.Sin((place.Run * StripeFrequency * scale) + (4.5f * bend) + (0.8f * (float)PortableMath.Sin(place.Around)) + phase);
 
         // Stripes narrow towards the belly, and some break off earlier than others.
-        float taper = 0.55f * Scalar.Smooth((place.Around - 1.2f) / 1.3f) * (0.5f + waver);
+        float taper = 0.55f * Scalar.Smooth((place.Around - 1.2f) / 1.3f) * (0.5f + bend);
         return Scalar.Smooth((wave - 0.15f - taper) / 0.40f);
     }
 
     private float Bands(in PatternPlace place)
     {
-        float waver = ValueNoise.At(place.Position * (3f * scale), salt + 4);
-        float wave = (float)PortableMath.Sin((place.Run * BandFrequency * scale) + (1.2f * waver) + phase);
+        float bend = waver.At(place.Position * (3f * scale));
+        float wave = (float)PortableMath.Sin((place.Run * BandFrequency * scale) + (1.2f * bend) + phase);
         return Scalar.Smooth((wave - 0.10f) / 0.30f);
     }
 

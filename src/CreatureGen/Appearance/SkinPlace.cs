@@ -25,7 +25,6 @@ internal readonly struct SkinPlace
         float segment = Math.Abs(address.Segment);
         segment = Math.Min(segment, BodyGrid.Segments - segment);
         Around = Scalar.Clamp(segment, 0f, BodyGrid.Segments / 2f) * (float)(PortableMath.Tau / BodyGrid.Segments);
-        Ventral = 0.5f * (1f - (float)PortableMath.Cos(Around));
         Arc = (float)BodyShape.At(body.Arc, Ring);
         Along = Scalar.Clamp(address.Along, 0f, 1f);
         aroundAppendage = address.Around;
@@ -48,7 +47,7 @@ internal readonly struct SkinPlace
     public float Around { get; }
 
     /// <summary>0 on the back to 1 on the belly.</summary>
-    public float Ventral { get; }
+    public float Ventral => 0.5f * (1f - (float)PortableMath.Cos(Around));
 
     /// <summary>Metres along the body from the nose.</summary>
     public float Arc { get; }

@@ -53,9 +53,10 @@ internal readonly struct NearestPoint
 /// <summary>Scattered points, one in each cell of an integer lattice, and which of them is nearest.</summary>
 /// <remarks>
 /// Based on: S. Worley, "A cellular texture basis function" (1996). Points stay within <see cref="Jitter"/> of the centre of their cell, so none outside
-/// of the 8 cells around a place is closer to it than <see cref="Reach"/>.
+/// of the 8 cells around a place is closer to it than <see cref="Reach"/>. It remembers the points of the last 8 cells, because one place after another mostly lies among the same:
+/// what it answers does not depend on that, but each thread needs its own.
 /// </remarks>
-internal static class WorleyNoise
+internal sealed class WorleyNoise
 {
     /// <summary>How far a point may lie from the centre of its cell along each axis, in cells.</summary>
     public const float Jitter = 0.36f;
@@ -70,13 +71,26 @@ internal static class WorleyNoise
     /// <summary>The bits of a squared distance that say which of eight cells it is of.</summary>
     private const int CellMask = 7;
 
+    private readonly int salt;
+    private bool known;
+    private int cellX;
+    private int cellY;
+    private int cellZ;
+
+    /// <summary>Of the eight points along each axis, in the order of their cells: from the low corner of its own cell to the point.</summary>
+    private Vector4 nearX, nearY, nearZ, farX, farY, farZ;
+
+    /// <summary>Scatters the points.</summary>
+    /// <param name="salt">Which scatter.</param>
+    public WorleyNoise(int salt) => this.salt = salt;
+
     /// <summary>The nearest point; exact wherever it is closer than <see cref="Reach"/>.</summary>
-    public static NearestPoint Nearest(Vector3 point, int salt)
+    public NearestPoint Nearest(Vector3 point)
     {
         int x = Low(point.X);
         int y = Low(point.Y);
         int z = Low(point.Z);
-        Survey(x, y, z, point, salt, out int first, out int second);
+        Survey(x, y, z, point, out int first, out int second);
         x += first & 1;
         y += (first >> 1) & 1;
         z += (first >> 2) & 1;
@@ -86,14 +100,13 @@ internal static class WorleyNoise
 
     /// <summary>By how much the second nearest point is farther away than the nearest, in cells: 0 on the borders between their plates.</summary>
     /// <param name="point">The place, in cells.</param>
-    /// <param name="salt">Which scatter.</param>
     /// <param name="most">The answer is exact up to here, and no less than this wherever it is more.</param>
-    public static float Gap(Vector3 point, int salt, float most)
+    public float Gap(Vector3 point, float most)
     {
         int x0 = Low(point.X);
         int y0 = Low(point.Y);
         int z0 = Low(point.Z);
-        Survey(x0, y0, z0, point, salt, out int first, out int second);
+        Survey(x0, y0, z0, point, out int first, out int second);
 
         // Of the cells around these eight only the nearer side of each axis can matter, and few of them do.
         float within = (float)Math.Sqrt(Squared(first)) + most;
@@ -140,26 +153,61 @@ internal static class WorleyNoise
     }
 
     // The two least squared distances to the points of eight cells, as Meet orders them.
-    private static void Survey(int x0, int y0, int z0, Vector3 point, int salt, out int first, out int second)
+    private void Survey(int x0, int y0, int z0, Vector3 point, out int first, out int second)
     {
-        int least = int.MaxValue;
-        int next = int.MaxValue;
-        uint left = LatticeHash.AlongX(x0);
-        uint right = LatticeHash.AlongX(unchecked(x0 + 1));
-        float dx = x0 - point.X;
-        for (int k = 0; k < 4; k++)
+        if (x0 != cellX || y0 != cellY || z0 != cellZ || !known)
         {
-            int y = y0 + (k & 1);
-            int z = z0 + (k >> 1);
-            uint row = LatticeHash.AlongY(y) ^ LatticeHash.AlongZ(z) ^ LatticeHash.Salt(salt);
-            float dy = y - point.Y;
-            float dz = z - point.Z;
-            Meet(SquaredOffset(dx, dy, dz, LatticeHash.Mix(left ^ row)), 2 * k, ref least, ref next);
-            Meet(SquaredOffset(dx + 1f, dy, dz, LatticeHash.Mix(right ^ row)), (2 * k) + 1, ref least, ref next);
+            Enter(x0, y0, z0);
         }
 
+        float left = x0 - point.X;
+        float right = left + 1f;
+        var alongX = new Vector4(left, right, left, right);
+        float below = y0 - point.Y;
+        float above = (y0 + 1) - point.Y;
+        var alongY = new Vector4(below, below, above, above);
+        Vector4 x = alongX + nearX;
+        Vector4 y = alongY + nearY;
+        Vector4 z = new Vector4(z0 - point.Z) + nearZ;
+        Vector4 near = (x * x) + (y * y) + (z * z);
+        x = alongX + farX;
+        y = alongY + farY;
+        z = new Vector4((z0 + 1) - point.Z) + farZ;
+        Vector4 far = (x * x) + (y * y) + (z * z);
+        int least = int.MaxValue;
+        int next = int.MaxValue;
+        Meet(near.X, 0, ref least, ref next);
+        Meet(near.Y, 1, ref least, ref next);
+        Meet(near.Z, 2, ref least, ref next);
+        Meet(near.W, 3, ref least, ref next);
+        Meet(far.X, 4, ref least, ref next);
+        Meet(far.Y, 5, ref least, ref next);
+        Meet(far.Z, 6, ref least, ref next);
+        Meet(far.W, 7, ref least, ref next);
         first = least;
         second = next;
+    }
+
+    private void Enter(int x, int y, int z)
+    {
+        Points(x, y, z, out nearX, out nearY, out nearZ);
+        Points(x, y, z + 1, out farX, out farY, out farZ);
+        cellX = x;
+        cellY = y;
+        cellZ = z;
+        known = true;
+    }
+
+    // The points of four cells of one layer.
+    private void Points(int x, int y, int z, out Vector4 alongX, out Vector4 alongY, out Vector4 alongZ)
+    {
+        uint a = LatticeHash.Bits(x, y, z, salt);
+        uint b = LatticeHash.Bits(x + 1, y, z, salt);
+        uint c = LatticeHash.Bits(x, y + 1, z, salt);
+        uint d = LatticeHash.Bits(x + 1, y + 1, z, salt);
+        alongX = new Vector4(InCell(a), InCell(b), InCell(c), InCell(d));
+        alongY = new Vector4(InCell(a << 10), InCell(b << 10), InCell(c << 10), InCell(d << 10));
+        alongZ = new Vector4(InCell(a << 20), InCell(b << 20), InCell(c << 20), InCell(d << 20));
     }
 
     // Positive numbers are ordered as their bits are: as integers they can be compared without a branch, and carry their cell in the bits that matter least.
@@ -184,5 +232,8 @@ internal static class WorleyNoise
 
     // From a place to the point of a cell along one axis: from the place to the cell, and the highest 10 bits.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float Offset(float toCell, uint bits) => toCell + (Least + (Step * (int)(bits >> 22)));
+    private static float Offset(float toCell, uint bits) => toCell + InCell(bits);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static float InCell(uint bits) => Least + (Step * (int)(bits >> 22));
 }

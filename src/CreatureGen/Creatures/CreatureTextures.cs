@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Appearance;
 using CreatureGen.Appearance.Textures;
@@ -13,6 +14,7 @@ namespace CreatureGen.Creatures;
 /// </summary>
 /// <remarks>
 /// Every texel is a place of the surface at rest: coat, scales, fur or feathers are evaluated there, so seams between charts do not show and left and right are alike.
+/// From 1024 texels a side on, the coat is evaluated at every second texel of every second row, and smoothly between; its finest edges are several texels wide there.
 /// Pieces set into the skin (eyes, claws, horns, teeth) keep their vertex colours and lie on white texels; the skin's vertex colours are not to be multiplied with the base colour.
 /// </remarks>
 public sealed class CreatureTextures
@@ -98,19 +100,38 @@ public sealed class CreatureTextures
         _ => 0.65f,
     };
 
-    /// <summary>The right side shares the texels of the left. Charts do not overlap, so each can be painted by a thread of its own.</summary>
+    /// <summary>The right side shares the texels of the left; few faces of it, if any, find one that is not painted yet.</summary>
     private static void Paint(Surface surface, ChartPacking packing, VertexCoat coat, TexturePainter painter)
     {
-        for (int pass = 0; pass < 2; pass++)
+        var left = new List<ChartFace>(surface.Faces.Length / 2);
+        for (int f = 0; f < surface.Faces.Length; f++)
         {
-            for (int f = 0; f < surface.Faces.Length; f++)
+            if (!IsRight(surface, f))
             {
-                if (IsRight(surface, f) == (pass == 1))
-                {
-                    painter.Paint(ChartFace.Of(surface, packing, f, coat));
-                }
+                left.Add(ChartFace.Of(surface, packing, f, coat));
+                painter.Sketch(left[^1]);
             }
         }
+
+        foreach (ChartFace face in left)
+        {
+            painter.Paint(face);
+        }
+
+        for (int f = 0; f < surface.Faces.Length; f++)
+        {
+            if (IsRight(surface, f) && HasGap(surface, packing, f, painter))
+            {
+                painter.Paint(ChartFace.Of(surface, packing, f, coat));
+            }
+        }
+    }
+
+    private static bool HasGap(Surface surface, ChartPacking packing, int f, TexturePainter painter)
+    {
+        int chart = surface.Faces[f].Chart;
+        FaceTexcoords t = surface.Texcoords[f];
+        return painter.HasGap(packing.Map(chart, t.A), packing.Map(chart, t.B), packing.Map(chart, t.C), packing.Map(chart, t.D));
     }
 
     private static bool IsRight(Surface surface, int f)

@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
@@ -40,7 +41,7 @@ internal static class Untangling
     /// <summary>Moves positions in place until no triangles cross, or leaves the best positions that were seen: the first with the fewest crossing pairs.</summary>
     /// <param name="positions">One per vertex.</param>
     /// <param name="triangles">Vertex indices, three per triangle.</param>
-    /// <param name="mirror">For each vertex its mirror image in the plane x = 0, itself on the plane; empty for a mesh without symmetry. Of two images the one of lower index is computed and the other copied, so they stay exact; a vertex on the plane keeps its x.</param>
+    /// <param name="mirror">For each vertex its mirror image in the plane x = 0, itself on the plane; empty for a mesh without symmetry. Of two images the one of lower index is computed and the other copied, so they stay exact; a vertex on the plane keeps its x. The image of each triangle is a triangle.</param>
     /// <param name="held">Vertices that may not move; a vertex is held with its mirror image. Empty for none.</param>
     /// <param name="grounded">Vertices that keep their height, as the soles do; empty for none.</param>
     /// <param name="workspace">Buffers of the search.</param>
@@ -58,7 +59,13 @@ internal static class Untangling
         RequireLength(grounded.Length, positions.Length, nameof(grounded));
         TriangleList.RequireFinite(positions);
         RequireImages(mirror);
+        TriangleList.Count(positions.Length, triangles);
         var pairs = new List<(int First, int Second)>();
+        if (!mirror.IsEmpty && IsLeftSideClean(positions, triangles, pairs, workspace))
+        {
+            return new UntanglingReport(0, 0, 0);
+        }
+
         int before = SelfIntersection.Find(positions, triangles, pairs, workspace);
         if (before == 0)
         {
@@ -83,6 +90,40 @@ internal static class Untangling
 
         best.CopyTo(positions);
         return new UntanglingReport(rounds, before, fewest);
+    }
+
+    /// <summary>Whether no two triangles of the left side cross, and none reaches across the plane or lies in it: then no two of the right side do, nor any of both, which have only the plane in common.</summary>
+    private static bool IsLeftSideClean(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, List<(int First, int Second)> pairs, SelfIntersectionWorkspace workspace)
+    {
+        int[] rented = ArrayPool<int>.Shared.Rent(triangles.Length);
+        try
+        {
+            int count = 0;
+            for (int i = 0; i + 2 < triangles.Length; i += 3)
+            {
+                float a = positions[triangles[i]].X;
+                float b = positions[triangles[i + 1]].X;
+                float c = positions[triangles[i + 2]].X;
+                bool left = a > 0f || b > 0f || c > 0f;
+                if (left == (a < 0f || b < 0f || c < 0f))
+                {
+                    // Across the plane, or in it.
+                    return false;
+                }
+
+                if (left)
+                {
+                    triangles.Slice(i, 3).CopyTo(rented.AsSpan(count));
+                    count += 3;
+                }
+            }
+
+            return SelfIntersection.Find(positions, rented.AsSpan(0, count), pairs, workspace) == 0;
+        }
+        finally
+        {
+            ArrayPool<int>.Shared.Return(rented);
+        }
     }
 
     /// <summary>The vertices to compute, ascending: those of crossing triangles and their neighbours, one of each two mirror images, without the held ones.</summary>

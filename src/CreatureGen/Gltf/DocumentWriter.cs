@@ -52,7 +52,7 @@ internal static class DocumentWriter
         json.Name("materials").BeginArray();
         foreach (MaterialKind material in materials)
         {
-            WriteMaterial(json, material, plan.Blocks.Count > 0);
+            WriteMaterial(json, material, NameOf(material, options.Materials), plan.Blocks.Count > 0);
         }
 
         json.EndArray();
@@ -88,6 +88,11 @@ internal static class DocumentWriter
         if (options.Levels != LevelChoice.Finest)
         {
             json.Name("levels").Text(options.Levels.ToString().ToLowerInvariant());
+        }
+
+        if (options.Materials != MaterialChoice.Two)
+        {
+            json.Name("materials").Text(options.Materials.ToString().ToLowerInvariant());
         }
 
         if (options.TextureSize != 0)
@@ -160,10 +165,10 @@ internal static class DocumentWriter
     }
 
     /// <summary>Writes a material. All colour is in the vertices or the atlas, so that the base colour is white.</summary>
-    private static void WriteMaterial(JsonWriter json, MaterialKind material, bool textured)
+    private static void WriteMaterial(JsonWriter json, MaterialKind material, string name, bool textured)
     {
         json.BeginObject();
-        json.Name("name").Text(material == MaterialKind.Membrane ? "Membrane" : "Skin");
+        json.Name("name").Text(name);
         json.Name("pbrMetallicRoughness").BeginObject();
         json.Name("baseColorFactor").BeginArray().Number(1).Number(1).Number(1).Number(1).EndArray();
         json.Name("metallicFactor").Number(0);
@@ -187,6 +192,9 @@ internal static class DocumentWriter
 
         json.EndObject();
     }
+
+    private static string NameOf(MaterialKind material, MaterialChoice choice) =>
+        choice == MaterialChoice.One ? "Creature" : material == MaterialKind.Membrane ? "Membrane" : "Skin";
 
     private static void WriteAccessors(JsonWriter json, BufferPlan plan, Accessor positions, ClipBuffers clips, (Vector3 Min, Vector3 Max) box)
     {

@@ -30,7 +30,7 @@ public static class GlbWriter
     /// <param name="options">How it is written.</param>
     /// <param name="destination">Takes the bytes; is neither flushed nor closed.</param>
     /// <exception cref="ArgumentNullException">An argument is null.</exception>
-    /// <exception cref="ArgumentException">The destination cannot be written to, the size of textures is out of its range, or the shading or the choice of levels is none of the known ones.</exception>
+    /// <exception cref="ArgumentException">The destination cannot be written to, the size of textures is out of its range, or the shading, the choice of levels or that of materials is none of the known ones.</exception>
     /// <exception cref="InvalidOperationException">The creature holds something that a file must not, such as a number that is not finite or weights that do not sum to one. The message says what and where.</exception>
     public static void Write(Creature creature, GltfOptions options, Stream destination)
     {

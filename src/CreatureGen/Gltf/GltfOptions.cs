@@ -16,6 +16,9 @@ public sealed record GltfOptions
     /// <summary>Which levels of detail are written. Default: <see cref="LevelChoice.Finest"/>.</summary>
     public LevelChoice Levels { get; init; } = LevelChoice.Finest;
 
+    /// <summary>How many materials there are at most. Default: <see cref="MaterialChoice.Two"/>.</summary>
+    public MaterialChoice Materials { get; init; } = MaterialChoice.Two;
+
     /// <summary>
     /// Texels along a side of the texture atlas in the file (base colour, normals, roughness as PNG), a power of two 256..4096. Default: 0, no atlas: all colour is in the vertices.
     /// With an atlas, vertices of the skin are white and those of eyes, claws and teeth keep their colour.

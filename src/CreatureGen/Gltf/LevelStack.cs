@@ -23,7 +23,7 @@ internal sealed class LevelStack
     public int Count => partCounts.Length;
 
     /// <summary>Collects the chosen levels of a mesh.</summary>
-    /// <exception cref="ArgumentException">The choice or the shading is none of the known ones.</exception>
+    /// <exception cref="ArgumentException">The choice, the materials or the shading is none of the known ones.</exception>
     public static LevelStack Of(CreatureMesh mesh, GltfOptions options)
     {
         LevelStack stack = options.Levels switch
@@ -34,6 +34,12 @@ internal sealed class LevelStack
             LevelChoice.Tenth => Single(mesh.Levels[3]),
             LevelChoice.All => All(mesh),
             _ => throw new ArgumentException(FormattableString.Invariant($"levels {(int)options.Levels}; expected Finest, Half, Quarter, Tenth or All"), nameof(options)),
+        };
+        stack = options.Materials switch
+        {
+            MaterialChoice.Two => stack,
+            MaterialChoice.One => stack.InOnePart(),
+            _ => throw new ArgumentException(FormattableString.Invariant($"materials {(int)options.Materials}; expected Two or One"), nameof(options)),
         };
         return options.Shading switch
         {
@@ -82,6 +88,28 @@ internal sealed class LevelStack
         }
 
         return new LevelStack(mesh.With(triangles.ToArray(), parts), counts);
+    }
+
+    /// <summary>The parts of each level, which follow one another, as one that is drawn on both sides.</summary>
+    private LevelStack InOnePart()
+    {
+        var parts = new MeshPart[Count];
+        int[] counts = new int[Count];
+        int next = 0;
+        for (int level = 0; level < Count; level++)
+        {
+            (int first, int count) = PartsOf(level);
+            int start = next;
+            for (int i = first; i < first + count; i++)
+            {
+                next += Mesh.Parts[i].IndexCount;
+            }
+
+            parts[level] = new MeshPart(MaterialKind.Membrane, start, next - start);
+            counts[level] = 1;
+        }
+
+        return new LevelStack(Mesh.With(Mesh.Triangles.ToArray(), parts), counts);
     }
 
     /// <summary>The same triangles in an order in which the graphics card finds most vertices still transformed.</summary>

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Appearance;
+using CreatureGen.Appearance.Textures;
 using CreatureGen.Seeding;
 using Xunit;
 
@@ -25,7 +26,7 @@ public sealed class NoiseTests
     [InlineData(-3.3f, 2.7f, -0.1f, 0.48274234567327906)]
     [InlineData(17.25f, -8.5f, 1000.125f, 0.5029758304190182)]
     public void Clouds_have_known_values(float x, float y, float z, double value) =>
-        Assert.Equal(value, ValueNoise.At(new Vector3(x, y, z), 5), 1e-5);
+        Assert.Equal(value, new ValueNoise(5).At(new Vector3(x, y, z)), 1e-5);
 
     [Fact]
     public void Clouds_stay_in_range_average_one_half_and_use_most_of_it()
@@ -37,7 +38,7 @@ public sealed class NoiseTests
         const int Count = 20000;
         for (int n = 0; n < Count; n++)
         {
-            float v = ValueNoise.At(Point(random, 50), 9);
+            float v = new ValueNoise(9).At(Point(random, 50));
             sum += v;
             low = Math.Min(low, v);
             high = Math.Max(high, v);
@@ -51,10 +52,11 @@ public sealed class NoiseTests
     [Fact]
     public void Clouds_are_continuous_everywhere_and_across_zero()
     {
+        var noise = new ValueNoise(2);
         for (int n = -400; n < 400; n++)
         {
             float t = n * 0.01f;
-            float step = Math.Abs(ValueNoise.At(new Vector3(t, -t, 0.3f), 2) - ValueNoise.At(new Vector3(t + 0.001f, -t - 0.001f, 0.3f), 2));
+            float step = Math.Abs(noise.At(new Vector3(t, -t, 0.3f)) - noise.At(new Vector3(t + 0.001f, -t - 0.001f, 0.3f)));
             Assert.InRange(step, 0f, 0.006f);
         }
     }
@@ -67,7 +69,7 @@ public sealed class NoiseTests
         for (int n = 0; n < 4000; n++)
         {
             Vector3 point = Point(random, 30);
-            NearestPoint found = WorleyNoise.Nearest(point, 3);
+            NearestPoint found = new WorleyNoise(3).Nearest(point);
             double[] all = WideSearch(point, 3);
             double wide = all[0];
             double reach = WorleyNoise.Reach;
@@ -94,7 +96,7 @@ public sealed class NoiseTests
             Vector3 point = Point(random, 30);
             double[] nearest = WideSearch(point, 3);
             double gap = nearest[1] - nearest[0];
-            float found = WorleyNoise.Gap(point, 3, Most);
+            float found = new WorleyNoise(3).Gap(point, Most);
             if (gap < Most)
             {
                 Assert.Equal(gap, found, 1e-4);
@@ -128,8 +130,8 @@ public sealed class NoiseTests
         for (int n = 0; n < 200; n++)
         {
             Vector3 point = Point(random, 10);
-            NearestPoint here = WorleyNoise.Nearest(point, 3);
-            NearestPoint beside = WorleyNoise.Nearest(point + new Vector3(1e-4f, 0f, 0f), 3);
+            NearestPoint here = new WorleyNoise(3).Nearest(point);
+            NearestPoint beside = new WorleyNoise(3).Nearest(point + new Vector3(1e-4f, 0f, 0f));
             if (here.Value != beside.Value)
             {
                 // Only a border between two points may part them, and there both are equally far.
@@ -145,10 +147,30 @@ public sealed class NoiseTests
         for (int n = 0; n < 100; n++)
         {
             var point = new Vector3(n * 0.37f, n * 0.11f, n * -0.23f);
-            equal += Math.Abs(ValueNoise.At(point, 1) - ValueNoise.At(point, 2)) < 0.02f ? 1 : 0;
+            equal += Math.Abs(new ValueNoise(1).At(point) - new ValueNoise(2).At(point)) < 0.02f ? 1 : 0;
         }
 
         Assert.InRange(equal, 0, 20);
+    }
+
+    [Fact]
+    public void What_was_asked_before_changes_no_answer()
+    {
+        RandomStream random = new Seed(4).Stream();
+        var clouds = new ValueNoise(11);
+        var plane = new PlaneNoise(11);
+        var scatter = new WorleyNoise(11);
+        var centres = new PlateCentres(11);
+        for (int n = 0; n < 4000; n++)
+        {
+            // Small steps mostly stay in a cell, and each tenth is a leap; the first is the cell at zero, where nothing is known yet.
+            Vector3 point = n == 0 ? Vector3.Zero : Point(random, n % 10 == 0 ? 40 : 0.7);
+            Assert.Equal(new ValueNoise(11).At(point), clouds.At(point));
+            Assert.Equal(new PlaneNoise(11).At(point.X, point.Y), plane.At(point.X, point.Y));
+            Assert.Equal(new WorleyNoise(11).Nearest(point).Distance, scatter.Nearest(point).Distance);
+            Assert.Equal(new WorleyNoise(11).Gap(point, 0.3f), scatter.Gap(point, 0.3f));
+            Assert.Equal(new PlateCentres(11).Gap(point.X, point.Y), centres.Gap(point.X, point.Y));
+        }
     }
 
     private static Vector3 Point(RandomStream random, double range) =>

@@ -99,6 +99,8 @@ public sealed class VerbTests
     [InlineData("--palette", "vivid")]
     [InlineData("--textures", "256")]
     [InlineData("--levels", "all")]
+    [InlineData("--materials", "one")]
+    [InlineData("--materials", "one", "--levels", "all", "--textures", "256")]
     [InlineData("--clips", "all")]
     [InlineData("--flat")]
     public void Building_a_generated_file_anew_gives_the_same_bytes(params string[] options)

@@ -11,7 +11,7 @@ internal sealed class AtlasPictures
     private readonly bool[] painted;
     private readonly float[] heights;
 
-    /// <summary>Empty pictures of a power of two texels a side: white, flat and rough, the way that pieces with colours of their own need them.</summary>
+    /// <summary>Pictures of a plain ground, grey, flat and rough, with a power of two texels a side, at least 256.</summary>
     public AtlasPictures(int size)
     {
         Size = size;
@@ -20,6 +20,9 @@ internal sealed class AtlasPictures
         BaseColour = new byte[3 * size * size];
         Normal = new byte[3 * size * size];
         Roughness = new byte[3 * size * size];
+        BaseColour.AsSpan().Fill(128);
+        Fill(Roughness, 255, 191, 0);
+        Fill(Normal, 128, 128, 255);
     }
 
     /// <summary>Texels along a side.</summary>
@@ -47,14 +50,12 @@ internal sealed class AtlasPictures
     {
         int texel = (y * Size) + x;
         painted[texel] = true;
-        int at = 3 * texel;
-        BaseColour[at] = SrgbCurve.Encode(colour.X);
-        BaseColour[at + 1] = SrgbCurve.Encode(colour.Y);
-        BaseColour[at + 2] = SrgbCurve.Encode(colour.Z);
         heights[texel] = height;
-        Roughness[at] = 255;
-        Roughness[at + 1] = (byte)((Scalar.Clamp(roughness, 0f, 1f) * 255f) + 0.5f);
-        Roughness[at + 2] = 0;
+        Span<byte> rgb = BaseColour.AsSpan(3 * texel, 3);
+        rgb[2] = SrgbCurve.Encode(colour.Z);
+        rgb[1] = SrgbCurve.Encode(colour.Y);
+        rgb[0] = SrgbCurve.Encode(colour.X);
+        Roughness[(3 * texel) + 1] = (byte)(int)((Scalar.Clamp(roughness, 0f, 1f) * 255f) + 0.5f);
     }
 
     /// <summary>Fills a square block of texels with white, flat and of one roughness.</summary>
@@ -69,30 +70,31 @@ internal sealed class AtlasPictures
         }
     }
 
-    /// <summary>Makes the normals of all texels from the heights of those beside them.</summary>
+    /// <summary>Makes the normals of all painted texels from the heights of those beside them.</summary>
     /// <param name="texel">Side of a texel on the surface, metres.</param>
     public void Emboss(float texel)
     {
-        for (int y = 0; y < Size; y++)
+        float perTexel = 1f / texel;
+        for (int row = 0; row < painted.Length; row += Size)
         {
-            for (int x = 0; x < Size; x++)
+            bool upper = row > 0;
+            bool lower = row < painted.Length - Size;
+            for (int at = row; at < row + Size; at++)
             {
-                int at = (y * Size) + x;
                 if (!painted[at])
                 {
-                    SetNormal(at, 0f, 0f, 127f);
                     continue;
                 }
 
-                float du = Slope(at, x, 1) / texel;
-                float dv = Slope(at, y, Size) / texel;
+                float du = Slope(at, at > row, at < row + Size - 1, 1) * perTexel;
+                float dv = Slope(at, upper, lower, Size) * perTexel;
                 float scale = 127f / (float)Math.Sqrt(1f + (du * du) + (dv * dv));
                 SetNormal(at, -du * scale, dv * scale, scale);
             }
         }
     }
 
-    /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour; what is left gets a plain ground.</summary>
+    /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour; what is left keeps its plain ground.</summary>
     public void Bleed(int texels)
     {
         var border = new List<int>();
@@ -104,6 +106,8 @@ internal sealed class AtlasPictures
             }
         }
 
+        // A texel beside two painted ones is found twice, but listed once.
+        var listed = new bool[painted.Length];
         var next = new List<int>();
         for (int round = 0; round < texels; round++)
         {
@@ -120,20 +124,26 @@ internal sealed class AtlasPictures
             next.Clear();
             foreach (int texel in border)
             {
-                AddUnpainted(texel, next);
+                AddUnpainted(texel, next, listed);
             }
 
             (border, next) = (next, border);
         }
+    }
 
-        for (int texel = 0; texel < painted.Length; texel++)
+    private static void Fill(Span<byte> picture, byte red, byte green, byte blue)
+    {
+        Span<byte> first = picture.Slice(0, 3 * 256);
+        for (int i = 0; i < first.Length; i += 3)
         {
-            if (!painted[texel])
-            {
-                BaseColour.AsSpan(3 * texel, 3).Fill(128);
-                Roughness[3 * texel] = 255;
-                Roughness[(3 * texel) + 1] = 191;
-            }
+            first[i] = red;
+            first[i + 1] = green;
+            first[i + 2] = blue;
+        }
+
+        for (int at = first.Length; at < picture.Length; at += first.Length)
+        {
+            first.CopyTo(picture.Slice(at));
         }
     }
 
@@ -180,15 +190,16 @@ internal sealed class AtlasPictures
         return false;
     }
 
-    /// <summary>Adds the neighbours that are not painted yet. One beside two painted ones is added twice, which its mean does not mind.</summary>
-    private void AddUnpainted(int texel, List<int> found)
+    /// <summary>Adds the neighbours that are neither painted yet nor listed.</summary>
+    private void AddUnpainted(int texel, List<int> found, bool[] listed)
     {
         Span<int> beside = stackalloc int[4];
         int count = Neighbours(texel, beside);
         for (int i = 0; i < count; i++)
         {
-            if (!painted[beside[i]])
+            if (!painted[beside[i]] && !listed[beside[i]])
             {
+                listed[beside[i]] = true;
                 found.Add(beside[i]);
             }
         }
@@ -196,17 +207,21 @@ internal sealed class AtlasPictures
 
     private void SetNormal(int texel, float x, float y, float z)
     {
-        Normal[3 * texel] = (byte)(x + 128.5f);
-        Normal[(3 * texel) + 1] = (byte)(y + 128.5f);
-        Normal[(3 * texel) + 2] = (byte)(z + 128.5f);
+        Span<byte> rgb = Normal.AsSpan(3 * texel, 3);
+        rgb[2] = (byte)(int)(z + 128.5f);
+        rgb[1] = (byte)(int)(y + 128.5f);
+        rgb[0] = (byte)(int)(x + 128.5f);
     }
 
     /// <summary>Change of the height from one texel to the next: in the middle where both neighbours have one.</summary>
-    private float Slope(int texel, int along, int stride)
+    private float Slope(int texel, bool hasBefore, bool hasAfter, int stride)
     {
-        int before = along > 0 && painted[texel - stride] ? texel - stride : texel;
-        int after = along < Size - 1 && painted[texel + stride] ? texel + stride : texel;
-        return before == after ? 0f : (heights[after] - heights[before]) * stride / (after - before);
+        bool before = hasBefore && painted[texel - stride];
+        bool after = hasAfter && painted[texel + stride];
+        return before && after ? 0.5f * (heights[texel + stride] - heights[texel - stride])
+            : before ? heights[texel] - heights[texel - stride]
+            : after ? heights[texel + stride] - heights[texel]
+            : 0f;
     }
 
     /// <summary>Gives a texel the mean of its painted neighbours, of which there is at least one.</summary>

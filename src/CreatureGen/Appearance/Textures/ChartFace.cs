@@ -9,14 +9,8 @@ namespace CreatureGen.Appearance.Textures;
 /// <summary>A face of the surface prepared for painting: its corners as places, in the picture and in anatomy.</summary>
 internal struct ChartFace
 {
-    /// <summary>The four corners as places; a triangle repeats its third.</summary>
-    public TexelPlace A, B, C, D;
-
-    /// <summary>The corners in the picture, 0..1.</summary>
-    public Vector2 PictureA, PictureB, PictureC, PictureD;
-
-    /// <summary>The regions of the corners.</summary>
-    public SurfaceRegion RegionA, RegionB, RegionC, RegionD;
+    /// <summary>The four corners; a triangle repeats its third.</summary>
+    public ChartCorner A, B, C, D;
 
     /// <summary>The appendage of the corners that have one, else −1.</summary>
     public short Appendage;
@@ -27,46 +21,36 @@ internal struct ChartFace
         Face f = surface.Faces[face];
         FaceTexcoords t = surface.Texcoords[face];
         VertexAddress[] addresses = surface.Addresses;
-        var result = new ChartFace
-        {
-            PictureA = packing.Map(f.Chart, t.A),
-            PictureB = packing.Map(f.Chart, t.B),
-            PictureC = packing.Map(f.Chart, t.C),
-            PictureD = packing.Map(f.Chart, t.D),
-            RegionA = addresses[f.A].Region,
-            RegionB = addresses[f.B].Region,
-            RegionC = addresses[f.C].Region,
-            RegionD = addresses[f.D].Region,
-            Appendage = Math.Max(Math.Max(addresses[f.A].Appendage, addresses[f.B].Appendage), Math.Max(addresses[f.C].Appendage, addresses[f.D].Appendage)),
-        };
+        short appendage = Math.Max(Math.Max(addresses[f.A].Appendage, addresses[f.B].Appendage), Math.Max(addresses[f.C].Appendage, addresses[f.D].Appendage));
         float around = AroundOf(addresses, f);
-        result.A = Place(f.A, t.A);
-        result.B = Place(f.B, t.B);
-        result.C = Place(f.C, t.C);
-        result.D = Place(f.D, t.D);
-        return result;
+        return new ChartFace
+        {
+            A = Corner(f.A, t.A),
+            B = Corner(f.B, t.B),
+            C = Corner(f.C, t.C),
+            D = Corner(f.D, t.D),
+            Appendage = appendage,
+        };
 
-        TexelPlace Place(int vertex, Vector2 chart)
+        ChartCorner Corner(int vertex, Vector2 chart)
         {
             VertexAddress address = addresses[vertex];
-            bool rooted = result.Appendage >= 0 && address.Appendage < 0;
-            float segment = Math.Abs(address.Segment);
             CoatRange range = coat.RangeOf(vertex);
-            return new TexelPlace
-            {
-                Position = coat.PositionOf(vertex),
-                Normal = coat.NormalOf(vertex),
-                Plain = range.Plain,
-                Patterned = range.Patterned,
-                Run = range.Place.Run,
-                Girth = range.Place.Around,
-                Chart = chart,
-                Ring = address.Ring,
-                Segment = Math.Min(segment, BodyGrid.Segments - segment),
+            float segment = Math.Abs(address.Segment);
+            segment = Math.Min(segment, BodyGrid.Segments - segment);
 
-                // The border of a socket is where its appendage begins; its own place along the body says nothing here.
-                Along = rooted ? 0f : address.Along,
-                Around = rooted ? around : Unwrapped(address.Around, around),
+            // The border of a socket is where its appendage begins; its own place along the body says nothing here.
+            bool rooted = appendage >= 0 && address.Appendage < 0;
+            return new ChartCorner
+            {
+                Picture = packing.Map(f.Chart, chart),
+                Region = address.Region,
+                PositionAndRing = new Vector4(coat.PositionOf(vertex), address.Ring),
+                ChartAndTurns = new Vector4(chart.X, chart.Y, segment, rooted ? around : Unwrapped(address.Around, around)),
+                PlainAndRun = new Vector4(range.Plain, range.Place.Run),
+                PatternedAndGirth = new Vector4(range.Patterned, range.Place.Around),
+                PlainUndercoatAndAlong = new Vector4(range.PlainUndercoat, rooted ? 0f : address.Along),
+                PatternedUndercoatAndGrain = new Vector4(range.PatternedUndercoat, range.Grain),
             };
         }
     }

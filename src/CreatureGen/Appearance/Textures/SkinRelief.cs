@@ -23,13 +23,20 @@ internal enum SkinCover
     Plates,
 }
 
-/// <summary>The fine relief of a skin as a height over its texture chart. Everything in metres at scale 1.</summary>
+/// <summary>The fine relief of a skin as a height over its texture chart. Everything in metres at scale 1. Each thread needs its own.</summary>
 /// <remarks>Rows of scales and feathers run around the chart (along u) and overlap along v, from head to tail or from root to tip.</remarks>
 internal sealed class SkinRelief
 {
+    /// <summary>Where the edge of a scale or feather ends and begins, from its middle.</summary>
+    private const float OuterEdge = 0.92f, InnerEdge = 0.82f;
+
     private readonly SkinCover cover;
-    private readonly float size;
-    private readonly int salt;
+    private readonly float perSize;
+    private readonly float perRow;
+    private readonly PlaneNoise broad;
+    private readonly PlaneNoise coarse;
+    private readonly PlaneNoise fine;
+    private readonly PlateCentres centres;
 
     /// <summary>Chooses the relief.</summary>
     /// <param name="cover">What it is made of.</param>
@@ -38,9 +45,14 @@ internal sealed class SkinRelief
     public SkinRelief(SkinCover cover, float size, int salt)
     {
         this.cover = cover;
-        this.size = cover == SkinCover.Feathers ? 1.7f * size : size;
-        this.salt = salt;
-        Amplitude = this.size * cover switch
+        size = cover == SkinCover.Feathers ? 1.7f * size : size;
+        perSize = 1f / size;
+        perRow = 1.15f * perSize;
+        broad = new PlaneNoise(salt);
+        coarse = new PlaneNoise(salt + 1);
+        fine = new PlaneNoise(salt + 2);
+        centres = new PlateCentres(salt);
+        Amplitude = size * cover switch
         {
             SkinCover.Scales => 0.22f,
             SkinCover.Feathers => 0.2f,
@@ -48,29 +60,31 @@ internal sealed class SkinRelief
             SkinCover.Fur => 0.2f,
             _ => 0.12f,
         };
+        Shade = cover switch
+        {
+            SkinCover.Scales or SkinCover.Plates => 0.34f,
+            SkinCover.Feathers => 0.3f,
+            SkinCover.Fur => 0.3f,
+            _ => 0.14f,
+        };
+        Roughness = cover switch
+        {
+            SkinCover.Scales => 0.55f,
+            SkinCover.Plates => 0.38f,
+            SkinCover.Feathers => 0.78f,
+            SkinCover.Fur => 0.92f,
+            _ => 0.6f,
+        };
     }
 
     /// <summary>Height of the relief between its lowest and its highest place, metres.</summary>
     public float Amplitude { get; }
 
     /// <summary>How much of the colour the relief changes: dark in the gaps, light on the crests.</summary>
-    public float Shade => cover switch
-    {
-        SkinCover.Scales or SkinCover.Plates => 0.34f,
-        SkinCover.Feathers => 0.3f,
-        SkinCover.Fur => 0.3f,
-        _ => 0.14f,
-    };
+    public float Shade { get; }
 
     /// <summary>Roughness of the skin between 0 and 1.</summary>
-    public float Roughness => cover switch
-    {
-        SkinCover.Scales => 0.55f,
-        SkinCover.Plates => 0.38f,
-        SkinCover.Feathers => 0.78f,
-        SkinCover.Fur => 0.92f,
-        _ => 0.6f,
-    };
+    public float Roughness { get; }
 
     /// <summary>Height at a place of a chart, 0..1 of the amplitude.</summary>
     /// <param name="place">Metres around and along.</param>
@@ -86,78 +100,47 @@ internal sealed class SkinRelief
     /// <summary>Two rows of rounded tongues may cover a place; the one further forward lies on top.</summary>
     private float Overlapping(Vector2 place, float shaft)
     {
-        float v = 1.15f * place.Y / size;
-        float u = place.X / size;
+        float v = place.Y * perRow;
+        float u = place.X * perSize;
         int row = (int)Math.Floor((double)v);
-        for (int k = 1; k >= 0; k--)
-        {
-            int r = row - k;
-            float along = v - r;
-            float across = u + (0.5f * (r & 1));
-            float fu = across - (float)Math.Floor((double)across) - 0.5f;
-
-            // A tongue is one and a half rows long: its rounded end lies over the next row.
-            float fv = along / 1.5f;
-            float beyond = Math.Max(fv - 0.62f, 0f);
-            float squared = (3.0625f * fu * fu) + (6.5f * beyond * beyond);
-            float edge = Scalar.Smooth((0.92f - (float)Math.Sqrt(squared)) / 0.1f);
-            if (k == 0 || edge > 0.5f)
-            {
-                float rib = shaft == 0f ? 0f : shaft * Math.Max(0f, 1f - (400f * fu * fu));
-                return edge * ((0.45f + (0.5f * fv)) * (1f - (1.6f * fu * fu)) - rib);
-            }
-        }
-
-        return 0f;
+        float above = Tongue(u, v, row - 1, shaft, out float edge);
+        return edge > 0.5f ? above : Tongue(u, v, row, shaft, out _);
     }
 
-    private float Plates(Vector2 place)
+    /// <summary>Height of a tongue of a row, and its edge: 1 on it, 0 beside it. A tongue is one and a half rows long: its rounded end lies over the next row.</summary>
+    private static float Tongue(float u, float v, int row, float shaft, out float edge)
     {
-        float u = place.X / (1.6f * size);
-        float v = place.Y / (1.1f * size);
-        int x0 = (int)Math.Floor(u - 0.5);
-        int y0 = (int)Math.Floor(v - 0.5);
-        float first = float.MaxValue;
-        float second = float.MaxValue;
-        for (int i = 0; i < 9; i++)
-        {
-            int x = x0 - 1 + (i % 3) + 1;
-            int y = y0 - 1 + (i / 3) + 1;
-            uint bits = LatticeHash.Bits(x, y, 0, salt);
-            float dx = x + 0.2f + (0.6f * LatticeHash.Unit(bits)) - u;
-            float dy = y + 0.2f + (0.6f * LatticeHash.Unit(LatticeHash.Mix(bits))) - v;
-            float squared = (dx * dx) + (dy * dy);
-            if (squared < first)
-            {
-                second = first;
-                first = squared;
-            }
-            else if (squared < second)
-            {
-                second = squared;
-            }
-        }
-
-        return Scalar.Smooth(((float)Math.Sqrt(second) - (float)Math.Sqrt(first)) / 0.22f);
+        float across = u + (0.5f * (row & 1));
+        float fu = across - (float)Math.Floor((double)across) - 0.5f;
+        float fv = (v - row) * (1f / 1.5f);
+        float beyond = Math.Max(fv - 0.62f, 0f);
+        float squared = (3.0625f * fu * fu) + (6.5f * beyond * beyond);
+        edge = squared >= OuterEdge * OuterEdge ? 0f
+            : squared <= InnerEdge * InnerEdge ? 1f
+            : Scalar.Smooth((OuterEdge - (float)Math.Sqrt(squared)) * (1f / (OuterEdge - InnerEdge)));
+        float rib = shaft == 0f ? 0f : shaft * Math.Max(0f, 1f - (400f * fu * fu));
+        return edge * (((0.45f + (0.5f * fv)) * (1f - (1.6f * fu * fu))) - rib);
     }
+
+    private float Plates(Vector2 place) => Scalar.Smooth(centres.Gap(place.X * (perSize / 1.6f), place.Y * (perSize / 1.1f)) / 0.22f);
 
     /// <summary>Hair lies along v: noise that is long in v, shifted by a slower noise so that it waves.</summary>
     private float Fur(Vector2 place)
     {
-        float u = place.X / size;
-        float v = place.Y / size;
-        float wave = ValueNoise.At(new Vector2(0.9f * u, 0.7f * v), salt);
-        float coarse = ValueNoise.At(new Vector2((2.6f * u) + wave, 0.42f * v), salt + 1);
-        float fine = ValueNoise.At(new Vector2((6f * u) + (2f * wave), 0.9f * v), salt + 2);
-        return (0.55f * coarse) + (0.45f * fine);
+        float u = place.X * perSize;
+        float v = place.Y * perSize;
+        float wave = broad.At(0.9f * u, 0.7f * v);
+        float tufts = coarse.At((2.6f * u) + wave, 0.42f * v);
+        float hairs = fine.At((6f * u) + (2f * wave), 0.9f * v);
+        return (0.55f * tufts) + (0.45f * hairs);
     }
 
     private float Wrinkles(Vector2 place)
     {
-        float u = place.X / size;
-        float v = place.Y / size;
-        float ridge = 1f - Math.Abs((2f * ValueNoise.At(new Vector2(1.1f * u, 1.9f * v), salt)) - 1f);
-        float pores = ValueNoise.At(new Vector2(5f * u, 5f * v), salt + 1);
+        float u = place.X * perSize;
+        float v = place.Y * perSize;
+        float ridge = 1f - Math.Abs((2f * broad.At(1.1f * u, 1.9f * v)) - 1f);
+        float pores = coarse.At(5f * u, 5f * v);
         return 1f - (0.7f * ridge * ridge * ridge) - (0.15f * pores);
     }
 }

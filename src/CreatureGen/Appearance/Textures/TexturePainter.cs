@@ -9,118 +9,62 @@ namespace CreatureGen.Appearance.Textures;
 /// <remarks>Each texel is a place of the surface: what it shows depends on that place alone, so neither the order of the faces nor the seams between charts can be seen.</remarks>
 internal sealed class TexturePainter
 {
-    private const float LastRingOfHead = 16f;
+    /// <summary>From here on the coat is worked out at half the size.</summary>
+    private const int LargeAtlas = 1024;
 
-    private readonly CoatPainter coat;
+    private readonly CoatBetween coat;
     private readonly SkinRelief relief;
     private readonly AtlasPictures pictures;
+    private readonly CoarseColours? coarse;
 
     public TexturePainter(CoatPainter coat, SkinRelief relief, AtlasPictures pictures)
     {
-        this.coat = coat;
+        this.coat = new CoatBetween(coat);
         this.relief = relief;
         this.pictures = pictures;
+        coarse = pictures.Size >= LargeAtlas ? new CoarseColours(pictures.Size) : null;
     }
 
-    /// <summary>Paints the texels whose middles lie in a face.</summary>
+    /// <summary>Works out the coat of a face before it is painted, where the atlas is so large that it can be coarser. A face that was left out is only slower to paint.</summary>
+    public void Sketch(in ChartFace face)
+    {
+        if (coarse != null)
+        {
+            Sketch(face.A, face.B, face.C, face.Appendage, coarse);
+            Sketch(face.A, face.C, face.D, face.Appendage, coarse);
+        }
+    }
+
+    /// <summary>Paints the texels whose middles lie in a face and that no other has painted.</summary>
     public void Paint(in ChartFace face)
     {
-        Triangle(face, face.A, face.B, face.C, face.PictureA, face.PictureB, face.PictureC, face.RegionA, face.RegionB, face.RegionC);
-        Triangle(face, face.A, face.C, face.D, face.PictureA, face.PictureC, face.PictureD, face.RegionA, face.RegionC, face.RegionD);
+        Paint(face.A, face.B, face.C, face.Appendage);
+        Paint(face.A, face.C, face.D, face.Appendage);
     }
 
-    private void Triangle(in ChartFace face, in TexelPlace a, in TexelPlace b, in TexelPlace c, Vector2 pa, Vector2 pb, Vector2 pc, SurfaceRegion ra, SurfaceRegion rb, SurfaceRegion rc)
+    /// <summary>Whether there is a texel to paint in a face.</summary>
+    /// <param name="a">First corner in the picture, 0..1.</param>
+    /// <param name="b">Second corner.</param>
+    /// <param name="c">Third corner.</param>
+    /// <param name="d">Fourth corner.</param>
+    public bool HasGap(Vector2 a, Vector2 b, Vector2 c, Vector2 d)
     {
-        int size = pictures.Size;
-        pa *= size;
-        pb *= size;
-        pc *= size;
-        float area = Cross(pb - pa, pc - pa);
-        if (area == 0f)
-        {
-            return;
-        }
-
-        int top = Math.Max(0, (int)Math.Floor(Math.Min(pa.Y, Math.Min(pb.Y, pc.Y)) - 0.5));
-        int bottom = Math.Min(size - 1, (int)Math.Ceiling(Math.Max(pa.Y, Math.Max(pb.Y, pc.Y)) - 0.5));
-        int left = Math.Max(0, (int)Math.Floor(Math.Min(pa.X, Math.Min(pb.X, pc.X)) - 0.5));
-        int right = Math.Min(size - 1, (int)Math.Ceiling(Math.Max(pa.X, Math.Max(pb.X, pc.X)) - 0.5));
-        for (int y = top; y <= bottom; y++)
-        {
-            float first = left;
-            float last = right;
-            Narrow(pb, pc, area, y + 0.5f, ref first, ref last);
-            Narrow(pc, pa, area, y + 0.5f, ref first, ref last);
-            Narrow(pa, pb, area, y + 0.5f, ref first, ref last);
-            for (int x = (int)first; x <= last; x++)
-            {
-                var p = new Vector2(x + 0.5f, y + 0.5f);
-                float wa = Cross(pb - p, pc - p) / area;
-                float wb = Cross(pc - p, pa - p) / area;
-                float wc = 1f - wa - wb;
-
-                // A hair's breadth outside counts, so that no texel between two faces is missed.
-                if (Math.Min(wa, Math.Min(wb, wc)) < -1e-4f || pictures.IsPainted(x, y))
-                {
-                    continue;
-                }
-
-                TexelPlace place = TexelPlace.Between(a, b, c, wa, wb, wc);
-                Texel(face, place, x, y, wa, wb, wc, ra, rb, rc);
-            }
-        }
+        var gap = new Gap(pictures);
+        TriangleRaster.Fill(pictures.Size, a, b, c, ref gap);
+        TriangleRaster.Fill(pictures.Size, a, c, d, ref gap);
+        return gap.Found;
     }
 
-    /// <summary>Narrows a row of texels to those on the inner side of an edge, and a texel more at either end.</summary>
-    private static void Narrow(Vector2 from, Vector2 to, float area, float y, ref float first, ref float last)
+    private void Sketch(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, CoarseColours colours)
     {
-        float rise = to.Y - from.Y;
-        if (rise == 0f)
-        {
-            return;
-        }
-
-        float crossing = from.X + ((to.X - from.X) * (y - from.Y) / rise);
-        if (rise < 0f == area > 0f)
-        {
-            first = Math.Max(first, Math.Min(crossing - 1.5f, last + 1f));
-        }
-        else
-        {
-            last = Math.Min(last, crossing + 0.5f);
-        }
+        var pencil = new Pencil(coat, colours, a, b, c, appendage);
+        TriangleRaster.Fill(colours.Size, a.Picture, b.Picture, c.Picture, ref pencil);
     }
 
-    private void Texel(in ChartFace face, in TexelPlace place, int x, int y, float wa, float wb, float wc, SurfaceRegion ra, SurfaceRegion rb, SurfaceRegion rc)
+    private void Paint(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
     {
-        float covered = (Covered(ra) * wa) + (Covered(rb) * wb) + (Covered(rc) * wc);
-        float roughness = (Roughness(ra) * wa) + (Roughness(rb) * wb) + (Roughness(rc) * wc);
-        Vector3 colour = IsDetailed(ra, place.Ring)
-            ? Detailed(face, place, wa, wb, wc, ra, rb, rc)
-            : Vec.Lerp(place.Plain, place.Patterned, coat.PatternShare(new PatternPlace(place.Position, place.Run, place.Girth)));
-        covered *= Muzzle(place.Ring, face.Appendage);
-        float height = relief.At(place.Chart);
-        colour *= 1f + (covered * relief.Shade * (height - 0.6f));
-        pictures.Set(x, y, colour, covered * relief.Amplitude * height, roughness + (0.12f * covered * (0.5f - height)));
-    }
-
-    /// <summary>Whether a region has markings with edges finer than the mesh; everywhere else only the pattern is.</summary>
-    private static bool IsDetailed(SurfaceRegion region, float ring) =>
-        region is not (SurfaceRegion.Body or SurfaceRegion.Leg or SurfaceRegion.Toe) || (region == SurfaceRegion.Body && ring < LastRingOfHead);
-
-    /// <summary>The whole coat at one place; where regions meet, each has the share of its corners.</summary>
-    private Vector3 Detailed(in ChartFace face, in TexelPlace place, float wa, float wb, float wc, SurfaceRegion ra, SurfaceRegion rb, SurfaceRegion rc)
-    {
-        Vector3 normal = place.UnitNormal;
-        Vector3 colour = coat.At(place.Address(ra, face.Appendage), place.Position, normal);
-        if (ra == rb && rb == rc)
-        {
-            return colour;
-        }
-
-        Vector3 second = rb == ra ? colour : coat.At(place.Address(rb, face.Appendage), place.Position, normal);
-        Vector3 third = rc == ra ? colour : rc == rb ? second : coat.At(place.Address(rc, face.Appendage), place.Position, normal);
-        return (colour * wa) + (second * wb) + (third * wc);
+        var brush = new Brush(this, a, b, c, appendage);
+        TriangleRaster.Fill(pictures.Size, a.Picture, b.Picture, c.Picture, ref brush);
     }
 
     /// <summary>How much of the skin's cover a region wears.</summary>
@@ -145,5 +89,83 @@ internal sealed class TexturePainter
         _ => relief.Roughness,
     };
 
-    private static float Cross(Vector2 a, Vector2 b) => (a.X * b.Y) - (a.Y * b.X);
+    /// <summary>Finds whether a texel is not painted yet.</summary>
+    private struct Gap : ITexelSink
+    {
+        private readonly AtlasPictures pictures;
+
+        public Gap(AtlasPictures pictures)
+        {
+            this.pictures = pictures;
+            Found = false;
+        }
+
+        public bool Found { get; private set; }
+
+        public readonly bool Skips(int x, int y) => Found || pictures.IsPainted(x, y);
+
+        public void Take(int x, int y, in Barycentric weights) => Found = true;
+    }
+
+    /// <summary>Puts the coat of a triangle into the coarse colours.</summary>
+    private readonly struct Pencil : ITexelSink
+    {
+        private readonly CoatBetween coat;
+        private readonly CoarseColours colours;
+        private readonly ChartCorner a, b, c;
+        private readonly short appendage;
+
+        public Pencil(CoatBetween coat, CoarseColours colours, in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
+        {
+            this.coat = coat;
+            this.colours = colours;
+            this.a = a;
+            this.b = b;
+            this.c = c;
+            this.appendage = appendage;
+        }
+
+        public bool Skips(int x, int y) => colours.Has(x, y);
+
+        public void Take(int x, int y, in Barycentric weights) => colours.Set(x, y, coat.At(a, b, c, appendage, weights));
+    }
+
+    /// <summary>Paints a triangle into the pictures.</summary>
+    private readonly struct Brush : ITexelSink
+    {
+        private readonly TexturePainter painter;
+        private readonly ChartCorner a, b, c;
+        private readonly short appendage;
+        private readonly Vector3 covered;
+        private readonly Vector3 roughness;
+
+        public Brush(TexturePainter painter, in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
+        {
+            this.painter = painter;
+            this.a = a;
+            this.b = b;
+            this.c = c;
+            this.appendage = appendage;
+            covered = new Vector3(Covered(a.Region), Covered(b.Region), Covered(c.Region));
+            roughness = new Vector3(painter.Roughness(a.Region), painter.Roughness(b.Region), painter.Roughness(c.Region));
+        }
+
+        public bool Skips(int x, int y) => painter.pictures.IsPainted(x, y);
+
+        public void Take(int x, int y, in Barycentric weights)
+        {
+            if (painter.coarse == null || !painter.coarse.TryRead(x, y, out Vector3 colour))
+            {
+                colour = painter.coat.At(a, b, c, appendage, weights);
+            }
+
+            float ring = weights.Mix(a.PositionAndRing.W, b.PositionAndRing.W, c.PositionAndRing.W);
+            float cover = weights.Mix(covered.X, covered.Y, covered.Z) * Muzzle(ring, appendage);
+            Vector4 chart = weights.Mix(a.ChartAndTurns, b.ChartAndTurns, c.ChartAndTurns);
+            SkinRelief relief = painter.relief;
+            float height = relief.At(new Vector2(chart.X, chart.Y));
+            colour *= 1f + (cover * relief.Shade * (height - 0.6f));
+            painter.pictures.Set(x, y, colour, cover * relief.Amplitude * height, weights.Mix(roughness.X, roughness.Y, roughness.Z) + (0.12f * cover * (0.5f - height)));
+        }
+    }
 }

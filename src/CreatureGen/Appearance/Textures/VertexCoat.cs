@@ -30,8 +30,7 @@ internal sealed class VertexCoat
         return new Vector3(Math.Abs(p.X), p.Y, p.Z);
     }
 
-    /// <summary>Unit normal on the left side.</summary>
-    public Vector3 NormalOf(int vertex)
+    private Vector3 NormalOf(int vertex)
     {
         Vector3 n = normals[vertex];
         return new Vector3(n.X * surface.Addresses[vertex].Sign, n.Y, n.Z);
