@@ -15,6 +15,8 @@ public static class BaseBodyNames
         "shark", "ray", "angler", "turtle", "plesiosaur", "crocodile", "seal", "newt", "eel",
         "duck", "raptor", "ostrich", "parrot", "heron", "owl",
         "frog", "cobra",
+        "lion", "hyena", "boar", "horse", "bison", "camel",
+        "ceratops", "lizard",
     };
 
     /// <summary>Family of each species, in the order of <see cref="all"/> behind the families.</summary>
@@ -24,6 +26,8 @@ public static class BaseBodyNames
         "fish", "fish", "fish", "reptile", "reptile", "reptile", "canine", "amphibian", "serpent",
         "avian", "avian", "avian", "avian", "avian", "avian",
         "amphibian", "serpent",
+        "feline", "canine", "canine", "bovine", "bovine", "bovine",
+        "reptile", "reptile",
     };
 
     /// <summary>All names, in a fixed order.</summary>

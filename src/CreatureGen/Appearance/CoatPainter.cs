@@ -23,6 +23,7 @@ internal sealed class CoatPainter
     private readonly BladeCoat blades;
     private readonly TailCoat tail;
     private readonly ShellCoat shell;
+    private readonly HairCoat hair;
     private readonly float strength;
     private readonly int salt;
 
@@ -38,6 +39,7 @@ internal sealed class CoatPainter
         blades = new BladeCoat(palette, subject, coat.PatternSeed);
         tail = new TailCoat(palette, subject, coat.PatternSeed);
         shell = new ShellCoat(subject.Shell, palette);
+        hair = new HairCoat(palette, subject);
     }
 
     /// <summary>The colours that the coat is made of.</summary>
@@ -100,7 +102,7 @@ internal sealed class CoatPainter
         Vector3 colour = Undercoat(place, patternShare);
         if (place.IsTrunk)
         {
-            return head.Over(shell.Over(tail.Over(colour, place), place), place);
+            return hair.Over(head.Over(shell.Over(tail.Over(colour, place), place), place), place);
         }
 
         return place.IsLimb ? Limb(colour, place) : blades.Over(colour, place);

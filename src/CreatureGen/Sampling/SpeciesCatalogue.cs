@@ -7,7 +7,8 @@ namespace CreatureGen.Sampling;
 /// <summary>All profiles: the nine families, then their species. A further species is a further entry of one of these lists, and a table of the same name among the bodies.</summary>
 internal static class SpeciesCatalogue
 {
-    private static readonly SpeciesProfile[] all = FamilyProfiles.All.Concat(InsectSpecies.All).Concat(SwimmerSpecies.All).Concat(BirdSpecies.All).Concat(CrawlerSpecies.All).ToArray();
+    private static readonly SpeciesProfile[] all = FamilyProfiles.All.Concat(InsectSpecies.All).Concat(SwimmerSpecies.All).Concat(BirdSpecies.All).Concat(CrawlerSpecies.All)
+        .Concat(MammalSpecies.All).Concat(SaurianSpecies.All).ToArray();
 
     /// <summary>Every profile, in a fixed order.</summary>
     public static IReadOnlyList<SpeciesProfile> All => all;
