@@ -14,7 +14,7 @@ internal static class MouthSetter
     // Half width of a tongue in half widths of the mouth.
     private const float Broad = 0.76f;
     private const float InBeak = 0.5f;
-    private const float Forked = 0.2f;
+    private const float Forked = 0.3f;
 
     // Share of the lip that a tongue reaches along; in a beak it ends before the hook.
     private const float Reach = 0.95f;

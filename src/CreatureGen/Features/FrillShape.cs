@@ -62,10 +62,9 @@ internal static class FrillShape
         Vector3 direction = (radial * cos) + (backward * sin);
         Vector3 across = (backward * cos) - (radial * sin);
 
-        // Longest a little off the midline, low at the ends; each scallop is a rounded lobe between two notches.
+        // Each scallop is a rounded lobe between two notches.
         double lobe = Math.Abs(PortableMath.Sin(PortableMath.Pi * ((u * frill.Points) + 0.5)));
-        double height = (0.30 + (0.70 * Scalar.Smooth((1 - u) / 0.62))) * (0.94 + (0.10 * PortableMath.Sin(PortableMath.Pi * u)));
-        float length = (float)(frill.Length * height * (1 - (frill.Scallop * (1 - PortableMath.Pow(lobe, 0.7)))));
+        float length = (float)(frill.Length * FrillOutline.HeightAt(u) * (1 - (frill.Scallop * (1 - PortableMath.Pow(lobe, 0.7)))));
         float thickness = (float)frill.Thickness;
         for (int k = 0; k <= Rows; k++)
         {

@@ -70,12 +70,12 @@ internal static class TongueShape
         for (int i = 0; i < rows.Length; i++)
         {
             float parted = Scalar.Smooth((tine[i].X - 0.5f) / 0.5f);
-            Vector3 centre = floor.At(tine[i].X, out _) + (floor.Up * (0.35f * floor.Thickness));
+            Vector3 centre = floor.At(tine[i].X, out _) + (floor.Up * (0.8f * floor.Thickness));
             float r = 0.55f * width * tine[i].Y;
-            rows[i] = new TubeRow(centre + (Vector3.UnitX * (width * (0.5f + (0.8f * parted)))), r, 0.6f * floor.Thickness * tine[i].Y, colour);
+            rows[i] = new TubeRow(centre + (Vector3.UnitX * (width * (0.5f + (0.8f * parted)))), r, 0.7f * floor.Thickness * tine[i].Y, colour);
         }
 
-        Vector3 tip = floor.At(1f, out _) + (Vector3.UnitX * (1.45f * width)) + (floor.Up * (0.35f * floor.Thickness));
+        Vector3 tip = floor.At(1f, out _) + (Vector3.UnitX * (1.45f * width)) + (floor.Up * (0.8f * floor.Thickness));
         SweptTube.Append(builder, rows, tip, colour, Vector3.UnitX, 6);
         builder.AppendMirrored(vertex, index);
     }

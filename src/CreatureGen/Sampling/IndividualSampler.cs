@@ -43,7 +43,7 @@ internal static class IndividualSampler
             Ears = Each(type.Ears, ear => ear with { Length = ear.Length * skull * traits.Ears, Width = ear.Width * skull }),
             Features = Each(type.Features, part => FeatureSampler.OffGround(draft, Part(part, traits, part.Ring < HeadEnd ? skull : 1))),
             Manes = Each(type.Manes, mane => NeckSampler.OffGround(draft, Mane(mane, traits, girth))),
-            Frills = Each(type.Frills, frill => frill with { Length = frill.Length * skull * Math.Sqrt(traits.Horns), Thickness = frill.Thickness * skull }),
+            Frills = Each(type.Frills, frill => NeckSampler.OffGround(draft, frill with { Length = frill.Length * skull * Math.Sqrt(traits.Horns), Thickness = frill.Thickness * skull })),
             Coat = Coat(type.Coat, traits),
         };
         return FieldLimiter.Limit(individual, CreatureFields.Creature);

@@ -12,6 +12,7 @@ internal static class MammalSpecies
         Own("feline", "lion", 0.3) with
         {
             Partners = new[] { "feline", "feline", "canine", "feline" },
+            Carriage = (0, 0.5),
             WalkingPlans = Only(BodyPlan.Digitigrade),
             HeadSize = (1.16, 0.7),
             EyeSize = 0.33, SlitPupils = 0, EarShape = "round",
@@ -27,6 +28,7 @@ internal static class MammalSpecies
         Own("canine", "hyena", 0.22) with
         {
             Partners = new[] { "canine", "feline", "canine", "canine" },
+            Carriage = (0.1, 0.7),
             WalkingPlans = Only(BodyPlan.Digitigrade),
             HeadSize = (1.14, 0.7),
             EarShape = "round", Teeth = 0.7,
@@ -41,6 +43,7 @@ internal static class MammalSpecies
         Own("canine", "boar", 0.26) with
         {
             Partners = new[] { "bovine", "canine", "bovine", "canine" },
+            Carriage = (0, 0.12),
             WalkingPlans = Only(BodyPlan.Unguligrade),
             HeadSize = (1.08, 0.6), SwimmingPlans = System.Array.Empty<Weighted<BodyPlan>>(),
             EyeSize = 0.24, EarShape = "pointed", Teeth = 0, MouthOpenings = new[] { new Weighted<double>(0, 1), new Weighted<double>(0.08, 0.5) },
@@ -60,6 +63,7 @@ internal static class MammalSpecies
         Own("bovine", "horse", 0.36) with
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
+            Carriage = (0.4, 1),
             WalkingPlans = Only(BodyPlan.Unguligrade),
             HeadSize = (1.0, 0.6),
             EyeSize = 0.33, BarPupils = 0.8, EarShape = "pointed",
@@ -77,6 +81,7 @@ internal static class MammalSpecies
         Own("bovine", "bison", 0.24) with
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
+            Carriage = (0, 0.2),
             WalkingPlans = Only(BodyPlan.Unguligrade),
             HeadSize = (1.06, 0.6),
             EyeSize = 0.26,
@@ -96,6 +101,7 @@ internal static class MammalSpecies
         Own("bovine", "camel", 0.24) with
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
+            Carriage = (0.5, 1),
             WalkingPlans = Only(BodyPlan.Unguligrade),
             HeadSize = (1.0, 0.6),
             EyeSize = 0.36, BarPupils = 0.8, EarShape = "pointed",

@@ -1,6 +1,7 @@
 using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
 
@@ -12,8 +13,15 @@ internal static class NeckSampler
     /// <summary>Metres between hanging hair and the ground.</summary>
     private const double Clearance = 0.05;
 
-    /// <summary>First ring of hair that hangs from a tail.</summary>
-    private const int TailRing = 44;
+    /// <summary>Length of the longest lock of a row in lengths of its mane.</summary>
+    private const double LongestLock = 1.2;
+
+    // How hair that is too long is cut.
+    private const double Shortening = 0.88;
+    private const int MostCuts = 20;
+
+    /// <summary>Places along a collar that are held against the ground.</summary>
+    private const int FrillSteps = 12;
 
     /// <summary>The hair that furred families wear now and then; whether there is any.</summary>
     public static bool Hair(CreatureDraft draft, double plenty, RandomStream random)
@@ -61,22 +69,75 @@ internal static class NeckSampler
     public static void Add(CreatureDraft draft, in FrillKit kit, double size)
     {
         double unit = draft.Shape.Width[13];
-        draft.Frills.Add(kit.Frill with { Length = kit.Frill.Length * Scalar.Lerp(kit.Least, kit.Most, size) * unit, Thickness = kit.Frill.Thickness * unit });
+        draft.Frills.Add(OffGround(draft, kit.Frill with { Length = kit.Frill.Length * Scalar.Lerp(kit.Least, kit.Most, size) * unit, Thickness = kit.Frill.Thickness * unit }));
     }
 
-    /// <summary>Hair of a tail, shortened until it clears the ground.</summary>
+    /// <summary>Hair of a walker, shortened until what hangs from its tail or its throat clears the ground.</summary>
     public static ManeBlueprint OffGround(CreatureDraft draft, ManeBlueprint mane)
     {
-        if (draft.Kind != LocomotionKind.Walking || mane.Ring < TailRing)
+        if (draft.Kind != LocomotionKind.Walking || mane.LastSegment <= BodyGrid.Segments / 4)
         {
             return mane;
         }
 
-        var s = draft.Shape;
+        for (int attempt = 0; attempt < MostCuts && !Clears(draft.Shape, mane); attempt++)
+        {
+            mane = mane with { Length = Shortening * mane.Length };
+        }
+
+        return mane;
+    }
+
+    /// <summary>A collar of a walker, shortened until it clears the ground.</summary>
+    public static FrillBlueprint OffGround(CreatureDraft draft, FrillBlueprint frill)
+    {
+        if (draft.Kind != LocomotionKind.Walking)
+        {
+            return frill;
+        }
+
+        BodyShape s = draft.Shape;
+        int ring = (int)frill.Ring;
+        double sin = PortableMath.Sin(s.Pitch[ring]);
+        double cos = PortableMath.Cos(s.Pitch[ring]);
+        double longest = frill.Length;
+        for (int k = 0; k <= FrillSteps; k++)
+        {
+            double across = (double)k / FrillSteps;
+            double around = PortableMath.Cos(PortableMath.Tau * frill.Spread * across / BodyGrid.Segments);
+            double root = s.Y[ring] + (around * cos * (around > 0 ? s.Top[ring] : s.Bottom[ring]));
+            double fall = FrillOutline.HeightAt(across) * ((sin * PortableMath.Sin(frill.Tilt)) - (around * cos * PortableMath.Cos(frill.Tilt)));
+            longest = fall > 0 ? Math.Min(longest, Math.Max(root - Clearance, 0.2 * s.Bottom[ring]) / fall) : longest;
+        }
+
+        return frill with { Length = longest };
+    }
+
+    /// <summary>Whether the lowest hair of every row ends above the ground: as far along the body as it is long, and below the body by what it stands off and hangs down.</summary>
+    private static bool Clears(BodyShape s, ManeBlueprint mane)
+    {
         const int end = BodyGrid.Rings - 1;
-        double free = Math.Max(0, s.Y[end] - Clearance);
-        double longest = s.Arc[end] - s.Arc[(int)mane.LastRing] + (0.8 * free);
-        double length = mane.Length * Math.Max(1, mane.Growth);
-        return length > longest ? mane with { Length = mane.Length * longest / length } : mane;
+        for (int row = 0; row < mane.Rows; row++)
+        {
+            double along = mane.Rows > 1 ? row / (mane.Rows - 1.0) : 0;
+            double length = LongestLock * mane.Length * Scalar.Lerp(1, mane.Growth, along);
+            double below = length * (mane.Hang + (0.5 * PortableMath.Sin(mane.Rise)));
+            int first = (int)Scalar.Lerp(mane.Ring, mane.LastRing, along);
+            int ring = first;
+            double lowest = double.MaxValue;
+            for (; ring < end && s.Arc[ring] < s.Arc[first] + length; ring++)
+            {
+                lowest = Math.Min(lowest, s.Y[ring] - s.Bottom[ring]);
+            }
+
+            double beyond = Math.Max(0, s.Arc[first] + length - s.Arc[end]);
+            lowest = Math.Min(lowest, s.Y[ring] - s.Bottom[ring] - beyond);
+            if (lowest - below < Clearance)
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 }

@@ -18,6 +18,7 @@ internal static class SaurianSpecies
             Frequency = (0.28, 0, 0),
             Dominance = (0.93, 0.98),
             Kinship = 0,
+            Carriage = (0, 0.4),
             HeadSize = (1.1, 0.6),
             WalkingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Columnar, 1) },
             Eye = (9.6, 6.0), EyeSize = 0.22, SlitPupils = 0.3,

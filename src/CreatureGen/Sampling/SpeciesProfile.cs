@@ -64,6 +64,9 @@ internal sealed record SpeciesProfile
     /// <summary>Mean size of the head, and factor on its variation.</summary>
     public (double Mean, double Variation) HeadSize { get; init; } = (1.26, 1);
 
+    /// <summary>How high it is carried, least and most, as shares of its plan's range of heights.</summary>
+    public (double Least, double Most) Carriage { get; init; } = (0, 1);
+
     /// <summary>What it may be exaggerated in; null for everything.</summary>
     public Signature[]? Signatures { get; init; }
 

@@ -27,7 +27,7 @@ internal static class StanceSampler
     /// <summary>Sets the elevation and the final posture.</summary>
     public static void Settle(CreatureDraft draft)
     {
-        double draw = Scalar.Clamp(draft.Stream("stance").Uniform() + draft.StanceShift, 0, 1);
+        double draw = Scalar.Clamp(CreatureDraft.Between(draft.Stream("stance"), draft.Species.Carriage) + draft.StanceShift, 0, 1);
         for (int attempt = 0; attempt < Attempts; attempt++)
         {
             Measure(draft);
