@@ -11,7 +11,7 @@ internal static class FamilyProfiles
     {
         new("canine")
         {
-            Frequency = (0.75, 0.4, 0.16),
+            Frequency = (0.62, 0.4, 0.16),
             Partners = new[] { "feline", "bovine", "reptile", "avian" },
             WalkingPlans = Plans((BodyPlan.Digitigrade, 0.8), (BodyPlan.Upright, 0.15), (BodyPlan.Centaur, 0.05)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
@@ -22,7 +22,7 @@ internal static class FamilyProfiles
         },
         new("bovine")
         {
-            Frequency = (0.7, 0, 0),
+            Frequency = (0.45, 0, 0),
             Partners = new[] { "canine", "amphibian", "reptile", "feline" },
             WalkingPlans = Plans((BodyPlan.Unguligrade, 0.56), (BodyPlan.Columnar, 0.4), (BodyPlan.Centaur, 0.04)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
@@ -33,7 +33,7 @@ internal static class FamilyProfiles
         },
         new("feline")
         {
-            Frequency = (0.8, 0.5, 0),
+            Frequency = (0.75, 0.5, 0),
             Partners = new[] { "canine", "reptile", "avian", "serpent" },
             WalkingPlans = Plans((BodyPlan.Digitigrade, 0.58), (BodyPlan.Plantigrade, 0.22), (BodyPlan.Upright, 0.17), (BodyPlan.Centaur, 0.03)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
@@ -44,7 +44,7 @@ internal static class FamilyProfiles
         },
         new("reptile")
         {
-            Frequency = (0.6, 0.8, 0.3),
+            Frequency = (0.30, 0.8, 0.3),
             Partners = new[] { "amphibian", "serpent", "canine", "avian" },
             WalkingPlans = Plans((BodyPlan.Sprawling, 0.45), (BodyPlan.Theropod, 0.33), (BodyPlan.Plantigrade, 0.22)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.65), (BodyPlan.Fish, 0.2), (BodyPlan.Whale, 0.15)),

@@ -9,7 +9,7 @@ internal static class MammalSpecies
     /// <summary>All of them, in a fixed order.</summary>
     public static readonly SpeciesProfile[] All =
     {
-        Own("feline", "lion", 0.3) with
+        Own("feline", "lion", 0.25) with
         {
             Partners = new[] { "feline", "feline", "canine", "feline" },
             Carriage = (0, 0.5),
@@ -25,7 +25,7 @@ internal static class MammalSpecies
                 new Colouring(new Tint(0.84, 0.03, 85)) { Kind = PatternKind.Plain, Accent = new Tint(0.70, 0.06, 75) },
             },
         },
-        Own("canine", "hyena", 0.22) with
+        Own("canine", "hyena", 0.18) with
         {
             Partners = new[] { "canine", "feline", "canine", "canine" },
             Carriage = (0.1, 0.7),
@@ -40,7 +40,7 @@ internal static class MammalSpecies
                 new Colouring(new Tint(0.40, 0.05, 55)) { Kind = PatternKind.Plain, Accent = new Tint(0.60, 0.07, 70) },
             },
         },
-        Own("canine", "boar", 0.26) with
+        Own("canine", "boar", 0.2) with
         {
             Partners = new[] { "bovine", "canine", "bovine", "canine" },
             Carriage = (0, 0.12),
@@ -60,7 +60,7 @@ internal static class MammalSpecies
                 new Colouring(new Tint(0.76, 0.06, 30)) { Pattern = new Tint(0.3, 0.02, 40), Kind = PatternKind.Patches, Accent = new Tint(0.55, 0.06, 45) },
             },
         },
-        Own("bovine", "horse", 0.36) with
+        Own("bovine", "horse", 0.25) with
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
             Carriage = (0.4, 1),
@@ -78,7 +78,7 @@ internal static class MammalSpecies
                 new Colouring(new Tint(0.62, 0.012, 260)) { Kind = PatternKind.Mottle, Accent = new Tint(0.82, 0.01, 260) },
             },
         },
-        Own("bovine", "bison", 0.24) with
+        Own("bovine", "bison", 0.15) with
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
             Carriage = (0, 0.2),
@@ -98,7 +98,7 @@ internal static class MammalSpecies
                 new Colouring(new Tint(0.80, 0.03, 85)) { Kind = PatternKind.Plain, Accent = new Tint(0.66, 0.05, 75) },
             },
         },
-        Own("bovine", "camel", 0.24) with
+        Own("bovine", "camel", 0.15) with
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
             Carriage = (0.5, 1),

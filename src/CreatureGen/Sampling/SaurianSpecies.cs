@@ -15,7 +15,7 @@ internal static class SaurianSpecies
         SwimmerSpecies.Tamed(FamilyProfiles.Find("reptile")) with
         {
             Body = "ceratops",
-            Frequency = (0.28, 0, 0),
+            Frequency = (0.16, 0, 0),
             Dominance = (0.93, 0.98),
             Kinship = 0,
             Carriage = (0, 0.4),
@@ -39,7 +39,7 @@ internal static class SaurianSpecies
         SwimmerSpecies.Tamed(FamilyProfiles.Find("reptile")) with
         {
             Body = "lizard",
-            Frequency = (0.26, 0, 0),
+            Frequency = (0.14, 0, 0),
             Dominance = (0.93, 0.98),
             Kinship = 0,
             HeadSize = (1.12, 0.6),

@@ -7,8 +7,9 @@ namespace CreatureGen.Sampling;
 /// <summary>All profiles: the nine families, then their species. A further species is a further entry of one of these lists, and a table of the same name among the bodies.</summary>
 internal static class SpeciesCatalogue
 {
-    private static readonly SpeciesProfile[] all = FamilyProfiles.All.Concat(InsectSpecies.All).Concat(SwimmerSpecies.All).Concat(BirdSpecies.All).Concat(CrawlerSpecies.All)
-        .Concat(MammalSpecies.All).Concat(SaurianSpecies.All).ToArray();
+    /// <summary>Mammals and saurians follow their family and share its frequency: the seeds of all other species stay theirs.</summary>
+    private static readonly SpeciesProfile[] all = FamilyProfiles.All.SelectMany(WithOwnSpecies)
+        .Concat(InsectSpecies.All).Concat(SwimmerSpecies.All).Concat(BirdSpecies.All).Concat(CrawlerSpecies.All).ToArray();
 
     /// <summary>Every profile, in a fixed order.</summary>
     public static IReadOnlyList<SpeciesProfile> All => all;
@@ -27,6 +28,9 @@ internal static class SpeciesCatalogue
 
         return siblings.ToArray();
     }
+
+    private static IEnumerable<SpeciesProfile> WithOwnSpecies(SpeciesProfile family) =>
+        MammalSpecies.All.Concat(SaurianSpecies.All).Where(species => species.Family == family.Family).Prepend(family);
 
     /// <summary>The profile of a base body.</summary>
     /// <exception cref="ArgumentException">There is none.</exception>
