@@ -26,10 +26,10 @@ internal sealed class Subject
         Grown = GrownSurface.Grow(Blueprint);
         Normals = new Vector3[Grown.Surface.Positions.Length];
         SurfaceNormals.Smooth(Grown.Surface.Positions, Grown.Surface.Triangles, Normals);
-        EyeFrame eye = FeatureSetter.EyeOf(Blueprint, Grown);
+        EyeFrame eye = EyeSetter.EyeOf(Blueprint, Grown);
         Painter = new CoatPainter(Blueprint.Coat, CoatSubjects.Of(Blueprint, Grown, eye));
         (Pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(Blueprint, Grown, Painter, Normals);
-        RigInput = new RigInput(Blueprint, Grown.Skin, Grown.Surface, Grown.Adjacency, appendages, Grown.Mouth, FeatureSetter.SocketOf(Blueprint, eye));
+        RigInput = new RigInput(Blueprint, Grown.Skin, Grown.Surface, Grown.Adjacency, appendages, Grown.Mouth, EyeSetter.SocketOf(Blueprint, eye));
         Rig = CreatureRigger.Build(RigInput);
         Weights = AnatomicalWeights.Solve(RigInput, Rig);
         Creature = CreatureAssembler.Assemble(Blueprint);

@@ -15,8 +15,8 @@ public static class BaseBodyNames
         "shark", "ray", "angler", "turtle", "plesiosaur", "crocodile", "seal", "newt", "eel", "dolphin", "puffer", "swordfish",
         "duck", "raptor", "ostrich", "parrot", "heron", "owl", "penguin", "toucan",
         "frog", "cobra",
-        "bear", "boar", "rhino", "horse", "rabbit",
-        "bat", "pterosaur",
+        "lion", "hyena", "boar", "horse", "bison", "camel", "bear", "rhino", "rabbit",
+        "bat", "pterosaur", "ceratops", "lizard",
     };
 
     /// <summary>Family of each species, in the order of <see cref="all"/> behind the families.</summary>
@@ -26,8 +26,8 @@ public static class BaseBodyNames
         "fish", "fish", "fish", "reptile", "reptile", "reptile", "canine", "amphibian", "serpent", "fish", "fish", "fish",
         "avian", "avian", "avian", "avian", "avian", "avian", "avian", "avian",
         "amphibian", "serpent",
-        "canine", "bovine", "bovine", "bovine", "canine",
-        "canine", "reptile",
+        "feline", "canine", "bovine", "bovine", "bovine", "bovine", "canine", "bovine", "canine",
+        "canine", "reptile", "reptile", "reptile",
     };
 
     /// <summary>All names, in a fixed order.</summary>

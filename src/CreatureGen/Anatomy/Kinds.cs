@@ -208,6 +208,22 @@ public enum EyeStyle
 
     /// <summary>A black bead without iris or lids (spider).</summary>
     Bead,
+
+    /// <summary>Level bar pupil (goat, horse, toad).</summary>
+    Bar,
+}
+
+/// <summary>The form of a tongue.</summary>
+public enum TongueStyle
+{
+    /// <summary>None.</summary>
+    None,
+
+    /// <summary>Broad with a rounded tip.</summary>
+    Rounded,
+
+    /// <summary>Narrow with two points (snake).</summary>
+    Forked,
 }
 
 /// <summary>Small solid parts that sit on the skin.</summary>

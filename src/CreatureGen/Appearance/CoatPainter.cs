@@ -23,6 +23,7 @@ internal sealed class CoatPainter
     private readonly BladeCoat blades;
     private readonly TailCoat tail;
     private readonly ShellCoat shell;
+    private readonly HairCoat hair;
     private readonly float strength;
     private readonly ValueNoise grains;
     private readonly ValueNoise tide;
@@ -43,6 +44,7 @@ internal sealed class CoatPainter
         blades = new BladeCoat(palette, subject, coat.PatternSeed);
         tail = new TailCoat(palette, subject, coat.PatternSeed);
         shell = new ShellCoat(subject.Shell, palette);
+        hair = new HairCoat(palette, subject);
     }
 
     /// <summary>The colours that the coat is made of.</summary>
@@ -116,7 +118,7 @@ internal sealed class CoatPainter
     {
         if (place.IsTrunk)
         {
-            return head.Over(shell.Over(tail.Over(undercoat, place), place), place);
+            return hair.Over(head.Over(shell.Over(tail.Over(undercoat, place), place), place), place);
         }
 
         return place.IsLimb ? Limb(undercoat, place) : blades.Over(undercoat, place);

@@ -22,6 +22,7 @@ internal sealed class CoatPalette
         Horn = OklchColour.ToLinearRgb(coat.Horn);
         Muzzle = OklchColour.ToLinearRgb(coat.Muzzle);
         Mouth = OklchColour.ToLinearRgb(coat.Mouth);
+        Tongue = OklchColour.ToLinearRgb(coat.Tongue);
         Iris = OklchColour.ToLinearRgb(coat.Iris);
     }
 
@@ -44,6 +45,8 @@ internal sealed class CoatPalette
     public Vector3 Muzzle { get; }
 
     public Vector3 Mouth { get; }
+
+    public Vector3 Tongue { get; }
 
     public Vector3 Iris { get; }
 

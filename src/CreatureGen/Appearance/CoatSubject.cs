@@ -35,6 +35,9 @@ internal sealed class CoatSubject
     /// <summary>Hard cover over the back.</summary>
     public ShellBlueprint Shell { get; set; } = new(ShellStyle.None, 24, 20, 6, 0);
 
+    /// <summary>Fields of hair.</summary>
+    public IReadOnlyList<ManeBlueprint> Manes { get; set; } = System.Array.Empty<ManeBlueprint>();
+
     /// <summary>End of the tail.</summary>
     public TailStyle Tail { get; set; }
 

@@ -79,7 +79,13 @@ internal static class AnatomyChoices
         (EyeStyle.Round, "round"),
         (EyeStyle.Slit, "slit"),
         (EyeStyle.Compound, "compound"),
-        (EyeStyle.Bead, "bead"));
+        (EyeStyle.Bead, "bead"),
+        (EyeStyle.Bar, "bar"));
+
+    public static readonly ChoiceNames<TongueStyle> Tongue = new(
+        (TongueStyle.None, "none"),
+        (TongueStyle.Rounded, "rounded"),
+        (TongueStyle.Forked, "forked"));
 
     public static readonly ChoiceNames<FeatureKind> Feature = new(
         (FeatureKind.Horn, "horn"),

@@ -23,6 +23,7 @@ internal static class BlueprintRules
         CheckTail(blueprint.Tail, problems);
         CheckFins(blueprint.Fins, problems);
         CheckDirections(blueprint, problems);
+        CheckManes(blueprint.Manes, problems);
         SocketRules.Check(blueprint, problems);
     }
 
@@ -139,6 +140,24 @@ internal static class BlueprintRules
             {
                 problems.Add(PathOf("fins", i, "width"), NumberText.Of(fin.Width), "at least " + NumberText.Of(leastWidth) + " for a pectoral fin");
             }
+        }
+    }
+
+    private static void CheckManes(ValueList<ManeBlueprint>? manes, ProblemList problems)
+    {
+        for (int i = 0; i < (manes?.Count ?? 0); i++)
+        {
+            ManeBlueprint mane = manes![i];
+            CheckOrder(PathOf("manes", i, "lastRing"), mane.Ring, mane.LastRing, problems);
+            CheckOrder(PathOf("manes", i, "lastSegment"), mane.Segment, mane.LastSegment, problems);
+        }
+    }
+
+    private static void CheckOrder(string path, double first, double last, ProblemList problems)
+    {
+        if (last < first)
+        {
+            problems.Add(path, NumberText.Of(last), "at least " + NumberText.Of(first) + ", where the field of hair begins");
         }
     }
 

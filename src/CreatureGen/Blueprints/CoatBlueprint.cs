@@ -13,6 +13,7 @@ namespace CreatureGen.Blueprints;
 /// <param name="Horn">Horns and spikes.</param>
 /// <param name="Muzzle">Nose, beak or muzzle.</param>
 /// <param name="Mouth">Inside of the mouth.</param>
+/// <param name="Tongue">Tongue.</param>
 /// <param name="Iris">Eyes.</param>
 /// <param name="PatternKind">Pattern.</param>
 /// <param name="PatternScale">Frequency of the pattern.</param>
@@ -30,6 +31,7 @@ public sealed record CoatBlueprint(
     ColourBlueprint Horn,
     ColourBlueprint Muzzle,
     ColourBlueprint Mouth,
+    ColourBlueprint Tongue,
     ColourBlueprint Iris,
     PatternKind PatternKind,
     double PatternScale,

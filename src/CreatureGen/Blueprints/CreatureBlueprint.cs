@@ -19,6 +19,8 @@ namespace CreatureGen.Blueprints;
 /// <param name="Fins">Fins, single on the midline or in pairs.</param>
 /// <param name="Ears">Pairs of ears.</param>
 /// <param name="Features">Horns, spikes, antennae and other small solid parts.</param>
+/// <param name="Manes">Fields of hair in locks.</param>
+/// <param name="Frills">Collars that stand off the head.</param>
 /// <param name="Coat">Colours and pattern.</param>
 public sealed record CreatureBlueprint(
     int Version,
@@ -36,6 +38,8 @@ public sealed record CreatureBlueprint(
     ValueList<FinBlueprint> Fins,
     ValueList<EarBlueprint> Ears,
     ValueList<FeatureBlueprint> Features,
+    ValueList<ManeBlueprint> Manes,
+    ValueList<FrillBlueprint> Frills,
     CoatBlueprint Coat)
 {
     /// <summary>The version that this library writes and builds.</summary>

@@ -36,6 +36,8 @@ internal static class CreatureFields
             ValueList<FinBlueprint>.Empty,
             ValueList<EarBlueprint>.Empty,
             ValueList<FeatureBlueprint>.Empty,
+            ValueList<ManeBlueprint>.Empty,
+            ValueList<FrillBlueprint>.Empty,
             CoatFields.Coat.Neutral),
         JsonLayout.Indented,
         (visit, creature) => new CreatureBlueprint(
@@ -54,5 +56,7 @@ internal static class CreatureFields
             visit.List("fins", creature.Fins, new WholeRange(0, 12), LimbFields.Fin),
             visit.List("ears", creature.Ears, new WholeRange(0, 2), LimbFields.Ear),
             visit.List("features", creature.Features, new WholeRange(0, 64), LimbFields.Feature),
+            visit.List("manes", creature.Manes, new WholeRange(0, 6), NeckFields.Mane),
+            visit.List("frills", creature.Frills, new WholeRange(0, 2), NeckFields.Frill),
             visit.Record("coat", creature.Coat, CoatFields.Coat)));
 }

@@ -47,7 +47,8 @@ public sealed record EyeBlueprint(EyeStyle Style, double Ring, double Segment, d
 /// <param name="Opening">Angle of the lower jaw at rest, radians.</param>
 /// <param name="Smile">Lift of the lip corners, −1..1.</param>
 /// <param name="Teeth">Length of the teeth relative to the half width of the muzzle; 0 for none.</param>
-public sealed record MouthBlueprint(int CornerRing, double Opening, double Smile, double Teeth)
+/// <param name="Tongue">Form of the tongue.</param>
+public sealed record MouthBlueprint(int CornerRing, double Opening, double Smile, double Teeth, TongueStyle Tongue = TongueStyle.None)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, HeadFields.Mouth);

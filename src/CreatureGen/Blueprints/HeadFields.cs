@@ -44,7 +44,8 @@ internal static class HeadFields
             visit.Whole("cornerRing", mouth.CornerRing, new WholeRange(0, 12)),
             visit.Number("opening", mouth.Opening, new NumberRange(0, 1)),
             visit.Number("smile", mouth.Smile, new NumberRange(-1, 1)),
-            visit.Number("teeth", mouth.Teeth, Share)));
+            visit.Number("teeth", mouth.Teeth, Share),
+            visit.Choice("tongue", mouth.Tongue, AnatomyChoices.Tongue)));
 
     /// <summary>The face.</summary>
     public static readonly RecordDescription<HeadBlueprint> Head = new(

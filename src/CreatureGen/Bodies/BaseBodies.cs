@@ -115,7 +115,7 @@ internal static class BaseBodies
             160, 4, 200, 140, 170, 150, 0, 160, 125, 130, 100, -4, 90, 80, 80, 120, 0, 55, 50, 45, 120, 0, 34, 30, 30, 80, 0, 12, 12, 12),
     };
 
-    private static readonly BaseBody[] all = families.Concat(InsectBodies.All).Concat(SwimmerBodies.All).Concat(BirdBodies.All).Concat(CrawlerBodies.All).Concat(MammalBodies.All).Concat(FlierBodies.All).ToArray();
+    private static readonly BaseBody[] all = families.Concat(InsectBodies.All).Concat(SwimmerBodies.All).Concat(BirdBodies.All).Concat(CrawlerBodies.All).Concat(MammalBodies.All).Concat(FlierBodies.All).Concat(SaurianBodies.All).ToArray();
 
     /// <summary>All bodies, in a fixed order: that of <see cref="BaseBodyNames.All"/>.</summary>
     public static IReadOnlyList<BaseBody> All => all;

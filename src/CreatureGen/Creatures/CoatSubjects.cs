@@ -26,6 +26,7 @@ internal static class CoatSubjects
             Snout = SnoutOf(family),
             Mark = family == "insect" ? HeadMark.None : HeadMarks.FromSeed(blueprint.Coat.PatternSeed),
             Shell = blueprint.Body.Shell,
+            Manes = blueprint.Manes,
             Tail = blueprint.Tail.Style,
             WingStyles = wings,
             EyeCentre = eye.Centre,

@@ -35,12 +35,12 @@ public static class CreatureAssembler
 
         Vector3[] normals = new Vector3[surface.Positions.Length];
         SurfaceNormals.Smooth(surface.Positions, surface.Triangles, normals);
-        EyeFrame eye = FeatureSetter.EyeOf(blueprint, grown);
+        EyeFrame eye = EyeSetter.EyeOf(blueprint, grown);
         var coat = new CoatPainter(blueprint.Coat, CoatSubjects.Of(blueprint, grown, eye));
         (IReadOnlyList<Piece> pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(blueprint, grown, coat, normals);
         observer?.StageFinished(AssemblyStage.Features);
 
-        var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages, grown.Mouth, FeatureSetter.SocketOf(blueprint, eye));
+        var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages, grown.Mouth, EyeSetter.SocketOf(blueprint, eye));
         Rig rig = CreatureRigger.Build(input);
         FinishedRig finished = rig.Scaled(scale);
         observer?.StageFinished(AssemblyStage.Rig);

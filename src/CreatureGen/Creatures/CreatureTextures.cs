@@ -62,7 +62,7 @@ public sealed class CreatureTextures
         Surface surface = grown.Surface;
         var normals = new Vector3[surface.Positions.Length];
         SurfaceNormals.Smooth(surface.Positions, surface.Triangles, normals);
-        EyeFrame eye = FeatureSetter.EyeOf(creature.Blueprint, grown);
+        EyeFrame eye = EyeSetter.EyeOf(creature.Blueprint, grown);
         var coat = new CoatPainter(creature.Blueprint.Coat, CoatSubjects.Of(creature.Blueprint, grown, eye));
         var pictures = new AtlasPictures(size);
         var painter = new TexturePainter(coat, CoatSubjects.ReliefOf(creature.Blueprint), pictures);
@@ -85,7 +85,7 @@ public sealed class CreatureTextures
     private static void PaintSwatches(AtlasPictures pictures)
     {
         int side = ChartPacking.SwatchSide(pictures.Size);
-        foreach (SurfaceFinish finish in new[] { SurfaceFinish.Skin, SurfaceFinish.Horn, SurfaceFinish.Tooth, SurfaceFinish.Eye, SurfaceFinish.Wing })
+        foreach (SurfaceFinish finish in new[] { SurfaceFinish.Skin, SurfaceFinish.Horn, SurfaceFinish.Tooth, SurfaceFinish.Eye, SurfaceFinish.Wing, SurfaceFinish.Hair })
         {
             pictures.SetPlain((int)finish * side, 0, side, RoughnessOf(finish));
         }
@@ -97,6 +97,7 @@ public sealed class CreatureTextures
         SurfaceFinish.Tooth => 0.25f,
         SurfaceFinish.Eye => 0.07f,
         SurfaceFinish.Wing => 0.3f,
+        SurfaceFinish.Hair => 0.8f,
         _ => 0.65f,
     };
 

@@ -12,7 +12,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Creatures;
 
-/// <summary>Sets eyes, claws, teeth, horns and wings of insects on a grown surface. Everything at scale 1.</summary>
+/// <summary>Sets eyes, claws, teeth, tongue, horns, hair and wings of insects on a grown surface. Everything at scale 1.</summary>
 internal sealed class FeatureSetter
 {
     private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
@@ -22,10 +22,8 @@ internal sealed class FeatureSetter
     /// <summary>Wings broader than this, relative to their length, are covered with coloured scales (butterfly).</summary>
     private const double BroadWing = 0.4;
 
-    /// <summary>Eyes that look are looked at first; a face without them is none.</summary>
-    private const float EyeAttention = 3f;
-
-    private const float LidShade = 0.8f;
+    /// <summary>Hair is a mass of many locks, of which one more or less is not missed.</summary>
+    private const float HairAttention = 0.55f;
 
     private readonly CreatureBlueprint blueprint;
     private readonly GrownSurface grown;
@@ -48,43 +46,28 @@ internal sealed class FeatureSetter
         appendages = new List<Appendage>(grown.Appendages);
     }
 
-    /// <summary>The eye of a creature's left side.</summary>
-    public static EyeFrame EyeOf(CreatureBlueprint blueprint, GrownSurface grown)
-    {
-        EyeBlueprint eye = blueprint.Head.Eyes;
-        return EyeFrame.On(grown.Skin.At(eye.Ring, eye.Segment), eye, grown.Skin.Shape.Forward((int)eye.Ring), 1f);
-    }
-
-    /// <summary>The left eye as the rig sees it.</summary>
-    public static EyeSocket SocketOf(CreatureBlueprint blueprint, in EyeFrame frame)
-    {
-        EyeBlueprint eye = blueprint.Head.Eyes;
-        return new EyeSocket(frame.Centre, frame.Gaze, frame.Radius)
-        {
-            Lids = !HasLids(blueprint) ? null : new LidHinge(
-                LidShape.Hinge(frame, eye),
-                LidShape.RimDirection(frame, eye, LidPart.Upper),
-                LidShape.RimDirection(frame, eye, LidPart.Lower),
-                LidShape.Closing(eye, LidPart.Upper),
-                LidShape.Closing(eye, LidPart.Lower)),
-        };
-    }
-
-    /// <summary>Whether the eyes of a creature can be shut: not those of insects.</summary>
-    private static bool HasLids(CreatureBlueprint blueprint) =>
-        blueprint.Head.Eyes.Style is EyeStyle.Round or EyeStyle.Slit && BaseBodies.Find(blueprint.Body.Blend.First).Family != "insect";
-
     /// <summary>All pieces, and the appendages of the creature with those of antennae and insect wings behind them.</summary>
     public static (IReadOnlyList<Piece> Pieces, IReadOnlyList<Appendage> Appendages) Set(CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, Vector3[] normals)
     {
         var setter = new FeatureSetter(blueprint, grown, coat, normals);
-        setter.AddEyes();
+        EyeSetter.Add(blueprint, grown, coat, setter.builder, setter.pieces);
         setter.AddNostrils();
+        setter.AddTongue();
         setter.AddTeeth();
         setter.AddClaws();
         foreach (FeatureBlueprint feature in blueprint.Features)
         {
             setter.AddFeature(feature);
+        }
+
+        foreach (ManeBlueprint mane in blueprint.Manes)
+        {
+            setter.AddMane(mane);
+        }
+
+        foreach (FrillBlueprint frill in blueprint.Frills)
+        {
+            setter.AddFrill(frill);
         }
 
         foreach (InsectWingBlueprint wing in blueprint.InsectWings)
@@ -93,55 +76,6 @@ internal sealed class FeatureSetter
         }
 
         return (setter.pieces, setter.appendages);
-    }
-
-    private void AddEyes()
-    {
-        EyeBlueprint eye = blueprint.Head.Eyes;
-        EyeFrame frame = EyeOf(blueprint, grown);
-        Vector3 lid = LidColour(frame);
-        builder.Clear(SurfaceFinish.Eye);
-        if (HasLids(blueprint))
-        {
-            EyeShape.Append(builder, frame, eye.Style, palette.Iris, lid * 0.8f);
-        }
-        else
-        {
-            EyeShape.Append(builder, frame, eye.Style, palette.Iris);
-        }
-
-        Piece left = builder.ToPiece(MaterialKind.Skin);
-        left.JointName = "Eye_L";
-        left.Attention = eye.Style == EyeStyle.Compound ? 1f : EyeAttention;
-        pieces.Add(left);
-        Piece right = PieceMirror.Mirror(left);
-        right.JointName = "Eye_R";
-        pieces.Add(right);
-        if (HasLids(blueprint))
-        {
-            AddLid(frame, LidPart.Upper, "UpperLid_", lid);
-            AddLid(frame, LidPart.Lower, "LowerLid_", lid);
-        }
-    }
-
-    /// <summary>Lids wear the coat of the skin above the eye, a little darker.</summary>
-    private Vector3 LidColour(in EyeFrame frame)
-    {
-        EyeBlueprint eye = blueprint.Head.Eyes;
-        var address = new VertexAddress { Region = SurfaceRegion.Body, Appendage = -1, Sign = 1, Ring = (float)eye.Ring, Segment = (float)eye.Segment };
-        return LidShade * coat.At(address, frame.Centre + (frame.Up * (1.1f * frame.Radius)), frame.Up);
-    }
-
-    private void AddLid(in EyeFrame frame, LidPart part, string joint, Vector3 colour)
-    {
-        builder.Clear();
-        LidShape.Append(builder, frame, blueprint.Head.Eyes, part, colour);
-        Piece left = builder.ToPiece(MaterialKind.Skin);
-        left.JointName = joint + "L";
-        pieces.Add(left);
-        Piece right = PieceMirror.Mirror(left);
-        right.JointName = joint + "R";
-        pieces.Add(right);
     }
 
     private void AddNostrils()
@@ -168,6 +102,18 @@ internal sealed class FeatureSetter
         NostrilShape.Append(builder, at, shape.Up(1), (float)(shape.Width[1] * size * 0.8), leather ? palette.Muzzle : palette.Base);
         builder.AppendMirrored(0, 0);
         AddRigid("Head");
+    }
+
+    private void AddTongue()
+    {
+        if (blueprint.Head.Mouth.Tongue == TongueStyle.None || !grown.Mouth.Opens)
+        {
+            return;
+        }
+
+        builder.Clear(SurfaceFinish.Tooth);
+        MouthSetter.AppendTongue(builder, blueprint, grown, palette.Tongue);
+        AddRigid("Jaw");
     }
 
     private void AddTeeth()
@@ -270,6 +216,33 @@ internal sealed class FeatureSetter
         {
             AddOnSurface(vertex);
         }
+    }
+
+    private void AddMane(ManeBlueprint mane)
+    {
+        builder.Clear(SurfaceFinish.Hair);
+        var addresses = new List<SkinAddress>();
+        ManeShape.Append(builder, mane, grown.Skin, palette.Accent, addresses);
+        Piece piece = builder.ToPiece(MaterialKind.Skin);
+        piece.Binding = PieceBinding.Skin;
+        piece.Attention = HairAttention;
+        piece.SurfaceVertices = new int[addresses.Count];
+        for (int v = 0; v < addresses.Count; v++)
+        {
+            piece.SurfaceVertices[v] = grown.BodyVertex(addresses[v].Ring, addresses[v].Segment);
+        }
+
+        pieces.Add(piece);
+    }
+
+    private void AddFrill(FrillBlueprint frill)
+    {
+        builder.Clear();
+
+        // A thick collar is bone under the skin of the head; a thin one is a fan that is there to be seen.
+        float bony = Scalar.Clamp((float)(10 * frill.Thickness / frill.Length), 0f, 1f);
+        FrillShape.Append(builder, frill, grown.Skin, Vec.Lerp(palette.Accent, palette.Base, 0.45f * bony), palette.Base, palette.Back * 0.6f);
+        AddRigid("Head");
     }
 
     private void AddInsectWing(InsectWingBlueprint wing)

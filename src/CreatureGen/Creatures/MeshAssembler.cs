@@ -90,6 +90,8 @@ internal static class MeshAssembler
         {
             case PieceBinding.Surface:
                 return new[] { surface[piece.SurfaceVertex] };
+            case PieceBinding.Skin:
+                return Array.ConvertAll(piece.SurfaceVertices, vertex => surface[vertex]);
             case PieceBinding.Chain:
                 AppendageJoints joints = rig.Appendages[piece.Appendage];
                 return ChainWeights.Solve(rig.Skeleton, piece.Side == Side.Right ? joints.Right : joints.Left, piece.Positions);

@@ -10,7 +10,7 @@ namespace CreatureGen.Features;
 /// </summary>
 /// <remarks>
 /// Rings of vertices lie exactly on the edges of the colours and are doubled there, so that edges stay crisp at any distance without a texture.
-/// The upright slit is not laid over the iris: the rings around the gaze start as the slit and widen to the circle of the iris.
+/// An upright slit or a level bar is not laid over the iris: the rings around the gaze start as the pupil and widen to the circle of the iris.
 /// </remarks>
 internal static class EyeShape
 {
@@ -23,6 +23,8 @@ internal static class EyeShape
     private const float RoundPupil = 0.55f;
     private const float SlitHalfWidth = 0.17f;
     private const float SlitHalfHeight = 0.70f;
+    private const float BarHalfWidth = 0.62f;
+    private const float BarHalfHeight = 0.21f;
     private const float IrisEdge = 0.86f;
     private const float LimbusEdge = 0.98f;
     private const float RimEdge = 1.13f;
@@ -75,10 +77,15 @@ internal static class EyeShape
         UnitCircle.Directions(Segments).CopyTo(circle);
         for (int k = 0; k < Segments; k++)
         {
-            // A slit pointed at both ends: its half width falls with the square of the height.
-            pupil[k] = style == EyeStyle.Slit
-                ? new Vector2(SlitHalfWidth * circle[k].X * Math.Abs(circle[k].X), SlitHalfHeight * circle[k].Y)
-                : circle[k] * RoundPupil;
+            pupil[k] = style switch
+            {
+                // A slit pointed at both ends: its half width falls with the square of the height.
+                EyeStyle.Slit => new Vector2(SlitHalfWidth * circle[k].X * Math.Abs(circle[k].X), SlitHalfHeight * circle[k].Y),
+
+                // A bar with rounded ends, a little lower in the middle than beside it.
+                EyeStyle.Bar => new Vector2(BarHalfWidth * Rounded(circle[k].X), BarHalfHeight * Rounded(circle[k].Y) * (0.86f + (0.22f * Math.Abs(circle[k].X)))),
+                _ => circle[k] * RoundPupil,
+            };
         }
 
         int pole = builder.Vertex(frame.Centre + (frame.Gaze * (frame.Radius * CorneaRadius(0f))), frame.Gaze, pupilColour);
@@ -113,6 +120,9 @@ internal static class EyeShape
         int back = builder.Vertex(frame.Centre - (frame.Gaze * frame.Radius), Vector3.Zero - frame.Gaze, socket);
         builder.FanBelow(c, back, Segments);
     }
+
+    /// <summary>The square root with the sign kept: makes a circle a rounded square.</summary>
+    private static float Rounded(float x) => x < 0f ? -(float)Math.Sqrt(-x) : (float)Math.Sqrt(x);
 
     private static void AppendCompound(PieceBuilder builder, in EyeFrame frame, Vector3 colour)
     {

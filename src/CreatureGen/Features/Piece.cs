@@ -12,6 +12,9 @@ internal enum PieceBinding
     /// <summary>Rigid with the weights of the surface vertex in <see cref="Piece.SurfaceVertex"/>.</summary>
     Surface,
 
+    /// <summary>Each vertex with the weights of its own surface vertex in <see cref="Piece.SurfaceVertices"/>.</summary>
+    Skin,
+
     /// <summary>Bending along the joints of the appendage in <see cref="Piece.Appendage"/>.</summary>
     Chain,
 }
@@ -42,6 +45,9 @@ internal sealed class Piece
     public string JointName { get; set; } = "";
 
     public int SurfaceVertex { get; set; } = -1;
+
+    /// <summary>One vertex of the surface per position.</summary>
+    public int[] SurfaceVertices { get; set; } = System.Array.Empty<int>();
 
     /// <summary>Index of the appendage whose chain it bends along, and on which side.</summary>
     public int Appendage { get; set; } = -1;

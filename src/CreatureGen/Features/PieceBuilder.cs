@@ -26,6 +26,9 @@ internal sealed class PieceBuilder
     /// <summary>Place of a vertex.</summary>
     public Vector3 Position(int vertex) => positions[vertex];
 
+    /// <summary>Normal of a vertex.</summary>
+    public Vector3 Normal(int vertex) => normals[vertex];
+
     /// <summary>Begins another piece: forgets all vertices and triangles, keeps the buffers.</summary>
     /// <param name="finish">What the next piece feels like.</param>
     public void Clear(SurfaceFinish finish = SurfaceFinish.Skin)
@@ -35,7 +38,7 @@ internal sealed class PieceBuilder
         IndexCount = 0;
     }
 
-    /// <summary>Adds a vertex and returns its index.</summary>
+    /// <summary>Adds a vertex and returns its index; colours are limited to 0..1.</summary>
     public int Vertex(Vector3 position, Vector3 normal, Vector3 colour)
     {
         if (VertexCount == positions.Length)
@@ -47,7 +50,7 @@ internal sealed class PieceBuilder
 
         positions[VertexCount] = position;
         normals[VertexCount] = normal;
-        colours[VertexCount] = colour;
+        colours[VertexCount] = new Vector3(Scalar.Clamp(colour.X, 0f, 1f), Scalar.Clamp(colour.Y, 0f, 1f), Scalar.Clamp(colour.Z, 0f, 1f));
         return VertexCount++;
     }
 

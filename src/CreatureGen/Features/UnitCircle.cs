@@ -34,7 +34,7 @@ internal static class UnitCircle
             if (2 * k <= count)
             {
                 double angle = PortableMath.Tau * k / count;
-                table[k] = new Vector2((float)PortableMath.Cos(angle), 2 * k == count ? 0f : (float)PortableMath.Sin(angle));
+                table[k] = new Vector2(4 * k == count ? 0f : (float)PortableMath.Cos(angle), 2 * k == count ? 0f : (float)PortableMath.Sin(angle));
             }
             else
             {

@@ -17,4 +17,7 @@ internal enum SurfaceFinish
 
     /// <summary>An insect's wing.</summary>
     Wing,
+
+    /// <summary>Hair.</summary>
+    Hair,
 }

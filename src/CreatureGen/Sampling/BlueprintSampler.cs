@@ -98,6 +98,8 @@ public static class BlueprintSampler
             new ValueList<FinBlueprint>(draft.Fins),
             new ValueList<EarBlueprint>(draft.Ears),
             new ValueList<FeatureBlueprint>(draft.Features),
+            new ValueList<ManeBlueprint>(draft.Manes),
+            new ValueList<FrillBlueprint>(draft.Frills),
             coat);
     }
 }

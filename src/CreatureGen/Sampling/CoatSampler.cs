@@ -69,6 +69,12 @@ internal static class CoatSampler
         ColourBlueprint muzzle = draft.Species.Family == "avian"
             ? random.Chance(0.65) ? Colour(0.70, 0.13, CreatureDraft.Choose(random, (60.0, 1), (75.0, 1), (45.0, 1))) : Colour(0.3, 0.02, 60)
             : Colour(0.25, 0.03, 30);
+        if (mood != PaletteMood.Vivid && draft.Manes.Count > 0)
+        {
+            // Hair of a colour of its own suits vivid coats; on all others it is a darker or paler shade of the coat.
+            accent = Colour(Scalar.Clamp(lightness + (lightness > 0.45 ? -0.24 : 0.2), 0.2, 0.9), chroma * 1.05, hue - 14);
+        }
+
         var coat = new CoatBlueprint(
             Colour(lightness, chroma, hue),
             Colour(Math.Max(0.2, lightness - 0.13), chroma, hue - 12),
@@ -80,6 +86,7 @@ internal static class CoatSampler
             horn,
             muzzle,
             Colour(0.38, 0.11, 20),
+            Tongue(draft, draft.Stream("tongue")),
             iris,
             CreatureDraft.Choose(random, draft.Species.Patterns),
             random.Uniform(0.8, 1.3),
@@ -94,6 +101,12 @@ internal static class CoatSampler
     /// <summary>A colour in OKLCH with its hue in degrees, of any number of turns.</summary>
     public static ColourBlueprint Colour(double lightness, double chroma, double hueDegrees) =>
         new(lightness, chroma, Scalar.Radians(((hueDegrees % 360) + 360) % 360));
+
+    private static ColourBlueprint Tongue(CreatureDraft draft, RandomStream random)
+    {
+        Tint tint = CreatureDraft.Choose(random, draft.Species.TongueTints);
+        return Colour(tint.Lightness + random.Uniform(-0.04, 0.04), tint.Chroma * random.Uniform(0.85, 1.15), tint.Hue + random.Uniform(-6, 6));
+    }
 
     /// <summary>The coat in a colouring that its species is known by, varied so that two species of one kind differ.</summary>
     private static CoatBlueprint Wear(CoatBlueprint coat, Colouring known, RandomStream random)

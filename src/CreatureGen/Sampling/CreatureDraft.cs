@@ -100,6 +100,10 @@ internal sealed class CreatureDraft
 
     public List<FeatureBlueprint> Features { get; } = new();
 
+    public List<ManeBlueprint> Manes { get; } = new();
+
+    public List<FrillBlueprint> Frills { get; } = new();
+
     /// <summary>Cells of the body that are taken.</summary>
     public SocketGrid Sockets { get; } = new();
 

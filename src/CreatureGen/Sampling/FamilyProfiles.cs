@@ -11,7 +11,7 @@ internal static class FamilyProfiles
     {
         new("canine")
         {
-            Frequency = (1, 0.4, 0.16),
+            Frequency = (0.62, 0.4, 0.16),
             Partners = new[] { "feline", "bovine", "reptile", "avian" },
             WalkingPlans = Plans((BodyPlan.Digitigrade, 0.8), (BodyPlan.Upright, 0.15), (BodyPlan.Centaur, 0.05)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
@@ -22,18 +22,18 @@ internal static class FamilyProfiles
         },
         new("bovine")
         {
-            Frequency = (1, 0, 0),
+            Frequency = (0.45, 0, 0),
             Partners = new[] { "canine", "amphibian", "reptile", "feline" },
             WalkingPlans = Plans((BodyPlan.Unguligrade, 0.56), (BodyPlan.Columnar, 0.4), (BodyPlan.Centaur, 0.04)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
             Eye = (9.6, 6.0), EyeSize = 0.35, EyeSink = 0.64, EyeForward = 0.4, LidDegrees = (50, 64), Bone = 0.8,
-            Swelling = (0.10, 0.08), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
+            Swelling = (0.10, 0.08), BarPupils = 0.55, TongueTints = Tongues((new Tint(0.60, 0.10, 14), 1), (new Tint(0.30, 0.045, 285), 0.35)), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
             HeadOrnament = (1, 0.85), Ears = Ears((EarShape.Sideways, 1)),
             Patterns = Patterns((PatternKind.Patches, 1.2), (PatternKind.Plain, 0.9), (PatternKind.Stripes, 0.7), (PatternKind.Saddle, 0.8), (PatternKind.Giraffe, 1), (PatternKind.Rosettes, 0.15)),
         },
         new("feline")
         {
-            Frequency = (1, 0.5, 0),
+            Frequency = (0.75, 0.5, 0),
             Partners = new[] { "canine", "reptile", "avian", "serpent" },
             WalkingPlans = Plans((BodyPlan.Digitigrade, 0.58), (BodyPlan.Plantigrade, 0.22), (BodyPlan.Upright, 0.17), (BodyPlan.Centaur, 0.03)),
             SwimmingPlans = Plans((BodyPlan.Whale, 1)),
@@ -44,12 +44,12 @@ internal static class FamilyProfiles
         },
         new("reptile")
         {
-            Frequency = (0.6, 0.65, 0.3),
+            Frequency = (0.45, 0.65, 0.3),
             Partners = new[] { "amphibian", "serpent", "canine", "avian" },
             WalkingPlans = Plans((BodyPlan.Sprawling, 0.45), (BodyPlan.Theropod, 0.33), (BodyPlan.Plantigrade, 0.22)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.65), (BodyPlan.Fish, 0.2), (BodyPlan.Whale, 0.15)),
             Eye = (9.6, 4.8), EyeSize = 0.3125, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.8,
-            Swelling = (0.16, 0.08), MouthCorner = 9, Nostril = 0.15, Mood = 0.55,
+            Swelling = (0.16, 0.08), MouthCorner = 9, Nostril = 0.15, Mood = 0.55, TongueTints = Tongues((new Tint(0.60, 0.115, 14), 1), (new Tint(0.50, 0.13, 255), 0.25), (new Tint(0.30, 0.05, 350), 0.3)),
             HeadOrnament = (0.04, 0.4), Teeth = 0.55,
             Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Mottle, 1), (PatternKind.Stripes, 0.8), (PatternKind.Patches, 0.4), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 0.12), (PatternKind.Giraffe, 0.15)),
         },
@@ -60,7 +60,7 @@ internal static class FamilyProfiles
             WalkingPlans = Plans((BodyPlan.Theropod, 1)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 1)),
             Eye = (9.6, 6.6), EyeSize = 0.4125, EyeSink = 0.60, EyeForward = 0.35, LidDegrees = (60, 72), Bone = 0.5,
-            Swelling = (0.06, 0.04), MouthCorner = 7, Nostril = 0.12,
+            Swelling = (0.06, 0.04), TongueTints = Tongues((new Tint(0.62, 0.10, 20), 1), (new Tint(0.30, 0.04, 20), 0.4)), MouthCorner = 7, Nostril = 0.12,
             HeadOrnament = (0.02, 0.12), WingMembrane = 0.12,
             Patterns = Patterns((PatternKind.Saddle, 1), (PatternKind.Plain, 0.6), (PatternKind.Mottle, 0.7), (PatternKind.Bands, 0.4), (PatternKind.Spots, 0.4)),
         },
@@ -71,7 +71,7 @@ internal static class FamilyProfiles
             WalkingPlans = Plans((BodyPlan.Theropod, 0.4), (BodyPlan.Sprawling, 0.6)),
             SwimmingPlans = Plans((BodyPlan.Fish, 0.82), (BodyPlan.Whale, 0.18)),
             Eye = (10, 7.0), EyeSize = 0.3, EyeSink = 0.62, EyeForward = 0.3, LidDegrees = (70, 80), Bone = 0,
-            Swelling = (0.03, 0.02), MouthCorner = 5, Nostril = 0.12,
+            Swelling = (0.03, 0.02), TongueTints = Tongues((new Tint(0.66, 0.06, 25), 1)), MouthCorner = 5, Nostril = 0.12,
             Teeth = 0.4,
             Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Stripes, 0.6), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Saddle, 0.9), (PatternKind.Turing, 0.8)),
         },
@@ -93,7 +93,7 @@ internal static class FamilyProfiles
             WalkingPlans = Plans((BodyPlan.ManyLegged, 0.42), (BodyPlan.Legless, 0.34), (BodyPlan.Sprawling, 0.24)),
             SwimmingPlans = Plans((BodyPlan.Eel, 0.75), (BodyPlan.Fish, 0.25)),
             Eye = (9.6, 5.6), EyeSize = 0.3125, EyeSink = 0.56, EyeForward = 0.4, LidDegrees = (56, 72), SlitPupils = 0.75, Bone = 0.6,
-            Swelling = (0.12, 0.12), MouthCorner = 9, Nostril = 0.15, Mood = 0.55,
+            Swelling = (0.12, 0.12), Tongue = TongueStyle.Forked, TongueTints = Tongues((new Tint(0.40, 0.07, 300), 0.7), (new Tint(0.56, 0.17, 20), 1)), MouthCorner = 9, Nostril = 0.15, Mood = 0.55,
             HeadOrnament = (0, 0.35), Teeth = 0.55,
             Patterns = Patterns((PatternKind.Bands, 1.4), (PatternKind.Spots, 0.6), (PatternKind.Stripes, 0.6), (PatternKind.Mottle, 0.5)),
         },
@@ -103,7 +103,7 @@ internal static class FamilyProfiles
             Partners = new[] { "reptile", "fish", "bovine", "feline" },
             WalkingPlans = Plans((BodyPlan.Sprawling, 0.86), (BodyPlan.Plantigrade, 0.14)),
             SwimmingPlans = Plans((BodyPlan.Flipper, 0.45), (BodyPlan.Whale, 0.3), (BodyPlan.Fish, 0.25)),
-            Eye = (9.5, 4.2), EyeSize = 0.375, EyeSink = 0.25, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.5, Bone = 0,
+            Eye = (9.5, 4.2), EyeSize = 0.375, EyeSink = 0.25, EyeForward = 0.45, LidDegrees = (66, 72), SlitPupils = 0.35, BarPupils = 0.5, Bone = 0,
             Swelling = (0.16, 0.06), MouthCorner = 9, Nostril = 0.12,
             HeadOrnament = (0, 0.12),
             Patterns = Patterns((PatternKind.Spots, 1), (PatternKind.Mottle, 0.9), (PatternKind.Patches, 0.6), (PatternKind.Bands, 0.4), (PatternKind.Turing, 0.9)),
@@ -121,6 +121,9 @@ internal static class FamilyProfiles
 
     private static Weighted<EarShape>[] Ears(params (EarShape Shape, double Weight)[] ears) =>
         Array.ConvertAll(ears, e => new Weighted<EarShape>(e.Shape, e.Weight));
+
+    private static Weighted<Tint>[] Tongues(params (Tint Colour, double Weight)[] tints) =>
+        Array.ConvertAll(tints, t => new Weighted<Tint>(t.Colour, t.Weight));
 
     private static Weighted<PatternKind>[] Patterns(params (PatternKind Pattern, double Weight)[] patterns) =>
         Array.ConvertAll(patterns, p => new Weighted<PatternKind>(p.Pattern, p.Weight));

@@ -33,13 +33,18 @@ internal static class FeatureSampler
         }
 
         bool horned = Horns(draft, head, plenty, draft.Stream("horns"));
+        horned |= !horned && NeckSampler.Collar(draft, plenty, draft.Stream("collar"));
         Tuft(draft, head, horned, plenty, draft.Stream("tuft"));
         if (!horned)
         {
             Tusks(draft, head, plenty, draft.Stream("tusks"));
         }
 
-        Back(draft, horned, plenty, draft.Stream("back"));
+        if (!NeckSampler.Hair(draft, plenty, draft.Stream("hair")))
+        {
+            Back(draft, horned, plenty, draft.Stream("back"));
+        }
+
         TailEnd(draft, plenty, draft.Stream("tail end"));
     }
 
@@ -52,12 +57,21 @@ internal static class FeatureSampler
             double[] weights = new double[slot.Choices.Length];
             for (int i = 0; i < weights.Length; i++)
             {
-                bool empty = slot.Choices[i].Parts.Length == 0;
-                weights[i] = slot.Choices[i].Weight * (empty ? 1 / Math.Max(plenty, 1e-6) : 1);
+                weights[i] = slot.Choices[i].Weight * (slot.Choices[i].IsEmpty ? 1 / Math.Max(plenty, 1e-6) : 1);
             }
 
             PartChoice choice = slot.Choices[random.Weighted(weights)];
             double size = random.Uniform();
+            if (choice.Mane is ManeKit mane)
+            {
+                NeckSampler.Add(draft, mane, size);
+            }
+
+            if (choice.Frill is FrillKit frill)
+            {
+                NeckSampler.Add(draft, frill, size);
+            }
+
             foreach (PartKit kit in choice.Parts)
             {
                 FeatureBlueprint part = kit.Part;
@@ -114,20 +128,19 @@ internal static class FeatureSampler
         return true;
     }
 
+    /// <summary>A bird's crest.</summary>
     private static void Tuft(CreatureDraft draft, double head, bool horned, double plenty, RandomStream random)
     {
-        bool bird = draft.Species.Family == "avian";
-        bool furred = draft.Species.Family is "feline" or "canine";
-        if (draft.Kind == LocomotionKind.Swimming || horned || !(bird || furred) || !random.Chance((bird ? 0.45 : 0.2) * plenty))
+        if (draft.Kind == LocomotionKind.Swimming || horned || draft.Species.Family != "avian" || !random.Chance(0.45 * plenty))
         {
             return;
         }
 
-        int count = bird ? 5 : 9;
+        const int count = 5;
         for (int q = 0; q < count; q++)
         {
-            double ring = bird ? 12 + (q * 0.9) : 14 + (q * 1.1);
-            double length = head * (bird ? 0.9 : 0.55) * (1 - (0.5 * Math.Abs((q / (count - 1.0)) - 0.35)));
+            double ring = 12 + (q * 0.9);
+            double length = head * 0.9 * (1 - (0.5 * Math.Abs((q / (count - 1.0)) - 0.35)));
             draft.Features.Add(new FeatureBlueprint(FeatureKind.Tuft, ring, 0, length, head * 0.2, 0.73, 0, -0.68, 0, 0, -0.3, 0, 0.5, 0.7));
         }
     }

@@ -121,7 +121,8 @@ internal static class HeadSampler
         radius = Math.Min(radius, LargestEye(draft));
         bool faceted = random.Chance(0.85);
         bool slit = random.Chance(species.SlitPupils);
-        EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : insect && faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : EyeStyle.Round;
+        bool bar = draft.Stream("bar pupils").Chance(species.BarPupils);
+        EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : insect && faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : bar ? EyeStyle.Bar : EyeStyle.Round;
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
         return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, species.EyeSink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
@@ -140,7 +141,7 @@ internal static class HeadSampler
         }
 
         opening = species.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(draft));
-        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > LeastToothed ? species.ToothLength : 0);
+        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > LeastToothed ? species.ToothLength : 0, species.MouthCorner == 0 ? TongueStyle.None : species.Tongue);
     }
 
     /// <summary>How far a walker may open its mouth before the lower jaw touches the ground, radians.</summary>

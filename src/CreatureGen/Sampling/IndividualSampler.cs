@@ -28,6 +28,7 @@ internal static class IndividualSampler
         CreatureDraft draft = body.Draft;
         BodyShape was = ofType.Shape;
         double skull = draft.Shape.Width[13] / was.Width[13];
+        double girth = draft.HalfDepth(19) / ofType.HalfDepth(19);
         double side = (draft.Shape.Arc[FoldTo] - draft.Shape.Arc[FoldFrom]) / (was.Arc[FoldTo] - was.Arc[FoldFrom]);
         var individual = type with
         {
@@ -41,6 +42,8 @@ internal static class IndividualSampler
             Fins = Each(type.Fins, fin => fin with { Length = fin.Length * traits.Fins }),
             Ears = Each(type.Ears, ear => ear with { Length = ear.Length * skull * traits.Ears, Width = ear.Width * skull }),
             Features = Each(type.Features, part => FeatureSampler.OffGround(draft, Part(part, traits, part.Ring < HeadEnd ? skull : 1))),
+            Manes = Each(type.Manes, mane => NeckSampler.OffGround(draft, Mane(mane, traits, girth))),
+            Frills = Each(type.Frills, frill => NeckSampler.OffGround(draft, frill with { Length = frill.Length * skull * Math.Sqrt(traits.Horns), Thickness = frill.Thickness * skull })),
             Coat = Coat(type.Coat, traits),
         };
         return FieldLimiter.Limit(individual, CreatureFields.Creature);
@@ -81,6 +84,10 @@ internal static class IndividualSampler
         double growth = part.Kind is FeatureKind.Horn or FeatureKind.Antler or FeatureKind.Tusk ? traits.Horns : traits.Parts;
         return part with { Length = part.Length * skull * growth, Radius = part.Radius * skull * Math.Sqrt(growth) };
     }
+
+    /// <summary>Manes grow with age.</summary>
+    private static ManeBlueprint Mane(ManeBlueprint mane, IndividualTraits traits, double girth) =>
+        mane with { Length = mane.Length * girth * Math.Sqrt(traits.Horns), Width = mane.Width * girth };
 
     /// <summary>One shift of hue, lightness and chroma for the whole coat, so that it stays in harmony; and marks of its own.</summary>
     private static CoatBlueprint Coat(CoatBlueprint coat, IndividualTraits traits)

@@ -3,7 +3,7 @@ using CreatureGen.Blueprints;
 
 namespace CreatureGen.Sampling;
 
-/// <summary>Mammals on land: what decides is neck and muzzle, the line of the back, ears and horns.</summary>
+/// <summary>Mammals on land: what decides is neck and muzzle, the line of the back, hair, ears and horns.</summary>
 internal static class MammalSpecies
 {
     private static readonly SpeciesProfile canine = SwimmerSpecies.Tamed(FamilyProfiles.Find("canine")) with { Kinship = 0 };
@@ -12,6 +12,114 @@ internal static class MammalSpecies
     /// <summary>All of them, in a fixed order.</summary>
     public static readonly SpeciesProfile[] All =
     {
+        Own("feline", "lion", 0.25) with
+        {
+            Partners = new[] { "feline", "feline", "canine", "feline" },
+            HipHeight = (0.62, 0.77),
+            WalkingPlans = Only(BodyPlan.Digitigrade),
+            HeadSize = (1.16, 0.7),
+            EyeSize = 0.33, SlitPupils = 0, Ears = Ears((EarShape.Round, 1)),
+            Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckKits.Ruff }) },
+            Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1) },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.70, 0.085, 75)) { Kind = PatternKind.Plain, Accent = new Tint(0.42, 0.085, 52) },
+                new Colouring(new Tint(0.66, 0.075, 72)) { Kind = PatternKind.Plain, Accent = new Tint(0.26, 0.03, 50) },
+                new Colouring(new Tint(0.84, 0.03, 85)) { Kind = PatternKind.Plain, Accent = new Tint(0.70, 0.06, 75) },
+            },
+        },
+        Own("canine", "hyena", 0.18) with
+        {
+            Partners = new[] { "canine", "feline", "canine", "canine" },
+            HipHeight = (0.65, 0.83),
+            WalkingPlans = Only(BodyPlan.Digitigrade),
+            HeadSize = (1.14, 0.7),
+            Ears = Ears((EarShape.Round, 1)), Teeth = 0.7,
+            Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckKits.Bristles }) },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.62, 0.05, 75)) { Pattern = new Tint(0.28, 0.03, 60), Kind = PatternKind.Spots, Limb = new Tint(0.36, 0.035, 60), Accent = new Tint(0.36, 0.04, 60) },
+                new Colouring(new Tint(0.68, 0.04, 80)) { Pattern = new Tint(0.24, 0.02, 60), Kind = PatternKind.Stripes, Accent = new Tint(0.24, 0.02, 60) },
+                new Colouring(new Tint(0.40, 0.05, 55)) { Kind = PatternKind.Plain, Accent = new Tint(0.60, 0.07, 70) },
+            },
+        },
+        bovine with
+        {
+            Body = "boar",
+            Frequency = (0.24, 0, 0),
+            HipHeight = (0.52, 0.66), LegGirth = 1.15,
+            Eye = (9.6, 5.2), EyeSize = 0.2,
+            HeadOrnament = (1, 0), EarSize = 0.8, Ears = Ears((EarShape.Pointed, 1), (EarShape.Drooping, 0.4)),
+            WalkingPlans = Only(BodyPlan.Unguligrade),
+            Parts = new[]
+            {
+                new PartSlot(
+                    new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Tusk, 3.4, 10.4, 0.13, 0.022, 0.2, -0.1, 0.5, 0.7, 0.55, 0, 0, 1, 0.9), 0.7, 1.6)),
+                    new PartChoice(0.4)),
+                new PartSlot(new PartChoice(1) { Mane = NeckKits.Bristles }, new PartChoice(0.3)),
+            },
+            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Mottle, 0.5)),
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.34, 0.03, 55)) { Kind = PatternKind.Plain, Accent = new Tint(0.22, 0.02, 50) },
+                new Colouring(new Tint(0.78, 0.06, 25)) { Pattern = new Tint(0.28, 0.02, 50), Kind = PatternKind.Patches, Muzzle = new Tint(0.72, 0.09, 20) },
+                new Colouring(new Tint(0.52, 0.09, 48)) { Kind = PatternKind.Mottle, Accent = new Tint(0.88, 0.03, 80) },
+            },
+        },
+        Own("bovine", "horse", 0.25) with
+        {
+            Partners = new[] { "bovine", "bovine", "canine", "bovine" },
+            HipHeight = (0.88, 1.12),
+            WalkingPlans = Only(BodyPlan.Unguligrade),
+            HeadSize = (1.0, 0.6),
+            EyeSize = 0.33, BarPupils = 0.8, Ears = Ears((EarShape.Pointed, 1)),
+            Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckKits.Falling }), new PartSlot(new PartChoice(0.15, NoseHorn(10.6, 0.42, 0.028)), new PartChoice(1)) },
+            Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Patches, 0.7), new Weighted<PatternKind>(PatternKind.Stripes, 0.6) },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.46, 0.085, 48)) { Kind = PatternKind.Plain, Limb = new Tint(0.22, 0.02, 50), Accent = new Tint(0.19, 0.015, 50) },
+                new Colouring(new Tint(0.58, 0.09, 58)) { Kind = PatternKind.Plain, Accent = new Tint(0.86, 0.05, 85) },
+                new Colouring(new Tint(0.90, 0.012, 85)) { Pattern = new Tint(0.20, 0.01, 60), Kind = PatternKind.Stripes, Accent = new Tint(0.24, 0.01, 60) },
+                new Colouring(new Tint(0.86, 0.02, 85)) { Pattern = new Tint(0.42, 0.07, 50), Kind = PatternKind.Patches, Accent = new Tint(0.88, 0.02, 85) },
+                new Colouring(new Tint(0.62, 0.012, 260)) { Kind = PatternKind.Mottle, Accent = new Tint(0.82, 0.01, 260) },
+            },
+        },
+        Own("bovine", "bison", 0.15) with
+        {
+            Partners = new[] { "bovine", "bovine", "canine", "bovine" },
+            HipHeight = (0.72, 0.80),
+            WalkingPlans = Only(BodyPlan.Unguligrade),
+            HeadSize = (1.06, 0.6),
+            EyeSize = 0.26,
+            Parts = new[]
+            {
+                new PartSlot(new PartChoice(1) { Mane = NeckKits.Shag }),
+                new PartSlot(new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Horn, 12.4, 3.6, 0.26, 0.05, 0.5, 0.15, 0, 0.8, 0.75, 0.1, -0.3, 1, 1), 0.8, 1.3))),
+            },
+            Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Saddle, 0.6) },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.42, 0.06, 58)) { Kind = PatternKind.Plain, Accent = new Tint(0.24, 0.03, 50) },
+                new Colouring(new Tint(0.34, 0.045, 50)) { Kind = PatternKind.Plain, Accent = new Tint(0.44, 0.07, 58) },
+                new Colouring(new Tint(0.80, 0.03, 85)) { Kind = PatternKind.Plain, Accent = new Tint(0.66, 0.05, 75) },
+            },
+        },
+        Own("bovine", "camel", 0.15) with
+        {
+            Partners = new[] { "bovine", "bovine", "canine", "bovine" },
+            HipHeight = (0.92, 1.12),
+            WalkingPlans = Only(BodyPlan.Unguligrade),
+            HeadSize = (1.0, 0.6),
+            EyeSize = 0.36, BarPupils = 0.8, Ears = Ears((EarShape.Pointed, 1)),
+            Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckKits.Beard }) },
+            Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1) },
+            Colourings = new[]
+            {
+                new Colouring(new Tint(0.68, 0.075, 72)) { Kind = PatternKind.Plain, Accent = new Tint(0.48, 0.07, 60) },
+                new Colouring(new Tint(0.50, 0.065, 60)) { Kind = PatternKind.Plain, Accent = new Tint(0.32, 0.045, 52) },
+                new Colouring(new Tint(0.86, 0.03, 85)) { Kind = PatternKind.Plain, Accent = new Tint(0.74, 0.05, 78) },
+            },
+        },
         canine with
         {
             Body = "bear",
@@ -28,29 +136,6 @@ internal static class MammalSpecies
                 new Colouring(new Tint(0.24, 0.015, 60)) { Kind = PatternKind.Plain, Muzzle = new Tint(0.5, 0.06, 65) },
                 new Colouring(new Tint(0.92, 0.02, 90)) { Kind = PatternKind.Plain },
                 new Colouring(new Tint(0.92, 0.01, 90)) { Pattern = new Tint(0.22, 0.01, 60), Kind = PatternKind.Saddle, Limb = new Tint(0.22, 0.01, 60) },
-            },
-        },
-        bovine with
-        {
-            Body = "boar",
-            Frequency = (0.24, 0, 0),
-            HipHeight = (0.52, 0.66), LegGirth = 1.15,
-            Eye = (9.6, 5.2), EyeSize = 0.2,
-            HeadOrnament = (1, 0), EarSize = 0.8, Ears = Ears((EarShape.Pointed, 1), (EarShape.Drooping, 0.4)),
-            WalkingPlans = Only(BodyPlan.Unguligrade),
-            Parts = new[]
-            {
-                new PartSlot(
-                    new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Tusk, 3.4, 10.4, 0.13, 0.022, 0.2, -0.1, 0.5, 0.7, 0.55, 0, 0, 1, 0.9), 0.7, 1.6)),
-                    new PartChoice(0.4)),
-                new PartSlot(new PartChoice(1, Bristles()), new PartChoice(0.7)),
-            },
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Mottle, 0.5)),
-            Colourings = new[]
-            {
-                new Colouring(new Tint(0.34, 0.03, 55)) { Kind = PatternKind.Plain, Accent = new Tint(0.22, 0.02, 50) },
-                new Colouring(new Tint(0.78, 0.06, 25)) { Pattern = new Tint(0.28, 0.02, 50), Kind = PatternKind.Patches, Muzzle = new Tint(0.72, 0.09, 20) },
-                new Colouring(new Tint(0.52, 0.09, 48)) { Kind = PatternKind.Mottle, Accent = new Tint(0.88, 0.03, 80) },
             },
         },
         bovine with
@@ -75,25 +160,6 @@ internal static class MammalSpecies
                 new Colouring(new Tint(0.60, 0.02, 230)) { Kind = PatternKind.Plain },
             },
         },
-        bovine with
-        {
-            Body = "horse",
-            Frequency = (0.28, 0, 0),
-            Signatures = new[] { Signature.None },
-            Eye = (9.4, 6.0), EyeSize = 0.30,
-            HeadOrnament = (1, 0), Ears = Ears((EarShape.Pointed, 1)),
-            WalkingPlans = Only(BodyPlan.Unguligrade),
-            Parts = new[] { new PartSlot(new PartChoice(0.2, NoseHorn(10.6, 0.42, 0.028)), new PartChoice(1)) },
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Stripes, 0.6)),
-            Colourings = new[]
-            {
-                new Colouring(new Tint(0.42, 0.08, 48)) { Kind = PatternKind.Plain, Limb = new Tint(0.25, 0.03, 50), Accent = new Tint(0.2, 0.02, 50) },
-                new Colouring(new Tint(0.90, 0.01, 90)) { Pattern = new Tint(0.2, 0.01, 60), Kind = PatternKind.Stripes, Limb = new Tint(0.86, 0.01, 90), Accent = new Tint(0.2, 0.01, 60) },
-                new Colouring(new Tint(0.90, 0.02, 85)) { Pattern = new Tint(0.46, 0.09, 50), Kind = PatternKind.Patches, Accent = new Tint(0.9, 0.02, 85) },
-                new Colouring(new Tint(0.70, 0.08, 72)) { Kind = PatternKind.Plain, Accent = new Tint(0.92, 0.03, 90) },
-                new Colouring(new Tint(0.60, 0.01, 250)) { Pattern = new Tint(0.84, 0.01, 250), Kind = PatternKind.Spots, Accent = new Tint(0.4, 0.01, 250) },
-            },
-        },
         canine with
         {
             Body = "rabbit",
@@ -116,21 +182,16 @@ internal static class MammalSpecies
         },
     };
 
+    private static SpeciesProfile Own(string family, string body, double frequency) => SwimmerSpecies.Tamed(FamilyProfiles.Find(family)) with
+    {
+        Body = body,
+        Frequency = (frequency, 0, 0),
+        Dominance = (0.93, 0.98),
+        Kinship = 0,
+    };
+
     private static PartKit NoseHorn(double ring, double length, double radius) =>
         new(new FeatureBlueprint(FeatureKind.Horn, ring, 0, length, radius, 0.75, 0.55, 0.35, 0, 0.1, -0.3, 0, 1, 1), 0.8, 1.3);
-
-    /// <summary>A comb of stiff hair from the crown to the withers.</summary>
-    private static PartKit[] Bristles()
-    {
-        var comb = new PartKit[9];
-        for (int q = 0; q < comb.Length; q++)
-        {
-            double length = 0.13 * (1 - (0.9 * (((q / 8.0) - 0.45) * ((q / 8.0) - 0.45))));
-            comb[q] = new PartKit(new FeatureBlueprint(FeatureKind.Tuft, 13.5 + (1.5 * q), 0, length, 0.034, 0.7, 0, -0.7, 0, 0, -0.3, 0, 0.5, 0.7), 0.7, 1.3);
-        }
-
-        return comb;
-    }
 
     private static Weighted<BodyPlan>[] Only(BodyPlan plan) => new[] { new Weighted<BodyPlan>(plan, 1) };
 

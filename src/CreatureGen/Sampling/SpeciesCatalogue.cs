@@ -9,7 +9,7 @@ internal static class SpeciesCatalogue
 {
     private static readonly SpeciesProfile[] all = new[]
     {
-        FamilyProfiles.All, InsectSpecies.All, SwimmerSpecies.All, BirdSpecies.All, CrawlerSpecies.All, MammalSpecies.All, FlierSpecies.All,
+        FamilyProfiles.All, InsectSpecies.All, SwimmerSpecies.All, BirdSpecies.All, CrawlerSpecies.All, MammalSpecies.All, FlierSpecies.All, SaurianSpecies.All,
     }.SelectMany(profiles => profiles).ToArray();
 
     /// <summary>Every profile, in a fixed order.</summary>
@@ -29,6 +29,9 @@ internal static class SpeciesCatalogue
 
         return siblings.ToArray();
     }
+
+    private static IEnumerable<SpeciesProfile> WithOwnSpecies(SpeciesProfile family) =>
+        MammalSpecies.All.Concat(SaurianSpecies.All).Where(species => species.Family == family.Family).Prepend(family);
 
     /// <summary>The profile of a base body.</summary>
     /// <exception cref="ArgumentException">There is none.</exception>

@@ -211,11 +211,22 @@ internal readonly struct PartChoice
     {
         Weight = weight;
         Parts = parts;
+        Mane = null;
+        Frill = null;
     }
 
     public double Weight { get; }
 
     public PartKit[] Parts { get; }
+
+    /// <summary>Hair that belongs to them.</summary>
+    public ManeKit? Mane { get; init; }
+
+    /// <summary>A collar that belongs to them.</summary>
+    public FrillKit? Frill { get; init; }
+
+    /// <summary>Whether it leaves its slot empty.</summary>
+    public bool IsEmpty => Parts.Length == 0 && Mane is null && Frill is null;
 }
 
 /// <summary>A place for at most one thing: a jaw, a pair of feelers, a crest. A choice without parts leaves it empty; how often depends on how many ornaments are asked for.</summary>

@@ -141,6 +141,9 @@ internal sealed record SpeciesProfile
     /// <summary>Probability of slit pupils.</summary>
     public double SlitPupils { get; init; }
 
+    /// <summary>Probability of level bar pupils where they are not slits.</summary>
+    public double BarPupils { get; init; }
+
     /// <summary>Strength of the bony face around the eye: socket, brow, cheekbone.</summary>
     public double Bone { get; init; }
 
@@ -152,6 +155,12 @@ internal sealed record SpeciesProfile
 
     /// <summary>Openings of the mouth and their weights, radians; null for those of the family.</summary>
     public Weighted<double>[]? MouthOpenings { get; init; }
+
+    /// <summary>Form of the tongue, where there is a mouth.</summary>
+    public TongueStyle Tongue { get; init; } = TongueStyle.Rounded;
+
+    /// <summary>Colours of the tongue and their weights.</summary>
+    public Weighted<Tint>[] TongueTints { get; init; } = { new(new Tint(0.60, 0.115, 14), 1) };
 
     /// <summary>Length of the teeth relative to the half width of the muzzle.</summary>
     public double ToothLength { get; init; } = 0.14;

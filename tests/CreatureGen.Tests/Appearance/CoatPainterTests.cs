@@ -15,7 +15,7 @@ public sealed class CoatPainterTests
 {
     private static readonly CoatBlueprint tabby = new(
         new(0.62, 0.08, 1.1), new(0.48, 0.08, 1.0), new(0.85, 0.04, 1.2), new(0.35, 0.06, 1.0), new(0.30, 0.05, 0.9), new(0.65, 0.15, 4.2),
-        new(0.25, 0.02, 1), new(0.6, 0.03, 1.3), new(0.25, 0.03, 0.5), new(0.45, 0.12, 0.35), new(0.7, 0.14, 1.6), PatternKind.Stripes, 1, 0.85, 7);
+        new(0.25, 0.02, 1), new(0.6, 0.03, 1.3), new(0.25, 0.03, 0.5), new(0.45, 0.12, 0.35), new(0.6, 0.11, 0.25), new(0.7, 0.14, 1.6), PatternKind.Stripes, 1, 0.85, 7);
 
     [Fact]
     public void Both_sides_get_identical_colours()

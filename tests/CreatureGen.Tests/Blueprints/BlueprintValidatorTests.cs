@@ -165,8 +165,8 @@ public sealed class BlueprintValidatorTests
     [Fact]
     public void A_blueprint_of_nothing_but_null_is_reported()
     {
-        var nothing = new CreatureBlueprint(1, 0, 0, 0, 1, 20000, null!, null!, null!, null!, null!, null!, null!, null!, null!, null!);
-        Assert.Equal(10, BlueprintValidator.Validate(nothing).Count);
+        var nothing = new CreatureBlueprint(1, 0, 0, 0, 1, 20000, null!, null!, null!, null!, null!, null!, null!, null!, null!, null!, null!, null!);
+        Assert.Equal(12, BlueprintValidator.Validate(nothing).Count);
         CreatureBlueprint hollow = Samples.Small with
         {
             Body = new BodyBlueprint(null!, null!, null!, null!, 0, null!, null!, null!),

@@ -73,7 +73,7 @@ internal static class GoldenText
               "lowerLid": 1.1,
               "lidTilt": 0
             },
-            "mouth": { "cornerRing": 8, "opening": 0.1, "smile": -0.25, "teeth": 0.14 },
+            "mouth": { "cornerRing": 8, "opening": 0.1, "smile": -0.25, "teeth": 0.14, "tongue": "forked" },
             "nostrilSize": 0
           },
           "tail": { "style": "fork", "size": 0.29, "fork": 1.5, "lobe": 0 },
@@ -172,6 +172,34 @@ internal static class GoldenText
               "taper": 1
             }
           ],
+          "manes": [
+            {
+              "ring": 16,
+              "lastRing": 24,
+              "segment": 0,
+              "lastSegment": 8,
+              "rows": 4,
+              "columns": 4,
+              "length": 0.15,
+              "growth": 1,
+              "width": 0.03,
+              "rise": 0.4,
+              "fall": 0.5,
+              "hang": 0
+            }
+          ],
+          "frills": [
+            {
+              "ring": 14,
+              "spread": 9,
+              "length": 0.3,
+              "tilt": 0.7,
+              "bend": 0,
+              "thickness": 0.02,
+              "points": 6,
+              "scallop": 0.1
+            }
+          ],
           "coat": {
             "base": { "lightness": 0.6, "chroma": 0.05, "hue": 1.2 },
             "back": { "lightness": 0.6, "chroma": 0.05, "hue": 1.2 },
@@ -183,6 +211,7 @@ internal static class GoldenText
             "horn": { "lightness": 0.6, "chroma": 0.05, "hue": 1.2 },
             "muzzle": { "lightness": 0.6, "chroma": 0.05, "hue": 1.2 },
             "mouth": { "lightness": 0.6, "chroma": 0.05, "hue": 1.2 },
+            "tongue": { "lightness": 0.6, "chroma": 0.05, "hue": 1.2 },
             "iris": { "lightness": 0.6, "chroma": 0.05, "hue": 1.2 },
             "patternKind": "plain",
             "patternScale": 1,

@@ -19,7 +19,7 @@ internal static class Samples
         Head = HeadFields.Head.Neutral with
         {
             Bumps = new ValueList<HeadBump>(new[] { new HeadBump(9.2, 4.2, 1.6, 1.3, 0.1), new HeadBump(8.4, 1, 1.5, 1.6, -0.05) }),
-            Mouth = new MouthBlueprint(8, 0.1, -0.25, 0.14),
+            Mouth = new MouthBlueprint(8, 0.1, -0.25, 0.14, TongueStyle.Forked),
         },
         Tail = new TailBlueprint(TailStyle.Fork, 0.29, 1.5),
         Legs = new ValueList<LegBlueprint>(new[]
@@ -32,6 +32,8 @@ internal static class Samples
         Fins = new ValueList<FinBlueprint>(new[] { LimbFields.Fin.Neutral with { Socket = new SocketBlueprint(32, 31, 8, 2) } }),
         Ears = new ValueList<EarBlueprint>(new[] { LimbFields.Ear.Neutral }),
         Features = new ValueList<FeatureBlueprint>(new[] { LimbFields.Feature.Neutral }),
+        Manes = new ValueList<ManeBlueprint>(new[] { NeckFields.Mane.Neutral }),
+        Frills = new ValueList<FrillBlueprint>(new[] { NeckFields.Frill.Neutral }),
     };
 
     /// <summary>Creatures of all kinds, as the sampler draws them.</summary>

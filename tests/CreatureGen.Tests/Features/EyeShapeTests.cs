@@ -18,6 +18,7 @@ public sealed class EyeShapeTests
     [Theory]
     [InlineData(EyeStyle.Round)]
     [InlineData(EyeStyle.Slit)]
+    [InlineData(EyeStyle.Bar)]
     [InlineData(EyeStyle.Compound)]
     public void An_eye_is_closed_and_within_its_budget(EyeStyle style)
     {
@@ -49,6 +50,19 @@ public sealed class EyeShapeTests
         Piece eye = Build(EyeStyle.Slit, new EyeFrame(Vector3.Zero, 1f, Vector3.UnitZ));
         Assert.True(ColourAlong(eye, Direction(0.01f, -0.5f)).Length() < 0.05f);
         Assert.True(ColourAlong(eye, Direction(0.4f, 0.02f)).X > 0.2f);
+    }
+
+    [Fact]
+    public void A_bar_is_level_and_as_wide_at_its_ends_as_in_the_middle()
+    {
+        var frame = new EyeFrame(Vector3.Zero, 1f, Vector3.UnitZ);
+        Piece eye = Build(EyeStyle.Bar, frame);
+        Assert.True(ColourAlong(eye, Direction(-0.5f, 0.01f)).Length() < 0.05f);
+        Assert.True(ColourAlong(eye, Direction(0.5f, -0.08f)).Length() < 0.05f);
+        Assert.True(ColourAlong(eye, Direction(0.02f, -0.4f)).X > 0.2f);
+        Assert.True(ColourAlong(eye, Direction(0.02f, -0.4f)).X > 0.2f);
+        Piece tilted = Build(EyeStyle.Bar, frame.Rolled(0.4));
+        Assert.True(ColourAlong(tilted, Direction(0.55f, -0.19f)).X > 0.2f, "the bar follows the frame");
     }
 
     [Fact]

@@ -128,7 +128,7 @@ public sealed class CreatureOptionsTests
     {
         BodyPlanWeight[] many = Enumerable.Repeat(new BodyPlanWeight(BodyPlan.Eel, 0), 18).ToArray();
         Assert.Equal(
-            new[] { "bodyPlans = 18 elements; expected an array of 0..17 elements", "baseBodies = null; expected an array of 0..49 elements" },
+            new[] { "bodyPlans = 18 elements; expected an array of 0..17 elements", "baseBodies = null; expected an array of 0..55 elements" },
             Sentences(new CreatureOptions { BodyPlans = new ValueList<BodyPlanWeight>(many), BaseBodies = null! }));
     }
 

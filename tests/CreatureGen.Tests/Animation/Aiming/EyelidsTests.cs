@@ -22,7 +22,7 @@ public sealed class EyelidsTests
     private static readonly string[] names = { "UpperLid_L", "UpperLid_R", "LowerLid_L", "LowerLid_R" };
 
     [Fact]
-    public void Round_and_slit_eyes_have_four_lids_below_the_head_and_all_others_none()
+    public void Eyes_with_an_iris_have_four_lids_below_the_head_or_none_and_all_others_none()
     {
         int lidded = 0;
         foreach (LocomotionKind kind in Enum.GetValues<LocomotionKind>())
@@ -31,7 +31,7 @@ public sealed class EyelidsTests
             {
                 Creature creature = Generate(kind, seed);
                 string[] lids = creature.Skeleton.Joints.Where(joint => joint.Role == JointRole.Lid).Select(joint => joint.Name).ToArray();
-                bool blinks = creature.Blueprint.Head.Eyes.Style is EyeStyle.Round or EyeStyle.Slit && lids.Length > 0;
+                bool blinks = creature.Blueprint.Head.Eyes.Style is EyeStyle.Round or EyeStyle.Slit or EyeStyle.Bar && lids.Length > 0;
                 Assert.True(lids.Length == 0 || blinks);
                 Assert.Equal(lids.Length == 0, Eyelids.Of(creature.Skeleton) == null);
                 if (blinks)
@@ -44,14 +44,33 @@ public sealed class EyelidsTests
             }
         }
 
-        Assert.InRange(lidded, 60, 119);
+        Assert.InRange(lidded, 45, 119);
+    }
+
+    [Fact]
+    public void Fish_and_snakes_never_blink_and_wear_a_rim_that_stays_with_the_head()
+    {
+        foreach ((string body, LocomotionKind kind) in new[] { ("fish", LocomotionKind.Swimming), ("serpent", LocomotionKind.Walking), ("cobra", LocomotionKind.Walking), ("shark", LocomotionKind.Swimming), ("eel", LocomotionKind.Swimming) })
+        {
+            CreatureOptions options = CreatureOptions.Default with
+            {
+                Kind = RequestedKind.Walking + (int)kind,
+                BaseBodies = new ValueList<BaseBodyWeight>(BaseBodyNames.All.Select(name => new BaseBodyWeight(name, name == body ? 1 : 0))),
+            };
+            for (ulong seed = 0; seed < 4; seed++)
+            {
+                Creature creature = CreatureGenerator.Generate(seed, options);
+                Assert.Null(Eyelids.Of(creature.Skeleton));
+                Assert.DoesNotContain(creature.Skeleton.Joints, joint => joint.Role == JointRole.Lid);
+            }
+        }
     }
 
     [Theory]
     [InlineData(LocomotionKind.Walking, 42UL)]
     [InlineData(LocomotionKind.Walking, 3UL)]
     [InlineData(LocomotionKind.Flying, 1UL)]
-    [InlineData(LocomotionKind.Swimming, 3UL)]
+    [InlineData(LocomotionKind.Swimming, 8UL)]
     public void Shut_lids_lie_before_the_pupil_and_left_and_right_stay_mirror_images(LocomotionKind kind, ulong seed)
     {
         Creature creature = Generate(kind, seed);

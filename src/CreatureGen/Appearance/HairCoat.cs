@@ -1,0 +1,46 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Appearance;
+
+/// <summary>The skin under a mane: as dark as its roots, so that no bare skin shows between locks, with soft edges.</summary>
+internal sealed class HairCoat
+{
+    // How far the shade reaches beyond the roots, and over what it fades: rings and segments.
+    private const float Ahead = 0.6f;
+    private const float Behind = 1.4f;
+    private const float Beside = 1.3f;
+    private const float Fade = 1.2f;
+    private const float Shade = 0.6f;
+
+    private readonly IReadOnlyList<ManeBlueprint> manes;
+    private readonly Vector3 colour;
+
+    public HairCoat(CoatPalette palette, CoatSubject subject)
+    {
+        manes = subject.Manes;
+        colour = palette.Accent * Shade;
+    }
+
+    /// <summary>The colour of a place of the trunk with the shade of hair laid over <paramref name="under"/>.</summary>
+    public Vector3 Over(Vector3 under, in SkinPlace place)
+    {
+        float share = 0f;
+        foreach (ManeBlueprint mane in manes)
+        {
+            float along = Window(place.Ring, (float)mane.Ring - Ahead, (float)mane.LastRing + Behind);
+            if (along > 0f)
+            {
+                float segment = place.Around * (float)(Anatomy.BodyGrid.Segments / PortableMath.Tau);
+                share = Math.Max(share, along * Window(segment, (float)mane.Segment - Beside, (float)mane.LastSegment + Beside));
+            }
+        }
+
+        return share > 0f ? Vec.Lerp(under, colour, 0.92f * share) : under;
+    }
+
+    private static float Window(float x, float first, float last) => Scalar.Smooth((x - first + Fade) / Fade) * Scalar.Smooth((last + Fade - x) / Fade);
+}

@@ -1,0 +1,129 @@
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Appearance;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Features;
+using CreatureGen.Geometry;
+using CreatureGen.Limbs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Creatures;
+
+/// <summary>Sets eyes and lids into a grown surface and tells the rig about them. Everything at scale 1.</summary>
+internal static class EyeSetter
+{
+    /// <summary>Eyes that look are looked at first; a face without them is none.</summary>
+    private const float EyeAttention = 3f;
+
+    private const float LidShade = 0.8f;
+
+    /// <summary>What surrounds an eye.</summary>
+    private enum Rim
+    {
+        /// <summary>Nothing: eyes of insects.</summary>
+        Bare,
+
+        /// <summary>A rim of skin that never moves: eyes of fish and snakes.</summary>
+        Still,
+
+        /// <summary>Lids that shut.</summary>
+        Lids,
+    }
+
+    /// <summary>The eye of a creature's left side.</summary>
+    public static EyeFrame EyeOf(CreatureBlueprint blueprint, GrownSurface grown)
+    {
+        EyeBlueprint eye = blueprint.Head.Eyes;
+        return EyeFrame.On(grown.Skin.At(eye.Ring, eye.Segment), eye, grown.Skin.Shape.Forward((int)eye.Ring), 1f);
+    }
+
+    /// <summary>The left eye as the rig sees it.</summary>
+    public static EyeSocket SocketOf(CreatureBlueprint blueprint, in EyeFrame frame)
+    {
+        EyeBlueprint eye = blueprint.Head.Eyes;
+        return new EyeSocket(frame.Centre, frame.Gaze, frame.Radius)
+        {
+            Lids = RimOf(blueprint) != Rim.Lids ? null : new LidHinge(
+                LidShape.Hinge(frame, eye),
+                LidShape.RimDirection(frame, eye, LidPart.Upper),
+                LidShape.RimDirection(frame, eye, LidPart.Lower),
+                LidShape.Closing(eye, LidPart.Upper),
+                LidShape.Closing(eye, LidPart.Lower)),
+        };
+    }
+
+    /// <summary>Adds both eyes and what surrounds them.</summary>
+    /// <param name="blueprint">The creature.</param>
+    /// <param name="grown">Its surface.</param>
+    /// <param name="coat">Its colours.</param>
+    /// <param name="builder">Is cleared and used.</param>
+    /// <param name="pieces">Gets the pieces.</param>
+    public static void Add(CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, PieceBuilder builder, List<Piece> pieces)
+    {
+        EyeBlueprint eye = blueprint.Head.Eyes;
+        EyeFrame frame = EyeOf(blueprint, grown);
+        Rim rim = RimOf(blueprint);
+        Vector3 skin = SkinAround(blueprint.Head.Eyes, frame, coat);
+        builder.Clear(SurfaceFinish.Eye);
+        if (rim == Rim.Bare)
+        {
+            EyeShape.Append(builder, frame, eye.Style, coat.Palette.Iris);
+        }
+        else
+        {
+            EyeShape.Append(builder, frame, eye.Style, coat.Palette.Iris, skin * 0.8f);
+        }
+
+        Piece ball = builder.ToPiece(MaterialKind.Skin);
+        ball.Attention = eye.Style == EyeStyle.Compound ? 1f : EyeAttention;
+        AddPair(pieces, ball, "Eye_L", "Eye_R");
+        if (rim == Rim.Bare)
+        {
+            return;
+        }
+
+        AddLid(LidPart.Upper, "UpperLid_");
+        AddLid(LidPart.Lower, "LowerLid_");
+
+        void AddLid(LidPart part, string joint)
+        {
+            builder.Clear();
+            LidShape.Append(builder, frame, eye, part, skin);
+            bool moves = rim == Rim.Lids;
+            AddPair(pieces, builder.ToPiece(MaterialKind.Skin), moves ? joint + "L" : "Head", moves ? joint + "R" : "Head");
+        }
+    }
+
+    private static Rim RimOf(CreatureBlueprint blueprint)
+    {
+        if (blueprint.Head.Eyes.Style is EyeStyle.Compound or EyeStyle.Bead)
+        {
+            return Rim.Bare;
+        }
+
+        return BaseBodies.Find(blueprint.Body.Blend.First).Family switch
+        {
+            "insect" => Rim.Bare,
+            "fish" or "serpent" => Rim.Still,
+            _ => Rim.Lids,
+        };
+    }
+
+    /// <summary>Lids wear the coat of the skin above the eye, a little darker.</summary>
+    private static Vector3 SkinAround(EyeBlueprint eye, in EyeFrame frame, CoatPainter coat)
+    {
+        var address = new VertexAddress { Region = SurfaceRegion.Body, Appendage = -1, Sign = 1, Ring = (float)eye.Ring, Segment = (float)eye.Segment };
+        return LidShade * coat.At(address, frame.Centre + (frame.Up * (1.1f * frame.Radius)), frame.Up);
+    }
+
+    private static void AddPair(List<Piece> pieces, Piece left, string leftJoint, string rightJoint)
+    {
+        left.JointName = leftJoint;
+        pieces.Add(left);
+        Piece right = PieceMirror.Mirror(left);
+        right.JointName = rightJoint;
+        pieces.Add(right);
+    }
+}

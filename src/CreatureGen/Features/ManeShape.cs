@@ -1,0 +1,247 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Features;
+
+/// <summary>The place of the body's grid whose motion a vertex shares.</summary>
+internal readonly struct SkinAddress
+{
+    public SkinAddress(int ring, int segment)
+    {
+        Ring = ring;
+        Segment = segment;
+    }
+
+    public int Ring { get; }
+
+    /// <summary>0..31.</summary>
+    public int Segment { get; }
+
+    /// <summary>The same place on the other side.</summary>
+    public SkinAddress Mirrored => new(Ring, BodyGrid.MirrorSegment(Segment));
+}
+
+/// <summary>
+/// Hair as overlapping locks: flat tapered leaves in staggered rows, like tiles, each of which begins below the skin and follows it at a growing distance.
+/// </summary>
+/// <remarks>
+/// A lock is laid along the body's grid, not along a straight line: whatever the shape of neck and shoulder, it neither floats nor sinks, and each of its sections moves with the skin below it.
+/// </remarks>
+internal static class ManeShape
+{
+    private const int Sides = 4;
+
+    /// <summary>The last ring that hair is laid along.</summary>
+    private const int LastRing = BodyGrid.Rings - 2;
+
+    /// <summary>How far tips curl back to the skin, as a share of their rise.</summary>
+    private const float Curl = 0.55f;
+
+    /// <summary>Half thickness of a lock relative to its half width.</summary>
+    private const float Thickness = 0.24f;
+
+    /// <summary>How much the edges of a lock face the way the skin below does: hair is shaded as one soft mass.</summary>
+    private const float Softness = 0.75f;
+
+    // From root to tip: where a section lies, and how wide it is.
+    private static readonly Vector2[] sections = { new(0f, 0.60f), new(0.22f, 0.95f), new(0.50f, 1f), new(0.80f, 0.62f) };
+
+    /// <summary>Appends all locks of a mane, left, right and on the midline.</summary>
+    /// <param name="builder">Where they go.</param>
+    /// <param name="mane">Where it grows and how.</param>
+    /// <param name="skin">The body.</param>
+    /// <param name="colour">Linear RGB of the middle of a lock.</param>
+    /// <param name="addresses">Gets the place on the body that each vertex follows.</param>
+    public static void Append(PieceBuilder builder, ManeBlueprint mane, BodySkin skin, Vector3 colour, List<SkinAddress> addresses)
+    {
+        int lockCount = 0;
+        for (int row = 0; row < mane.Rows; row++)
+        {
+            double along = mane.Rows > 1 ? row / (mane.Rows - 1.0) : 0;
+            double stagger = (row & 1) == 0 ? 0 : 0.5;
+            double step = mane.Columns > 1 ? (mane.LastSegment - mane.Segment) / (mane.Columns - 1.0) : 0;
+            double rowStep = mane.Rows > 1 ? (mane.LastRing - mane.Ring) / (mane.Rows - 1.0) : 0;
+            for (int column = 0; column < mane.Columns; column++)
+            {
+                double segment = mane.Segment + ((column + stagger) * step);
+                if (segment > mane.LastSegment + 1e-9)
+                {
+                    continue;
+                }
+
+                lockCount++;
+                bool median = segment is 0 or BodyGrid.Segments / 2;
+                var root = new LockRoot(mane.Ring + (along * (mane.LastRing - mane.Ring)) + (0.3 * rowStep * Jitter(lockCount, 3)), segment, median)
+                {
+                    Length = mane.Length * Scalar.Lerp(1, mane.Growth, along) * (1 + (0.2 * Jitter(lockCount, 0))),
+                    Turn = median ? 0 : 0.2 * Jitter(lockCount, 1),
+                };
+                Vector3 shade = colour * (float)(1 + (0.16 * Jitter(lockCount, 2)));
+                AppendLock(builder, mane, skin, root, shade, addresses);
+            }
+        }
+    }
+
+    private static void AppendLock(PieceBuilder builder, ManeBlueprint mane, BodySkin skin, in LockRoot root, Vector3 colour, List<SkinAddress> addresses)
+    {
+        int vertex = builder.VertexCount;
+        int index = builder.IndexCount;
+        int address = addresses.Count;
+        var path = new LockPath(mane, skin, root);
+        float width = (float)mane.Width;
+        Span<TubeRow> rows = stackalloc TubeRow[Sides];
+        for (int i = 0; i < rows.Length; i++)
+        {
+            float s = sections[i].X;
+            float half = width * sections[i].Y;
+            float shade = Scalar.Lerp(0.62f, 1.06f, Scalar.Smooth(s * 1.2f));
+            rows[i] = new TubeRow(path.At(s, out SkinAddress place), half, Thickness * half, colour * shade);
+            for (int k = 0; k < Sides; k++)
+            {
+                addresses.Add(place);
+            }
+        }
+
+        Vector3 tip = path.At(1f, out SkinAddress end);
+        addresses.Add(end);
+        SweptTube.Append(builder, rows, tip, colour * 1.14f, path.Across, Sides);
+        Soften(builder, vertex, rows.Length * Sides, path.Normal);
+        if (!root.Median)
+        {
+            builder.AppendMirrored(vertex, index);
+            for (int k = address, last = addresses.Count; k < last; k++)
+            {
+                addresses.Add(addresses[k].Mirrored);
+            }
+        }
+    }
+
+    private static void Soften(PieceBuilder builder, int first, int count, Vector3 skin)
+    {
+        for (int v = first; v < first + count; v++)
+        {
+            Vector3 own = builder.Normal(v);
+            if (Vec.Dot(own, skin) > -0.5f)
+            {
+                builder.SetNormal(v, Vec.Normalize(Vec.Lerp(own, skin, Softness), own));
+            }
+        }
+    }
+
+    /// <summary>The same number in −1..1 for the same lock, unlike that of its neighbours (multiples of irrational numbers are evenly spread).</summary>
+    private static double Jitter(int lockNumber, int trait)
+    {
+        double x = (lockNumber * 0.6180339887498949) + (trait * 0.4142135623730951 * lockNumber) + (trait * 0.37);
+        return (2 * (x - Math.Floor(x))) - 1;
+    }
+
+    /// <summary>Where a lock grows and what sets it apart from the others.</summary>
+    private readonly struct LockRoot
+    {
+        public LockRoot(double ring, double segment, bool median)
+        {
+            Ring = ring;
+            Segment = segment;
+            Median = median;
+            Length = 0;
+            Turn = 0;
+        }
+
+        public double Ring { get; }
+
+        public double Segment { get; }
+
+        public bool Median { get; }
+
+        /// <summary>Metres.</summary>
+        public double Length { get; init; }
+
+        /// <summary>Added to the direction in which hair falls, radians.</summary>
+        public double Turn { get; init; }
+    }
+
+    /// <summary>The middle line of a lock.</summary>
+    private readonly struct LockPath
+    {
+        private const float Drop = 0.8f;
+
+        private readonly BodySkin skin;
+        private readonly LockRoot root;
+        private readonly double rootArc;
+        private readonly double along;
+        private readonly double segmentsAround;
+        private readonly float rise;
+        private readonly float hang;
+        private readonly float sunk;
+
+        public LockPath(ManeBlueprint mane, BodySkin skin, in LockRoot root)
+        {
+            this.skin = skin;
+            this.root = root;
+            double reach = root.Length * PortableMath.Cos(mane.Rise);
+            bool forward = mane.Fall > PortableMath.Pi / 2;
+            double fall = root.Median ? (forward ? PortableMath.Pi : 0) : mane.Fall + root.Turn;
+            Vector3 here = skin.At(root.Ring, root.Segment).Position;
+            float perSegment = Vec.Distance(skin.At(root.Ring, root.Segment + 1).Position, here);
+            rootArc = BodyShape.At(skin.Shape.Arc, root.Ring);
+            along = reach * PortableMath.Cos(fall);
+            segmentsAround = reach * PortableMath.Sin(fall) / Math.Max(perSegment, 1e-3f);
+            rise = (float)(root.Length * PortableMath.Sin(mane.Rise));
+            hang = (float)(root.Length * mane.Hang);
+
+            // Under the body hair hangs down instead of lying back.
+            along *= 1 - (Drop * Math.Max(0f, -skin.At(root.Ring, root.Segment).Normal.Y) * Math.Min(1, 2 * mane.Hang));
+            sunk = 0.30f * (float)mane.Width;
+            SurfacePoint at = skin.At(root.Ring, root.Segment);
+            Normal = root.Median ? Vec.Normalize(new Vector3(0f, at.Normal.Y, at.Normal.Z), Vector3.UnitY) : at.Normal;
+            Vector3 tailward = skin.At(root.Ring + 0.5, root.Segment).Position - here;
+            Vector3 side = Vec.Normalize(Vec.Cross(at.Normal, tailward), Vector3.UnitX);
+            Vector3 back = Vec.Normalize(Vec.Reject(tailward, at.Normal), Vector3.UnitZ);
+            Across = root.Median ? Vector3.UnitX : Vec.Normalize((side * (float)PortableMath.Cos(fall)) + (back * (float)PortableMath.Sin(fall)), Vector3.UnitX);
+        }
+
+        /// <summary>Unit outward direction of the skin at its root.</summary>
+        public Vector3 Normal { get; }
+
+        /// <summary>Unit direction across the flat lock at its root.</summary>
+        public Vector3 Across { get; }
+
+        /// <summary>A point of the line, 0 at the root and 1 at the tip, and the place of the skin that it moves with.</summary>
+        public Vector3 At(float s, out SkinAddress place)
+        {
+            double[] arcs = skin.Shape.Arc;
+            double arc = rootArc + (s * along);
+            double ring = RingAt(arcs, Scalar.Clamp(arc, 0, arcs[LastRing]));
+            double segment = root.Median ? root.Segment : Scalar.Clamp(root.Segment + (s * segmentsAround), 0.02, (BodyGrid.Segments / 2) - 0.02);
+            place = new SkinAddress((int)Math.Round(ring), (int)Math.Round(segment));
+            SurfacePoint at = skin.At(ring, segment);
+            float lift = (rise * s * (1f - (Curl * s))) - (sunk * (1f - s) * (1f - s));
+            float below = Math.Max(0f, -at.Normal.Y);
+            Vector3 p = at.Position + (at.Normal * lift) - (Vector3.UnitY * (hang * below * s * s));
+            if (arc > arcs[LastRing])
+            {
+                // Hair of a tail hangs on where the tail ends, drawn together.
+                p = Vec.Lerp(p, skin.Shape.Centre(LastRing), 0.35f * s) - (skin.Shape.Forward(LastRing) * (float)(arc - arcs[LastRing]));
+            }
+
+            return root.Median ? new Vector3(0f, p.Y, p.Z) : p;
+        }
+
+        /// <summary>The ring, with its fraction, at an arc length from the nose.</summary>
+        private static double RingAt(double[] arcs, double arc)
+        {
+            int i = 0;
+            while (i < arcs.Length - 2 && arcs[i + 1] < arc)
+            {
+                i++;
+            }
+
+            return i + ((arc - arcs[i]) / Math.Max(arcs[i + 1] - arcs[i], 1e-9));
+        }
+    }
+}

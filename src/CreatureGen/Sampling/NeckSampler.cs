@@ -1,0 +1,143 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Sampling;
+
+/// <summary>Draws hair and collars: those of the families, and any kit in the size of its wearer.</summary>
+internal static class NeckSampler
+{
+    /// <summary>Metres between hanging hair and the ground.</summary>
+    private const double Clearance = 0.05;
+
+    /// <summary>Length of the longest lock of a row in lengths of its mane.</summary>
+    private const double LongestLock = 1.2;
+
+    // How hair that is too long is cut.
+    private const double Shortening = 0.88;
+    private const int MostCuts = 20;
+
+    /// <summary>Places along a collar that are held against the ground.</summary>
+    private const int FrillSteps = 12;
+
+    /// <summary>The hair that furred families wear now and then; whether there is any.</summary>
+    public static bool Hair(CreatureDraft draft, double plenty, RandomStream random)
+    {
+        bool hoofed = draft.Species.Family == "bovine" && draft.Plan is BodyPlan.Unguligrade or BodyPlan.Centaur;
+        double chance = draft.Kind == LocomotionKind.Swimming ? 0 : draft.Species.Family switch { "canine" => 0.22, "feline" => 0.22, "bovine" when hoofed => 0.3, _ => 0 };
+        double size = random.Uniform();
+        bool ruffed = random.Chance(draft.Species.Family == "feline" ? 0.4 : 0.15);
+        if (!random.Chance(chance * plenty))
+        {
+            return false;
+        }
+
+        Add(draft, hoofed ? NeckKits.Falling : ruffed ? NeckKits.Ruff : NeckKits.Bristles, size);
+        return true;
+    }
+
+    /// <summary>The collar that lizards wear now and then; whether there is one.</summary>
+    public static bool Collar(CreatureDraft draft, double plenty, RandomStream random)
+    {
+        bool fits = draft.Species.Family == "reptile" && draft.Kind == LocomotionKind.Walking && draft.Ears.Count == 0;
+        bool bony = random.Chance(draft.Plan is BodyPlan.Plantigrade ? 0.6 : 0.25);
+        double size = random.Uniform();
+        if (!random.Chance(0.14 * plenty) || !fits)
+        {
+            return false;
+        }
+
+        Add(draft, bony ? NeckKits.Shield : NeckKits.Fan, size);
+        return true;
+    }
+
+    /// <summary>Adds hair; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
+    public static void Add(CreatureDraft draft, in ManeKit kit, double size)
+    {
+        double factor = Scalar.Lerp(kit.Least, kit.Most, size);
+        double unit = draft.HalfDepth(19);
+        foreach (ManeBlueprint mane in kit.Fields)
+        {
+            draft.Manes.Add(OffGround(draft, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit }));
+        }
+    }
+
+    /// <summary>Adds a collar; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
+    public static void Add(CreatureDraft draft, in FrillKit kit, double size)
+    {
+        double unit = draft.Shape.Width[13];
+        draft.Frills.Add(OffGround(draft, kit.Frill with { Length = kit.Frill.Length * Scalar.Lerp(kit.Least, kit.Most, size) * unit, Thickness = kit.Frill.Thickness * unit }));
+    }
+
+    /// <summary>Hair of a walker, shortened until what hangs from its tail or its throat clears the ground.</summary>
+    public static ManeBlueprint OffGround(CreatureDraft draft, ManeBlueprint mane)
+    {
+        if (draft.Kind != LocomotionKind.Walking || mane.LastSegment <= BodyGrid.Segments / 4)
+        {
+            return mane;
+        }
+
+        for (int attempt = 0; attempt < MostCuts && !Clears(draft.Shape, mane); attempt++)
+        {
+            mane = mane with { Length = Shortening * mane.Length };
+        }
+
+        return mane;
+    }
+
+    /// <summary>A collar of a walker, shortened until it clears the ground.</summary>
+    public static FrillBlueprint OffGround(CreatureDraft draft, FrillBlueprint frill)
+    {
+        if (draft.Kind != LocomotionKind.Walking)
+        {
+            return frill;
+        }
+
+        BodyShape s = draft.Shape;
+        int ring = (int)frill.Ring;
+        double sin = PortableMath.Sin(s.Pitch[ring]);
+        double cos = PortableMath.Cos(s.Pitch[ring]);
+        double longest = frill.Length;
+        for (int k = 0; k <= FrillSteps; k++)
+        {
+            double across = (double)k / FrillSteps;
+            double around = PortableMath.Cos(PortableMath.Tau * frill.Spread * across / BodyGrid.Segments);
+            double root = s.Y[ring] + (around * cos * (around > 0 ? s.Top[ring] : s.Bottom[ring]));
+            double fall = FrillOutline.HeightAt(across) * ((sin * PortableMath.Sin(frill.Tilt)) - (around * cos * PortableMath.Cos(frill.Tilt)));
+            longest = fall > 0 ? Math.Min(longest, Math.Max(root - Clearance, 0.2 * s.Bottom[ring]) / fall) : longest;
+        }
+
+        return frill with { Length = longest };
+    }
+
+    /// <summary>Whether the lowest hair of every row ends above the ground: as far along the body as it is long, and below the body by what it stands off and hangs down.</summary>
+    private static bool Clears(BodyShape s, ManeBlueprint mane)
+    {
+        const int end = BodyGrid.Rings - 1;
+        for (int row = 0; row < mane.Rows; row++)
+        {
+            double along = mane.Rows > 1 ? row / (mane.Rows - 1.0) : 0;
+            double length = LongestLock * mane.Length * Scalar.Lerp(1, mane.Growth, along);
+            double below = length * (mane.Hang + (0.5 * PortableMath.Sin(mane.Rise)));
+            int first = (int)Scalar.Lerp(mane.Ring, mane.LastRing, along);
+            int ring = first;
+            double lowest = double.MaxValue;
+            for (; ring < end && s.Arc[ring] < s.Arc[first] + length; ring++)
+            {
+                lowest = Math.Min(lowest, s.Y[ring] - s.Bottom[ring]);
+            }
+
+            double beyond = Math.Max(0, s.Arc[first] + length - s.Arc[end]);
+            lowest = Math.Min(lowest, s.Y[ring] - s.Bottom[ring] - beyond);
+            if (lowest - below < Clearance)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+}

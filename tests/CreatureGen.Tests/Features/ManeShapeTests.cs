@@ -1,0 +1,149 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Appearance;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Creatures;
+using CreatureGen.Features;
+using CreatureGen.Geometry;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Features;
+
+public sealed class ManeShapeTests
+{
+    [Theory]
+    [InlineData("lion")]
+    [InlineData("horse")]
+    [InlineData("boar")]
+    [InlineData("bison")]
+    [InlineData("camel")]
+    [InlineData("hyena")]
+    public void Hair_is_closed_symmetric_and_seated_in_the_skin(string body)
+    {
+        for (ulong seed = 0; seed < 6; seed++)
+        {
+            CreatureBlueprint blueprint = Draw(body, seed);
+            Assert.NotEmpty(blueprint.Manes);
+            BodySkin skin = SkinOf(blueprint);
+            foreach (ManeBlueprint mane in blueprint.Manes)
+            {
+                Piece hair = Build(mane, skin, out List<SkinAddress> addresses);
+                PieceChecks.IsSound(hair);
+                PieceChecks.IsSymmetric(hair);
+                Assert.Equal(hair.Positions.Length, addresses.Count);
+                for (int v = 0; v < addresses.Count; v++)
+                {
+                    // No farther from the place it moves with than a lock is long: nothing floats.
+                    float away = Vector3.Distance(hair.Positions[v], skin[addresses[v].Ring, addresses[v].Segment]);
+                    double farthest = (1.25 * mane.Length * Math.Max(1, mane.Growth)) + mane.Width + Cell(skin, addresses[v]);
+                    Assert.True(away < farthest, $"{body} {seed}: {away} of {farthest} at ring {addresses[v].Ring}");
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void A_lock_begins_below_the_skin_and_ends_above_it()
+    {
+        BodySkin skin = SkinOf(Draw("horse", 1));
+        var mane = new ManeBlueprint(20, 20, 4, 4, 1, 1, 0.1, 1, 0.02, 0.5, 0.6, 0);
+        Piece hair = Build(mane, skin, out _);
+        Assert.Equal(2 * 17, hair.Positions.Length);
+        SurfacePoint root = skin.At(20, 4);
+        Vector3 middle = (hair.Positions[0] + hair.Positions[1] + hair.Positions[2] + hair.Positions[3]) / 4;
+        Assert.InRange(Vector3.Dot(middle - root.Position, root.Normal), -0.02f, 0f);
+        Assert.True(Vector3.Dot(hair.Positions[16] - root.Position, root.Normal) > 0.005f);
+    }
+
+    [Fact]
+    public void Hair_on_the_midline_is_single_and_all_other_hair_comes_in_pairs()
+    {
+        BodySkin skin = SkinOf(Draw("horse", 2));
+        var mane = new ManeBlueprint(18, 22, 0, 16, 1, 3, 0.1, 1, 0.02, 0.5, 0, 0);
+        Assert.Equal(4 * 17, Build(mane, skin, out _).Positions.Length);
+        Assert.Equal(17, Build(mane with { LastSegment = 0, Columns = 1 }, skin, out _).Positions.Length);
+        Assert.Equal(2 * 17, Build(mane with { Segment = 3, LastSegment = 3, Columns = 1 }, skin, out _).Positions.Length);
+    }
+
+    [Fact]
+    public void Hair_of_a_neck_bends_with_the_neck()
+    {
+        Creature creature = CreatureGenerator.Generate(3, Only("horse"));
+        int neck = creature.Skeleton.IndexOf("Neck_01");
+        Assert.True(neck >= 0);
+        var joints = new HashSet<int>();
+        Vector2 hair = ChartPacking.Swatch((int)SurfaceFinish.Hair);
+        for (int v = 0; v < creature.Mesh.Positions.Length; v++)
+        {
+            if (creature.Mesh.Texcoords[v] == hair)
+            {
+                joints.Add(creature.Mesh.Weights[v].Joint0);
+            }
+        }
+
+        Assert.Contains(neck, joints);
+        Assert.Contains(creature.Skeleton.IndexOf("Head"), joints);
+    }
+
+    [Fact]
+    public void Fields_of_hair_that_end_before_they_begin_are_problems()
+    {
+        CreatureBlueprint blueprint = Draw("lion", 0);
+        ManeBlueprint wrong = blueprint.Manes[0] with { Ring = 20, LastRing = 18, Segment = 9, LastSegment = 8 };
+        IReadOnlyList<Problem> problems = BlueprintValidator.Validate(blueprint with { Manes = new ValueList<ManeBlueprint>(new[] { wrong }) });
+        Assert.Equal(new[] { "manes[0].lastRing", "manes[0].lastSegment" }, problems.Select(problem => problem.Path));
+    }
+
+    [Theory]
+    [InlineData("lizard")]
+    [InlineData("ceratops")]
+    public void A_collar_is_closed_symmetric_thin_and_rooted_in_the_head(string body)
+    {
+        for (ulong seed = 0; seed < 10; seed++)
+        {
+            CreatureBlueprint blueprint = Draw(body, seed);
+            FrillBlueprint frill = Assert.Single(blueprint.Frills);
+            BodySkin skin = SkinOf(blueprint);
+            var builder = new PieceBuilder();
+            FrillShape.Append(builder, frill, skin, Vector3.One * 0.5f, Vector3.One * 0.3f, Vector3.One * 0.1f);
+            Piece collar = builder.ToPiece(MaterialKind.Skin);
+            PieceChecks.IsSound(collar);
+            PieceChecks.IsSymmetric(collar);
+            Vector3 centre = skin.Shape.Centre((int)frill.Ring);
+            float nearest = collar.Positions.Min(p => Vector3.Distance(p, centre));
+            float farthest = collar.Positions.Max(p => Vector3.Distance(p, centre));
+            Assert.True(nearest < 1.02 * Math.Max(skin.Shape.Width[(int)frill.Ring], skin.Shape.Top[(int)frill.Ring]), $"{body} {seed} floats");
+            Assert.True(farthest > nearest + (0.6 * frill.Length), $"{body} {seed} does not stand off the head");
+        }
+    }
+
+    private static float Cell(BodySkin skin, SkinAddress at) =>
+        Vector3.Distance(skin[at.Ring, at.Segment], skin[Math.Min(at.Ring + 1, BodyGrid.Rings - 1), (at.Segment + 1) % BodyGrid.Segments]);
+
+    private static Piece Build(ManeBlueprint mane, BodySkin skin, out List<SkinAddress> addresses)
+    {
+        addresses = new List<SkinAddress>();
+        var builder = new PieceBuilder();
+        ManeShape.Append(builder, mane, skin, Vector3.One * 0.5f, addresses);
+        return builder.ToPiece(MaterialKind.Skin);
+    }
+
+    private static BodySkin SkinOf(CreatureBlueprint blueprint)
+    {
+        BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+        return BodySkin.Span(shape, blueprint.Body, blueprint.Head, blueprint.Tail);
+    }
+
+    private static CreatureBlueprint Draw(string body, ulong seed) => BlueprintSampler.Sample(seed, Only(body));
+
+    private static CreatureOptions Only(string body) => CreatureOptions.Default with
+    {
+        Kind = RequestedKind.Walking,
+        BaseBodies = new ValueList<BaseBodyWeight>(BaseBodyNames.All.Select(name => new BaseBodyWeight(name, name == body ? 1 : 0))),
+    };
+}
