@@ -22,7 +22,6 @@ internal sealed class Take
     /// <summary>Pictures of a film strip: the frames of what repeats are a multiple of it.</summary>
     public const int StripFrames = 8;
 
-    private const float SettleSeconds = 5f;
     private const float FrameRate = 30f;
     private const int MostFrames = 120;
 
@@ -45,26 +44,26 @@ internal sealed class Take
     public Take(MotionProfile profile, Movement movement, GroundRelief relief)
     {
         this.profile = profile;
-        OnGround = movement.Gait != null || profile.Slither != null;
+        OnGround = movement.Gait != null || profile.Slither != null || movement.Course != MovementCourse.Lasting;
         var level = new SteadyMotion(profile, movement, FlatGround.Level);
-        level.Settle(SettleSeconds);
+        level.Settle(SteadyMotion.SettleSeconds);
         float seconds = level.CycleSeconds();
         int strokes = StrokesIn(profile, movement, ref seconds);
         float way = Math.Max(level.Animator.Speed, 0f) * seconds;
         (Vector3 least, Vector3 most) = MotionTrial.Extent(profile.Creature);
         float body = most.Z - least.Z;
-        int cycles = OnGround && way > 0f ? (int)Scalar.Clamp((float)Math.Ceiling(ShortestWay * body / way), 1f, MostCycles) : 1;
+        int cycles = OnGround && way > 0f && level.Closes ? (int)Scalar.Clamp((float)Math.Ceiling(ShortestWay * body / way), 1f, MostCycles) : 1;
         SteadyMotion motion = level;
         Ground = FlatGround.Level;
-        if (relief == GroundRelief.Rough && OnGround && way > 0f)
+        if (relief == GroundRelief.Rough && OnGround && way > 0f && level.Closes)
         {
             float length = MotionTrial.HillLength(profile, movement);
             cycles = Math.Max(cycles, (int)Math.Ceiling(ShortestPeriod * length / way));
             float around = (2f * body) + (4f * length);
-            float far = level.Animator.Speed * (SettleSeconds + ((2 + cycles) * (seconds + 1f)));
+            float far = level.Animator.Speed * (SteadyMotion.SettleSeconds + ((2 + cycles) * (seconds + 1f)));
             Ground = new HillField(new Seed(profile.Creature.Blueprint.Seed), length, cycles * way).Around(around, -around, far + around);
             motion = new SteadyMotion(profile, movement, Ground);
-            motion.Settle(SettleSeconds);
+            motion.Settle(SteadyMotion.SettleSeconds);
         }
 
         // Of fliers that glide between their beats a stroke is a part of what repeats.
@@ -76,7 +75,7 @@ internal sealed class Take
         FrameSeconds = seconds / framesPerCycle;
         float step = FrameSeconds / MomentsPerFrame;
         int settle = framesPerCycle * MomentsPerFrame;
-        for (int i = 0; i < settle; i++)
+        for (int i = 0; i < settle && motion.Closes; i++)
         {
             motion.Advance(step);
         }
@@ -163,7 +162,7 @@ internal sealed class Take
     /// <summary>Strokes from one repetition of the whole motion to the next.</summary>
     private static int StrokesIn(MotionProfile profile, Movement movement, ref float seconds)
     {
-        if (movement.Input.Medium != MotionMedium.Air || profile.Flight is null)
+        if (movement.Course != MovementCourse.Lasting || movement.Input.Medium != MotionMedium.Air || profile.Flight is null)
         {
             return 1;
         }

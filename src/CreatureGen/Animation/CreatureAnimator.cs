@@ -116,7 +116,10 @@ public sealed class CreatureAnimator
     public int FootCount => legs?.FootCount ?? 0;
 
     /// <summary>Whether it goes on its feet at present: not in the air, in water or on the belly.</summary>
-    internal bool StandsOnFeet => motion is FlightDrive flight ? flight.Walks : legs != null && motion == legs;
+    internal bool StandsOnFeet => motion is FlightDrive flight ? flight.Stands : legs != null && motion == legs;
+
+    /// <summary>Whether it is on its feet with its wings folded, or has none that fold.</summary>
+    internal bool IsAtRest => motion is not FlightDrive flight || flight.IsAtRest;
 
     /// <summary>Metres per second ahead at present.</summary>
     public float Speed => (motion?.Speed ?? 0f) * Root.Scale;
@@ -136,7 +139,8 @@ public sealed class CreatureAnimator
             throw new ArgumentOutOfRangeException(nameof(foot), foot, FormattableString.Invariant($"expected 0..{FootCount - 1}"));
         }
 
-        return legs.Report(foot);
+        FootReport report = legs.Report(foot);
+        return motion is FlightDrive { IsOnFeet: false } ? report with { Phase = Locomotion.FootPhase.Swing, Load = 0f } : report;
     }
 
     /// <summary>Moves on: the creature goes as it is asked, over the ground.</summary>

@@ -5,21 +5,28 @@ using CreatureGen.Animation.Grounds;
 
 namespace CreatureGen.Animation;
 
-/// <summary>Something that a creature does by itself, on and on: standing, one of its gaits, flight, swimming, crawling. Immutable.</summary>
+/// <summary>Something that a creature does by itself: standing, one of its gaits, flight, swimming, crawling; and what leads fliers from standing to flight and back. Immutable.</summary>
 public sealed class Movement
 {
-    private Movement(string name, MotionInput input, Gait? gait)
+    private const float PassageSpeed = 0.3f;
+    private const float PassageClimb = 0.25f;
+
+    private Movement(string name, MotionInput input, Gait? gait, MovementCourse course = MovementCourse.Lasting)
     {
         Name = name;
         Input = input;
         Gait = gait;
+        Course = course;
     }
 
-    /// <summary>What games call it: <c>Idle</c>, <c>Walk</c>, <c>Run</c>, the name of another gait, <c>Fly</c>, <c>Hover</c>, <c>Swim</c> or <c>Slither</c>. Unique among those of a creature.</summary>
+    /// <summary>What games call it: <c>Idle</c>, <c>Walk</c>, <c>Run</c>, the name of another gait, <c>Fly</c>, <c>Hover</c>, <c>TakeOff</c>, <c>Land</c>, <c>Swim</c> or <c>Slither</c>. Unique among those of a creature.</summary>
     public string Name { get; }
 
     /// <summary>What the creature is asked to do.</summary>
     public MotionInput Input { get; }
+
+    /// <summary>Whether it goes on and on or happens once.</summary>
+    public MovementCourse Course { get; }
 
     /// <summary>The gait it keeps to; null for none.</summary>
     public Gait? Gait { get; }
@@ -28,9 +35,9 @@ public sealed class Movement
     public string GaitName => Gait?.Name ?? Name;
 
     /// <summary>Whether the motion repeats at the beat of a gait or a stroke; standing still has none.</summary>
-    public bool IsCyclic => Input.Speed != 0f || Input.Medium == MotionMedium.Air;
+    public bool IsCyclic => Course == MovementCourse.Lasting && (Input.Speed != 0f || Input.Medium == MotionMedium.Air);
 
-    /// <summary>Everything a creature does by itself: Idle, each of its gaits at its most comfortable speed, flight, swimming, crawling.</summary>
+    /// <summary>Everything a creature does by itself: Idle, each of its gaits at its most comfortable speed, flight, taking off and landing, swimming, crawling.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
     public static IReadOnlyList<Movement> Of(MotionProfile profile)
     {
@@ -54,6 +61,14 @@ public sealed class Movement
             movements.Add(new Movement("Hover", new MotionInput(0f, Medium: MotionMedium.Air), null));
         }
 
+        if (profile.Flight != null && profile.Legs != null)
+        {
+            float speed = PassageSpeed * profile.Flight.CruiseSpeed;
+            float climb = PassageClimb * profile.Flight.CruiseSpeed;
+            movements.Add(new Movement("TakeOff", new MotionInput(speed, ClimbRate: climb, Medium: MotionMedium.Air), null, MovementCourse.TakeOff));
+            movements.Add(new Movement("Land", new MotionInput(speed, ClimbRate: -climb), null, MovementCourse.Landing));
+        }
+
         if (profile.Swim != null)
         {
             movements.Add(new Movement("Swim", new MotionInput(profile.Swim.CruiseSpeed), null));
@@ -73,7 +88,7 @@ public sealed class Movement
     public Movement At(float speed)
     {
         Maths.Finite.Require(speed, nameof(speed));
-        return new Movement(Name, Input with { Speed = speed }, Gait);
+        return new Movement(Name, Input with { Speed = speed }, Gait, Course);
     }
 
     /// <summary>An animator of a creature that stands at the origin and keeps to the movement's gait from its first step.</summary>

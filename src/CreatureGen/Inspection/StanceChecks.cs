@@ -8,7 +8,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Inspection;
 
-/// <summary>Whether a walker's feet are on the ground and its centre of mass is above them.</summary>
+/// <summary>Whether the feet of a creature that stands are on the ground and its centre of mass is above them.</summary>
 internal static class StanceChecks
 {
     /// <summary>Part of the support polygon's width by which the centre of mass must be inside.</summary>
@@ -19,7 +19,7 @@ internal static class StanceChecks
 
     public static void Check(Creature creature, WeldedSkin skin, ViolationList found)
     {
-        if (creature.Blueprint.Kind != LocomotionKind.Walking)
+        if (creature.Blueprint.Kind != LocomotionKind.Walking && !Stands(creature))
         {
             return;
         }
@@ -39,6 +39,19 @@ internal static class StanceChecks
         {
             found.Add(CreatureInspection.Balanced, $"the centre of mass is inside the support polygon by {margin} of its width; expected at least {LeastMargin}");
         }
+    }
+
+    private static bool Stands(Creature creature)
+    {
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            if (limb.Stands)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     private static void CheckLowest(ReadOnlySpan<Vector3> positions, float tolerance, ViolationList found)

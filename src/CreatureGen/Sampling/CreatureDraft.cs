@@ -82,6 +82,9 @@ internal sealed class CreatureDraft
     /// <summary>Added to the share of its plan's range of heights at which the body is carried.</summary>
     public double StanceShift { get; set; }
 
+    /// <summary>Whether it lies or stands on the ground: what hangs from it must stay clear of that.</summary>
+    public bool IsOnGround => Kind == LocomotionKind.Walking || Stand != null;
+
     /// <summary>How far the attachment rules raised the body for its legs, metres.</summary>
     public double Raised { get; set; }
 

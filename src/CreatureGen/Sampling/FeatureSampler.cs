@@ -84,7 +84,7 @@ internal static class FeatureSampler
     /// <summary>The part of a walker, bent up until its tip clears the ground.</summary>
     public static FeatureBlueprint OffGround(CreatureDraft draft, FeatureBlueprint part)
     {
-        if (draft.Kind != LocomotionKind.Walking)
+        if (!draft.IsOnGround)
         {
             return part;
         }

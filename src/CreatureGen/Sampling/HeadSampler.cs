@@ -147,7 +147,7 @@ internal static class HeadSampler
     /// <summary>How far a walker may open its mouth before the lower jaw touches the ground, radians.</summary>
     public static double WidestOpening(CreatureDraft draft)
     {
-        if (draft.Kind != LocomotionKind.Walking)
+        if (!draft.IsOnGround)
         {
             return double.PositiveInfinity;
         }

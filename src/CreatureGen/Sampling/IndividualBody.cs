@@ -63,6 +63,7 @@ internal sealed class IndividualBody
             Style = ofType.Style,
             Slices = ofType.Slices,
             Disc = ofType.Disc,
+            Stand = ofType.Stand,
             Tail = ofType.Kind == LocomotionKind.Swimming ? new TailBlueprint(TailStyle.Plain, 0, 0) : type.Tail,
             StanceShift = strength * traits.Stance,
             Proportions = p with
@@ -83,9 +84,15 @@ internal sealed class IndividualBody
                 Tail = posture.Tail + Tilted(traits.Tilt.Tail, 5),
             },
         };
+        draft.Wings.AddRange(ofType.Wings);
         StanceSampler.Settle(draft);
         draft.Elevation += ofType.Raised;
         draft.Shape = StanceSampler.ShapeOf(draft);
+        if (draft.Kind == LocomotionKind.Flying)
+        {
+            StanceSampler.Clear(draft);
+        }
+
         return draft;
 
         double Of(double trait) => 1 + (strength * (trait - 1));
@@ -146,7 +153,7 @@ internal sealed class IndividualBody
     /// <summary>Whether a club at the end of a walker's tail and its open jaw, if it has them, are off the ground.</summary>
     private static bool ClearsTheGround(CreatureBlueprint type, CreatureDraft draft)
     {
-        if (draft.Kind != LocomotionKind.Walking)
+        if (!draft.IsOnGround)
         {
             return true;
         }

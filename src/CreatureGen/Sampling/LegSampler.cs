@@ -15,9 +15,6 @@ internal static class LegSampler
     /// <summary>Rounds of placing legs and moving the body for them.</summary>
     private const int Rounds = 4;
 
-    /// <summary>Last ring of an insect's thorax.</summary>
-    private const int ThoraxEnd = 34;
-
     /// <summary>Radius of an even cylinder as heavy as a hanging arm with its hand, relative to the radius of its root.</summary>
     private const double ArmFullness = 0.55;
 
@@ -29,12 +26,8 @@ internal static class LegSampler
         {
             case LocomotionKind.Walking:
                 return Walk(draft, style);
-            case LocomotionKind.Flying when draft.Species.Legs is LegKit kit:
-                OwnLegs.Hang(draft, style, kit);
-                WingSampler.AddThin(draft, draft.Species.Wings!.Spread);
-                return null;
             case LocomotionKind.Flying:
-                Fly(draft, style);
+                FlierLegs.Add(draft, style);
                 return null;
             default:
                 OwnLegs.Paddle(draft, style);
@@ -42,11 +35,28 @@ internal static class LegSampler
         }
     }
 
-    /// <summary>The torso of the draft as the attachment rules see it.</summary>
+    /// <summary>Volume of a pair of spread wings in spans times chords squared.</summary>
+    private const double WingFullness = 0.05;
+
+    /// <summary>How far behind its shoulder a spread wing's centre of mass is, in spans.</summary>
+    private const double WingTrail = 0.03;
+
+    /// <summary>The torso of the draft as the attachment rules see it, with the weight of spread wings.</summary>
     public static SpineMeasure Measure(CreatureDraft draft)
     {
         BodyShape s = draft.Shape;
-        return SpineSurvey.Measure(s.Y, s.Z, s.Width, s.Top, s.Bottom);
+        SpineMeasure measure = SpineSurvey.Measure(s.Y, s.Z, s.Width, s.Top, s.Bottom);
+        foreach (WingBlueprint wing in draft.Wings)
+        {
+            if (wing.Style != WingStyle.Folded)
+            {
+                double volume = WingFullness * wing.Span * wing.Chord * wing.Chord;
+                double z = measure.At(wing.Socket.Ring + (0.5 * wing.Socket.Rows)).Z - (WingTrail * wing.Span);
+                measure = measure.Laden(z, volume / (volume + StanceSampler.Volume(s)));
+            }
+        }
+
+        return measure;
     }
 
     private static BodyPlan? Walk(CreatureDraft draft, LegStyle style)
@@ -61,17 +71,7 @@ internal static class LegSampler
             return placement.PlanChange;
         }
 
-        draft.Stand = new LegStand(SetFor(Measure(draft)).Pinned(SitesOf(placement), placement.Girth), size, placement.Balance?.FootGrowth ?? 1);
-        double growth = placement.Balance?.FootGrowth ?? 1;
-        foreach (LegPlacement leg in placement.Legs)
-        {
-            LegBuild build = LegBuild.Of(leg.Site.Archetype);
-            bool splayed = build.Carriage == LegCarriage.Splayed;
-            (double azimuth, double shear) = Carriage(draft, placement, leg);
-            double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && kit == null ? 1.05 : 1);
-            Add(draft, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
-        }
-
+        AddStanding(draft, style, placement, SetFor(Measure(draft)), size);
         if (placement.Arms is ArmPlacement arms)
         {
             LegStyle hand = style with { ClawLength = Math.Max(style.ClawLength, 0.6), FootSize = 1.3 };
@@ -196,41 +196,18 @@ internal static class LegSampler
         return set.WithGirth(draft.Signature == Signature.Hulk ? 1.3 * girth : girth, draft.Signature == Signature.Rump ? 1.15 * girth : girth);
     }
 
-    private static void Fly(CreatureDraft draft, LegStyle style)
+    /// <summary>Adds the legs of a placement that the draft stands on.</summary>
+    public static void AddStanding(CreatureDraft draft, LegStyle style, WalkingPlacement placement, SocketSet places, LegSize size)
     {
-        RandomStream random = draft.Stream("flier legs");
-        bool insect = draft.Species.Family == "insect";
-        bool bird = draft.Species.Family == "avian";
-        bool mammal = draft.Species.Family is "canine" or "feline" or "bovine";
-        int pairs = draft.Species.FlierLegPairs is int own ? own
-            : insect ? CreatureDraft.Choose(random, (3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02))
-            : bird ? 1
-            : mammal ? 2
-            : CreatureDraft.Choose(random, (1, 0.36), (2, 0.48), (0, 0.12), (3, 0.04));
-        LegArrangement arrangement = insect && random.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread;
-        FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : FlierLegAnatomy.Dragon;
-        if (insect && pairs <= 4)
-        {
-            // Few legs all grow from the thorax.
-            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).FindAll(site => site.Ring <= ThoraxEnd) };
-        }
-
-        if (draft.Species.Bird is BirdKit bones)
-        {
-            double thigh = CreatureDraft.Between(draft.Stream("thigh"), bones.Thigh);
-            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).ConvertAll(site => site with { Archetype = LimbArchetype.Bird, Girth = thigh }) };
-            style = OwnLegs.StyleOf(draft, style, bones);
-        }
-
-        anatomy = anatomy with { Size = anatomy.Size with { Toes = insect ? 0 : style.Toes } };
-        WingMotion motion = draft.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
-        FlyingPlacement placement = FlyingRules.Place(Measure(draft), motion, motion == WingMotion.Buzzing ? 2 : 1, new FlyingLegs(pairs, arrangement), anatomy, draft.Sockets, draft.Seed.Child("flier"));
-        WingSampler.Add(draft, placement);
+        double growth = placement.Balance?.FootGrowth ?? 1;
+        draft.Stand = new LegStand(places.Pinned(SitesOf(placement), placement.Girth), size, growth);
         foreach (LegPlacement leg in placement.Legs)
         {
-            double shear = insect ? 0 : leg.Site.Ring < BodyGrid.AnchorRing ? -0.08 : -0.2;
-            double reach = insect ? leg.Reach : leg.Length;
-            Add(draft, style with { FootSize = insect ? 1 : style.FootSize, Toes = anatomy.Size.Toes == 0 ? style.Toes : anatomy.Size.Toes }, leg.Site.Archetype, LegStance.Hanging, leg.Socket, leg.RootRadius, leg.Length, reach, leg.Site.Azimuth, shear, leg.Site.Bounds.Pad);
+            LegBuild build = LegBuild.Of(leg.Site.Archetype);
+            bool splayed = build.Carriage == LegCarriage.Splayed;
+            (double azimuth, double shear) = Carriage(draft, placement, leg);
+            double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && draft.Species.Legs == null ? 1.05 : 1);
+            Add(draft, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
         }
     }
 

@@ -10,17 +10,6 @@ namespace CreatureGen.Sampling;
 /// <summary>Legs that a species brings with it: where its kit puts them, not where the rules of its plan would choose.</summary>
 internal static class OwnLegs
 {
-    /// <summary>Longest outward unit of an insect's hanging leg relative to the half width of its body, and what is added, metres.</summary>
-    private const double HangingReach = 0.72;
-
-    private const double HangingStub = 0.06;
-
-    /// <summary>Insects in flight let three pairs hang, whatever they stand on.</summary>
-    private static readonly LegSite[] hanging =
-    {
-        new(LimbArchetype.Insect, 24, 10.6, 0.45, 1, 1), new(LimbArchetype.Insect, 28, 10.6, -0.1, 1, 1), new(LimbArchetype.Insect, 32, 10.6, -0.7, 1, 1),
-    };
-
     /// <summary>The style of legs of a kit.</summary>
     public static LegStyle StyleOf(CreatureDraft draft, LegStyle style, LegKit kit)
     {
@@ -86,19 +75,6 @@ internal static class OwnLegs
         {
             SocketBlueprint socket = SocketSizing.Centre(site.Ring, site.Segment, SocketBounds.Insect.MinimumRows, SocketBounds.Insect.MinimumColumns);
             LegSampler.Add(draft, style with { Toes = 1 }, site.Archetype, LegStance.Hanging, socket, kit.Thickness * site.Thickness, site.Reach, site.Reach, 0, 0, 0);
-        }
-    }
-
-    /// <summary>Hangs the legs of an insect under its body in flight.</summary>
-    public static void Hang(CreatureDraft draft, LegStyle style, LegKit kit)
-    {
-        style = StyleOf(draft, style, kit) with { Toes = 1 };
-        foreach (LegSite site in kit.Arms.Length > 0 ? hanging : kit.Sites)
-        {
-            LegSite leg = site.Archetype == LimbArchetype.Insect ? site : hanging[2];
-            SocketBlueprint socket = SocketSizing.Centre(leg.Ring, 10.6, SocketBounds.Insect.MinimumRows, SocketBounds.Insect.MinimumColumns);
-            double reach = Math.Max(0.17, (HangingReach * draft.Shape.Width[leg.Ring]) + HangingStub);
-            LegSampler.Add(draft, style, leg.Archetype, LegStance.Hanging, socket, kit.Thickness, kit.HangingLength, reach, leg.Azimuth - 0.1, 0, 0);
         }
     }
 

@@ -38,16 +38,16 @@ internal readonly struct LegSite
 /// <summary>Legs of a species' own, all of which it always has.</summary>
 internal sealed record LegKit
 {
-    /// <summary>Legs that stand, or hang under a flier or swimmer, front to rear.</summary>
+    /// <summary>Legs that stand, or hang under a swimmer, front to rear.</summary>
     public LegSite[] Sites { get; init; } = Array.Empty<LegSite>();
 
-    /// <summary>Limbs that hang in front of a walker too.</summary>
+    /// <summary>Limbs that hang in front of it too.</summary>
     public LegSite[] Arms { get; init; } = Array.Empty<LegSite>();
 
     /// <summary>Unit of the outward shape, metres.</summary>
     public (double Least, double Most) Reach { get; init; }
 
-    /// <summary>Height of a walker's belly above the ground, metres.</summary>
+    /// <summary>Height of the belly above the ground of one that stands, metres.</summary>
     public (double Least, double Most) Height { get; init; }
 
     /// <summary>Radius of the root, metres.</summary>

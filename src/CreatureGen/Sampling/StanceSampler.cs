@@ -18,6 +18,9 @@ internal static class StanceSampler
     /// <summary>Metres by which the feathers of a lowered tail reach below its spine.</summary>
     private const double FanDrop = 0.06;
 
+    /// <summary>The same of a flier's tail that hangs steeply, relative to its fan.</summary>
+    private const double HangingFan = 0.6;
+
     /// <summary>Least size of a head that is made smaller.</summary>
     private const double LeastHead = 0.6;
 
@@ -49,6 +52,24 @@ internal static class StanceSampler
             draft.Proportions = draft.Proportions with { Head = Math.Max(0.94 * draft.Proportions.Head, LeastHead) };
             Measure(draft);
             Place(draft, draw);
+        }
+    }
+
+    /// <summary>Lowers a body onto its legs, and raises its head and tail again until they clear the ground.</summary>
+    public static void Lower(CreatureDraft draft, double metres)
+    {
+        draft.Raised -= metres;
+        draft.Elevation -= metres;
+        draft.Shape = ShapeOf(draft);
+        Clear(draft);
+    }
+
+    /// <summary>Raises head and tail until they clear the ground.</summary>
+    public static void Clear(CreatureDraft draft)
+    {
+        for (int attempt = 0; attempt < Attempts && Adjust(draft); attempt++)
+        {
+            draft.Shape = ShapeOf(draft);
         }
     }
 
@@ -96,7 +117,7 @@ internal static class StanceSampler
         }
 
         double hip = Scalar.Lerp(min, max, draw) * torso / 0.92;
-        if (draft.Kind == LocomotionKind.Walking && draft.Species.Legs is LegKit kit)
+        if (draft.Kind != LocomotionKind.Swimming && draft.Species.Legs is LegKit kit)
         {
             draft.HipHeight = hip;
             double height = Scalar.Lerp(kit.Height.Least, kit.Height.Most, draw);
@@ -163,7 +184,7 @@ internal static class StanceSampler
         BodyPosture p = draft.Posture;
         double torso = draft.TorsoLength;
         bool crawls = draft.Plan is BodyPlan.Legless or BodyPlan.Hexapod || draft.Species.Legs != null;
-        double tailGap = crawls ? double.NegativeInfinity : (0.03 * torso) + (draft.Tail.Style == TailStyle.Feathers ? FanDrop : 0);
+        double tailGap = crawls ? double.NegativeInfinity : (0.03 * torso) + (draft.Tail.Style == TailStyle.Feathers ? Math.Max(FanDrop, draft.Kind == LocomotionKind.Flying ? HangingFan * draft.Tail.Size : 0) : 0);
         double headGap = crawls ? 0.01 : 0.06 * torso;
         double tail = p.Tail;
         double neck = p.Neck;

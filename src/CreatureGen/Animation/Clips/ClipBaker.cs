@@ -12,7 +12,6 @@ namespace CreatureGen.Animation.Clips;
 /// </remarks>
 public static class ClipBaker
 {
-    private const float SettleSeconds = 5f;
     private const int FewestFrames = 8;
     private const int HighestRate = 240;
 
@@ -35,25 +34,47 @@ public static class ClipBaker
 
     private static Clip Bake(MotionProfile profile, Movement movement)
     {
-        var motion = new SteadyMotion(profile, movement, FlatGround.Level);
-        motion.Settle(SettleSeconds);
+        SteadyMotion motion = Begin(profile, movement);
         float seconds = motion.CycleSeconds();
         int rate = Clip.UsualRate;
         RecordedCycle cycle = Record(motion, seconds, rate);
         while (cycle.FarthestTurn() > FarthestTurn && rate < HighestRate)
         {
             rate *= 2;
+            motion = motion.Closes ? motion : Begin(profile, movement);
             cycle = Record(motion, seconds, rate);
         }
 
-        return new Clip(movement.Name, ClipEnd.Loops, rate, (float)(cycle.MeanSpeed * cycle.Step * rate), cycle.Joints, cycle.Rotations, cycle.Positions);
+        if (!motion.Closes)
+        {
+            Lift(profile, cycle);
+        }
+
+        return new Clip(movement.Name, motion.Closes ? ClipEnd.Loops : ClipEnd.Stays, rate, (float)(cycle.MeanSpeed * cycle.Step * rate), cycle.Joints, cycle.Rotations, cycle.Positions);
+    }
+
+    private static SteadyMotion Begin(MotionProfile profile, Movement movement)
+    {
+        var motion = new SteadyMotion(profile, movement, FlatGround.Level);
+        motion.Settle(SteadyMotion.SettleSeconds);
+        return motion;
+    }
+
+    /// <summary>Puts the height of the root into the body's joint: in place is what stays over its point of the ground.</summary>
+    private static void Lift(MotionProfile profile, RecordedCycle cycle)
+    {
+        int body = profile.Creature.Skeleton.IndexOf("Body");
+        for (int frame = 0; frame <= cycle.Frames; frame++)
+        {
+            cycle.Positions[(frame * cycle.Joints) + body].Y += cycle.PlaceAt(frame).Position.Y;
+        }
     }
 
     private static RecordedCycle Record(SteadyMotion motion, float seconds, int rate)
     {
         int frames = Math.Max(FewestFrames, (int)Math.Round(seconds * rate));
         float step = seconds / frames;
-        for (int k = 0; k < 2 * frames; k++)
+        for (int k = 0; k < 2 * frames && motion.Closes; k++)
         {
             motion.Advance(step);
         }

@@ -6,7 +6,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Clips;
 
-/// <summary>Poses of a time after which motion begins anew, with where the creature and its feet were. What is left between the last pose and the first is spread evenly, so that the poses close to the bit.</summary>
+/// <summary>Poses of a time after which motion begins anew, with where the creature and its feet were. What is left between the last pose and the first is spread evenly, so that the poses close to the bit; what happens once is taken as it is.</summary>
 internal sealed class RecordedCycle
 {
     private readonly Skeleton skeleton;
@@ -28,7 +28,7 @@ internal sealed class RecordedCycle
         Rotations = new Quaternion[(frames + 1) * Joints];
         Positions = new Vector3[(frames + 1) * Joints];
         places = new RootPlace[frames + 1];
-        footCount = animator.StandsOnFeet ? animator.FootCount : 0;
+        footCount = animator.StandsOnFeet || !motion.Closes ? animator.FootCount : 0;
         feet = new FootReport[(frames + 1) * footCount];
         double speed = 0;
         for (int frame = 0; frame <= frames; frame++)
@@ -50,7 +50,7 @@ internal sealed class RecordedCycle
         }
 
         MeanSpeed = speed;
-        for (int joint = 0; joint < Joints; joint++)
+        for (int joint = 0; joint < Joints && motion.Closes; joint++)
         {
             Close(joint);
         }

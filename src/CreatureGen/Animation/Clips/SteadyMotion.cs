@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Animation.Aiming;
 using CreatureGen.Animation.Grounds;
@@ -5,7 +6,7 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Clips;
 
-/// <summary>A creature that goes straight ahead in one movement until it repeats itself.</summary>
+/// <summary>A creature that goes straight ahead in one movement until it repeats itself, or that comes to where a movement begins that happens once.</summary>
 internal sealed class SteadyMotion
 {
     /// <summary>Seconds of a movement that has no cycle.</summary>
@@ -14,8 +15,16 @@ internal sealed class SteadyMotion
     /// <summary>Seconds into a movement without a cycle at which the eyes blink.</summary>
     private const float BlinkAt = 1.4f;
 
+    /// <summary>Seconds after which a movement has come to repeat itself.</summary>
+    public const float SettleSeconds = 5f;
+
     private const float MeasureStep = 1f / 480f;
     private const float LongestCycle = 6f;
+
+    /// <summary>Leg lengths above the ground where a landing begins and a take-off ends.</summary>
+    private const float PassageHeight = 3f;
+
+    private const float LongestPassage = 20f;
 
     private readonly Movement movement;
     private readonly IGround ground;
@@ -29,34 +38,61 @@ internal sealed class SteadyMotion
         Animator.HoldLids(0f);
     }
 
+    /// <summary>Whether it begins anew after a time: all but what leads from one movement to another.</summary>
+    public bool Closes => movement.Course == MovementCourse.Lasting;
+
     /// <summary>What moves it.</summary>
     public CreatureAnimator Animator { get; }
 
-    /// <summary>Goes on for a time.</summary>
+    /// <summary>Goes on for a time: in the movement, or in what comes before one that happens once.</summary>
     public void Settle(float seconds)
     {
+        MotionInput before = movement.Course switch
+        {
+            MovementCourse.TakeOff => default,
+            MovementCourse.Landing => movement.Input with { ClimbRate = -movement.Input.ClimbRate, Medium = MotionMedium.Air },
+            _ => movement.Input,
+        };
         for (float time = 0f; time < seconds; time += 1f / 60f)
+        {
+            Advance(1f / 60f, before);
+        }
+
+        for (float time = 0f; movement.Course == MovementCourse.Landing && Height > PassageHeight && time < LongestPassage; time += 1f / 60f)
         {
             Advance(1f / 60f);
         }
     }
 
+    /// <summary>Whether a movement happens once and is over.</summary>
+    private bool IsOver => movement.Course == MovementCourse.TakeOff ? Height > PassageHeight : Animator.IsAtRest;
+
+    /// <summary>Leg lengths above the origin.</summary>
+    private float Height => Animator.Root.Position.Y / Math.Max(Animator.Profile.LegLength, 1e-3f);
+
     /// <summary>Goes on by one update.</summary>
-    public void Advance(float step)
+    public void Advance(float step) => Advance(step, movement.Course == MovementCourse.Landing && Animator.StandsOnFeet ? default : movement.Input);
+
+    private void Advance(float step, in MotionInput input)
     {
         // It looks straight ahead: glances would not repeat.
         float height = Animator.Profile.Creature.StandingHeight;
         Animator.LookAt = Animator.Root.Position + Rotation.Rotate(Animator.Root.Rotation, new Vector3(0f, height, 100f * height));
-        Animator.Update(step, movement.Input, ground);
+        Animator.Update(step, input, ground);
     }
 
     /// <summary>Holds the lids as they are so many seconds into a recording: one blink of a creature that stands, none in a cycle, where it would come at every round.</summary>
     public void Blink(float seconds) => Animator.HoldLids(movement.IsCyclic ? 0f : Blinks.Once(seconds - BlinkAt));
 
-    /// <summary>Goes on to the next beginning of the cycle and from there to the one after.</summary>
-    /// <returns>Seconds between the two; <see cref="IdleSeconds"/> where nothing repeats.</returns>
+    /// <summary>Goes on to the next beginning of the cycle and from there to the one after. A movement that happens once stays at its beginning.</summary>
+    /// <returns>Seconds between the two, or from beginning to end; <see cref="IdleSeconds"/> where nothing repeats.</returns>
     public float CycleSeconds()
     {
+        if (movement.Course != MovementCourse.Lasting)
+        {
+            return PassageSeconds();
+        }
+
         if (!movement.IsCyclic)
         {
             return IdleSeconds;
@@ -85,5 +121,20 @@ internal sealed class SteadyMotion
         }
 
         return IdleSeconds;
+    }
+
+    /// <summary>How long the movement takes a creature of the same kind.</summary>
+    private float PassageSeconds()
+    {
+        var trial = new SteadyMotion(Animator.Profile, movement, ground);
+        trial.Settle(SettleSeconds);
+        float time = 0f;
+        while (!trial.IsOver && time < LongestPassage)
+        {
+            trial.Advance(MeasureStep);
+            time += MeasureStep;
+        }
+
+        return time;
     }
 }

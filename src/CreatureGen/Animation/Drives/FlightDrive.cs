@@ -9,22 +9,33 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Drives;
 
-/// <summary>Drives a flier: on its legs, if it has legs that walk, while it is on the ground, on its wings else.</summary>
+/// <summary>
+/// Drives a flier: on its legs while it has ground under its feet, on its wings else. Between the two it crouches and pushes off with its feet where they stand, and comes down onto feet that are
+/// set below it: the pose on the legs is mixed with that in the air by how much the feet are planted. Wings belong to the flight at all times.
+/// </summary>
 internal sealed class FlightDrive : IBodyMotion
 {
     /// <summary>How far down the ground is looked for, metres of the model.</summary>
     private const float Lookout = 200f;
 
+    /// <summary>Leg lengths above the ground at which a flier that the game moves is in the air.</summary>
+    private const float AirborneHeight = 0.3f;
+
+    /// <summary>Force of all feet at a leap and at a touchdown, weights of the body.</summary>
+    private const float PushForce = 2.5f;
+
     private readonly FlightProfile profile;
     private readonly Locomotion.LeggedMotion? legs;
+    private readonly StancePose stance;
     private readonly EventQueue events;
-    private FlightState state;
+    private FlightState state = FlightState.OnGround;
 
     public FlightDrive(FlightProfile profile, Locomotion.LeggedMotion? legs, EventQueue events)
     {
         this.profile = profile;
         this.legs = legs;
         this.events = events;
+        stance = new StancePose(profile.Skeleton);
     }
 
     /// <summary>Most beats of wings in the longest update.</summary>
@@ -32,54 +43,126 @@ internal sealed class FlightDrive : IBodyMotion
 
     public float Speed { get; private set; }
 
-    public float Phase => Walks ? legs!.Phase : (float)state.Cycle;
+    public float Phase => Stands ? legs!.Phase : (float)state.Cycle;
 
-    public float Frequency => Walks ? legs!.Frequency : state.BeatFrequency;
+    public float Frequency => Stands ? legs!.Frequency : state.BeatFrequency;
 
-    /// <summary>Whether it is on its legs.</summary>
-    public bool Walks => legs != null && state.Phase == FlightPhase.Grounded && state.Airborne == 0f;
+    /// <summary>Whether it has ground under legs that walk.</summary>
+    public bool IsOnFeet => legs != null && state.IsOnFeet;
+
+    /// <summary>Whether it does so with all but its wings.</summary>
+    public bool Stands => IsOnFeet && StancePose.IsWhole(state.Planted.Value);
+
+    /// <summary>Whether it stands with its wings folded.</summary>
+    public bool IsAtRest => Stands && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
 
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
     {
-        if (Walks && input.Medium == MotionMedium.Ground)
-        {
-            // The walk writes over all that standing wings left to it.
-            Fly(place, dt, input, settings, ground, local);
-            place = legs!.Drive(place, dt, input, settings, ground, local);
-            Speed = legs.Speed;
-            return place;
-        }
-
+        bool before = IsOnFeet;
         RootVelocity velocity = Fly(place, dt, input, settings, ground, local);
-        Speed = velocity.Forward;
-        RootPlace next = RootStep.Advance(place, new RootVelocity(velocity.Forward * place.Scale, velocity.Up * place.Scale, velocity.YawRate), dt);
-        if (Walks)
+        if (IsOnFeet)
         {
-            legs!.Stand(next, settings, ground, local);
+            TouchDown(before, velocity.Forward * place.Scale, place, settings, ground);
+            place = legs!.Drive(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
+            Speed = legs.Speed;
+        }
+        else
+        {
+            LiftOff(before, place.Scale);
+            Speed = velocity.Forward;
+            place = RootStep.Advance(place, new RootVelocity(velocity.Forward * place.Scale, velocity.Up * place.Scale, velocity.YawRate), dt);
+            Reach(place, settings, ground);
         }
 
-        return next;
+        Mix(local);
+        return place;
     }
 
     public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local)
     {
+        bool before = IsOnFeet;
         float height = HeightOf(goal, settings, ground);
-        MotionMedium medium = height > 0.3f ? MotionMedium.Air : MotionMedium.Ground;
-        Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
-        if (Walks && medium == MotionMedium.Ground)
+        MotionMedium medium = height > AirborneHeight * profile.LegLength ? MotionMedium.Air : MotionMedium.Ground;
+        RootVelocity velocity = Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
+        if (IsOnFeet)
         {
-            legs!.Follow(place, dt, goal, settings, ground, local);
+            TouchDown(before, velocity.Forward * goal.Scale, goal, settings, ground);
+            legs!.Follow(place, dt, goal, settings, ground, stance.Cleared());
+            Speed = legs.Speed;
         }
+        else
+        {
+            LiftOff(before, goal.Scale);
+            Speed = velocity.Forward;
+            Reach(goal, settings, ground);
+        }
+
+        Mix(local);
     }
 
     public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
     {
-        state = default;
+        state = FlightState.OnGround;
+        Speed = 0f;
         Fly(place, 0f, default, settings, ground, local);
-        legs?.Stand(place, settings, ground, local);
+        if (legs != null)
+        {
+            legs.Sink = 0f;
+            legs.Stand(place, settings, ground, stance.Cleared());
+        }
+
+        Mix(local);
     }
 
     public void Rebase(Vector3 offset) => legs?.Rebase(offset);
+
+    /// <summary>What is asked of the legs: a flier that makes ready to leap keeps its run, one that has come down stands.</summary>
+    private MotionInput OnFoot(in MotionInput input, float scale)
+    {
+        legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
+        state.RunUp = legs.Speed;
+        return state.Phase switch
+        {
+            FlightPhase.Grounded => input,
+            FlightPhase.Crouching => new MotionInput(System.Math.Min(input.Speed, legs.Speed * scale)),
+            _ => default,
+        };
+    }
+
+    private void TouchDown(bool before, float speed, in RootPlace place, in LocomotionSettings settings, IGround ground)
+    {
+        if (!before)
+        {
+            legs!.Stand(place, settings, ground, stance.Cleared());
+            legs.Tell(MotionEventKind.FootDown, speed, PushForce);
+        }
+    }
+
+    private void LiftOff(bool before, float scale)
+    {
+        if (before)
+        {
+            legs!.Tell(MotionEventKind.FootUp, (float)state.RunUp * scale, PushForce);
+        }
+    }
+
+    /// <summary>Sets the feet of a flier that comes down where they will stand.</summary>
+    private void Reach(in RootPlace place, in LocomotionSettings settings, IGround ground)
+    {
+        if (legs != null && state.Phase == FlightPhase.Landing && state.Planted.Value > 0)
+        {
+            legs.Sink = 0f;
+            legs.Stand(place, settings, ground, stance.Cleared());
+        }
+    }
+
+    private void Mix(in Pose local)
+    {
+        if (legs != null)
+        {
+            stance.Mix(state.Planted.Value, local);
+        }
+    }
 
     private RootVelocity Fly(in RootPlace place, float dt, in MotionInput input, in LocomotionSettings settings, IGround ground, in Pose local)
     {

@@ -307,6 +307,19 @@ internal sealed class FootPlanner
         events.Add(new MotionEvent(kind, leg, body.Legs[leg].Ball, place.Position, place.Normal, place.Surface, speed, strength, step.Left + ago));
     }
 
+    /// <summary>Tells of all feet that stand.</summary>
+    public void TellAll(MotionEventKind kind, float speed, float strength)
+    {
+        for (int i = 0; i < feet.Length; i++)
+        {
+            FootPlace place = feet[i].From;
+            if (feet[i].Phase == FootPhase.Stance)
+            {
+                events.Add(new MotionEvent(kind, i, body.Legs[i].Ball, place.Position, place.Normal, place.Surface, speed, strength, 0f));
+            }
+        }
+    }
+
     /// <summary>Sets the target of a swing.</summary>
     private void Aim(int leg, in StepContext step, float ahead)
     {

@@ -73,6 +73,9 @@ internal sealed class LeggedMotion : IBodyMotion
 
     public float Frequency => clock.Frequency;
 
+    /// <summary>How far the body is let down into its legs, metres of the model.</summary>
+    public float Sink { get; set; }
+
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg)
     {
@@ -104,6 +107,12 @@ internal sealed class LeggedMotion : IBodyMotion
         placer.Reset(planner.Feet);
         standing = true;
     }
+
+    /// <summary>Tells that all feet that stand come down or leave the ground together.</summary>
+    /// <param name="kind">Down or up.</param>
+    /// <param name="speed">Metres per second of the body.</param>
+    /// <param name="force">Of all feet together, weights of the body.</param>
+    public void Tell(MotionEventKind kind, float speed, float force) => planner.TellAll(kind, speed, force / FootCount);
 
     /// <summary>Moves the origin of the world.</summary>
     public void Rebase(Vector3 offset)
@@ -191,6 +200,7 @@ internal sealed class LeggedMotion : IBodyMotion
         seconds += dt;
         IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle);
         PoseFeet(placement, dt, settings);
+        idle = idle with { Breath = idle.Breath - Sink };
         var context = new BodyContext(clock, travel, settings, dt, activity, idle, acceleration);
         placer.Place(context, planner.Feet, poses);
         poser.PoseTrunk(placer, local);

@@ -82,6 +82,9 @@ internal sealed class FeetRecorder
         highest = Math.Max(highest, pelvis);
     }
 
+    /// <summary>Tells that the creature is off its feet: what stood stands no more.</summary>
+    public void LeaveGround() => Array.Clear(flatAt, 0, flatAt.Length);
+
     /// <summary>A report with what was measured of the feet; as it was when nothing was.</summary>
     public MotionReport AddTo(MotionReport report)
     {

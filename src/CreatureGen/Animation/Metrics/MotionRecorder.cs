@@ -50,6 +50,10 @@ public sealed class MotionRecorder
             SkinMatrices.Fill(skeleton, animator.ModelPose, matrices);
             feet.Record(dt, ground, matrices);
         }
+        else
+        {
+            feet?.LeaveGround();
+        }
 
         frames++;
         seconds += dt;

@@ -16,6 +16,7 @@ internal readonly struct JointTurn
     private readonly Quaternion parentInverse;
     private readonly Quaternion rest;
     private readonly Quaternion restInverse;
+    private readonly JointLimit range;
     private readonly SoftLimit limit;
 
     /// <summary>Takes what it needs of a joint.</summary>
@@ -26,7 +27,8 @@ internal readonly struct JointTurn
         parentInverse = parent < 0 ? Quaternion.Identity : Rotation.Inverse(skeleton.ModelRotations[parent]);
         rest = skeleton.ModelRotations[joint];
         restInverse = Rotation.Inverse(rest);
-        limit = new SoftLimit(skeleton.Joints[joint].Limit);
+        range = skeleton.Joints[joint].Limit;
+        limit = new SoftLimit(range);
     }
 
     /// <summary>Index into the skeleton.</summary>
@@ -48,10 +50,10 @@ internal readonly struct JointTurn
         return Rotation.Multiply(turned, restInverse);
     }
 
-    /// <summary>The turn that the limits leave of a turn.</summary>
+    /// <summary>The turn that the limits leave of a turn, also where it swings both ways at once.</summary>
     public Quaternion Limit(Quaternion turn)
     {
-        Quaternion own = limit.Apply(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest));
+        Quaternion own = Ik.SwingTwistLimit.Clamp(limit.Apply(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest)), range);
         return Rotation.Multiply(Rotation.Multiply(rest, own), restInverse);
     }
 }

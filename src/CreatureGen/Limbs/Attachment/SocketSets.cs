@@ -116,11 +116,11 @@ internal static class SocketSets
     /// <summary>No legs.</summary>
     public static SocketSet Legless() => new(BodyPlan.Legless, Array.Empty<LimbSocket>(), 0, null, new StanceLimits(0, 0, 0, 0, 0, 1, BodyPlan.Legless, BodyPlan.Legless));
 
-    /// <summary>One pair of a bird's legs, hanging at 37 to 41.</summary>
+    /// <summary>One pair of a bird's legs at one of 34 to 41.</summary>
     public static IReadOnlyList<LimbSocket> BirdLegs()
     {
         var row = new List<LimbSocket>();
-        for (int ring = 37; ring <= 41; ring++)
+        for (int ring = 34; ring <= 41; ring++)
         {
             row.Add(Under(ring, 10, LimbArchetype.Theropod, 0.62));
         }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Animation;
 using CreatureGen.Animation.Clips;
 using CreatureGen.Creatures;
 using CreatureGen.Rigging;
@@ -43,9 +44,10 @@ public sealed class ClipBakerTests
         bool IsLid(int joint) => creature.Skeleton.Joints[joint].Role == JointRole.Lid;
         foreach (Clip clip in ClipBaker.Bake(creature))
         {
-            Assert.Equal(ClipEnd.Loops, clip.End);
-            Assert.True(clip.RotationsAt(0).SequenceEqual(clip.RotationsAt(clip.Frames - 1)));
-            Assert.True(clip.PositionsAt(0).SequenceEqual(clip.PositionsAt(clip.Frames - 1)));
+            bool once = clip.Name is "TakeOff" or "Land";
+            Assert.Equal(once ? ClipEnd.Stays : ClipEnd.Loops, clip.End);
+            Assert.True(once || clip.RotationsAt(0).SequenceEqual(clip.RotationsAt(clip.Frames - 1)));
+            Assert.True(once || clip.PositionsAt(0).SequenceEqual(clip.PositionsAt(clip.Frames - 1)));
             for (int frame = 1; frame < clip.Frames; frame++)
             {
                 for (int joint = 0; joint < clip.Joints; joint++)
@@ -55,6 +57,23 @@ public sealed class ClipBakerTests
                 }
             }
         }
+    }
+
+    [Fact]
+    public void A_flier_takes_off_from_where_it_stands_and_lands_on_its_feet()
+    {
+        Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(1, LocomotionKind.Flying));
+        var profile = new MotionProfile(creature);
+        IReadOnlyList<Clip> clips = ClipBaker.Bake(creature);
+        Clip idle = clips.Single(clip => clip.Name == "Idle");
+        Clip up = clips.Single(clip => clip.Name == "TakeOff");
+        Clip down = clips.Single(clip => clip.Name == "Land");
+        int body = creature.Skeleton.IndexOf("Body");
+        float stands = idle.PositionsAt(0)[body].Y;
+        Assert.Equal(stands, up.PositionsAt(0)[body].Y, 0.05f * profile.LegLength);
+        Assert.True(up.PositionsAt(up.Frames - 1)[body].Y > stands + (2.5f * profile.LegLength));
+        Assert.True(down.PositionsAt(0)[body].Y > stands + (2f * profile.LegLength));
+        Assert.Equal(stands, down.PositionsAt(down.Frames - 1)[body].Y, 0.05f * profile.LegLength);
     }
 
     [Fact]

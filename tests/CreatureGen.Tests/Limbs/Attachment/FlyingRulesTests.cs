@@ -149,7 +149,7 @@ public sealed class FlyingRulesTests
     {
         FlyingPlacement bird = FlyingRules.Place(Body, WingMotion.Flapping, 1, new FlyingLegs(8, LegArrangement.Spread), FlierLegAnatomy.Bird, new SocketGrid(), new Seed(2));
         LegPlacement leg = Assert.Single(bird.Legs);
-        Assert.Equal(39, leg.Site.Ring);
+        Assert.Equal(37, leg.Site.Ring);
         Assert.InRange(bird.LegFactor, 0.9, 1.1);
         FlyingPlacement dragon = FlyingRules.Place(Body, WingMotion.Flapping, 1, new FlyingLegs(2, LegArrangement.Spread), FlierLegAnatomy.Dragon, new SocketGrid(), new Seed(2));
         Assert.Equal(2, dragon.Legs.Count);

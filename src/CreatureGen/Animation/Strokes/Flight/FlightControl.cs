@@ -17,7 +17,11 @@ internal static class FlightControl
     /// <summary>Effort at level cruise of a flier that glides between beats; 1 never glides, 0 only glides.</summary>
     private const double LevelEffort = 0.66;
 
-    private const double CrouchTime = 1.1;
+    private const double CrouchTime = 1.4;
+
+    /// <summary>When it pushes itself off out of the crouch, and how far beyond standing, in depths of the crouch.</summary>
+    private const double PushTime = 1.0;
+    private const double PushRise = 0.25;
     private const double LeapTime = 1.2;
     private const double SettleTime = 1.6;
 
@@ -73,10 +77,10 @@ internal static class FlightControl
         state.Bank.Step(Curve.Bounded(turn, SteepestBank), 1.2 * k, dt);
         state.Steer.Step(Curve.Bounded(yaw * Math.Max(0.35, 0.5 * profile.CruiseSpeed / Gravity), 1), 1.5 * k, dt);
         state.Path.Step(Curve.Bounded(path, SteepestPath), k, dt);
-        state.Crouch.Step(state.Phase == FlightPhase.Crouching ? 1 : state.Phase == FlightPhase.Settling ? 0.85 * (1 - Scalar.Smooth(state.Age / (0.6 * SettleTime))) : 0, state.Phase == FlightPhase.Leaping ? 5 * tempo : 3 * tempo, dt);
+        Crouch(tempo, dt, ref state);
         state.Air.Step(flying ? 1 : 0, 2 * tempo, dt);
-        bool near = state.Phase == FlightPhase.Landing && height < PlantingHeight * leg;
-        state.Planted.Step(flying && !near ? 0 : 1, flying && !near ? 4 * tempo : 9 * tempo, dt);
+        bool reaches = state.Phase == FlightPhase.Landing;
+        state.Planted.Step(reaches ? 1 - Scalar.Smooth(height / (PlantingHeight * leg)) : flying ? 0 : 1, reaches || !flying ? 20 * tempo : 4 * tempo, dt);
         state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
         return Root(state, speed, yaw, climb, height, leg, dt);
     }
@@ -87,7 +91,7 @@ internal static class FlightControl
         double part = Scalar.Smooth(state.Age / LeapTime);
         return state.Phase switch
         {
-            FlightPhase.Leaping => new RootVelocity((float)(speed * part), (float)Math.Max(climb, 1.5 * unit), (float)(yaw * part)),
+            FlightPhase.Leaping => new RootVelocity((float)Scalar.Lerp(state.RunUp, speed, part), (float)(Math.Max(climb, 1.5 * unit) * (0.35 + (0.65 * Scalar.Smooth(2 * state.Age / LeapTime)))), (float)(yaw * part)),
             FlightPhase.Landing => new RootVelocity(
                 (float)(speed * Scalar.Smooth(height / (LandingHeight * leg))),
                 (float)-Math.Min(height / Math.Max(dt, 1e-4), Scalar.Clamp(0.9 * unit * height / leg, Touchdown * unit, 1.4 * unit)),
@@ -95,6 +99,19 @@ internal static class FlightControl
             FlightPhase.Crouching or FlightPhase.Settling => default,
             _ => new RootVelocity((float)speed, (float)(state.Phase == FlightPhase.Grounded ? 0 : climb), (float)yaw),
         };
+    }
+
+    /// <summary>Goes down before a leap and pushes off out of that; gives way when it has come down.</summary>
+    private static void Crouch(double tempo, double dt, ref FlightState state)
+    {
+        bool pushes = state.Phase == FlightPhase.Crouching && state.Age > PushTime;
+        double depth = state.Phase switch
+        {
+            FlightPhase.Crouching => pushes ? -PushRise : 1,
+            FlightPhase.Settling => 0.85 * (1 - Scalar.Smooth(state.Age / (0.6 * SettleTime))),
+            _ => 0,
+        };
+        state.Crouch.Step(depth, pushes || state.Phase == FlightPhase.Leaping ? 6 * tempo : 3.5 * tempo, dt);
     }
 
     /// <summary>Goes from one phase to the next. Heights are in leg lengths, time in √(leg/g).</summary>

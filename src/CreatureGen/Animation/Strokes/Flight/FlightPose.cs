@@ -14,7 +14,6 @@ internal static class FlightPose
     private const double BeatPitch = 0.035;
     private const double MostHeave = 0.05;
     private const double HoverBob = 0.03;
-    private const double CrouchDepth = 0.30;
     private const double GlideEdge = 0.7;
 
     /// <summary>Writes what the state says.</summary>
@@ -69,8 +68,8 @@ internal static class FlightPose
         double size = Math.Min(1 / (frequency * frequency), most / profile.Force.Reach);
         double heave = beating * (profile.Buzzes ? 0.2 : 1) * size * profile.Force.At(beats);
         heave += HoverBob * profile.LegLength * hover * air * slow;
-        double crouch = Scalar.Clamp(state.Crouch.Value, 0, 1);
-        heave -= CrouchDepth * profile.LegLength * crouch;
+        double crouch = state.CrouchDepth;
+        heave -= profile.CrouchDepth * crouch;
 
         // Near the ground the body comes down to where its hanging legs stand.
         heave -= profile.SoleHeight * (1 - Scalar.Smooth(state.Height.Value / (FlightControl.LandingHeight * profile.LegLength)));

@@ -103,6 +103,9 @@ public sealed class FlightProfile
 
     internal float LegLength { get; }
 
+    /// <summary>How far the body goes down before it leaps, metres.</summary>
+    internal double CrouchDepth => 0.30 * LegLength;
+
     /// <summary>Joint of the left wing's root.</summary>
     internal int Shoulder { get; }
 

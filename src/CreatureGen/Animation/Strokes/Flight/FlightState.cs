@@ -1,3 +1,5 @@
+using CreatureGen.Maths;
+
 namespace CreatureGen.Animation.Strokes.Flight;
 
 /// <summary>Where a flier is in its motion. The default stands on the ground with folded wings; one for each creature on the scene, changed by <see cref="FlightMotion.Update"/> alone.</summary>
@@ -24,6 +26,15 @@ public struct FlightState
     internal Smoothed Planted;
     internal Smoothed Height;
 
+    /// <summary>Metres per second ahead at which it leaves the ground.</summary>
+    internal double RunUp;
+
+    /// <summary>Whether it has ground under its feet.</summary>
+    internal readonly bool IsOnFeet => Phase is FlightPhase.Grounded or FlightPhase.Crouching or FlightPhase.Settling;
+
+    /// <summary>How far it is down, in depths of a crouch; negative where it stretches.</summary>
+    internal readonly double CrouchDepth => Scalar.Clamp(Crouch.Value, -0.3, 1);
+
     /// <summary>What it is doing between standing and flying.</summary>
     public FlightPhase Phase { get; internal set; }
 
@@ -47,6 +58,9 @@ public struct FlightState
 
     /// <summary>0 folded wings, 1 spread.</summary>
     public readonly float WingSpread => (float)Spread.Value;
+
+    /// <summary>A flier that stands, as if it had always stood.</summary>
+    internal static FlightState OnGround => new() { Planted = Smoothed.At(1) };
 
     /// <summary>A flier in the air at cruise.</summary>
     /// <param name="profile">How the creature flies.</param>

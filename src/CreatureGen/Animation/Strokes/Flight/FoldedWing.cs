@@ -8,13 +8,14 @@ namespace CreatureGen.Animation.Strokes.Flight;
 /// <summary>How wings lie against the body at rest: for each bone the direction and the side that its upper face looks to, for the left wing, model space.</summary>
 internal static class FoldedWing
 {
-    /// <summary>Upper arm back, forearm forward again, hand back along the flank.</summary>
+    /// <summary>Upper arm back and down, all else straight back along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its
+    /// forearm forward again as birds do: its surface would turn over at the elbow.</summary>
     public static (Vector3 Direction, Vector3 Face)[] Stitched { get; } =
     {
-        (new Vector3(0.06f, 0.16f, -0.98f), new Vector3(0.75f, 0.65f, 0f)),
-        (new Vector3(0.16f, -0.06f, 0.98f), new Vector3(0.90f, 0.40f, 0f)),
-        (new Vector3(-0.06f, -0.10f, -0.98f), new Vector3(0.95f, 0.25f, 0f)),
-        (new Vector3(-0.14f, -0.12f, -0.97f), new Vector3(0.95f, 0.25f, 0f)),
+        (new Vector3(0.32f, -0.50f, -0.80f), new Vector3(1f, 0.10f, 0f)),
+        (new Vector3(0.06f, 0.12f, -0.99f), new Vector3(1f, 0.10f, 0f)),
+        (new Vector3(-0.06f, 0.16f, -0.98f), new Vector3(1f, 0.10f, 0f)),
+        (new Vector3(-0.10f, 0.10f, -0.99f), new Vector3(1f, 0.10f, 0f)),
     };
 
     /// <summary>Flat over the abdomen.</summary>

@@ -13,6 +13,9 @@ internal sealed class WingPair
     /// <summary>Share of the way from folded to spread from which on a wing is spread.</summary>
     private const double Spread = 1 - 1e-6;
 
+    /// <summary>How far the shoulder is raised half way between folded and spread, radians.</summary>
+    private const double FoldLift = 0.45;
+
     // Share of a cycle by which each joint is behind the shoulder.
     private static readonly double[] lags = { 0, 0.035, 0.075, 0.12 };
 
@@ -56,7 +59,14 @@ internal sealed class WingPair
 
         Quaternion spread = chain.Stroke(k, raise, sweep, twist);
         double open = Scalar.Smooth((stroke.Spread - unfolding[k]) / (1 - 0.25));
-        chain.Write(local, side, k, open >= Spread ? spread : Rotation.Slerp(folded[k], spread, open));
+        if (open < Spread)
+        {
+            // On the way the shoulder is raised, so that the tip does not sweep over the ground.
+            Quaternion way = Rotation.Slerp(folded[k], spread, open);
+            spread = k == 0 ? Rotation.Multiply(AxisTurn.Roll(4 * FoldLift * open * (1 - open)), way) : way;
+        }
+
+        chain.Write(local, side, k, spread);
     }
 
     private void Beating(int joint, in WingBeat b, in WingStroke stroke, double inside, out double raise, out double sweep, out double twist)
