@@ -70,6 +70,7 @@ internal sealed class LegShape
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
+        HalfWidth = sole.HalfWidth;
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
         RollShare = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
@@ -195,8 +196,14 @@ internal sealed class LegShape
     /// <summary>From the ball back to the heel, level.</summary>
     public float Heel { get; }
 
+    /// <summary>From the middle of the sole to its sides, level.</summary>
+    public float HalfWidth { get; }
+
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
+
+    /// <summary>The middle of the sole for toes that point somewhere else, level, from the ball.</summary>
+    public Vector3 SoleMiddleAlong(Vector3 toes) => toes * Vec.Dot(SoleMiddle, ToeDirection);
 
     /// <summary>Share of the leg's sweep that its foot turns along, on the middle of its sole: all of it for claws.</summary>
     public float FollowShare { get; }
