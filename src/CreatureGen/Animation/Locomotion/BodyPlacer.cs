@@ -270,7 +270,7 @@ internal sealed class BodyPlacer
         for (int i = 0; i < feet.Length; i++)
         {
             LegShape leg = body.Legs[i];
-            float y = feet[i].Base.Y;
+            float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f);
             if (leg.IsHind(body.Rows))
             {
                 hindLeast = Math.Min(hindLeast, y);

@@ -66,6 +66,9 @@ internal struct Foot
     /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
     public Vector3 Base;
 
+    /// <summary>What of its height above that place is for what stands in its way, metres.</summary>
+    public float Over;
+
     /// <summary>Height above that place, metres.</summary>
     public float Lift;
 

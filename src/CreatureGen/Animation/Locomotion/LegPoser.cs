@@ -73,6 +73,20 @@ internal sealed class LegPoser
         turns.Slide(local, leg.Girdle, slide);
         turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
         turns.Set(local, leg.Knee, solved.Knee);
+        bool bounds = foot.Phase == FootPhase.Swing || foot.Stance > LateStance;
+        float strain = solved.Strain;
+        if (bounds)
+        {
+            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway);
+            strain = Math.Max(strain, hips);
+            if (hips > leeway)
+            {
+                // The foot keeps its own turn where the thigh cannot go.
+                solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
+                solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
+            }
+        }
+
         Quaternion metatarsus;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
@@ -85,9 +99,8 @@ internal sealed class LegPoser
 
         turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
         turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
-        if (foot.Phase == FootPhase.Swing || foot.Stance > LateStance)
+        if (bounds)
         {
-            float strain = Math.Max(solved.Strain, Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway));
             strain = Math.Max(strain, Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, leeway));
             strain = Math.Max(strain, Bound(local.Rotations, leg.Ball, leg.BallJoint, leeway));
             foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : strain;
