@@ -144,8 +144,9 @@ internal sealed class BodyPlacer
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
         float push = Scalar.Clamp(context.Acceleration / settings.Gravity, -0.5f, 0.5f);
-        hindRise += HindGround + context.Idle.Breath - crouch - (0.06f * push * length);
-        foreRise += ForeGround + context.Idle.Breath - crouch + (0.06f * push * length);
+        float stoop = Scalar.Smooth(act);
+        hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - (0.06f * push * length);
+        foreRise += ForeGround + context.Idle.Breath - crouch - (stoop * body.ForeStoop) + (0.06f * push * length);
         Level(ref hindRise, ref foreRise);
         float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + (0.35f * push) : 0f;
         Vector3 rest = Trunk.Rest[0];

@@ -329,7 +329,7 @@ internal sealed class FootPlanner
     private Vector3 Home(int leg, float activity, GaitClock clock, float speed)
     {
         LegShape shape = body.Legs[leg];
-        Vector3 home = shape.Home;
+        Vector3 home = shape.Home + ((shape.Gathered - shape.Home) * activity);
         float track = shape.Lateral ? Math.Max(clock.Shape.Track, 0.9f) : clock.Shape.Track;
         track = Math.Max(track, 1f - ((shape.Traits.Archetype == Anatomy.LimbArchetype.Column ? ColumnAdduction : MostAdduction) * shape.HipRest.Y / Math.Max(Math.Abs(home.X), 1e-4f)));
         home.X *= 1f - ((1f - track) * activity);

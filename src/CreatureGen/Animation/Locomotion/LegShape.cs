@@ -31,6 +31,12 @@ internal sealed class LegShape
     /// <summary>How far legs out to the side sweep ahead and back (tan 36°).</summary>
     private const float SweepTangent = 0.72f;
 
+    /// <summary>Part of its reach that a leg out to the side takes up at most under a body that goes.</summary>
+    private const float GoingStretch = 0.86f;
+
+    /// <summary>Part of its distance from the hip, level, to which a foot is drawn in at most.</summary>
+    private const float MostGathering = 0.6f;
+
     /// <summary>Sine of a bend at rest that says nothing of the side to which a knee folds.</summary>
     private const float Straight = 0.1f;
 
@@ -94,6 +100,28 @@ internal sealed class LegShape
         double lb = Vec.Length(b);
         Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(LeastBend)));
         LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
+        Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
+        Stoop = stoop;
+    }
+
+    private Vector3 Standing(out float stoop)
+    {
+        stoop = 0f;
+        return Home;
+    }
+
+    /// <summary>Where the foot goes: drawn in towards the hip when the leg stands nearly stretched; and how far the body comes down for it where that is not enough.</summary>
+    private Vector3 Gather(out float stoop)
+    {
+        Vector3 chord = Thigh + Shank;
+        float reach = GoingStretch * Reach;
+        float level = (float)Math.Sqrt((chord.X * chord.X) + (chord.Z * chord.Z));
+        float height = -chord.Y;
+        float most = (float)Math.Sqrt(Math.Max((reach * reach) - (height * height), 0f));
+        float share = Scalar.Clamp(most / Math.Max(level, 1e-6f), MostGathering, 1f);
+        float aside = share * level;
+        stoop = share > MostGathering ? 0f : Math.Max(0f, height - (float)Math.Sqrt(Math.Max((reach * reach) - (aside * aside), 0f)));
+        return new Vector3(Home.X - ((1f - share) * chord.X), 0f, Home.Z - ((1f - share) * chord.Z));
     }
 
     /// <summary>The longest way that the foot can go along the ground in a stance before the leg reaches too far, metres.</summary>
@@ -106,7 +134,8 @@ internal sealed class LegShape
     {
         bool pantograph = Traits.Linkage == LegLinkage.Pantograph;
         Vector3 rest = Thigh + Shank + (pantograph ? Metatarsus : Vector3.Zero);
-        float drop = (crouch + (Lateral ? 0.012f : MostDrop)) * Length;
+        float drop = ((crouch + (Lateral ? 0.012f : MostDrop)) * Length) + Stoop;
+        rest += Gathered - Home;
         float height = Math.Max(-rest.Y - drop, 0.2f * Length);
         float aside = Lateral ? rest.X : rest.X + ((track - 1f) * Home.X);
         float share = Lateral ? LateralStretch : Stretch;
@@ -122,7 +151,7 @@ internal sealed class LegShape
         float most = Math.Min(ahead, behind);
         if (Lateral)
         {
-            float away = (float)Math.Sqrt(((Home.X - HipRest.X) * (Home.X - HipRest.X)) + ((Home.Z - HipRest.Z) * (Home.Z - HipRest.Z)));
+            float away = (float)Math.Sqrt(((Gathered.X - HipRest.X) * (Gathered.X - HipRest.X)) + ((Gathered.Z - HipRest.Z) * (Gathered.Z - HipRest.Z)));
             most = Math.Min(most, 2f * SweepTangent * away / Math.Max(1f - (2f * yaw), 0.4f));
         }
 
@@ -168,6 +197,12 @@ internal sealed class LegShape
 
     /// <summary>Point on the ground under the ball.</summary>
     public Vector3 Home { get; }
+
+    /// <summary>The same under a body that goes: drawn in towards the hip where the leg stands nearly stretched at rest.</summary>
+    public Vector3 Gathered { get; }
+
+    /// <summary>How far the body comes down as it goes, so that a leg that stands nearly stretched has room to step, metres.</summary>
+    public float Stoop { get; }
 
     /// <summary>Height of the ball's joint above the ground.</summary>
     public float BallHeight { get; }

@@ -14,6 +14,9 @@ internal sealed class LeggedBody
     /// <summary>Part of the joints' limits that bends to a side take up: the rest is for pitch and roll.</summary>
     private const float BendShare = 0.95f;
 
+    /// <summary>Distance of the hips from the middle, leg lengths, beyond which the body yaws less.</summary>
+    private const float WideHips = 0.55f;
+
     private LeggedBody(Creature creature, LimbChain[] standing)
     {
         Creature = creature;
@@ -55,7 +58,15 @@ internal sealed class LeggedBody
             ForeSlot = Trunk.Length - 1;
         }
 
-        Traits = TrunkTraits.Of(creature.Blueprint.Plan, BaseBodyNames.FamilyOf(creature.Blueprint.Body.Blend.First), Mass);
+        foreach (LegShape leg in Legs)
+        {
+            HindStoop = leg.IsHind(Rows) ? Math.Max(HindStoop, leg.Stoop) : HindStoop;
+            ForeStoop = leg.IsHind(Rows) ? ForeStoop : Math.Max(ForeStoop, leg.Stoop);
+        }
+
+        float steady = SteadyShare();
+        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, BaseBodyNames.FamilyOf(creature.Blueprint.Body.Blend.First), Mass);
+        Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase(), 1e-3f));
         Neck = NeckOf(Skeleton);
@@ -128,6 +139,11 @@ internal sealed class LeggedBody
     public float LegLength { get; }
 
     public float HipHeight { get; }
+
+    /// <summary>How far the rear and the front of the body come down as it goes, metres.</summary>
+    public float HindStoop { get; }
+
+    public float ForeStoop { get; }
 
     public float HalfTrack { get; }
 
@@ -310,6 +326,18 @@ internal sealed class LeggedBody
 
         int foreCount = Legs.Length - hindCount;
         return foreCount == 0 ? 0f : (fore / foreCount) - (hind / Math.Max(hindCount, 1));
+    }
+
+    /// <summary>Share of its yaw with the feet that a body has: on hips far from the middle a turn takes the feet farther than the legs step.</summary>
+    private float SteadyShare()
+    {
+        float widest = 0f;
+        foreach (LegShape leg in Legs)
+        {
+            widest = Math.Max(widest, Math.Abs(leg.HipRest.X));
+        }
+
+        return Math.Min(1f, WideHips * LegLength / Math.Max(widest, 1e-6f));
     }
 
     private bool LongFeet() => Vec.Length(Legs[0].Metatarsus) + Legs[0].Toe > 0.42f * LegLength;
