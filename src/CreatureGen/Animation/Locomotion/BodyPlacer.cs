@@ -115,6 +115,9 @@ internal sealed class BodyPlacer
             Nod = nod * act;
         }
 
+        float poise = Math.Min(-response.Touchdown * scale, cap) * Together(feet.Length) * bounce;
+        hindRise += poise;
+        foreRise += poise;
         Nod = Scalar.Clamp(Nod * traits.Nod / body.NeckLength, -0.5f, 0.5f);
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Sway;
@@ -201,6 +204,14 @@ internal sealed class BodyPlacer
     {
         float froude = context.Travel.Speed * context.Travel.Speed / (context.Settings.Gravity * length);
         return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
+    }
+
+    /// <summary>How much all feet come down at once, 0..1: then the body is at its height as they do, and in the mean above it.</summary>
+    private float Together(int legs)
+    {
+        float c = all.Cosines[1];
+        float s = all.Sines[1];
+        return Math.Max(0f, (2f * ((c * c) + (s * s)) / (legs * legs)) - 1f);
     }
 
     private void Sum(GaitClock clock)

@@ -45,13 +45,24 @@ internal sealed class LegPoser
     }
 
     /// <summary>Solves and writes a leg.</summary>
-    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, in Pose local)
+    /// <param name="index">Which.</param>
+    /// <param name="placer">Gives trunk and hip.</param>
+    /// <param name="foot">Its foot.</param>
+    /// <param name="pose">Where the leg has to bring it.</param>
+    /// <param name="tuck">How far legs ahead of the hindmost pair are folded to the body in the air, 0..1.</param>
+    /// <param name="local">The pose.</param>
+    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, float tuck, in Pose local)
     {
         LegShape leg = body.Legs[index];
         Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
         Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
         Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
         Vector3 chord = pose.Target - hip;
+        if (tuck > 0f && leg.Row > 0 && foot.Phase == FootPhase.Swing)
+        {
+            chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Tucked), tuck * LegTraits.TuckCurve.At(foot.Swing));
+        }
+
         Vector3 side;
         if (leg.Lateral)
         {

@@ -32,10 +32,16 @@ internal sealed class LegShape
     private const float SweepTangent = 0.72f;
 
     /// <summary>Part of its reach that a leg out to the side takes up at most under a body that goes.</summary>
-    private const float GoingStretch = 0.86f;
+    private const float GoingStretch = 0.88f;
 
     /// <summary>Part of its distance from the hip, level, to which a foot is drawn in at most.</summary>
     private const float MostGathering = 0.6f;
+
+    /// <summary>Part of its chord at rest to which a leg is tucked.</summary>
+    private const float TuckedShare = 0.6f;
+
+    /// <summary>How far back a tucked leg is laid, leg lengths.</summary>
+    private const float TuckedBack = 0.25f;
 
     /// <summary>Sine of a bend at rest that says nothing of the side to which a knee folds.</summary>
     private const float Straight = 0.1f;
@@ -102,6 +108,7 @@ internal sealed class LegShape
         LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
         Stoop = stoop;
+        Tucked = ((upper + Shank) * TuckedShare) - new Vector3(0f, 0f, TuckedBack * Length);
     }
 
     private Vector3 Standing(out float stoop)
@@ -203,6 +210,9 @@ internal sealed class LegShape
 
     /// <summary>How far the body comes down as it goes, so that a leg that stands nearly stretched has room to step, metres.</summary>
     public float Stoop { get; }
+
+    /// <summary>From the hip to what is solved for of a leg tucked to the body.</summary>
+    public Vector3 Tucked { get; }
 
     /// <summary>Height of the ball's joint above the ground.</summary>
     public float BallHeight { get; }

@@ -70,6 +70,7 @@ internal sealed class LeggedBody
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase(), 1e-3f));
         Neck = NeckOf(Skeleton);
+        NeckLimits = Array.ConvertAll(Neck, joint => BendShare * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
         Tail = ChainOf(Skeleton, JointRole.Tail);
         TailLimits = new float[Tail.Length];
         for (int i = 0; i < Tail.Length; i++)
@@ -119,6 +120,9 @@ internal sealed class LeggedBody
     /// <summary>Neck joints and the head, which is the last.</summary>
     public int[] Neck { get; }
 
+    /// <summary>How far each joint of neck and head nods to its narrower side, radians.</summary>
+    public float[] NeckLimits { get; }
+
     public int[] Tail { get; }
 
     /// <summary>How far each tail joint bends to its narrowest side, radians.</summary>
@@ -163,8 +167,8 @@ internal sealed class LeggedBody
     /// <summary>Whether it is built to hop: upright, with long feet under it and a tail to counter them.</summary>
     public bool Hops { get; }
 
-    /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers.</summary>
-    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype == LimbArchetype.Jumper);
+    /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers and frogs.</summary>
+    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype is LimbArchetype.Jumper or LimbArchetype.FrogHind);
 
     /// <summary>M^−0.26.</summary>
     public double BreathShare { get; }
