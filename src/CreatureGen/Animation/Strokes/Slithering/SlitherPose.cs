@@ -9,7 +9,7 @@ namespace CreatureGen.Animation.Strokes.Slithering;
 internal static class SlitherPose
 {
     private const int RootSamples = 24;
-    private const double HeadSwing = 0.12;
+    private const double HeadSwing = 0.3;
     private const double SidewindLift = 0.045;
     private const double BellyWave = 0.006;
     private const double HeadLift = 0.10;
