@@ -34,7 +34,7 @@ internal static class GaitChoice
         else if (plan == BodyPlan.Sprawling || body.Legs[0].Lateral)
         {
             steps.Add(new GaitStep(GaitLibrary.Crawl, 0f, 0f));
-            steps.Add(new GaitStep(GaitLibrary.SprawlTrot, 0.35f, 0.25f));
+            steps.Add(body.Leaps ? new GaitStep(GaitLibrary.Leap, 0.15f, 0.09f) : new GaitStep(GaitLibrary.SprawlTrot, 0.35f, 0.25f));
         }
         else if (plan == BodyPlan.Columnar)
         {

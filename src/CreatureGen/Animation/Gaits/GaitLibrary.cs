@@ -80,15 +80,15 @@ public static class GaitLibrary
     };
 
     /// <summary>Both feet together: kangaroos. The tail counters the legs.</summary>
-    public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.46f, 0.08f, 0.26f, 0.42f), StrideLaw.Asymmetric)
+    public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.40f, 0.07f, 0.22f, 0.38f), new StrideLaw(2.2f, 0.40f))
     {
-        MostRows = 1, Comfortable = 2f, Fastest = 8f, Lift = 1.2f, Track = 0.95f, Crouch = 0.05f, BounceCap = 0.22f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f,
+        MostRows = 1, Comfortable = 2f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.03f, BounceCap = 0.22f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f,
     };
 
-    /// <summary>The hind pair pushes, all other legs catch: grasshoppers.</summary>
+    /// <summary>The hind pair pushes, all other legs catch: grasshoppers and frogs.</summary>
     public static Gait Leap { get; } = new("Leap", new LeapPhases(), new DutyLaw(0.46f, 0.08f, 0.30f, 0.42f), StrideLaw.Asymmetric)
     {
-        LeastRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, BounceCap = 0.16f, ForeBias = 0f, HindBias = 0f,
+        LeastRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, BounceCap = 0.16f, ForeBias = 0f, HindBias = 0f, Tuck = 0.8f,
     };
 
     /// <summary>Steps run along the body from the rear, each leg a swing later than the one behind it: one leg after the other when slow, tetrapod, tripod when fast. For any number of legs.</summary>

@@ -14,6 +14,7 @@ internal struct GaitShape
     public float HindBias;
     public float Lean;
     public float ElbowBend;
+    public float Tuck;
 
     public static GaitShape Of(Gait gait) => new()
     {
@@ -28,6 +29,7 @@ internal struct GaitShape
         HindBias = gait.HindBias,
         Lean = gait.Lean,
         ElbowBend = gait.ElbowBend,
+        Tuck = gait.Tuck,
     };
 
     /// <summary>Goes a share of the way to those of a gait.</summary>
@@ -44,5 +46,6 @@ internal struct GaitShape
         HindBias += (gait.HindBias - HindBias) * share;
         Lean += (gait.Lean - Lean) * share;
         ElbowBend += (gait.ElbowBend - ElbowBend) * share;
+        Tuck += (gait.Tuck - Tuck) * share;
     }
 }

@@ -115,6 +115,9 @@ internal sealed class BodyPlacer
             Nod = nod * act;
         }
 
+        float poise = Math.Min(-response.Touchdown * scale, cap) * Together(feet.Length) * bounce;
+        hindRise += poise;
+        foreRise += poise;
         Nod = Scalar.Clamp(Nod * traits.Nod / body.NeckLength, -0.5f, 0.5f);
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Sway;
@@ -144,8 +147,9 @@ internal sealed class BodyPlacer
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
         float push = Scalar.Clamp(context.Acceleration / settings.Gravity, -0.5f, 0.5f);
-        hindRise += HindGround + context.Idle.Breath - crouch - (0.06f * push * length);
-        foreRise += ForeGround + context.Idle.Breath - crouch + (0.06f * push * length);
+        float stoop = Scalar.Smooth(act);
+        hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - (0.06f * push * length);
+        foreRise += ForeGround + context.Idle.Breath - crouch - (stoop * body.ForeStoop) + (0.06f * push * length);
         Level(ref hindRise, ref foreRise);
         float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + (0.35f * push) : 0f;
         Vector3 rest = Trunk.Rest[0];
@@ -200,6 +204,14 @@ internal sealed class BodyPlacer
     {
         float froude = context.Travel.Speed * context.Travel.Speed / (context.Settings.Gravity * length);
         return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
+    }
+
+    /// <summary>How much all feet come down at once, 0..1: then the body is at its height as they do, and in the mean above it.</summary>
+    private float Together(int legs)
+    {
+        float c = all.Cosines[1];
+        float s = all.Sines[1];
+        return Math.Max(0f, (2f * ((c * c) + (s * s)) / (legs * legs)) - 1f);
     }
 
     private void Sum(GaitClock clock)
@@ -270,7 +282,7 @@ internal sealed class BodyPlacer
         for (int i = 0; i < feet.Length; i++)
         {
             LegShape leg = body.Legs[i];
-            float y = feet[i].Base.Y;
+            float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f);
             if (leg.IsHind(body.Rows))
             {
                 hindLeast = Math.Min(hindLeast, y);

@@ -1,3 +1,4 @@
+using System;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -17,18 +18,39 @@ internal readonly struct FoldLimit
         PortableMath.SinCos(range.Max, out mostSine, out mostCosine);
     }
 
-    /// <summary>Brings an angle in −π..π, given by its cosine and sine, to the nearer end of the range if it is beyond.</summary>
-    public void Clamp(ref double cosine, ref double sine)
+    /// <summary>Brings an angle in −π..π, given by its cosine and sine, back towards the nearer end of the range if it is beyond.</summary>
+    /// <param name="cosine">Of the angle.</param>
+    /// <param name="sine">Of the angle.</param>
+    /// <param name="leeway">How far from that end it may stay, as the chord of the difference on the unit circle.</param>
+    /// <returns>The chord by which it was beyond; 0 for none.</returns>
+    public float Clamp(ref double cosine, ref double sine, float leeway)
     {
-        if (sine < 0 && cosine < leastCosine)
+        bool beyond = (sine < 0 && cosine < leastCosine) || (sine > 0 && cosine < mostCosine);
+        if (!beyond)
         {
-            cosine = leastCosine;
-            sine = leastSine;
+            return 0f;
         }
-        else if (sine > 0 && cosine < mostCosine)
+
+        double endCosine = sine < 0 ? leastCosine : mostCosine;
+        double endSine = sine < 0 ? leastSine : mostSine;
+        double c = cosine - endCosine;
+        double s = sine - endSine;
+        double chord = Math.Sqrt((c * c) + (s * s));
+        if (chord <= leeway)
         {
-            cosine = mostCosine;
-            sine = mostSine;
+            return (float)chord;
         }
+
+        double share = leeway / chord;
+        cosine = endCosine + (c * share);
+        sine = endSine + (s * share);
+        double length = Math.Sqrt((cosine * cosine) + (sine * sine));
+        if (share > 0 && length > 1e-6)
+        {
+            cosine /= length;
+            sine /= length;
+        }
+
+        return (float)chord;
     }
 }

@@ -57,11 +57,17 @@ internal struct Foot
     /// <summary>What of it is taken over by now.</summary>
     public float BumpNow;
 
+    /// <summary>How far a joint of its leg was beyond its limits as it last stood, about half the angle in radians: it comes back within them by and by when the foot has left the ground.</summary>
+    public float Strain;
+
     /// <summary>Load: 0 in the air, about 1 in the middle of stance.</summary>
     public float Load;
 
     /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
     public Vector3 Base;
+
+    /// <summary>What of its height above that place is for what stands in its way, metres.</summary>
+    public float Over;
 
     /// <summary>Height above that place, metres.</summary>
     public float Lift;

@@ -174,6 +174,14 @@ internal sealed class FootPlanner
                     Land(i, step, Math.Min(p * cycle, step.Step));
                 }
 
+                else if (step.Step > (1f - duty) * cycle && foot.Stance > p / duty && !foot.Held && Wants(i, step, ((0.5f * duty) - p) * cycle))
+                {
+                    // Steps so quick that a whole swing has passed unseen: it stepped all the same.
+                    Lift(i, step, 0f);
+                    Aim(i, step, ((0.5f * duty) - p) * cycle);
+                    Land(i, step, Math.Min(p * cycle, step.Step));
+                }
+
                 Rest(ref foot, step, p / duty);
             }
             else
@@ -220,16 +228,23 @@ internal sealed class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         float ahead = ((1f - u) * (1f - duty) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
+        if (foot.Phase == FootPhase.Swing && u - foot.LiftAt < (foot.Swing - 0.5f) * (1f - foot.LiftAt))
+        {
+            // Steps so quick that a whole stance has passed unseen: it stood all the same.
+            Land(leg, step, Math.Min((duty + (u * (1f - duty))) * cycle, step.Step));
+        }
+
         if (foot.Phase == FootPhase.Stance)
         {
-            if (u > (IsFar(leg, step) ? LatestRescue : LatestLift) || !Wants(leg, step, ahead))
+            float begun = 0.02f + (step.Step / (cycle * (1f - duty)));
+            if (u > Math.Max(begun, IsFar(leg, step) ? LatestRescue : LatestLift) || !Wants(leg, step, ahead))
             {
                 foot.Held = true;
                 Rest(ref foot, step, 0f);
                 return;
             }
 
-            Lift(leg, step, u < 0.02f + (step.Step / (cycle * (1f - duty))) ? 0f : u);
+            Lift(leg, step, u < begun ? 0f : u);
         }
 
         foot.Swing = (u - foot.LiftAt) / (1f - foot.LiftAt);
@@ -342,7 +357,7 @@ internal sealed class FootPlanner
     private Vector3 Home(int leg, float activity, GaitClock clock, float speed)
     {
         LegShape shape = body.Legs[leg];
-        Vector3 home = shape.Home;
+        Vector3 home = shape.Home + ((shape.Gathered - shape.Home) * activity);
         float track = shape.Lateral ? Math.Max(clock.Shape.Track, 0.9f) : clock.Shape.Track;
         track = Math.Max(track, 1f - ((shape.Traits.Archetype == Anatomy.LimbArchetype.Column ? ColumnAdduction : MostAdduction) * shape.HipRest.Y / Math.Max(Math.Abs(home.X), 1e-4f)));
         home.X *= 1f - ((1f - track) * activity);

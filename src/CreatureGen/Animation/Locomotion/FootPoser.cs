@@ -43,6 +43,7 @@ internal static class FootPoser
         Quaternion heading = Rotation.Multiply(inverse, foot.From.Heading);
         Vector3 normal = Rotation.Rotate(inverse, foot.From.Normal);
         foot.Lift = 0f;
+        foot.Over = 0f;
         if (foot.Phase == FootPhase.Swing)
         {
             float u = foot.Swing;
@@ -55,8 +56,8 @@ internal static class FootPoser
             heading = UnitTurn.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
             normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
             foot.BumpNow += (foot.Bump - foot.BumpNow) * (1f - (1f / (1f + (BumpRate * gait.Step))));
-            foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (LeastLift + ((1f - LeastLift) * gait.Activity)))
-                + (foot.BumpNow * LegTraits.BumpCurve.At(u));
+            foot.Over = foot.BumpNow * LegTraits.BumpCurve.At(u);
+            foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (LeastLift + ((1f - LeastLift) * gait.Activity))) + foot.Over;
         }
 
         foot.Base = from;

@@ -21,6 +21,15 @@ internal sealed class FootingSearch
     /// <summary>Drop at toe or heel that counts as an edge, part of the leg's length.</summary>
     private const float EdgeDrop = 0.12f;
 
+    /// <summary>Part of the sole's extent at which the ground under its ends is felt.</summary>
+    private const float EndShare = 0.95f;
+
+    /// <summary>Part of the leg's length from which on a sole is long or wide.</summary>
+    private const float LongSole = 0.15f;
+
+    /// <summary>Rise over its distance up to which ground is bent; from twice that on it is an edge or a wall.</summary>
+    private const float BendOfGround = 0.4f;
+
     private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
 
     private readonly LeggedBody body;
@@ -62,7 +71,10 @@ internal sealed class FootingSearch
         place = new FootPlace { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
         if (!(step.Ground is FlatGround))
         {
-            KeepOffEdges(step, shape, target, ahead, hit, ref nudge);
+            var toes = new Vector3((shape.ToeDirection.X * ahead.Z) + (shape.ToeDirection.Z * ahead.X), 0f, (shape.ToeDirection.Z * ahead.Z) - (shape.ToeDirection.X * ahead.X));
+            Sole sole = Feel(step, shape, target, toes, hit);
+            KeepOffEdges(shape, sole, ref nudge);
+            Lay(step, shape, toes, sole, ref place);
         }
 
         return true;
@@ -89,26 +101,69 @@ internal sealed class FootingSearch
     }
 
     /// <summary>Moves a foot back from an edge under its toes, or ahead from one under its heel, a little in each update.</summary>
-    private void KeepOffEdges(in StepContext step, LegShape shape, Vector3 target, Vector3 ahead, in GroundHit hit, ref float nudge)
+    private static void KeepOffEdges(LegShape shape, in Sole sole, ref float nudge)
     {
         float most = 0.5f * (shape.Toe + shape.Heel);
-        float drop = EdgeDrop * shape.Length * step.Frame.Scale;
-        bool toes = Hangs(step, target + (ahead * (0.9f * shape.Toe)), hit, drop);
-        bool heel = Hangs(step, target - (ahead * (0.9f * shape.Heel)), hit, drop);
-        if (toes != heel)
+        if (sole.ToesHang != sole.HeelHangs)
         {
-            nudge = Scalar.Clamp(nudge + (toes ? -0.25f * most : 0.25f * most), -1.5f * most, 1.5f * most);
+            nudge = Scalar.Clamp(nudge + (sole.ToesHang ? -0.25f * most : 0.25f * most), -1.5f * most, 1.5f * most);
         }
     }
 
-    private bool Hangs(in StepContext step, Vector3 point, in GroundHit under, float drop)
+    /// <summary>Feels the ground under the ends of a sole, and of a long or wide one under its middle and its sides.</summary>
+    private Sole Feel(in StepContext step, LegShape shape, Vector3 target, Vector3 toes, in GroundHit hit)
     {
-        if (!Down(step, point, out GroundHit hit))
+        Sole sole = default;
+        sole.Toe = Rise(step, shape, target, toes * (EndShare * shape.Toe), hit, out sole.ToesHang);
+        sole.Heel = Rise(step, shape, target, toes * (-EndShare * shape.Heel), hit, out sole.HeelHangs);
+        if (shape.Toe > LongSole * shape.Length)
         {
-            return true;
+            sole.Middle = Rise(step, shape, target, toes * (0.5f * EndShare * shape.Toe), hit, out _);
         }
 
-        return Vec.Dot(under.Point - hit.Point, step.Settings.Up) > drop + (2f * Vec.Length(Vec.Reject(under.Point - hit.Point, step.Settings.Up)));
+        if (shape.HalfWidth > LongSole * shape.Length)
+        {
+            Vector3 middle = target + shape.SoleMiddleAlong(toes);
+            Vector3 aside = new Vector3(toes.Z, 0f, -toes.X) * (EndShare * shape.HalfWidth);
+            sole.Left = Rise(step, shape, target, middle + aside - target, hit, out _);
+            sole.Right = Rise(step, shape, target, middle - aside - target, hit, out _);
+        }
+
+        return sole;
+    }
+
+    /// <summary>How much higher the ground is beside a foot's place than the plane of that place goes on, metres of the model; none where an edge or a wall is.</summary>
+    private float Rise(in StepContext step, LegShape shape, Vector3 target, Vector3 beside, in GroundHit under, out bool hangs)
+    {
+        hangs = true;
+        if (!Down(step, target + beside, out GroundHit hit))
+        {
+            return 0f;
+        }
+
+        Vector3 up = step.Settings.Up;
+        Vector3 way = hit.Point - under.Point;
+        float scale = step.Frame.Scale;
+        hangs = -Vec.Dot(way, up) > (EdgeDrop * shape.Length * scale) + (2f * Vec.Length(Vec.Reject(way, up)));
+        float rise = Vec.Dot(way, under.Normal) / (Vec.Dot(under.Normal, up) * scale);
+        float bend = Math.Abs(rise) / Math.Max(BendOfGround * Vec.Length(beside), 1e-6f);
+        return rise * Scalar.Clamp(2f - bend, 0f, 1f);
+    }
+
+    /// <summary>Lays a rigid sole onto ground that bends under it: along the chords from heel to toes and from side to side, as high as the highest ground under it asks.</summary>
+    private static void Lay(in StepContext step, LegShape shape, Vector3 toes, in Sole sole, ref FootPlace place)
+    {
+        float slope = (sole.Toe - sole.Heel) / (EndShare * (shape.Toe + shape.Heel));
+        float across = (sole.Left - sole.Right) / (2f * EndShare * Math.Max(shape.HalfWidth, 1e-6f));
+        float end = slope * EndShare * shape.Toe;
+        float middle = Vec.Dot(shape.SoleMiddleAlong(toes), toes) * slope;
+        float raise = Math.Max(0f, Math.Max(sole.Toe - end, sole.Middle - (0.5f * end)));
+        raise = Math.Max(raise, (0.5f * (sole.Left + sole.Right)) - middle);
+        Vector3 up = step.Settings.Up;
+        Vector3 ahead = Rotation.Rotate(step.Frame.Rotation, toes);
+        Vector3 aside = Rotation.Rotate(step.Frame.Rotation, new Vector3(toes.Z, 0f, -toes.X));
+        place.Position += up * (raise * step.Frame.Scale);
+        place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - (ahead * slope) - (aside * across), up);
     }
 
     private bool Down(in StepContext step, Vector3 point, out GroundHit hit)
@@ -117,5 +172,17 @@ internal sealed class FootingSearch
         Vector3 up = step.Settings.Up;
         Vector3 origin = step.Frame.ToWorld(new Vector3(point.X, above, point.Z));
         return step.Ground.Cast(origin, -up, (above + (Below * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
+    }
+
+    /// <summary>By how much the ground under a sole is above the plane through the ball's place, metres of the model.</summary>
+    private struct Sole
+    {
+        public float Toe;
+        public float Middle;
+        public float Heel;
+        public float Left;
+        public float Right;
+        public bool ToesHang;
+        public bool HeelHangs;
     }
 }

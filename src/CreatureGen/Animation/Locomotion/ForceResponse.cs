@@ -23,6 +23,9 @@ internal sealed class ForceResponse
     private readonly float[] even = new float[Harmonics + 1];
     private readonly float[] odd = new float[Harmonics + 1];
 
+    /// <summary>Height above its mean at which a body is whose feet all come down together, in units of g/(2πf)²: below it, more so the longer it flies.</summary>
+    public float Touchdown { get; private set; }
+
     /// <summary>Finds the coefficients of the push relative to its mean.</summary>
     /// <param name="duty">β, part of the cycle.</param>
     /// <param name="dip">q.</param>
@@ -30,6 +33,7 @@ internal sealed class ForceResponse
     {
         double mean = (4 / Pi) + (dip * 4 / (3 * Pi));
         PortableMath.SinCos(Pi * duty, out double s1, out double c1);
+        double touchdown = 0;
         double s = 0;
         double c = 1;
         for (int k = 1; k <= Harmonics; k++)
@@ -38,7 +42,10 @@ internal sealed class ForceResponse
             double theta = Pi * k * duty;
             even[k] = (float)(Even(theta, c, dip) / mean);
             odd[k] = (float)(Odd(theta, s, c) / mean);
+            touchdown -= 2 * even[k] * c / (k * k);
         }
+
+        Touchdown = (float)touchdown;
     }
 
     /// <summary>Height of the body above its mean, in units of the first harmonic's g/(2πf)², and the neck's passive nod.</summary>

@@ -41,6 +41,7 @@ internal static class HeadCarriage
                 tilt += i == 0 ? bob : i == count - 2 ? -0.35f * bob : head ? -0.65f * bob : 0f;
             }
 
+            tilt = Scalar.Clamp(tilt, -body.NeckLimits[i], body.NeckLimits[i]);
             if (tilt != last)
             {
                 last = tilt;

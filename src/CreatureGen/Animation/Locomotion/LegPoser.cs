@@ -12,6 +12,12 @@ internal sealed class LegPoser
     /// <summary>Share of the body's own axis in the plane of a leg out to the side.</summary>
     private const float BodyShare = 0.3f;
 
+    /// <summary>Part of a stance after which it is seen whether the leg stands beyond its limits.</summary>
+    private const float LateStance = 0.7f;
+
+    /// <summary>Part of a swing in which a leg that stood beyond its limits comes back within them.</summary>
+    private const float Release = 0.35f;
+
     private readonly LeggedBody body;
     private readonly RestTurns turns;
 
@@ -39,13 +45,24 @@ internal sealed class LegPoser
     }
 
     /// <summary>Solves and writes a leg.</summary>
-    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, in Pose local)
+    /// <param name="index">Which.</param>
+    /// <param name="placer">Gives trunk and hip.</param>
+    /// <param name="foot">Its foot.</param>
+    /// <param name="pose">Where the leg has to bring it.</param>
+    /// <param name="tuck">How far legs ahead of the hindmost pair are folded to the body in the air, 0..1.</param>
+    /// <param name="local">The pose.</param>
+    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, float tuck, in Pose local)
     {
         LegShape leg = body.Legs[index];
         Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
         Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
         Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
         Vector3 chord = pose.Target - hip;
+        if (tuck > 0f && leg.Row > 0 && foot.Phase == FootPhase.Swing)
+        {
+            chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Tucked), tuck * LegTraits.TuckCurve.At(foot.Swing));
+        }
+
         Vector3 side;
         if (leg.Lateral)
         {
@@ -60,12 +77,27 @@ internal sealed class LegPoser
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
-        LegSolver.Solve(leg, pose.Upper, chord, side, slack, foot.Phase, out LegTurns solved);
+        float leeway = Leeway(foot);
+        LegSolver.Solve(leg, pose.Upper, chord, side, slack, leeway, out LegTurns solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Slide(local, leg.Girdle, slide);
         turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
         turns.Set(local, leg.Knee, solved.Knee);
+        bool bounds = foot.Phase == FootPhase.Swing || foot.Stance > LateStance;
+        float strain = solved.Strain;
+        if (bounds)
+        {
+            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway);
+            strain = Math.Max(strain, hips);
+            if (hips > leeway)
+            {
+                // The foot keeps its own turn where the thigh cannot go.
+                solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
+                solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
+            }
+        }
+
         Quaternion metatarsus;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
@@ -78,13 +110,38 @@ internal sealed class LegPoser
 
         turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
         turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
-        if (foot.Phase == FootPhase.Swing)
+        if (bounds)
         {
-            // In the air the foot gives way to the limits of its joints.
-            local.Rotations[leg.Hip] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Hip], leg.HipJoint);
-            local.Rotations[leg.Ankle] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ankle], leg.AnkleJoint);
-            local.Rotations[leg.Ball] = SwingTwistLimit.ClampLocal(local.Rotations[leg.Ball], leg.BallJoint);
+            strain = Math.Max(strain, Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, leeway));
+            strain = Math.Max(strain, Bound(local.Rotations, leg.Ball, leg.BallJoint, leeway));
+            foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : strain;
         }
+    }
+
+    /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps.</summary>
+    private static float Leeway(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
+
+    /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
+    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float leeway)
+    {
+        Quaternion turn = rotations[index];
+        Quaternion bounded = SwingTwistLimit.ClampLocal(turn, joint);
+        if (bounded == turn)
+        {
+            return 0f;
+        }
+
+        float x = turn.X - bounded.X;
+        float y = turn.Y - bounded.Y;
+        float z = turn.Z - bounded.Z;
+        float w = turn.W - bounded.W;
+        float chord = (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
+        if (chord > leeway)
+        {
+            rotations[index] = leeway > 0f ? UnitTurn.Nlerp(bounded, turn, leeway / chord) : bounded;
+        }
+
+        return chord;
     }
 
     /// <summary>Fold of the metatarsus that the ankle can follow. Bounded here, as an angle: folded by more than half a turn the ankle would seem to be bent the other way.</summary>

@@ -31,6 +31,18 @@ internal sealed class LegShape
     /// <summary>How far legs out to the side sweep ahead and back (tan 36°).</summary>
     private const float SweepTangent = 0.72f;
 
+    /// <summary>Part of its reach that a leg out to the side takes up at most under a body that goes.</summary>
+    private const float GoingStretch = 0.88f;
+
+    /// <summary>Part of its distance from the hip, level, to which a foot is drawn in at most.</summary>
+    private const float MostGathering = 0.6f;
+
+    /// <summary>Part of its chord at rest to which a leg is tucked.</summary>
+    private const float TuckedShare = 0.6f;
+
+    /// <summary>How far back a tucked leg is laid, leg lengths.</summary>
+    private const float TuckedBack = 0.25f;
+
     /// <summary>Sine of a bend at rest that says nothing of the side to which a knee folds.</summary>
     private const float Straight = 0.1f;
 
@@ -70,6 +82,7 @@ internal sealed class LegShape
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
+        HalfWidth = sole.HalfWidth;
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
         RollShare = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
@@ -93,6 +106,29 @@ internal sealed class LegShape
         double lb = Vec.Length(b);
         Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(LeastBend)));
         LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
+        Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
+        Stoop = stoop;
+        Tucked = ((upper + Shank) * TuckedShare) - new Vector3(0f, 0f, TuckedBack * Length);
+    }
+
+    private Vector3 Standing(out float stoop)
+    {
+        stoop = 0f;
+        return Home;
+    }
+
+    /// <summary>Where the foot goes: drawn in towards the hip when the leg stands nearly stretched; and how far the body comes down for it where that is not enough.</summary>
+    private Vector3 Gather(out float stoop)
+    {
+        Vector3 chord = Thigh + Shank;
+        float reach = GoingStretch * Reach;
+        float level = (float)Math.Sqrt((chord.X * chord.X) + (chord.Z * chord.Z));
+        float height = -chord.Y;
+        float most = (float)Math.Sqrt(Math.Max((reach * reach) - (height * height), 0f));
+        float share = Scalar.Clamp(most / Math.Max(level, 1e-6f), MostGathering, 1f);
+        float aside = share * level;
+        stoop = share > MostGathering ? 0f : Math.Max(0f, height - (float)Math.Sqrt(Math.Max((reach * reach) - (aside * aside), 0f)));
+        return new Vector3(Home.X - ((1f - share) * chord.X), 0f, Home.Z - ((1f - share) * chord.Z));
     }
 
     /// <summary>The longest way that the foot can go along the ground in a stance before the leg reaches too far, metres.</summary>
@@ -105,7 +141,8 @@ internal sealed class LegShape
     {
         bool pantograph = Traits.Linkage == LegLinkage.Pantograph;
         Vector3 rest = Thigh + Shank + (pantograph ? Metatarsus : Vector3.Zero);
-        float drop = (crouch + (Lateral ? 0.012f : MostDrop)) * Length;
+        float drop = ((crouch + (Lateral ? 0.012f : MostDrop)) * Length) + Stoop;
+        rest += Gathered - Home;
         float height = Math.Max(-rest.Y - drop, 0.2f * Length);
         float aside = Lateral ? rest.X : rest.X + ((track - 1f) * Home.X);
         float share = Lateral ? LateralStretch : Stretch;
@@ -121,7 +158,7 @@ internal sealed class LegShape
         float most = Math.Min(ahead, behind);
         if (Lateral)
         {
-            float away = (float)Math.Sqrt(((Home.X - HipRest.X) * (Home.X - HipRest.X)) + ((Home.Z - HipRest.Z) * (Home.Z - HipRest.Z)));
+            float away = (float)Math.Sqrt(((Gathered.X - HipRest.X) * (Gathered.X - HipRest.X)) + ((Gathered.Z - HipRest.Z) * (Gathered.Z - HipRest.Z)));
             most = Math.Min(most, 2f * SweepTangent * away / Math.Max(1f - (2f * yaw), 0.4f));
         }
 
@@ -168,6 +205,15 @@ internal sealed class LegShape
     /// <summary>Point on the ground under the ball.</summary>
     public Vector3 Home { get; }
 
+    /// <summary>The same under a body that goes: drawn in towards the hip where the leg stands nearly stretched at rest.</summary>
+    public Vector3 Gathered { get; }
+
+    /// <summary>How far the body comes down as it goes, so that a leg that stands nearly stretched has room to step, metres.</summary>
+    public float Stoop { get; }
+
+    /// <summary>From the hip to what is solved for of a leg tucked to the body.</summary>
+    public Vector3 Tucked { get; }
+
     /// <summary>Height of the ball's joint above the ground.</summary>
     public float BallHeight { get; }
 
@@ -195,8 +241,14 @@ internal sealed class LegShape
     /// <summary>From the ball back to the heel, level.</summary>
     public float Heel { get; }
 
+    /// <summary>From the middle of the sole to its sides, level.</summary>
+    public float HalfWidth { get; }
+
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
+
+    /// <summary>The middle of the sole for toes that point somewhere else, level, from the ball.</summary>
+    public Vector3 SoleMiddleAlong(Vector3 toes) => toes * Vec.Dot(SoleMiddle, ToeDirection);
 
     /// <summary>Share of the leg's sweep that its foot turns along, on the middle of its sole: all of it for claws.</summary>
     public float FollowShare { get; }

@@ -25,6 +25,9 @@ internal struct LegTurns
     /// <summary>By how much the leg fell short or was too long, metres.</summary>
     public float Residual;
 
+    /// <summary>How far beyond its limits the knee would have to turn, about half the angle in radians.</summary>
+    public float Strain;
+
     /// <summary>Bend of the knee about its hinge, radians: 0 is straight, negative for elbows.</summary>
     public float Bend;
 
@@ -50,9 +53,9 @@ internal static class LegSolver
     /// <param name="target">Where the end has to be, from the hip.</param>
     /// <param name="side">Where the hinge has to point.</param>
     /// <param name="slack">0..1: how early the reach is eased.</param>
-    /// <param name="phase">Of its foot.</param>
+    /// <param name="leeway">How far the knee may stay beyond its limits, about half the angle in radians: on the ground, where the foot keeps its place, as far as it likes.</param>
     /// <param name="turns">The turns.</param>
-    public static void Solve(LegShape leg, Vector3 upper, Vector3 target, Vector3 side, float slack, FootPhase phase, out LegTurns turns)
+    public static void Solve(LegShape leg, Vector3 upper, Vector3 target, Vector3 side, float slack, float leeway, out LegTurns turns)
     {
         Vector3 n = leg.Hinge;
         Vector3 lower = leg.Shank;
@@ -90,11 +93,7 @@ internal static class LegSolver
         double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
         double cosKnee = (cosThen * cosNow) + (sinThen * sinNow);
         double sinKnee = (sinThen * cosNow) - (cosThen * sinNow);
-        if (phase == FootPhase.Swing)
-        {
-            // In the air the foot gives way to the limits of the knee.
-            leg.KneeFold.Clamp(ref cosKnee, ref sinKnee);
-        }
+        turns.Strain = 0.5f * leg.KneeFold.Clamp(ref cosKnee, ref sinKnee, 2f * leeway);
 
         HalfAngle.Of(cosKnee, sinKnee, out double halfCosine, out double halfSine);
         turns.Bend = (float)cosThen;
@@ -102,8 +101,23 @@ internal static class LegSolver
         turns.Knee = new Quaternion((float)(n.X * halfSine), (float)(n.Y * halfSine), (float)(n.Z * halfSine), (float)halfCosine);
 
         Vector3 chord = upper + Rotation.Rotate(turns.Knee, lower);
-        turns.Thigh = UnitTurn.Frame(Vec.Normalize(chord, -Vector3.UnitY), n, Vec.Normalize(target, -Vector3.UnitY), side);
+        Vector3 aim = leg.Lateral && turns.Strain > leeway ? Around(target, Vec.LengthSquared(chord)) : target;
+        turns.Thigh = UnitTurn.Frame(Vec.Normalize(chord, -Vector3.UnitY), n, Vec.Normalize(aim, -Vector3.UnitY), side);
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
+    }
+
+    /// <summary>Where a foot goes that is nearer to its hip than the leg folds: round it outside at the same height, and not down into the ground.</summary>
+    private static Vector3 Around(Vector3 target, float lengthSquared)
+    {
+        float level = (target.X * target.X) + (target.Z * target.Z);
+        float wanted = lengthSquared - (target.Y * target.Y);
+        if (wanted <= level || level < 1e-4f * lengthSquared)
+        {
+            return target;
+        }
+
+        float share = (float)Math.Sqrt(wanted / level);
+        return new Vector3(target.X * share, target.Y, target.Z * share);
     }
 
     private static readonly double LeastBendCosine = PortableMath.Cos(0.2094);

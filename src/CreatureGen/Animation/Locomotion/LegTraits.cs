@@ -57,6 +57,9 @@ internal sealed class LegTraits
     /// <summary>Share of the swing in which the knee must not come straight yet.</summary>
     public static Curve SlackCurve { get; } = Curve.Bell(0.72, 4);
 
+    /// <summary>Course of the folding of a leg that is tucked in the air.</summary>
+    public static Curve TuckCurve { get; } = Curve.Bell(0.45, 1.5);
+
     /// <summary>Lift over a bump in the way.</summary>
     public static Curve BumpCurve { get; } = Curve.Bell(0.5, 1.2);
 

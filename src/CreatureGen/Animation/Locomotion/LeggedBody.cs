@@ -14,6 +14,9 @@ internal sealed class LeggedBody
     /// <summary>Part of the joints' limits that bends to a side take up: the rest is for pitch and roll.</summary>
     private const float BendShare = 0.95f;
 
+    /// <summary>Distance of the hips from the middle, leg lengths, beyond which the body yaws less.</summary>
+    private const float WideHips = 0.55f;
+
     private LeggedBody(Creature creature, LimbChain[] standing)
     {
         Creature = creature;
@@ -55,10 +58,19 @@ internal sealed class LeggedBody
             ForeSlot = Trunk.Length - 1;
         }
 
-        Traits = TrunkTraits.Of(creature.Blueprint.Plan, BaseBodyNames.FamilyOf(creature.Blueprint.Body.Blend.First), Mass);
+        foreach (LegShape leg in Legs)
+        {
+            HindStoop = leg.IsHind(Rows) ? Math.Max(HindStoop, leg.Stoop) : HindStoop;
+            ForeStoop = leg.IsHind(Rows) ? ForeStoop : Math.Max(ForeStoop, leg.Stoop);
+        }
+
+        float steady = SteadyShare();
+        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, BaseBodyNames.FamilyOf(creature.Blueprint.Body.Blend.First), Mass);
+        Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase(), 1e-3f));
         Neck = NeckOf(Skeleton);
+        NeckLimits = Array.ConvertAll(Neck, joint => BendShare * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
         Tail = ChainOf(Skeleton, JointRole.Tail);
         TailLimits = new float[Tail.Length];
         for (int i = 0; i < Tail.Length; i++)
@@ -108,6 +120,9 @@ internal sealed class LeggedBody
     /// <summary>Neck joints and the head, which is the last.</summary>
     public int[] Neck { get; }
 
+    /// <summary>How far each joint of neck and head nods to its narrower side, radians.</summary>
+    public float[] NeckLimits { get; }
+
     public int[] Tail { get; }
 
     /// <summary>How far each tail joint bends to its narrowest side, radians.</summary>
@@ -129,6 +144,11 @@ internal sealed class LeggedBody
 
     public float HipHeight { get; }
 
+    /// <summary>How far the rear and the front of the body come down as it goes, metres.</summary>
+    public float HindStoop { get; }
+
+    public float ForeStoop { get; }
+
     public float HalfTrack { get; }
 
     public float TrunkLength { get; }
@@ -147,8 +167,8 @@ internal sealed class LeggedBody
     /// <summary>Whether it is built to hop: upright, with long feet under it and a tail to counter them.</summary>
     public bool Hops { get; }
 
-    /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers.</summary>
-    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype == LimbArchetype.Jumper);
+    /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers and frogs.</summary>
+    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype is LimbArchetype.Jumper or LimbArchetype.FrogHind);
 
     /// <summary>M^−0.26.</summary>
     public double BreathShare { get; }
@@ -310,6 +330,18 @@ internal sealed class LeggedBody
 
         int foreCount = Legs.Length - hindCount;
         return foreCount == 0 ? 0f : (fore / foreCount) - (hind / Math.Max(hindCount, 1));
+    }
+
+    /// <summary>Share of its yaw with the feet that a body has: on hips far from the middle a turn takes the feet farther than the legs step.</summary>
+    private float SteadyShare()
+    {
+        float widest = 0f;
+        foreach (LegShape leg in Legs)
+        {
+            widest = Math.Max(widest, Math.Abs(leg.HipRest.X));
+        }
+
+        return Math.Min(1f, WideHips * LegLength / Math.Max(widest, 1e-6f));
     }
 
     private bool LongFeet() => Vec.Length(Legs[0].Metatarsus) + Legs[0].Toe > 0.42f * LegLength;

@@ -206,7 +206,7 @@ internal sealed class LeggedMotion : IBodyMotion
         poser.PoseTrunk(placer, local);
         for (int i = 0; i < poses.Length; i++)
         {
-            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], local);
+            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], clock.Shape.Tuck * activity, local);
         }
 
         HeadCarriage.Pose(body, turns, placer, context, local);

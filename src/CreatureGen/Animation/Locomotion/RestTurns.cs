@@ -30,6 +30,10 @@ internal sealed class RestTurns
     public void Set(in Pose local, int joint, Quaternion turn) =>
         local.Rotations[joint] = Normalized(Rotation.Multiply(before[joint], Rotation.Multiply(turn, after[joint])));
 
+    /// <summary>How far a joint is turned away from rest.</summary>
+    public Quaternion Of(in Pose local, int joint) =>
+        Normalized(Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(before[joint]), local.Rotations[joint]), Rotation.Inverse(after[joint])));
+
     /// <summary>Slides a joint away from rest.</summary>
     public void Slide(in Pose local, int joint, Vector3 slide) =>
         local.Positions[joint] = positions[joint] + Rotation.Rotate(before[joint], slide);

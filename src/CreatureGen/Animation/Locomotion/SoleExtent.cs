@@ -19,10 +19,11 @@ internal readonly struct SoleExtent
     /// <summary>Weight from which on a vertex is of the foot alone.</summary>
     private const float Firm = 0.9f;
 
-    private SoleExtent(float toe, float heel, Vector3 middle)
+    private SoleExtent(float toe, float heel, float width, Vector3 middle)
     {
         Toe = toe;
         Heel = heel;
+        HalfWidth = width;
         Middle = middle;
     }
 
@@ -32,6 +33,9 @@ internal readonly struct SoleExtent
     public float Toe { get; }
 
     public float Heel { get; }
+
+    /// <summary>From the line through the ball to the farther side.</summary>
+    public float HalfWidth { get; }
 
     /// <summary>Measures the soles of all legs on the skin.</summary>
     public static SoleExtent[] Measure(Creature creature, LimbChain[] legs)
@@ -53,6 +57,7 @@ internal readonly struct SoleExtent
 
         var toe = new float[legs.Length];
         var heel = new float[legs.Length];
+        var width = new float[legs.Length];
         var sum = new Vector3[legs.Length];
         var count = new int[legs.Length];
         var surface = new float[legs.Length];
@@ -76,6 +81,7 @@ internal readonly struct SoleExtent
             float along = Vec.Dot(positions[v] - ball, ahead[leg]);
             toe[leg] = Math.Max(toe[leg], along);
             heel[leg] = Math.Max(heel[leg], -along);
+            width[leg] = Math.Max(width[leg], Math.Abs(((positions[v].X - ball.X) * ahead[leg].Z) - ((positions[v].Z - ball.Z) * ahead[leg].X)));
             if (weights[v].Weights.X > Firm)
             {
                 surface[leg] = Math.Min(surface[leg], positions[v].Y);
@@ -100,7 +106,7 @@ internal readonly struct SoleExtent
         var extents = new SoleExtent[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {
-            extents[i] = new SoleExtent(toe[i], heel[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])));
+            extents[i] = new SoleExtent(toe[i], heel[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])));
         }
 
         return extents;

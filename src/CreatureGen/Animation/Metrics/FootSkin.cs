@@ -11,9 +11,16 @@ namespace CreatureGen.Animation.Metrics;
 /// <summary>The vertices of a foot near the ground, moved by a pose.</summary>
 internal sealed class FootSkin
 {
+    /// <summary>Weight from which on a vertex goes with one joint.</summary>
+    private const float Firm = 0.9f;
+
+    /// <summary>Weight from which on it goes mostly with one.</summary>
+    private const float Shared = 0.49f;
+
     private readonly CreatureMesh mesh;
     private readonly int[] vertices;
     private readonly int soleCount;
+    private readonly float firm = Firm;
 
     /// <summary>Takes the vertices that ankle, ball and toes move and that are low at rest.</summary>
     /// <param name="creature">The creature.</param>
@@ -25,13 +32,17 @@ internal sealed class FootSkin
         mesh = creature.Mesh;
         var sole = new List<int>();
         var rest = new List<int>();
-        float lowest = float.MaxValue;
-        for (int v = 0; v < mesh.Positions.Length; v++)
+        float lowest = Lowest(ankle, ball);
+        firm = Shared;
+        float shared = Lowest(ankle, ball);
+        if (shared < lowest - (0.003f * length))
         {
-            if (IsFoot(v, ankle, ball))
-            {
-                lowest = Math.Min(lowest, mesh.Positions[v].Y);
-            }
+            // A foot that stands on skin between its joints.
+            lowest = shared;
+        }
+        else
+        {
+            firm = Firm;
         }
 
         for (int v = 0; v < mesh.Positions.Length; v++)
@@ -76,10 +87,24 @@ internal sealed class FootSkin
         return sum / Math.Max(soleCount, 1);
     }
 
+    private float Lowest(int ankle, int ball)
+    {
+        float lowest = float.MaxValue;
+        for (int v = 0; v < mesh.Positions.Length; v++)
+        {
+            if (IsFoot(v, ankle, ball))
+            {
+                lowest = Math.Min(lowest, mesh.Positions[v].Y);
+            }
+        }
+
+        return lowest;
+    }
+
     private bool IsFoot(int vertex, int ankle, int ball)
     {
         SkinWeights w = mesh.Weights[vertex];
-        return (w.Joint0 == ankle || w.Joint0 == ball) && w.Weights.X > 0.9f;
+        return (w.Joint0 == ankle || w.Joint0 == ball) && w.Weights.X > firm;
     }
 
     private static Vector3 Moved(in Matrix4x4 m, Vector3 p) => new(
