@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Preview.Pictures;
@@ -15,6 +16,9 @@ public static class Portrait
 
     // Room around the head, part of the radius of the ball around it.
     private const float FaceRoom = 0.86f;
+
+    /// <summary>Radius of what a picture of a face shows about the eyes, relative to how far the snout is ahead of them.</summary>
+    private const float AboutTheEyes = 1.2f;
 
     /// <summary>The creature in rest pose from a named side, as large as the frame allows.</summary>
     public static Picture Take(Creature creature, View view, RenderOptions options)
@@ -71,22 +75,26 @@ public static class Portrait
     private static Camera Fit(RenderMesh mesh, View view, RenderOptions options) =>
         Camera.Fit(Views.Angle(view), mesh.Positions, options.Width / (float)options.Height);
 
-    // Around what the head, the jaw and the eyes move most; around everything when there is no head.
+    // Around what the head, the jaw and the eyes move most, as far about the eyes as the snout reaches ahead of them: antlers and collars may go beyond the picture. Around everything when there is no head.
     private static BoundingBox HeadBounds(Creature creature)
     {
-        BoundingBox bounds = default;
-        bool any = false;
-        for (int i = 0; i < creature.Mesh.Positions.Length; i++)
+        Vector3[] positions = creature.Mesh.Positions.ToArray();
+        int[] head = Enumerable.Range(0, positions.Length).Where(i => RoleOf(i) is JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Lid).ToArray();
+        int[] eyes = Array.FindAll(head, i => RoleOf(i) == JointRole.Eye);
+        if (head.Length == 0)
         {
-            if (creature.Skeleton.Joints[creature.Mesh.Weights[i].Joint0].Role is JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Lid)
-            {
-                Vector3 p = creature.Mesh.Positions[i];
-                var point = new BoundingBox(p, p);
-                bounds = any ? bounds.Around(point) : point;
-                any = true;
-            }
+            return BoundingBox.Of(positions);
         }
 
-        return any ? bounds : BoundingBox.Of(creature.Mesh.Positions);
+        if (eyes.Length > 0)
+        {
+            BoundingBox pair = BoundingBox.Of(Array.ConvertAll(eyes, i => positions[i]));
+            float reach = Math.Max(pair.Diagonal, head.Max(i => positions[i].Z) - pair.Centre.Z);
+            head = Array.FindAll(head, i => Vector3.Distance(positions[i], pair.Centre) <= AboutTheEyes * reach);
+        }
+
+        return BoundingBox.Of(Array.ConvertAll(head, i => positions[i]));
+
+        JointRole RoleOf(int vertex) => creature.Skeleton.Joints[creature.Mesh.Weights[vertex].Joint0].Role;
     }
 }

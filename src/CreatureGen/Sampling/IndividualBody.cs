@@ -145,7 +145,7 @@ internal sealed class IndividualBody
     private static LegBlueprint Hang(CreatureDraft ofType, CreatureDraft draft, LegBlueprint leg, IndividualTraits traits)
     {
         int ring = leg.Socket.Ring + (leg.Socket.Rows / 2);
-        double lowered = draft.Kind == LocomotionKind.Walking ? Math.Min(1, draft.Shape.Y[ring] / ofType.Shape.Y[ring]) : 1;
+        double lowered = draft.IsOnGround ? Math.Min(1, draft.Shape.Y[ring] / ofType.Shape.Y[ring]) : 1;
         double length = lowered * (1 + (0.3 * traits.Stance));
         return leg with { Thickness = leg.Thickness * traits.LegGirth, Length = leg.Length * length, Reach = leg.Reach * length };
     }

@@ -56,7 +56,7 @@ internal static class MammalSpecies
                 new PartSlot(
                     new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Tusk, 3.4, 10.4, 0.13, 0.022, 0.2, -0.1, 0.5, 0.7, 0.55, 0, 0, 1, 0.9), 0.7, 1.6)),
                     new PartChoice(0.4)),
-                new PartSlot(new PartChoice(1) { Mane = NeckKits.Bristles }, new PartChoice(0.3)),
+                new PartSlot(new PartChoice(1) { Mane = NeckKits.Bristles }),
             },
             Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Mottle, 0.5)),
             Colourings = new[]
@@ -142,7 +142,7 @@ internal static class MammalSpecies
         {
             Body = "rhino",
             Frequency = (0.22, 0, 0),
-            HipHeight = (0.54, 0.68),
+            HipHeight = (0.58, 0.70), LegGirth = 0.84,
             Eye = (8.8, 6.2), EyeSize = 0.24,
             HeadOrnament = (1, 0), EarSize = 0.8, Ears = Ears((EarShape.Pointed, 1)),
             WalkingPlans = Only(BodyPlan.Columnar),

@@ -72,10 +72,10 @@ internal static class NeckSampler
         draft.Frills.Add(OffGround(draft, kit.Frill with { Length = kit.Frill.Length * Scalar.Lerp(kit.Least, kit.Most, size) * unit, Thickness = kit.Frill.Thickness * unit }));
     }
 
-    /// <summary>Hair of a walker, shortened until what hangs from its tail or its throat clears the ground.</summary>
+    /// <summary>Hair of what stands, shortened until what hangs from its tail or its throat clears the ground.</summary>
     public static ManeBlueprint OffGround(CreatureDraft draft, ManeBlueprint mane)
     {
-        if (draft.Kind != LocomotionKind.Walking || mane.LastSegment <= BodyGrid.Segments / 4)
+        if (!draft.IsOnGround || mane.LastSegment <= BodyGrid.Segments / 4)
         {
             return mane;
         }
@@ -88,10 +88,10 @@ internal static class NeckSampler
         return mane;
     }
 
-    /// <summary>A collar of a walker, shortened until it clears the ground.</summary>
+    /// <summary>A collar of what stands, shortened until it clears the ground.</summary>
     public static FrillBlueprint OffGround(CreatureDraft draft, FrillBlueprint frill)
     {
-        if (draft.Kind != LocomotionKind.Walking)
+        if (!draft.IsOnGround)
         {
             return frill;
         }

@@ -18,7 +18,7 @@ internal static class SaurianSpecies
             Frequency = (0.16, 0, 0),
             Dominance = (0.93, 0.98),
             Kinship = 0,
-            HipHeight = (0.58, 0.69),
+            HipHeight = (0.58, 0.69), LegGirth = 0.84,
             HeadSize = (1.1, 0.6),
             WalkingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Columnar, 1) },
             Eye = (9.6, 6.0), EyeSize = 0.22, SlitPupils = 0.3,

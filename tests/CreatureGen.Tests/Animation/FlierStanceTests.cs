@@ -181,7 +181,7 @@ public sealed class FlierStanceTests
     public void Fliers_without_legs_never_touch_the_ground()
     {
         int tried = 0;
-        foreach (MotionProfile profile in Fliers(0, 120).Where(profile => profile.Legs == null))
+        foreach (MotionProfile profile in Fliers(0, 400).Where(profile => profile.Legs == null))
         {
             var flight = new Flight(profile, 60f);
             flight.Rise(3f);

@@ -18,6 +18,8 @@ internal sealed class RigSubject
 {
     private static readonly ConcurrentDictionary<BodyPlan, Lazy<RigSubject>> subjects = new();
 
+    private static readonly ConcurrentDictionary<BodyPlan, Lazy<RigSubject[]>> groups = new();
+
     private readonly Lazy<SkinWeights[]> weights;
 
     private RigSubject(CreatureBlueprint blueprint)
@@ -44,9 +46,9 @@ internal sealed class RigSubject
     /// <summary>The first blueprint of a plan.</summary>
     public static CreatureBlueprint BlueprintOf(BodyPlan plan) => First(b => b.Plan == plan);
 
-    /// <summary>The first creatures of a plan.</summary>
-    public static RigSubject[] Several(BodyPlan plan, int count) =>
-        Enumerable.Range(0, 2000).Select(seed => BlueprintSampler.Sample((ulong)seed)).Where(b => b.Plan == plan).Take(count).Select(b => new RigSubject(b)).ToArray();
+    /// <summary>The first six creatures of a plan.</summary>
+    public static RigSubject[] Several(BodyPlan plan) => groups.GetOrAdd(plan, p => new Lazy<RigSubject[]>(() =>
+        Enumerable.Range(0, 4000).Select(seed => BlueprintSampler.Sample((ulong)seed)).Where(b => b.Plan == p).Take(6).Select(b => new RigSubject(b)).ToArray())).Value;
 
     /// <summary>The first creature with a fin on the back that ends in a swept tip.</summary>
     public static RigSubject WithSharkFin() => new(First(b => b.Fins.Any(f => f.Place == FinPlace.Dorsal && f.Style == FinStyle.Shark)));

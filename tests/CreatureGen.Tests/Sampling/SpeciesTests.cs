@@ -108,7 +108,7 @@ public sealed class SpeciesTests
     public void Every_body_builds_with_every_invariant(string body, RequestedKind kind)
     {
         var violations = new ConcurrentBag<string>();
-        CreatureOptions options = Only(body, kind);
+        CreatureOptions options = SpeciesSubject.Only(body, kind);
         Parallel.For(0, Seeds, new ParallelOptions { CancellationToken = TestContext.Current.CancellationToken }, i =>
         {
             CreatureBlueprint blueprint = BlueprintSampler.Sample((ulong)i, options, out SocketTally sockets);
@@ -359,11 +359,5 @@ public sealed class SpeciesTests
     private static BodySkin SkinOf(CreatureBlueprint b) => BodySkin.Span(BodyShaper.Shape(b.Plan, b.Body, b.Head, b.Tail), b.Body, b.Head, b.Tail);
 
     internal static IEnumerable<CreatureBlueprint> Drawn(string body, RequestedKind kind) =>
-        Enumerable.Range(0, 12).Select(seed => BlueprintSampler.Sample((ulong)seed, Only(body, kind)));
-
-    internal static CreatureOptions Only(string body, RequestedKind kind) => CreatureOptions.Default with
-    {
-        Kind = kind,
-        BaseBodies = new ValueList<BaseBodyWeight>(BaseBodyNames.All.Select(name => new BaseBodyWeight(name, name == body ? 1 : 0))),
-    };
+        Enumerable.Range(0, 12).Select(seed => BlueprintSampler.Sample((ulong)seed, SpeciesSubject.Only(body, kind)));
 }

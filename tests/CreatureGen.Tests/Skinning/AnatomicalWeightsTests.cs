@@ -66,7 +66,7 @@ public sealed class AnatomicalWeightsTests
         for (int a = 0; a < subject.Input.Appendages.Count; a++)
         {
             Appendage appendage = subject.Input.Appendages[a];
-            if (appendage.Archetype == LimbArchetype.Insect || !(appendage.Kind is LimbKind.Leg or LimbKind.Arm or LimbKind.Wing or LimbKind.Ear))
+            if (appendage.Archetype is LimbArchetype.Insect or LimbArchetype.Raptorial or LimbArchetype.Jumper || !(appendage.Kind is LimbKind.Leg or LimbKind.Arm or LimbKind.Wing or LimbKind.Ear))
             {
                 // The joints of insects are hard, fins are thin.
                 continue;

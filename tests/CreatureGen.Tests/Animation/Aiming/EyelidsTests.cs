@@ -13,6 +13,7 @@ using CreatureGen.Maths;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Animation.Aiming;
@@ -67,13 +68,13 @@ public sealed class EyelidsTests
     }
 
     [Theory]
-    [InlineData(LocomotionKind.Walking, 42UL)]
-    [InlineData(LocomotionKind.Walking, 3UL)]
-    [InlineData(LocomotionKind.Flying, 1UL)]
-    [InlineData(LocomotionKind.Swimming, 8UL)]
-    public void Shut_lids_lie_before_the_pupil_and_left_and_right_stay_mirror_images(LocomotionKind kind, ulong seed)
+    [InlineData("canine", RequestedKind.Walking)]
+    [InlineData("feline", RequestedKind.Walking)]
+    [InlineData("owl", RequestedKind.Flying)]
+    [InlineData("seal", RequestedKind.Swimming)]
+    public void Shut_lids_lie_before_the_pupil_and_left_and_right_stay_mirror_images(string body, RequestedKind kind)
     {
-        Creature creature = Generate(kind, seed);
+        Creature creature = SpeciesSubject.Of(body, kind);
         Assert.False(IsCovered(creature, Pose(creature, 0f)));
         Vector3[] shut = Pose(creature, 1f);
         Assert.True(IsCovered(creature, shut));
@@ -96,7 +97,7 @@ public sealed class EyelidsTests
     [Fact]
     public void A_creature_blinks_by_itself_within_the_limits_of_its_lids()
     {
-        Creature creature = Generate(LocomotionKind.Walking, 42);
+        Creature creature = SpeciesSubject.Of("canine", RequestedKind.Walking);
         var animator = new CreatureAnimator(creature);
         int upper = creature.Skeleton.IndexOf("UpperLid_L");
         int blinks = 0;
@@ -117,7 +118,7 @@ public sealed class EyelidsTests
     [Fact]
     public void The_idle_clip_blinks_once_and_no_other_clip_does()
     {
-        Creature creature = Generate(LocomotionKind.Walking, 42);
+        Creature creature = SpeciesSubject.Of("canine", RequestedKind.Walking);
         int upper = creature.Skeleton.IndexOf("UpperLid_L");
         foreach (Clip clip in ClipBaker.Bake(creature))
         {
@@ -135,7 +136,7 @@ public sealed class EyelidsTests
     [Fact]
     public void Lids_are_kept_within_their_limits_and_refuse_what_is_no_number()
     {
-        Creature creature = Generate(LocomotionKind.Walking, 42);
+        Creature creature = SpeciesSubject.Of("canine", RequestedKind.Walking);
         Joint lid = creature.Skeleton.Joints[creature.Skeleton.IndexOf("UpperLid_L")];
         Assert.Equal(Pose(creature, 1f), Pose(creature, 7f));
         Assert.NotEqual(Pose(creature, 0f), Pose(creature, -0.1f));

@@ -8,26 +8,27 @@ using CreatureGen.Animation.Clips;
 using CreatureGen.Creatures;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Animation.Clips;
 
 public sealed class ClipBakerTests
 {
-    public static TheoryData<LocomotionKind, ulong, string> Creatures => new()
+    public static TheoryData<string, RequestedKind, string> Creatures => new()
     {
-        { LocomotionKind.Walking, 22, "Walk" },
-        { LocomotionKind.Walking, 8, "Walk" },
-        { LocomotionKind.Walking, 18, "Slither" },
-        { LocomotionKind.Flying, 1, "Fly" },
-        { LocomotionKind.Swimming, 4, "Swim" },
+        { "feline", RequestedKind.Walking, "Walk" },
+        { "bison", RequestedKind.Walking, "Walk" },
+        { "cobra", RequestedKind.Walking, "Slither" },
+        { "raptor", RequestedKind.Flying, "Fly" },
+        { "fish", RequestedKind.Swimming, "Swim" },
     };
 
     [Theory]
     [MemberData(nameof(Creatures))]
-    public void A_creature_idles_and_does_what_its_build_is_for(LocomotionKind kind, ulong seed, string name)
+    public void A_creature_idles_and_does_what_its_build_is_for(string body, RequestedKind kind, string name)
     {
-        IReadOnlyList<Clip> clips = Bake(kind, seed);
+        IReadOnlyList<Clip> clips = Bake(body, kind);
         Assert.Equal("Idle", clips[0].Name);
         Assert.Equal(0f, clips[0].Speed, 3);
         Clip moving = Assert.Single(clips, clip => clip.Name == name);
@@ -37,10 +38,10 @@ public sealed class ClipBakerTests
 
     [Theory]
     [MemberData(nameof(Creatures))]
-    public void Every_clip_closes_and_nothing_jumps_on_the_way(LocomotionKind kind, ulong seed, string name)
+    public void Every_clip_closes_and_nothing_jumps_on_the_way(string body, RequestedKind kind, string name)
     {
         _ = name;
-        Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, kind));
+        Creature creature = SpeciesSubject.Of(body, kind);
         bool IsLid(int joint) => creature.Skeleton.Joints[joint].Role == JointRole.Lid;
         foreach (Clip clip in ClipBaker.Bake(creature))
         {
@@ -62,7 +63,7 @@ public sealed class ClipBakerTests
     [Fact]
     public void A_flier_takes_off_from_where_it_stands_and_lands_on_its_feet()
     {
-        Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(1, LocomotionKind.Flying));
+        Creature creature = SpeciesSubject.Of("raptor", RequestedKind.Flying);
         var profile = new MotionProfile(creature);
         IReadOnlyList<Clip> clips = ClipBaker.Bake(creature);
         Clip idle = clips.Single(clip => clip.Name == "Idle");
@@ -79,9 +80,9 @@ public sealed class ClipBakerTests
     [Fact]
     public void Quick_wings_get_more_frames_and_keep_their_time()
     {
-        IReadOnlyList<Clip> bird = Bake(LocomotionKind.Flying, 1);
+        IReadOnlyList<Clip> bird = Bake("raptor", RequestedKind.Flying);
         Assert.True(bird.Single(clip => clip.Name == "Hover").Rate > Clip.UsualRate);
-        Assert.All(Bake(LocomotionKind.Walking, 22).Where(clip => clip.Name is "Idle" or "Walk"), clip => Assert.Equal(Clip.UsualRate, clip.Rate));
+        Assert.All(Bake("rhino", RequestedKind.Walking).Where(clip => clip.Name is "Idle" or "Walk"), clip => Assert.Equal(Clip.UsualRate, clip.Rate));
         Clip fly = bird.Single(clip => clip.Name == "Fly");
         Assert.Equal((fly.Frames - 1) / (float)fly.Rate, fly.Duration);
     }
@@ -89,8 +90,8 @@ public sealed class ClipBakerTests
     [Fact]
     public void The_same_creature_gives_the_same_clips()
     {
-        IReadOnlyList<Clip> first = Bake(LocomotionKind.Walking, 22);
-        IReadOnlyList<Clip> second = Bake(LocomotionKind.Walking, 22);
+        IReadOnlyList<Clip> first = Bake("feline", RequestedKind.Walking);
+        IReadOnlyList<Clip> second = Bake("feline", RequestedKind.Walking);
         Assert.Equal(first.Select(clip => (clip.Name, clip.Frames, clip.Speed)), second.Select(clip => (clip.Name, clip.Frames, clip.Speed)));
         for (int i = 0; i < first.Count; i++)
         {
@@ -105,7 +106,7 @@ public sealed class ClipBakerTests
     [Fact]
     public void The_root_stays_where_it_is()
     {
-        foreach (Clip clip in Bake(LocomotionKind.Walking, 22))
+        foreach (Clip clip in Bake("feline", RequestedKind.Walking))
         {
             for (int frame = 0; frame < clip.Frames; frame++)
             {
@@ -115,5 +116,5 @@ public sealed class ClipBakerTests
         }
     }
 
-    private static IReadOnlyList<Clip> Bake(LocomotionKind kind, ulong seed) => ClipBaker.Bake(CreatureGenerator.Build(BlueprintSampler.Sample(seed, kind)));
+    private static IReadOnlyList<Clip> Bake(string body, RequestedKind kind) => ClipBaker.Bake(SpeciesSubject.Of(body, kind));
 }
