@@ -31,6 +31,8 @@ internal static class BirdSpecies
                 new Colouring(new Tint(0.80, 0.02, 90)) { Kind = PatternKind.Plain, Limb = new Tint(0.66, 0.14, 55), Muzzle = new Tint(0.72, 0.15, 62) },
                 new Colouring(new Tint(0.56, 0.05, 70)) { Pattern = new Tint(0.38, 0.05, 60), Kind = PatternKind.Mottle, Limb = new Tint(0.62, 0.15, 50), Accent = new Tint(0.45, 0.11, 160), Muzzle = new Tint(0.74, 0.14, 85) },
                 new Colouring(new Tint(0.86, 0.10, 95)) { Kind = PatternKind.Plain, Limb = new Tint(0.66, 0.15, 55), Muzzle = new Tint(0.70, 0.16, 58) },
+                new Colouring(new Tint(0.30, 0.04, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.90, 0.01, 90), Limb = new Tint(0.60, 0.14, 50), Accent = new Tint(0.90, 0.01, 90), Muzzle = new Tint(0.55, 0.10, 240) },
+                new Colouring(new Tint(0.50, 0.11, 40)) { Kind = PatternKind.Plain, Belly = new Tint(0.62, 0.10, 60), Limb = new Tint(0.32, 0.03, 60), Accent = new Tint(0.34, 0.08, 160), Muzzle = new Tint(0.24, 0.02, 60) },
             },
         },
         avian with
@@ -45,6 +47,8 @@ internal static class BirdSpecies
                 new Colouring(new Tint(0.42, 0.05, 58)) { Pattern = new Tint(0.26, 0.03, 50), Kind = PatternKind.Mottle, Limb = new Tint(0.80, 0.13, 90), Muzzle = new Tint(0.78, 0.15, 85) },
                 new Colouring(new Tint(0.55, 0.06, 60)) { Pattern = new Tint(0.32, 0.05, 50), Kind = PatternKind.Bands, Limb = new Tint(0.78, 0.13, 88), Muzzle = new Tint(0.32, 0.02, 60) },
                 new Colouring(new Tint(0.50, 0.02, 250)) { Pattern = new Tint(0.34, 0.02, 250), Kind = PatternKind.Bands, Limb = new Tint(0.78, 0.13, 88), Muzzle = new Tint(0.34, 0.02, 250) },
+                new Colouring(new Tint(0.28, 0.02, 60)) { Kind = PatternKind.Plain, Belly = new Tint(0.34, 0.03, 50), Limb = new Tint(0.78, 0.14, 90), Accent = new Tint(0.92, 0.02, 90), Muzzle = new Tint(0.80, 0.15, 88) },
+                new Colouring(new Tint(0.56, 0.12, 46)) { Pattern = new Tint(0.30, 0.04, 40), Kind = PatternKind.Spots, Belly = new Tint(0.86, 0.06, 75), Limb = new Tint(0.78, 0.13, 88), Muzzle = new Tint(0.4, 0.03, 240) },
             },
         },
         avian with
@@ -58,6 +62,7 @@ internal static class BirdSpecies
             {
                 new Colouring(new Tint(0.28, 0.015, 60)) { Kind = PatternKind.Plain, Limb = new Tint(0.68, 0.05, 40), Accent = new Tint(0.85, 0.02, 80), Muzzle = new Tint(0.62, 0.08, 45) },
                 new Colouring(new Tint(0.52, 0.04, 70)) { Kind = PatternKind.Mottle, Limb = new Tint(0.62, 0.06, 50), Muzzle = new Tint(0.6, 0.06, 60) },
+                new Colouring(new Tint(0.24, 0.02, 270)) { Kind = PatternKind.Plain, Limb = new Tint(0.5, 0.03, 70), Accent = new Tint(0.50, 0.16, 250), Muzzle = new Tint(0.50, 0.15, 250) },
             },
         },
         avian with
@@ -74,6 +79,9 @@ internal static class BirdSpecies
                 new Colouring(new Tint(0.66, 0.18, 138)) { Kind = PatternKind.Plain, Accent = new Tint(0.60, 0.20, 30), Muzzle = new Tint(0.75, 0.12, 75) },
                 new Colouring(new Tint(0.58, 0.15, 245)) { Kind = PatternKind.Plain, Belly = new Tint(0.82, 0.16, 92), Accent = new Tint(0.82, 0.16, 92), Muzzle = new Tint(0.25, 0.02, 60) },
                 new Colouring(new Tint(0.88, 0.04, 95)) { Kind = PatternKind.Plain, Accent = new Tint(0.85, 0.16, 95), Muzzle = new Tint(0.35, 0.02, 60) },
+                new Colouring(new Tint(0.62, 0.02, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.76, 0.02, 250), Accent = new Tint(0.52, 0.20, 25), Muzzle = new Tint(0.24, 0.02, 60) },
+                new Colouring(new Tint(0.80, 0.16, 95)) { Kind = PatternKind.Plain, Belly = new Tint(0.86, 0.13, 98), Accent = new Tint(0.62, 0.16, 140), Muzzle = new Tint(0.78, 0.06, 60) },
+                new Colouring(new Tint(0.48, 0.14, 300)) { Kind = PatternKind.Plain, Accent = new Tint(0.72, 0.16, 60), Muzzle = new Tint(0.25, 0.02, 60) },
             },
         },
         avian with
@@ -88,6 +96,7 @@ internal static class BirdSpecies
                 new Colouring(new Tint(0.68, 0.02, 245)) { Pattern = new Tint(0.3, 0.02, 250), Kind = PatternKind.Saddle, Limb = new Tint(0.55, 0.06, 90), Muzzle = new Tint(0.72, 0.13, 75) },
                 new Colouring(new Tint(0.90, 0.01, 90)) { Kind = PatternKind.Plain, Limb = new Tint(0.28, 0.02, 60), Muzzle = new Tint(0.74, 0.14, 80) },
                 new Colouring(new Tint(0.80, 0.09, 20)) { Kind = PatternKind.Plain, Limb = new Tint(0.70, 0.12, 20), Muzzle = new Tint(0.4, 0.05, 20) },
+                new Colouring(new Tint(0.36, 0.06, 270)) { Pattern = new Tint(0.50, 0.06, 30), Kind = PatternKind.Saddle, Limb = new Tint(0.72, 0.14, 90), Muzzle = new Tint(0.3, 0.02, 260) },
             },
         },
         avian with
@@ -102,6 +111,7 @@ internal static class BirdSpecies
                 new Colouring(new Tint(0.55, 0.06, 62)) { Pattern = new Tint(0.32, 0.04, 55), Kind = PatternKind.Mottle, Limb = new Tint(0.6, 0.05, 70), Muzzle = new Tint(0.3, 0.02, 60) },
                 new Colouring(new Tint(0.88, 0.02, 85)) { Pattern = new Tint(0.4, 0.03, 60), Kind = PatternKind.Spots, Muzzle = new Tint(0.3, 0.02, 60) },
                 new Colouring(new Tint(0.42, 0.04, 50)) { Pattern = new Tint(0.7, 0.05, 75), Kind = PatternKind.Spots, Muzzle = new Tint(0.75, 0.1, 85) },
+                new Colouring(new Tint(0.66, 0.09, 65)) { Pattern = new Tint(0.46, 0.06, 55), Kind = PatternKind.Mottle, Belly = new Tint(0.93, 0.02, 85), Muzzle = new Tint(0.78, 0.08, 60) },
             },
         },
         avian with

@@ -127,6 +127,7 @@ internal static class InsectSpecies
                 new Colouring(new Tint(0.68, 0.15, 128)),
                 new Colouring(new Tint(0.62, 0.07, 80)) { Kind = PatternKind.Mottle },
                 new Colouring(new Tint(0.84, 0.05, 5)) { Accent = new Tint(0.7, 0.15, 350) },
+                new Colouring(new Tint(0.38, 0.04, 65)) { Pattern = new Tint(0.58, 0.06, 75), Kind = PatternKind.Bands },
             },
         },
         insect with
@@ -151,6 +152,7 @@ internal static class InsectSpecies
                 new Colouring(new Tint(0.68, 0.15, 125)) { Kind = PatternKind.Plain },
                 new Colouring(new Tint(0.58, 0.08, 75)) { Kind = PatternKind.Mottle },
                 new Colouring(new Tint(0.66, 0.14, 100)) { Pattern = new Tint(0.3, 0.05, 60), Kind = PatternKind.Bands },
+                new Colouring(new Tint(0.36, 0.03, 60)) { Pattern = new Tint(0.64, 0.17, 60), Kind = PatternKind.Bands, Limb = new Tint(0.58, 0.17, 32) },
             },
         },
         insect with
@@ -239,6 +241,8 @@ internal static class InsectSpecies
             {
                 new Colouring(new Tint(0.60, 0.13, 232)) { Pattern = new Tint(0.22, 0.03, 250), Kind = PatternKind.Bands },
                 new Colouring(new Tint(0.62, 0.15, 150)) { Pattern = new Tint(0.24, 0.04, 150), Kind = PatternKind.Bands },
+                new Colouring(new Tint(0.40, 0.04, 60)) { Pattern = new Tint(0.80, 0.15, 95), Kind = PatternKind.Bands },
+                new Colouring(new Tint(0.46, 0.13, 300)) { Kind = PatternKind.Plain },
                 new Colouring(new Tint(0.55, 0.19, 28)) { Kind = PatternKind.Plain },
             },
         },
@@ -255,6 +259,9 @@ internal static class InsectSpecies
                 new Colouring(new Tint(0.74, 0.15, 82)) { Pattern = new Tint(0.18, 0.02, 60), Kind = PatternKind.Bands, Scale = 0.9, Limb = new Tint(0.2, 0.02, 60) },
                 new Colouring(new Tint(0.22, 0.02, 60)) { Pattern = new Tint(0.62, 0.15, 50), Kind = PatternKind.Bands, Scale = 0.7, Limb = new Tint(0.2, 0.02, 60) },
                 new Colouring(new Tint(0.52, 0.10, 55)) { Pattern = new Tint(0.86, 0.05, 90), Kind = PatternKind.Bands, Scale = 1.1, Limb = new Tint(0.25, 0.03, 50) },
+                new Colouring(new Tint(0.68, 0.01, 250)) { Pattern = new Tint(0.2, 0.01, 260), Kind = PatternKind.Bands, Scale = 0.8, Limb = new Tint(0.22, 0.01, 260) },
+                new Colouring(new Tint(0.30, 0.09, 275)) { Kind = PatternKind.Plain, Limb = new Tint(0.2, 0.02, 270), Accent = new Tint(0.42, 0.13, 290) },
+                new Colouring(new Tint(0.60, 0.16, 60)) { Pattern = new Tint(0.24, 0.03, 50), Kind = PatternKind.Saddle, Limb = new Tint(0.22, 0.02, 60) },
             },
         },
         insect with

@@ -40,6 +40,9 @@ internal static class SwimmerSpecies
                 new Colouring(new Tint(0.56, 0.03, 240)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.40, 0.03, 240) },
                 new Colouring(new Tint(0.50, 0.05, 225)) { Pattern = new Tint(0.34, 0.04, 235), Kind = PatternKind.Stripes, Belly = new Tint(0.88, 0.01, 200), Accent = new Tint(0.36, 0.04, 235) },
                 new Colouring(new Tint(0.60, 0.04, 80)) { Pattern = new Tint(0.4, 0.04, 70), Kind = PatternKind.Spots, Accent = new Tint(0.42, 0.04, 75) },
+                new Colouring(new Tint(0.44, 0.07, 262)) { Kind = PatternKind.Plain, Belly = new Tint(0.92, 0.01, 240), Accent = new Tint(0.34, 0.07, 262) },
+                new Colouring(new Tint(0.66, 0.06, 62)) { Pattern = new Tint(0.44, 0.05, 55), Kind = PatternKind.Bands, Belly = new Tint(0.9, 0.02, 80) },
+                new Colouring(new Tint(0.36, 0.02, 60)) { Pattern = new Tint(0.86, 0.02, 90), Kind = PatternKind.Spots, Scale = 1.6, Belly = new Tint(0.86, 0.02, 90) },
             },
         },
         fish with
@@ -72,6 +75,8 @@ internal static class SwimmerSpecies
                 new Colouring(new Tint(0.32, 0.03, 250)) { Pattern = new Tint(0.8, 0.02, 90), Kind = PatternKind.Spots, Belly = new Tint(0.88, 0.01, 240) },
                 new Colouring(new Tint(0.55, 0.06, 75)) { Pattern = new Tint(0.38, 0.05, 65), Kind = PatternKind.Mottle, Belly = new Tint(0.88, 0.02, 80) },
                 new Colouring(new Tint(0.42, 0.09, 255)) { Pattern = new Tint(0.72, 0.11, 230), Kind = PatternKind.Spots, Belly = new Tint(0.9, 0.02, 240) },
+                new Colouring(new Tint(0.66, 0.11, 85)) { Pattern = new Tint(0.44, 0.12, 255), Kind = PatternKind.Spots, Scale = 1.3, Belly = new Tint(0.92, 0.02, 90) },
+                new Colouring(new Tint(0.24, 0.015, 270)) { Kind = PatternKind.Plain, Belly = new Tint(0.93, 0.01, 240) },
             },
         },
         fish with
@@ -104,6 +109,7 @@ internal static class SwimmerSpecies
                 new Colouring(new Tint(0.30, 0.03, 300)) { Kind = PatternKind.Mottle },
                 new Colouring(new Tint(0.34, 0.05, 40)) { Kind = PatternKind.Mottle },
                 new Colouring(new Tint(0.28, 0.04, 220)) { Kind = PatternKind.Mottle },
+                new Colouring(new Tint(0.46, 0.14, 30)) { Kind = PatternKind.Plain },
             },
         },
         reptile with
@@ -134,6 +140,7 @@ internal static class SwimmerSpecies
                 new Colouring(new Tint(0.55, 0.07, 125)) { Pattern = new Tint(0.34, 0.05, 120), Kind = PatternKind.Patches },
                 new Colouring(new Tint(0.50, 0.07, 90)) { Pattern = new Tint(0.3, 0.04, 70), Kind = PatternKind.Patches },
                 new Colouring(new Tint(0.52, 0.06, 210)) { Pattern = new Tint(0.34, 0.05, 220), Kind = PatternKind.Spots },
+                new Colouring(new Tint(0.36, 0.03, 60)) { Pattern = new Tint(0.76, 0.14, 85), Kind = PatternKind.Turing, Accent = new Tint(0.62, 0.18, 40) },
             },
         },
         reptile with
@@ -156,6 +163,9 @@ internal static class SwimmerSpecies
             {
                 new Colouring(new Tint(0.50, 0.05, 215)) { Pattern = new Tint(0.34, 0.04, 225), Kind = PatternKind.Mottle },
                 new Colouring(new Tint(0.48, 0.06, 120)) { Pattern = new Tint(0.3, 0.05, 110), Kind = PatternKind.Bands },
+                new Colouring(new Tint(0.40, 0.06, 262)) { Kind = PatternKind.Plain, Belly = new Tint(0.88, 0.02, 240) },
+                new Colouring(new Tint(0.62, 0.07, 68)) { Pattern = new Tint(0.40, 0.06, 45), Kind = PatternKind.Saddle, Belly = new Tint(0.9, 0.03, 85) },
+                new Colouring(new Tint(0.30, 0.03, 190)) { Pattern = new Tint(0.70, 0.10, 180), Kind = PatternKind.Spots, Belly = new Tint(0.78, 0.05, 180) },
             },
         },
         reptile with
@@ -174,6 +184,7 @@ internal static class SwimmerSpecies
             {
                 new Colouring(new Tint(0.46, 0.06, 110)) { Pattern = new Tint(0.30, 0.04, 105), Kind = PatternKind.Bands },
                 new Colouring(new Tint(0.38, 0.04, 85)) { Kind = PatternKind.Mottle },
+                new Colouring(new Tint(0.64, 0.07, 80)) { Pattern = new Tint(0.42, 0.05, 70), Kind = PatternKind.Bands, Belly = new Tint(0.88, 0.04, 90) },
             },
         },
         canine with
@@ -234,6 +245,7 @@ internal static class SwimmerSpecies
                 new Colouring(new Tint(0.42, 0.07, 95)) { Pattern = new Tint(0.75, 0.13, 90), Kind = PatternKind.Spots, Accent = new Tint(0.5, 0.1, 100) },
                 new Colouring(new Tint(0.70, 0.02, 90)) { Pattern = new Tint(0.2, 0.02, 60), Kind = PatternKind.Bands },
                 new Colouring(new Tint(0.30, 0.03, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.7, 0.03, 90) },
+                new Colouring(new Tint(0.52, 0.13, 250)) { Pattern = new Tint(0.82, 0.15, 95), Kind = PatternKind.Stripes, Belly = new Tint(0.84, 0.14, 95) },
                 new Colouring(new Tint(0.76, 0.06, 88)) { Pattern = new Tint(0.30, 0.04, 62), Kind = PatternKind.Turing },
             },
         },
@@ -319,6 +331,7 @@ internal static class SwimmerSpecies
                 new Colouring(new Tint(0.36, 0.07, 255)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.3, 0.08, 262) },
                 new Colouring(new Tint(0.48, 0.08, 250)) { Pattern = new Tint(0.34, 0.10, 262), Kind = PatternKind.Bands, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.4, 0.15, 262) },
                 new Colouring(new Tint(0.44, 0.03, 60)) { Kind = PatternKind.Plain, Belly = new Tint(0.86, 0.02, 80) },
+                new Colouring(new Tint(0.58, 0.09, 205)) { Pattern = new Tint(0.40, 0.09, 240), Kind = PatternKind.Saddle, Belly = new Tint(0.93, 0.02, 200), Accent = new Tint(0.78, 0.14, 95) },
             },
         },
     };
