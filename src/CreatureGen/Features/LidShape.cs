@@ -99,12 +99,14 @@ internal static class LidShape
             bool seam = k == 0 || k == Columns;
             Vector3 dark = seam ? skin * 0.5f : liner;
             float start = edge + RimWidth;
-            AddPoint(builder, rolled, latitude, edge - 0.015f, sign, EdgeRadius, dark);
+            // The ends are level: rows of several radii would run through one another so near to the hinge.
+            float rise = seam ? 0f : 1f;
+            AddPoint(builder, rolled, latitude, edge - 0.015f, sign, rim + (rise * (EdgeRadius - rim)), dark);
             AddPoint(builder, rolled, latitude, start, sign, rim, dark);
             AddPoint(builder, rolled, latitude, start, sign, rim, skin * 0.72f);
-            AddPoint(builder, rolled, latitude, start + (FirstRow * (back - start)), sign, outer, skin);
-            AddPoint(builder, rolled, latitude, start + (SecondRow * (back - start)), sign, outer, skin);
-            AddPoint(builder, rolled, latitude, back, sign, outer - 0.04f, skin);
+            AddPoint(builder, rolled, latitude, start + (FirstRow * (back - start)), sign, rim + (rise * (outer - rim)), skin);
+            AddPoint(builder, rolled, latitude, start + (SecondRow * (back - start)), sign, rim + (rise * (outer - rim)), skin);
+            AddPoint(builder, rolled, latitude, back, sign, rim + (rise * (outer - 0.04f - rim)), skin);
         }
 
         AppendFaces(builder, first);
@@ -155,7 +157,12 @@ internal static class LidShape
             {
                 // Rows 1 and 2 are the two sides of the edge between rim and skin.
                 int j = i == Profile - 1 ? 0 : i + 1;
-                if (i != 1)
+                if (i == Profile - 1 && k >= Columns / 2)
+                {
+                    // The inside is bent most near the corners: its diagonals mirror one another.
+                    builder.Quad(next + j, next + i, here + i, here + j);
+                }
+                else if (i != 1)
                 {
                     builder.Quad(here + j, next + j, next + i, here + i);
                 }

@@ -32,6 +32,8 @@ public sealed class LidShapeTests
                     Piece bottom = Build(eye, LidPart.Lower, ahead);
                     PieceChecks.IsSound(top);
                     PieceChecks.IsSound(bottom);
+                    PieceChecks.DoesNotCrossItself(top);
+                    PieceChecks.DoesNotCrossItself(bottom);
                     most = Math.Max(most, PieceChecks.TriangleCount(top) + PieceChecks.TriangleCount(bottom));
                 }
             }

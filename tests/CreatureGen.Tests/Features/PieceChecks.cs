@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Features;
+using CreatureGen.Geometry;
 using Xunit;
 
 namespace CreatureGen.Tests.Features;
@@ -68,6 +69,21 @@ internal static class PieceChecks
         {
             Assert.True(v > 0, FormattableString.Invariant($"a shell has volume {v}"));
         }
+    }
+
+    /// <summary>No two triangles that share no corner cut one another.</summary>
+    public static void DoesNotCrossItself(Piece piece)
+    {
+        int[] weld = Weld(piece.Positions, out int count);
+        var positions = new Vector3[count];
+        for (int v = 0; v < weld.Length; v++)
+        {
+            positions[weld[v]] = piece.Positions[v];
+        }
+
+        var pairs = new List<(int First, int Second)>();
+        SelfIntersection.Find(positions, Array.ConvertAll(piece.Triangles, v => weld[v]), pairs);
+        Assert.True(pairs.Count == 0, FormattableString.Invariant($"{pairs.Count} pairs of triangles cross, the first {(pairs.Count > 0 ? pairs[0] : default)}"));
     }
 
     /// <summary>The vertices are their own mirror images, exactly, and so are their normals.</summary>
