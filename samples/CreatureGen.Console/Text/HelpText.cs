@@ -20,7 +20,7 @@ internal static class HelpText
     {
         output.WriteLine(ink.Heading("creaturegen") + " grows complete game creatures from seeds: mesh, skeleton, skin, colours.");
         output.WriteLine();
-        IEnumerable<Example> examples = verbs.Select(verb => verb.Examples[0]).Prepend(new Example("", "creature 42: a GLB, a picture and its blueprint, here"));
+        IEnumerable<Example> examples = verbs.Select(verb => verb.Examples[0]).Prepend(new Example("", "creature 101: a GLB, a picture and its blueprint, here"));
         Write(output, "Examples", examples.Select(example => (Command(example.Line), example.Effect)), ink);
         Write(output, "Verbs", verbs.Select(verb => (verb.Name, verb.Summary)), ink);
         Write(output, "Options", [Row(new OptionSyntax("VERB --help", null, "all options of a verb, with examples")), Row(help), Row(version)], ink);

@@ -16,9 +16,9 @@ internal sealed class BuildVerb : IVerb
         "BLUEPRINT.json|FILE.glb",
         "write the creature of a blueprint, or build the one in a GLB file anew",
         [
-            new("build creature-42.json --out edited.glb", "build a blueprint that was edited"),
-            new("build creature-42.glb --out again.glb", "build the creature in a file anew: the same bytes"),
-            new("build creature-42.glb --flat --out flat.glb", "the same creature with flat shading"),
+            new("build creature-101.json --out edited.glb", "build a blueprint that was edited"),
+            new("build creature-101.glb --out again.glb", "build the creature in a file anew: the same bytes"),
+            new("build creature-101.glb --flat --out flat.glb", "the same creature with flat shading"),
         ],
         [CommonOptions.OutFile, .. ExportOptions.Syntax]);
 

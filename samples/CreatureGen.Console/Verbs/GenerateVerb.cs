@@ -29,7 +29,7 @@ internal sealed class GenerateVerb : IVerb
             new("generate --seed 7 --clips all", "with its motion: idle, every gait, flight, swimming, crawling"),
             new("generate --seeds 1-100 --kind flying --out birds", "a hundred fliers in a folder"),
             new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
-            new("generate --seed 42 --individuals 1-12 --out herd", "twelve individuals of one species, young and old"),
+            new("generate --seed 101 --individuals 1-12 --out herd", "twelve individuals of one species, young and old"),
             new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
         ],
         [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, noPicture, CommonOptions.Threads, CommonOptions.Json]);

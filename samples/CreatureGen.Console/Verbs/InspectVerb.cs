@@ -15,8 +15,8 @@ internal sealed class InspectVerb : IVerb
         "FILE",
         "tell what the creature in a .glb or blueprint .json is, and check its invariants",
         [
-            new("inspect creature-42.glb", "what it is: kind, limbs, joints, sizes, checks"),
-            new("inspect creature-42.json --json", "the same as JSON"),
+            new("inspect creature-101.glb", "what it is: kind, limbs, joints, sizes, checks"),
+            new("inspect creature-101.json --json", "the same as JSON"),
         ],
         [CommonOptions.Json]);
 

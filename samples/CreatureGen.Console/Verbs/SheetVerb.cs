@@ -37,7 +37,7 @@ internal sealed class SheetVerb : IVerb
         [
             new("sheet --seeds 1-36 --out sheet.png", "a first look at many"),
             new("sheet --seeds 1-24 --kind swimming --view side --out swimmers.png", "swimmers from the side"),
-            new("sheet --seed 42 --individuals 1-36 --out family.png", "one species, young and old"),
+            new("sheet --seed 101 --individuals 1-36 --out family.png", "one species, young and old"),
             new("sheet --seeds 1-12 --face --columns 4 --out faces.png", "their heads"),
             new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
         ],

@@ -13,9 +13,9 @@ internal static class CoatSampler
     private const double KnownColourings = 0.55;
 
     // How far one species' wear of a known colouring may be from another's: lightness, factor of chroma, degrees of hue; its marks half as far.
-    private const double LightnessVariety = 0.07;
-    private const double ChromaVariety = 0.3;
-    private const double HueVariety = 15;
+    private const double LightnessVariety = 0.1;
+    private const double ChromaVariety = 0.4;
+    private const double HueVariety = 22;
 
     // Degrees: the hue of tanned leather, and how far towards it the marks of great cats and giraffes turn at most.
     private const double WarmHue = 48;

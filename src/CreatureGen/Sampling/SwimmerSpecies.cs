@@ -341,9 +341,9 @@ internal static class SwimmerSpecies
     {
         Dominance = (0.86, 0.96),
         Kinship = 0.6,
-        Variety = 0.5,
+        Variety = 0.65,
         TiltVariety = 0.35,
-        LatticeSpread = 0.12,
+        LatticeSpread = 0.16,
         HeadSize = (1.06, 0.7),
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
     };
