@@ -17,7 +17,7 @@ internal sealed class Deflater
     private const int TokensPerBlock = 32768;
 
     // Steps along a chain, and the match length with which the search is content: size against time, measured on pictures.
-    private const int LongestChain = 24;
+    private const int LongestChain = 8;
     private const int GoodMatch = 130;
 
     private readonly int[] heads = new int[1 << HashBits];
