@@ -25,7 +25,7 @@ internal static class SlitherPose
     public static double Lead(SlitherProfile profile) => profile.Chain.Bones[0].Rear.Z;
 
     /// <summary>The middle of the body: the mean of the track over one wave, so that its swings cancel.</summary>
-    public static RootPlace RootOf(SlitherProfile profile, SlitherState state, ISlitherGround ground)
+    public static void FindMiddle(SlitherProfile profile, SlitherState state, in CrawlFloor floor)
     {
         SlitherTrack track = state.Track;
         double middle = track.Head - Lead(profile);
@@ -33,34 +33,36 @@ internal static class SlitherPose
         double x = 0;
         double z = 0;
         double yaw = 0;
+        double near = 0;
         for (int k = 0; k < RootSamples; k++)
         {
             double arc = middle + (half * (((2.0 * k) + 1 - RootSamples) / RootSamples));
             TrackPoint point = track.At(arc);
             x += point.X / RootSamples;
             z += point.Z / RootSamples;
+            near += point.Y / RootSamples;
             yaw += track.TravelAt(arc) / RootSamples;
         }
 
-        float height = ground.Sample((float)x, (float)z, out _);
-        return new RootPlace(new Vector3((float)x, height, (float)z), (float)yaw);
+        state.Middle = new Vector3((float)x, (float)floor.HeightAt(x, near, z, out _), (float)z);
+        state.Yaw = yaw;
     }
 
     /// <summary>Writes the pose.</summary>
-    public static void Write(SlitherProfile profile, SlitherState state, ISlitherGround ground, in Pose local)
+    public static void Write(SlitherProfile profile, SlitherState state, in CrawlFloor floor, in Pose local)
     {
         AxialChain chain = profile.Chain;
         Span<Quaternion> turns = stackalloc Quaternion[chain.Count];
         Span<Vector3> pivots = stackalloc Vector3[chain.Count];
         Span<Vector3> middles = stackalloc Vector3[chain.Count];
-        PortableMath.SinCos(state.Root.Yaw, out double sine, out double cosine);
+        PortableMath.SinCos(state.Yaw, out double sine, out double cosine);
         double arc = state.Track.Head;
-        Vector3 front = Place(profile, state, ground, arc, out Vector3 frontUp);
+        Vector3 front = Place(profile, state, floor, arc, out Vector3 frontUp);
         for (int b = 1; b < chain.Count; b++)
         {
             double length = profile.Lengths[b];
             double behind = arc - length;
-            Vector3 rear = Place(profile, state, ground, behind, out Vector3 rearUp);
+            Vector3 rear = Place(profile, state, floor, behind, out Vector3 rearUp);
             for (int k = 0; k < Search; k++)
             {
                 double missing = Vec.Distance(front, rear) - length;
@@ -70,7 +72,7 @@ internal static class SlitherPose
                 }
 
                 behind += missing;
-                rear = Place(profile, state, ground, behind, out rearUp);
+                rear = Place(profile, state, floor, behind, out rearUp);
             }
 
             Vector3 up = Level(frontUp + rearUp, sine, cosine);
@@ -99,7 +101,7 @@ internal static class SlitherPose
     }
 
     /// <summary>A point of the track from the root's place, world axes, with the lift of parts that do not rest.</summary>
-    private static Vector3 Place(SlitherProfile profile, SlitherState state, ISlitherGround ground, double arc, out Vector3 up)
+    private static Vector3 Place(SlitherProfile profile, SlitherState state, in CrawlFloor floor, double arc, out Vector3 up)
     {
         TrackPoint point = state.Track.At(arc);
         double height = point.Y;
@@ -108,7 +110,7 @@ internal static class SlitherPose
         if (sides > 1e-4)
         {
             // A track that drifts lies on other ground than it was laid on. Where the swing is at its left end the body rests.
-            double sampled = ground.Sample((float)point.X, (float)point.Z, out Vector3 now);
+            double sampled = floor.HeightAt(point.X, point.Y, point.Z, out Vector3 now);
             double fade = Math.Min(1, sides * 4);
             double swing = TrackSteering.Swing(arc / state.Track.Wavelength, sides);
             height = Scalar.Lerp(height, sampled, fade) + (sides * SidewindLift * profile.Wavelength * Scalar.Smooth((0.7 - swing) / 1.1));
@@ -122,7 +124,7 @@ internal static class SlitherPose
         }
 
         up = Vec.Normalize(normal, Vector3.UnitY);
-        return new Vector3((float)(point.X - state.Root.Position.X), (float)(height - state.Root.Position.Y), (float)(point.Z - state.Root.Position.Z));
+        return new Vector3((float)(point.X - state.Middle.X), (float)(height - state.Middle.Y), (float)(point.Z - state.Middle.Z));
     }
 
     /// <summary>World axes to the root's, from sine and cosine of its yaw.</summary>
@@ -139,7 +141,7 @@ internal static class SlitherPose
     /// <summary>The head looks along the way, and swings little with the neck; a crawler that lies still lifts it and looks about.</summary>
     private static Quaternion Head(SlitherState state, Quaternion neck)
     {
-        Quaternion along = AxisTurn.Yaw(state.Travel - state.Root.Yaw);
+        Quaternion along = AxisTurn.Yaw(state.Travel - state.Yaw);
         Quaternion gaze = Rotation.Slerp(along, neck, HeadSwing);
         double idle = state.Idle.Value;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Breath, out double sine, out double cosine);
