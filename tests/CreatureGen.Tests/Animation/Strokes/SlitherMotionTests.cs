@@ -24,7 +24,7 @@ public sealed class SlitherMotionTests
     [Theory]
     [InlineData(0f)]
     [InlineData(0.8f)]
-    public void Every_joint_follows_the_track_of_the_head(float turn)
+    public void Every_joint_behind_the_neck_follows_the_track_of_the_first(float turn)
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
@@ -32,16 +32,16 @@ public sealed class SlitherMotionTests
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.004f * profile.BodyLength / profile.CruiseSpeed;
             crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0, dt, 600);
-            int head = profile.Chain.Bones[0].Turn.Joint;
+            int first = profile.Chain.Bones[profile.NeckBones - 1].Turn.Joint;
             var track = new List<Vector3>();
             for (int i = 0; i < 500; i++)
             {
                 crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, turn * profile.CruiseSpeed / profile.BodyLength, dt);
-                track.Add(crawl.World(head));
+                track.Add(crawl.World(first));
             }
 
-            // The head went two body lengths: by now every joint lies on what it left behind.
-            for (int b = 2; b < profile.Chain.Count; b++)
+            // It went two body lengths: by now every joint lies on what it left behind.
+            for (int b = profile.NeckBones + 1; b < profile.Chain.Count; b++)
             {
                 Vector3 joint = crawl.World(profile.Chain.Bones[b].Turn.Joint);
                 float away = float.MaxValue;
@@ -56,7 +56,7 @@ public sealed class SlitherMotionTests
     }
 
     [Fact]
-    public void Nothing_slips_sideways()
+    public void Nothing_behind_the_neck_slips_sideways()
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
@@ -72,7 +72,7 @@ public sealed class SlitherMotionTests
                 Vector3[] before = crawl.Points();
                 crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, 0, dt);
                 Vector3[] after = crawl.Points();
-                for (int b = 1; b + 1 < before.Length; b++)
+                for (int b = profile.NeckBones; b + 1 < before.Length; b++)
                 {
                     // Velocity of the joint across the mean direction of the two bones that meet in it.
                     Vector3 along = after[b - 1] - after[b + 1];
@@ -88,6 +88,32 @@ public sealed class SlitherMotionTests
             Assert.True(sum / count < 0.05, FormattableString.Invariant($"{creature.Blueprint.Seed}: mean slip {sum / count}"));
             // Worst at the stiff joints of a cobra's hood.
             Assert.True(worst < 0.3, FormattableString.Invariant($"{creature.Blueprint.Seed}: worst slip {worst}"));
+        }
+    }
+
+    [Theory]
+    [InlineData(0f)]
+    [InlineData(0.8f)]
+    public void The_head_looks_steadily_along_the_way(float turn)
+    {
+        foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless, 20))
+        {
+            SlitherProfile profile = SlitherProfile.Of(creature);
+            var crawl = new Crawl(profile, creature, level);
+            float dt = 0.01f * profile.BodyLength / profile.CruiseSpeed;
+            float rate = turn * profile.CruiseSpeed / profile.BodyLength;
+            crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, rate, dt, 300);
+            double head = 0;
+            double chest = 0;
+            for (int i = 0; i < 300; i++)
+            {
+                crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, rate, dt);
+                head = Math.Max(head, Math.Abs(crawl.Heading(0)));
+                chest = Math.Max(chest, Math.Abs(crawl.Heading(profile.NeckBones)));
+            }
+
+            Assert.True(chest > 0.5, FormattableString.Invariant($"{creature.Blueprint.Seed}: the chest swings by {chest}"));
+            Assert.True(head < 0.12, FormattableString.Invariant($"{creature.Blueprint.Seed}: the head swings by {head}"));
         }
     }
 
@@ -422,6 +448,16 @@ public sealed class SlitherMotionTests
         {
             Body.ToModel();
             return Root.ToWorld(Body.ModelPositions[joint]);
+        }
+
+        /// <summary>How far a bone heads to the left of the way at the head, radians.</summary>
+        public double Heading(int bone)
+        {
+            Body.ToModel();
+            int joint = profile.Chain.Bones[bone].Turn.Joint;
+            Vector3 ahead = Rotation.Rotate(Rotation.Multiply(Body.ModelRotations[joint], Rotation.Inverse(Body.Skeleton.ModelRotations[joint])), Vector3.UnitZ);
+            double angle = PortableMath.Atan2(ahead.X, ahead.Z) - (state.Travel - state.Yaw);
+            return PortableMath.Atan2(PortableMath.Sin(angle), PortableMath.Cos(angle));
         }
 
         /// <summary>Where the bones meet, from the head's joint to the last bone's, world space.</summary>

@@ -9,7 +9,12 @@ namespace CreatureGen.Animation.Strokes.Slithering;
 internal static class SlitherPose
 {
     private const int RootSamples = 24;
-    private const double HeadSwing = 0.3;
+    /// <summary>Part of the chest's swing that the head keeps.</summary>
+    private const double HeadSwing = 0.2;
+
+    /// <summary>Part of the slope that the head takes on.</summary>
+    private const double HeadTilt = 0.3;
+
     private const double SidewindLift = 0.045;
     private const double BellyWave = 0.006;
     private const double HeadLift = 0.10;
@@ -58,6 +63,7 @@ internal static class SlitherPose
         PortableMath.SinCos(state.Yaw, out double sine, out double cosine);
         double arc = state.Track.Head;
         Vector3 front = Place(profile, state, floor, arc, out Vector3 frontUp);
+        Vector3 neckUp = Vector3.UnitY;
         for (int b = 1; b < chain.Count; b++)
         {
             double length = profile.Lengths[b];
@@ -78,18 +84,19 @@ internal static class SlitherPose
             Vector3 up = Level(frontUp + rearUp, sine, cosine);
             turns[b] = Lie(Level(front - rear, sine, cosine), up);
             middles[b] = Level((front + rear) * 0.5f, sine, cosine) + (Vec.Normalize(up, Vector3.UnitY) * (float)profile.Heights[b]);
+            neckUp = b == profile.NeckBones ? up : neckUp;
             arc = behind;
             front = rear;
             frontUp = rearUp;
         }
 
-        turns[0] = Head(state, turns[1]);
+        Steady(profile, state, neckUp, turns);
         chain.Write(local, turns, pivots);
 
         // The body's root goes where it brings the bones nearest to their places.
         Vector3 shift = Vector3.Zero;
         double weight = 0;
-        for (int b = 1; b < chain.Count; b++)
+        for (int b = profile.NeckBones; b < chain.Count; b++)
         {
             double m = profile.Lengths[b];
             shift += (middles[b] - chain.Carry(b, chain.Bones[b].Middle, turns, pivots)) * (float)m;
@@ -138,13 +145,20 @@ internal static class SlitherPose
         return Rotation.FromBasis(left, Vec.Cross(ahead, left), ahead);
     }
 
-    /// <summary>The head looks along the way, and swings little with the neck; a crawler that lies still lifts it and looks about.</summary>
-    private static Quaternion Head(SlitherState state, Quaternion neck)
+    /// <summary>The neck turns back what the chest swings, each bone a share, so that the head looks along the way; a crawler that lies still lifts it and looks about.</summary>
+    private static void Steady(SlitherProfile profile, SlitherState state, Vector3 up, Span<Quaternion> turns)
     {
-        Quaternion along = AxisTurn.Yaw(state.Travel - state.Yaw);
-        Quaternion gaze = Rotation.Slerp(along, neck, HeadSwing);
+        int neck = profile.NeckBones;
+        PortableMath.SinCos(state.Travel - state.Yaw, out double aside, out double ahead);
+        Quaternion along = Lie(Vec.Reject(new Vector3((float)aside, 0f, (float)ahead), Vec.Normalize(up, Vector3.UnitY)), up);
+        for (int b = 0; b < neck; b++)
+        {
+            turns[b] = Rotation.Slerp(along, turns[neck], HeadSwing + ((1 - HeadSwing) * b / neck));
+        }
+
         double idle = state.Idle.Value;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Breath, out double sine, out double cosine);
-        return Rotation.Multiply(gaze, Rotation.Multiply(AxisTurn.Yaw(0.12 * idle * sine), AxisTurn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
+        turns[0] = Rotation.Slerp(AxisTurn.Yaw(state.Travel - state.Yaw), turns[0], HeadTilt);
+        turns[0] = Rotation.Multiply(turns[0], Rotation.Multiply(AxisTurn.Yaw(0.12 * idle * sine), AxisTurn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
     }
 }

@@ -42,6 +42,11 @@ public sealed class SlitherProfile
             heights[b] = bone.Middle.Y;
         }
 
+        while (NeckBones + 1 < count && creature.Skeleton.Joints[Chain.Bones[NeckBones].Turn.Joint].Role is JointRole.Head or JointRole.Neck)
+        {
+            NeckBones++;
+        }
+
         BodyLength = (float)Chain.Length;
         Wavelength = (float)(Chain.Length / WavesPerBody);
         double room = Room();
@@ -63,6 +68,9 @@ public sealed class SlitherProfile
     internal Skeleton Skeleton { get; }
 
     internal AxialChain Chain { get; }
+
+    /// <summary>Number of the bones of head and neck, which lead the chain.</summary>
+    internal int NeckBones { get; }
 
     /// <summary>Greatest angle between the track and its middle line, radians.</summary>
     internal double Alpha { get; }
