@@ -50,7 +50,7 @@ public sealed class CrawlAndEscapeTests
             }
 
             Assert.True(contacts > belly.Length, FormattableString.Invariant($"{creature.Blueprint.Seed}: {contacts} contacts"));
-            Assert.True(slip < 0.05f * profile.BodyLength, FormattableString.Invariant($"{creature.Blueprint.Seed}: slips by {slip / profile.BodyLength} body lengths of {way / profile.BodyLength}"));
+            Assert.True(slip < 0.012f * profile.BodyLength, FormattableString.Invariant($"{creature.Blueprint.Seed}: slips by {slip / profile.BodyLength} body lengths of {way / profile.BodyLength}"));
         }
     }
 

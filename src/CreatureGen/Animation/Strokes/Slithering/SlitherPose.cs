@@ -16,6 +16,11 @@ internal static class SlitherPose
     private const double HeadTilt = 0.3;
 
     private const double SidewindLift = 0.045;
+
+    /// <summary>Swing of the track above which the body rests in sidewinding, and how much less lifts it as high as it goes.</summary>
+    private const double RestingSwing = 0.95;
+    private const double LiftedSwing = 1.1;
+
     private const double BellyWave = 0.006;
     private const double HeadLift = 0.10;
     private const int Search = 4;
@@ -91,19 +96,27 @@ internal static class SlitherPose
         }
 
         Steady(profile, state, neckUp, turns);
+
+        // The body's root lies as the axis does there, or the joints next to it would have to turn by all of it.
+        Quaternion there = Rotation.Slerp(turns[chain.BeforeRoot], turns[chain.BehindRoot], 0.5);
+        for (int b = 0; b < chain.Count; b++)
+        {
+            turns[b] = Rotation.Multiply(Rotation.Inverse(there), turns[b]);
+        }
+
         chain.Write(local, turns, pivots);
 
-        // The body's root goes where it brings the bones nearest to their places.
+        // It goes where it brings the bones nearest to their places.
         Vector3 shift = Vector3.Zero;
         double weight = 0;
         for (int b = profile.NeckBones; b < chain.Count; b++)
         {
             double m = profile.Lengths[b];
-            shift += (middles[b] - chain.Carry(b, chain.Bones[b].Middle, turns, pivots)) * (float)m;
+            shift += (middles[b] - Rotation.Rotate(there, chain.Carry(b, chain.Bones[b].Middle, turns, pivots))) * (float)m;
             weight += m;
         }
 
-        local.Rotations[chain.Body] = profile.Skeleton.LocalRotations[chain.Body];
+        local.Rotations[chain.Body] = UnitTurn.Renormalize(Rotation.Multiply(there, profile.Skeleton.LocalRotations[chain.Body]));
         local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + (shift / (float)weight) - chain.BodyPivot;
     }
 
@@ -120,7 +133,7 @@ internal static class SlitherPose
             double sampled = floor.HeightAt(point.X, point.Y, point.Z, out Vector3 now);
             double fade = Math.Min(1, sides * 4);
             double swing = TrackSteering.Swing(arc / state.Track.Wavelength, sides);
-            height = Scalar.Lerp(height, sampled, fade) + (sides * SidewindLift * profile.Wavelength * Scalar.Smooth((0.7 - swing) / 1.1));
+            height = Scalar.Lerp(height, sampled, fade) + (sides * SidewindLift * profile.Wavelength * Scalar.Smooth((RestingSwing - swing) / LiftedSwing));
             normal = Vec.Lerp(normal, now, (float)fade);
         }
 

@@ -15,6 +15,8 @@ public sealed class SlitherProfile
 {
     private const double Winding = 0.85;
     private const double SidewindWinding = 1.1;
+    /// <summary>How much more than a serpenoid curve the track of sidewinding bends at most, see <see cref="TrackSteering.Swing"/>.</summary>
+    private const double SidewindBend = 1.46;
     private const double LeastWinding = 0.25;
     private const double WavesPerBody = 1.5;
     private const double LimitShare = 0.84;
@@ -51,7 +53,7 @@ public sealed class SlitherProfile
         Wavelength = (float)(Chain.Length / WavesPerBody);
         double room = Room();
         Alpha = Math.Min(Winding, WindingShare * room);
-        SidewindAlpha = Math.Min(SidewindWinding, room);
+        SidewindAlpha = Math.Min(SidewindWinding, room / SidewindBend);
         TightestTurn = TurnPerBody / Chain.Length;
         CruiseSpeed = (float)(CruiseLengths * Chain.Length);
     }
