@@ -16,7 +16,7 @@ internal static class MovementArguments
     // Standard gravity, metres per second squared: that of the animator's settings by default.
     private static readonly float gravity = LocomotionSettings.Default.Gravity;
 
-    public static readonly OptionSyntax Gait = new("--gait", "GAIT", "walk, trot, canter, transverse-gallop, run, hop, tripod, fly, take-off, land, swim, slither ... (default: what suits the speed)");
+    public static readonly OptionSyntax Gait = new("--gait", "GAIT", "walk, trot, canter, transverse-gallop, run, hop, tripod, fly, take-off, land, swim, c-start, slither, sidewind, rectilinear ... (default: what suits the speed)");
 
     public static readonly OptionSyntax Speed = new("--speed", "V", "metres per second (default: the most comfortable for the gait)");
 

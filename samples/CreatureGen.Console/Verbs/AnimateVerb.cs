@@ -35,6 +35,7 @@ internal sealed class AnimateVerb : IVerb
             new("animate --seed 42 --gait trot --speed 1.5 --ground rough --out walk.png", "walk.png moves; walk-strip.png shows 8 frames, contacts and the gait"),
             new("animate --seed 7 --kind flying --out fly.png", "a flier's wing beat"),
             new("animate --seed 7 --kind flying --gait land --out land.png", "how it comes down and folds its wings"),
+            new("animate --seed 4 --kind swimming --gait c-start --out dart.png", "a startled fish"),
             new("animate --seed 42 --out slow.png --speed 0.5 --view side --size 400", "the gait that suits the speed, from the side"),
         ],
         [SeedOptions.Seed, MovementArguments.Gait, MovementArguments.Speed, ground, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads]);

@@ -44,7 +44,7 @@ internal sealed class Take
     public Take(MotionProfile profile, Movement movement, GroundRelief relief)
     {
         this.profile = profile;
-        OnGround = movement.Gait != null || profile.Slither != null || movement.Course != MovementCourse.Lasting;
+        OnGround = movement.Gait != null || profile.Slither != null || movement.Course is MovementCourse.TakeOff or MovementCourse.Landing;
         var level = new SteadyMotion(profile, movement, FlatGround.Level);
         level.Settle(SteadyMotion.SettleSeconds);
         float seconds = level.CycleSeconds();

@@ -121,6 +121,9 @@ public sealed class CreatureAnimator
     /// <summary>Whether it is on its feet with its wings folded, or has none that fold.</summary>
     internal bool IsAtRest => motion is not FlightDrive flight || flight.IsAtRest;
 
+    /// <summary>Whether a C-start is under way.</summary>
+    internal bool Escapes => motion is SwimDrive { Escapes: true };
+
     /// <summary>Metres per second ahead at present.</summary>
     public float Speed => (motion?.Speed ?? 0f) * Root.Scale;
 

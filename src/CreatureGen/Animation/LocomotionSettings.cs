@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Animation.Gaits;
+using CreatureGen.Animation.Strokes.Slithering;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Animation;
@@ -68,6 +69,9 @@ public struct LocomotionSettings
     /// <summary>A gait to keep to, whatever the speed; null to choose by speed.</summary>
     public Gait? Gait { get; set; }
 
+    /// <summary>How a creature without legs crawls. A change passes down its body as it moves on.</summary>
+    public SlitherMode Crawl { get; set; }
+
     /// <summary>Passes good settings.</summary>
     /// <exception cref="ArgumentException">A number is not finite or out of its range; the message says which.</exception>
     public readonly void ThrowIfInvalid()
@@ -91,5 +95,9 @@ public struct LocomotionSettings
         Finite.RequireWithin(Bank, 0f, 2f, nameof(Bank));
         Finite.RequireWithin(Stride, 0.3f, 1.5f, nameof(Stride));
         Gait?.ThrowIfInvalid();
+        if (Crawl is < SlitherMode.Undulating or > SlitherMode.Rectilinear)
+        {
+            throw new ArgumentOutOfRangeException(nameof(Crawl), Crawl, "expected Undulating, Sidewinding or Rectilinear");
+        }
     }
 }

@@ -1,3 +1,5 @@
+using CreatureGen.Animation.Strokes.Swimming;
+
 namespace CreatureGen.Animation;
 
 /// <summary>Where a creature that can fly is to be. Others take no notice.</summary>
@@ -16,4 +18,5 @@ public enum MotionMedium
 /// <param name="Sideways">Metres per second to its left.</param>
 /// <param name="ClimbRate">Metres per second up, for swimmers and fliers.</param>
 /// <param name="Medium">Where a flier is to be.</param>
-public readonly record struct MotionInput(float Speed, float TurnRate = 0f, float Sideways = 0f, float ClimbRate = 0f, MotionMedium Medium = MotionMedium.Ground);
+/// <param name="Escape">A change from <see cref="EscapeTurn.None"/> starts a C-start of a swimmer, which runs its course by itself; others take no notice.</param>
+public readonly record struct MotionInput(float Speed, float TurnRate = 0f, float Sideways = 0f, float ClimbRate = 0f, MotionMedium Medium = MotionMedium.Ground, EscapeTurn Escape = EscapeTurn.None);

@@ -2,24 +2,30 @@ using System;
 using System.Collections.Generic;
 using CreatureGen.Animation.Gaits;
 using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.Strokes.Slithering;
+using CreatureGen.Animation.Strokes.Swimming;
 
 namespace CreatureGen.Animation;
 
-/// <summary>Something that a creature does by itself: standing, one of its gaits, flight, swimming, crawling; and what leads fliers from standing to flight and back. Immutable.</summary>
+/// <summary>Something that a creature does by itself: standing, one of its gaits, flight, swimming, each way of crawling; and what leads fliers from standing to flight and back, and what a startled fish does. Immutable.</summary>
 public sealed class Movement
 {
     private const float PassageSpeed = 0.3f;
     private const float PassageClimb = 0.25f;
 
-    private Movement(string name, MotionInput input, Gait? gait, MovementCourse course = MovementCourse.Lasting)
+    /// <summary>Part of the cruise of an undulating crawler that it makes straight on: waves of the belly are slow.</summary>
+    private const float RectilinearSpeed = 0.3f;
+
+    private Movement(string name, MotionInput input, Gait? gait, MovementCourse course = MovementCourse.Lasting, SlitherMode crawl = SlitherMode.Undulating)
     {
         Name = name;
         Input = input;
         Gait = gait;
         Course = course;
+        Crawl = crawl;
     }
 
-    /// <summary>What games call it: <c>Idle</c>, <c>Walk</c>, <c>Run</c>, the name of another gait, <c>Fly</c>, <c>Hover</c>, <c>TakeOff</c>, <c>Land</c>, <c>Swim</c> or <c>Slither</c>. Unique among those of a creature.</summary>
+    /// <summary>What games call it: <c>Idle</c>, <c>Walk</c>, <c>Run</c>, the name of another gait, <c>Fly</c>, <c>Hover</c>, <c>TakeOff</c>, <c>Land</c>, <c>Swim</c>, <c>CStart</c>, <c>Slither</c>, <c>Sidewind</c> or <c>Rectilinear</c>. Unique among those of a creature.</summary>
     public string Name { get; }
 
     /// <summary>What the creature is asked to do.</summary>
@@ -31,13 +37,16 @@ public sealed class Movement
     /// <summary>The gait it keeps to; null for none.</summary>
     public Gait? Gait { get; }
 
+    /// <summary>How a creature without legs crawls; others take no notice.</summary>
+    public SlitherMode Crawl { get; }
+
     /// <summary>The name of its gait, such as <c>BipedWalk</c>; <see cref="Name"/> where there is no gait.</summary>
     public string GaitName => Gait?.Name ?? Name;
 
     /// <summary>Whether the motion repeats at the beat of a gait or a stroke; standing still has none.</summary>
     public bool IsCyclic => Course == MovementCourse.Lasting && (Input.Speed != 0f || Input.Medium == MotionMedium.Air);
 
-    /// <summary>Everything a creature does by itself: Idle, each of its gaits at its most comfortable speed, flight, taking off and landing, swimming, crawling.</summary>
+    /// <summary>Everything a creature does by itself: Idle, each of its gaits at its most comfortable speed, flight, taking off and landing, swimming, the start of a startled fish to its left, all ways of crawling.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
     public static IReadOnlyList<Movement> Of(MotionProfile profile)
     {
@@ -71,12 +80,20 @@ public sealed class Movement
 
         if (profile.Swim != null)
         {
-            movements.Add(new Movement("Swim", new MotionInput(profile.Swim.CruiseSpeed), null));
+            float speed = profile.Swim.CruiseSpeed;
+            movements.Add(new Movement("Swim", new MotionInput(speed), null));
+            if (profile.Swim.Style is SwimStyle.Carangiform or SwimStyle.Anguilliform)
+            {
+                movements.Add(new Movement("CStart", new MotionInput(speed, Escape: EscapeTurn.Left), null, MovementCourse.Escape));
+            }
         }
 
         if (profile.Slither != null)
         {
-            movements.Add(new Movement("Slither", new MotionInput(profile.Slither.CruiseSpeed), null));
+            float speed = profile.Slither.CruiseSpeed;
+            movements.Add(new Movement("Slither", new MotionInput(speed), null));
+            movements.Add(new Movement("Sidewind", new MotionInput(speed), null, crawl: SlitherMode.Sidewinding));
+            movements.Add(new Movement("Rectilinear", new MotionInput(RectilinearSpeed * speed), null, crawl: SlitherMode.Rectilinear));
         }
 
         return movements;
@@ -88,15 +105,16 @@ public sealed class Movement
     public Movement At(float speed)
     {
         Maths.Finite.Require(speed, nameof(speed));
-        return new Movement(Name, Input with { Speed = speed }, Gait, Course);
+        return new Movement(Name, Input with { Speed = speed }, Gait, Course, Crawl);
     }
 
-    /// <summary>An animator of a creature that stands at the origin and keeps to the movement's gait from its first step.</summary>
+    /// <summary>An animator of a creature that stands at the origin and keeps to the movement's gait or way of crawling from its first step.</summary>
     internal CreatureAnimator Begin(MotionProfile profile, IGround ground)
     {
         var animator = new CreatureAnimator(profile);
         LocomotionSettings settings = animator.Settings;
         settings.Gait = Gait;
+        settings.Crawl = Crawl;
         animator.Settings = settings;
         animator.Teleport(animator.Root, ground);
         return animator;

@@ -11,4 +11,7 @@ public enum MovementCourse
 
     /// <summary>Out of the air onto the feet.</summary>
     Landing,
+
+    /// <summary>Out of swimming round to one side, and on from there.</summary>
+    Escape,
 }

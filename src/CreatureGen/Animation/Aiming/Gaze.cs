@@ -9,7 +9,7 @@ namespace CreatureGen.Animation.Aiming;
 
 /// <summary>Turns head and neck to what a creature looks at, on top of any motion. Nothing is allocated.</summary>
 /// <remarks>
-/// <para>The direction to the target is measured in the frame of the trunk that carries the neck, as yaw and pitch, bounded, and approached by a critically damped spring. The turn from where the motion points
+/// <para>The direction to the target is measured in the frame of the trunk that carries the neck, as yaw and pitch, bounded, and approached by a critically damped spring; when the trunk turns below it, the head keeps its direction in model space and is brought back within its bounds by the spring. The turn from where the motion points
 /// the head to there, T = R(yaw, pitch) · R(yaw of the motion, pitch of the motion)⁻¹, adds no roll and keeps the roll of the motion. Joint i of the chain is brought to T^cᵢ times its own model rotation, cᵢ rising
 /// to 1 at the head; each stays within its <see cref="JointLimit"/>, and what one cannot take the next ones do.</para>
 /// <para>A target behind is looked at over the nearer shoulder, and over the same one while it is near straight behind. With no target the turn fades out; it comes back from where the motion is.</para>
@@ -57,6 +57,16 @@ public static class Gaze
             state.YawVelocity = 0f;
             state.PitchVelocity = 0f;
         }
+        else if (toTrunk != state.ToTrunk)
+        {
+            // A trunk that swings does not take the gaze along.
+            Vector3 kept = Rotation.Rotate(Rotation.Inverse(state.ToTrunk), Rotation.Rotate(new LookAngles(state.Yaw, state.Pitch).Turn(), Vector3.UnitZ));
+            LookAngles seen = LookAngles.Of(Rotation.Rotate(toTrunk, kept), state.Yaw);
+            state.Yaw = seen.Yaw;
+            state.Pitch = seen.Pitch;
+        }
+
+        state.ToTrunk = toTrunk;
 
         // The eyes move with the head, so the direction is measured where the head was going to be.
         float attention = 0f;

@@ -1,8 +1,12 @@
+using System.Numerics;
+
 namespace CreatureGen.Animation.Aiming;
 
 /// <summary>Where a head and a pair of eyes are on their way: a value to keep per creature. The default value looks straight ahead and at nothing.</summary>
 public struct GazeState
 {
+    /// <summary>From model space to the trunk, as of the last update.</summary>
+    internal Quaternion ToTrunk;
     internal float Yaw;
     internal float Pitch;
     internal float YawVelocity;

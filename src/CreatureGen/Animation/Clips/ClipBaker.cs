@@ -1,7 +1,9 @@
 using System;
 using System.Collections.Generic;
+using System.Numerics;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Creatures;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Clips;
 
@@ -47,7 +49,7 @@ public static class ClipBaker
 
         if (!motion.Closes)
         {
-            Lift(profile, cycle);
+            Carry(profile, cycle);
         }
 
         return new Clip(movement.Name, motion.Closes ? ClipEnd.Loops : ClipEnd.Stays, rate, (float)(cycle.MeanSpeed * cycle.Step * rate), cycle.Joints, cycle.Rotations, cycle.Positions);
@@ -60,13 +62,16 @@ public static class ClipBaker
         return motion;
     }
 
-    /// <summary>Puts the height of the root into the body's joint: in place is what stays over its point of the ground.</summary>
-    private static void Lift(MotionProfile profile, RecordedCycle cycle)
+    /// <summary>Puts height and heading of the root into the body's joint: in place is what stays over its point of the ground.</summary>
+    private static void Carry(MotionProfile profile, RecordedCycle cycle)
     {
         int body = profile.Creature.Skeleton.IndexOf("Body");
         for (int frame = 0; frame <= cycle.Frames; frame++)
         {
-            cycle.Positions[(frame * cycle.Joints) + body].Y += cycle.PlaceAt(frame).Position.Y;
+            int at = (frame * cycle.Joints) + body;
+            Quaternion heading = cycle.PlaceAt(frame).Rotation;
+            cycle.Positions[at] = Rotation.Rotate(heading, cycle.Positions[at]) + new Vector3(0f, cycle.PlaceAt(frame).Position.Y, 0f);
+            cycle.Rotations[at] = Rotation.Multiply(heading, cycle.Rotations[at]);
         }
     }
 

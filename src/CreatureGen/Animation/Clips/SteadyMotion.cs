@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Animation.Aiming;
 using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.Strokes.Swimming;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Clips;
@@ -51,6 +52,7 @@ internal sealed class SteadyMotion
         {
             MovementCourse.TakeOff => default,
             MovementCourse.Landing => movement.Input with { ClimbRate = -movement.Input.ClimbRate, Medium = MotionMedium.Air },
+            MovementCourse.Escape => movement.Input with { Escape = EscapeTurn.None },
             _ => movement.Input,
         };
         for (float time = 0f; time < seconds; time += 1f / 60f)
@@ -65,7 +67,12 @@ internal sealed class SteadyMotion
     }
 
     /// <summary>Whether a movement happens once and is over.</summary>
-    private bool IsOver => movement.Course == MovementCourse.TakeOff ? Height > PassageHeight : Animator.IsAtRest;
+    private bool IsOver => movement.Course switch
+    {
+        MovementCourse.TakeOff => Height > PassageHeight,
+        MovementCourse.Escape => !Animator.Escapes,
+        _ => Animator.IsAtRest,
+    };
 
     /// <summary>Leg lengths above the origin.</summary>
     private float Height => Animator.Root.Position.Y / Math.Max(Animator.Profile.LegLength, 1e-3f);
@@ -129,11 +136,12 @@ internal sealed class SteadyMotion
         var trial = new SteadyMotion(Animator.Profile, movement, ground);
         trial.Settle(SettleSeconds);
         float time = 0f;
-        while (!trial.IsOver && time < LongestPassage)
+        do
         {
             trial.Advance(MeasureStep);
             time += MeasureStep;
         }
+        while (!trial.IsOver && time < LongestPassage);
 
         return time;
     }

@@ -59,18 +59,18 @@ internal sealed class FlightDrive : IBodyMotion
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
     {
         bool before = IsOnFeet;
-        RootVelocity velocity = Fly(place, dt, input, settings, ground, local);
+        BodyVelocity velocity = Fly(place, dt, input, settings, ground, local);
         if (IsOnFeet)
         {
-            TouchDown(before, velocity.Forward * place.Scale, place, settings, ground);
+            TouchDown(before, velocity.Linear.Z * place.Scale, place, settings, ground);
             place = legs!.Drive(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
             Speed = legs.Speed;
         }
         else
         {
             LiftOff(before, place.Scale);
-            Speed = velocity.Forward;
-            place = RootStep.Advance(place, new RootVelocity(velocity.Forward * place.Scale, velocity.Up * place.Scale, velocity.YawRate), dt);
+            Speed = velocity.Linear.Z;
+            place = RootStep.Advance(place, velocity, dt);
             Reach(place, settings, ground);
         }
 
@@ -83,17 +83,17 @@ internal sealed class FlightDrive : IBodyMotion
         bool before = IsOnFeet;
         float height = HeightOf(goal, settings, ground);
         MotionMedium medium = height > AirborneHeight * profile.LegLength ? MotionMedium.Air : MotionMedium.Ground;
-        RootVelocity velocity = Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
+        BodyVelocity velocity = Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
         if (IsOnFeet)
         {
-            TouchDown(before, velocity.Forward * goal.Scale, goal, settings, ground);
+            TouchDown(before, velocity.Linear.Z * goal.Scale, goal, settings, ground);
             legs!.Follow(place, dt, goal, settings, ground, stance.Cleared());
             Speed = legs.Speed;
         }
         else
         {
             LiftOff(before, goal.Scale);
-            Speed = velocity.Forward;
+            Speed = velocity.Linear.Z;
             Reach(goal, settings, ground);
         }
 
@@ -164,16 +164,16 @@ internal sealed class FlightDrive : IBodyMotion
         }
     }
 
-    private RootVelocity Fly(in RootPlace place, float dt, in MotionInput input, in LocomotionSettings settings, IGround ground, in Pose local)
+    private BodyVelocity Fly(in RootPlace place, float dt, in MotionInput input, in LocomotionSettings settings, IGround ground, in Pose local)
     {
         FlightIntent intent = input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
         var asked = new FlightInput(intent, input.Speed / scale, input.TurnRate, input.ClimbRate / scale, HeightOf(place, settings, ground));
-        RootVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
+        BodyVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
         for (int k = state.BeatsBegun - 1; k >= 0; k--)
         {
             float ago = state.SecondsSinceBeat + (k / state.BeatFrequency);
-            events.Add(new MotionEvent(MotionEventKind.WingBeat, -1, profile.Shoulder, place.Position, Rotation.Rotate(place.Rotation, Vector3.UnitY), 0, velocity.Forward * scale, state.BeatWidth, ago));
+            events.Add(new MotionEvent(MotionEventKind.WingBeat, -1, profile.Shoulder, place.Position, Rotation.Rotate(place.Rotation, Vector3.UnitY), 0, velocity.Linear.Z * scale, state.BeatWidth, ago));
         }
 
         return velocity;

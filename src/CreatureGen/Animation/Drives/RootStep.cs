@@ -1,6 +1,5 @@
 using System.Numerics;
 using CreatureGen.Animation.RootMotion;
-using CreatureGen.Animation.Strokes;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Drives;
@@ -9,12 +8,15 @@ namespace CreatureGen.Animation.Drives;
 internal static class RootStep
 {
     /// <summary>Where a root is after a time.</summary>
-    public static RootPlace Advance(in RootPlace place, in RootVelocity velocity, float dt)
+    /// <param name="place">Before.</param>
+    /// <param name="velocity">In metres of the model; the place's scale makes it larger.</param>
+    /// <param name="dt">Seconds.</param>
+    public static RootPlace Advance(in RootPlace place, in BodyVelocity velocity, float dt)
     {
         // Half of the turn before the way, half after: the chord of the arc.
-        Quaternion half = AxisTurn.Yaw(0.5f * velocity.YawRate * dt);
+        Quaternion half = AxisTurn.Yaw(0.5f * velocity.TurnRate * dt);
         Quaternion middle = Rotation.Multiply(place.Rotation, half);
-        Vector3 way = Rotation.Rotate(middle, new Vector3(0f, velocity.Up, velocity.Forward)) * dt;
+        Vector3 way = Rotation.Rotate(middle, velocity.Linear * place.Scale) * dt;
         return new RootPlace(place.Position + way, Rotation.Normalize(Rotation.Multiply(middle, half)), place.Scale);
     }
 

@@ -1,7 +1,6 @@
 using System.Numerics;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.RootMotion;
-using CreatureGen.Animation.Strokes;
 using CreatureGen.Animation.Strokes.Swimming;
 using CreatureGen.Rigging;
 
@@ -21,12 +20,15 @@ internal sealed class SwimDrive : IBodyMotion
 
     public float Frequency => state.BeatFrequency;
 
+    /// <summary>Whether a C-start is under way.</summary>
+    public bool Escapes => state.EscapeProgress > 0f;
+
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
     {
         float scale = place.Scale;
-        RootVelocity velocity = SwimMotion.Update(profile, new SwimInput(input.Speed / scale, input.TurnRate, input.ClimbRate / scale), ref state, dt, local);
-        Speed = velocity.Forward;
-        return RootStep.Advance(place, new RootVelocity(velocity.Forward * scale, velocity.Up * scale, velocity.YawRate), dt);
+        BodyVelocity velocity = SwimMotion.Update(profile, new SwimInput(input.Speed / scale, input.TurnRate, input.ClimbRate / scale, input.Escape), ref state, dt, local);
+        Speed = velocity.Linear.Z;
+        return RootStep.Advance(place, velocity, dt);
     }
 
     public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local) =>

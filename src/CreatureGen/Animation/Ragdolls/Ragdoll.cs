@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.Ik;
 using CreatureGen.Animation.Poses;
 using CreatureGen.Animation.RootMotion;
@@ -41,7 +42,7 @@ public static class Ragdoll
     /// <param name="ground">What it will fall on: parts that are in it already are let out slowly.</param>
     /// <exception cref="ArgumentException">The state is of another rig, a pose is not as long as the skeleton, or a number is not finite.</exception>
     public static void Start<TGround>(RagdollRig rig, RagdollState state, in RootPlace root, in Pose model, in RootPlace rootBefore, in Pose modelBefore, float seconds, TGround ground)
-        where TGround : IRagdollGround
+        where TGround : IGround
     {
         Require(rig, state, model);
         model.Require(rig.Skeleton);
@@ -82,13 +83,14 @@ public static class Ragdoll
             }
         }
 
+        Vector3 up = Rotation.Rotate(root.Rotation, Vector3.UnitY);
         ReadOnlySpan<RagdollContact> contacts = rig.Contacts;
         for (int c = 0; c < contacts.Length; c++)
         {
             RagdollContact contact = contacts[c];
             Vector3 centre = state.Positions[contact.Part] + (Rotation.Rotate(state.Rotations[contact.Part], contact.Place) * state.Scale);
-            state.Allowances[c] = ground.TryFind(state.Anchor + centre, out Vector3 onGround, out Vector3 normal)
-                ? Math.Max(0f, contact.Radius - (Vec.Dot(centre - (onGround - state.Anchor), normal) / state.Scale))
+            state.Allowances[c] = RagdollFloor.TryFind(ground, state.Anchor + centre, contact.Radius * state.Scale, rig.Size * state.Scale, up, out GroundHit hit)
+                ? Math.Max(0f, contact.Radius - (Vec.Dot(centre - (hit.Point - state.Anchor), hit.Normal) / state.Scale))
                 : 0f;
         }
     }
@@ -119,11 +121,11 @@ public static class Ragdoll
     /// <param name="rig">The parts.</param>
     /// <param name="state">Started.</param>
     /// <param name="settings">What they are made of.</param>
-    /// <param name="ground">What they fall on.</param>
+    /// <param name="ground">What they fall on, felt by rays along gravity; as a structure it costs no virtual call.</param>
     /// <param name="seconds">Not negative.</param>
     /// <exception cref="ArgumentException">The state is of another rig, or the time is negative or not finite.</exception>
     public static void Advance<TGround>(RagdollRig rig, RagdollState state, in RagdollSettings settings, TGround ground, float seconds)
-        where TGround : IRagdollGround
+        where TGround : IGround
     {
         RequireSame(rig, state);
         Finite.RequireStep(seconds);
@@ -206,10 +208,10 @@ public static class Ragdoll
     /// <summary>Where a creature stands that gets up from here: under the first part, facing as the trunk does, upright.</summary>
     /// <param name="rig">The parts.</param>
     /// <param name="state">Started.</param>
-    /// <param name="ground">What it lies on.</param>
+    /// <param name="ground">What it lies on, below it along −Y.</param>
     /// <exception cref="ArgumentException">The state is of another rig.</exception>
     public static RootPlace PlaceUnder<TGround>(RagdollRig rig, RagdollState state, TGround ground)
-        where TGround : IRagdollGround
+        where TGround : IGround
     {
         RequireSame(rig, state);
         RagdollPart first = rig.Parts[0];
@@ -228,9 +230,8 @@ public static class Ragdoll
 
         Quaternion facing = Rotation.FromAxisAngle(Vector3.UnitY, PortableMath.Atan2(flat.X, flat.Z));
         Vector3 under = joint - (Rotation.Rotate(facing, new Vector3(rest.X, 0f, rest.Z)) * state.Scale);
-        float height = ground.TryFind(under, out Vector3 onGround, out Vector3 normal) && normal.Y > 0.01f
-            ? onGround.Y - (((normal.X * (under.X - onGround.X)) + (normal.Z * (under.Z - onGround.Z))) / normal.Y)
-            : joint.Y;
+        float size = rig.Size * state.Scale;
+        float height = ground.Cast(under + (Vector3.UnitY * size), -Vector3.UnitY, 3f * size, out GroundHit hit) ? hit.Point.Y : joint.Y;
         return new RootPlace(new Vector3(under.X, height, under.Z), facing, state.Scale);
     }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.Ik;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -22,10 +23,11 @@ internal static class RagdollSolver
 
     /// <summary>Advances by a substep.</summary>
     public static void Advance<TGround>(RagdollState state, in RagdollSettings settings, float h, int rounds, TGround ground)
-        where TGround : IRagdollGround
+        where TGround : IGround
     {
         ReadOnlySpan<RagdollPart> parts = state.Rig.Parts;
         float air = Damping.Left(settings.AirDamping, h);
+        Vector3 up = Vec.Normalize(-settings.Gravity, Vector3.UnitY);
         float mostShift = MostShift * state.Rig.Size * state.Scale;
         for (int i = 0; i < parts.Length; i++)
         {
@@ -49,7 +51,7 @@ internal static class RagdollSolver
                 Attach(state, parts, i);
             }
 
-            Touch(state, settings.Friction, ground);
+            Touch(state, settings.Friction, up, ground);
             for (int i = parts.Length - 1; i > 0; i--)
             {
                 Attach(state, parts, i);
@@ -155,11 +157,12 @@ internal static class RagdollSolver
     }
 
     /// <summary>Brings all balls out of the ground, and holds them back along it.</summary>
-    private static void Touch<TGround>(RagdollState state, float friction, TGround ground)
-        where TGround : IRagdollGround
+    private static void Touch<TGround>(RagdollState state, float friction, Vector3 up, TGround ground)
+        where TGround : IGround
     {
         ReadOnlySpan<RagdollContact> contacts = state.Rig.Contacts;
         ReadOnlySpan<RagdollPart> parts = state.Rig.Parts;
+        float size = state.Rig.Size * state.Scale;
         for (int c = 0; c < contacts.Length; c++)
         {
             ref readonly RagdollContact contact = ref contacts[c];
@@ -167,12 +170,13 @@ internal static class RagdollSolver
             ref readonly RagdollPart part = ref parts[i];
             float radius = contact.Radius * state.Scale;
             Vector3 centre = Rotation.Rotate(state.Rotations[i], contact.Place) * state.Scale;
-            if (!ground.TryFind(state.Anchor + state.Positions[i] + centre, out Vector3 onGround, out Vector3 normal))
+            if (!RagdollFloor.TryFind(ground, state.Anchor + state.Positions[i] + centre, radius, size, up, out GroundHit hit))
             {
                 continue;
             }
 
-            float depth = radius - (state.Allowances[c] * state.Scale) - Vec.Dot(state.Positions[i] + centre - (onGround - state.Anchor), normal);
+            Vector3 normal = hit.Normal;
+            float depth = radius - (state.Allowances[c] * state.Scale) - Vec.Dot(state.Positions[i] + centre - (hit.Point - state.Anchor), normal);
             if (!(depth > 0f))
             {
                 continue;

@@ -97,6 +97,33 @@ public sealed class GazeTests
         Assert.NotSame(expected, actual);
     }
 
+    [Theory]
+    [InlineData(1f / 30f)]
+    [InlineData(1f / 144f)]
+    public void A_trunk_that_swings_does_not_take_the_head_along(float step)
+    {
+        (Skeleton skeleton, GazeRig rig) = Giraffe(wide);
+        GazeState state = default;
+        GazeTarget target = GazeTarget.At(new Vector3(0f, 0f, 1e5f));
+        Settle(rig, ref state, target, 2f, step);
+        double trunk = 0;
+        double head = 0;
+        for (int i = 0; i < 3f / step; i++)
+        {
+            MovingPose pose = new(skeleton);
+            double swing = 0.5 * PortableMath.Sin(2 * PortableMath.Pi * 0.7 * i * step);
+            pose.LocalRotations[0] = Rotation.Multiply(Rotation.FromAxisAngle(Vector3.UnitY, swing), pose.LocalRotations[0]);
+            ForwardKinematics.LocalToModel(skeleton, pose.Local, pose.Model);
+            Gaze.Update(rig, ref state, GazeSettings.Default, target, step, pose.Local, pose.Model);
+            trunk = Math.Max(trunk, Math.Abs(swing));
+            Vector3 ahead = Rotation.Rotate(Rotation.Multiply(pose.ModelRotations[rig.Head], rig.HeadToModel), Vector3.UnitZ);
+            head = Math.Max(head, Math.Abs(PortableMath.Atan2(ahead.X, ahead.Z)));
+        }
+
+        Assert.True(trunk > 0.49);
+        Assert.True(head < 0.005, FormattableString.Invariant($"the head swings by {head}"));
+    }
+
     [Fact]
     public void Nothing_to_look_at_leaves_the_motion_to_the_bit_and_fading_out_comes_back_to_it()
     {

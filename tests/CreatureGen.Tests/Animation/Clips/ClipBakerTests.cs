@@ -45,7 +45,7 @@ public sealed class ClipBakerTests
         bool IsLid(int joint) => creature.Skeleton.Joints[joint].Role == JointRole.Lid;
         foreach (Clip clip in ClipBaker.Bake(creature))
         {
-            bool once = clip.Name is "TakeOff" or "Land";
+            bool once = clip.Name is "TakeOff" or "Land" or "CStart";
             Assert.Equal(once ? ClipEnd.Stays : ClipEnd.Loops, clip.End);
             Assert.True(once || clip.RotationsAt(0).SequenceEqual(clip.RotationsAt(clip.Frames - 1)));
             Assert.True(once || clip.PositionsAt(0).SequenceEqual(clip.PositionsAt(clip.Frames - 1)));

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.Ik;
 using CreatureGen.Animation.Ragdolls;
 using CreatureGen.Animation.RootMotion;
@@ -29,12 +30,12 @@ public sealed class RagdollTests
             MovingPose pose = new(creature.Skeleton);
             Vector3 axis = Vec.Normalize(new Vector3(1f, 0.3f, (0.2f * (seed % 7)) - 0.6f));
             var root = new RootPlace(new Vector3(0f, 0.3f * rig.Size, 0f), Rotation.FromAxisAngle(axis, (0.5 * (seed % 5)) - 1));
-            Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, PlaneGround.Level);
+            Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
             int frames = 0;
             float gap = 0f;
             for (; frames < 900 && !state.IsAsleep; frames++)
             {
-                Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, Frame);
+                Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
                 gap = Math.Max(gap, WidestGap(state));
             }
 
@@ -58,17 +59,17 @@ public sealed class RagdollTests
     {
         (RagdollRig rig, RagdollState state, MovingPose pose) = Rope(0);
         var root = new RootPlace(new Vector3(0f, 10f, 0f), Rotation.FromAxisAngle(Vector3.UnitX, 0.8));
-        Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, PlaneGround.Level);
+        Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
         float start = state.Anchor.Y + state.Positions[0].Y;
         for (int i = 0; i < 60; i++)
         {
-            Ragdoll.Advance(rig, state, new RagdollSettings(new Vector3(0f, -9.81f, 0f), 0f, 0f), PlaneGround.Level, Frame);
+            Ragdoll.Advance(rig, state, new RagdollSettings(new Vector3(0f, -9.81f, 0f), 0f, 0f), FlatGround.Level, Frame);
         }
 
         Assert.Equal(start - (0.5f * 9.81f), state.Anchor.Y + state.Positions[0].Y, 0.05f);
         for (int i = 0; i < 600; i++)
         {
-            Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, Frame);
+            Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
         }
 
         Assert.Equal(0.05f, state.Anchor.Y + state.Positions[0].Y, 0.003f);
@@ -101,7 +102,7 @@ public sealed class RagdollTests
         MovingPose now = new MovingPose(creature.Skeleton).Shaken(1, 0.02);
         var rootBefore = new RootPlace(new Vector3(0f, 5f, 0f), Quaternion.Identity);
         var root = new RootPlace(new Vector3(0f, 5f, 3f * Frame), Quaternion.Identity);
-        Ragdoll.Start(rig, state, root, now.Model, rootBefore, before.Model, Frame, PlaneGround.Level);
+        Ragdoll.Start(rig, state, root, now.Model, rootBefore, before.Model, Frame, FlatGround.Level);
         MovingPose shown = new MovingPose(creature.Skeleton).Shaken(1, 0.02);
         Ragdoll.Show(rig, state, root, shown.Local, shown.Model);
         for (int j = 0; j < creature.Skeleton.Count; j++)
@@ -109,7 +110,7 @@ public sealed class RagdollTests
             Assert.True(Vec.Distance(now.ModelPositions[j], shown.ModelPositions[j]) < 1e-4f);
         }
 
-        Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, Frame);
+        Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
         Ragdoll.Show(rig, state, root, shown.Local, shown.Model);
         for (int j = 1; j < creature.Skeleton.Count; j++)
         {
@@ -143,16 +144,49 @@ public sealed class RagdollTests
             var state = new RagdollState(rig);
             MovingPose pose = new(creature.Skeleton);
             var root = new RootPlace(new Vector3(1000f, 0.2f * scale, -1000f), Quaternion.Identity, scale);
-            Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, PlaneGround.Level);
-            Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, 0f);
+            Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
+            Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, 0f);
             for (int i = 0; i < 60 / Math.Min(step, 0.25f) && !state.IsAsleep; i++)
             {
-                Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, step);
+                Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, step);
             }
 
             Assert.True(state.IsAsleep);
             Ragdoll.Show(rig, state, root, pose.Local, pose.Model);
             Assert.All(pose.ModelPositions, p => Assert.True(p - p == Vector3.Zero && Vec.Length(p) < 5f * rig.Size));
+        }
+    }
+
+    [Fact]
+    public void It_falls_alike_on_a_plane_a_height_field_and_a_mesh()
+    {
+        Creature creature = CreatureGenerator.Generate(5);
+        RagdollRig rig = RagdollRig.Of(creature);
+        MovingPose pose = new(creature.Skeleton);
+        var root = new RootPlace(new Vector3(0f, 0.3f, 0f), Quaternion.Identity);
+        float slope = 0.3f;
+        Vector3 At(float x, float z) => new(x, slope * x, z);
+        var field = new HeightFieldGround([-6f, 0f, 6f, -6f, 0f, 6f, -6f, 0f, 6f], 3, 20f, new Vector3(-20f, 0f, -20f));
+        var mesh = new MeshGround([At(-20f, -20f), At(20f, -20f), At(20f, 20f), At(-20f, 20f)], [0, 2, 1, 0, 3, 2]);
+        var grounds = new IGround[] { new FlatGround(Vector3.Zero, new Vector3(-slope, 1f, 0f)), field, mesh };
+        Vector3[]? first = null;
+        foreach (IGround ground in grounds)
+        {
+            var state = new RagdollState(rig);
+            Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, ground);
+            for (int i = 0; i < 30; i++)
+            {
+                Ragdoll.Advance(rig, state, RagdollSettings.Default, ground, Frame);
+            }
+
+            first ??= state.Positions.ToArray();
+            for (int i = 0; i < rig.Count; i++)
+            {
+                Assert.True(Vec.Distance(first[i], state.Positions[i]) < 0.01f, FormattableString.Invariant($"{ground.GetType().Name}, part {i}: {Vec.Distance(first[i], state.Positions[i])}"));
+            }
+
+            RootPlace up = Ragdoll.PlaceUnder(rig, state, ground);
+            Assert.Equal(slope * up.Position.X, up.Position.Y, 1e-3f);
         }
     }
 
@@ -165,13 +199,13 @@ public sealed class RagdollTests
         var there = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
         var root = new RootPlace(new Vector3(0f, 0.3f, 0f), Quaternion.Identity);
-        Ragdoll.Start(rig, here, root, pose.Model, root, pose.Model, 0f, PlaneGround.Level);
-        Ragdoll.Start(rig, there, root, pose.Model, root, pose.Model, 0f, PlaneGround.Level);
+        Ragdoll.Start(rig, here, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
+        Ragdoll.Start(rig, there, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
         there.Rebase(new Vector3(64f, 32f, -128f));
-        var raised = new PlaneGround(new Vector3(0f, 32f, 0f), Vector3.UnitY);
+        var raised = new FlatGround(new Vector3(0f, 32f, 0f), Vector3.UnitY);
         for (int i = 0; i < 30; i++)
         {
-            Ragdoll.Advance(rig, here, RagdollSettings.Default, PlaneGround.Level, Frame);
+            Ragdoll.Advance(rig, here, RagdollSettings.Default, FlatGround.Level, Frame);
             Ragdoll.Advance(rig, there, RagdollSettings.Default, raised, Frame);
         }
 
@@ -189,14 +223,14 @@ public sealed class RagdollTests
         var root = new RootPlace(new Vector3(0f, 0.4f, 0f), Rotation.FromAxisAngle(Vector3.UnitX, 1.2));
         foreach (RagdollState state in new[] { left, right })
         {
-            Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, PlaneGround.Level);
+            Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
             state.Push(2, new Vector3(state == left ? 1f : -1f, 0f, 0f), root.ToWorld(pose.ModelPositions[2]));
         }
 
         for (int i = 0; i < 40; i++)
         {
-            Ragdoll.Advance(rig, left, RagdollSettings.Default, PlaneGround.Level, Frame);
-            Ragdoll.Advance(rig, right, RagdollSettings.Default, PlaneGround.Level, Frame);
+            Ragdoll.Advance(rig, left, RagdollSettings.Default, FlatGround.Level, Frame);
+            Ragdoll.Advance(rig, right, RagdollSettings.Default, FlatGround.Level, Frame);
         }
 
         for (int i = 0; i < rig.Count; i++)
@@ -238,14 +272,14 @@ public sealed class RagdollTests
         var state = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
         var root = new RootPlace(new Vector3(3f, 0.5f, 1f), Rotation.FromAxisAngle(Vec.Normalize(new Vector3(0.3f, 1f, 0.2f)), 1.3));
-        Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, PlaneGround.Level);
+        Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
         for (int i = 0; i < 200; i++)
         {
-            Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, Frame);
+            Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
         }
 
         Ragdoll.Show(rig, state, root, pose.Local, pose.Model);
-        RootPlace up = Ragdoll.PlaceUnder(rig, state, PlaneGround.Level);
+        RootPlace up = Ragdoll.PlaceUnder(rig, state, FlatGround.Level);
         Assert.Equal(0f, up.Position.Y, 1e-5f);
         Assert.True(Vec.Distance(Rotation.Rotate(up.Rotation, Vector3.UnitY), Vector3.UnitY) < 1e-5f);
         MovingPose again = new(creature.Skeleton);
@@ -260,16 +294,16 @@ public sealed class RagdollTests
     public void A_push_wakes_a_sleeper_and_a_stopped_ragdoll_leaves_the_pose_alone()
     {
         (RagdollRig rig, RagdollState state, MovingPose pose) = Rope(3);
-        Ragdoll.Start(rig, state, RootPlace.Identity, pose.Model, RootPlace.Identity, pose.Model, 0f, PlaneGround.Level);
+        Ragdoll.Start(rig, state, RootPlace.Identity, pose.Model, RootPlace.Identity, pose.Model, 0f, FlatGround.Level);
         for (int i = 0; i < 900 && !state.IsAsleep; i++)
         {
-            Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, Frame);
+            Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
         }
 
         Assert.True(state.IsAsleep);
         state.Push(1, new Vector3(3f, 1f, 0f), Vector3.Zero);
         Assert.False(state.IsAsleep);
-        Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, Frame);
+        Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
         Assert.True(state.Speed > 0.1f);
         state.Stop();
         MovingPose rest = new(rig.Skeleton);
@@ -284,31 +318,31 @@ public sealed class RagdollTests
         RagdollRig rig = RagdollRig.Of(creature);
         var state = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
-        Ragdoll.Start(rig, state, RootPlace.Identity, pose.Model, RootPlace.Identity, pose.Model, 0f, PlaneGround.Level);
+        Ragdoll.Start(rig, state, RootPlace.Identity, pose.Model, RootPlace.Identity, pose.Model, 0f, FlatGround.Level);
         Assert.Equal(0, MovingPose.Allocated(() =>
         {
-            Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, Frame);
+            Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
             Ragdoll.Show(rig, state, RootPlace.Identity, pose.Local, pose.Model);
-            Ragdoll.PlaceUnder(rig, state, PlaneGround.Level);
+            Ragdoll.PlaceUnder(rig, state, FlatGround.Level);
         }));
-        Assert.Throws<ArgumentOutOfRangeException>(() => Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, float.NaN));
+        Assert.Throws<ArgumentOutOfRangeException>(() => Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, float.NaN));
         Assert.Throws<ArgumentException>(() => state.Push(1, new Vector3(float.NaN), Vector3.Zero));
         Assert.Throws<ArgumentException>(() => new RagdollSettings(new Vector3(float.NaN)));
         Assert.Throws<ArgumentException>(() => new RagdollRig(creature.Skeleton, Array.Empty<CapsuleCollider>()));
-        Assert.Throws<ArgumentException>(() => Ragdoll.Advance(RagdollRig.Of(creature), state, RagdollSettings.Default, PlaneGround.Level, Frame));
+        Assert.Throws<ArgumentException>(() => Ragdoll.Advance(RagdollRig.Of(creature), state, RagdollSettings.Default, FlatGround.Level, Frame));
         MovingPose broken = new(creature.Skeleton);
         Array.Fill(broken.ModelPositions, new Vector3(float.NaN));
-        Assert.Throws<ArgumentException>(() => Ragdoll.Start(rig, state, RootPlace.Identity, broken.Model, RootPlace.Identity, broken.Model, 0f, PlaneGround.Level));
+        Assert.Throws<ArgumentException>(() => Ragdoll.Start(rig, state, RootPlace.Identity, broken.Model, RootPlace.Identity, broken.Model, 0f, FlatGround.Level));
     }
 
     private static Vector3[] FallFor(float seconds, int frames)
     {
         (RagdollRig rig, RagdollState state, MovingPose pose) = Rope(5);
         var root = new RootPlace(new Vector3(0f, 0.5f, 0f), Rotation.FromAxisAngle(Vec.Normalize(new Vector3(1f, 0f, 0.4f)), 1));
-        Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, PlaneGround.Level);
+        Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
         for (int i = 0; i < frames; i++)
         {
-            Ragdoll.Advance(rig, state, RagdollSettings.Default, PlaneGround.Level, seconds / frames);
+            Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, seconds / frames);
         }
 
         Ragdoll.Show(rig, state, root, pose.Local, pose.Model);
@@ -354,12 +388,11 @@ public sealed class RagdollTests
         SwingTwistLimit.Excess(Rotation.Multiply(Rotation.Inverse(skeleton.LocalRotations[joint]), pose.LocalRotations[joint]), skeleton.Joints[joint].Limit);
 
     /// <summary>No ground anywhere.</summary>
-    private readonly struct NoGround : IRagdollGround
+    private readonly struct NoGround : IGround
     {
-        public bool TryFind(Vector3 point, out Vector3 onGround, out Vector3 normal)
+        public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
         {
-            onGround = default;
-            normal = Vector3.UnitY;
+            hit = default;
             return false;
         }
     }

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Animation.Strokes;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Animation.Strokes.Flight;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
@@ -210,8 +211,8 @@ public sealed class FlightMotionTests
             {
                 FlightIntent intent = i < 600 ? FlightIntent.Air : FlightIntent.Ground;
                 float climb = state.Phase == FlightPhase.Airborne ? (intent == FlightIntent.Air ? 0.3f : -0.3f) * profile.CruiseSpeed : 0;
-                RootVelocity root = FlightMotion.Update(profile, new FlightInput(intent, 0.5f * profile.CruiseSpeed, 0, climb, height), ref state, dt, body.Local);
-                height = Math.Max(0, height + (root.Up * dt));
+                BodyVelocity root = FlightMotion.Update(profile, new FlightInput(intent, 0.5f * profile.CruiseSpeed, 0, climb, height), ref state, dt, body.Local);
+                height = Math.Max(0, height + (root.Linear.Y * dt));
                 if (seen.Count == 0 || seen[^1] != state.Phase)
                 {
                     seen.Add(state.Phase);
@@ -272,7 +273,7 @@ public sealed class FlightMotionTests
             for (int i = 0; i < 6 * rate; i++)
             {
                 int second = i / rate;
-                FlightInput input = Level(profile) with { Speed = (second % 3) * 0.6f * profile.CruiseSpeed, YawRate = second % 2 == 0 ? 0.5f : -0.4f, ClimbRate = second > 3 ? -0.3f * profile.CruiseSpeed : 0.2f * profile.CruiseSpeed };
+                FlightInput input = Level(profile) with { Speed = (second % 3) * 0.6f * profile.CruiseSpeed, TurnRate = second % 2 == 0 ? 0.5f : -0.4f, ClimbRate = second > 3 ? -0.3f * profile.CruiseSpeed : 0.2f * profile.CruiseSpeed };
                 FlightMotion.Update(profile, input, ref state, 1f / rate, body.Local);
             }
 
@@ -316,7 +317,7 @@ public sealed class FlightMotionTests
         Creature creature = StrokeSubject.Of(BodyPlan.Flapping)[0];
         FlightProfile profile = FlightProfile.Of(creature);
         var body = new StrokeSubject(creature);
-        FlightInput input = Level(profile) with { YawRate = 0.4f };
+        FlightInput input = Level(profile) with { TurnRate = 0.4f };
         Steady(profile, input, body);
         body.ToModel();
         Vector3 left = Rotation.Rotate(body.ModelRotations[profile.Chain.Body], Vector3.UnitX);
@@ -423,7 +424,7 @@ public sealed class FlightMotionTests
         for (int i = 0; i < 6 * rate; i++)
         {
             int part = i / rate;
-            FlightInput input = Level(profile) with { Speed = (part % 3) * 0.6f * profile.CruiseSpeed, YawRate = part % 2 == 0 ? 0.5f : -0.5f, ClimbRate = (part - 3) * 0.2f * profile.CruiseSpeed };
+            FlightInput input = Level(profile) with { Speed = (part % 3) * 0.6f * profile.CruiseSpeed, TurnRate = part % 2 == 0 ? 0.5f : -0.5f, ClimbRate = (part - 3) * 0.2f * profile.CruiseSpeed };
             FlightMotion.Update(profile, input, ref state, dt, body.Local);
             body.Track(dt);
         }

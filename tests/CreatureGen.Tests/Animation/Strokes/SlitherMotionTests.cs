@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Animation.Strokes.Slithering;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
@@ -11,7 +13,7 @@ namespace CreatureGen.Tests.Animation.Strokes;
 
 public sealed class SlitherMotionTests
 {
-    private static readonly ISlitherGround level = new LevelGround();
+    private static readonly IGround level = FlatGround.Level;
 
     [Theory]
     [InlineData(0.85, 0.827394)]
@@ -22,7 +24,7 @@ public sealed class SlitherMotionTests
     [Theory]
     [InlineData(0f)]
     [InlineData(0.8f)]
-    public void Every_joint_follows_the_track_of_the_head(float turn)
+    public void Every_joint_behind_the_neck_follows_the_track_of_the_first(float turn)
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
@@ -30,16 +32,16 @@ public sealed class SlitherMotionTests
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.004f * profile.BodyLength / profile.CruiseSpeed;
             crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0, dt, 600);
-            int head = profile.Chain.Bones[0].Turn.Joint;
+            int first = profile.Chain.Bones[profile.NeckBones - 1].Turn.Joint;
             var track = new List<Vector3>();
             for (int i = 0; i < 500; i++)
             {
                 crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, turn * profile.CruiseSpeed / profile.BodyLength, dt);
-                track.Add(crawl.World(head));
+                track.Add(crawl.World(first));
             }
 
-            // The head went two body lengths: by now every joint lies on what it left behind.
-            for (int b = 2; b < profile.Chain.Count; b++)
+            // It went two body lengths: by now every joint lies on what it left behind.
+            for (int b = profile.NeckBones + 1; b < profile.Chain.Count; b++)
             {
                 Vector3 joint = crawl.World(profile.Chain.Bones[b].Turn.Joint);
                 float away = float.MaxValue;
@@ -54,7 +56,7 @@ public sealed class SlitherMotionTests
     }
 
     [Fact]
-    public void Nothing_slips_sideways()
+    public void Nothing_behind_the_neck_slips_sideways()
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
@@ -70,7 +72,7 @@ public sealed class SlitherMotionTests
                 Vector3[] before = crawl.Points();
                 crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, 0, dt);
                 Vector3[] after = crawl.Points();
-                for (int b = 1; b + 1 < before.Length; b++)
+                for (int b = profile.NeckBones; b + 1 < before.Length; b++)
                 {
                     // Velocity of the joint across the mean direction of the two bones that meet in it.
                     Vector3 along = after[b - 1] - after[b + 1];
@@ -90,6 +92,32 @@ public sealed class SlitherMotionTests
     }
 
     [Theory]
+    [InlineData(0f)]
+    [InlineData(0.8f)]
+    public void The_head_looks_steadily_along_the_way(float turn)
+    {
+        foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless, 20))
+        {
+            SlitherProfile profile = SlitherProfile.Of(creature);
+            var crawl = new Crawl(profile, creature, level);
+            float dt = 0.01f * profile.BodyLength / profile.CruiseSpeed;
+            float rate = turn * profile.CruiseSpeed / profile.BodyLength;
+            crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, rate, dt, 300);
+            double head = 0;
+            double chest = 0;
+            for (int i = 0; i < 300; i++)
+            {
+                crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, rate, dt);
+                head = Math.Max(head, Math.Abs(crawl.Heading(0)));
+                chest = Math.Max(chest, Math.Abs(crawl.Heading(profile.NeckBones)));
+            }
+
+            Assert.True(chest > 0.5, FormattableString.Invariant($"{creature.Blueprint.Seed}: the chest swings by {chest}"));
+            Assert.True(head < 0.12, FormattableString.Invariant($"{creature.Blueprint.Seed}: the head swings by {head}"));
+        }
+    }
+
+    [Theory]
     [InlineData(SlitherMode.Undulating)]
     [InlineData(SlitherMode.Sidewinding)]
     [InlineData(SlitherMode.Rectilinear)]
@@ -102,11 +130,11 @@ public sealed class SlitherMotionTests
             float dt = 0.01f * profile.BodyLength / profile.CruiseSpeed;
             crawl.Run(mode, profile.CruiseSpeed, 0, dt, 800);
             Vector3 from = crawl.Root.Position;
-            float yaw = crawl.Root.Yaw;
+            Quaternion facing = crawl.Root.Rotation;
             crawl.Run(mode, profile.CruiseSpeed, 0, dt, 600);
             Vector3 moved = crawl.Root.Position - from;
             float way = profile.CruiseSpeed * dt * 600;
-            Assert.True(Math.Abs(crawl.Root.Yaw - yaw) < 1e-3);
+            Assert.True(Rotation.Angle(Rotation.Multiply(Rotation.Inverse(facing), crawl.Root.Rotation)) < 1e-3);
             Assert.True(Math.Abs(moved.Z - way) < 0.04f * way, FormattableString.Invariant($"{mode} {creature.Blueprint.Seed}: {moved.Z / way} of the way"));
             Assert.True(Math.Abs(moved.X) < 0.06f * way, FormattableString.Invariant($"{mode} {creature.Blueprint.Seed}: {moved.X / way} aside"));
         }
@@ -179,21 +207,59 @@ public sealed class SlitherMotionTests
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
             SlitherProfile profile = SlitherProfile.Of(creature);
-            var slope = new Slope(slopeX, slopeZ);
+            Vector3 up = Vec.Normalize(new Vector3(-slopeX, 1, -slopeZ));
+            var slope = new FlatGround(Vector3.Zero, up);
             var crawl = new Crawl(profile, creature, slope);
             float dt = 0.02f * profile.BodyLength / profile.CruiseSpeed;
             crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, dt, 300);
             crawl.Body.ToModel();
-            slope.Sample(0, 0, out Vector3 up);
             for (int b = 1; b < profile.Chain.Count; b++)
             {
                 int joint = profile.Chain.Bones[b].Turn.Joint;
                 Vector3 world = crawl.World(joint);
-                double over = Vec.Dot(world - new Vector3(0, slope.Sample(0, 0, out _), 0), up);
+                double over = Vec.Dot(world, up);
                 double rest = creature.Skeleton.ModelPositions[joint].Y;
                 Assert.True(Math.Abs(over - rest) < 0.012 * profile.BodyLength, FormattableString.Invariant($"{creature.Blueprint.Seed} {profile.Skeleton.Joints[joint].Name}: {over} over the ground, {rest} at rest"));
             }
         }
+    }
+
+    [Theory]
+    [InlineData(0.2f)]
+    [InlineData(5f)]
+    public void It_crawls_alike_on_a_plane_a_height_field_and_a_mesh_at_any_scale(float scale)
+    {
+        Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
+        SlitherProfile profile = SlitherProfile.Of(creature);
+        float slope = 0.3f;
+        Vector3 At(float x, float z) => new(x, slope * x, z);
+        float dt = 0.02f * profile.BodyLength / profile.CruiseSpeed;
+        var field = new HeightFieldGround([-60f, 0f, 60f, -60f, 0f, 60f, -60f, 0f, 60f], 3, 200f, new Vector3(-200f, 0f, -200f));
+        var mesh = new MeshGround([At(-200f, -200f), At(200f, -200f), At(200f, 200f), At(-200f, 200f)], [0, 2, 1, 0, 3, 2]);
+        var plane = new Crawl(profile, creature, new FlatGround(Vector3.Zero, new Vector3(-slope, 1f, 0f))) { Root = new RootPlace(Vector3.Zero, Quaternion.Identity, scale) };
+        plane.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, dt, 200);
+        Assert.True(Vec.Length(plane.Root.Position) > 0.5f * scale * profile.BodyLength);
+        foreach (IGround ground in new IGround[] { field, mesh })
+        {
+            var crawl = new Crawl(profile, creature, ground) { Root = new RootPlace(Vector3.Zero, Quaternion.Identity, scale) };
+            crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, dt, 200);
+            Assert.True(crawl.Body.Apart(plane.Body.Rotations) < 0.01, FormattableString.Invariant($"{ground.GetType().Name}: {crawl.Body.Apart(plane.Body.Rotations)}"));
+            Assert.True(Vec.Distance(crawl.Root.Position, plane.Root.Position) < 2e-3f * scale * profile.BodyLength);
+        }
+    }
+
+    [Fact]
+    public void It_goes_on_level_where_there_is_no_ground()
+    {
+        Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
+        SlitherProfile profile = SlitherProfile.Of(creature);
+        float half = 0.5f * profile.BodyLength;
+        var ledge = new MeshGround([new(-half, 0f, -9f), new(half, 0f, -9f), new(half, 0f, half), new(-half, 0f, half)], [0, 2, 1, 0, 3, 2]);
+        var crawl = new Crawl(profile, creature, ledge);
+        crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0, 0.02f * profile.BodyLength / profile.CruiseSpeed, 200);
+        Assert.True(crawl.Root.Position.Z > 2 * half);
+        Assert.Equal(0f, crawl.Root.Position.Y, 1e-4f);
+        crawl.Body.AssertWithinLimits("beyond the edge");
     }
 
     [Fact]
@@ -245,7 +311,7 @@ public sealed class SlitherMotionTests
         var crawl = new Crawl(profile, creature, level);
         crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, 0.05f, 200);
         Quaternion[] shape = (Quaternion[])crawl.Body.Rotations.Clone();
-        crawl.Root = new RootPlace(crawl.Root.Position + new Vector3(30, 0, -50), crawl.Root.Yaw + 1);
+        crawl.Root = new RootPlace(crawl.Root.Position + new Vector3(30, 0, -50), Rotation.Multiply(crawl.Root.Rotation, Rotation.FromAxisAngle(Vector3.UnitY, 1)));
         crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, 0);
         Assert.True(crawl.Body.Apart(shape) < 2e-3, FormattableString.Invariant($"{crawl.Body.Apart(shape)}"));
     }
@@ -327,25 +393,7 @@ public sealed class SlitherMotionTests
         return Vec.Distance(p, a + (d * t));
     }
 
-    private sealed class Slope : ISlitherGround
-    {
-        private readonly float x;
-        private readonly float z;
-
-        public Slope(float x, float z)
-        {
-            this.x = x;
-            this.z = z;
-        }
-
-        public float Sample(float px, float pz, out Vector3 normal)
-        {
-            normal = Vec.Normalize(new Vector3(-x, 1, -z));
-            return (x * px) + (z * pz);
-        }
-    }
-
-    private sealed class Hills : ISlitherGround
+    private sealed class Hills : IGround
     {
         private readonly float height;
         private readonly float frequency;
@@ -356,12 +404,13 @@ public sealed class SlitherMotionTests
             this.frequency = frequency;
         }
 
-        public float Sample(float x, float z, out Vector3 normal)
+        public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
         {
-            PortableMath.SinCos(x * frequency, out double sx, out double cx);
-            PortableMath.SinCos(z * frequency, out double sz, out double cz);
-            normal = Vec.Normalize(new Vector3((float)(-height * frequency * cx * sz), 1, (float)(-height * frequency * sx * cz)));
-            return (float)(height * sx * sz);
+            PortableMath.SinCos(origin.X * frequency, out double sx, out double cx);
+            PortableMath.SinCos(origin.Z * frequency, out double sz, out double cz);
+            Vector3 normal = Vec.Normalize(new Vector3((float)(-height * frequency * cx * sz), 1, (float)(-height * frequency * sx * cz)));
+            hit = new GroundHit(new Vector3(origin.X, (float)(height * sx * sz), origin.Z), normal);
+            return direction == -Vector3.UnitY && hit.Point.Y <= origin.Y && hit.Point.Y >= origin.Y - distance;
         }
     }
 
@@ -369,15 +418,15 @@ public sealed class SlitherMotionTests
     {
         private readonly SlitherProfile profile;
         private readonly SlitherState state;
-        private readonly ISlitherGround ground;
+        private readonly IGround ground;
 
-        public Crawl(SlitherProfile profile, Creature creature, ISlitherGround ground)
+        public Crawl(SlitherProfile profile, Creature creature, IGround ground)
         {
             this.profile = profile;
             this.ground = ground;
             state = new SlitherState(profile);
             Body = new StrokeSubject(creature);
-            Root = new RootPlace(new Vector3(0, ground.Sample(0, 0, out _), 0), 0);
+            Root = RootPlace.Identity;
         }
 
         public StrokeSubject Body { get; }
@@ -385,7 +434,7 @@ public sealed class SlitherMotionTests
         public RootPlace Root { get; set; }
 
         public void Step(SlitherMode mode, float speed, float yaw, float dt) =>
-            Root = SlitherMotion.Update(profile, new SlitherInput(mode, speed, yaw, Root.Position, Root.Yaw), ground, state, dt, Body.Local);
+            Root = SlitherMotion.Update(profile, new SlitherInput(mode, speed, yaw, Root), ground, state, dt, Body.Local);
 
         public void Run(SlitherMode mode, float speed, float yaw, float dt, int steps)
         {
@@ -398,7 +447,17 @@ public sealed class SlitherMotionTests
         public Vector3 World(int joint)
         {
             Body.ToModel();
-            return Root.Position + Rotation.Rotate(Rotation.FromAxisAngle(Vector3.UnitY, Root.Yaw), Body.ModelPositions[joint]);
+            return Root.ToWorld(Body.ModelPositions[joint]);
+        }
+
+        /// <summary>How far a bone heads to the left of the way at the head, radians.</summary>
+        public double Heading(int bone)
+        {
+            Body.ToModel();
+            int joint = profile.Chain.Bones[bone].Turn.Joint;
+            Vector3 ahead = Rotation.Rotate(Rotation.Multiply(Body.ModelRotations[joint], Rotation.Inverse(Body.Skeleton.ModelRotations[joint])), Vector3.UnitZ);
+            double angle = PortableMath.Atan2(ahead.X, ahead.Z) - (state.Travel - state.Yaw);
+            return PortableMath.Atan2(PortableMath.Sin(angle), PortableMath.Cos(angle));
         }
 
         /// <summary>Where the bones meet, from the head's joint to the last bone's, world space.</summary>
@@ -406,14 +465,13 @@ public sealed class SlitherMotionTests
         {
             Body.ToModel();
             var points = new Vector3[profile.Chain.Count];
-            Quaternion yaw = Rotation.FromAxisAngle(Vector3.UnitY, Root.Yaw);
             for (int b = 0; b < points.Length; b++)
             {
                 var bone = profile.Chain.Bones[Math.Max(b, 1)];
                 int joint = bone.Turn.Joint;
                 Quaternion turn = Rotation.Multiply(Body.ModelRotations[joint], Rotation.Inverse(Body.Skeleton.ModelRotations[joint]));
                 Vector3 front = Body.ModelPositions[joint] + Rotation.Rotate(turn, (b == 0 ? bone.Front : bone.Rear) - Body.Skeleton.ModelPositions[joint]);
-                points[b] = Root.Position + Rotation.Rotate(yaw, front);
+                points[b] = Root.ToWorld(front);
             }
 
             return points;

@@ -1,4 +1,6 @@
 using System;
+using System.Numerics;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Strokes.Flight;
@@ -40,10 +42,10 @@ internal static class FlightControl
     public static double Hover(double cruises) => 1 - Scalar.Smooth(Math.Abs(cruises) / HoverShare);
 
     /// <summary>Steps the state and says how the root moves.</summary>
-    public static RootVelocity Advance(FlightProfile profile, in FlightInput input, ref FlightState state, double dt)
+    public static BodyVelocity Advance(FlightProfile profile, in FlightInput input, ref FlightState state, double dt)
     {
         double speed = StrokeInput.Finite(input.Speed, "Speed");
-        double yaw = StrokeInput.Finite(input.YawRate, "YawRate");
+        double yaw = StrokeInput.Finite(input.TurnRate, "TurnRate");
         double climb = StrokeInput.Finite(input.ClimbRate, "ClimbRate");
         double height = Math.Max(StrokeInput.Finite(input.Height, "Height"), 0);
         double leg = profile.LegLength;
@@ -85,21 +87,23 @@ internal static class FlightControl
         return Root(state, speed, yaw, climb, height, leg, dt);
     }
 
-    private static RootVelocity Root(in FlightState state, double speed, double yaw, double climb, double height, double leg, double dt)
+    private static BodyVelocity Root(in FlightState state, double speed, double yaw, double climb, double height, double leg, double dt)
     {
         double unit = Math.Sqrt(Gravity * leg);
         double part = Scalar.Smooth(state.Age / LeapTime);
         return state.Phase switch
         {
-            FlightPhase.Leaping => new RootVelocity((float)Scalar.Lerp(state.RunUp, speed, part), (float)(Math.Max(climb, 1.5 * unit) * (0.35 + (0.65 * Scalar.Smooth(2 * state.Age / LeapTime)))), (float)(yaw * part)),
-            FlightPhase.Landing => new RootVelocity(
-                (float)(speed * Scalar.Smooth(height / (LandingHeight * leg))),
-                (float)-Math.Min(height / Math.Max(dt, 1e-4), Scalar.Clamp(0.9 * unit * height / leg, Touchdown * unit, 1.4 * unit)),
-                (float)yaw),
+            FlightPhase.Leaping => Velocity(Scalar.Lerp(state.RunUp, speed, part), Math.Max(climb, 1.5 * unit) * (0.35 + (0.65 * Scalar.Smooth(2 * state.Age / LeapTime))), yaw * part),
+            FlightPhase.Landing => Velocity(
+                speed * Scalar.Smooth(height / (LandingHeight * leg)),
+                -Math.Min(height / Math.Max(dt, 1e-4), Scalar.Clamp(0.9 * unit * height / leg, Touchdown * unit, 1.4 * unit)),
+                yaw),
             FlightPhase.Crouching or FlightPhase.Settling => default,
-            _ => new RootVelocity((float)speed, (float)(state.Phase == FlightPhase.Grounded ? 0 : climb), (float)yaw),
+            _ => Velocity(speed, state.Phase == FlightPhase.Grounded ? 0 : climb, yaw),
         };
     }
+
+    private static BodyVelocity Velocity(double ahead, double up, double turn) => new(new Vector3(0f, (float)up, (float)ahead), (float)turn);
 
     /// <summary>Goes down before a leap and pushes off out of that; gives way when it has come down.</summary>
     private static void Crouch(double tempo, double dt, ref FlightState state)

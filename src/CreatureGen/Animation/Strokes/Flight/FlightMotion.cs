@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -17,7 +18,7 @@ public static class FlightMotion
     /// <param name="local">Pose in the parents' space, one entry per joint of the creature's skeleton.</param>
     /// <returns>How the root moves: as asked in the air, by the motion itself while it takes off or lands.</returns>
     /// <exception cref="ArgumentException">The pose does not fit, or a number is not finite.</exception>
-    public static RootVelocity Update(FlightProfile profile, in FlightInput input, ref FlightState state, float dt, in Pose local)
+    public static BodyVelocity Update(FlightProfile profile, in FlightInput input, ref FlightState state, float dt, in Pose local)
     {
         if (profile == null)
         {
@@ -25,7 +26,7 @@ public static class FlightMotion
         }
 
         local.Require(profile.Skeleton);
-        RootVelocity root = FlightControl.Advance(profile, input, ref state, StrokeInput.Step(dt));
+        BodyVelocity root = FlightControl.Advance(profile, input, ref state, StrokeInput.Step(dt));
         FlightPose.Write(profile, state, local);
         return root;
     }

@@ -9,8 +9,18 @@ namespace CreatureGen.Animation.Strokes.Slithering;
 internal static class SlitherPose
 {
     private const int RootSamples = 24;
-    private const double HeadSwing = 0.3;
+    /// <summary>Part of the chest's swing that the head keeps.</summary>
+    private const double HeadSwing = 0.2;
+
+    /// <summary>Part of the slope that the head takes on.</summary>
+    private const double HeadTilt = 0.3;
+
     private const double SidewindLift = 0.045;
+
+    /// <summary>Swing of the track above which the body rests in sidewinding, and how much less lifts it as high as it goes.</summary>
+    private const double RestingSwing = 0.95;
+    private const double LiftedSwing = 1.1;
+
     private const double BellyWave = 0.006;
     private const double HeadLift = 0.10;
     private const int Search = 4;
@@ -25,7 +35,7 @@ internal static class SlitherPose
     public static double Lead(SlitherProfile profile) => profile.Chain.Bones[0].Rear.Z;
 
     /// <summary>The middle of the body: the mean of the track over one wave, so that its swings cancel.</summary>
-    public static RootPlace RootOf(SlitherProfile profile, SlitherState state, ISlitherGround ground)
+    public static void FindMiddle(SlitherProfile profile, SlitherState state, in CrawlFloor floor)
     {
         SlitherTrack track = state.Track;
         double middle = track.Head - Lead(profile);
@@ -33,34 +43,37 @@ internal static class SlitherPose
         double x = 0;
         double z = 0;
         double yaw = 0;
+        double near = 0;
         for (int k = 0; k < RootSamples; k++)
         {
             double arc = middle + (half * (((2.0 * k) + 1 - RootSamples) / RootSamples));
             TrackPoint point = track.At(arc);
             x += point.X / RootSamples;
             z += point.Z / RootSamples;
+            near += point.Y / RootSamples;
             yaw += track.TravelAt(arc) / RootSamples;
         }
 
-        float height = ground.Sample((float)x, (float)z, out _);
-        return new RootPlace(new Vector3((float)x, height, (float)z), (float)yaw);
+        state.Middle = new Vector3((float)x, (float)floor.HeightAt(x, near, z, out _), (float)z);
+        state.Yaw = yaw;
     }
 
     /// <summary>Writes the pose.</summary>
-    public static void Write(SlitherProfile profile, SlitherState state, ISlitherGround ground, in Pose local)
+    public static void Write(SlitherProfile profile, SlitherState state, in CrawlFloor floor, in Pose local)
     {
         AxialChain chain = profile.Chain;
         Span<Quaternion> turns = stackalloc Quaternion[chain.Count];
         Span<Vector3> pivots = stackalloc Vector3[chain.Count];
         Span<Vector3> middles = stackalloc Vector3[chain.Count];
-        PortableMath.SinCos(state.Root.Yaw, out double sine, out double cosine);
+        PortableMath.SinCos(state.Yaw, out double sine, out double cosine);
         double arc = state.Track.Head;
-        Vector3 front = Place(profile, state, ground, arc, out Vector3 frontUp);
+        Vector3 front = Place(profile, state, floor, arc, out Vector3 frontUp);
+        Vector3 neckUp = Vector3.UnitY;
         for (int b = 1; b < chain.Count; b++)
         {
             double length = profile.Lengths[b];
             double behind = arc - length;
-            Vector3 rear = Place(profile, state, ground, behind, out Vector3 rearUp);
+            Vector3 rear = Place(profile, state, floor, behind, out Vector3 rearUp);
             for (int k = 0; k < Search; k++)
             {
                 double missing = Vec.Distance(front, rear) - length;
@@ -70,36 +83,45 @@ internal static class SlitherPose
                 }
 
                 behind += missing;
-                rear = Place(profile, state, ground, behind, out rearUp);
+                rear = Place(profile, state, floor, behind, out rearUp);
             }
 
             Vector3 up = Level(frontUp + rearUp, sine, cosine);
             turns[b] = Lie(Level(front - rear, sine, cosine), up);
             middles[b] = Level((front + rear) * 0.5f, sine, cosine) + (Vec.Normalize(up, Vector3.UnitY) * (float)profile.Heights[b]);
+            neckUp = b == profile.NeckBones ? up : neckUp;
             arc = behind;
             front = rear;
             frontUp = rearUp;
         }
 
-        turns[0] = Head(state, turns[1]);
+        Steady(profile, state, neckUp, turns);
+
+        // The body's root lies as the axis does there, or the joints next to it would have to turn by all of it.
+        Quaternion there = Rotation.Slerp(turns[chain.BeforeRoot], turns[chain.BehindRoot], 0.5);
+        for (int b = 0; b < chain.Count; b++)
+        {
+            turns[b] = Rotation.Multiply(Rotation.Inverse(there), turns[b]);
+        }
+
         chain.Write(local, turns, pivots);
 
-        // The body's root goes where it brings the bones nearest to their places.
+        // It goes where it brings the bones nearest to their places.
         Vector3 shift = Vector3.Zero;
         double weight = 0;
-        for (int b = 1; b < chain.Count; b++)
+        for (int b = profile.NeckBones; b < chain.Count; b++)
         {
             double m = profile.Lengths[b];
-            shift += (middles[b] - chain.Carry(b, chain.Bones[b].Middle, turns, pivots)) * (float)m;
+            shift += (middles[b] - Rotation.Rotate(there, chain.Carry(b, chain.Bones[b].Middle, turns, pivots))) * (float)m;
             weight += m;
         }
 
-        local.Rotations[chain.Body] = profile.Skeleton.LocalRotations[chain.Body];
+        local.Rotations[chain.Body] = UnitTurn.Renormalize(Rotation.Multiply(there, profile.Skeleton.LocalRotations[chain.Body]));
         local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + (shift / (float)weight) - chain.BodyPivot;
     }
 
     /// <summary>A point of the track from the root's place, world axes, with the lift of parts that do not rest.</summary>
-    private static Vector3 Place(SlitherProfile profile, SlitherState state, ISlitherGround ground, double arc, out Vector3 up)
+    private static Vector3 Place(SlitherProfile profile, SlitherState state, in CrawlFloor floor, double arc, out Vector3 up)
     {
         TrackPoint point = state.Track.At(arc);
         double height = point.Y;
@@ -108,10 +130,10 @@ internal static class SlitherPose
         if (sides > 1e-4)
         {
             // A track that drifts lies on other ground than it was laid on. Where the swing is at its left end the body rests.
-            double sampled = ground.Sample((float)point.X, (float)point.Z, out Vector3 now);
+            double sampled = floor.HeightAt(point.X, point.Y, point.Z, out Vector3 now);
             double fade = Math.Min(1, sides * 4);
             double swing = TrackSteering.Swing(arc / state.Track.Wavelength, sides);
-            height = Scalar.Lerp(height, sampled, fade) + (sides * SidewindLift * profile.Wavelength * Scalar.Smooth((0.7 - swing) / 1.1));
+            height = Scalar.Lerp(height, sampled, fade) + (sides * SidewindLift * profile.Wavelength * Scalar.Smooth((RestingSwing - swing) / LiftedSwing));
             normal = Vec.Lerp(normal, now, (float)fade);
         }
 
@@ -122,7 +144,7 @@ internal static class SlitherPose
         }
 
         up = Vec.Normalize(normal, Vector3.UnitY);
-        return new Vector3((float)(point.X - state.Root.Position.X), (float)(height - state.Root.Position.Y), (float)(point.Z - state.Root.Position.Z));
+        return new Vector3((float)(point.X - state.Middle.X), (float)(height - state.Middle.Y), (float)(point.Z - state.Middle.Z));
     }
 
     /// <summary>World axes to the root's, from sine and cosine of its yaw.</summary>
@@ -136,13 +158,20 @@ internal static class SlitherPose
         return Rotation.FromBasis(left, Vec.Cross(ahead, left), ahead);
     }
 
-    /// <summary>The head looks along the way, and swings little with the neck; a crawler that lies still lifts it and looks about.</summary>
-    private static Quaternion Head(SlitherState state, Quaternion neck)
+    /// <summary>The neck turns back what the chest swings, each bone a share, so that the head looks along the way; a crawler that lies still lifts it and looks about.</summary>
+    private static void Steady(SlitherProfile profile, SlitherState state, Vector3 up, Span<Quaternion> turns)
     {
-        Quaternion along = AxisTurn.Yaw(state.Travel - state.Root.Yaw);
-        Quaternion gaze = Rotation.Slerp(along, neck, HeadSwing);
+        int neck = profile.NeckBones;
+        PortableMath.SinCos(state.Travel - state.Yaw, out double aside, out double ahead);
+        Quaternion along = Lie(Vec.Reject(new Vector3((float)aside, 0f, (float)ahead), Vec.Normalize(up, Vector3.UnitY)), up);
+        for (int b = 0; b < neck; b++)
+        {
+            turns[b] = Rotation.Slerp(along, turns[neck], HeadSwing + ((1 - HeadSwing) * b / neck));
+        }
+
         double idle = state.Idle.Value;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Breath, out double sine, out double cosine);
-        return Rotation.Multiply(gaze, Rotation.Multiply(AxisTurn.Yaw(0.12 * idle * sine), AxisTurn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
+        turns[0] = Rotation.Slerp(AxisTurn.Yaw(state.Travel - state.Yaw), turns[0], HeadTilt);
+        turns[0] = Rotation.Multiply(turns[0], Rotation.Multiply(AxisTurn.Yaw(0.12 * idle * sine), AxisTurn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
     }
 }

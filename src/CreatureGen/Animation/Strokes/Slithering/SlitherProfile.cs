@@ -15,6 +15,8 @@ public sealed class SlitherProfile
 {
     private const double Winding = 0.85;
     private const double SidewindWinding = 1.1;
+    /// <summary>How much more than a serpenoid curve the track of sidewinding bends at most, see <see cref="TrackSteering.Swing"/>.</summary>
+    private const double SidewindBend = 1.46;
     private const double LeastWinding = 0.25;
     private const double WavesPerBody = 1.5;
     private const double LimitShare = 0.84;
@@ -42,11 +44,16 @@ public sealed class SlitherProfile
             heights[b] = bone.Middle.Y;
         }
 
+        while (NeckBones + 1 < count && creature.Skeleton.Joints[Chain.Bones[NeckBones].Turn.Joint].Role is JointRole.Head or JointRole.Neck)
+        {
+            NeckBones++;
+        }
+
         BodyLength = (float)Chain.Length;
         Wavelength = (float)(Chain.Length / WavesPerBody);
         double room = Room();
         Alpha = Math.Min(Winding, WindingShare * room);
-        SidewindAlpha = Math.Min(SidewindWinding, room);
+        SidewindAlpha = Math.Min(SidewindWinding, room / SidewindBend);
         TightestTurn = TurnPerBody / Chain.Length;
         CruiseSpeed = (float)(CruiseLengths * Chain.Length);
     }
@@ -63,6 +70,9 @@ public sealed class SlitherProfile
     internal Skeleton Skeleton { get; }
 
     internal AxialChain Chain { get; }
+
+    /// <summary>Number of the bones of head and neck, which lead the chain.</summary>
+    internal int NeckBones { get; }
 
     /// <summary>Greatest angle between the track and its middle line, radians.</summary>
     internal double Alpha { get; }

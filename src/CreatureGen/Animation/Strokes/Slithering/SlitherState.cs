@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.RootMotion;
 
 namespace CreatureGen.Animation.Strokes.Slithering;
 
@@ -14,6 +15,11 @@ public sealed class SlitherState
     internal double Travel;
     internal bool Placed;
     internal RootPlace Root;
+    internal Vector3 Middle;
+    internal double Yaw;
+
+    /// <summary>Metres on its way for each metre along its track.</summary>
+    internal double Progress = 1;
 
     /// <summary>A crawler that lies straight where its root first is.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
@@ -25,7 +31,6 @@ public sealed class SlitherState
         }
 
         Track = new SlitherTrack(profile.BodyLength, profile.Wavelength);
-        Winding = Smoothed.At(profile.Alpha);
         Idle = Smoothed.At(1);
     }
 
@@ -40,6 +45,4 @@ public sealed class SlitherState
         Placed = false;
         Speed = default;
     }
-
-    internal Vector3 RootPosition => Root.Position;
 }

@@ -45,8 +45,8 @@ internal sealed class SlitherTrack
     /// <summary>Where the head is.</summary>
     public TrackPoint HeadPoint { get; private set; }
 
-    /// <summary>Fills the track with a straight line that ends at the head.</summary>
-    public void Lay(double headX, double headZ, double heading, ISlitherGround ground)
+    /// <summary>Fills the track with a straight line that ends at the head, on the ground near a height.</summary>
+    public void Lay(double headX, double near, double headZ, double heading, in CrawlFloor floor)
     {
         Head = 0;
         newest = Ahead;
@@ -54,7 +54,10 @@ internal sealed class SlitherTrack
         for (int k = 0; k < x.Length; k++)
         {
             long point = newest - k;
-            Put(point, headX + (point * Step * sine), headZ + (point * Step * cosine), heading, ground);
+            double px = headX + (point * Step * sine);
+            double pz = headZ + (point * Step * cosine);
+            near = floor.HeightAt(px, near, pz, out Vector3 normal);
+            Store(point, new TrackPoint(px, near, pz, normal), heading);
         }
 
         HeadPoint = Point(0);
@@ -63,8 +66,8 @@ internal sealed class SlitherTrack
     /// <summary>Moves the head on along headings that swing about its way.</summary>
     /// <param name="way">Arc length, not negative.</param>
     /// <param name="steer">Where it goes.</param>
-    /// <param name="ground">Gives heights.</param>
-    public void Advance(double way, TrackSteering steer, ISlitherGround ground)
+    /// <param name="floor">Gives heights.</param>
+    public void Advance(double way, TrackSteering steer, in CrawlFloor floor)
     {
         double end = Head + way;
         double done = 0;
@@ -76,7 +79,7 @@ internal sealed class SlitherTrack
             double to = Math.Min(end, next * Step);
             double length = to - Head;
             double share = (done + (0.5 * length)) / way;
-            head = Go(head, length, steer.HeadingAt(0.5 * (Head + to), share, Wavelength), ground);
+            head = Go(head, length, steer.HeadingAt(0.5 * (Head + to), share, Wavelength), floor);
             done += length;
             Head = to;
             if (to >= (next * Step) - (1e-9 * Step))
@@ -86,7 +89,7 @@ internal sealed class SlitherTrack
         }
 
         HeadPoint = head;
-        Foresee(steer, ground);
+        Foresee(steer, floor);
     }
 
     /// <summary>The curve at an arc length between the tail's end and the head.</summary>
@@ -154,7 +157,7 @@ internal sealed class SlitherTrack
         HeadPoint = new TrackPoint(HeadPoint.X + shiftX, HeadPoint.Y, HeadPoint.Z + shiftZ, HeadPoint.Normal);
     }
 
-    private static TrackPoint Go(in TrackPoint from, double length, double heading, ISlitherGround ground)
+    private static TrackPoint Go(in TrackPoint from, double length, double heading, in CrawlFloor floor)
     {
         PortableMath.SinCos(heading, out double sine, out double cosine);
 
@@ -164,12 +167,12 @@ internal sealed class SlitherTrack
         double level = length / Math.Sqrt(1 + (rise * rise));
         double px = from.X + (sine * level);
         double pz = from.Z + (cosine * level);
-        double height = ground.Sample((float)px, (float)pz, out Vector3 normal);
+        double height = floor.HeightAt(px, from.Y, pz, out Vector3 normal);
         return new TrackPoint(px, height, pz, normal);
     }
 
     /// <summary>The points just ahead of the head, if it goes on as it does.</summary>
-    private void Foresee(TrackSteering steer, ISlitherGround ground)
+    private void Foresee(TrackSteering steer, in CrawlFloor floor)
     {
         TrackPoint point = HeadPoint;
         double arc = Head;
@@ -177,7 +180,7 @@ internal sealed class SlitherTrack
         for (int k = 1; k <= Ahead; k++)
         {
             double to = (last + k) * Step;
-            point = Go(point, to - arc, steer.HeadingAt(0.5 * (arc + to), 1, Wavelength), ground);
+            point = Go(point, to - arc, steer.HeadingAt(0.5 * (arc + to), 1, Wavelength), floor);
             arc = to;
             Store(last + k, point, steer.TravelAt(1));
         }
@@ -189,12 +192,6 @@ internal sealed class SlitherTrack
     {
         int k = Slot(point);
         return new TrackPoint(x[k], y[k], z[k], normals[k]);
-    }
-
-    private void Put(long point, double px, double pz, double heading, ISlitherGround ground)
-    {
-        double height = ground.Sample((float)px, (float)pz, out Vector3 normal);
-        Store(point, new TrackPoint(px, height, pz, normal), heading);
     }
 
     private void Store(long point, in TrackPoint at, double heading)

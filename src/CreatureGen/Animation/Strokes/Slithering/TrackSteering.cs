@@ -32,9 +32,10 @@ internal readonly struct TrackSteering
     public static double Swing(double waves, double flatness)
     {
         double cosine = PortableMath.Cos(2 * PortableMath.Pi * waves);
+        double squared = 1 - (cosine * cosine);
 
-        // cos u + ¼(1 − cos 2u): the second derivative at u = 0 is gone.
-        return cosine + (flatness * 0.5 * (1 - (cosine * cosine)));
+        // cos u is √(1 − s²) = 1 − ½s² − ⅛s⁴ − …, s = sin u: without these two terms it leaves 1 with the sixth power of u.
+        return cosine + (flatness * squared * (0.5 + (0.125 * squared)));
     }
 
     /// <summary>Mean direction of a track over a wave, along (x) and across to the left (y) of its middle line.</summary>

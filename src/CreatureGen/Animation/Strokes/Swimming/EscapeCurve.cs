@@ -1,3 +1,4 @@
+using System;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Strokes.Swimming;
@@ -21,7 +22,10 @@ internal static class EscapeCurve
     /// <summary>How far the body turns round in all, radians.</summary>
     public const double TurnAngle = 1.3;
 
+    private const double StrikeBegin = 0.8;
+    private const double StrikeRise = 0.8;
     private const double StrikeEnd = 2.3;
+    private const double DriveFall = Duration - StrikeEnd;
 
     /// <summary>Bend, 1 at the height of the curl, negative to the other side.</summary>
     public static double Bend(double stages)
@@ -40,8 +44,19 @@ internal static class EscapeCurve
     public static double Turned(double stages) => Curve.Ease(stages / StrikeEnd);
 
     /// <summary>How much the strike drives: 0 before it, 1 in it, then falling to 0.</summary>
-    public static double Drive(double stages) => Curve.Ease((stages - 0.8) / 0.8) * (1 - Curve.Ease((stages - StrikeEnd) / (Duration - StrikeEnd)));
+    public static double Drive(double stages) => Curve.Ease((stages - StrikeBegin) / StrikeRise) - Curve.Ease((stages - StrikeEnd) / DriveFall);
+
+    /// <summary>Integral of <see cref="Drive"/> over the stages so far.</summary>
+    public static double Driven(double stages) =>
+        (StrikeRise * EaseIntegral((stages - StrikeBegin) / StrikeRise)) - (DriveFall * EaseIntegral((stages - StrikeEnd) / DriveFall));
 
     /// <summary>How much of the swimming wave is left.</summary>
     public static double Wave(double stages) => 1 - (Curve.Ease(stages / 0.7) * (1 - Curve.Ease((stages - 1.8) / (Duration - 1.8))));
+
+    /// <summary>Integral of <see cref="Curve.Ease"/> from 0.</summary>
+    private static double EaseIntegral(double x)
+    {
+        double t = x < 0 ? 0 : x > 1 ? 1 : x;
+        return (t * t * t * t * (2.5 + (t * (-3 + t)))) + Math.Max(x - 1, 0);
+    }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.RootMotion;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -27,6 +28,13 @@ public static class SwimMotion
 
     private const double SteepestPitch = 1.1;
 
+    /// <summary>What a C-start adds to the speed at its height, cruises.</summary>
+    private const double DartCruises = 2.2;
+
+    /// <summary>Steps for each stage of a C-start, and most in one update.</summary>
+    private const int StepsPerStage = 8;
+    private const int MostSteps = 64;
+
     /// <summary>Moves on and writes the body's root, the axis of the body and the fins of a local pose; other joints are left alone.</summary>
     /// <param name="profile">How the creature swims.</param>
     /// <param name="input">What it is to do.</param>
@@ -35,7 +43,7 @@ public static class SwimMotion
     /// <param name="local">Pose in the parents' space, one entry per joint of the creature's skeleton.</param>
     /// <returns>How the root moves: as asked, and faster and round in a C-start.</returns>
     /// <exception cref="ArgumentException">The pose does not fit, or a number is not finite.</exception>
-    public static RootVelocity Update(SwimProfile profile, in SwimInput input, ref SwimState state, float dt, in Pose local)
+    public static BodyVelocity Update(SwimProfile profile, in SwimInput input, ref SwimState state, float dt, in Pose local)
     {
         if (profile == null)
         {
@@ -43,7 +51,7 @@ public static class SwimMotion
         }
 
         local.Require(profile.Skeleton);
-        RootVelocity root = Advance(profile, input, ref state, StrokeInput.Step(dt));
+        BodyVelocity root = Advance(profile, input, ref state, StrokeInput.Step(dt));
         Write(profile, state, local);
         return root;
     }
@@ -58,17 +66,48 @@ public static class SwimMotion
         width = Scalar.Lerp(IdleAmplitude, Math.Min(quarter, WidestBeat), moving);
     }
 
-    private static RootVelocity Advance(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
+    private static BodyVelocity Advance(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
     {
-        double speed = StrokeInput.Finite(input.Speed, "Speed");
-        double yaw = StrokeInput.Finite(input.YawRate, "YawRate");
-        double climb = StrokeInput.Finite(input.ClimbRate, "ClimbRate");
+        StrokeInput.Finite(input.Speed, "Speed");
+        StrokeInput.Finite(input.TurnRate, "TurnRate");
+        StrokeInput.Finite(input.ClimbRate, "ClimbRate");
+        StartEscape(input.Escape, ref state);
+        double stages = StagesPerSecond(profile) * dt;
+        return state.EscapeSide == 0 || dt <= 0 ? Step(profile, input, ref state, dt) : Dart(profile, input, ref state, dt, Math.Min((int)Math.Ceiling(stages * StepsPerStage), MostSteps));
+    }
+
+    /// <summary>A C-start is over in a few frames, turning and darting at once: it is stepped finely, and the velocity is that which leads along the chord.</summary>
+    private static BodyVelocity Dart(SwimProfile profile, in SwimInput input, ref SwimState state, double dt, int steps)
+    {
+        double step = dt / steps;
+        Vector3 way = Vector3.Zero;
+        double turn = 0;
+        for (int k = 0; k < steps; k++)
+        {
+            BodyVelocity velocity = Step(profile, input, ref state, step);
+            double turned = velocity.TurnRate * step;
+            way += Rotation.Rotate(AxisTurn.Yaw(turn + (0.5 * turned)), velocity.Linear) * (float)step;
+            turn += turned;
+        }
+
+        return new BodyVelocity(Rotation.Rotate(AxisTurn.Yaw(-0.5 * turn), way) / (float)dt, (float)(turn / dt));
+    }
+
+    private static BodyVelocity Step(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
+    {
+        double speed = input.Speed;
+        double yaw = input.TurnRate;
+        double climb = input.ClimbRate;
         double cruise = profile.CruiseSpeed;
         double cycle = profile.CruiseFrequency;
         double sharpness = Response * cycle;
-        StartEscape(input.Escape, ref state);
+        double side = state.EscapeSide;
         double before = state.EscapeAge;
-        double drive = Escape(ref state, dt * cycle / EscapeCurve.StageShare);
+        double age = side == 0 ? 0 : Math.Min(before + (dt * StagesPerSecond(profile)), EscapeCurve.Duration);
+        double drive = side == 0 ? 0 : EscapeCurve.Drive(0.5 * (before + age));
+        bool over = age >= EscapeCurve.Duration;
+        state.EscapeAge = over ? 0 : age;
+        state.EscapeSide = over ? 0 : side;
 
         Effort(speed / cruise, out double tempo, out double width);
         tempo += 1.2 * drive;
@@ -85,10 +124,16 @@ public static class SwimMotion
         double brake = Scalar.Clamp((Math.Abs(state.Speed.Value) - Math.Abs(speed)) / (0.5 * cruise), 0, 1);
         state.Brake.Step(brake, 2 * sharpness, dt);
         state.Speed.Step(speed, 0.8 * sharpness, dt);
+        if (side != 0 && dt > 0)
+        {
+            yaw += side * EscapeCurve.TurnAngle * (EscapeCurve.Turned(age) - EscapeCurve.Turned(before)) / dt;
+            speed += DartCruises * cruise * (EscapeCurve.Driven(age) - EscapeCurve.Driven(before)) / (dt * StagesPerSecond(profile));
+        }
 
-        double turned = state.EscapeSide * EscapeCurve.TurnAngle * (EscapeCurve.Turned(state.EscapeAge) - EscapeCurve.Turned(before));
-        return new RootVelocity((float)(speed + (2.2 * cruise * drive)), (float)climb, (float)(yaw + (dt > 0 ? turned / dt : 0)));
+        return new BodyVelocity(new Vector3(0f, (float)climb, (float)speed), (float)yaw);
     }
+
+    private static double StagesPerSecond(SwimProfile profile) => profile.CruiseFrequency / EscapeCurve.StageShare;
 
     private static void StartEscape(EscapeTurn asked, ref SwimState state)
     {
@@ -99,24 +144,6 @@ public static class SwimMotion
         }
 
         state.LastEscape = asked;
-    }
-
-    private static double Escape(ref SwimState state, double stages)
-    {
-        if (state.EscapeSide == 0)
-        {
-            return 0;
-        }
-
-        state.EscapeAge += stages;
-        if (state.EscapeAge >= EscapeCurve.Duration)
-        {
-            state.EscapeSide = 0;
-            state.EscapeAge = 0;
-            return 0;
-        }
-
-        return EscapeCurve.Drive(state.EscapeAge);
     }
 
     private static void Write(SwimProfile profile, in SwimState state, in Pose local)
