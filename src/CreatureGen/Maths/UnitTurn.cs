@@ -21,7 +21,7 @@ internal static class UnitTurn
         }
 
         Vector3 cross = Vec.Cross(from, to);
-        float inverse = 1f / (float)Math.Sqrt(Vec.LengthSquared(cross) + (w * w));
+        float inverse = 1f / MathF.Sqrt(Vec.LengthSquared(cross) + (w * w));
         return new Quaternion(cross.X * inverse, cross.Y * inverse, cross.Z * inverse, w * inverse);
     }
 
@@ -53,26 +53,19 @@ internal static class UnitTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Nlerp(Quaternion a, Quaternion b, float t)
     {
-        float dot = (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W);
-        float u = 1f - t;
-        float v = dot < 0f ? -t : t;
-        float x = (a.X * u) + (b.X * v);
-        float y = (a.Y * u) + (b.Y * v);
-        float z = (a.Z * u) + (b.Z * v);
-        float w = (a.W * u) + (b.W * v);
-        float scale = 1f / (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
-        return new Quaternion(x * scale, y * scale, z * scale, w * scale);
+        Quaternion mix = Lanes.Mix(a, 1f - t, b, Lanes.Dot(a, b) < 0f ? -t : t);
+        return Lanes.Scale(mix, 1f / MathF.Sqrt(Lanes.Dot(mix, mix)));
     }
 
     /// <summary>What a rotation makes of +Y, the direction of a bone in its own space.</summary>
     public static Vector3 BoneAxis(Quaternion q) => new(2f * ((q.X * q.Y) - (q.W * q.Z)), 1f - (2f * ((q.X * q.X) + (q.Z * q.Z))), 2f * ((q.Y * q.Z) + (q.W * q.X)));
 
     /// <summary>One step of Newton's towards unit length: what a few products lose. Quaternions far from it are brought there wholly.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Renormalize(Quaternion q)
     {
-        float squared = (q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W);
-        float scale = 1.5f - (0.5f * squared);
-        return Math.Abs(squared - 1f) < 1e-3f ? new Quaternion(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale) : Rotation.Normalize(q);
+        float squared = Lanes.Dot(q, q);
+        return Math.Abs(squared - 1f) < 1e-3f ? Lanes.Scale(q, 1.5f - (0.5f * squared)) : Rotation.Normalize(q);
     }
 
     private static Quaternion BasisToBasis(Vector3 from, Vector3 fromSide, Vector3 to, Vector3 toSide)

@@ -292,14 +292,9 @@ public static class SpringBones
         ref readonly Moment carrier = ref moments[(parent * MostMoments) + k];
         Quaternion deviation = carrier.Deviation;
         moment.Place = carrier.Place + Rotation.Rotate(deviation, moment.Animated - carrier.Animated);
-        float u = 1f - inherit;
         float v = deviation.W < 0f ? -inherit : inherit;
-        float x = deviation.X * v;
-        float y = deviation.Y * v;
-        float z = deviation.Z * v;
-        float w = u + (deviation.W * v);
-        float scale = 1f / (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
-        return new Quaternion(x * scale, y * scale, z * scale, w * scale);
+        Quaternion mix = Lanes.Mix(Quaternion.Identity, 1f - inherit, deviation, v);
+        return Lanes.Scale(mix, 1f / MathF.Sqrt(Lanes.Dot(mix, mix)));
     }
 
     /// <summary>A direction no farther from another than the cone allows.</summary>
