@@ -16,20 +16,15 @@ namespace CreatureGen.Maths;
 /// </remarks>
 internal static class Lanes
 {
-#if NET
     /// <summary>A vector turned by a unit quaternion.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Rotate(Quaternion rotation, Vector3 vector)
-    {
-        Vector128<float> q = rotation.AsVector128();
-        Vector128<float> v = vector.AsVector128Unsafe();
-        Vector128<float> next = Next(q);
-        Vector128<float> last = Last(q);
-        Vector128<float> t = (next * Last(v)) - (last * Next(v));
-        t += t;
-        return (v + (Vector128.Shuffle(q, Vector128.Create(3, 3, 3, 3)) * t) + ((next * Last(t)) - (last * Next(t)))).AsVector3();
-    }
+    public static Vector3 Rotate(Quaternion q, Vector3 v) => Turn(q, v, 2f);
 
+    /// <summary>A vector turned by a quaternion of any length but none.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 RotateByAny(Quaternion q, Vector3 v) => Turn(q, v, 2f / Dot(q, q));
+
+#if NET
     /// <summary>Hamilton's product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Multiply(Quaternion first, Quaternion second)
@@ -72,6 +67,18 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Mix(Quaternion a, float u, Quaternion b, float v) => ((a.AsVector128() * u) + (b.AsVector128() * v)).AsQuaternion();
 
+    /// <summary>A vector turned by a quaternion; twice is 2 over its squared length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector3 Turn(Quaternion rotation, Vector3 vector, float twice)
+    {
+        Vector128<float> q = rotation.AsVector128();
+        Vector128<float> v = vector.AsVector128Unsafe();
+        Vector128<float> next = Next(q);
+        Vector128<float> last = Last(q);
+        Vector128<float> t = ((next * Last(v)) - (last * Next(v))) * twice;
+        return (v + (Vector128.Shuffle(q, Vector128.Create(3, 3, 3, 3)) * t) + ((next * Last(t)) - (last * Next(t)))).AsVector3();
+    }
+
     /// <summary>(y, z, x).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<float> Next(Vector128<float> v) => Vector128.Shuffle(v, Vector128.Create(1, 2, 0, 3));
@@ -80,13 +87,13 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<float> Last(Vector128<float> v) => Vector128.Shuffle(v, Vector128.Create(2, 0, 1, 3));
 #else
-    /// <summary>A vector turned by a unit quaternion.</summary>
+    /// <summary>A vector turned by a quaternion; twice is 2 over its squared length.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Rotate(Quaternion q, Vector3 v)
+    private static Vector3 Turn(Quaternion q, Vector3 v, float twice)
     {
-        float tx = 2f * ((q.Y * v.Z) - (q.Z * v.Y));
-        float ty = 2f * ((q.Z * v.X) - (q.X * v.Z));
-        float tz = 2f * ((q.X * v.Y) - (q.Y * v.X));
+        float tx = twice * ((q.Y * v.Z) - (q.Z * v.Y));
+        float ty = twice * ((q.Z * v.X) - (q.X * v.Z));
+        float tz = twice * ((q.X * v.Y) - (q.Y * v.X));
         return new Vector3(
             v.X + (q.W * tx) + ((q.Y * tz) - (q.Z * ty)),
             v.Y + (q.W * ty) + ((q.Z * tx) - (q.X * tz)),

@@ -14,15 +14,16 @@ internal static class UnitTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion FromTo(Vector3 from, Vector3 to)
     {
-        float w = 1f + Vec.Dot(from, to);
-        if (!(w > NearlyOpposite))
-        {
-            return Rotation.FromTo(from, to);
-        }
+        Quaternion turn = Between(from, to);
+        return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
+    }
 
-        Vector3 cross = Vec.Cross(from, to);
-        float inverse = 1f / MathF.Sqrt(Vec.LengthSquared(cross) + (w * w));
-        return new Quaternion(cross.X * inverse, cross.Y * inverse, cross.Z * inverse, w * inverse);
+    /// <summary>The same, not yet brought to unit length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quaternion Between(Vector3 from, Vector3 to)
+    {
+        float w = 1f + Vec.Dot(from, to);
+        return w > NearlyOpposite ? new Quaternion(Vec.Cross(from, to), w) : Rotation.FromTo(from, to);
     }
 
     /// <summary>The rotation that takes one unit vector to another and a second vector as near as it can to another second, of any length.</summary>
@@ -37,16 +38,30 @@ internal static class UnitTurn
         Quaternion swing = FromTo(from, to);
         Vector3 now = Vec.Reject(Rotation.Rotate(swing, fromSide), to);
         Vector3 wanted = Vec.Reject(toSide, to);
-        double nowSquared = Vec.LengthSquared(now);
-        double wantedSquared = Vec.LengthSquared(wanted);
+        float nowSquared = Vec.LengthSquared(now);
+        float wantedSquared = Vec.LengthSquared(wanted);
         if (!(wantedSquared > LeastSine * LeastSine * Vec.LengthSquared(toSide)) || !(nowSquared > LeastSine * LeastSine * Vec.LengthSquared(fromSide)))
         {
             return swing;
         }
 
-        double inverse = 1 / Math.Sqrt(nowSquared * wantedSquared);
-        HalfAngle.Of(Vec.Dot(now, wanted) * inverse, Vec.Dot(Vec.Cross(now, wanted), to) * inverse, out double c, out double s);
-        return Rotation.Multiply(new Quaternion((float)(to.X * s), (float)(to.Y * s), (float)(to.Z * s), (float)c), swing);
+        float length = MathF.Sqrt(nowSquared * wantedSquared);
+        float cosine = Vec.Dot(now, wanted);
+        float sine = Vec.Dot(Vec.Cross(now, wanted), to);
+        Quaternion roll;
+        if (length + cosine > NearlyOpposite * length)
+        {
+            roll = new Quaternion(to * sine, length + cosine);
+        }
+        else
+        {
+            double inverse = 1.0 / length;
+            HalfAngle.Of(cosine * inverse, sine * inverse, out double c, out double s);
+            roll = new Quaternion(to * (float)s, (float)c);
+        }
+
+        Quaternion turn = Rotation.Multiply(roll, swing);
+        return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
     }
 
     /// <summary>The rotation at <paramref name="t"/> of the straight line between two unit quaternions, the shorter way.</summary>

@@ -28,7 +28,8 @@ public sealed class LanesTests
             Same((a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W), Lanes.Dot(a, b));
             Same(new Vector3((v.Y * w.Z) - (v.Z * w.Y), (v.Z * w.X) - (v.X * w.Z), (v.X * w.Y) - (v.Y * w.X)), Lanes.Cross(v, w));
             Same((v.X * w.X) + (v.Y * w.Y) + (v.Z * w.Z), Vec.Dot(v, w));
-            Same(Turned(a, v), Lanes.Rotate(a, v));
+            Same(Turned(a, v, 2f), Lanes.Rotate(a, v));
+            Same(Turned(a, v, 2f / Lanes.Dot(a, a)), Lanes.RotateByAny(a, v));
         }
     }
 
@@ -38,6 +39,7 @@ public sealed class LanesTests
         var quarter = new Quaternion(0f, MathF.Sqrt(0.5f), 0f, MathF.Sqrt(0.5f));
         Vector3 left = Lanes.Rotate(quarter, Vector3.UnitZ);
         Assert.True(Vec.Distance(left, Vector3.UnitX) < 1e-6f);
+        Assert.True(Vec.Distance(left, Lanes.RotateByAny(Lanes.Scale(quarter, 7f), Vector3.UnitZ)) < 1e-6f);
         Assert.Equal(new Vector3(0f, 0f, 1f), Lanes.Cross(Vector3.UnitX, Vector3.UnitY));
         Assert.Equal(new Quaternion(0f, 0f, 1f, 0f), Lanes.Multiply(new Quaternion(1f, 0f, 0f, 0f), new Quaternion(0f, 1f, 0f, 0f)));
     }
@@ -52,11 +54,11 @@ public sealed class LanesTests
         (a.W * b.Z) + (a.X * b.Y) - (a.Y * b.X) + (a.Z * b.W),
         (a.W * b.W) - (a.X * b.X) - (a.Y * b.Y) - (a.Z * b.Z));
 
-    private static Vector3 Turned(Quaternion q, Vector3 v)
+    private static Vector3 Turned(Quaternion q, Vector3 v, float twice)
     {
-        float tx = 2f * ((q.Y * v.Z) - (q.Z * v.Y));
-        float ty = 2f * ((q.Z * v.X) - (q.X * v.Z));
-        float tz = 2f * ((q.X * v.Y) - (q.Y * v.X));
+        float tx = twice * ((q.Y * v.Z) - (q.Z * v.Y));
+        float ty = twice * ((q.Z * v.X) - (q.X * v.Z));
+        float tz = twice * ((q.X * v.Y) - (q.Y * v.X));
         return new Vector3(
             v.X + (q.W * tx) + ((q.Y * tz) - (q.Z * ty)),
             v.Y + (q.W * ty) + ((q.Z * tx) - (q.X * tz)),
