@@ -15,6 +15,7 @@ internal sealed class HeadAttention
 
     private readonly GazeRig rig;
     private readonly Seed habits;
+    private readonly Seed blinks;
     private readonly GazeSettings head;
     private readonly Eyelids? lids;
     private readonly float blinkPeriod;
@@ -25,6 +26,7 @@ internal sealed class HeadAttention
     {
         this.rig = rig;
         this.habits = habits;
+        blinks = habits.Child("blinks");
 
         // Big heads turn slowly: 10 s⁻¹ for a cat, 4 for a cow.
         head = new GazeSettings((float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16));
@@ -43,12 +45,17 @@ internal sealed class HeadAttention
     /// <param name="speed">Metres per second.</param>
     /// <param name="weight">A factor on looking about.</param>
     /// <param name="dt">Seconds.</param>
-    /// <param name="local">The pose; head, neck and eyes are turned.</param>
+    /// <param name="local">The pose, its lids at rest; head, neck, eyes and lids are turned.</param>
     /// <param name="model">The same in model space.</param>
     public void Update(Vector3? target, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
     {
         seconds += dt;
-        lids?.Close(Lids ?? Blinks.At(habits.Child("blinks"), seconds, blinkPeriod), local, model);
+        float shut = lids == null ? 0f : Lids ?? Blinks.At(blinks, seconds, blinkPeriod);
+        if (shut != 0f)
+        {
+            lids!.Close(shut, local, model);
+        }
+
         GazeTarget wanted = GazeTarget.None;
         if (target is Vector3 point)
         {
@@ -65,7 +72,7 @@ internal sealed class HeadAttention
             return;
         }
 
-        Gaze.Update(rig, ref state, head, wanted, dt, local, model);
+        Gaze.Advance(rig, ref state, head, wanted, dt, local, model);
         if (rig.LeftEye >= 0 && rig.RightEye >= 0)
         {
             Eyes.Update(rig, ref state, EyeSettings.Default, wanted, dt, local, model);

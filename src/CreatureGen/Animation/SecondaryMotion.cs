@@ -21,6 +21,7 @@ internal sealed class SecondaryMotion
     private readonly SpringRig[] rigs;
     private readonly SpringSettings[] settings;
     private readonly SpringState[] states;
+    private readonly bool[] low;
     private readonly SpringCollider[] ground = new SpringCollider[1];
 
     public SecondaryMotion(SpringRig[] rigs, SpringSettings[] settings)
@@ -28,9 +29,11 @@ internal sealed class SecondaryMotion
         this.rigs = rigs;
         this.settings = settings;
         states = new SpringState[rigs.Length];
+        low = new bool[rigs.Length];
         for (int i = 0; i < rigs.Length; i++)
         {
             states[i] = new SpringState(rigs[i]);
+            low[i] = rigs[i].Skeleton.Joints[rigs[i].Joints[0]].Role == JointRole.Tail;
         }
     }
 
@@ -60,9 +63,14 @@ internal sealed class SecondaryMotion
     {
         for (int i = 0; i < rigs.Length; i++)
         {
-            ground[0] = SpringCollider.Plane(root.Position + (up * (Thickness * rigs[i].Length * root.Scale)), up);
-            bool low = SkeletonRole(i) == JointRole.Tail;
-            SpringBones.Update(rigs[i], states[i], settings[i], root, low ? ground : ReadOnlySpan<SpringCollider>.Empty, seconds, local, model);
+            ReadOnlySpan<SpringCollider> colliders = ReadOnlySpan<SpringCollider>.Empty;
+            if (low[i])
+            {
+                ground[0] = SpringCollider.Plane(root.Position + (up * (Thickness * rigs[i].Length * root.Scale)), up);
+                colliders = ground;
+            }
+
+            SpringBones.Update(rigs[i], states[i], settings[i], root, colliders, seconds, local, model);
             KeepWithinLimits(rigs[i], local, model);
         }
     }
@@ -88,9 +96,10 @@ internal sealed class SecondaryMotion
     private static void KeepWithinLimits(SpringRig rig, in Pose local, in Pose model)
     {
         int first = -1;
+        ReadOnlySpan<Joint> joints = rig.Skeleton.AllJoints;
         foreach (int joint in rig.Joints)
         {
-            Quaternion bounded = SwingTwistLimit.ClampLocal(local.Rotations[joint], rig.Skeleton.Joints[joint]);
+            Quaternion bounded = SwingTwistLimit.ClampLocal(local.Rotations[joint], joints[joint]);
             if (bounded != local.Rotations[joint])
             {
                 local.Rotations[joint] = bounded;
@@ -117,6 +126,4 @@ internal sealed class SecondaryMotion
 
         return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, most, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle);
     }
-
-    private JointRole SkeletonRole(int chain) => rigs[chain].Skeleton.Joints[rigs[chain].Joints[0]].Role;
 }

@@ -19,28 +19,15 @@ public static class Rotation
 
     /// <summary><paramref name="v"/> turned by the unit quaternion <paramref name="q"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Rotate(Quaternion q, Vector3 v)
-    {
-        float tx = 2f * ((q.Y * v.Z) - (q.Z * v.Y));
-        float ty = 2f * ((q.Z * v.X) - (q.X * v.Z));
-        float tz = 2f * ((q.X * v.Y) - (q.Y * v.X));
-        return new Vector3(
-            v.X + (q.W * tx) + ((q.Y * tz) - (q.Z * ty)),
-            v.Y + (q.W * ty) + ((q.Z * tx) - (q.X * tz)),
-            v.Z + (q.W * tz) + ((q.X * ty) - (q.Y * tx)));
-    }
+    public static Vector3 Rotate(Quaternion q, Vector3 v) => Lanes.Rotate(q, v);
 
     /// <summary>The rotation that applies <paramref name="b"/> first, then <paramref name="a"/> (Hamilton's product a·b). A joint's model rotation is Multiply(parent, local).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Multiply(Quaternion a, Quaternion b) => new(
-        (a.W * b.X) + (a.X * b.W) + (a.Y * b.Z) - (a.Z * b.Y),
-        (a.W * b.Y) - (a.X * b.Z) + (a.Y * b.W) + (a.Z * b.X),
-        (a.W * b.Z) + (a.X * b.Y) - (a.Y * b.X) + (a.Z * b.W),
-        (a.W * b.W) - (a.X * b.X) - (a.Y * b.Y) - (a.Z * b.Z));
+    public static Quaternion Multiply(Quaternion a, Quaternion b) => Lanes.Multiply(a, b);
 
     /// <summary>The rotation that undoes the unit quaternion <paramref name="q"/>: its conjugate.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Inverse(Quaternion q) => new(-q.X, -q.Y, -q.Z, q.W);
+    public static Quaternion Inverse(Quaternion q) => Lanes.Conjugate(q);
 
     /// <summary>The rotation seen in the mirror x = 0: mirrored vectors turned by it are the mirrored results.</summary>
     public static Quaternion Mirror(Quaternion q) => new(q.X, -q.Y, -q.Z, q.W);

@@ -14,15 +14,16 @@ internal static class UnitTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion FromTo(Vector3 from, Vector3 to)
     {
-        float w = 1f + Vec.Dot(from, to);
-        if (!(w > NearlyOpposite))
-        {
-            return Rotation.FromTo(from, to);
-        }
+        Quaternion turn = Between(from, to);
+        return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
+    }
 
-        Vector3 cross = Vec.Cross(from, to);
-        float inverse = 1f / (float)Math.Sqrt(Vec.LengthSquared(cross) + (w * w));
-        return new Quaternion(cross.X * inverse, cross.Y * inverse, cross.Z * inverse, w * inverse);
+    /// <summary>The same, not yet brought to unit length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quaternion Between(Vector3 from, Vector3 to)
+    {
+        float w = 1f + Vec.Dot(from, to);
+        return w > NearlyOpposite ? new Quaternion(Vec.Cross(from, to), w) : Rotation.FromTo(from, to);
     }
 
     /// <summary>The rotation that takes one unit vector to another and a second vector as near as it can to another second, of any length.</summary>
@@ -37,42 +38,49 @@ internal static class UnitTurn
         Quaternion swing = FromTo(from, to);
         Vector3 now = Vec.Reject(Rotation.Rotate(swing, fromSide), to);
         Vector3 wanted = Vec.Reject(toSide, to);
-        double nowSquared = Vec.LengthSquared(now);
-        double wantedSquared = Vec.LengthSquared(wanted);
+        float nowSquared = Vec.LengthSquared(now);
+        float wantedSquared = Vec.LengthSquared(wanted);
         if (!(wantedSquared > LeastSine * LeastSine * Vec.LengthSquared(toSide)) || !(nowSquared > LeastSine * LeastSine * Vec.LengthSquared(fromSide)))
         {
             return swing;
         }
 
-        double inverse = 1 / Math.Sqrt(nowSquared * wantedSquared);
-        HalfAngle.Of(Vec.Dot(now, wanted) * inverse, Vec.Dot(Vec.Cross(now, wanted), to) * inverse, out double c, out double s);
-        return Rotation.Multiply(new Quaternion((float)(to.X * s), (float)(to.Y * s), (float)(to.Z * s), (float)c), swing);
+        float length = MathF.Sqrt(nowSquared * wantedSquared);
+        float cosine = Vec.Dot(now, wanted);
+        float sine = Vec.Dot(Vec.Cross(now, wanted), to);
+        Quaternion roll;
+        if (length + cosine > NearlyOpposite * length)
+        {
+            roll = new Quaternion(to * sine, length + cosine);
+        }
+        else
+        {
+            double inverse = 1.0 / length;
+            HalfAngle.Of(cosine * inverse, sine * inverse, out double c, out double s);
+            roll = new Quaternion(to * (float)s, (float)c);
+        }
+
+        Quaternion turn = Rotation.Multiply(roll, swing);
+        return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
     }
 
     /// <summary>The rotation at <paramref name="t"/> of the straight line between two unit quaternions, the shorter way.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Nlerp(Quaternion a, Quaternion b, float t)
     {
-        float dot = (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W);
-        float u = 1f - t;
-        float v = dot < 0f ? -t : t;
-        float x = (a.X * u) + (b.X * v);
-        float y = (a.Y * u) + (b.Y * v);
-        float z = (a.Z * u) + (b.Z * v);
-        float w = (a.W * u) + (b.W * v);
-        float scale = 1f / (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
-        return new Quaternion(x * scale, y * scale, z * scale, w * scale);
+        Quaternion mix = Lanes.Mix(a, 1f - t, b, Lanes.Dot(a, b) < 0f ? -t : t);
+        return Lanes.Scale(mix, 1f / MathF.Sqrt(Lanes.Dot(mix, mix)));
     }
 
     /// <summary>What a rotation makes of +Y, the direction of a bone in its own space.</summary>
     public static Vector3 BoneAxis(Quaternion q) => new(2f * ((q.X * q.Y) - (q.W * q.Z)), 1f - (2f * ((q.X * q.X) + (q.Z * q.Z))), 2f * ((q.Y * q.Z) + (q.W * q.X)));
 
     /// <summary>One step of Newton's towards unit length: what a few products lose. Quaternions far from it are brought there wholly.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Renormalize(Quaternion q)
     {
-        float squared = (q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W);
-        float scale = 1.5f - (0.5f * squared);
-        return Math.Abs(squared - 1f) < 1e-3f ? new Quaternion(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale) : Rotation.Normalize(q);
+        float squared = Lanes.Dot(q, q);
+        return Math.Abs(squared - 1f) < 1e-3f ? Lanes.Scale(q, 1.5f - (0.5f * squared)) : Rotation.Normalize(q);
     }
 
     private static Quaternion BasisToBasis(Vector3 from, Vector3 fromSide, Vector3 to, Vector3 toSide)

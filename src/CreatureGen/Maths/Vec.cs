@@ -15,19 +15,23 @@ public static class Vec
 {
     /// <summary>Scalar product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float Dot(Vector3 a, Vector3 b) => (a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z);
+    public static float Dot(Vector3 a, Vector3 b)
+    {
+        Vector3 products = a * b;
+        return products.X + products.Y + products.Z;
+    }
 
     /// <summary>Right-handed vector product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Cross(Vector3 a, Vector3 b) =>
-        new((a.Y * b.Z) - (a.Z * b.Y), (a.Z * b.X) - (a.X * b.Z), (a.X * b.Y) - (a.Y * b.X));
+    public static Vector3 Cross(Vector3 a, Vector3 b) => Lanes.Cross(a, b);
 
     /// <summary>Squared Euclidean length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float LengthSquared(Vector3 a) => Dot(a, a);
 
     /// <summary>Euclidean length.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float Length(Vector3 a) => (float)Math.Sqrt(Dot(a, a));
+    public static float Length(Vector3 a) => MathF.Sqrt(Dot(a, a));
 
     /// <summary>Distance between two points.</summary>
     public static float Distance(Vector3 a, Vector3 b) => Length(a - b);

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Rigging;
 
@@ -34,7 +35,16 @@ public static class ForwardKinematics
         modelRotations[0] = localRotations[0];
         modelPositions[0] = localPositions[0];
 
-        // Written out and by reference: calls and copies of structures cost several times the arithmetic on interpreters, and registers of four floats are slow to take apart.
+#if NET
+        for (int i = 1; i < count; i++)
+        {
+            int parent = parents[i];
+            Quaternion turn = modelRotations[parent];
+            modelPositions[i] = modelPositions[parent] + Rotation.Rotate(turn, localPositions[i]);
+            modelRotations[i] = Rotation.Multiply(turn, localRotations[i]);
+        }
+#else
+        // Written out and by reference: calls and copies of structures cost several times the arithmetic on interpreters.
         for (int i = 1; i < count; i++)
         {
             int parent = parents[i];
@@ -66,5 +76,6 @@ public static class ForwardKinematics
             q.Z = (aw * bz) + (ax * by) - (ay * bx) + (az * bw);
             q.W = (aw * bw) - (ax * bx) - (ay * by) - (az * bz);
         }
+#endif
     }
 }

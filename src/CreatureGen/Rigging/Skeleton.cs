@@ -12,6 +12,7 @@ public sealed class Skeleton
     private readonly Joint[] joints;
     private readonly int[] parents;
     private readonly int[] mirrors;
+    private readonly int[] last;
     private readonly Quaternion[] localRotations;
     private readonly Vector3[] localPositions;
     private readonly Quaternion[] modelRotations;
@@ -25,6 +26,7 @@ public sealed class Skeleton
         int count = this.joints.Length;
         parents = new int[count];
         mirrors = new int[count];
+        last = new int[count];
         localRotations = new Quaternion[count];
         localPositions = new Vector3[count];
         modelRotations = new Quaternion[count];
@@ -36,10 +38,16 @@ public sealed class Skeleton
             Prove(joint, i, names);
             parents[i] = joint.Parent;
             mirrors[i] = i;
+            last[i] = i;
             localRotations[i] = joint.LocalRotation;
             localPositions[i] = joint.LocalPosition;
             modelRotations[i] = joint.ModelRotation;
             modelPositions[i] = joint.ModelPosition;
+        }
+
+        for (int i = count - 1; i > 0; i--)
+        {
+            last[parents[i]] = Math.Max(last[parents[i]], last[i]);
         }
 
         FindMirrors();
@@ -68,6 +76,12 @@ public sealed class Skeleton
 
     /// <summary>Rest positions in model space, metres.</summary>
     public ReadOnlySpan<Vector3> ModelPositions => modelPositions;
+
+    /// <summary>The joints as <see cref="Joints"/> has them, without a call for each.</summary>
+    internal ReadOnlySpan<Joint> AllJoints => joints;
+
+    /// <summary>The last joint that hangs on each, itself if none does.</summary>
+    internal ReadOnlySpan<int> LastBelow => last;
 
     /// <summary>The index of the joint with the given name, or −1.</summary>
     public int IndexOf(string name)

@@ -80,6 +80,8 @@ internal static class BannedUse
         ["System.Numerics.Quaternion"] = (["X", "Y", "Z", "W", "get_Identity", "Equals", "op_Equality", "op_Inequality"], Vectors),
         ["System.Numerics.Matrix4x4"] =
             ([.. from row in Enumerable.Range(1, 4) from column in Enumerable.Range(1, 4) select $"M{row}{column}", "get_Identity", "Equals", "op_Equality", "op_Inequality"], Vectors),
+        ["System.Runtime.Intrinsics.Vector128"] = (["Create", "Shuffle", "GetElement", "ToScalar", "AsVector128", "AsVector128Unsafe", "AsVector3", "AsQuaternion"], Vectors),
+        ["System.Runtime.Intrinsics.Vector128`1"] = (["op_Addition", "op_Subtraction", "op_Multiply", "op_ExclusiveOr"], Vectors),
     };
 
     /// <summary>Arithmetic of vectors that works on each component alone.</summary>
@@ -104,17 +106,17 @@ internal static class BannedUse
             return reason;
         }
 
+        if (Partly.TryGetValue(type, out (string[] Allowed, string Reason) rule))
+        {
+            bool componentwise = type.StartsWith("System.Numerics.Vector", StringComparison.Ordinal) && Componentwise.Contains(member);
+            return use.Target is Type or ConstructorInfo || componentwise || rule.Allowed.Contains(member) ? null : rule.Reason;
+        }
+
         string space = use.TargetType.Namespace ?? "";
         string? banned = Namespaces.Keys.FirstOrDefault(n => space == n || space.StartsWith(n + ".", StringComparison.Ordinal));
         if (banned != null)
         {
             return Namespaces[banned];
-        }
-
-        if (member.Length > 0 && Partly.TryGetValue(type, out (string[] Allowed, string Reason) rule))
-        {
-            bool componentwise = type.StartsWith("System.Numerics.Vector", StringComparison.Ordinal) && Componentwise.Contains(member);
-            return use.Target is ConstructorInfo || componentwise || rule.Allowed.Contains(member) ? null : rule.Reason;
         }
 
         if (type is "System.Double" or "System.Single" or "System.Half" && NumberFunctions.Contains(member))

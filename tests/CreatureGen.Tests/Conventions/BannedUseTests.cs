@@ -89,6 +89,10 @@ public sealed class BannedUseTests
 
         public static bool Wide() => System.Runtime.Intrinsics.Vector128.IsHardwareAccelerated;
 
+        public static float WideSum(Vector3 v) => System.Runtime.Intrinsics.Vector128.Sum(System.Runtime.Intrinsics.Vector128.AsVector128(v));
+
+        public static bool Wider() => System.Runtime.Intrinsics.Vector256.IsHardwareAccelerated;
+
         public static int Keys(Dictionary<string, int> map)
         {
             int sum = 0;

@@ -60,7 +60,7 @@ public sealed class Eyelids
         Finite.Require(shut, nameof(shut));
         for (int i = 0; i < joints.Length; i++)
         {
-            Joint joint = Skeleton.Joints[joints[i]];
+            Joint joint = Skeleton.AllJoints[joints[i]];
             float turn = joint.Limit.SwingX.Clamp(shut * closing[i]);
             local.Rotations[joints[i]] = Rotation.Multiply(joint.LocalRotation, Rotation.FromAxisAngle(Vector3.UnitX, turn));
             Subtree.LocalToModel(Skeleton, joints[i], local, model);

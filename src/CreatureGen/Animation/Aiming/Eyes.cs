@@ -61,11 +61,11 @@ public static class Eyes
         double x = -state.EyePitch;
         double y = state.EyeYaw;
         SwingTwistLimit.ClampSwing(settings.Pitch.Negated, yaw, ref x, ref y);
-        Joint joint = rig.Skeleton.Joints[eye];
+        Joint joint = rig.Skeleton.AllJoints[eye];
         Quaternion atRest = Rotation.Multiply(rig.HeadToModel, rig.Skeleton.ModelRotations[eye]);
         Quaternion turn = new LookAngles((float)y, (float)-x).Turn();
         Quaternion inHead = Rotation.Multiply(rig.HeadToModel, Rotation.Multiply(turn, Rotation.Inverse(rig.HeadToModel)));
-        local.Rotations[eye] = SwingTwistLimit.ClampLocal(Rotation.Normalize(Rotation.Multiply(inHead, atRest)), joint);
+        local.Rotations[eye] = SwingTwistLimit.ClampLocal(UnitTurn.Renormalize(Rotation.Multiply(inHead, atRest)), joint);
         Subtree.LocalToModel(rig.Skeleton, eye, local, model);
     }
 }

@@ -32,6 +32,19 @@ public static class Gaze
     /// <exception cref="ArgumentException">A pose is not as long as the skeleton, or a number is not finite.</exception>
     public static float Update(GazeRig rig, ref GazeState state, in GazeSettings settings, in GazeTarget target, float seconds, in Pose local, in Pose model)
     {
+        LookAngles goal = Advance(rig, ref state, settings, target, seconds, local, model);
+        if (target.Kind == GazeTargetKind.None)
+        {
+            return 0f;
+        }
+
+        Vector3 posed = Ahead(rig, ToTrunk(rig, model), model);
+        return (float)Rotation.Angle(Rotation.FromTo(posed, Rotation.Rotate(goal.Turn(), Vector3.UnitZ)));
+    }
+
+    /// <summary>The same; says where the target is seen from the trunk.</summary>
+    internal static LookAngles Advance(GazeRig rig, ref GazeState state, in GazeSettings settings, in GazeTarget target, float seconds, in Pose local, in Pose model)
+    {
         local.Require(rig.Skeleton);
         model.Require(rig.Skeleton);
         Finite.RequireStep(seconds);
@@ -47,9 +60,8 @@ public static class Gaze
             motion[i] = local.Rotations[joints[i]];
         }
 
-        Quaternion toTrunk = Rotation.Inverse(Rotation.Multiply(model.Rotations[rig.Base], rig.BaseToModel));
-        Vector3 ahead = Rotation.Rotate(toTrunk, Rotation.Rotate(Rotation.Multiply(model.Rotations[rig.Head], rig.HeadToModel), Vector3.UnitZ));
-        LookAngles animated = LookAngles.Of(ahead, 0f);
+        Quaternion toTrunk = ToTrunk(rig, model);
+        LookAngles animated = LookAngles.Of(Ahead(rig, toTrunk, model), 0f);
         if (state.Attention == 0f)
         {
             state.Yaw = animated.Yaw;
@@ -100,14 +112,14 @@ public static class Gaze
 
         Turn(rig, state, animated, toTrunk, motion, local, model);
         Subtree.LocalToModel(rig.Skeleton, joints[0], local, model);
-        if (target.Kind == GazeTargetKind.None)
-        {
-            return 0f;
-        }
-
-        Vector3 posed = Rotation.Rotate(toTrunk, Rotation.Rotate(Rotation.Multiply(model.Rotations[rig.Head], rig.HeadToModel), Vector3.UnitZ));
-        return (float)Rotation.Angle(Rotation.FromTo(posed, Rotation.Rotate(goal.Turn(), Vector3.UnitZ)));
+        return goal;
     }
+
+    private static Quaternion ToTrunk(GazeRig rig, in Pose model) => Rotation.Inverse(Rotation.Multiply(model.Rotations[rig.Base], rig.BaseToModel));
+
+    /// <summary>Where the head points, seen from the trunk.</summary>
+    private static Vector3 Ahead(GazeRig rig, Quaternion toTrunk, in Pose model) =>
+        Rotation.Rotate(toTrunk, Rotation.Rotate(Rotation.Multiply(model.Rotations[rig.Head], rig.HeadToModel), Vector3.UnitZ));
 
     /// <summary>Brings the angles of a target within reach, on the side where the head is when it is about straight behind.</summary>
     internal static LookAngles Bounded(LookAngles goal, float yawNow, in GazeSettings settings)
@@ -129,17 +141,18 @@ public static class Gaze
         Skeleton skeleton = rig.Skeleton;
         Quaternion inTrunk = Rotation.Multiply(new LookAngles(state.Yaw, state.Pitch).Turn(), Rotation.Inverse(animated.Turn()));
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(toTrunk), Rotation.Multiply(inTrunk, toTrunk));
+        var shares = new TurnShares(turn);
+        ReadOnlySpan<Joint> bones = skeleton.AllJoints;
         Quaternion carried = model.Rotations[rig.Base];
         for (int i = 0; i < joints.Length; i++)
         {
             int joint = joints[i];
             carried = Rotation.Multiply(carried, motion[i]);
-            Quaternion share = Rotation.Slerp(Quaternion.Identity, turn, rig.Taken[i] * state.Attention);
-            Quaternion wanted = Rotation.Multiply(share, carried);
-            Quaternion turned = Rotation.Normalize(Rotation.Multiply(JointRelations.ParentInverse(skeleton, joint, model), wanted));
+            Quaternion wanted = Rotation.Multiply(shares.At(rig.Taken[i] * state.Attention), carried);
+            Quaternion turned = UnitTurn.Renormalize(Rotation.Multiply(JointRelations.ParentInverse(skeleton, joint, model), wanted));
 
             // A motion that is itself beyond the limits is not pulled back by looking at nothing.
-            local.Rotations[joint] = state.Attention == 0f ? motion[i] : SwingTwistLimit.ClampLocal(turned, skeleton.Joints[joint]);
+            local.Rotations[joint] = state.Attention == 0f ? motion[i] : SwingTwistLimit.ClampLocal(turned, bones[joint]);
             Subtree.Place(skeleton.Parents[joint], joint, local, model);
         }
     }

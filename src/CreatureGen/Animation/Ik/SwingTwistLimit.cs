@@ -64,6 +64,11 @@ public static class SwingTwistLimit
     {
         Quaternion rest = joint.LocalRotation;
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(rest), local);
+        if (IsWellWithin(turn, joint.Limit))
+        {
+            return local;
+        }
+
         Quaternion bounded = Clamp(turn, joint.Limit);
         return bounded == turn ? local : Rotation.Normalize(Rotation.Multiply(rest, bounded));
     }
@@ -84,16 +89,23 @@ public static class SwingTwistLimit
     /// <summary>Whether a turn is certainly within its limit, from bounds of its angles that cost no inverse function.</summary>
     private static bool IsWellWithin(Quaternion turn, JointLimit limit)
     {
-        if (!TryBound(turn, out float x, out float z, out float twist))
+        float along = (turn.Y * turn.Y) + (turn.W * turn.W);
+        if ((turn.X * turn.X) + (turn.Z * turn.Z) > 0.25f || turn.Y * turn.Y > 0.25f * along)
         {
             return false;
         }
 
+        // As in TryBound, with all that is compared squared and times the length of (y, w): no root and no division.
+        const float Squared = AnglePerHalfSine * AnglePerHalfSine;
+        float x = (turn.X * turn.W) + (turn.Z * turn.Y);
+        float z = (turn.Z * turn.W) - (turn.X * turn.Y);
+        float twist = turn.Y * turn.W;
         float a = x < 0f ? limit.SwingX.Min : limit.SwingX.Max;
         float b = z < 0f ? limit.SwingZ.Min : limit.SwingZ.Max;
+        float c = twist < 0f ? limit.Twist.Min : limit.Twist.Max;
         float aa = a * a;
         float bb = b * b;
-        return twist >= limit.Twist.Min && twist <= limit.Twist.Max && (x * x * bb) + (z * z * aa) < aa * bb;
+        return Squared * turn.Y * turn.Y <= c * c * along && Squared * ((x * x * bb) + (z * z * aa)) < aa * bb * along;
     }
 
     /// <summary>Bounds of the angles of a turn that is not large, without an inverse function: of their signs, and no nearer to 0 than they are.</summary>
@@ -109,10 +121,9 @@ public static class SwingTwistLimit
         }
 
         float inverse = 1f / (float)Math.Sqrt(along);
-        float sign = turn.W < 0f ? -inverse : inverse;
-        twist = AnglePerHalfSine * sign * turn.Y;
-        x = AnglePerHalfSine * sign * ((turn.X * turn.W) + (turn.Z * turn.Y));
-        z = AnglePerHalfSine * sign * ((turn.Z * turn.W) - (turn.X * turn.Y));
+        twist = AnglePerHalfSine * (turn.W < 0f ? -inverse : inverse) * turn.Y;
+        x = AnglePerHalfSine * inverse * ((turn.X * turn.W) + (turn.Z * turn.Y));
+        z = AnglePerHalfSine * inverse * ((turn.Z * turn.W) - (turn.X * turn.Y));
         return true;
     }
 

@@ -14,9 +14,6 @@ internal struct FootPose
     /// <summary>What the two solved parts have to reach: the ball, or the ankle of legs whose foot has its own angle.</summary>
     public Vector3 Target;
 
-    /// <summary>First solved part at rest, the metatarsus folded.</summary>
-    public Vector3 Upper;
-
     /// <summary>Turn of the foot from rest, ankle to ball.</summary>
     public Quaternion Foot;
 
@@ -96,13 +93,11 @@ internal static class FootPoser
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
             pose.Fold = FootRoll.Fold(foot, leg.Traits) * gait.Activity;
-            pose.Upper = leg.Thigh + (pose.Fold == 0f ? leg.Metatarsus : Vec.Rotate(leg.Metatarsus, leg.Hinge, pose.Fold));
             pose.Target = pose.Ball;
         }
         else
         {
             pose.Fold = 0f;
-            pose.Upper = leg.Thigh;
             pose.Target = pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
         }
     }

@@ -22,15 +22,24 @@ internal sealed class ForceResponse
 
     private readonly float[] even = new float[Harmonics + 1];
     private readonly float[] odd = new float[Harmonics + 1];
+    private float tunedDuty = float.NaN;
+    private float tunedDip = float.NaN;
 
     /// <summary>Height above its mean at which a body is whose feet all come down together, in units of g/(2πf)²: below it, more so the longer it flies.</summary>
     public float Touchdown { get; private set; }
 
-    /// <summary>Finds the coefficients of the push relative to its mean.</summary>
+    /// <summary>Finds the coefficients of the push relative to its mean. They are kept while the gait is steady.</summary>
     /// <param name="duty">β, part of the cycle.</param>
     /// <param name="dip">q.</param>
     public void Tune(float duty, float dip)
     {
+        if (duty == tunedDuty && dip == tunedDip)
+        {
+            return;
+        }
+
+        tunedDuty = duty;
+        tunedDip = dip;
         double mean = (4 / Pi) + (dip * 4 / (3 * Pi));
         PortableMath.SinCos(Pi * duty, out double s1, out double c1);
         double touchdown = 0;

@@ -78,7 +78,15 @@ internal sealed class LegPoser
 
         float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
         float leeway = Leeway(foot);
-        LegSolver.Solve(leg, pose.Upper, chord, side, slack, leeway, out LegTurns solved);
+        LegParts folded = default;
+        scoped ref readonly LegParts parts = ref leg.Parts;
+        if (pose.Fold != 0f)
+        {
+            folded = new LegParts(leg.Thigh + Vec.Rotate(leg.Metatarsus, leg.Hinge, pose.Fold), leg.Shank, leg.Hinge);
+            parts = ref folded;
+        }
+
+        LegSolver.Solve(leg, parts, chord, side, slack, leeway, out LegTurns solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Slide(local, leg.Girdle, slide);

@@ -9,6 +9,8 @@ namespace CreatureGen.Animation.Locomotion;
 /// <summary>A standing leg as the walk needs it: joints, rest places, sole. Model space, metres.</summary>
 internal sealed class LegShape
 {
+    private readonly LegParts parts;
+
     private const double LeastBend = 0.2094;
     private const double MostBend = 2.618;
 
@@ -92,6 +94,7 @@ internal sealed class LegShape
         Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
         AcrossSign = Vec.Dot(across, Hinge) < 0f ? -1f : 1f;
         Skew = Hinge - (across * AcrossSign);
+        parts = new LegParts(upper, Shank, Hinge);
         HipJoint = skeleton.Joints[Hip];
         AnkleJoint = skeleton.Joints[Ankle];
         BallJoint = skeleton.Joints[Ball];
@@ -222,6 +225,9 @@ internal sealed class LegShape
     public Vector3 Shank { get; }
 
     public Vector3 Metatarsus { get; }
+
+    /// <summary>The two parts that are solved for, the metatarsus not folded.</summary>
+    public ref readonly LegParts Parts => ref parts;
 
     /// <summary>From the hip to the ground under the ball.</summary>
     public float Length { get; }

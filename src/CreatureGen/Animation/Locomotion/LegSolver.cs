@@ -49,30 +49,18 @@ internal static class LegSolver
 
     /// <summary>Solves a leg.</summary>
     /// <param name="leg">At rest.</param>
-    /// <param name="upper">First part at rest, from the hip to the hinge (or, with the metatarsus folded, their sum).</param>
+    /// <param name="parts">Its parts at rest, or with the metatarsus folded.</param>
     /// <param name="target">Where the end has to be, from the hip.</param>
     /// <param name="side">Where the hinge has to point.</param>
     /// <param name="slack">0..1: how early the reach is eased.</param>
     /// <param name="leeway">How far the knee may stay beyond its limits, about half the angle in radians: on the ground, where the foot keeps its place, as far as it likes.</param>
     /// <param name="turns">The turns.</param>
-    public static void Solve(LegShape leg, Vector3 upper, Vector3 target, Vector3 side, float slack, float leeway, out LegTurns turns)
+    public static void Solve(LegShape leg, in LegParts parts, Vector3 target, Vector3 side, float slack, float leeway, out LegTurns turns)
     {
         Vector3 n = leg.Hinge;
-        Vector3 lower = leg.Shank;
-        float alongUpper = Vec.Dot(upper, n);
-        float alongLower = Vec.Dot(lower, n);
-        Vector3 a = upper - (n * alongUpper);
-        Vector3 b = lower - (n * alongLower);
-        double aa = Vec.LengthSquared(a);
-        double bb = Vec.LengthSquared(b);
-        double product = Math.Sqrt(aa * bb);
-        double offset = alongUpper + alongLower;
-        double squared = Vec.LengthSquared(target);
-        double asked = Math.Sqrt(Math.Max(squared - (offset * offset), 1e-12));
-
-        // Reach of these very parts: a fold of the metatarsus changes the first one.
-        double most = Math.Sqrt(aa + bb + (2 * product * LeastBendCosine));
-        double least = Math.Sqrt(Math.Max(aa + bb + (2 * product * MostBendCosine), 0));
+        double most = parts.Most;
+        double least = parts.Least;
+        double asked = Math.Sqrt(Math.Max(Vec.LengthSquared(target) - parts.OffsetSquared, 1e-12));
         double from = (EaseFrom - (SwingSlack * slack)) * most;
         double taken = asked;
         if (asked > from)
@@ -87,9 +75,9 @@ internal static class LegSolver
 
         turns.Stretch = (float)(asked / most);
         turns.Residual = (float)Math.Abs(asked - taken);
-        double cosNow = Vec.Dot(a, b) / product;
-        double sinNow = Vec.Dot(Vec.Cross(a, b), n) / product;
-        double cosThen = Scalar.Clamp(((taken * taken) - aa - bb) / (2 * product), -1, 1);
+        double cosNow = parts.Cosine;
+        double sinNow = parts.Sine;
+        double cosThen = Scalar.Clamp(((taken * taken) - parts.Squares) / parts.Product, -1, 1);
         double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
         double cosKnee = (cosThen * cosNow) + (sinThen * sinNow);
         double sinKnee = (sinThen * cosNow) - (cosThen * sinNow);
@@ -98,9 +86,9 @@ internal static class LegSolver
         HalfAngle.Of(cosKnee, sinKnee, out double halfCosine, out double halfSine);
         turns.Bend = (float)cosThen;
         turns.KneeHalfSine = (float)halfSine;
-        turns.Knee = new Quaternion((float)(n.X * halfSine), (float)(n.Y * halfSine), (float)(n.Z * halfSine), (float)halfCosine);
+        turns.Knee = new Quaternion(n * (float)halfSine, (float)halfCosine);
 
-        Vector3 chord = upper + Rotation.Rotate(turns.Knee, lower);
+        Vector3 chord = parts.Upper + Rotation.Rotate(turns.Knee, leg.Shank);
         Vector3 aim = leg.Lateral && turns.Strain > leeway ? Around(target, Vec.LengthSquared(chord)) : target;
         turns.Thigh = UnitTurn.Frame(Vec.Normalize(chord, -Vector3.UnitY), n, Vec.Normalize(aim, -Vector3.UnitY), side);
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
@@ -119,8 +107,4 @@ internal static class LegSolver
         float share = (float)Math.Sqrt(wanted / level);
         return new Vector3(target.X * share, target.Y, target.Z * share);
     }
-
-    private static readonly double LeastBendCosine = PortableMath.Cos(0.2094);
-
-    private static readonly double MostBendCosine = PortableMath.Cos(2.618);
 }

@@ -41,8 +41,7 @@ internal sealed class RestTurns
     /// <summary>One step of Newton's towards unit length: what a few products lose.</summary>
     private static Quaternion Normalized(Quaternion q)
     {
-        float squared = (q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W);
-        float scale = 1.5f - (0.5f * squared);
-        return Math.Abs(squared - 1f) < 1e-2f ? new Quaternion(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale) : Rotation.Normalize(q);
+        float squared = Lanes.Dot(q, q);
+        return Math.Abs(squared - 1f) < 1e-2f ? Lanes.Scale(q, 1.5f - (0.5f * squared)) : Rotation.Normalize(q);
     }
 }

@@ -24,7 +24,8 @@ public static class Subtree
         ReadOnlySpan<int> parents = skeleton.Parents;
         Span<ulong> inside = stackalloc ulong[(parents.Length + BitsPerWord - 1) / BitsPerWord];
         inside.Clear();
-        for (int i = joint; i < parents.Length; i++)
+        int last = skeleton.LastBelow[joint];
+        for (int i = joint; i <= last; i++)
         {
             int parent = parents[i];
             if (i != joint && (parent < joint || (inside[parent / BitsPerWord] & (1UL << (parent % BitsPerWord))) == 0))

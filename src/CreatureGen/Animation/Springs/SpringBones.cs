@@ -175,7 +175,8 @@ public static class SpringBones
         float debt = state.Debt + seconds;
         int steps = (int)(debt / Substep);
         state.Tune(settings);
-        Span<Moment> moments = stackalloc Moment[rig.Joints.Length * MostMoments];
+        int stride = Math.Min(steps, MostMoments - 1) + 1;
+        Span<Moment> moments = stackalloc Moment[rig.Joints.Length * stride];
         Span<float> shares = stackalloc float[MostMoments];
         int done = 0;
         do
@@ -191,7 +192,7 @@ public static class SpringBones
             {
                 for (int i = 0; i < rig.Joints.Length; i++)
                 {
-                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments);
+                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments, stride);
                 }
             }
             else
@@ -199,8 +200,8 @@ public static class SpringBones
                 state.Debt = Math.Max(debt - (steps * Substep), 0f);
                 for (int i = 0; i < rig.Joints.Length; i++)
                 {
-                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments);
-                    Show(rig, state, settings, root, colliders, i, moments, local, model);
+                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments, stride);
+                    Show(rig, state, settings, root, colliders, i, moments, stride, local, model);
                 }
             }
         }
@@ -214,22 +215,23 @@ public static class SpringBones
     }
 
     /// <summary>Some substeps of one bone; its parent has made them already. One bone after the other, not one step after the other: a step waits for little of the one before, but a bone for all of its parent.</summary>
-    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> shares, Span<Moment> moments)
+    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> shares, Span<Moment> moments, int stride)
     {
         const float PerSecond = 1f / Substep;
         int parent = rig.Parents[index];
         float length = rig.Lengths[index] * scale;
+        float radius = Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale;
         Vector3 push = settings.Gravity * Substep;
         ref SpringBone bone = ref state.Bones[index];
         DampedSpring step = bone.Step;
         for (int k = 0; k < shares.Length; k++)
         {
             float share = shares[k];
-            ref Moment moment = ref moments[(index * MostMoments) + k];
+            ref Moment moment = ref moments[(index * stride) + k];
             Vector3 animated = share >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, share), bone.NowAlong);
             moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, share);
-            Quaternion carried = Carried(ref moment, moments, parent, k, settings.Inherit);
-            Vector3 along = Rotation.Rotate(carried, animated);
+            Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit);
+            Vector3 along = Lanes.RotateByAny(carried, animated);
             Vector3 tail = along * length;
             Vector3 goal = moment.Place + tail;
             Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
@@ -238,31 +240,31 @@ public static class SpringBones
             Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
             velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
             Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
-            direction = Outside(colliders, moment.Place, direction, length, settings, rig.Along[index], scale);
+            direction = Outside(colliders, moment.Place, direction, length, radius);
             Vector3 held = (direction * length) - tail;
             bone.OffsetBefore = offset;
             bone.Offset = held;
             bone.Velocity = velocity + ((held - free) * PerSecond);
             bone.GoalVelocity = goalVelocity;
             bone.Goal = goal;
-            moment.Deviation = Rotation.Multiply(UnitTurn.FromTo(along, direction), carried);
+            moment.Deviation = Turned(carried, along, direction);
         }
     }
 
     /// <summary>Poses a joint for the moment of the frame; its parent is posed already.</summary>
-    private static void Show(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, int index, Span<Moment> moments, in Pose local, in Pose model)
+    private static void Show(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, int index, Span<Moment> moments, int stride, in Pose local, in Pose model)
     {
         float length = rig.Lengths[index] * root.Scale;
         ref SpringBone bone = ref state.Bones[index];
-        ref Moment moment = ref moments[(index * MostMoments) + MostMoments - 1];
+        ref Moment moment = ref moments[(index * stride) + stride - 1];
         moment.Animated = bone.NowPosition;
-        Quaternion carried = Carried(ref moment, moments, rig.Parents[index], MostMoments - 1, settings.Inherit);
-        Vector3 along = Rotation.Rotate(carried, bone.NowAlong);
+        Quaternion carried = Carried(ref moment, moments, (rig.Parents[index] * stride) + stride - 1, settings.Inherit);
+        Vector3 along = Lanes.RotateByAny(carried, bone.NowAlong);
         Vector3 tail = along * length;
         bone.Shown = moment.Place + tail;
         Vector3 direction = Vec.Normalize(tail + Vec.Lerp(bone.OffsetBefore, bone.Offset, state.Debt / Substep), along);
-        direction = Outside(colliders, moment.Place, direction, length, settings, rig.Along[index], root.Scale);
-        moment.Deviation = Rotation.Multiply(UnitTurn.FromTo(along, direction), carried);
+        direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Along[index]), 0f) * root.Scale);
+        moment.Deviation = Turned(carried, along, direction);
         Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(Quaternion.Identity, moment.Deviation, settings.Weight) : moment.Deviation;
         int joint = rig.Joints[index];
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(root.Rotation), Rotation.Multiply(shown, root.Rotation));
@@ -280,8 +282,8 @@ public static class SpringBones
         model.Positions[joint] = model.Positions[parent] + Rotation.Rotate(carrier, local.Positions[joint]);
     }
 
-    /// <summary>How far a bone is carried along by its parent's deviation from the animation, and its place with that.</summary>
-    private static Quaternion Carried(ref Moment moment, ReadOnlySpan<Moment> moments, int parent, int k, float inherit)
+    /// <summary>How far a bone is carried along by its parent's deviation from the animation, of any length; and its place with that.</summary>
+    private static Quaternion Carried(ref Moment moment, ReadOnlySpan<Moment> moments, int parent, float inherit)
     {
         if (parent < 0)
         {
@@ -289,17 +291,17 @@ public static class SpringBones
             return Quaternion.Identity;
         }
 
-        ref readonly Moment carrier = ref moments[(parent * MostMoments) + k];
+        ref readonly Moment carrier = ref moments[parent];
         Quaternion deviation = carrier.Deviation;
         moment.Place = carrier.Place + Rotation.Rotate(deviation, moment.Animated - carrier.Animated);
-        float u = 1f - inherit;
-        float v = deviation.W < 0f ? -inherit : inherit;
-        float x = deviation.X * v;
-        float y = deviation.Y * v;
-        float z = deviation.Z * v;
-        float w = u + (deviation.W * v);
-        float scale = 1f / (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
-        return new Quaternion(x * scale, y * scale, z * scale, w * scale);
+        return Lanes.Mix(Quaternion.Identity, 1f - inherit, deviation, deviation.W < 0f ? -inherit : inherit);
+    }
+
+    /// <summary>A turn of any length followed by the smallest one that takes one direction to another, brought to unit length: one root for both.</summary>
+    private static Quaternion Turned(Quaternion carried, Vector3 along, Vector3 direction)
+    {
+        Quaternion turn = Rotation.Multiply(UnitTurn.Between(along, direction), carried);
+        return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
     }
 
     /// <summary>A direction no farther from another than the cone allows.</summary>
@@ -315,14 +317,13 @@ public static class SpringBones
     }
 
     /// <summary>A direction of a bone that brings its tip out of all colliders.</summary>
-    private static Vector3 Outside(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 direction, float length, in SpringSettings settings, float along, float scale)
+    private static Vector3 Outside(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 direction, float length, float radius)
     {
         if (colliders.Length == 0)
         {
             return direction;
         }
 
-        float radius = Math.Max(settings.Radius.At(along), 0f) * scale;
         Vector3 bone = direction * length;
         if (colliders.Length == 1 && colliders[0].Clears(place, bone, radius))
         {

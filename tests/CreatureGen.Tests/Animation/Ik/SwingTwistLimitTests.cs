@@ -42,6 +42,22 @@ public sealed class SwingTwistLimitTests
     }
 
     [Fact]
+    public void A_rotation_is_bounded_alike_by_either_of_its_quaternions()
+    {
+        RandomStream random = new Seed(6).Stream();
+        for (int i = 0; i < 20000; i++)
+        {
+            Quaternion any = MovingPose.AnyRotation(random);
+            Quaternion q = i % 2 == 0 ? any : Rotation.Nlerp(Quaternion.Identity, any, 0.3);
+            var same = new Quaternion(-q.X, -q.Y, -q.Z, -q.W);
+            Quaternion bounded = SwingTwistLimit.Clamp(q, lopsided);
+            Assert.True(MovingPose.Between(bounded, SwingTwistLimit.Clamp(same, lopsided)) < 3e-5);
+            Assert.Equal(SwingTwistLimit.TryBound(q, out float x, out float z, out float twist), SwingTwistLimit.TryBound(same, out float x2, out float z2, out float twist2));
+            Assert.Equal((x, z, twist), (x2, z2, twist2));
+        }
+    }
+
+    [Fact]
     public void Turns_within_come_back_to_the_bit_and_turns_outside_end_within()
     {
         RandomStream random = new Seed(5).Stream();
