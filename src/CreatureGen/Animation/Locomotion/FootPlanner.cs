@@ -247,8 +247,9 @@ internal sealed class FootPlanner
             Lift(leg, step, u < begun ? 0f : u);
         }
 
+        // A step of its own that the gait has caught up with goes on to the place of the gait's, however far it has come.
         foot.Swing = (u - foot.LiftAt) / (1f - foot.LiftAt);
-        if (foot.Swing < Frozen)
+        if ((foot.LiftAt < 0f ? u : foot.Swing) < Frozen)
         {
             Aim(leg, step, ahead);
         }
