@@ -102,9 +102,12 @@ internal sealed class LegShape
         KneeFold = new FoldLimit(fold);
         bool straight = Math.Abs(turn) < Straight * Vec.Length(a) * Vec.Length(b);
         BendSign = straight || Traits.Linkage == LegLinkage.Pantograph ? (fold.Max >= -fold.Min ? 1 : -1) : turn >= 0f ? 1 : -1;
+        double bend = BendSign * PortableMath.Atan2(turn, Vec.Dot(a, b));
+        double straightens = BendSign > 0 ? -fold.Min : fold.Max;
+        LeastBendCosine = PortableMath.Cos(Math.Max(LeastBend, bend - straightens));
         double la = Vec.Length(a);
         double lb = Vec.Length(b);
-        Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(LeastBend)));
+        Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * LeastBendCosine));
         LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
         Stoop = stoop;
@@ -277,7 +280,10 @@ internal sealed class LegShape
     /// <summary>Sign of the knee's bend about the hinge.</summary>
     public int BendSign { get; }
 
-    /// <summary>Greatest distance that the two solved parts span, nearly straight.</summary>
+    /// <summary>Cosine of the knee's bend at its straightest: nearly straight, or where its limit ends.</summary>
+    public double LeastBendCosine { get; }
+
+    /// <summary>Greatest distance that the two solved parts span, the knee at its straightest.</summary>
     public float Reach { get; }
 
     /// <summary>Least distance that they span, folded.</summary>

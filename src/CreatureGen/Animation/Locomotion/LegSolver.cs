@@ -71,7 +71,7 @@ internal static class LegSolver
         double asked = Math.Sqrt(Math.Max(squared - (offset * offset), 1e-12));
 
         // Reach of these very parts: a fold of the metatarsus changes the first one.
-        double most = Math.Sqrt(aa + bb + (2 * product * LeastBendCosine));
+        double most = Math.Sqrt(aa + bb + (2 * product * leg.LeastBendCosine));
         double least = Math.Sqrt(Math.Max(aa + bb + (2 * product * MostBendCosine), 0));
         double from = (EaseFrom - (SwingSlack * slack)) * most;
         double taken = asked;
@@ -119,8 +119,6 @@ internal static class LegSolver
         float share = (float)Math.Sqrt(wanted / level);
         return new Vector3(target.X * share, target.Y, target.Z * share);
     }
-
-    private static readonly double LeastBendCosine = PortableMath.Cos(0.2094);
 
     private static readonly double MostBendCosine = PortableMath.Cos(2.618);
 }
