@@ -18,6 +18,9 @@ internal sealed class LegPoser
     /// <summary>Part of a swing in which a leg that stood beyond its limits comes back within them.</summary>
     private const float Release = 0.35f;
 
+    /// <summary>Part of a swing from which on a leg that will stand beyond its limits goes there.</summary>
+    private const float Arrival = 0.85f;
+
     private readonly LeggedBody body;
     private readonly RestTurns turns;
 
@@ -78,7 +81,8 @@ internal sealed class LegPoser
 
         float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
         float leeway = Leeway(foot);
-        LegSolver.Solve(leg, pose.Upper, chord, side, slack, leeway, out LegTurns solved);
+        float give = foot.Phase == FootPhase.Swing ? Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival)) : 0f;
+        LegSolver.Solve(leg, pose.Upper, chord, side, slack, leeway, give, out LegTurns solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Slide(local, leg.Girdle, slide);
@@ -88,7 +92,7 @@ internal sealed class LegPoser
         float strain = solved.Strain;
         if (bounds)
         {
-            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway);
+            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway, give);
             strain = Math.Max(strain, hips);
             if (hips > leeway)
             {
@@ -112,17 +116,17 @@ internal sealed class LegPoser
         turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
         if (bounds)
         {
-            strain = Math.Max(strain, Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, leeway));
-            strain = Math.Max(strain, Bound(local.Rotations, leg.Ball, leg.BallJoint, leeway));
+            strain = Math.Max(strain, Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, leeway, give));
+            strain = Math.Max(strain, Bound(local.Rotations, leg.Ball, leg.BallJoint, leeway, give));
             foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : strain;
         }
     }
 
-    /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps.</summary>
+    /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps; as it comes down it goes as far beyond them as it will stand.</summary>
     private static float Leeway(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
 
     /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
-    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float leeway)
+    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float leeway, float give)
     {
         Quaternion turn = rotations[index];
         Quaternion bounded = SwingTwistLimit.ClampLocal(turn, joint);
@@ -136,9 +140,10 @@ internal sealed class LegPoser
         float z = turn.Z - bounded.Z;
         float w = turn.W - bounded.W;
         float chord = (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
-        if (chord > leeway)
+        float kept = Math.Max(leeway / chord, give);
+        if (kept < 1f)
         {
-            rotations[index] = leeway > 0f ? UnitTurn.Nlerp(bounded, turn, leeway / chord) : bounded;
+            rotations[index] = kept > 0f ? UnitTurn.Nlerp(bounded, turn, kept) : bounded;
         }
 
         return chord;
