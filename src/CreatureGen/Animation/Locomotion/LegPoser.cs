@@ -116,6 +116,11 @@ internal sealed class LegPoser
         turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
         if (bounds)
         {
+            if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral && foot.Phase == FootPhase.Swing)
+            {
+                FoldBack(leg, leeway, give, ref local.Rotations[leg.Ankle]);
+            }
+
             strain = Math.Max(strain, Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, leeway, give));
             strain = Math.Max(strain, Bound(local.Rotations, leg.Ball, leg.BallJoint, leeway, give));
             foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : strain;
@@ -124,6 +129,25 @@ internal sealed class LegPoser
 
     /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps; as it comes down it goes as far beyond them as it will stand.</summary>
     private static float Leeway(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
+
+    /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
+    private static void FoldBack(LegShape leg, float leeway, float give, ref Quaternion ankle)
+    {
+        Quaternion folded = Rotation.Multiply(leg.AnkleJoint.LocalRotation, leg.AnkleFolded);
+        Quaternion beyond = Rotation.Multiply(Rotation.Inverse(folded), ankle);
+        float sign = beyond.W < 0f ? -1f : 1f;
+        if (sign * beyond.X * leg.AnkleFolded.X <= 0f)
+        {
+            return;
+        }
+
+        float sine = Math.Abs(beyond.X);
+        float taken = 1f - Math.Max(Math.Min(leeway / sine, 1f), give);
+        float back = -beyond.X * sign * taken;
+        float on = 1f - taken + (beyond.W * sign * taken);
+        float scale = 1f / (float)Math.Sqrt((back * back) + (on * on));
+        ankle = Rotation.Multiply(folded, Rotation.Multiply(beyond, new Quaternion(back * scale, 0f, 0f, on * scale)));
+    }
 
     /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
     private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float leeway, float give)

@@ -94,6 +94,8 @@ internal sealed class LegShape
         Skew = Hinge - (across * AcrossSign);
         HipJoint = skeleton.Joints[Hip];
         AnkleJoint = skeleton.Joints[Ankle];
+        AngleRange ankle = AnkleJoint.Limit.SwingX;
+        AnkleFolded = Rotation.FromAxisAngle(Vector3.UnitX, ankle.Max > -ankle.Min ? ankle.Max : ankle.Min);
         BallJoint = skeleton.Joints[Ball];
         Vector3 a = Vec.Reject(upper, Hinge);
         Vector3 b = Vec.Reject(Shank, Hinge);
@@ -273,6 +275,9 @@ internal sealed class LegShape
 
     /// <summary>Limits and rest of the ankle.</summary>
     public Joint AnkleJoint { get; }
+
+    /// <summary>Turn of the ankle from rest at its limit on the side to which it folds farther.</summary>
+    public Quaternion AnkleFolded { get; }
 
     /// <summary>Limits and rest of the ball.</summary>
     public Joint BallJoint { get; }
