@@ -28,6 +28,7 @@ internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<Measur
     public static readonly MotionMeasure LimitExcess = Of("limitExcessMaxDegrees", WorseFigure.Greater, run => run.Report.LimitExcess * DegreesPerRadian);
     public static readonly MotionMeasure Residual = Of("reachResidualMaxLegLengths", WorseFigure.Greater, ResidualOf);
     public static readonly MotionMeasure PoseJump = Of("poseJumpMax", WorseFigure.Greater, run => run.Report.PoseJump);
+    public static readonly MotionMeasure LegOverlap = Of("legOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.LegOverlap);
     public static readonly MotionMeasure Support = Of("supportMin", WorseFigure.Smaller, run => run.Report.LeastSupport);
 
     /// <summary>All, in the order of the JSON.</summary>
@@ -52,6 +53,8 @@ internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<Measur
         Of("stretchedShare", WorseFigure.Greater, run => run.Report.StretchedShare),
         Of("supportMean", WorseFigure.Smaller, run => run.Report.MeanSupport),
         Metres("bobMetres", Of("", WorseFigure.Greater, run => run.Report.Bob)),
+        Metres("legOverlapMaxMetres", LegOverlap),
+        LegOverlap,
         Of("jointSpeedMaxRadiansPerSecond", WorseFigure.Greater, run => run.Report.FastestJoint),
     ];
 

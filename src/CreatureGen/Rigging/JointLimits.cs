@@ -13,7 +13,10 @@ namespace CreatureGen.Rigging;
 /// positive angles, elbows and hocks with negative ones; a positive turn about Z draws the limb in. Out to the side, a positive turn about X raises, a positive turn about Z sweeps back.</para>
 /// <para>Four-footed legs: the ranges of motion of dogs (hip 50–162°, stifle 42–162°, tarsus 39–164°, shoulder 57–165°, elbow 36–165°, carpus 32–196°; G. Jaegger, D. Marcellin-Little and
 /// D. Levine, "Reliability of goniometry in Labrador Retrievers", Am. J. Vet. Res. 63, 2002) less a standing dog's angles of about 115, 135, 135, 115, 138 and 180°, rounded to 5°.
-/// The twist of their carpus is the forearm's, which has no joint of its own; that of a sprawler's ankle the shank's. Bears and uprights have human knees and ankles; the rest is set to what their gaits need with a margin.</para>
+/// The twist of their carpus is the forearm's, which has no joint of its own; that of a sprawler's ankle the shank's. Bears and uprights have human knees and ankles, their feet
+/// turn sole in and out by the AMA's 30 and 20°; the carpus of plantigrade forefeet bends aside like a human wrist, by 30° outward and 20° inward (American Academy of Orthopaedic Surgeons, 1965), twists as in dogs,
+/// and folds farther than a wrist and less far than a dog's. The ball of hoofed feet stands for fetlock, pastern and coffin joint: the latter two alone give 8° aside and 9° of twist (H. M. Clayton, D. H. Sha,
+/// J. A. Stick and P. Robinson, "3D kinematics of the interphalangeal joints in the forelimb of walking and trotting horses", 2007). The rest is set to what their gaits need with a margin.</para>
 /// <para>Neck and tail: the thesis's rule that a chain of n bones bends by 200°/n at most in each, so that it looks natural while its sum stays near 100°.
 /// Bodies that move by waves hold several bends one way and the other: 480°/n.</para>
 /// </remarks>
@@ -29,20 +32,20 @@ internal static class JointLimits
     {
         (LimbArchetype.DigitigradeHind, new short[] { -65, 55, -50, 20, -25, 25, -27, 100, -5, 5, -10, 10, -100, 30, -8, 8, -12, 12, -95, 60, -15, 15, -15, 15 }),
         (LimbArchetype.DigitigradeFore, new short[] { -60, 60, -35, 20, -20, 20, -105, 27, -5, 5, -10, 10, -20, 140, -16, 16, -30, 30, -95, 60, -15, 15, -15, 15 }),
-        (LimbArchetype.UnguligradeHind, new short[] { -55, 50, -35, 15, -20, 20, -25, 100, -5, 5, -8, 8, -110, 25, -5, 5, -8, 8, -60, 95, -8, 8, -5, 5 }),
-        (LimbArchetype.UnguligradeFore, new short[] { -50, 50, -25, 15, -15, 15, -95, 20, -5, 5, -8, 8, -8, 130, -5, 5, -8, 8, -60, 100, -8, 8, -5, 5 }),
-        (LimbArchetype.PlantigradeHind, new short[] { -100, 40, -45, 25, -35, 35, -15, 130, -5, 5, -10, 10, -40, 55, -15, 15, -12, 12, -80, 45, -10, 10, -5, 5 }),
-        (LimbArchetype.PlantigradeFore, new short[] { -90, 60, -60, 30, -30, 30, -115, 25, -5, 5, -15, 15, -35, 105, -20, 20, -20, 20, -80, 50, -10, 10, -5, 5 }),
+        (LimbArchetype.UnguligradeHind, new short[] { -55, 50, -35, 15, -20, 20, -25, 100, -5, 5, -8, 8, -110, 25, -5, 5, -8, 8, -60, 95, -12, 12, -10, 10 }),
+        (LimbArchetype.UnguligradeFore, new short[] { -50, 50, -25, 15, -15, 15, -95, 20, -5, 5, -8, 8, -8, 130, -7, 7, -10, 10, -60, 100, -12, 12, -10, 10 }),
+        (LimbArchetype.PlantigradeHind, new short[] { -100, 40, -45, 25, -35, 35, -15, 130, -5, 5, -10, 10, -40, 55, -15, 15, -30, 20, -80, 45, -10, 10, -5, 5 }),
+        (LimbArchetype.PlantigradeFore, new short[] { -90, 60, -60, 30, -30, 30, -115, 25, -5, 5, -15, 15, -35, 120, -30, 20, -30, 30, -80, 50, -10, 10, -5, 5 }),
         (LimbArchetype.Column, new short[] { -45, 45, -25, 12, -15, 15, -8, 85, -4, 4, -6, 6, -45, 50, -6, 6, -6, 6, -30, 30, -5, 5, -5, 5 }),
         (LimbArchetype.Sprawl, new short[] { -45, 60, -60, 70, -60, 60, -60, 80, -15, 15, -20, 20, -60, 70, -45, 45, -45, 45, -70, 60, -25, 25, -10, 10 }),
-        (LimbArchetype.Theropod, new short[] { -60, 60, -30, 15, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -5, 5, -8, 8, -95, 70, -15, 15, -12, 12 }),
+        (LimbArchetype.Theropod, new short[] { -60, 60, -30, 20, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -5, 5, -8, 8, -95, 70, -15, 15, -12, 12 }),
         (LimbArchetype.Insect, new short[] { -60, 60, -60, 60, -40, 40, -80, 80, -10, 10, -10, 10, -50, 50, -12, 12, -20, 20, -40, 40, -10, 10, -10, 10 }),
         (LimbArchetype.Arm, new short[] { -170, 60, -110, 40, -80, 80, -80, 70, -5, 5, -8, 8, -70, 80, -30, 25, -80, 80, -60, 90, -20, 20, -10, 10 }),
-        (LimbArchetype.Bird, new short[] { -60, 60, -30, 20, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -12, 12, -8, 8, -95, 70, -15, 15, -16, 16 }),
+        (LimbArchetype.Bird, new short[] { -60, 60, -30, 20, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -14, 14, -8, 8, -95, 70, -15, 15, -16, 16 }),
         (LimbArchetype.Raptorial, new short[] { -100, 60, -60, 60, -40, 40, -60, 130, -10, 10, -10, 10, -130, 60, -12, 12, -16, 16, -40, 40, -10, 10, -10, 10 }),
         (LimbArchetype.Jumper, new short[] { -60, 60, -60, 60, -40, 40, -120, 30, -10, 10, -10, 10, -50, 50, -12, 12, -20, 20, -40, 40, -10, 10, -10, 10 }),
-        (LimbArchetype.FrogHind, new short[] { -60, 80, -60, 70, -60, 60, -30, 130, -15, 15, -20, 20, -130, 60, -25, 25, -25, 25, -70, 60, -25, 25, -10, 10 }),
-        (LimbArchetype.FrogFore, new short[] { -60, 60, -60, 60, -60, 60, -110, 30, -15, 15, -20, 20, -70, 70, -32, 32, -32, 32, -70, 60, -25, 25, -10, 10 }),
+        (LimbArchetype.FrogHind, new short[] { -60, 80, -60, 70, -60, 60, -30, 130, -15, 15, -20, 20, -130, 60, -28, 28, -28, 28, -70, 60, -25, 25, -10, 10 }),
+        (LimbArchetype.FrogFore, new short[] { -60, 60, -60, 60, -65, 65, -110, 30, -15, 15, -20, 20, -70, 70, -32, 32, -32, 32, -70, 60, -25, 25, -10, 10 }),
     };
 
     // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back.

@@ -28,11 +28,11 @@ public static class GaitLibrary
     /// <summary>Diagonal feet together.</summary>
     public static Gait Trot { get; } = new("Trot", new ListedPhases(0f, 0.5f, 0.5f, 0f), running, StrideLaw.Symmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 0.8f, Fastest = 2.5f, Lift = 1.15f, Track = 0.78f, Crouch = 0.03f,
+        LeastRows = 2, MostRows = 2, Comfortable = 0.8f, Fastest = 2.5f, Lift = 1.15f, Track = 0.78f, Crouch = 0.03f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Trot of sprawlers: feet stay longer on the ground.</summary>
-    public static Gait SprawlTrot { get; } = Trot with { Name = "SprawlTrot", Duty = new DutyLaw(0.60f, 0.12f, 0.40f, 0.56f), Comfortable = 0.5f, Fastest = 1.5f, Lift = 1f, Track = 0.9f, Crouch = 0.01f, BounceCap = 0.022f, ForeBias = 0f, HindBias = 0f };
+    public static Gait SprawlTrot { get; } = Trot with { Name = "SprawlTrot", Duty = new DutyLaw(0.60f, 0.12f, 0.40f, 0.56f), Comfortable = 0.5f, Fastest = 1.5f, Lift = 1f, Track = 0.9f, Crouch = 0.01f, BounceCap = 0.022f };
 
     /// <summary>Feet of one side together.</summary>
     public static Gait Pace { get; } = new("Pace", new ListedPhases(0f, 0.5f, 0.04f, 0.54f), running, StrideLaw.Symmetric)
@@ -43,13 +43,13 @@ public static class GaitLibrary
     /// <summary>Three-beat canter: right hind, then left hind with right fore, then left fore.</summary>
     public static Gait Canter { get; } = new("Canter", new ListedPhases(0.30f, 0f, 0.66f, 0.34f), new DutyLaw(0.50f, 0.10f, 0.34f, 0.42f), StrideLaw.Asymmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 1.6f, Fastest = 3.5f, Lift = 1.35f, Track = 0.78f, Crouch = 0.045f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading,
+        LeastRows = 2, MostRows = 2, Comfortable = 1.6f, Fastest = 3.5f, Lift = 1.35f, Track = 0.78f, Crouch = 0.045f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Gallop in which hind and fore feet follow in the same order: horses.</summary>
     public static Gait TransverseGallop { get; } = new("TransverseGallop", new ListedPhases(0.12f, 0f, 0.60f, 0.47f), galloping, StrideLaw.Asymmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 3f, Fastest = 14f, Lift = 1.55f, Track = 0.72f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading,
+        LeastRows = 2, MostRows = 2, Comfortable = 3f, Fastest = 14f, Lift = 1.55f, Track = 0.72f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Gallop in which the feet follow round the body: dogs and cats.</summary>
@@ -58,7 +58,7 @@ public static class GaitLibrary
     /// <summary>Hind feet together, then fore feet together.</summary>
     public static Gait Bound { get; } = new("Bound", new ListedPhases(0.03f, 0f, 0.50f, 0.46f), galloping, StrideLaw.Asymmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 2.2f, Fastest = 10f, Lift = 1.6f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f,
+        LeastRows = 2, MostRows = 2, Comfortable = 2.2f, Fastest = 10f, Lift = 1.6f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>All four feet together: gazelles.</summary>

@@ -22,8 +22,9 @@ internal readonly struct FoldLimit
     /// <param name="cosine">Of the angle.</param>
     /// <param name="sine">Of the angle.</param>
     /// <param name="leeway">How far from that end it may stay, as the chord of the difference on the unit circle.</param>
+    /// <param name="give">Share of that difference that it may stay beyond at least, 0..1.</param>
     /// <returns>The chord by which it was beyond; 0 for none.</returns>
-    public float Clamp(ref double cosine, ref double sine, float leeway)
+    public float Clamp(ref double cosine, ref double sine, float leeway, float give)
     {
         bool beyond = (sine < 0 && cosine < leastCosine) || (sine > 0 && cosine < mostCosine);
         if (!beyond)
@@ -41,7 +42,7 @@ internal readonly struct FoldLimit
             return (float)chord;
         }
 
-        double share = leeway / chord;
+        double share = Math.Max(leeway / chord, give);
         cosine = endCosine + (c * share);
         sine = endSine + (s * share);
         double length = Math.Sqrt((cosine * cosine) + (sine * sine));

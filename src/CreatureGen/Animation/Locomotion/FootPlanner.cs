@@ -36,11 +36,6 @@ internal sealed class FootPlanner
     /// <summary>How quickly a foot that sits out goes back to the middle of its stance, stances per second.</summary>
     private const float MidstanceRate = 3f;
 
-    /// <summary>Most by which a leg is drawn in towards the middle, part of the height of its hip.</summary>
-    private const float MostAdduction = 0.13f;
-
-    private const float ColumnAdduction = 0.03f;
-
     /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
     private const float AimRate = 15f;
 
@@ -247,8 +242,9 @@ internal sealed class FootPlanner
             Lift(leg, step, u < begun ? 0f : u);
         }
 
+        // A step of its own that the gait has caught up with goes on to the place of the gait's, however far it has come.
         foot.Swing = (u - foot.LiftAt) / (1f - foot.LiftAt);
-        if (foot.Swing < Frozen)
+        if ((foot.LiftAt < 0f ? u : foot.Swing) < Frozen)
         {
             Aim(leg, step, ahead);
         }
@@ -359,7 +355,7 @@ internal sealed class FootPlanner
         LegShape shape = body.Legs[leg];
         Vector3 home = shape.Home + ((shape.Gathered - shape.Home) * activity);
         float track = shape.Lateral ? Math.Max(clock.Shape.Track, 0.9f) : clock.Shape.Track;
-        track = Math.Max(track, 1f - ((shape.Traits.Archetype == Anatomy.LimbArchetype.Column ? ColumnAdduction : MostAdduction) * shape.HipRest.Y / Math.Max(Math.Abs(home.X), 1e-4f)));
+        track = Math.Max(track, 1f - (shape.Traits.MostAdduction * shape.HipRest.Y / Math.Max(Math.Abs(home.X), 1e-4f)));
         home.X *= 1f - ((1f - track) * activity);
         if (shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2)
         {

@@ -32,6 +32,10 @@ internal static class FootPoser
 
     private const float BumpRate = 12f;
 
+    /// <summary>Share of its way over the ground that a swinging foot has gone.</summary>
+    /// <param name="swing">Progress of the swing, 0..1.</param>
+    public static float Along(float swing) => Scalar.Smooth(swing * (0.93f + (0.07f * swing)));
+
     /// <summary>Poses a foot.</summary>
     public static void Pose(LegShape leg, ref Foot foot, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
     {
@@ -45,7 +49,7 @@ internal static class FootPoser
         {
             float u = foot.Swing;
             Vector3 to = frame.ToModel(foot.To.Position);
-            float r = Scalar.Smooth(u * (0.93f + (0.07f * u)));
+            float r = Along(u);
             float climb = to.Y > from.Y ? Scalar.Smooth(u / 0.6f) : Scalar.Smooth((u - 0.4f) / 0.6f);
             float height = from.Y + ((to.Y - from.Y) * climb);
             from += (to - from) * r;

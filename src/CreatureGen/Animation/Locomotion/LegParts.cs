@@ -7,14 +7,14 @@ namespace CreatureGen.Animation.Locomotion;
 /// <summary>The two parts of a leg that are solved for, at rest, with all that follows from their lengths and from how they stand to the hinge between them.</summary>
 internal readonly struct LegParts
 {
-    private static readonly double leastBendCosine = PortableMath.Cos(0.2094);
     private static readonly double mostBendCosine = PortableMath.Cos(2.618);
 
     /// <summary>Measures the parts.</summary>
     /// <param name="upper">From the hip to the hinge, or, with the metatarsus folded, their sum; metres.</param>
     /// <param name="lower">From the hinge to the end, metres.</param>
     /// <param name="hinge">Unit.</param>
-    public LegParts(Vector3 upper, Vector3 lower, Vector3 hinge)
+    /// <param name="leastBendCosine">Cosine of the bend at its straightest.</param>
+    public LegParts(Vector3 upper, Vector3 lower, Vector3 hinge, double leastBendCosine)
     {
         Upper = upper;
         float alongUpper = Vec.Dot(upper, hinge);

@@ -18,6 +18,9 @@ internal sealed class LegPoser
     /// <summary>Part of a swing in which a leg that stood beyond its limits comes back within them.</summary>
     private const float Release = 0.35f;
 
+    /// <summary>Part of a swing from which on a leg that will stand beyond its limits goes there.</summary>
+    private const float Arrival = 0.85f;
+
     private readonly LeggedBody body;
     private readonly RestTurns turns;
 
@@ -78,15 +81,16 @@ internal sealed class LegPoser
 
         float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
         float leeway = Leeway(foot);
+        float give = foot.Phase == FootPhase.Swing ? Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival)) : 0f;
         LegParts folded = default;
         scoped ref readonly LegParts parts = ref leg.Parts;
         if (pose.Fold != 0f)
         {
-            folded = new LegParts(leg.Thigh + Vec.Rotate(leg.Metatarsus, leg.Hinge, pose.Fold), leg.Shank, leg.Hinge);
+            folded = new LegParts(leg.Thigh + Vec.Rotate(leg.Metatarsus, leg.Hinge, pose.Fold), leg.Shank, leg.Hinge, leg.LeastBendCosine);
             parts = ref folded;
         }
 
-        LegSolver.Solve(leg, parts, chord, side, slack, leeway, out LegTurns solved);
+        LegSolver.Solve(leg, parts, chord, side, slack, leeway, give, out LegTurns solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Slide(local, leg.Girdle, slide);
@@ -96,7 +100,7 @@ internal sealed class LegPoser
         float strain = solved.Strain;
         if (bounds)
         {
-            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway);
+            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway, give);
             strain = Math.Max(strain, hips);
             if (hips > leeway)
             {
@@ -120,17 +124,41 @@ internal sealed class LegPoser
         turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
         if (bounds)
         {
-            strain = Math.Max(strain, Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, leeway));
-            strain = Math.Max(strain, Bound(local.Rotations, leg.Ball, leg.BallJoint, leeway));
+            if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral && foot.Phase == FootPhase.Swing)
+            {
+                FoldBack(leg, leeway, give, ref local.Rotations[leg.Ankle]);
+            }
+
+            strain = Math.Max(strain, Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, leeway, give));
+            strain = Math.Max(strain, Bound(local.Rotations, leg.Ball, leg.BallJoint, leeway, give));
             foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : strain;
         }
     }
 
-    /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps.</summary>
+    /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps; as it comes down it goes as far beyond them as it will stand.</summary>
     private static float Leeway(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
 
+    /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
+    private static void FoldBack(LegShape leg, float leeway, float give, ref Quaternion ankle)
+    {
+        Quaternion folded = Rotation.Multiply(leg.AnkleJoint.LocalRotation, leg.AnkleFolded);
+        Quaternion beyond = Rotation.Multiply(Rotation.Inverse(folded), ankle);
+        float sign = beyond.W < 0f ? -1f : 1f;
+        if (sign * beyond.X * leg.AnkleFolded.X <= 0f)
+        {
+            return;
+        }
+
+        float sine = Math.Abs(beyond.X);
+        float taken = 1f - Math.Max(Math.Min(leeway / sine, 1f), give);
+        float back = -beyond.X * sign * taken;
+        float on = 1f - taken + (beyond.W * sign * taken);
+        float scale = 1f / (float)Math.Sqrt((back * back) + (on * on));
+        ankle = Rotation.Multiply(folded, Rotation.Multiply(beyond, new Quaternion(back * scale, 0f, 0f, on * scale)));
+    }
+
     /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
-    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float leeway)
+    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float leeway, float give)
     {
         Quaternion turn = rotations[index];
         Quaternion bounded = SwingTwistLimit.ClampLocal(turn, joint);
@@ -144,9 +172,10 @@ internal sealed class LegPoser
         float z = turn.Z - bounded.Z;
         float w = turn.W - bounded.W;
         float chord = (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
-        if (chord > leeway)
+        float kept = Math.Max(leeway / chord, give);
+        if (kept < 1f)
         {
-            rotations[index] = leeway > 0f ? UnitTurn.Nlerp(bounded, turn, leeway / chord) : bounded;
+            rotations[index] = kept > 0f ? UnitTurn.Nlerp(bounded, turn, kept) : bounded;
         }
 
         return chord;

@@ -94,9 +94,10 @@ internal sealed class LegShape
         Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
         AcrossSign = Vec.Dot(across, Hinge) < 0f ? -1f : 1f;
         Skew = Hinge - (across * AcrossSign);
-        parts = new LegParts(upper, Shank, Hinge);
         HipJoint = skeleton.Joints[Hip];
         AnkleJoint = skeleton.Joints[Ankle];
+        AngleRange ankle = AnkleJoint.Limit.SwingX;
+        AnkleFolded = Rotation.FromAxisAngle(Vector3.UnitX, ankle.Max > -ankle.Min ? ankle.Max : ankle.Min);
         BallJoint = skeleton.Joints[Ball];
         Vector3 a = Vec.Reject(upper, Hinge);
         Vector3 b = Vec.Reject(Shank, Hinge);
@@ -105,9 +106,13 @@ internal sealed class LegShape
         KneeFold = new FoldLimit(fold);
         bool straight = Math.Abs(turn) < Straight * Vec.Length(a) * Vec.Length(b);
         BendSign = straight || Traits.Linkage == LegLinkage.Pantograph ? (fold.Max >= -fold.Min ? 1 : -1) : turn >= 0f ? 1 : -1;
+        double bend = BendSign * PortableMath.Atan2(turn, Vec.Dot(a, b));
+        double straightens = BendSign > 0 ? -fold.Min : fold.Max;
+        LeastBendCosine = PortableMath.Cos(Math.Max(LeastBend, bend - straightens));
+        parts = new LegParts(upper, Shank, Hinge, LeastBendCosine);
         double la = Vec.Length(a);
         double lb = Vec.Length(b);
-        Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(LeastBend)));
+        Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * LeastBendCosine));
         LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
         Stoop = stoop;
@@ -277,13 +282,19 @@ internal sealed class LegShape
     /// <summary>Limits and rest of the ankle.</summary>
     public Joint AnkleJoint { get; }
 
+    /// <summary>Turn of the ankle from rest at its limit on the side to which it folds farther.</summary>
+    public Quaternion AnkleFolded { get; }
+
     /// <summary>Limits and rest of the ball.</summary>
     public Joint BallJoint { get; }
 
     /// <summary>Sign of the knee's bend about the hinge.</summary>
     public int BendSign { get; }
 
-    /// <summary>Greatest distance that the two solved parts span, nearly straight.</summary>
+    /// <summary>Cosine of the knee's bend at its straightest: nearly straight, or where its limit ends.</summary>
+    public double LeastBendCosine { get; }
+
+    /// <summary>Greatest distance that the two solved parts span, the knee at its straightest.</summary>
     public float Reach { get; }
 
     /// <summary>Least distance that they span, folded.</summary>

@@ -90,6 +90,14 @@ internal sealed class LegTraits
     /// <summary>How the bones share the work.</summary>
     public LegLinkage Linkage { get; }
 
+    /// <summary>How far the leg is drawn in towards the middle at most, part of the height of its hip: as far as its foot gives way to a side.</summary>
+    public float MostAdduction => Archetype switch
+    {
+        LimbArchetype.Column => 0.03f,
+        LimbArchetype.PlantigradeFore => 0.10f,
+        _ => 0.13f,
+    };
+
     /// <summary>Side to which the knee bends about the left axis: 1 knee, −1 elbow, 0 as it is built (legs out to the side).</summary>
     public int Bend { get; }
 

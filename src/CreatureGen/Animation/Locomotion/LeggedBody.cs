@@ -193,10 +193,10 @@ internal sealed class LeggedBody
         return standing.Count == 0 ? null : new LeggedBody(creature, standing.ToArray());
     }
 
-    /// <summary>The longest way that the feet can go along the ground in a stance without drawing the body down too far, metres.</summary>
+    /// <summary>The longest way that the feet can go along the ground in a stance without drawing the body down too far or running into one another, metres.</summary>
     public float LongestStance(Gaits.Gait gait)
     {
-        float most = float.MaxValue;
+        float most = Overreach.LongestStance(this, gait);
         foreach (LegShape leg in Legs)
         {
             bool front = Rows > 1 && leg.Row == Rows - 1;

@@ -8,7 +8,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Metrics;
 
-/// <summary>Measures the feet of a creature that goes on them: sliding, sinking, floating, clearance, legs that fall short, feet down, and how the pelvis rises and falls.</summary>
+/// <summary>Measures the feet of a creature that goes on them: sliding, sinking, floating, clearance, legs that fall short or go into one another, feet down, and how the pelvis rises and falls.</summary>
 internal sealed class FeetRecorder
 {
     private const float FlatFrom = 0.17f;
@@ -18,6 +18,7 @@ internal sealed class FeetRecorder
     private readonly CreatureAnimator animator;
     private readonly LeggedBody body;
     private readonly FootSkin[] skins;
+    private readonly LegOverlap overlap;
     private readonly Vector3?[] flatAt;
     private readonly Vector3[] lastMiddle;
     private int frames;
@@ -43,6 +44,7 @@ internal sealed class FeetRecorder
     {
         this.animator = animator;
         this.body = body;
+        overlap = new LegOverlap(body);
         skins = new FootSkin[body.Legs.Length];
         flatAt = new Vector3?[skins.Length];
         lastMiddle = new Vector3[skins.Length];
@@ -74,6 +76,7 @@ internal sealed class FeetRecorder
             }
         }
 
+        overlap.Measure(model);
         frames++;
         leastSupport = Math.Min(leastSupport, down);
         support += down;
@@ -111,6 +114,7 @@ internal sealed class FeetRecorder
             LeastSupport = leastSupport,
             MeanSupport = support / (float)frames,
             Bob = (highest - lowest) / length,
+            LegOverlap = overlap.Deepest / length,
         };
     }
 

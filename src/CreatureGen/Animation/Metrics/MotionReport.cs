@@ -48,4 +48,7 @@ public sealed record MotionReport(int Frames, float Seconds, float LimitExcess, 
 
     /// <summary>Rise and fall of the pelvis from its lowest to its highest.</summary>
     public float? Bob { get; init; }
+
+    /// <summary>Deepest that two legs went into one another, by the capsules of their bones, beyond what the same bones do at rest.</summary>
+    public float? LegOverlap { get; init; }
 }

@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Animation.Locomotion;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Metrics;
+
+/// <summary>How deep the legs of a creature go into one another, by the capsules of their bones, beyond what these do at rest.</summary>
+internal sealed class LegOverlap
+{
+    private readonly CapsuleCollider[] capsules;
+    private readonly int[] legs;
+    private readonly float[] rest;
+    private readonly Vector3[] starts;
+    private readonly Vector3[] ends;
+
+    public LegOverlap(LeggedBody body)
+    {
+        var found = new List<CapsuleCollider>();
+        var owners = new List<int>();
+        for (int i = 0; i < body.Legs.Length; i++)
+        {
+            LegShape leg = body.Legs[i];
+            foreach (CapsuleCollider capsule in body.Creature.Bones)
+            {
+                if (capsule.Joint == leg.Hip || capsule.Joint == leg.Knee || capsule.Joint == leg.Ankle || capsule.Joint == leg.Ball)
+                {
+                    found.Add(capsule);
+                    owners.Add(i);
+                }
+            }
+        }
+
+        capsules = found.ToArray();
+        legs = owners.ToArray();
+        starts = new Vector3[capsules.Length];
+        ends = new Vector3[capsules.Length];
+        rest = new float[capsules.Length * capsules.Length];
+        Move(body.Skeleton.ModelPositions, body.Skeleton.ModelRotations);
+        for (int i = 0; i < capsules.Length; i++)
+        {
+            for (int k = 0; k < i; k++)
+            {
+                rest[(i * capsules.Length) + k] = Math.Max(0f, Depth(i, k));
+            }
+        }
+    }
+
+    /// <summary>The pair of legs that went deepest into one another in any pose so far.</summary>
+    public (int First, int Second) Worst { get; private set; } = (-1, -1);
+
+    /// <summary>How deep they did, metres; 0 for not at all.</summary>
+    public float Deepest { get; private set; }
+
+    /// <summary>Measures a pose.</summary>
+    /// <param name="model">In model space.</param>
+    public void Measure(in Pose model)
+    {
+        Move(model.Positions, model.Rotations);
+        for (int i = 0; i < capsules.Length; i++)
+        {
+            for (int k = 0; k < i && legs[k] != legs[i]; k++)
+            {
+                float depth = Depth(i, k) - rest[(i * capsules.Length) + k];
+                if (depth > Deepest)
+                {
+                    Deepest = depth;
+                    Worst = (legs[k], legs[i]);
+                }
+            }
+        }
+    }
+
+    private void Move(ReadOnlySpan<Vector3> positions, ReadOnlySpan<Quaternion> rotations)
+    {
+        for (int i = 0; i < capsules.Length; i++)
+        {
+            int joint = capsules[i].Joint;
+            starts[i] = positions[joint] + Rotation.Rotate(rotations[joint], capsules[i].Start);
+            ends[i] = positions[joint] + Rotation.Rotate(rotations[joint], capsules[i].End);
+        }
+    }
+
+    private float Depth(int i, int k) => capsules[i].Radius + capsules[k].Radius - (float)Math.Sqrt(SegmentDistance.Squared(starts[i], ends[i], starts[k], ends[k]));
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Animation;
+using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.Locomotion;
+using CreatureGen.Animation.Metrics;
+using CreatureGen.Rigging;
+using Xunit;
+
+namespace CreatureGen.Tests.Animation.Metrics;
+
+public sealed class LegOverlapTests
+{
+    [Fact]
+    public void Legs_at_rest_do_not_overlap_and_those_that_are_put_into_one_another_do()
+    {
+        var profile = new MotionProfile(Walkers.Any(22));
+        LeggedBody body = profile.Legs!;
+        var overlap = new LegOverlap(body);
+        var animator = new CreatureAnimator(profile);
+        Pose model = animator.ModelPose;
+        body.Skeleton.ModelPositions.CopyTo(model.Positions);
+        body.Skeleton.ModelRotations.CopyTo(model.Rotations);
+        overlap.Measure(model);
+        Assert.Equal(0f, overlap.Deepest);
+        Assert.Equal((-1, -1), overlap.Worst);
+
+        // The left foremost leg is moved over into the right one.
+        LegShape left = body.Legs.First(leg => leg.Side == CreatureGen.Anatomy.Side.Left);
+        int other = Array.FindIndex(body.Legs, leg => leg.Side != left.Side && leg.Row == left.Row);
+        Vector3 way = body.Legs[other].Home - left.Home;
+        foreach (int joint in new[] { left.Hip, left.Knee, left.Ankle, left.Ball })
+        {
+            model.Positions[joint] += way;
+        }
+
+        overlap.Measure(model);
+        float radius = body.Creature.Bones.Single(bone => bone.Joint == left.Ankle).Radius;
+        Assert.True(overlap.Deepest > radius, $"{overlap.Deepest} m");
+        Assert.Contains(other, new[] { overlap.Worst.First, overlap.Worst.Second });
+    }
+
+    [Fact]
+    public void Hind_feet_of_four_footed_walkers_do_not_run_into_their_fore_feet()
+    {
+        var found = new List<float>();
+        for (ulong seed = 9000; seed < 9050; seed++)
+        {
+            var profile = new MotionProfile(Walkers.Any(seed));
+            if (profile.Legs?.Rows != 2)
+            {
+                continue;
+            }
+
+            foreach (MotionTrial trial in MotionTrial.Of(profile).Where(trial => trial.Hertz == 60f && trial.Relief == GroundRelief.Flat))
+            {
+                float overlap = trial.Run(profile).LegOverlap!.Value;
+                Assert.True(overlap < 0.1f, $"{seed} {trial.Movement.GaitName}: legs {overlap} leg lengths into one another");
+                found.Add(overlap);
+            }
+        }
+
+        Assert.True(found.Count > 60);
+        Assert.True(found.Count(overlap => overlap > 0.02f) < 0.15f * found.Count, $"{found.Count(overlap => overlap > 0.02f)} of {found.Count}");
+    }
+}
