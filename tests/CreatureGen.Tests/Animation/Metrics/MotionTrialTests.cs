@@ -88,7 +88,7 @@ public sealed class MotionTrialTests
         var profile = new MotionProfile(SpeciesSubject.Of("mantis", RequestedKind.Walking, (ulong)seed));
         MotionTrial trial = MotionTrial.Of(profile).Single(t => t.Movement.GaitName == "Crawl" && t.Relief == GroundRelief.Rough && t.Hertz == 144f);
         MotionReport report = trial.Run(profile);
-        Assert.True(report.LimitExcess < 0.2f, $"{seed}: a joint is {report.LimitExcess} rad beyond its limits");
+        Assert.True(report.LimitExcess < 0.25f, $"{seed}: a joint is {report.LimitExcess} rad beyond its limits");
         Assert.True(report.PoseJump < 4f, $"{seed}: the pose jumps by {report.PoseJump} times its usual change");
     }
 }

@@ -72,8 +72,10 @@ internal sealed class FlightLegs
 
         for (int k = 0; k < chain.Count && k < turns.Length; k++)
         {
-            chain.Write(local, Side.Left, k, turns[k]);
-            chain.Write(local, Side.Right, k, turns[k]);
+            // Hips and knees put the foot where it will stand; the foot itself turns as far as it can.
+            Quaternion turn = k >= Ankle ? chain.Limit(k, turns[k]) : turns[k];
+            chain.Write(local, Side.Left, k, turn);
+            chain.Write(local, Side.Right, k, turn);
         }
     }
 
