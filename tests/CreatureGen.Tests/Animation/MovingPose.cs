@@ -84,9 +84,9 @@ internal sealed class MovingPose
     /// <summary>Angle between two rotations, radians.</summary>
     public static double Between(Quaternion a, Quaternion b) => Rotation.Angle(Rotation.Multiply(Rotation.Inverse(a), b));
 
-    /// <summary>Bytes that each twenty calls of an action allocate on this thread, the first two left out.</summary>
+    /// <summary>Bytes that so many calls of an action allocate on this thread, the first two left out.</summary>
     /// <remarks>The least of several rounds: what the action allocates shows in every one; what the runtime does once (compiling a method anew, a collection that takes the thread's buffer) does not.</remarks>
-    public static long Allocated(Action action)
+    public static long Allocated(Action action, int calls = 20)
     {
         action();
         action();
@@ -94,7 +94,7 @@ internal sealed class MovingPose
         for (int round = 0; round < 5 && least > 0; round++)
         {
             long before = GC.GetAllocatedBytesForCurrentThread();
-            for (int i = 0; i < 20; i++)
+            for (int i = 0; i < calls; i++)
             {
                 action();
             }

@@ -333,14 +333,7 @@ public sealed class FlightMotionTests
         FlightProfile profile = FlightProfile.Of(creature);
         var body = new StrokeSubject(creature);
         FlightState state = FlightState.InAir(profile);
-        FlightMotion.Update(profile, Level(profile), ref state, 0.01f, body.Local);
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        for (int i = 0; i < 200; i++)
-        {
-            FlightMotion.Update(profile, Level(profile), ref state, 0.01f, body.Local);
-        }
-
-        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        Assert.Equal(0, MovingPose.Allocated(() => FlightMotion.Update(profile, Level(profile), ref state, 0.01f, body.Local), 200));
     }
 
     [Fact]

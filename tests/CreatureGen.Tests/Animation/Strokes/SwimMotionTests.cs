@@ -280,14 +280,7 @@ public sealed class SwimMotionTests
         SwimProfile profile = SwimProfile.Of(creature);
         var body = new StrokeSubject(creature);
         var state = default(SwimState);
-        SwimMotion.Update(profile, new SwimInput(1), ref state, 0.01f, body.Local);
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        for (int i = 0; i < 200; i++)
-        {
-            SwimMotion.Update(profile, new SwimInput(1, 0.3f), ref state, 0.01f, body.Local);
-        }
-
-        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        Assert.Equal(0, MovingPose.Allocated(() => SwimMotion.Update(profile, new SwimInput(1, 0.3f), ref state, 0.01f, body.Local), 200));
     }
 
     [Fact]
