@@ -1,9 +1,11 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Animation;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.Metrics;
 using CreatureGen.Creatures;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Animation.Metrics;
@@ -17,7 +19,7 @@ public class MotionQualityTests
     public void Feet_of_any_walker_stay_where_they_stand_and_clear_the_ground_in_all_its_gaits(float rate, int firstSeed)
     {
         int stances = 0;
-        foreach ((MotionReport report, string name) in Record(firstSeed, 40, rate, GroundRelief.Flat))
+        foreach ((MotionReport report, string name) in Record(firstSeed, 100, rate, GroundRelief.Flat))
         {
             // Targets of docs/motion.md, in leg lengths.
             Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
@@ -31,7 +33,7 @@ public class MotionQualityTests
             stances++;
         }
 
-        Assert.True(stances > 60);
+        Assert.True(stances > 150);
     }
 
     [Fact]
@@ -45,11 +47,14 @@ public class MotionQualityTests
         }
     }
 
-    [Fact]
-    public void On_hills_feet_neither_slide_nor_sink()
+    [Theory]
+    [InlineData(30f, 7000)]
+    [InlineData(60f, 7100)]
+    [InlineData(144f, 7200)]
+    public void On_hills_feet_neither_slide_nor_sink(float rate, int firstSeed)
     {
         var sunk = new List<float>();
-        foreach ((MotionReport report, string name) in Record(7000, 25, 60f, GroundRelief.Rough))
+        foreach ((MotionReport report, string name) in Record(firstSeed, 100, rate, GroundRelief.Rough))
         {
             Assert.True(report.Slip <= 0.01f, $"{name}: slip {report.Slip}");
             sunk.Add(report.MeanPenetration ?? 0f);
@@ -57,6 +62,26 @@ public class MotionQualityTests
 
         sunk.Sort();
         Assert.True(sunk[sunk.Count / 2] < 0.02f, $"median {sunk[sunk.Count / 2]}");
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Flying, 30f, 1000)]
+    [InlineData(RequestedKind.Flying, 60f, 2000)]
+    [InlineData(RequestedKind.Flying, 144f, 3000)]
+    [InlineData(RequestedKind.Swimming, 30f, 1000)]
+    [InlineData(RequestedKind.Swimming, 60f, 2000)]
+    [InlineData(RequestedKind.Swimming, 144f, 3000)]
+    public void No_joint_of_a_flier_or_swimmer_goes_beyond_its_limits(RequestedKind kind, float rate, int firstSeed)
+    {
+        for (int seed = firstSeed; seed < firstSeed + 100; seed++)
+        {
+            var profile = new MotionProfile(CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = kind }));
+            foreach (MotionTrial trial in MotionTrial.Of(profile).Where(trial => trial.Hertz == rate && trial.Relief == GroundRelief.Flat && trial.Movement.Gait == null))
+            {
+                MotionReport report = trial.Run(profile);
+                Assert.True(report.LimitViolations == 0, $"{kind} {seed} {trial.Movement.GaitName}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by up to {report.LimitExcess} rad");
+            }
+        }
     }
 
     private static IEnumerable<(MotionReport Report, string Name)> Record(int firstSeed, int seeds, float rate, GroundRelief relief)

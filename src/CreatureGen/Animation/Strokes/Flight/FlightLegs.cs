@@ -65,15 +65,16 @@ internal sealed class FlightLegs
         turns[2] = lateral ? AxisTurn.Roll(posture.Knee) : AxisTurn.Pitch(posture.Knee);
         turns[3] = lateral ? AxisTurn.Roll(-0.5 * posture.Ankle) : AxisTurn.Pitch(posture.Ankle + dangle);
         turns[4] = lateral ? AxisTurn.Roll(-0.5 * posture.Ball) : AxisTurn.Pitch(posture.Ball);
-        if (Stands && stroke.Planted > LeastPlanted)
+        bool plants = Stands && stroke.Planted > LeastPlanted;
+        if (plants)
         {
             Plant(turns, stroke, body, bodyPivot, bodyNow);
         }
 
         for (int k = 0; k < chain.Count && k < turns.Length; k++)
         {
-            // Hips and knees put the foot where it will stand; the foot itself turns as far as it can.
-            Quaternion turn = k >= Ankle ? chain.Limit(k, turns[k]) : turns[k];
+            // Hips and knees that put the foot where it will stand do so; all else turns as far as it can.
+            Quaternion turn = plants && k < Ankle ? turns[k] : chain.Limit(k, turns[k]);
             chain.Write(local, Side.Left, k, turn);
             chain.Write(local, Side.Right, k, turn);
         }
