@@ -51,12 +51,12 @@ internal static class CycleDiagram
         }
     }
 
-    /// <summary>The moment at a column: the pictures are in the middle of their eighths.</summary>
+    /// <summary>The moment at a column: the pictures are in the middle of their eighths. What happens once is before its first picture as it is there.</summary>
     private static int MomentAt(Film film, int column, int width)
     {
         int moments = film.Take.StrokeMoments;
         double moment = ((column + 0.5) / width * moments) - (moments / (2.0 * Take.StripFrames));
-        return (int)Math.Floor(moment + moments) % moments;
+        return film.Movement.IsCyclic ? (int)Math.Floor(moment + moments) % moments : Math.Max(0, (int)Math.Floor(moment));
     }
 
     private static void DrawBars(Picture picture, Film film, LeggedBody body, int left, int top, int width)
