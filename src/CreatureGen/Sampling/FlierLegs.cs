@@ -26,6 +26,9 @@ internal static class FlierLegs
     /// <summary>How far a body is pitched at a time to stand, degrees: more would change how it flies.</summary>
     private const double MostPitch = 4;
 
+    /// <summary>By which part of the feet's hull a flier's centre of mass is to lie inside it: that of spread wings is estimated.</summary>
+    private const double SafeMargin = 0.1;
+
     /// <summary>Shortest leg relative to the body's length.</summary>
     private const double ShortestLeg = 0.05;
 
@@ -92,12 +95,16 @@ internal static class FlierLegs
         (BodyPosture posture, double elevation, double raised, BodyShape shape) = (draft.Posture, draft.Elevation, draft.Raised, draft.Shape);
         StanceSampler.Lower(draft, Math.Min(MeanTip(flying.Legs), StanceSampler.Lowest(draft.Shape, 20, 44) - (LeastClearance * draft.TorsoLength)));
         SocketSet set = SetOf(draft, flying, anatomy);
-        WalkingPlacement placement = LegSampler.Settle(draft, _ => set, anatomy.Size);
-        if (placement.Balance is { Pitch: 0 } balance && balance.Remedy != BalanceRemedy.AddPairOrTail)
+        if (IsCarried(LegSampler.Settle(draft, _ => set, anatomy.Size)))
         {
+            // A raised head or tail moves the centre of mass: the feet are placed under the body as it is.
             StanceSampler.Clear(draft);
-            LegSampler.AddStanding(draft, style, placement, set, anatomy.Size);
-            return;
+            WalkingPlacement placement = LegSampler.Settle(draft, _ => set, anatomy.Size);
+            if (IsCarried(placement))
+            {
+                LegSampler.AddStanding(draft, style, placement, set, anatomy.Size);
+                return;
+            }
         }
 
         // No legs at these places carry it: they hang, and it stays in the air.
@@ -108,6 +115,8 @@ internal static class FlierLegs
             LegSampler.Add(draft, style, leg.Site.Archetype, LegStance.Hanging, leg.Socket, leg.RootRadius, leg.Length, splayed ? leg.Reach : leg.Length, leg.Site.Azimuth, splayed ? 0 : HangingShear, leg.Site.Bounds.Pad);
         }
     }
+
+    private static bool IsCarried(WalkingPlacement placement) => placement.Balance is { Pitch: 0 } balance && balance.Remedy != BalanceRemedy.AddPairOrTail;
 
     private static double MeanTip(IReadOnlyList<LegPlacement> legs)
     {
@@ -149,7 +158,7 @@ internal static class FlierLegs
         }
 
         double forward = places.Count == 1 ? 0.5 : 0.3;
-        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MostPitch, 1.6, draft.Plan, draft.Plan);
+        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MostPitch, 1.6, draft.Plan, draft.Plan) { BalanceMargin = SafeMargin };
         return new SocketSet(draft.Plan, places, places.Count, null, stance) { TakesAll = true };
     }
 }

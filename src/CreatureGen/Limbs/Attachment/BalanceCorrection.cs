@@ -34,4 +34,8 @@ internal sealed record BalanceCorrection(BalanceRemedy Remedy, double Shift, dou
 /// <param name="Pivot">The hips that the torso is pitched about.</param>
 /// <param name="MaximumPitch">How far it may be pitched either way, radians.</param>
 /// <param name="MaximumFootGrowth">Largest factor on the feet, at least 1.</param>
-internal readonly record struct BalanceLimits(double RearmostShift, double ForemostShift, SagittalPoint Pivot, double MaximumPitch, double MaximumFootGrowth);
+internal readonly record struct BalanceLimits(double RearmostShift, double ForemostShift, SagittalPoint Pivot, double MaximumPitch, double MaximumFootGrowth)
+{
+    /// <summary>By which part of the hull's width the centre of mass must lie inside it.</summary>
+    public double LeastMargin { get; init; } = Balance.LeastMargin;
+}

@@ -19,4 +19,8 @@ internal sealed record StanceLimits(
     double MaximumPitchDegrees,
     double MaximumFootGrowth,
     BodyPlan LowerPlan,
-    BodyPlan FewerPlan);
+    BodyPlan FewerPlan)
+{
+    /// <summary>By which part of the width of the feet's hull the centre of mass must lie inside it: more where the rules know the weight less well.</summary>
+    public double BalanceMargin { get; init; } = Balance.LeastMargin;
+}
