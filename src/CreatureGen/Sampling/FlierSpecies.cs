@@ -19,7 +19,7 @@ internal static class FlierSpecies
             Dominance = (0.92, 0.97),
             Kinship = 0,
             Eye = (9.4, 5.4), EyeSize = 0.24,
-            HeadOrnament = (1, 0), Ears = Ears((EarShape.Big, 1), (EarShape.Pointed, 0.4)),
+            HeadOrnament = (1, 0), Ears = Weights.Of((EarShape.Big, 1), (EarShape.Pointed, 0.4)),
             FlyingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Flapping, 1) },
             WingMembrane = 1, FlierLegPairs = 1,
             Parts = System.Array.Empty<PartSlot>(),
@@ -49,7 +49,7 @@ internal static class FlierSpecies
                     new PartChoice(0.8, new PartKit(new FeatureBlueprint(FeatureKind.Plate, 5, 0, 0.2, 0.12, 0.9, 0.2, -0.3, 0, 0, 0, 0, 0.2, 0.6), 0.8, 1.3)),
                     new PartChoice(0.8)),
             },
-            Patterns = Patterns((PatternKind.Saddle, 1), (PatternKind.Bands, 0.6), (PatternKind.Mottle, 0.6), (PatternKind.Plain, 0.6)),
+            Patterns = Weights.Of((PatternKind.Saddle, 1), (PatternKind.Bands, 0.6), (PatternKind.Mottle, 0.6), (PatternKind.Plain, 0.6)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.50, 0.06, 60)) { Pattern = new Tint(0.34, 0.05, 50), Kind = PatternKind.Saddle, Accent = new Tint(0.58, 0.17, 35) },
@@ -58,9 +58,4 @@ internal static class FlierSpecies
             },
         },
     };
-
-    private static Weighted<EarShape>[] Ears(params (EarShape Shape, double Weight)[] ears) => System.Array.ConvertAll(ears, e => new Weighted<EarShape>(e.Shape, e.Weight));
-
-    private static Weighted<PatternKind>[] Patterns(params (PatternKind Pattern, double Weight)[] patterns) =>
-        System.Array.ConvertAll(patterns, p => new Weighted<PatternKind>(p.Pattern, p.Weight));
 }

@@ -180,7 +180,7 @@ internal static class InsectSpecies
                     Part(new FeatureBlueprint(FeatureKind.Antenna, 2.5, 9.5, 0.26, 0.024, 0, 0.2, 0.8, 0.55, -0.75, 0.35, -0.1, 0.45, 0.4), 0.9, 1.1))),
                 new PartSlot(new PartChoice(1, Ocellus(5.2, 1.3, 0.026), Ocellus(6.2, 5.4, 0.021), Ocellus(9.4, 2.6, 0.021), Ocellus(9.8, 5.4, 0.02))),
             },
-            Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Mottle, 0.7), (PatternKind.Patches, 0.6), (PatternKind.Plain, 0.5)),
+            Patterns = Weights.Of((PatternKind.Bands, 1), (PatternKind.Mottle, 0.7), (PatternKind.Patches, 0.6), (PatternKind.Plain, 0.5)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.30, 0.03, 60)) { Pattern = new Tint(0.6, 0.08, 70), Kind = PatternKind.Mottle },
@@ -272,7 +272,7 @@ internal static class InsectSpecies
             Legs = new LegKit { Sites = Sixth(0.45, -0.05, -0.6), Reach = (0.2, 0.24), Height = (0.14, 0.2), Thickness = 0.036 },
             Wings = new ThinWings { Spread = new[] { new ThinWing(26, 1.0, 0.66, -10, 16), new ThinWing(30, 0.66, 0.56, -50, 10) } },
             Parts = new[] { new PartSlot(new PartChoice(1, Part(Feeler(6, 2.6, 0.3, 0.03, 0.75, 0.8, 0.5, 0.15, 0.3, 0.2), 0.85, 1.15))) },
-            Patterns = Patterns((PatternKind.Mottle, 1), (PatternKind.Bands, 0.6), (PatternKind.Spots, 0.6)),
+            Patterns = Weights.Of((PatternKind.Mottle, 1), (PatternKind.Bands, 0.6), (PatternKind.Spots, 0.6)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.62, 0.05, 70)) { Pattern = new Tint(0.4, 0.05, 55), Kind = PatternKind.Mottle, Accent = new Tint(0.52, 0.08, 60) },
@@ -319,7 +319,4 @@ internal static class InsectSpecies
 
     private static PartKit Ocellus(double ring, double segment, double radius) =>
         Part(new FeatureBlueprint(FeatureKind.Ocellus, ring, segment, radius * 1.1, radius, 1, 0, 0, 0, 0, 0, 0, 1, 0.42), 1, 1);
-
-    private static Weighted<PatternKind>[] Patterns(params (PatternKind Pattern, double Weight)[] patterns) =>
-        System.Array.ConvertAll(patterns, p => new Weighted<PatternKind>(p.Pattern, p.Weight));
 }

@@ -16,9 +16,9 @@ internal static class MammalSpecies
         {
             Partners = new[] { "feline", "feline", "canine", "feline" },
             HipHeight = (0.62, 0.77),
-            WalkingPlans = Only(BodyPlan.Digitigrade),
+            WalkingPlans = Weights.Of((BodyPlan.Digitigrade, 1)),
             HeadSize = (1.16, 0.7),
-            EyeSize = 0.33, SlitPupils = 0, Ears = Ears((EarShape.Round, 1)),
+            EyeSize = 0.33, SlitPupils = 0, Ears = Weights.Of((EarShape.Round, 1)),
             Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckKits.Ruff }) },
             Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1) },
             Colourings = new[]
@@ -32,9 +32,9 @@ internal static class MammalSpecies
         {
             Partners = new[] { "canine", "feline", "canine", "canine" },
             HipHeight = (0.65, 0.83),
-            WalkingPlans = Only(BodyPlan.Digitigrade),
+            WalkingPlans = Weights.Of((BodyPlan.Digitigrade, 1)),
             HeadSize = (1.14, 0.7),
-            Ears = Ears((EarShape.Round, 1)), Teeth = 0.7,
+            Ears = Weights.Of((EarShape.Round, 1)), Teeth = 0.7,
             Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckKits.Bristles }) },
             Colourings = new[]
             {
@@ -49,8 +49,8 @@ internal static class MammalSpecies
             Frequency = (0.24, 0, 0),
             HipHeight = (0.52, 0.66), LegGirth = 1.15,
             Eye = (9.6, 5.2), EyeSize = 0.2,
-            HeadOrnament = (1, 0), EarSize = 0.8, Ears = Ears((EarShape.Pointed, 1), (EarShape.Drooping, 0.4)),
-            WalkingPlans = Only(BodyPlan.Unguligrade),
+            HeadOrnament = (1, 0), EarSize = 0.8, Ears = Weights.Of((EarShape.Pointed, 1), (EarShape.Drooping, 0.4)),
+            WalkingPlans = Weights.Of((BodyPlan.Unguligrade, 1)),
             Parts = new[]
             {
                 new PartSlot(
@@ -58,7 +58,7 @@ internal static class MammalSpecies
                     new PartChoice(0.4)),
                 new PartSlot(new PartChoice(1) { Mane = NeckKits.Bristles }),
             },
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Mottle, 0.5)),
+            Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Mottle, 0.5)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.34, 0.03, 55)) { Kind = PatternKind.Plain, Accent = new Tint(0.22, 0.02, 50) },
@@ -70,9 +70,9 @@ internal static class MammalSpecies
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
             HipHeight = (0.88, 1.12),
-            WalkingPlans = Only(BodyPlan.Unguligrade),
+            WalkingPlans = Weights.Of((BodyPlan.Unguligrade, 1)),
             HeadSize = (1.0, 0.6),
-            EyeSize = 0.33, BarPupils = 0.8, Ears = Ears((EarShape.Pointed, 1)),
+            EyeSize = 0.33, BarPupils = 0.8, Ears = Weights.Of((EarShape.Pointed, 1)),
             Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckKits.Falling }), new PartSlot(new PartChoice(0.15, NoseHorn(10.6, 0.42, 0.028)), new PartChoice(1)) },
             Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Patches, 0.7), new Weighted<PatternKind>(PatternKind.Stripes, 0.6) },
             Colourings = new[]
@@ -88,7 +88,7 @@ internal static class MammalSpecies
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
             HipHeight = (0.72, 0.80),
-            WalkingPlans = Only(BodyPlan.Unguligrade),
+            WalkingPlans = Weights.Of((BodyPlan.Unguligrade, 1)),
             HeadSize = (1.06, 0.6),
             EyeSize = 0.26,
             Parts = new[]
@@ -108,9 +108,9 @@ internal static class MammalSpecies
         {
             Partners = new[] { "bovine", "bovine", "canine", "bovine" },
             HipHeight = (0.92, 1.12),
-            WalkingPlans = Only(BodyPlan.Unguligrade),
+            WalkingPlans = Weights.Of((BodyPlan.Unguligrade, 1)),
             HeadSize = (1.0, 0.6),
-            EyeSize = 0.36, BarPupils = 0.8, Ears = Ears((EarShape.Pointed, 1)),
+            EyeSize = 0.36, BarPupils = 0.8, Ears = Weights.Of((EarShape.Pointed, 1)),
             Parts = new[] { new PartSlot(new PartChoice(1) { Mane = NeckKits.Beard }) },
             Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1) },
             Colourings = new[]
@@ -126,10 +126,10 @@ internal static class MammalSpecies
             Frequency = (0.26, 0, 0),
             HipHeight = (0.50, 0.62), LegGirth = 1.2,
             Eye = (9.0, 5.2), EyeSize = 0.19,
-            HeadOrnament = (1, 0), Ears = Ears((EarShape.Round, 1)), EarSize = 0.62,
-            WalkingPlans = Only(BodyPlan.Plantigrade),
+            HeadOrnament = (1, 0), Ears = Weights.Of((EarShape.Round, 1)), EarSize = 0.62,
+            WalkingPlans = Weights.Of((BodyPlan.Plantigrade, 1)),
             Parts = System.Array.Empty<PartSlot>(),
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Saddle, 0.5)),
+            Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Saddle, 0.5)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.40, 0.06, 55)) { Kind = PatternKind.Plain, Muzzle = new Tint(0.56, 0.06, 65) },
@@ -144,15 +144,15 @@ internal static class MammalSpecies
             Frequency = (0.22, 0, 0),
             HipHeight = (0.58, 0.70), LegGirth = 0.84,
             Eye = (8.8, 6.2), EyeSize = 0.24,
-            HeadOrnament = (1, 0), EarSize = 0.8, Ears = Ears((EarShape.Pointed, 1)),
-            WalkingPlans = Only(BodyPlan.Columnar),
+            HeadOrnament = (1, 0), EarSize = 0.8, Ears = Weights.Of((EarShape.Pointed, 1)),
+            WalkingPlans = Weights.Of((BodyPlan.Columnar, 1)),
             Parts = new[]
             {
                 new PartSlot(
                     new PartChoice(1, NoseHorn(2.2, 0.28, 0.062), NoseHorn(5.4, 0.13, 0.05)),
                     new PartChoice(0.6, NoseHorn(2.6, 0.34, 0.062))),
             },
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Mottle, 0.8)),
+            Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Mottle, 0.8)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.52, 0.015, 70)) { Kind = PatternKind.Plain },
@@ -167,11 +167,11 @@ internal static class MammalSpecies
             HeadSize = (1.2, 0.6),
             HipHeight = (0.40, 0.48), LegGirth = 0.9,
             Eye = (9.6, 6.4), EyeSize = 0.34,
-            HeadOrnament = (1, 0), Ears = Ears((EarShape.Long, 1), (EarShape.Drooping, 0.2)),
+            HeadOrnament = (1, 0), Ears = Weights.Of((EarShape.Long, 1), (EarShape.Drooping, 0.2)),
             Teeth = 0, MouthOpenings = new[] { new Weighted<double>(0, 1) },
-            WalkingPlans = Only(BodyPlan.Plantigrade),
+            WalkingPlans = Weights.Of((BodyPlan.Plantigrade, 1)),
             Parts = new[] { new PartSlot(new PartChoice(0.12, new PartKit(new FeatureBlueprint(FeatureKind.Antler, 12, 2.0, 0.26, 0.02, 0, 0.80, -0.1, 0.5, 0.2, 0.1, 0.15, 1, 1), 0.8, 1.2)), new PartChoice(1)) },
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Saddle, 0.4)),
+            Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Saddle, 0.4)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.56, 0.05, 65)) { Kind = PatternKind.Mottle, Belly = new Tint(0.92, 0.01, 90), Accent = new Tint(0.92, 0.01, 90) },
@@ -192,11 +192,4 @@ internal static class MammalSpecies
 
     private static PartKit NoseHorn(double ring, double length, double radius) =>
         new(new FeatureBlueprint(FeatureKind.Horn, ring, 0, length, radius, 0.75, 0.55, 0.35, 0, 0.1, -0.3, 0, 1, 1), 0.8, 1.3);
-
-    private static Weighted<BodyPlan>[] Only(BodyPlan plan) => new[] { new Weighted<BodyPlan>(plan, 1) };
-
-    private static Weighted<EarShape>[] Ears(params (EarShape Shape, double Weight)[] ears) => System.Array.ConvertAll(ears, e => new Weighted<EarShape>(e.Shape, e.Weight));
-
-    private static Weighted<PatternKind>[] Patterns(params (PatternKind Pattern, double Weight)[] patterns) =>
-        System.Array.ConvertAll(patterns, p => new Weighted<PatternKind>(p.Pattern, p.Weight));
 }

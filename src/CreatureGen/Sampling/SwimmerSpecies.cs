@@ -21,8 +21,8 @@ internal static class SwimmerSpecies
             Frequency = (0, 0, 0.42),
             Eye = (8.4, 7.2), EyeSize = 0.17,
             MouthCorner = 6, Teeth = 0.9, ToothLength = 0.12,
-            MouthOpenings = Openings((0.10, 1), (0.18, 1), (0.0, 0.6)),
-            SwimmingPlans = Only(BodyPlan.Fish),
+            MouthOpenings = Weights.Of<double>((0.10, 1), (0.18, 1), (0.0, 0.6)),
+            SwimmingPlans = Weights.Of((BodyPlan.Fish, 1)),
             Fins = new FinKit
             {
                 Fins = new[]
@@ -34,7 +34,7 @@ internal static class SwimmerSpecies
                 },
                 Tail = TailStyle.Fork, TailSize = (0.26, 0.32), TailFork = (1.1, 1.6), TailLobe = 0.38,
             },
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Stripes, 0.5), (PatternKind.Spots, 0.4)),
+            Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Stripes, 0.5), (PatternKind.Spots, 0.4)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.56, 0.03, 240)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.40, 0.03, 240) },
@@ -56,7 +56,7 @@ internal static class SwimmerSpecies
             Disc = (0.42, -0.28, 0.38),
             Eye = (6.4, 3.0), EyeSize = 0.20, EyeSink = 0.4,
             MouthCorner = 0, Nostril = 0, Bone = 0, Swelling = (0, 0),
-            SwimmingPlans = Only(BodyPlan.Whale),
+            SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
             Fins = new FinKit
             {
                 Fins = new[] { new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 43, 10, 4, (0.14, 0.18), (0.6, 0.7), 0.15, 0.9) },
@@ -69,7 +69,7 @@ internal static class SwimmerSpecies
                     new PartChoice(0.8)),
                 new PartSlot(new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Spike, 46, 0, 0.2, 0.018, 0.4, 0.3, -1, 0, 0, -0.2, 0, 1, 1), 0.8, 1.2)), new PartChoice(1)),
             },
-            Patterns = Patterns((PatternKind.Spots, 1), (PatternKind.Mottle, 1), (PatternKind.Plain, 0.6)),
+            Patterns = Weights.Of((PatternKind.Spots, 1), (PatternKind.Mottle, 1), (PatternKind.Plain, 0.6)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.32, 0.03, 250)) { Pattern = new Tint(0.8, 0.02, 90), Kind = PatternKind.Spots, Belly = new Tint(0.88, 0.01, 240) },
@@ -87,8 +87,8 @@ internal static class SwimmerSpecies
             Signatures = new[] { Signature.None, Signature.BigEyes },
             Eye = (6.6, 5.0), EyeSize = 0.17,
             MouthCorner = 7, Teeth = 1, ToothLength = 0.24,
-            MouthOpenings = Openings((0.30, 1)),
-            SwimmingPlans = Only(BodyPlan.Fish),
+            MouthOpenings = Weights.Of<double>((0.30, 1)),
+            SwimmingPlans = Weights.Of((BodyPlan.Fish, 1)),
             Fins = new FinKit
             {
                 Fins = new[]
@@ -103,7 +103,7 @@ internal static class SwimmerSpecies
             {
                 new PartSlot(new PartChoice(1, new PartKit(new FeatureBlueprint(FeatureKind.Lure, 11, 0, 0.52, 0.018, 0, 1, 0.25, 0, -0.42, 0.75, 0, 1.6, 0.5), 0.8, 1.1))),
             },
-            Patterns = Patterns((PatternKind.Mottle, 1), (PatternKind.Plain, 0.5)),
+            Patterns = Weights.Of((PatternKind.Mottle, 1), (PatternKind.Plain, 0.5)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.30, 0.03, 300)) { Kind = PatternKind.Mottle },
@@ -121,9 +121,9 @@ internal static class SwimmerSpecies
             Shell = new ShellBlueprint(ShellStyle.Carapace, 24, 21, 7, 0.10),
             Eye = (9.0, 5.6), EyeSize = 0.30,
             MouthCorner = 7, Teeth = 0, HeadOrnament = (0, 0), Mood = 0.1,
-            MouthOpenings = Openings((0, 1), (0.08, 0.6)),
-            WalkingPlans = Only(BodyPlan.Sprawling),
-            SwimmingPlans = Only(BodyPlan.Flipper),
+            MouthOpenings = Weights.Of<double>((0, 1), (0.08, 0.6)),
+            WalkingPlans = Weights.Of((BodyPlan.Sprawling, 1)),
+            SwimmingPlans = Weights.Of((BodyPlan.Flipper, 1)),
             Fins = new FinKit
             {
                 Fins = new[]
@@ -134,7 +134,7 @@ internal static class SwimmerSpecies
                 Tail = TailStyle.Plain,
             },
             Parts = System.Array.Empty<PartSlot>(),
-            Patterns = Patterns((PatternKind.Patches, 1), (PatternKind.Spots, 0.6), (PatternKind.Mottle, 0.4)),
+            Patterns = Weights.Of((PatternKind.Patches, 1), (PatternKind.Spots, 0.6), (PatternKind.Mottle, 0.4)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.55, 0.07, 125)) { Pattern = new Tint(0.34, 0.05, 120), Kind = PatternKind.Patches },
@@ -149,7 +149,7 @@ internal static class SwimmerSpecies
             Frequency = (0, 0, 0.33),
             Eye = (9.4, 5.0), EyeSize = 0.30,
             HeadOrnament = (0, 0.15),
-            SwimmingPlans = Only(BodyPlan.Flipper),
+            SwimmingPlans = Weights.Of((BodyPlan.Flipper, 1)),
             Fins = new FinKit
             {
                 Fins = new[]
@@ -174,12 +174,12 @@ internal static class SwimmerSpecies
             Frequency = (0.25, 0, 0.3),
             Eye = (10.0, 3.4), EyeSize = 0.22, EyeSink = 0.35, Bone = 0.3,
             Teeth = 1, ToothLength = 0.16, HeadOrnament = (0, 0),
-            WalkingPlans = Only(BodyPlan.Sprawling),
-            SwimmingPlans = Only(BodyPlan.Eel),
+            WalkingPlans = Weights.Of((BodyPlan.Sprawling, 1)),
+            SwimmingPlans = Weights.Of((BodyPlan.Eel, 1)),
             Paddles = Paddling(0.085, 0.6),
             Fins = new FinKit { Tail = TailStyle.Plain },
             Parts = new[] { new PartSlot(new PartChoice(1, Scutes())) },
-            Patterns = Patterns((PatternKind.Bands, 1), (PatternKind.Mottle, 1)),
+            Patterns = Weights.Of((PatternKind.Bands, 1), (PatternKind.Mottle, 1)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.46, 0.06, 110)) { Pattern = new Tint(0.30, 0.04, 105), Kind = PatternKind.Bands },
@@ -193,8 +193,8 @@ internal static class SwimmerSpecies
             Frequency = (0, 0, 0.3),
             Eye = (8.8, 5.6), EyeSize = 0.30,
             HeadOrnament = (0, 0), Teeth = 0.2,
-            MouthOpenings = Openings((0, 1), (0.1, 0.4)),
-            SwimmingPlans = Only(BodyPlan.Whale),
+            MouthOpenings = Weights.Of<double>((0, 1), (0.1, 0.4)),
+            SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
             Fins = new FinKit
             {
                 Fins = new[] { new FinSiteKit(FinPlace.Pectoral, FinStyle.Paddle, 27, 10.6, 4, (0.42, 0.55), (0.5, 0.6), 0.75, 0.6) },
@@ -216,8 +216,8 @@ internal static class SwimmerSpecies
             Body = "newt",
             Frequency = (0.25, 0, 0.3),
             Eye = (9.4, 4.6), EyeSize = 0.24,
-            WalkingPlans = Only(BodyPlan.Sprawling),
-            SwimmingPlans = Only(BodyPlan.Eel),
+            WalkingPlans = Weights.Of((BodyPlan.Sprawling, 1)),
+            SwimmingPlans = Weights.Of((BodyPlan.Eel, 1)),
             Paddles = Paddling(0.07, 0),
             Fins = new FinKit
             {
@@ -238,8 +238,8 @@ internal static class SwimmerSpecies
             Body = "eel",
             Frequency = (0, 0, 0.28),
             HeadOrnament = (0, 0),
-            SwimmingPlans = Only(BodyPlan.Eel),
-            Patterns = Patterns((PatternKind.Bands, 1.2), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Turing, 1)),
+            SwimmingPlans = Weights.Of((BodyPlan.Eel, 1)),
+            Patterns = Weights.Of((PatternKind.Bands, 1.2), (PatternKind.Spots, 0.8), (PatternKind.Mottle, 0.5), (PatternKind.Turing, 1)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.42, 0.07, 95)) { Pattern = new Tint(0.75, 0.13, 90), Kind = PatternKind.Spots, Accent = new Tint(0.5, 0.1, 100) },
@@ -256,8 +256,8 @@ internal static class SwimmerSpecies
             Dominance = (0.93, 0.98),
             Eye = (8.6, 8.2), EyeSize = 0.17,
             MouthCorner = 8, Teeth = 0.3, ToothLength = 0.1, Nostril = 0,
-            MouthOpenings = Openings((0, 1), (0.12, 0.6)),
-            SwimmingPlans = Only(BodyPlan.Whale),
+            MouthOpenings = Weights.Of<double>((0, 1), (0.12, 0.6)),
+            SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
             Fins = new FinKit
             {
                 Fins = new[]
@@ -268,7 +268,7 @@ internal static class SwimmerSpecies
                 Tail = TailStyle.Fluke, TailSize = (0.24, 0.3), TailFork = (0.7, 1.0),
             },
             Parts = System.Array.Empty<PartSlot>(),
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Saddle, 0.6), (PatternKind.Spots, 0.3)),
+            Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Saddle, 0.6), (PatternKind.Spots, 0.3)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.56, 0.03, 240)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.44, 0.03, 240) },
@@ -285,8 +285,8 @@ internal static class SwimmerSpecies
             Signatures = new[] { Signature.None, Signature.BigEyes },
             Eye = (9.2, 5.6), EyeSize = 0.26,
             MouthCorner = 3, Teeth = 0,
-            MouthOpenings = Openings((0, 1), (0.1, 0.5)),
-            SwimmingPlans = Only(BodyPlan.Fish),
+            MouthOpenings = Weights.Of<double>((0, 1), (0.1, 0.5)),
+            SwimmingPlans = Weights.Of((BodyPlan.Fish, 1)),
             Fins = new FinKit
             {
                 Fins = new[]
@@ -298,7 +298,7 @@ internal static class SwimmerSpecies
                 Tail = TailStyle.Fan, TailSize = (0.16, 0.2), TailFork = (-0.4, -0.2),
             },
             Parts = new[] { new PartSlot(new PartChoice(1, Quills(0.075)), new PartChoice(0.5, Quills(0.14)), new PartChoice(0.4)) },
-            Patterns = Patterns((PatternKind.Spots, 1), (PatternKind.Turing, 1), (PatternKind.Mottle, 0.6)),
+            Patterns = Weights.Of((PatternKind.Spots, 1), (PatternKind.Turing, 1), (PatternKind.Mottle, 0.6)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.62, 0.08, 85)) { Pattern = new Tint(0.32, 0.05, 70), Kind = PatternKind.Spots, Belly = new Tint(0.94, 0.01, 90) },
@@ -313,8 +313,8 @@ internal static class SwimmerSpecies
             Dominance = (0.93, 0.98),
             Eye = (10, 6.8), EyeSize = 0.26,
             MouthCorner = 7, Teeth = 0,
-            MouthOpenings = Openings((0, 1)),
-            SwimmingPlans = Only(BodyPlan.Fish),
+            MouthOpenings = Weights.Of<double>((0, 1)),
+            SwimmingPlans = Weights.Of((BodyPlan.Fish, 1)),
             Fins = new FinKit
             {
                 Fins = new[]
@@ -325,7 +325,7 @@ internal static class SwimmerSpecies
                 },
                 Tail = TailStyle.Fork, TailSize = (0.28, 0.34), TailFork = (1.3, 1.7),
             },
-            Patterns = Patterns((PatternKind.Plain, 1), (PatternKind.Bands, 0.6)),
+            Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Bands, 0.6)),
             Colourings = new[]
             {
                 new Colouring(new Tint(0.36, 0.07, 255)) { Kind = PatternKind.Plain, Belly = new Tint(0.9, 0.01, 230), Accent = new Tint(0.3, 0.08, 262) },
@@ -399,12 +399,4 @@ internal static class SwimmerSpecies
 
         return plumes;
     }
-
-    private static Weighted<BodyPlan>[] Only(BodyPlan plan) => new[] { new Weighted<BodyPlan>(plan, 1) };
-
-    private static Weighted<double>[] Openings(params (double Angle, double Weight)[] openings) =>
-        System.Array.ConvertAll(openings, o => new Weighted<double>(o.Angle, o.Weight));
-
-    private static Weighted<PatternKind>[] Patterns(params (PatternKind Pattern, double Weight)[] patterns) =>
-        System.Array.ConvertAll(patterns, p => new Weighted<PatternKind>(p.Pattern, p.Weight));
 }
