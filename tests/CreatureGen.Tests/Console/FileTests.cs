@@ -127,15 +127,9 @@ public sealed class FileTests
     public void A_run_that_is_interrupted_in_the_middle_leaves_whole_creatures_alone()
     {
         using var run = new ConsoleRun();
-        using var stop = new CancellationTokenSource();
-        using var watcher = new Timer(_ =>
-        {
-            // Far more than are under way at once, so that some have been reported.
-            if (run.Files.Count(name => name.EndsWith(".glb", StringComparison.Ordinal)) > 60)
-            {
-                stop.Cancel();
-            }
-        }, null, 0, 1);
+
+        // Far more than are under way at once, so that some have been reported.
+        using var stop = new StopWhen(() => run.Files.Count(name => name.EndsWith(".glb", StringComparison.Ordinal)) > 60);
         Assert.Equal(ExitCode.Interrupted, run.Run(stop.Token, "generate", "--seeds", "1-1000000", "--no-picture", "--json"));
         string[] seeds = run.Json().GetProperty("creatures").EnumerateArray().Select(creature => creature.GetProperty("seed").GetString()!).ToArray();
         Assert.NotEmpty(seeds);

@@ -190,15 +190,9 @@ public sealed class MotionVerbTests
         Assert.Contains("there is a folder of that name", run.Refusal(ExitCode.CannotWrite, "animate", "--seed", "42", "--out", "a.png", "--size", "64"), StringComparison.Ordinal);
         Assert.Contains("its folder does not exist", run.Refusal(ExitCode.CannotWrite, "animate", "--seed", "42", "--out", "no/a.png", "--size", "64"), StringComparison.Ordinal);
         Assert.Equal(["a-strip.png"], run.Files);
-        using var stop = new CancellationTokenSource();
-        using var watcher = new Timer(_ =>
-        {
-            // As soon as the first file is under way.
-            if (run.Files.Any(name => name.EndsWith(".tmp", StringComparison.Ordinal)))
-            {
-                stop.Cancel();
-            }
-        }, null, 0, 1);
+
+        // As soon as the first file is under way.
+        using var stop = new StopWhen(() => run.Files.Any(name => name.EndsWith(".tmp", StringComparison.Ordinal)));
         Assert.Equal(ExitCode.Interrupted, run.Run(stop.Token, "animate", "--seed", "42", "--out", "b.png", "--size", "640"));
         Assert.Equal(["a-strip.png"], run.Files);
     }
