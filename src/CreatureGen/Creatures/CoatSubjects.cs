@@ -38,22 +38,28 @@ internal static class CoatSubjects
     public static SkinRelief ReliefOf(CreatureBlueprint blueprint)
     {
         string body = blueprint.Body.Blend.First;
-        (SkinCover cover, float size) = BaseBodies.Find(body).Family switch
+        (SkinCover cover, float size) = body switch
         {
-            _ when body is "bee" or "moth" => (SkinCover.Fur, 0.022f),
-            _ when body is "shark" or "ray" or "dolphin" => (SkinCover.Wrinkles, 0.022f),
-            _ when body is "angler" or "puffer" or "pterosaur" or "rhino" => (SkinCover.Wrinkles, 0.05f),
-            "canine" or "feline" => (SkinCover.Fur, 0.022f),
-            "bovine" => (SkinCover.Fur, 0.016f),
-            "avian" => (SkinCover.Feathers, 0.04f),
-            "reptile" => (SkinCover.Scales, 0.04f),
-            "serpent" => (SkinCover.Scales, 0.034f),
-            "fish" => blueprint.Plan == BodyPlan.Whale ? (SkinCover.Wrinkles, 0.05f) : (SkinCover.Scales, 0.045f),
-            "insect" => (SkinCover.Plates, 0.09f),
-            _ => (SkinCover.Wrinkles, 0.05f),
+            "bee" or "moth" => (SkinCover.Fur, 0.022f),
+            "shark" or "ray" or "dolphin" => (SkinCover.Wrinkles, 0.022f),
+            "angler" or "puffer" or "pterosaur" or "rhino" => (SkinCover.Wrinkles, 0.05f),
+            _ => CoverOf(BaseBodies.Find(body).Family, blueprint.Plan),
         };
         return new SkinRelief(cover, size, unchecked((blueprint.Coat.PatternSeed * 16) + 12));
     }
+
+    /// <summary>What the skin of a family is covered with, and the size of one hair, feather, scale or plate.</summary>
+    private static (SkinCover Cover, float Size) CoverOf(string family, BodyPlan plan) => family switch
+    {
+        "canine" or "feline" => (SkinCover.Fur, 0.022f),
+        "bovine" => (SkinCover.Fur, 0.016f),
+        "avian" => (SkinCover.Feathers, 0.04f),
+        "reptile" => (SkinCover.Scales, 0.04f),
+        "serpent" => (SkinCover.Scales, 0.034f),
+        "fish" => plan == BodyPlan.Whale ? (SkinCover.Wrinkles, 0.05f) : (SkinCover.Scales, 0.045f),
+        "insect" => (SkinCover.Plates, 0.09f),
+        _ => (SkinCover.Wrinkles, 0.05f),
+    };
 
     private static SnoutCoat SnoutOf(string body) => body switch
     {
