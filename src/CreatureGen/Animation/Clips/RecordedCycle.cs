@@ -88,9 +88,7 @@ internal sealed class RecordedCycle
                 continue;
             }
 
-            Quaternion a = Rotations[i - Joints];
-            Quaternion b = Rotations[i];
-            least = Math.Min(least, Math.Abs((a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W)));
+            least = Math.Min(least, Math.Abs(Lanes.Dot(Rotations[i - Joints], Rotations[i])));
         }
 
         return 2f * (float)PortableMath.Acos(least);

@@ -95,7 +95,7 @@ internal sealed class SteadyMotion
     /// <returns>Seconds between the two, or from beginning to end; <see cref="IdleSeconds"/> where nothing repeats.</returns>
     public float CycleSeconds()
     {
-        if (movement.Course != MovementCourse.Lasting)
+        if (!Closes)
         {
             return PassageSeconds();
         }
