@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -81,6 +82,18 @@ internal sealed class BodyShape
 
     /// <summary>The spine's point at a ring.</summary>
     public Vector3 Centre(int ring) => new(0f, (float)Y[ring], (float)Z[ring]);
+
+    /// <summary>The ring, with its fraction, at a length of the spine from the nose.</summary>
+    public double RingAt(double arc)
+    {
+        int i = 0;
+        while (i < Arc.Length - 2 && Arc[i + 1] < arc)
+        {
+            i++;
+        }
+
+        return i + ((arc - Arc[i]) / Math.Max(Arc[i + 1] - Arc[i], 1e-9));
+    }
 
     /// <summary>The value of one of the arrays at a fractional ring.</summary>
     public static double At(double[] values, double ring)

@@ -8,24 +8,6 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Features;
 
-/// <summary>The place of the body's grid whose motion a vertex shares.</summary>
-internal readonly struct SkinAddress
-{
-    public SkinAddress(int ring, int segment)
-    {
-        Ring = ring;
-        Segment = segment;
-    }
-
-    public int Ring { get; }
-
-    /// <summary>0..31.</summary>
-    public int Segment { get; }
-
-    /// <summary>The same place on the other side.</summary>
-    public SkinAddress Mirrored => new(Ring, BodyGrid.MirrorSegment(Segment));
-}
-
 /// <summary>
 /// Hair as overlapping locks: flat tapered leaves in staggered rows, like tiles, each of which begins below the skin and follows it at a growing distance.
 /// </summary>
@@ -214,34 +196,22 @@ internal static class ManeShape
         /// <summary>A point of the line, 0 at the root and 1 at the tip, and the place of the skin that it moves with.</summary>
         public Vector3 At(float s, out SkinAddress place)
         {
-            double[] arcs = skin.Shape.Arc;
             double arc = rootArc + (s * along);
-            double ring = RingAt(arcs, Scalar.Clamp(arc, 0, arcs[LastRing]));
+            double last = skin.Shape.Arc[LastRing];
+            double ring = skin.Shape.RingAt(Scalar.Clamp(arc, 0, last));
             double segment = root.Median ? root.Segment : Scalar.Clamp(root.Segment + (s * segmentsAround), 0.02, (BodyGrid.Segments / 2) - 0.02);
             place = new SkinAddress((int)Math.Round(ring), (int)Math.Round(segment));
             SurfacePoint at = skin.At(ring, segment);
             float lift = (rise * s * (1f - (Curl * s))) - (sunk * (1f - s) * (1f - s));
             float below = Math.Max(0f, -at.Normal.Y);
             Vector3 p = at.Position + (at.Normal * lift) - (Vector3.UnitY * (hang * below * s * s));
-            if (arc > arcs[LastRing])
+            if (arc > last)
             {
                 // Hair of a tail hangs on where the tail ends, drawn together.
-                p = Vec.Lerp(p, skin.Shape.Centre(LastRing), 0.35f * s) - (skin.Shape.Forward(LastRing) * (float)(arc - arcs[LastRing]));
+                p = Vec.Lerp(p, skin.Shape.Centre(LastRing), 0.35f * s) - (skin.Shape.Forward(LastRing) * (float)(arc - last));
             }
 
             return root.Median ? new Vector3(0f, p.Y, p.Z) : p;
-        }
-
-        /// <summary>The ring, with its fraction, at an arc length from the nose.</summary>
-        private static double RingAt(double[] arcs, double arc)
-        {
-            int i = 0;
-            while (i < arcs.Length - 2 && arcs[i + 1] < arc)
-            {
-                i++;
-            }
-
-            return i + ((arc - arcs[i]) / Math.Max(arcs[i + 1] - arcs[i], 1e-9));
         }
     }
 }

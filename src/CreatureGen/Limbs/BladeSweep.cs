@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 
@@ -8,6 +9,9 @@ namespace CreatureGen.Limbs;
 /// <summary>Grows a thin blade, a wing or a fin, from a loop through chord lines from a leading to a trailing edge.</summary>
 internal sealed class BladeSweep
 {
+    /// <summary>Size of the cap's texture chart, metres each way.</summary>
+    private const float CapSize = 0.05f;
+
     private readonly Func<float, Vector3> lead;
     private readonly Func<float, Vector3> trail;
 
@@ -90,5 +94,18 @@ internal sealed class BladeSweep
         }
 
         return previous;
+    }
+
+    /// <summary>Closes the last loop with a level cap, as many rows and columns as the socket that it grew from.</summary>
+    /// <param name="surface">Receives the cap.</param>
+    /// <param name="end">The last loop, its corners where those of the socket are.</param>
+    /// <param name="socket">Where the blade grows.</param>
+    /// <param name="outward">Unit direction in which the cap faces.</param>
+    public void Close(SurfaceBuilder surface, int[] end, SocketBlueprint socket, Vector3 outward)
+    {
+        VertexAddress address = Address;
+        address.Along = 1f;
+        int[] cap = CapGrid.Vertices(surface, end, socket.Rows, socket.Columns, outward, 0f, address);
+        CapGrid.Fill(surface, cap, socket.Rows, socket.Columns, surface.NewChart(), new Vector2(CapSize, CapSize));
     }
 }

@@ -41,7 +41,7 @@ internal static class FoldedWingGrower
         int firstFace = surface.Faces.Count;
         BodySkin skin = body.Skin;
         double first = socket.CentreRing;
-        double reach = RingAt(skin.Shape, first, wing.Span) - first;
+        double reach = Math.Min(LastRing, skin.Shape.RingAt(BodyShape.At(skin.Shape.Arc, first) + wing.Span)) - first;
         double lift = wing.Rise * wing.Span;
 
         double Slide(double s) => Math.Max(0, s - 0.02) / 0.98;
@@ -66,22 +66,11 @@ internal static class FoldedWingGrower
             Address = new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1 },
         };
         int[] end = Turned(blade.Grow(surface, loop), quarter);
-        int[] cap = CapGrid.Vertices(surface, end, wing.Socket.Rows, wing.Socket.Columns, -Vector3.UnitZ, 0f, new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1, Along = 1f });
-        CapGrid.Fill(surface, cap, wing.Socket.Rows, wing.Socket.Columns, surface.NewChart(), new Vector2(0.05f, 0.05f));
+        blade.Close(surface, end, wing.Socket, -Vector3.UnitZ);
         surface.MirrorSince(firstVertex, firstFace);
 
         Vector3[] joints = Array.ConvertAll(jointShares, s => Vec.Lerp(Lead(s), Trail(s), s == 0f ? 0.5f : 0.25f));
-        return new Appendage
-        {
-            Kind = LimbKind.Wing,
-            Paired = true,
-            RootRing = socket.CentreRing,
-            Joints = joints,
-            JointsAlong = jointShares,
-            Pole = Vec.Normalize(Vec.Reject(joints[1] - joints[0], Vec.Normalize(joints[2] - joints[0])), Vector3.UnitY),
-            Contact = joints[4],
-            Stands = false,
-        };
+        return WingAppendage.Of(socket.CentreRing, joints, jointShares);
     }
 
     /// <summary>The point off the skin at a ring and segment, never across the sagittal plane.</summary>
@@ -91,20 +80,6 @@ internal static class FoldedWingGrower
         Vector3 p = at.Position + (at.Normal * (float)off);
         p.X = Math.Max(p.X, (float)(0.012 + (0.8 * off)));
         return p;
-    }
-
-    /// <summary>The ring that lies so far behind another, metres along the spine.</summary>
-    private static double RingAt(BodyShape shape, double from, double distance)
-    {
-        double target = BodyShape.At(shape.Arc, from) + distance;
-        int ring = (int)from;
-        while (ring < (int)LastRing && shape.Arc[ring + 1] < target)
-        {
-            ring++;
-        }
-
-        double step = Math.Max(shape.Step[ring + 1], 1e-6);
-        return Math.Min(LastRing, ring + Scalar.Clamp((target - shape.Arc[ring]) / step, 0, 1));
     }
 
     private static double Phase(float s) => s < 0.999f ? (s * Feathers) - Math.Floor(s * Feathers) : 0;

@@ -48,8 +48,7 @@ internal static class PectoralGrower
             Address = new VertexAddress { Region = SurfaceRegion.Fin, Appendage = (short)index, Sign = 1 },
         };
         int[] end = blade.Grow(surface, socket.Vertices);
-        int[] cap = CapGrid.Vertices(surface, end, fin.Socket.Rows, fin.Socket.Columns, outward, 0f, new VertexAddress { Region = SurfaceRegion.Fin, Appendage = (short)index, Sign = 1, Along = 1f });
-        CapGrid.Fill(surface, cap, fin.Socket.Rows, fin.Socket.Columns, surface.NewChart(), new Vector2(0.05f, 0.05f));
+        blade.Close(surface, end, fin.Socket, outward);
         surface.MirrorSince(firstVertex, firstFace);
 
         Vector3 Middle(float s) => Vec.Lerp(Lead(s), Trail(s), 0.35f);

@@ -59,22 +59,11 @@ internal static class WingGrower
             Address = new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1 },
         };
         int[] end = blade.Grow(surface, socket.Vertices);
-        int[] cap = CapGrid.Vertices(surface, end, wing.Socket.Rows, wing.Socket.Columns, Vector3.UnitX, 0f, new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1, Along = 1f });
-        CapGrid.Fill(surface, cap, wing.Socket.Rows, wing.Socket.Columns, surface.NewChart(), new Vector2(0.05f, 0.05f));
+        blade.Close(surface, end, wing.Socket, Vector3.UnitX);
         surface.MirrorSince(firstVertex, firstFace);
 
         var joints = Array.ConvertAll(jointShares, s => edge(s) + ((Trail(s) - edge(s)) * (s == 0f ? 0.35f : 0.06f)));
-        return new Appendage
-        {
-            Kind = LimbKind.Wing,
-            Paired = true,
-            RootRing = socket.CentreRing,
-            Joints = joints,
-            JointsAlong = jointShares,
-            Pole = Vec.Normalize(Vec.Reject(joints[1] - joints[0], Vec.Normalize(joints[2] - joints[0])), Vector3.UnitY),
-            Contact = joints[4],
-            Stands = false,
-        };
+        return WingAppendage.Of(socket.CentreRing, joints, jointShares);
     }
 
     private static Func<float, Vector3> LeadingEdge(WingBlueprint wing, SocketLoop socket)
