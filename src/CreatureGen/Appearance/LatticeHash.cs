@@ -35,4 +35,10 @@ internal static class LatticeHash
 
     /// <summary>The upper 24 bits as a number 0..1, 1 excluded.</summary>
     public static float Unit(uint bits) => (int)(bits >> 8) * (1f / 16777216f);
+
+    /// <summary>The number 0..1 of a point of the lattice, from the exclusive or of its parts.</summary>
+    public static float Value(uint parts) => Unit(Mix(parts));
+
+    /// <summary>Eases the way 0..1 from one point of the lattice to the next: level at both.</summary>
+    public static float Ease(float x) => x * x * (3f - (2f * x));
 }

@@ -31,10 +31,10 @@ internal sealed class PlaneNoise
             Enter(i, j);
         }
 
-        float u = Ease(x - i);
+        float u = LatticeHash.Ease(x - i);
         float low = near + (nearAcross * u);
         float high = far + (farAcross * u);
-        return low + ((high - low) * Ease(y - j));
+        return low + ((high - low) * LatticeHash.Ease(y - j));
     }
 
     private void Enter(int x, int y)
@@ -43,16 +43,12 @@ internal sealed class PlaneNoise
         uint x1 = LatticeHash.AlongX(unchecked(x + 1)) ^ salt;
         uint y0 = LatticeHash.AlongY(y);
         uint y1 = LatticeHash.AlongY(unchecked(y + 1));
-        near = Corner(x0 ^ y0);
-        far = Corner(x0 ^ y1);
-        nearAcross = Corner(x1 ^ y0) - near;
-        farAcross = Corner(x1 ^ y1) - far;
+        near = LatticeHash.Value(x0 ^ y0);
+        far = LatticeHash.Value(x0 ^ y1);
+        nearAcross = LatticeHash.Value(x1 ^ y0) - near;
+        farAcross = LatticeHash.Value(x1 ^ y1) - far;
         cellX = x;
         cellY = y;
         known = true;
     }
-
-    private static float Corner(uint bits) => LatticeHash.Unit(LatticeHash.Mix(bits));
-
-    private static float Ease(float x) => x * x * (3f - (2f * x));
 }

@@ -34,9 +34,9 @@ internal sealed class ValueNoise
             Enter(x, y, z);
         }
 
-        Vector4 edges = left + (across * Ease(point.X - x));
-        float v = Ease(point.Y - y);
-        return Lerp(Lerp(edges.X, edges.Y, v), Lerp(edges.Z, edges.W, v), Ease(point.Z - z));
+        Vector4 edges = left + (across * LatticeHash.Ease(point.X - x));
+        float v = LatticeHash.Ease(point.Y - y);
+        return Lerp(Lerp(edges.X, edges.Y, v), Lerp(edges.Z, edges.W, v), LatticeHash.Ease(point.Z - z));
     }
 
     private void Enter(int x, int y, int z)
@@ -47,19 +47,15 @@ internal sealed class ValueNoise
         uint y1 = LatticeHash.AlongY(unchecked(y + 1));
         uint z0 = LatticeHash.AlongZ(z);
         uint z1 = LatticeHash.AlongZ(unchecked(z + 1));
-        left = new Vector4(Corner(x0 ^ y0 ^ z0), Corner(x0 ^ y1 ^ z0), Corner(x0 ^ y0 ^ z1), Corner(x0 ^ y1 ^ z1));
-        across = new Vector4(Corner(x1 ^ y0 ^ z0), Corner(x1 ^ y1 ^ z0), Corner(x1 ^ y0 ^ z1), Corner(x1 ^ y1 ^ z1)) - left;
+        left = new Vector4(LatticeHash.Value(x0 ^ y0 ^ z0), LatticeHash.Value(x0 ^ y1 ^ z0), LatticeHash.Value(x0 ^ y0 ^ z1), LatticeHash.Value(x0 ^ y1 ^ z1));
+        across = new Vector4(LatticeHash.Value(x1 ^ y0 ^ z0), LatticeHash.Value(x1 ^ y1 ^ z0), LatticeHash.Value(x1 ^ y0 ^ z1), LatticeHash.Value(x1 ^ y1 ^ z1)) - left;
         cellX = x;
         cellY = y;
         cellZ = z;
         known = true;
     }
 
-    private static float Corner(uint bits) => LatticeHash.Unit(LatticeHash.Mix(bits));
-
     private static float Lerp(float a, float b, float t) => a + ((b - a) * t);
-
-    private static float Ease(float x) => x * x * (3f - (2f * x));
 
     private static int Floor(float x) => (int)Math.Floor((double)x);
 }
