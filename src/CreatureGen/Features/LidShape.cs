@@ -99,6 +99,7 @@ internal static class LidShape
             bool seam = k == 0 || k == Columns;
             Vector3 dark = seam ? skin * 0.5f : liner;
             float start = edge + RimWidth;
+
             // The ends are level: rows of several radii would run through one another so near to the hinge.
             float rise = seam ? 0f : 1f;
             AddPoint(builder, rolled, latitude, edge - 0.015f, sign, rim + (rise * (EdgeRadius - rim)), dark);

@@ -28,7 +28,7 @@ internal enum LegArrangement
 /// <param name="Arrangement">How they stand along the body.</param>
 internal readonly record struct FlyingLegs(int Pairs, LegArrangement Arrangement);
 
-/// <summary>Where legs of a flier may hang, and how long one is when it is the only pair.</summary>
+/// <summary>Where legs of a flier may grow, and how long one is when it is the only pair.</summary>
 /// <param name="Sockets">Places, front to rear.</param>
 /// <param name="Length">Length of the legs of a creature with one pair, relative to the body's length.</param>
 /// <param name="Size">Size of the legs beside that.</param>
@@ -54,6 +54,6 @@ internal sealed record WingPlacement(int Bone, double Ring, SocketBlueprint? Soc
 /// <summary>Where a flier's limbs are.</summary>
 /// <param name="Motion">How its wings beat.</param>
 /// <param name="Wings">Pairs of wings, front to rear.</param>
-/// <param name="Legs">Pairs of hanging legs, front to rear; fewer than asked for when no more find a free bone.</param>
+/// <param name="Legs">Pairs of legs, front to rear; fewer than asked for when no more find a free bone.</param>
 /// <param name="LegFactor">Factor on the size of every leg, already in the placements: the more legs, the smaller.</param>
 internal sealed record FlyingPlacement(WingMotion Motion, IReadOnlyList<WingPlacement> Wings, IReadOnlyList<LegPlacement> Legs, double LegFactor);

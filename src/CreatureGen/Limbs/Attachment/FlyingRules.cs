@@ -43,7 +43,7 @@ internal static class FlyingRules
     /// <param name="motion">How its wings beat.</param>
     /// <param name="wingPairs">Pairs of thin wings, 1 or 2; flapping wings are always one pair.</param>
     /// <param name="legs">What legs it asks for.</param>
-    /// <param name="anatomy">Where legs may hang.</param>
+    /// <param name="anatomy">Where legs may grow.</param>
     /// <param name="occupied">Cells already taken; not changed.</param>
     /// <param name="seed">Decides; children "wings" and "legs".</param>
     /// <exception cref="ArgumentOutOfRangeException">A number of pairs is out of range.</exception>
@@ -79,7 +79,7 @@ internal static class FlyingRules
         {
             // Fewer legs are larger: each number is tried with its own size, and the greatest that finds free bones for all is taken.
             factor = LegFactor(pairs) * spread;
-            List<LegPlacement> candidates = Hanging(measure, anatomy, factor);
+            List<LegPlacement> candidates = Candidates(measure, anatomy, factor);
             List<LegPlacement> trial = legs.Arrangement == LegArrangement.Clustered
                 ? Clustered(candidates, pairs, measure.Along(firstBone), grid.Copy())
                 : Spread(candidates, pairs, grid.Copy());
@@ -170,7 +170,8 @@ internal static class FlyingRules
         return placed;
     }
 
-    private static List<LegPlacement> Hanging(SpineMeasure measure, FlierLegAnatomy anatomy, double factor)
+    /// <summary>A leg of its own length at each place: what carries the body is told later, by the rules for walkers.</summary>
+    private static List<LegPlacement> Candidates(SpineMeasure measure, FlierLegAnatomy anatomy, double factor)
     {
         var candidates = new List<LegPlacement>();
         foreach (LimbSocket site in anatomy.Sockets)

@@ -109,7 +109,7 @@ public sealed class FlightProfile
     /// <summary>Joint of the left wing's root.</summary>
     internal int Shoulder { get; }
 
-    /// <summary>Height of the lowest sole at rest, metres: legs of fliers hang free, so to stand the body comes down by so much.</summary>
+    /// <summary>Height of the lowest sole at rest, metres: 0 but for legs that hang free; to stand on these the body comes down by so much.</summary>
     internal double SoleHeight { get; }
 
     /// <summary>Sharpness with which the motion follows its input, 1/s.</summary>

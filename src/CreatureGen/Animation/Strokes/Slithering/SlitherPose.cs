@@ -9,6 +9,7 @@ namespace CreatureGen.Animation.Strokes.Slithering;
 internal static class SlitherPose
 {
     private const int RootSamples = 24;
+
     /// <summary>Part of the chest's swing that the head keeps.</summary>
     private const double HeadSwing = 0.2;
 

@@ -15,8 +15,10 @@ public sealed class SlitherProfile
 {
     private const double Winding = 0.85;
     private const double SidewindWinding = 1.1;
+
     /// <summary>How much more than a serpenoid curve the track of sidewinding bends at most, see <see cref="TrackSteering.Swing"/>.</summary>
     private const double SidewindBend = 1.46;
+
     private const double LeastWinding = 0.25;
     private const double WavesPerBody = 1.5;
     private const double LimitShare = 0.84;
