@@ -10,6 +10,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Features;
@@ -73,7 +74,7 @@ public sealed class ManeShapeTests
     [Fact]
     public void Hair_of_a_neck_bends_with_the_neck()
     {
-        Creature creature = CreatureGenerator.Generate(3, Only("horse"));
+        Creature creature = SpeciesSubject.Of("horse", RequestedKind.Walking, 3);
         int neck = creature.Skeleton.IndexOf("Neck_01");
         Assert.True(neck >= 0);
         var joints = new HashSet<int>();
@@ -139,11 +140,5 @@ public sealed class ManeShapeTests
         return BodySkin.Span(shape, blueprint.Body, blueprint.Head, blueprint.Tail);
     }
 
-    private static CreatureBlueprint Draw(string body, ulong seed) => BlueprintSampler.Sample(seed, Only(body));
-
-    private static CreatureOptions Only(string body) => CreatureOptions.Default with
-    {
-        Kind = RequestedKind.Walking,
-        BaseBodies = new ValueList<BaseBodyWeight>(BaseBodyNames.All.Select(name => new BaseBodyWeight(name, name == body ? 1 : 0))),
-    };
+    private static CreatureBlueprint Draw(string body, ulong seed) => BlueprintSampler.Sample(seed, SpeciesSubject.Only(body, RequestedKind.Walking));
 }

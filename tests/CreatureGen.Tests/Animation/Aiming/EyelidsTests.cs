@@ -51,16 +51,11 @@ public sealed class EyelidsTests
     [Fact]
     public void Fish_and_snakes_never_blink_and_wear_a_rim_that_stays_with_the_head()
     {
-        foreach ((string body, LocomotionKind kind) in new[] { ("fish", LocomotionKind.Swimming), ("serpent", LocomotionKind.Walking), ("cobra", LocomotionKind.Walking), ("shark", LocomotionKind.Swimming), ("eel", LocomotionKind.Swimming) })
+        foreach ((string body, RequestedKind kind) in new[] { ("fish", RequestedKind.Swimming), ("serpent", RequestedKind.Walking), ("cobra", RequestedKind.Walking), ("shark", RequestedKind.Swimming), ("eel", RequestedKind.Swimming) })
         {
-            CreatureOptions options = CreatureOptions.Default with
-            {
-                Kind = RequestedKind.Walking + (int)kind,
-                BaseBodies = new ValueList<BaseBodyWeight>(BaseBodyNames.All.Select(name => new BaseBodyWeight(name, name == body ? 1 : 0))),
-            };
             for (ulong seed = 0; seed < 4; seed++)
             {
-                Creature creature = CreatureGenerator.Generate(seed, options);
+                Creature creature = SpeciesSubject.Of(body, kind, seed);
                 Assert.Null(Eyelids.Of(creature.Skeleton));
                 Assert.DoesNotContain(creature.Skeleton.Joints, joint => joint.Role == JointRole.Lid);
             }
