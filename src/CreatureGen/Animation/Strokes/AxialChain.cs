@@ -141,6 +141,21 @@ internal sealed class AxialChain
         }
     }
 
+    /// <summary>The bone of a joint, −1 when it is none of the axis.</summary>
+    public int IndexOf(int joint) => Array.FindIndex(bones, bone => bone.Turn.Joint == joint);
+
+    /// <summary>The bone at a place along the body at rest: model space z, metres.</summary>
+    public int BoneAt(float z)
+    {
+        int b = 0;
+        while (b + 1 < bones.Length && bones[b].Rear.Z > z)
+        {
+            b++;
+        }
+
+        return b;
+    }
+
     /// <summary>Where a point of the rest pose that moves with a bone comes to lie, from the body's root, in the body's axes.</summary>
     public Vector3 Carry(int bone, Vector3 rest, ReadOnlySpan<Quaternion> turns, ReadOnlySpan<Vector3> pivots) =>
         pivots[bone] + Rotation.Rotate(turns[bone], rest - bones[bone].Pivot);

@@ -14,6 +14,9 @@ internal static class Curve
     /// <summary>About the number where it is positive and about 0 where it is negative; exactly 0 at 0.</summary>
     public static double Positive(double x) => 0.5 * (x + Math.Sqrt((x * x) + (Rounding * Rounding)) - Rounding);
 
+    /// <summary>One or the other or both, 0..1.</summary>
+    public static double Either(double a, double b) => 1 - ((1 - a) * (1 - b));
+
     /// <summary>Quintic ease of x clamped to 0..1: no jump of speed or acceleration at either end.</summary>
     public static double Ease(double x)
     {

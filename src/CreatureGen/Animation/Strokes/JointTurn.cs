@@ -56,4 +56,7 @@ internal readonly struct JointTurn
         Quaternion own = Ik.SwingTwistLimit.Clamp(limit.Apply(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest)), range);
         return Rotation.Multiply(Rotation.Multiply(rest, own), restInverse);
     }
+
+    /// <summary>The same without a kink: what swings too far is drawn in towards the rest pose, not moved to the nearest place within.</summary>
+    public Quaternion LimitRound(Quaternion turn) => Rotation.Multiply(Rotation.Multiply(rest, limit.ApplyRound(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest))), restInverse);
 }

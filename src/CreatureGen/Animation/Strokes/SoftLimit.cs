@@ -15,6 +15,9 @@ internal readonly struct SoftLimit
 {
     private const double Free = 0.85;
 
+    /// <summary>Radians; a range that is less counts as so much where ranges are compared.</summary>
+    private const double LeastRange = 1e-6;
+
     private readonly JointLimit limit;
 
     public SoftLimit(JointLimit limit) => this.limit = limit;
@@ -46,11 +49,46 @@ internal readonly struct SoftLimit
             return q;
         }
 
-        double angle = Math.Sqrt((sx * sx) + (sz * sz));
+        return Turn(sx, st, sz);
+    }
+
+    /// <summary>
+    /// The rotation within the limit where the swing is bounded all round, by the ellipse of its four ends, as <see cref="SwingTwistLimit"/> has it. What swings too far is drawn in towards the rest pose.
+    /// </summary>
+    public Quaternion ApplyRound(Quaternion q)
+    {
+        if (SwingTwistLimit.TryBound(q, out float mostX, out float mostZ, out float mostTwist) && Swung(mostX, mostZ) <= Free && IsFree(mostTwist, limit.Twist))
+        {
+            return q;
+        }
+
+        Angles(q, out double x, out double twist, out double z);
+        double swung = Swung(x, z);
+        double st = Soft(twist, limit.Twist);
+        if (swung <= Free && st == twist)
+        {
+            return q;
+        }
+
+        double share = swung > Free ? Soft(swung, AngleRange.Both(1f)) / swung : 1;
+        return Turn(x * share, st, z * share);
+    }
+
+    /// <summary>How far a swing goes, 1 on the ellipse of the four ends.</summary>
+    private double Swung(double x, double z)
+    {
+        double across = x / Math.Max(x < 0 ? -limit.SwingX.Min : limit.SwingX.Max, LeastRange);
+        double aside = z / Math.Max(z < 0 ? -limit.SwingZ.Min : limit.SwingZ.Max, LeastRange);
+        return Math.Sqrt((across * across) + (aside * aside));
+    }
+
+    private static Quaternion Turn(double x, double twist, double z)
+    {
+        double angle = Math.Sqrt((x * x) + (z * z));
         PortableMath.SinCos(angle / 2, out double sine, out double cosine);
         double share = angle < 1e-9 ? 0.5 : sine / angle;
-        var swing = new Quaternion((float)(sx * share), 0f, (float)(sz * share), (float)cosine);
-        return Rotation.Multiply(swing, Rotation.FromAxisAngle(Vector3.UnitY, st));
+        var swing = new Quaternion((float)(x * share), 0f, (float)(z * share), (float)cosine);
+        return Rotation.Multiply(swing, Rotation.FromAxisAngle(Vector3.UnitY, twist));
     }
 
     private static bool IsFree(float a, AngleRange range) => a >= (float)Free * range.Min && a <= (float)Free * range.Max;

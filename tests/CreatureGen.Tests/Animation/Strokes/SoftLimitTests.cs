@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Animation.Ik;
 using CreatureGen.Animation.Strokes;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -53,8 +54,29 @@ public sealed class SoftLimitTests
     }
 
     [Fact]
+    public void A_swing_bounded_all_round_is_within_the_limit_as_it_is_measured()
+    {
+        var limit = new SoftLimit(lopsided);
+        var random = new RandomStream(6);
+        for (int i = 0; i < 2000; i++)
+        {
+            var axis = Vec.Normalize(new Vector3((float)random.Uniform(-1, 1), (float)random.Uniform(-1, 1), (float)random.Uniform(-1, 1)), Vector3.UnitX);
+            Quaternion q = Rotation.FromAxisAngle(axis, random.Uniform(-2.5, 2.5));
+            Quaternion kept = limit.ApplyRound(q);
+            Assert.True(SwingTwistLimit.Excess(kept, lopsided) < 1e-5f);
+            SoftLimit.Angles(q, out double x, out _, out double z);
+            SoftLimit.Angles(kept, out double keptX, out _, out double keptZ);
+            Assert.True(Math.Abs((x * keptZ) - (z * keptX)) < 1e-5 && (x * keptX) + (z * keptZ) >= 0, "it swings another way");
+        }
+
+        Quaternion within = Rotation.Multiply(Rotation.FromAxisAngle(Vector3.UnitX, 0.5), Rotation.FromAxisAngle(Vector3.UnitY, -0.1));
+        Assert.Equal(within, limit.ApplyRound(within));
+    }
+
+    [Fact]
     public void A_fixed_joint_does_not_turn()
     {
+        Assert.True(Rotation.Angle(new SoftLimit(JointLimit.Fixed).ApplyRound(Rotation.FromAxisAngle(Vector3.UnitZ, 1))) < 1e-6);
         Quaternion kept = new SoftLimit(JointLimit.Fixed).Apply(Rotation.FromAxisAngle(Vector3.UnitZ, 1));
         Assert.True(Rotation.Angle(kept) < 1e-6);
     }

@@ -5,6 +5,7 @@ using CreatureGen.Animation.Strokes.Swimming;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using Xunit;
+using static CreatureGen.Tests.Animation.Strokes.SwimRun;
 
 namespace CreatureGen.Tests.Animation.Strokes;
 
@@ -357,43 +358,10 @@ public sealed class SwimMotionTests
         }
     }
 
-    private static SwimInput Wild(SwimProfile profile, double t) => new(
-        (float)(profile.CruiseSpeed * 1.5 * (1 + PortableMath.Sin(1.7 * t))),
-        (float)(6 * PortableMath.Sin(2.3 * t)),
-        (float)(profile.CruiseSpeed * 2 * PortableMath.Sin(0.9 * t)),
-        (int)t % 4 == 3 ? EscapeTurn.Right : EscapeTurn.None);
-
-    private static SwimState Steady(SwimProfile profile, SwimInput input, StrokeSubject body)
-    {
-        var state = default(SwimState);
-        for (int i = 0; i < 800; i++)
-        {
-            SwimMotion.Update(profile, input, ref state, 1 / (60 * profile.CruiseFrequency), body.Local);
-        }
-
-        return state;
-    }
-
     private static Quaternion Lie(SwimProfile profile, in SwimState state, int bone)
     {
         PortableMath.SinCos(2 * PortableMath.Pi * state.CyclePhase, out double sine, out double cosine);
         return Rotation.FromAxisAngle(Vector3.UnitY, profile.Wave.Heading(bone, state.BeatAmplitude, cosine, sine));
-    }
-
-    private static float Jerk(SwimProfile profile, Creature creature, int rate)
-    {
-        var body = new StrokeSubject(creature);
-        var state = default(SwimState);
-        float dt = 1 / (rate * profile.CruiseFrequency);
-        for (int i = 0; i < 8 * rate; i++)
-        {
-            int part = i / rate;
-            var input = new SwimInput((part % 3) * profile.CruiseSpeed, part % 2 == 0 ? 0.5f : -0.5f, part > 4 ? 0.4f : 0f, part == 6 ? EscapeTurn.Left : EscapeTurn.None);
-            SwimMotion.Update(profile, input, ref state, dt, body.Local);
-            body.Track(dt);
-        }
-
-        return body.Jerk;
     }
 
     private static int FinTip(Creature creature)
@@ -406,13 +374,5 @@ public sealed class SwimMotionTests
         }
 
         return best;
-    }
-
-    private static void Go(SwimProfile profile, in SwimInput input, ref SwimState state, double seconds, int steps, StrokeSubject body)
-    {
-        for (int i = 0; i < steps; i++)
-        {
-            SwimMotion.Update(profile, input, ref state, (float)(seconds / steps), body.Local);
-        }
     }
 }

@@ -51,7 +51,7 @@ internal sealed class SwimFin
         double row = (2 * Tau * stroke.Phase) + (side == Side.Left ? 0 : PortableMath.Pi) - (fore ? 0 : 1.2);
         double still = stroke.Hover;
         double moving = 1 - still;
-        double flare = Either(stroke.Brake, 0.7 * Curve.Positive(inside));
+        double flare = Curve.Either(stroke.Brake, 0.7 * Curve.Positive(inside));
         PortableMath.SinCos(row, out double rowSine, out double rowCosine);
         PortableMath.SinCos(beat, out double beatSine, out double beatCosine);
         double backing = 1 - (2 * stroke.Back);
@@ -71,7 +71,7 @@ internal sealed class SwimFin
         double size = fore ? 1 : 0.6;
         PortableMath.SinCos((Tau * stroke.Phase) - 0.7, out double sine, out double cosine);
         double still = stroke.Hover;
-        double flare = Either(stroke.Brake, 0.5 * Curve.Positive(inside));
+        double flare = Curve.Either(stroke.Brake, 0.5 * Curve.Positive(inside));
         return new FinAngles
         {
             Raise = size * ((0.07 * stroke.Amplitude * sine) + (0.16 * still * sine) + (0.12 * inside) - (0.2 * flare)),
@@ -103,9 +103,6 @@ internal sealed class SwimFin
             TipSweep = -size * rowing * 0.22 * sine,
         };
     }
-
-    /// <summary>One or the other or both, 0..1.</summary>
-    private static double Either(double a, double b) => 1 - ((1 - a) * (1 - b));
 
     private struct FinAngles
     {

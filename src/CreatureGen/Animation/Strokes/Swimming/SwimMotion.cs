@@ -6,7 +6,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Strokes.Swimming;
 
-/// <summary>Moves the body and the fins of a swimmer.</summary>
+/// <summary>Moves the body, the legs and the fins of a swimmer.</summary>
 /// <remarks>
 /// The speed decides tempo and width of the beat so that the Strouhal number stays that of the style: f = f₀·u^¾ and width u^¼, with u the speed in cruising speeds; standing still, the
 /// body sways slowly. All oscillations are whole multiples of one phase: under steady input the motion repeats exactly after each cycle.
@@ -23,6 +23,10 @@ public static class SwimMotion
     /// <summary>Greatest width of the beat, 1 at cruise.</summary>
     internal const double WidestBeat = 1.15;
 
+    /// <summary>Cruises above which legs begin to lie back, and from which on they do.</summary>
+    private const double SlowestTrail = 0.1;
+    private const double FullTrail = 0.85;
+
     /// <summary>Most that a steady turn bends the body from nose to tail, radians.</summary>
     private const double DeepestTurn = 1.25;
 
@@ -35,7 +39,7 @@ public static class SwimMotion
     private const int StepsPerStage = 8;
     private const int MostSteps = 64;
 
-    /// <summary>Moves on and writes the body's root, the axis of the body and the fins of a local pose; other joints are left alone.</summary>
+    /// <summary>Moves on and writes the body's root, the axis of the body, the legs and the fins of a local pose; other joints are left alone.</summary>
     /// <param name="profile">How the creature swims.</param>
     /// <param name="input">What it is to do.</param>
     /// <param name="state">Where it is in its motion.</param>
@@ -153,7 +157,8 @@ public static class SwimMotion
         Span<Vector3> pivots = stackalloc Vector3[chain.Count];
         bool vertical = profile.Style == SwimStyle.Cetacean;
         bool escaping = state.EscapeSide != 0;
-        double amplitude = state.Amplitude.Value * (escaping ? EscapeCurve.Wave(state.EscapeAge) : 1);
+        double calm = escaping ? EscapeCurve.Wave(state.EscapeAge) : 1;
+        double amplitude = state.Amplitude.Value * calm;
         double bend = state.Bend.Value + (escaping ? state.EscapeSide * profile.Curl * EscapeCurve.Bend(state.EscapeAge) : 0);
         PortableMath.SinCos(2 * PortableMath.Pi * state.Phase, out double sine, out double cosine);
         for (int b = 0; b < chain.Count; b++)
@@ -173,7 +178,12 @@ public static class SwimMotion
 
         chain.Write(local, turns, pivots);
         Place(profile, state, there, bend, amplitude, turns, pivots, local);
-        SwimStroke stroke = StrokeOf(profile, state, amplitude);
+        SwimStroke stroke = StrokeOf(profile, state, amplitude, calm);
+        foreach (SwimLeg leg in profile.Legs)
+        {
+            leg.Write(local, stroke, turns);
+        }
+
         foreach (SwimFin fin in profile.Fins)
         {
             fin.Write(local, profile.Style, stroke);
@@ -221,7 +231,7 @@ public static class SwimMotion
 
     private static double Hover(SwimProfile profile, in SwimState state) => 1 - Scalar.Smooth(Math.Abs(state.Speed.Value) / (0.5 * profile.CruiseSpeed));
 
-    private static SwimStroke StrokeOf(SwimProfile profile, in SwimState state, double amplitude)
+    private static SwimStroke StrokeOf(SwimProfile profile, in SwimState state, double amplitude, double calm)
     {
         double u = state.Speed.Value / profile.CruiseSpeed;
         return new SwimStroke
@@ -232,6 +242,7 @@ public static class SwimMotion
             Sideways = profile.Style == SwimStyle.Cetacean ? 0 : 1,
             Hover = Hover(profile, state),
             Fast = Scalar.Smooth(Math.Abs(u) - 1),
+            Trail = 1 - (calm * (1 - Scalar.Smooth((u - SlowestTrail) / (FullTrail - SlowestTrail)))),
             Steer = Curve.Bounded(state.Bend.Value / 0.7, 1),
             Rise = Curve.Bounded(state.Climb.Value / 0.6, 1),
             Brake = state.Brake.Value,

@@ -8,7 +8,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Strokes.Swimming;
 
-/// <summary>How a creature swims, worked out once from its build: its style, its wave, its fins and the tempo of its size. Immutable, and safe to share between threads.</summary>
+/// <summary>How a creature swims, worked out once from its build: its style, its wave, its fins and legs and the tempo of its size. Immutable, and safe to share between threads.</summary>
 public sealed class SwimProfile
 {
     /// <summary>Share of a joint's range that the wave at its widest may take; the rest is for turns.</summary>
@@ -25,6 +25,7 @@ public sealed class SwimProfile
     private const double FlukeWidth = 0.15;
 
     private readonly SwimFin[] fins;
+    private readonly SwimLeg[] legs;
     private readonly MedianFin[] medianFins;
 
     private SwimProfile(Creature creature, AxialChain chain, SwimStyle style)
@@ -40,6 +41,7 @@ public sealed class SwimProfile
         double frequency = Kinematics.Frequency(chain.Length);
         CruiseFrequency = (float)frequency;
         Fitting(creature, out fins, out medianFins);
+        legs = SwimLeg.Of(creature, chain);
         TailBeat = (float)(2 * Wave.TailReach);
         if (style == SwimStyle.Flippers)
         {
@@ -80,6 +82,8 @@ public sealed class SwimProfile
     internal SwimWave Wave { get; }
 
     internal ReadOnlySpan<SwimFin> Fins => fins;
+
+    internal ReadOnlySpan<SwimLeg> Legs => legs;
 
     internal ReadOnlySpan<MedianFin> MedianFins => medianFins;
 

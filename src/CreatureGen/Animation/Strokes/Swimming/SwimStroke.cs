@@ -21,6 +21,9 @@ internal struct SwimStroke
     /// <summary>0 up to the speed of cruise, 1 at twice that speed.</summary>
     public double Fast;
 
+    /// <summary>0 legs paddle, 1 they are laid back along the flanks: from 0.85 of the speed of cruise on, and in a C-start.</summary>
+    public double Trail;
+
     /// <summary>−1..1, positive in a turn to the left.</summary>
     public double Steer;
 
