@@ -124,6 +124,6 @@ internal sealed class SecondaryMotion
             most = Math.Min(most, Math.Max(SwingShare * least, 0.02f));
         }
 
-        return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, most, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle);
+        return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, most, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle, settings.MostSpeed);
     }
 }

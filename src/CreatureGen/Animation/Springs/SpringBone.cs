@@ -36,6 +36,9 @@ internal struct SpringBone
     /// <summary>Goal of its tip at the moment of the frame.</summary>
     public Vector3 Shown;
 
+    /// <summary>Square of the greatest speed of its swing as part of the width that is left of it, s⁻².</summary>
+    public float Liveliness;
+
     /// <summary>One substep of its spring.</summary>
     public DampedSpring Step;
 }

@@ -236,7 +236,7 @@ public static class SpringBones
             Vector3 goal = moment.Place + tail;
             Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
             Vector3 offset = bone.Offset;
-            Vector3 velocity = bone.Velocity + (bone.GoalVelocity - goalVelocity) + push;
+            Vector3 velocity = Calmed(bone.Velocity + (bone.GoalVelocity - goalVelocity) + push, offset, bone.Liveliness, 2f * (1f - state.SwingCosine) * length * length);
             Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
             velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
             Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
@@ -302,6 +302,23 @@ public static class SpringBones
     {
         Quaternion turn = Rotation.Multiply(UnitTurn.Between(along, direction), carried);
         return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
+    }
+
+    /// <summary>A velocity no greater than that of a free swing of full width at the same offset.</summary>
+    /// <param name="velocity">Of the tip.</param>
+    /// <param name="offset">From the goal to the tip.</param>
+    /// <param name="liveliness">Square of the rate of that swing; infinite for no bound.</param>
+    /// <param name="width">Square of the greatest offset.</param>
+    private static Vector3 Calmed(Vector3 velocity, Vector3 offset, float liveliness, float width)
+    {
+        if (float.IsPositiveInfinity(liveliness))
+        {
+            return velocity;
+        }
+
+        float most = liveliness * Math.Max(width - Vec.LengthSquared(offset), 0f);
+        float squared = Vec.LengthSquared(velocity);
+        return squared > most ? velocity * MathF.Sqrt(most / squared) : velocity;
     }
 
     /// <summary>A direction no farther from another than the cone allows.</summary>

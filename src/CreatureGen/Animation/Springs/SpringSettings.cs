@@ -20,6 +20,7 @@ public readonly struct SpringSettings
     /// <param name="weight">0 the animated pose, 1 the springs.</param>
     /// <param name="teleportDistance">World metres in one step beyond which the creature is taken to have been put elsewhere, not to have moved.</param>
     /// <param name="teleportAngle">Radians of turn in one step beyond which likewise.</param>
+    /// <param name="mostSpeed">How fast a bone may swing, in parts of what it would swinging free over its full width: slower towards the ends of it, where it comes to rest. Not limited by default; of no effect where the frequency is 0.</param>
     /// <exception cref="ArgumentException">A number is outside its range or not finite.</exception>
     public SpringSettings(
         ChainCurve frequency,
@@ -31,7 +32,8 @@ public readonly struct SpringSettings
         float inertia = 1f,
         float weight = 1f,
         float teleportDistance = 5f,
-        float teleportAngle = 2.4f)
+        float teleportAngle = 2.4f,
+        float mostSpeed = float.MaxValue)
     {
         Finite.Require(gravity, nameof(gravity));
         Finite.RequireWithin(mostSwing, 1e-3f, 3.1416f, nameof(mostSwing));
@@ -40,6 +42,7 @@ public readonly struct SpringSettings
         Finite.RequireWithin(weight, 0f, 1f, nameof(weight));
         Finite.RequireWithin(teleportDistance, 0f, float.MaxValue, nameof(teleportDistance));
         Finite.RequireWithin(teleportAngle, 0f, 4f, nameof(teleportAngle));
+        Finite.RequireWithin(mostSpeed, 0.01f, float.MaxValue, nameof(mostSpeed));
         Frequency = frequency;
         DampingRatio = dampingRatio;
         Radius = radius;
@@ -50,6 +53,7 @@ public readonly struct SpringSettings
         Weight = weight;
         TeleportDistance = teleportDistance;
         TeleportAngle = teleportAngle;
+        MostSpeed = mostSpeed;
     }
 
     /// <summary>Hz along the chain.</summary>
@@ -82,6 +86,9 @@ public readonly struct SpringSettings
     /// <summary>Radians.</summary>
     public float TeleportAngle { get; }
 
+    /// <summary>Parts of the speed of a free swing over the full width.</summary>
+    public float MostSpeed { get; }
+
     /// <summary>A tail: slow, and damped so much that it trails and never pumps up in a gallop.</summary>
     /// <param name="length">Of the whole chain in the world, metres.</param>
     public static SpringSettings Tail(float length) => Swinging(length, 2.4, 1.2f);
@@ -94,11 +101,11 @@ public readonly struct SpringSettings
     /// <param name="length">Of the feeler in the world, metres.</param>
     public static SpringSettings Antenna(float length) => Swinging(length, 2.2, 0.3f);
 
-    /// <summary>A chain that swings so many times faster than a hanging rod of its length, √(1.5 g / length) / 2π; 1.9 times as fast at its root.</summary>
+    /// <summary>A chain that swings so many times faster than a hanging rod of its length, √(1.5 g / length) / 2π; 1.9 times as fast at its root. No bone goes more than twice as fast as it would by itself: a jolt of the body would whip it from one end of its swing to the other.</summary>
     private static SpringSettings Swinging(float length, double factor, float dampingRatio)
     {
         Finite.RequireWithin(length, 1e-6f, 1e6f, nameof(length));
         float tip = (float)(factor * Math.Sqrt(1.5 * Gravity9 / length) / PortableMath.Tau);
-        return new SpringSettings(new ChainCurve(1.9f * tip, tip), new ChainCurve(dampingRatio));
+        return new SpringSettings(new ChainCurve(1.9f * tip, tip), new ChainCurve(dampingRatio), mostSpeed: 2f);
     }
 }

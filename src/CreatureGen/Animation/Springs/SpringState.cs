@@ -12,6 +12,7 @@ public sealed class SpringState
     private ChainCurve frequency;
     private ChainCurve ratio;
     private float swing;
+    private float speed;
     private bool tuned;
 
     /// <summary>Starts at rest: the first update takes the animated pose as it is.</summary>
@@ -74,7 +75,7 @@ public sealed class SpringState
     /// <summary>Works out the springs anew if the settings are not those they were worked out for.</summary>
     internal void Tune(in SpringSettings settings)
     {
-        if (tuned && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MostSwing)
+        if (tuned && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MostSwing && speed == settings.MostSpeed)
         {
             return;
         }
@@ -83,6 +84,7 @@ public sealed class SpringState
         frequency = settings.Frequency;
         ratio = settings.DampingRatio;
         swing = settings.MostSwing;
+        speed = settings.MostSpeed;
         PortableMath.SinCos(swing, out double sine, out double cosine);
         SwingSine = (float)sine;
         SwingCosine = (float)cosine;
@@ -90,6 +92,8 @@ public sealed class SpringState
         {
             float along = Rig.Along[i];
             float cycles = System.Math.Max(frequency.At(along), 0f);
+            double fastest = cycles * PortableMath.Tau * speed;
+            Bones[i].Liveliness = cycles > 0f && fastest < 1e9 ? (float)(fastest * fastest) : float.PositiveInfinity;
             Bones[i].Step = new DampedSpring((float)(cycles * PortableMath.Tau), System.Math.Max(ratio.At(along), 0f), SpringBones.Substep);
         }
     }
