@@ -75,7 +75,10 @@ public static class SlitherMotion
         double turn = yaw - state.Yaw;
         PortableMath.SinCos(turn, out double s, out double c);
         Vector3 p = state.Middle;
-        state.Track.Carry(turn, middle.X - ((p.X * c) + (p.Z * s)), middle.Y - p.Y, middle.Z - ((p.Z * c) - (p.X * s)));
+
+        // By the height of the ground: a root is not always where it lies, and the track does.
+        double height = floor.HeightAt(middle.X, middle.Y, middle.Z, out _);
+        state.Track.Carry(turn, middle.X - ((p.X * c) + (p.Z * s)), height - p.Y, middle.Z - ((p.Z * c) - (p.X * s)));
         state.Travel += turn;
     }
 
@@ -111,6 +114,7 @@ public static class SlitherMotion
         across -= sides * sine;
         state.Progress = Math.Max(Math.Sqrt((along * along) + (across * across)), 0.1);
         double slant = -PortableMath.Atan2(across, along);
+        state.Slant = slant;
         double arc = way / state.Progress;
         double turn = Scalar.Clamp(yaw * dt, -profile.TightestTurn * way, profile.TightestTurn * way);
         if (arc > 0)

@@ -16,6 +16,9 @@ internal static class SlitherPose
     /// <summary>Part of the slope that the head takes on.</summary>
     private const double HeadTilt = 0.3;
 
+    /// <summary>Part of what the neck can turn that it does: its joints slow down towards their limits.</summary>
+    private const double NeckUse = 0.95;
+
     private const double SidewindLift = 0.045;
 
     /// <summary>Swing of the track above which the body rests in sidewinding, and how much less lifts it as high as it goes.</summary>
@@ -159,20 +162,30 @@ internal static class SlitherPose
         return Rotation.FromBasis(left, Vec.Cross(ahead, left), ahead);
     }
 
-    /// <summary>The neck turns back what the chest swings, each bone a share, so that the head looks along the way; a crawler that lies still lifts it and looks about.</summary>
+    /// <summary>The neck turns back what the chest swings, each bone by what its joint can turn, so that the head looks along the way; a crawler that lies still lifts it and looks about.</summary>
     private static void Steady(SlitherProfile profile, SlitherState state, Vector3 up, Span<Quaternion> turns)
     {
         int neck = profile.NeckBones;
-        PortableMath.SinCos(state.Travel - state.Yaw, out double aside, out double ahead);
+        double way = state.Travel - state.Yaw + Askance(profile, state);
+        PortableMath.SinCos(way, out double aside, out double ahead);
         Quaternion along = Lie(Vec.Reject(new Vector3((float)aside, 0f, (float)ahead), Vec.Normalize(up, Vector3.UnitY)), up);
-        for (int b = 0; b < neck; b++)
+        double kept = HeadSwing * HeadTilt;
+        for (int b = 1; b < neck; b++)
         {
-            turns[b] = Rotation.Slerp(along, turns[neck], HeadSwing + ((1 - HeadSwing) * b / neck));
+            turns[b] = Rotation.Slerp(along, turns[neck], 1 - ((1 - kept) * profile.NeckShares[b]));
         }
 
+        turns[0] = Rotation.Slerp(along, turns[neck], HeadSwing);
         double idle = state.Idle.Value;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Breath, out double sine, out double cosine);
-        turns[0] = Rotation.Slerp(AxisTurn.Yaw(state.Travel - state.Yaw), turns[0], HeadTilt);
+        turns[0] = Rotation.Slerp(AxisTurn.Yaw(way), turns[0], HeadTilt);
         turns[0] = Rotation.Multiply(turns[0], Rotation.Multiply(AxisTurn.Yaw(0.12 * idle * sine), AxisTurn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
+    }
+
+    /// <summary>By how much the head looks aside of the way: a sidewinder lies so far across it that not every neck bends back by all of it.</summary>
+    private static double Askance(SlitherProfile profile, SlitherState state)
+    {
+        double beyond = Math.Abs(state.Slant) + state.Winding.Value - (NeckUse * profile.NeckReach);
+        return beyond <= 0 ? 0 : state.Sidewinding.Value * (state.Slant < 0 ? -beyond : beyond);
     }
 }

@@ -31,6 +31,7 @@ public sealed class SlitherProfile
 
     private readonly double[] lengths;
     private readonly double[] heights;
+    private readonly double[] neckShares;
 
     private SlitherProfile(Creature creature)
     {
@@ -49,6 +50,19 @@ public sealed class SlitherProfile
         while (NeckBones + 1 < count && creature.Skeleton.Joints[Chain.Bones[NeckBones].Turn.Joint].Role is JointRole.Head or JointRole.Neck)
         {
             NeckBones++;
+        }
+
+        neckShares = new double[NeckBones];
+        for (int b = NeckBones - 1; b >= 0; b--)
+        {
+            JointLimit limit = Skeleton.Joints[Chain.Bones[b].Turn.Joint].Limit;
+            NeckReach += Math.Min(limit.SwingZ.Max, -limit.SwingZ.Min);
+            neckShares[b] = NeckReach;
+        }
+
+        for (int b = 0; b < NeckBones; b++)
+        {
+            neckShares[b] = NeckReach > 0 ? neckShares[b] / NeckReach : (double)(NeckBones - b) / NeckBones;
         }
 
         BodyLength = (float)Chain.Length;
@@ -75,6 +89,12 @@ public sealed class SlitherProfile
 
     /// <summary>Number of the bones of head and neck, which lead the chain.</summary>
     internal int NeckBones { get; }
+
+    /// <summary>Share of a bend of the whole neck that is made behind each bone of it: by what their joints can turn aside.</summary>
+    internal ReadOnlySpan<double> NeckShares => neckShares;
+
+    /// <summary>How far the joints of head and neck turn aside together, radians.</summary>
+    internal double NeckReach { get; }
 
     /// <summary>Greatest angle between the track and its middle line, radians.</summary>
     internal double Alpha { get; }

@@ -18,6 +18,9 @@ public sealed class SlitherState
     internal Vector3 Middle;
     internal double Yaw;
 
+    /// <summary>From the way to the middle line of the track, radians.</summary>
+    internal double Slant;
+
     /// <summary>Metres on its way for each metre along its track.</summary>
     internal double Progress = 1;
 
