@@ -109,7 +109,9 @@ public sealed record MotionTrial(Movement Movement, GroundRelief Relief, float H
         float length = HillLength(profile, Movement);
         (Vector3 least, Vector3 most) = Extent(profile.Creature);
         float way = Math.Abs(Movement.Input.Speed) * (SettleSeconds + MostSeconds + 1f);
-        float room = 3f * length;
+
+        // Creatures without legs wind: some of them lie across their way.
+        float room = Movement.Gait != null ? 3f * length : Math.Max(3f * length, most.Z - least.Z);
         return new HillField(new Seed(profile.Creature.Blueprint.Seed), length).Around(most.X + room, least.Z - room - (0.2f * way), most.Z + room + way);
     }
 }
