@@ -7,8 +7,17 @@ namespace CreatureGen.Animation.Locomotion;
 /// <summary>The roll of a foot from heel to toe: its pitch through the cycle, and what that does to the ball's joint.</summary>
 internal static class FootRoll
 {
-    /// <summary>Where in stance the heel begins to rise.</summary>
-    private const float HeelRise = 0.62f;
+    /// <summary>Part of a stance in which the heel rises at least, as in a walk.</summary>
+    private const float ShortestRise = 0.38f;
+
+    /// <summary>The same at most, of feet that stand on their toes, which begin to roll as it does.</summary>
+    private const float LongestRise = 0.42f;
+
+    /// <summary>The same of flat feet, whose toes stay down at first.</summary>
+    private const float LongestFlatRise = 0.50f;
+
+    /// <summary>Part of the cycle that it takes to rise: in the short stances of a trot or gallop it begins early.</summary>
+    private const float RiseOfCycle = 0.24f;
 
     /// <summary>Where in stance the sole is flat.</summary>
     private const float FlatFrom = 0.14f;
@@ -20,7 +29,13 @@ internal static class FootRoll
     private const float PivotBlend = 0.2094f;
 
     /// <summary>Pitch beyond which toes leave the ground with the rest of a flat foot, radians.</summary>
-    private const float ToeBreak = 0.5236f;
+    private const float ToeBreak = 0.3491f;
+
+    /// <summary>Pitch over which they begin to, radians: at once they would throw the foot up.</summary>
+    private const float ToeEasing = 0.5236f;
+
+    /// <summary>Part of the pitch that toes off the ground make.</summary>
+    private const float ToeShare = 0.8f;
 
     /// <summary>Pitch of a foot, radians, toes down.</summary>
     /// <param name="foot">Its place in the cycle.</param>
@@ -30,9 +45,10 @@ internal static class FootRoll
     {
         LegTraits traits = leg.Traits;
         float off = traits.ToeOff * leg.RollShare;
+        float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
         if (foot.Phase == FootPhase.Stance)
         {
-            float rise = Scalar.Clamp((foot.Stance - HeelRise) / (1f - HeelRise), 0f, 1f);
+            float rise = Scalar.Clamp(1f - ((1f - foot.Stance) / rising), 0f, 1f);
             return (off * rise * rise) + (traits.Strike * (1f - Scalar.Smooth(foot.Stance / FlatFrom)));
         }
 
@@ -45,7 +61,7 @@ internal static class FootRoll
 
         // Hermite from the end of stance, with its rate, to the peak.
         float x = u / PeakAt;
-        float rate = 2f * off / ((1f - HeelRise) * duty) * (1f - duty) * PeakAt;
+        float rate = 2f * off / (rising * duty) * (1f - duty) * PeakAt;
         rate = Math.Min(rate, (3f * (peak - off)) + (0.5f * off));
         float y = 1f - x;
         return (off * (1f + (2f * x)) * y * y) + (rate * x * y * y) + (peak * x * x * (3f - (2f * x)));
@@ -64,7 +80,16 @@ internal static class FootRoll
     }
 
     /// <summary>Pitch of the toes of a flat foot, whose heel rises about the ball first.</summary>
-    public static float ToePitch(float pitch) => pitch > 0f ? 0.8f * Math.Max(0f, pitch - ToeBreak) : pitch;
+    public static float ToePitch(float pitch)
+    {
+        if (pitch <= 0f)
+        {
+            return pitch;
+        }
+
+        float beyond = Math.Max(pitch - ToeBreak, 0f);
+        return ToeShare * (beyond < ToeEasing ? beyond * beyond / (2f * ToeEasing) : beyond - (0.5f * ToeEasing));
+    }
 
     /// <summary>Place of the ball's joint from the point under the ball, in the foot's own axes, when the foot turns by a pitch about the tip of its toes (down) or its heel (up).</summary>
     /// <param name="leg">Gives the sole.</param>
