@@ -20,9 +20,9 @@ internal sealed class LegTraits
     private static readonly LegTraits[] all =
     {
         new(LimbArchetype.DigitigradeHind, 0.13, 0.40, 40, -12, 50, 70, -6, LegLinkage.Pantograph, 1),
-        new(LimbArchetype.DigitigradeFore, 0.14, 0.46, 78, -10, 45, 80, -6, LegLinkage.Pantograph, -1),
+        new(LimbArchetype.DigitigradeFore, 0.14, 0.46, 58, -6, 45, 80, -6, LegLinkage.Pantograph, -1),
         new(LimbArchetype.UnguligradeHind, 0.075, 0.40, 42, -14, 55, 70, -4, LegLinkage.Pantograph, 1),
-        new(LimbArchetype.UnguligradeFore, 0.10, 0.46, 78, -8, 52, 92, -4, LegLinkage.Pantograph, -1),
+        new(LimbArchetype.UnguligradeFore, 0.10, 0.46, 60, -5, 52, 92, -4, LegLinkage.Pantograph, -1),
         new(LimbArchetype.PlantigradeHind, 0.085, 0.38, 0, 0, 46, 52, -14, LegLinkage.Foot, 1),
         new(LimbArchetype.PlantigradeFore, 0.12, 0.45, 0, 0, 48, 68, -8, LegLinkage.Foot, -1),
         new(LimbArchetype.Column, 0.07, 0.42, 0, 0, 22, 32, -3, LegLinkage.Foot, 1),
@@ -52,7 +52,7 @@ internal sealed class LegTraits
     }
 
     /// <summary>Shape of the early fold of the metatarsus in the swing.</summary>
-    public static Curve FoldCurve { get; } = Curve.Bell(0.36, 1.7);
+    public static Curve FoldCurve { get; } = Curve.Bell(0.42, 1.6);
 
     /// <summary>Share of the swing in which the knee must not come straight yet.</summary>
     public static Curve SlackCurve { get; } = Curve.Bell(0.72, 4);
