@@ -27,6 +27,11 @@ internal sealed class BodyPlacer
     /// <summary>Part of a swing in which its leg stops drawing the body down.</summary>
     private const float LettingGo = 0.25f;
 
+    /// <summary>Part of a swing from which on its leg draws the body down to where it will stand: in less time a knee near straight that stands beside it snaps.</summary>
+    private const float Reaching = 0.6f;
+
+    private const float LateralReaching = 0.75f;
+
     private const float LateralDrop = 0.025f;
     private const float SurgeCap = 0.04f;
 
@@ -361,7 +366,8 @@ internal sealed class BodyPlacer
         for (int i = 0; i < feet.Length; i++)
         {
             LegShape leg = body.Legs[i];
-            float weight = feet[i].Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(feet[i].Swing / LettingGo) + (feet[i].Correcting ? 0f : Scalar.Smooth((feet[i].Swing - 0.75f) / 0.25f));
+            float from = leg.Lateral ? LateralReaching : Reaching;
+            float weight = feet[i].Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(feet[i].Swing / LettingGo) + (feet[i].Correcting ? 0f : Scalar.Smooth((feet[i].Swing - from) / (1f - from)));
             if (weight == 0f)
             {
                 continue;
