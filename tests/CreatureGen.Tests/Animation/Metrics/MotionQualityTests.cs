@@ -30,6 +30,7 @@ public class MotionQualityTests
             Assert.True(report.Float <= 0.005f, $"{name}: floats {report.Float}");
             Assert.True(report.Clearance >= 0.02f, $"{name}: clearance {report.Clearance}");
             Assert.True(report.LimitViolations == 0, $"{name}: {report.LimitViolations} joints beyond their limits, by up to {report.LimitExcess} rad");
+            Assert.True(report.PoseJump <= 3f, $"{name}: the pose jumps by {report.PoseJump}");
             stances++;
         }
 
@@ -57,6 +58,7 @@ public class MotionQualityTests
         foreach ((MotionReport report, string name) in Record(firstSeed, 100, rate, GroundRelief.Rough))
         {
             Assert.True(report.Slip <= 0.01f, $"{name}: slip {report.Slip}");
+            Assert.True(report.PoseJump <= 3f, $"{name}: the pose jumps by {report.PoseJump}");
             sunk.Add(report.MeanPenetration ?? 0f);
         }
 
