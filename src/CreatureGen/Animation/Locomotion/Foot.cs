@@ -57,8 +57,11 @@ internal struct Foot
     /// <summary>What of it is taken over by now.</summary>
     public float BumpNow;
 
-    /// <summary>How far a joint of its leg was beyond its limits as it last stood, about half the angle in radians: it comes back within them by and by when the foot has left the ground.</summary>
+    /// <summary>How far hip or knee was beyond its limits as it last stood, about half the angle in radians: it comes back within them by and by when the foot has left the ground.</summary>
     public float Strain;
+
+    /// <summary>Whether the joints of its leg did not let it lie on the ground as it should when it last stood.</summary>
+    public bool Yielding;
 
     /// <summary>Load: 0 in the air, about 1 in the middle of stance.</summary>
     public float Load;

@@ -59,29 +59,34 @@ internal sealed class LegPoser
         LegShape leg = body.Legs[index];
         Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
         Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
-        Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
-        Vector3 chord = pose.Target - hip;
-        if (tuck > 0f && leg.Row > 0 && foot.Phase == FootPhase.Swing)
+        turns.Slide(local, leg.Girdle, slide);
+        float folding = tuck > 0f && leg.Row > 0 && foot.Phase == FootPhase.Swing ? tuck * LegTraits.TuckCurve.At(foot.Swing) : 0f;
+        FootPose wanted = pose;
+        LegTurns solved = Solve(leg, carrier, hip, wanted, folding, ref foot, local);
+        Quaternion metatarsus = PoseFoot(leg, solved, wanted, foot.Phase, local, out bool yields);
+        foot.Yielding = foot.Phase == FootPhase.Swing ? foot.Yielding : yields;
+        float share = yields ? YieldShare(foot) : 0f;
+        if (share > 0f)
         {
-            chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Tucked), tuck * LegTraits.TuckCurve.At(foot.Swing));
+            Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
+            FootYield.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, share, ref wanted);
+            solved = Solve(leg, carrier, hip, wanted, folding, ref foot, local);
+            PoseFoot(leg, solved, wanted, foot.Phase, local, out _);
         }
+    }
 
-        Vector3 side;
-        if (leg.Lateral)
+    /// <summary>Solves hip and knee and writes them.</summary>
+    private LegTurns Solve(LegShape leg, Quaternion carrier, Vector3 hip, in FootPose pose, float folding, ref Foot foot, in Pose local)
+    {
+        Vector3 chord = pose.Target - hip;
+        if (folding > 0f)
         {
-            // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
-            Vector3 across = Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)) * (leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
-            side = across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyShare);
-        }
-        else
-        {
-            // Half with the pelvis, half with the foot.
-            side = carried + (Rotation.Rotate(foot.Heading, leg.Hinge) * 0.5f) + (leg.Hinge * 0.5f);
+            chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Tucked), folding);
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
         float leeway = Leeway(foot);
-        float give = foot.Phase == FootPhase.Swing ? Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival)) : 0f;
+        float give = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
         LegParts folded = default;
         scoped ref readonly LegParts parts = ref leg.Parts;
         if (pose.Fold != 0f)
@@ -90,18 +95,15 @@ internal sealed class LegPoser
             parts = ref folded;
         }
 
-        LegSolver.Solve(leg, parts, chord, side, slack, leeway, give, out LegTurns solved);
+        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, leeway, give, out LegTurns solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
-        turns.Slide(local, leg.Girdle, slide);
         turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
         turns.Set(local, leg.Knee, solved.Knee);
-        bool bounds = foot.Phase == FootPhase.Swing || foot.Stance > LateStance;
-        float strain = solved.Strain;
-        if (bounds)
+        if (foot.Phase == FootPhase.Swing || foot.Stance > LateStance)
         {
             float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway, give);
-            strain = Math.Max(strain, hips);
+            foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : Math.Max(solved.Strain, hips);
             if (hips > leeway)
             {
                 // The foot keeps its own turn where the thigh cannot go.
@@ -110,51 +112,71 @@ internal sealed class LegPoser
             }
         }
 
-        Quaternion metatarsus;
+        return solved;
+    }
+
+    /// <summary>Where the hinge of the knee has to point.</summary>
+    private static Vector3 Side(LegShape leg, Quaternion carrier, Vector3 chord, Quaternion heading)
+    {
+        Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
+        if (!leg.Lateral)
+        {
+            // Half with the pelvis, half with the foot.
+            return carried + (Rotation.Rotate(heading, leg.Hinge) * 0.5f) + (leg.Hinge * 0.5f);
+        }
+
+        // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
+        Vector3 across = Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)) * (leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
+        return across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyShare);
+    }
+
+    /// <summary>Writes ankle and ball, within their limits.</summary>
+    /// <returns>The turn of the metatarsus from rest.</returns>
+    private Quaternion PoseFoot(LegShape leg, in LegTurns solved, in FootPose pose, FootPhase phase, in Pose local, out bool bounded)
+    {
+        Quaternion metatarsus = pose.Foot;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
             metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, Rotation.FromAxisAngle(leg.Hinge, FoldOf(leg, pose.Fold, solved.KneeTurn)));
         }
-        else
-        {
-            metatarsus = pose.Foot;
-        }
 
         turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
         turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
-        if (bounds)
+        if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral && phase == FootPhase.Swing)
         {
-            if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral && foot.Phase == FootPhase.Swing)
-            {
-                FoldBack(leg, leeway, give, ref local.Rotations[leg.Ankle]);
-            }
-
-            strain = Math.Max(strain, Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, leeway, give));
-            strain = Math.Max(strain, Bound(local.Rotations, leg.Ball, leg.BallJoint, leeway, give));
-            foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : strain;
+            FoldBack(leg, ref local.Rotations[leg.Ankle]);
         }
+
+        // The toes go along with a foot that its ankle turns.
+        bool ankle = Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f, 0f) > 0f;
+        bool ball = Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f, 0f) > 0f;
+        bounded = ankle || ball;
+        return bounded ? Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle)) : metatarsus;
     }
+
+    /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, and less and less before and after.</summary>
+    private static float YieldShare(in Foot foot) =>
+        foot.Phase == FootPhase.Stance ? 1f : Math.Max(Arriving(foot), foot.Yielding ? 1f - Scalar.Smooth(foot.Swing / Release) : 0f);
+
+    /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
+    private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));
 
     /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps; as it comes down it goes as far beyond them as it will stand.</summary>
     private static float Leeway(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
 
     /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
-    private static void FoldBack(LegShape leg, float leeway, float give, ref Quaternion ankle)
+    private static void FoldBack(LegShape leg, ref Quaternion ankle)
     {
         Quaternion folded = Rotation.Multiply(leg.AnkleJoint.LocalRotation, leg.AnkleFolded);
         Quaternion beyond = Rotation.Multiply(Rotation.Inverse(folded), ankle);
-        float sign = beyond.W < 0f ? -1f : 1f;
-        if (sign * beyond.X * leg.AnkleFolded.X <= 0f)
+        if (beyond.X * beyond.W * leg.AnkleFolded.X <= 0f)
         {
             return;
         }
 
-        float sine = Math.Abs(beyond.X);
-        float taken = 1f - Math.Max(Math.Min(leeway / sine, 1f), give);
-        float back = -beyond.X * sign * taken;
-        float on = 1f - taken + (beyond.W * sign * taken);
-        float scale = 1f / (float)Math.Sqrt((back * back) + (on * on));
-        ankle = Rotation.Multiply(folded, Rotation.Multiply(beyond, new Quaternion(back * scale, 0f, 0f, on * scale)));
+        float scale = (beyond.W < 0f ? -1f : 1f) / (float)Math.Sqrt((beyond.X * beyond.X) + (beyond.W * beyond.W));
+        var fold = new Quaternion(-beyond.X * scale, 0f, 0f, beyond.W * scale);
+        ankle = Rotation.Multiply(folded, Rotation.Multiply(beyond, fold));
     }
 
     /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
