@@ -16,7 +16,6 @@ internal sealed class BodyPlacer
 
     private const float SlopeRate = 6f;
     private const float SlopeShare = 0.8f;
-    private const float SteepestRoll = 0.3f;
 
     /// <summary>Part of its reach beyond which a standing leg draws the body down.</summary>
     private const float MostStretch = 0.972f;
@@ -268,7 +267,7 @@ internal sealed class BodyPlacer
         float share = groundDecay.Share(GroundRate * context.Step);
         HindGround += (hindGround - HindGround) * share;
         ForeGround += (foreGround - ForeGround) * share;
-        float wanted = Scalar.Clamp(0.5f * SlopeShare * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -SteepestRoll, SteepestRoll);
+        float wanted = Scalar.Clamp(0.5f * SlopeShare * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MostRoll, body.MostRoll);
         slope += (wanted - slope) * slopeDecay.Share(SlopeRate * context.Step);
         SlideShare = context.Activity;
     }

@@ -17,6 +17,12 @@ internal sealed class LeggedBody
     /// <summary>Distance of the hips from the middle, leg lengths, beyond which the body yaws less.</summary>
     private const float WideHips = 0.55f;
 
+    /// <summary>How far a body rolls with the ground at most, radians.</summary>
+    private const float SteepestRoll = 0.3f;
+
+    /// <summary>Share of the way that a hip draws its leg in which the roll of the body takes up: the rest is for its steps.</summary>
+    private const float RollShare = 0.2f;
+
     private LeggedBody(Creature creature, LimbChain[] standing)
     {
         Creature = creature;
@@ -85,6 +91,7 @@ internal sealed class LeggedBody
         BellyHeight = BellyOf(creature);
         Arms = ArmsOf(creature);
         Body = Skeleton.IndexOf("Body");
+        MostRoll = IsBiped ? 0f : MostRollOf(Legs);
         MostBendYaw = MostYaw(Skeleton, Trunk, ForeSlot);
         Turns = new RestTurns(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
@@ -116,6 +123,9 @@ internal sealed class LeggedBody
 
     /// <summary>How far the trunk bends to a side from the pelvis to the fore legs' joint, radians.</summary>
     public float MostBendYaw { get; }
+
+    /// <summary>How far it rolls with the ground to a side, radians: less on hips that do not draw their legs in far, and not at all on two legs.</summary>
+    public float MostRoll { get; }
 
     /// <summary>Neck joints and the head, which is the last.</summary>
     public int[] Neck { get; }
@@ -252,6 +262,18 @@ internal sealed class LeggedBody
         }
 
         return trunk.ToArray();
+    }
+
+    private static float MostRollOf(LegShape[] legs)
+    {
+        float most = SteepestRoll;
+        foreach (LegShape leg in legs)
+        {
+            AngleRange aside = leg.HipJoint.Limit.SwingZ;
+            most = leg.Lateral ? most : Math.Min(most, RollShare * (leg.Side == Side.Left ? aside.Max : -aside.Min));
+        }
+
+        return most;
     }
 
     /// <summary>The stiffest joint decides: all bend alike.</summary>
