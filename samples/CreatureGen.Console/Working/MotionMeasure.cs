@@ -26,7 +26,8 @@ internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<Measur
     public static readonly MotionMeasure Clearance = Of("clearanceMinLegLengths", WorseFigure.Smaller, run => run.Report.Clearance);
     public static readonly MotionMeasure LimitViolations = Of("limitViolations", WorseFigure.Greater, run => run.Report.LimitViolations);
     public static readonly MotionMeasure LimitExcess = Of("limitExcessMaxDegrees", WorseFigure.Greater, run => run.Report.LimitExcess * DegreesPerRadian);
-    public static readonly MotionMeasure Residual = Of("reachResidualMaxLegLengths", WorseFigure.Greater, ResidualOf);
+    public static readonly MotionMeasure Residual = Of("reachResidualMaxLegLengths", WorseFigure.Greater, run => run.Report.StanceResidual);
+    public static readonly MotionMeasure SwingResidual = Of("swingResidualMaxLegLengths", WorseFigure.Greater, run => run.Report.SwingResidual);
     public static readonly MotionMeasure PoseJump = Of("poseJumpMax", WorseFigure.Greater, run => run.Report.PoseJump);
     public static readonly MotionMeasure LegOverlap = Of("legOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.LegOverlap);
     public static readonly MotionMeasure Support = Of("supportMin", WorseFigure.Smaller, run => run.Report.LeastSupport);
@@ -46,6 +47,8 @@ internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<Measur
         Clearance,
         Residual,
         LimitExcess,
+        Metres("swingResidualMaxMetres", SwingResidual),
+        SwingResidual,
         Metres("penetrationMeanMetres", Of("", WorseFigure.Greater, run => run.Report.MeanPenetration)),
         Metres("floatMaxMetres", Of("", WorseFigure.Greater, run => run.Report.Float)),
         Metres("lockDriftMaxMetres", Of("", WorseFigure.Greater, run => run.Report.LockDrift)),
@@ -64,7 +67,4 @@ internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<Measur
     private static MotionMeasure Of(string name, WorseFigure worse, Func<MeasuredRun, float?> value) => new(name, worse, value);
 
     private static MotionMeasure Metres(string name, MotionMeasure legLengths) => new(name, legLengths.Worse, run => legLengths.Value(run) * run.LegLength);
-
-    private static float? ResidualOf(MeasuredRun run) =>
-        run.Report is { StanceResidual: float stance, SwingResidual: float swing } ? Math.Max(stance, swing) : null;
 }
