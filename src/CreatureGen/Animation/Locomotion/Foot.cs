@@ -51,12 +51,6 @@ internal struct Foot
     /// <summary>Whether it swings by its own clock, out of step with the gait: a correction.</summary>
     public bool Correcting;
 
-    /// <summary>Height of what stands in the way of the swing, metres.</summary>
-    public float Bump;
-
-    /// <summary>What of it is taken over by now.</summary>
-    public float BumpNow;
-
     /// <summary>How far hip or knee was beyond its limits as it last stood, about half the angle in radians: it comes back within them by and by when the foot has left the ground.</summary>
     public float Strain;
 

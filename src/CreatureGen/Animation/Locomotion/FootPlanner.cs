@@ -44,6 +44,7 @@ internal sealed class FootPlanner
 
     private readonly LeggedBody body;
     private readonly Foot[] feet;
+    private readonly SwingWay[] ways;
     private readonly EventQueue events;
     private readonly FootingSearch search;
     private SteadyDecay aimDecay;
@@ -53,10 +54,19 @@ internal sealed class FootPlanner
         this.body = body;
         this.events = events;
         feet = new Foot[body.Legs.Length];
+        ways = new SwingWay[feet.Length];
+        for (int i = 0; i < ways.Length; i++)
+        {
+            ways[i] = new SwingWay();
+        }
+
         search = new FootingSearch(body);
     }
 
     public Foot[] Feet => feet;
+
+    /// <summary>What is in the way of each foot that swings.</summary>
+    public ReadOnlySpan<SwingWay> Ways => ways;
 
     /// <summary>Whether a foot is in the air or away from its home.</summary>
     public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
@@ -292,8 +302,6 @@ internal sealed class FootPlanner
         foot.Aimed = false;
         foot.Swing = 0f;
         foot.Nudge = 0f;
-        foot.Bump = 0f;
-        foot.BumpNow = 0f;
         Tell(MotionEventKind.FootUp, leg, step, foot.From, 0f);
     }
 
@@ -342,11 +350,11 @@ internal sealed class FootPlanner
         float share = foot.Swing > 0f && foot.Aimed ? aimDecay.Share(AimRate * step.Step) : 1f;
         foot.Wanted += (next - foot.Wanted) * share;
         heading = share < 1f ? UnitTurn.Nlerp(foot.To.Heading, heading, share) : heading;
-        foot.Aimed = true;
         foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), yaw, ref foot.Nudge, out foot.To);
         foot.To.Heading = heading;
         foot.To.Attach(step.Ground as IMovingGround);
-        search.Obstacles(step, ref foot);
+        search.Survey(step, leg, foot, ways[leg]);
+        foot.Aimed = true;
     }
 
     /// <summary>Where a foot belongs under the body: its rest place, drawn in towards the middle and shifted ahead or back with the gait.</summary>

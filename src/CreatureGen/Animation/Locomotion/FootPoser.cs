@@ -30,14 +30,12 @@ internal static class FootPoser
     /// <summary>Share of a swing's height that is left when the creature hardly moves.</summary>
     private const float LeastLift = 0.35f;
 
-    private const float BumpRate = 12f;
-
     /// <summary>Share of its way over the ground that a swinging foot has gone.</summary>
     /// <param name="swing">Progress of the swing, 0..1.</param>
     public static float Along(float swing) => Scalar.Smooth(swing * (0.93f + (0.07f * swing)));
 
     /// <summary>Poses a foot.</summary>
-    public static void Pose(LegShape leg, ref Foot foot, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
+    public static void Pose(LegShape leg, ref Foot foot, SwingWay way, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
     {
         Quaternion inverse = Rotation.Inverse(frame.Rotation);
         Vector3 from = frame.ToModel(foot.From.Position);
@@ -50,14 +48,10 @@ internal static class FootPoser
             float u = foot.Swing;
             Vector3 to = frame.ToModel(foot.To.Position);
             float r = Along(u);
-            float climb = to.Y > from.Y ? Scalar.Smooth(u / 0.6f) : Scalar.Smooth((u - 0.4f) / 0.6f);
-            float height = from.Y + ((to.Y - from.Y) * climb);
             from += (to - from) * r;
-            from.Y = height;
             heading = UnitTurn.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
             normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
-            foot.BumpNow += (foot.Bump - foot.BumpNow) * (1f - (1f / (1f + (BumpRate * gait.Step))));
-            foot.Over = foot.BumpNow * LegTraits.BumpCurve.At(u);
+            foot.Over = way.Rise(r);
             foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (LeastLift + ((1f - LeastLift) * gait.Activity))) + foot.Over;
         }
 

@@ -30,6 +30,9 @@ internal sealed class FootingSearch
     /// <summary>Rise over its distance up to which ground is bent; from twice that on it is an edge or a wall.</summary>
     private const float BendOfGround = 0.4f;
 
+    /// <summary>What a swinging foot is lifted over at most, part of the leg's length.</summary>
+    private const float Highest = 0.6f;
+
     private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
 
     private readonly LeggedBody body;
@@ -80,24 +83,57 @@ internal sealed class FootingSearch
         return true;
     }
 
-    /// <summary>Looks for what a swinging foot has to be lifted over.</summary>
-    public void Obstacles(in StepContext step, ref Foot foot)
+    /// <summary>Feels the ground along the way of a swing, all of it as the foot leaves the ground, and later on what is just ahead of it.</summary>
+    public void Survey(in StepContext step, int leg, in Foot foot, SwingWay way)
     {
         if (step.Ground is FlatGround)
         {
             return;
         }
 
-        // One ray at a time, at places that change with the progress of the swing.
-        float at = foot.Swing < 0.15f ? 0.35f : foot.Swing < 0.3f ? 0.5f : foot.Swing < 0.45f ? 0.65f : 0.8f;
         Vector3 from = step.Frame.ToModel(foot.From.Position);
         Vector3 to = step.Frame.ToModel(foot.To.Position);
-        Vector3 between = Vec.Lerp(from, to, at);
-        if (Down(step, between, out GroundHit hit))
+        if (!foot.Aimed)
         {
-            float height = step.Frame.ToModel(hit.Point).Y - between.Y;
-            foot.Bump = Math.Max(foot.Bump, Math.Min(height, 0.6f * body.LegLength));
+            way.Clear();
+            for (int i = 0; i < SwingWay.Knots; i++)
+            {
+                if (Obstacle(step, from, to, i, out float height))
+                {
+                    way.Feel(i, height);
+                }
+            }
         }
+        else
+        {
+            int next = SwingWay.After(FootPoser.Along(foot.Swing));
+            if (next < SwingWay.Knots && Obstacle(step, from, to, next, out float height))
+            {
+                way.FeelAgain(next, height);
+            }
+        }
+
+        Vector3 along = to - from;
+        var level = new Vector3(along.X, 0f, along.Z);
+        float length = Vec.Length(level);
+        Vector3 ahead = Vec.Normalize(level, Vector3.UnitZ);
+        float slope = along.Y / Math.Max(length, 1e-6f);
+        way.Span(length, body.Legs[leg].Toe, SlopeAlong(step, foot.From, ahead) - slope, SlopeAlong(step, foot.To, ahead) - slope);
+    }
+
+    private static float SlopeAlong(in StepContext step, in FootPlace place, Vector3 ahead)
+    {
+        Vector3 normal = Rotation.Rotate(Rotation.Inverse(step.Frame.Rotation), place.Normal);
+        return -Vec.Dot(normal, ahead) / Math.Max(normal.Y, Steepest);
+    }
+
+    /// <summary>How far the ground is above the straight way of a foot.</summary>
+    private bool Obstacle(in StepContext step, Vector3 from, Vector3 to, int knot, out float height)
+    {
+        Vector3 between = Vec.Lerp(from, to, SwingWay.At(knot));
+        bool found = Down(step, between, out GroundHit hit);
+        height = found ? Math.Min(step.Frame.ToModel(hit.Point).Y - between.Y, Highest * body.LegLength) : 0f;
+        return found;
     }
 
     /// <summary>Moves a foot back from an edge under its toes, or ahead from one under its heel, a little in each update.</summary>

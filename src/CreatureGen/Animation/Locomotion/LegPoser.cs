@@ -65,7 +65,7 @@ internal sealed class LegPoser
         LegTurns solved = Solve(leg, carrier, hip, wanted, folding, ref foot, local);
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, foot.Phase, local, out bool yields);
         foot.Yielding = foot.Phase == FootPhase.Swing ? foot.Yielding : yields;
-        float share = yields ? YieldShare(foot) : 0f;
+        float share = yields ? YieldShare(leg, foot) : 0f;
         if (share > 0f)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
@@ -155,8 +155,8 @@ internal sealed class LegPoser
     }
 
     /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, and less and less before and after.</summary>
-    private static float YieldShare(in Foot foot) =>
-        foot.Phase == FootPhase.Stance ? 1f : Math.Max(Arriving(foot), foot.Yielding ? 1f - Scalar.Smooth(foot.Swing / Release) : 0f);
+    private static float YieldShare(LegShape leg, in Foot foot) =>
+        leg.Lateral || foot.Phase == FootPhase.Stance ? 1f : Math.Max(Arriving(foot), foot.Yielding ? 1f - Scalar.Smooth(foot.Swing / Release) : 0f);
 
     /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
     private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));

@@ -60,9 +60,6 @@ internal sealed class LegTraits
     /// <summary>Course of the folding of a leg that is tucked in the air.</summary>
     public static Curve TuckCurve { get; } = Curve.Bell(0.45, 1.5);
 
-    /// <summary>Lift over a bump in the way.</summary>
-    public static Curve BumpCurve { get; } = Curve.Bell(0.5, 1.2);
-
     /// <summary>The build.</summary>
     public LimbArchetype Archetype { get; }
 

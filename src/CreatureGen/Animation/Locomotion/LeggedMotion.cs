@@ -281,7 +281,7 @@ internal sealed class LeggedMotion : IBodyMotion
         var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Lift, activity, 0f, dt);
         for (int i = 0; i < poses.Length; i++)
         {
-            FootPoser.Pose(body.Legs[i], ref planner.Feet[i], placement, numbers, out poses[i]);
+            FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);
         }
     }
 
