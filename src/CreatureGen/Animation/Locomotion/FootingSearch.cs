@@ -24,6 +24,9 @@ internal sealed class FootingSearch
     /// <summary>Part of the sole's extent at which the ground under its ends is felt.</summary>
     private const float EndShare = 0.95f;
 
+    /// <summary>Part of the toes' length at which those spread to the sides end.</summary>
+    private const float CornerShare = 0.75f;
+
     /// <summary>Part of the leg's length from which on a sole is long or wide.</summary>
     private const float LongSole = 0.15f;
 
@@ -163,6 +166,12 @@ internal sealed class FootingSearch
             Vector3 aside = new Vector3(toes.Z, 0f, -toes.X) * (EndShare * shape.HalfWidth);
             sole.Left = Rise(step, shape, target, middle + aside - target, hit, out _);
             sole.Right = Rise(step, shape, target, middle - aside - target, hit, out _);
+            if (shape.Toe > LongSole * shape.Length)
+            {
+                Vector3 ahead = toes * (CornerShare * shape.Toe);
+                sole.FrontLeft = Rise(step, shape, target, ahead + aside, hit, out _);
+                sole.FrontRight = Rise(step, shape, target, ahead - aside, hit, out _);
+            }
         }
 
         return sole;
@@ -195,6 +204,9 @@ internal sealed class FootingSearch
         float middle = Vec.Dot(shape.SoleMiddleAlong(toes), toes) * slope;
         float raise = Math.Max(0f, Math.Max(sole.Toe - end, sole.Middle - (0.5f * end)));
         raise = Math.Max(raise, (0.5f * (sole.Left + sole.Right)) - middle);
+        float corner = CornerShare * shape.Toe * slope;
+        float tilt = across * EndShare * shape.HalfWidth;
+        raise = Math.Max(raise, Math.Max(sole.FrontLeft - corner - tilt, sole.FrontRight - corner + tilt));
         Vector3 up = step.Settings.Up;
         Vector3 ahead = Rotation.Rotate(step.Frame.Rotation, toes);
         Vector3 aside = Rotation.Rotate(step.Frame.Rotation, new Vector3(toes.Z, 0f, -toes.X));
@@ -218,6 +230,8 @@ internal sealed class FootingSearch
         public float Heel;
         public float Left;
         public float Right;
+        public float FrontLeft;
+        public float FrontRight;
         public bool ToesHang;
         public bool HeelHangs;
     }
