@@ -24,9 +24,6 @@ internal sealed class FootingSearch
     /// <summary>Part of the sole's extent at which the ground under its ends is felt.</summary>
     private const float EndShare = 0.95f;
 
-    /// <summary>Part of the toes' length at which those spread to the sides end.</summary>
-    private const float CornerShare = 0.75f;
-
     /// <summary>Part of the leg's length from which on a sole is long or wide.</summary>
     private const float LongSole = 0.15f;
 
@@ -37,6 +34,9 @@ internal sealed class FootingSearch
     private const float Highest = 0.6f;
 
     private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
+
+    /// <summary>Where a sole of spread toes may stand on something, of the length of its toes and half its width.</summary>
+    private static readonly (float Along, float Across)[] fan = { (1f, 0.52f), (1f, -0.52f), (0.75f, EndShare), (0.75f, -EndShare) };
 
     private readonly LeggedBody body;
 
@@ -78,9 +78,12 @@ internal sealed class FootingSearch
         if (!(step.Ground is FlatGround))
         {
             var toes = new Vector3((shape.ToeDirection.X * ahead.Z) + (shape.ToeDirection.Z * ahead.X), 0f, (shape.ToeDirection.Z * ahead.Z) - (shape.ToeDirection.X * ahead.X));
-            Sole sole = Feel(step, shape, target, toes, hit);
+            var sole = new Sole(toes, new Vector3(toes.Z, 0f, -toes.X));
+            Feel(step, shape, target, hit, ref sole);
             KeepOffEdges(shape, sole, ref nudge);
-            Lay(step, shape, toes, sole, ref place);
+            place.Position += up * (sole.Raise * step.Frame.Scale);
+            Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
+            place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);
         }
 
         return true;
@@ -149,32 +152,37 @@ internal sealed class FootingSearch
         }
     }
 
-    /// <summary>Feels the ground under the ends of a sole, and of a long or wide one under its middle and its sides.</summary>
-    private Sole Feel(in StepContext step, LegShape shape, Vector3 target, Vector3 toes, in GroundHit hit)
+    /// <summary>Feels the ground under a rigid sole and lays it there: along the chords from heel to toes and, where it is wide, from side to side, as high as the highest ground under it asks.</summary>
+    private void Feel(in StepContext step, LegShape shape, Vector3 target, in GroundHit hit, ref Sole sole)
     {
-        Sole sole = default;
-        sole.Toe = Rise(step, shape, target, toes * (EndShare * shape.Toe), hit, out sole.ToesHang);
-        sole.Heel = Rise(step, shape, target, toes * (-EndShare * shape.Heel), hit, out sole.HeelHangs);
-        if (shape.Toe > LongSole * shape.Length)
+        float end = EndShare * shape.Toe;
+        float toe = Rise(step, shape, target, sole.Ahead * end, hit, out sole.ToesHang);
+        float heel = Rise(step, shape, target, sole.Ahead * (-EndShare * shape.Heel), hit, out sole.HeelHangs);
+        sole.Slope = (toe - heel) / (EndShare * (shape.Toe + shape.Heel));
+        sole.Raise = Math.Max(0f, toe - (end * sole.Slope));
+        bool isLong = shape.Toe > LongSole * shape.Length;
+        if (isLong)
         {
-            sole.Middle = Rise(step, shape, target, toes * (0.5f * EndShare * shape.Toe), hit, out _);
+            sole.StandOn(Rise(step, shape, target, sole.Ahead * (0.5f * end), hit, out _), 0.5f * end, 0f);
         }
 
-        if (shape.HalfWidth > LongSole * shape.Length)
+        if (shape.HalfWidth <= LongSole * shape.Length)
         {
-            Vector3 middle = target + shape.SoleMiddleAlong(toes);
-            Vector3 aside = new Vector3(toes.Z, 0f, -toes.X) * (EndShare * shape.HalfWidth);
-            sole.Left = Rise(step, shape, target, middle + aside - target, hit, out _);
-            sole.Right = Rise(step, shape, target, middle - aside - target, hit, out _);
-            if (shape.Toe > LongSole * shape.Length)
-            {
-                Vector3 ahead = toes * (CornerShare * shape.Toe);
-                sole.FrontLeft = Rise(step, shape, target, ahead + aside, hit, out _);
-                sole.FrontRight = Rise(step, shape, target, ahead - aside, hit, out _);
-            }
+            return;
         }
 
-        return sole;
+        float middle = Vec.Dot(shape.SoleMiddleAlong(sole.Ahead), sole.Ahead);
+        float side = EndShare * shape.HalfWidth;
+        float left = Rise(step, shape, target, (sole.Ahead * middle) + (sole.Aside * side), hit, out _);
+        float right = Rise(step, shape, target, (sole.Ahead * middle) - (sole.Aside * side), hit, out _);
+        sole.Tilt = (left - right) / (2f * side);
+        sole.StandOn(0.5f * (left + right), middle, 0f);
+        for (int i = 0; isLong && i < fan.Length; i++)
+        {
+            float along = fan[i].Along * shape.Toe;
+            float across = fan[i].Across * shape.HalfWidth;
+            sole.StandOn(Rise(step, shape, target, (sole.Ahead * along) + (sole.Aside * across), hit, out _), along, across);
+        }
     }
 
     /// <summary>How much higher the ground is beside a foot's place than the plane of that place goes on, metres of the model; none where an edge or a wall is.</summary>
@@ -195,25 +203,6 @@ internal sealed class FootingSearch
         return rise * Scalar.Clamp(2f - bend, 0f, 1f);
     }
 
-    /// <summary>Lays a rigid sole onto ground that bends under it: along the chords from heel to toes and from side to side, as high as the highest ground under it asks.</summary>
-    private static void Lay(in StepContext step, LegShape shape, Vector3 toes, in Sole sole, ref FootPlace place)
-    {
-        float slope = (sole.Toe - sole.Heel) / (EndShare * (shape.Toe + shape.Heel));
-        float across = (sole.Left - sole.Right) / (2f * EndShare * Math.Max(shape.HalfWidth, 1e-6f));
-        float end = slope * EndShare * shape.Toe;
-        float middle = Vec.Dot(shape.SoleMiddleAlong(toes), toes) * slope;
-        float raise = Math.Max(0f, Math.Max(sole.Toe - end, sole.Middle - (0.5f * end)));
-        raise = Math.Max(raise, (0.5f * (sole.Left + sole.Right)) - middle);
-        float corner = CornerShare * shape.Toe * slope;
-        float tilt = across * EndShare * shape.HalfWidth;
-        raise = Math.Max(raise, Math.Max(sole.FrontLeft - corner - tilt, sole.FrontRight - corner + tilt));
-        Vector3 up = step.Settings.Up;
-        Vector3 ahead = Rotation.Rotate(step.Frame.Rotation, toes);
-        Vector3 aside = Rotation.Rotate(step.Frame.Rotation, new Vector3(toes.Z, 0f, -toes.X));
-        place.Position += up * (raise * step.Frame.Scale);
-        place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - (ahead * slope) - (aside * across), up);
-    }
-
     private bool Down(in StepContext step, Vector3 point, out GroundHit hit)
     {
         float above = Above * body.LegLength;
@@ -222,17 +211,38 @@ internal sealed class FootingSearch
         return step.Ground.Cast(origin, -up, (above + (Below * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
     }
 
-    /// <summary>By how much the ground under a sole is above the plane through the ball's place, metres of the model.</summary>
+    /// <summary>How a sole lies on the ground, seen from the plane through the ball's place. Metres of the model.</summary>
     private struct Sole
     {
-        public float Toe;
-        public float Middle;
-        public float Heel;
-        public float Left;
-        public float Right;
-        public float FrontLeft;
-        public float FrontRight;
+        public Sole(Vector3 ahead, Vector3 aside)
+        {
+            this = default;
+            Ahead = ahead;
+            Aside = aside;
+        }
+
+        /// <summary>Where the toes point, level, unit.</summary>
+        public Vector3 Ahead;
+
+        /// <summary>To the side of that.</summary>
+        public Vector3 Aside;
+
+        /// <summary>Rise towards the toes.</summary>
+        public float Slope;
+
+        /// <summary>Rise to the side.</summary>
+        public float Tilt;
+
+        /// <summary>Height above the place.</summary>
+        public float Raise;
+
         public bool ToesHang;
         public bool HeelHangs;
+
+        /// <summary>Raises it onto the ground at a place.</summary>
+        /// <param name="height">Of the ground above the plane.</param>
+        /// <param name="along">Towards the toes.</param>
+        /// <param name="across">To the side.</param>
+        public void StandOn(float height, float along, float across) => Raise = Math.Max(Raise, height - (along * Slope) - (across * Tilt));
     }
 }
