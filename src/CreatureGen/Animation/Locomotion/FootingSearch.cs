@@ -33,6 +33,9 @@ internal sealed class FootingSearch
     /// <summary>What a swinging foot is lifted over at most, part of the leg's length.</summary>
     private const float Highest = 0.6f;
 
+    /// <summary>Share of a change that is taken up when the ground along a way is felt again.</summary>
+    private const float Renewal = 0.5f;
+
     private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
 
     /// <summary>Where a sole of spread toes may stand on something, of the length of its toes and half its width.</summary>
@@ -97,50 +100,67 @@ internal sealed class FootingSearch
             return;
         }
 
+        LegShape shape = body.Legs[leg];
+        Quaternion inverse = Rotation.Inverse(step.Frame.Rotation);
         Vector3 from = step.Frame.ToModel(foot.From.Position);
         Vector3 to = step.Frame.ToModel(foot.To.Position);
-        if (!foot.Aimed)
+        Vector3 slopeFrom = Slope(Rotation.Rotate(inverse, foot.From.Normal));
+        Vector3 slopeTo = Slope(Rotation.Rotate(inverse, foot.To.Normal));
+        int first = 0;
+        int last = SwingWay.Knots;
+        if (foot.Aimed)
         {
-            way.Clear();
-            for (int i = 0; i < SwingWay.Knots; i++)
-            {
-                if (Obstacle(step, from, to, i, out float height))
-                {
-                    way.Feel(i, height);
-                }
-            }
+            first = SwingWay.After(FootPoser.Along(foot.Swing));
+            last = Math.Min(first + 1, last);
         }
         else
         {
-            int next = SwingWay.After(FootPoser.Along(foot.Swing));
-            if (next < SwingWay.Knots && Obstacle(step, from, to, next, out float height))
+            way.Clear();
+        }
+
+        for (int i = first; i < last; i++)
+        {
+            float along = SwingWay.At(i);
+            if (Obstacle(step, shape, Vec.Lerp(from, to, along), Vec.Lerp(slopeFrom, slopeTo, along), out float height))
             {
-                way.FeelAgain(next, height);
+                way.Feel(i, height, foot.Aimed ? Renewal : 1f);
             }
         }
 
-        Vector3 along = to - from;
-        var level = new Vector3(along.X, 0f, along.Z);
-        float length = Vec.Length(level);
-        Vector3 ahead = Vec.Normalize(level, Vector3.UnitZ);
-        float slope = along.Y / Math.Max(length, 1e-6f);
-        way.Span(length, body.Legs[leg].Toe, SlopeAlong(step, foot.From, ahead) - slope, SlopeAlong(step, foot.To, ahead) - slope);
+        Vector3 course = to - from;
+        float length = (float)Math.Sqrt((course.X * course.X) + (course.Z * course.Z));
+        Vector3 ahead = course / Math.Max(length, 1e-6f);
+        way.Span(length, shape.Toe, Vec.Dot(slopeFrom, ahead) - ahead.Y, Vec.Dot(slopeTo, ahead) - ahead.Y);
     }
 
-    private static float SlopeAlong(in StepContext step, in FootPlace place, Vector3 ahead)
+    /// <summary>How far the ground is above a foot on its straight way: under its place, and under the toes of a sole that spreads, of legs out to the side, which carry it level.</summary>
+    private bool Obstacle(in StepContext step, LegShape shape, Vector3 place, Vector3 slope, out float height)
     {
-        Vector3 normal = Rotation.Rotate(Rotation.Inverse(step.Frame.Rotation), place.Normal);
-        return -Vec.Dot(normal, ahead) / Math.Max(normal.Y, Steepest);
+        height = float.MinValue;
+        if (Down(step, place, out GroundHit hit))
+        {
+            height = step.Frame.ToModel(hit.Point).Y - place.Y;
+        }
+
+        Vector3 aside = Vec.Cross(Vector3.UnitY, shape.ToeDirection);
+        for (int i = 0; shape.Lateral && IsFan(shape) && i < fan.Length; i++)
+        {
+            Vector3 toe = (shape.ToeDirection * (fan[i].Along * shape.Toe)) + (aside * (fan[i].Across * shape.HalfWidth));
+            if (Down(step, place + toe, out hit))
+            {
+                height = Math.Max(height, step.Frame.ToModel(hit.Point).Y - place.Y - Vec.Dot(slope, toe));
+            }
+        }
+
+        height = Math.Min(height, Highest * body.LegLength);
+        return height > float.MinValue;
     }
 
-    /// <summary>How far the ground is above the straight way of a foot.</summary>
-    private bool Obstacle(in StepContext step, Vector3 from, Vector3 to, int knot, out float height)
-    {
-        Vector3 between = Vec.Lerp(from, to, SwingWay.At(knot));
-        bool found = Down(step, between, out GroundHit hit);
-        height = found ? Math.Min(step.Frame.ToModel(hit.Point).Y - between.Y, Highest * body.LegLength) : 0f;
-        return found;
-    }
+    /// <summary>Whether a sole is long and wide: its toes spread.</summary>
+    private static bool IsFan(LegShape shape) => Math.Min(shape.Toe, shape.HalfWidth) > LongSole * shape.Length;
+
+    /// <summary>Rise of a plane along each level axis.</summary>
+    private static Vector3 Slope(Vector3 normal) => new Vector3(-normal.X, 0f, -normal.Z) / Math.Max(normal.Y, Steepest);
 
     /// <summary>Moves a foot back from an edge under its toes, or ahead from one under its heel, a little in each update.</summary>
     private static void KeepOffEdges(LegShape shape, in Sole sole, ref float nudge)
@@ -160,8 +180,7 @@ internal sealed class FootingSearch
         float heel = Rise(step, shape, target, sole.Ahead * (-EndShare * shape.Heel), hit, out sole.HeelHangs);
         sole.Slope = (toe - heel) / (EndShare * (shape.Toe + shape.Heel));
         sole.Raise = Math.Max(0f, toe - (end * sole.Slope));
-        bool isLong = shape.Toe > LongSole * shape.Length;
-        if (isLong)
+        if (shape.Toe > LongSole * shape.Length)
         {
             sole.StandOn(Rise(step, shape, target, sole.Ahead * (0.5f * end), hit, out _), 0.5f * end, 0f);
         }
@@ -177,7 +196,7 @@ internal sealed class FootingSearch
         float right = Rise(step, shape, target, (sole.Ahead * middle) - (sole.Aside * side), hit, out _);
         sole.Tilt = (left - right) / (2f * side);
         sole.StandOn(0.5f * (left + right), middle, 0f);
-        for (int i = 0; isLong && i < fan.Length; i++)
+        for (int i = 0; IsFan(shape) && i < fan.Length; i++)
         {
             float along = fan[i].Along * shape.Toe;
             float across = fan[i].Across * shape.HalfWidth;

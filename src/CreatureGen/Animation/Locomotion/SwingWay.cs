@@ -12,9 +12,6 @@ internal sealed class SwingWay
     /// <summary>Rise from one knot to the next, as part of their distance, from which on it is an edge: it may be anywhere between them.</summary>
     private const float EdgeSlope = 0.6f;
 
-    /// <summary>Share of a change that is taken up when the ground is felt again.</summary>
-    private const float Renewal = 0.5f;
-
     private readonly float[] heights = new float[Knots + 2];
     private readonly float[] rise = new float[Knots + 2];
     private readonly int[] hull = new int[Knots + 2];
@@ -38,10 +35,8 @@ internal sealed class SwingWay
     /// <summary>Tells how far the ground is above the straight line.</summary>
     /// <param name="knot">Where.</param>
     /// <param name="height">Metres.</param>
-    public void Feel(int knot, float height) => heights[knot + 1] = height;
-
-    /// <summary>Tells it once more: the foot goes over to it by and by.</summary>
-    public void FeelAgain(int knot, float height) => heights[knot + 1] += (height - heights[knot + 1]) * Renewal;
+    /// <param name="share">Share of the change that is taken up, 0..1.</param>
+    public void Feel(int knot, float height, float share) => heights[knot + 1] += (height - heights[knot + 1]) * share;
 
     /// <summary>Lays the arc over what was felt.</summary>
     /// <param name="length">Of the way, metres.</param>
