@@ -17,21 +17,6 @@ internal sealed class BodyPlacer
     private const float SlopeRate = 6f;
     private const float SlopeShare = 0.8f;
 
-    /// <summary>Part of its reach beyond which a standing leg draws the body down.</summary>
-    private const float MostStretch = 0.972f;
-
-    /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
-    private const float MostDrop = 0.35f;
-
-    /// <summary>Part of a swing in which its leg stops drawing the body down.</summary>
-    private const float LettingGo = 0.25f;
-
-    /// <summary>Part of a swing from which on its leg draws the body down to where it will stand: in less time a knee near straight that stands beside it snaps.</summary>
-    private const float Reaching = 0.6f;
-
-    private const float LateralReaching = 0.75f;
-
-    private const float LateralDrop = 0.025f;
     private const float SurgeCap = 0.04f;
 
     private readonly LeggedBody body;
@@ -57,11 +42,6 @@ internal sealed class BodyPlacer
     public float HindGround { get; private set; }
 
     public float ForeGround { get; private set; }
-
-    /// <summary>How far reach draws hind and fore body down, metres.</summary>
-    public float HindDrop { get; private set; }
-
-    public float ForeDrop { get; private set; }
 
     /// <summary>Bend of the trunk into a turn, radians.</summary>
     public float TurnBend { get; private set; }
@@ -170,11 +150,8 @@ internal sealed class BodyPlacer
         };
         Vector3 between = Trunk.Flex(plan);
         Settle(plan, between, rest.Y, foreRise, 0f, 0f);
-        Reach(feet, poses, out float hindDrop, out float foreDrop);
-        float level = 1f - body.PitchShare;
-        HindDrop = hindDrop = Math.Max(hindDrop, level * foreDrop);
-        ForeDrop = foreDrop = Math.Max(foreDrop, level * hindDrop);
-        if (hindDrop > 1e-5f * length || foreDrop > 1e-5f * length)
+        LegRoom.Find(this, body, feet, poses, out float hindDrop, out float foreDrop);
+        if (Math.Max(Math.Abs(hindDrop), Math.Abs(foreDrop)) > 1e-5f * length)
         {
             Settle(plan, between, rest.Y, foreRise, hindDrop, foreDrop);
         }
@@ -355,41 +332,6 @@ internal sealed class BodyPlacer
 
         placed.PelvisPitch = pitch;
         Trunk.Apply(placed);
-    }
-
-    /// <summary>How far hind and fore body have to come down so that no standing leg reaches beyond its share of the reach.</summary>
-    private void Reach(ReadOnlySpan<Foot> feet, ReadOnlySpan<FootPose> poses, out float hindDrop, out float foreDrop)
-    {
-        hindDrop = 0f;
-        foreDrop = 0f;
-        for (int i = 0; i < feet.Length; i++)
-        {
-            LegShape leg = body.Legs[i];
-            float from = leg.Lateral ? LateralReaching : Reaching;
-            float weight = feet[i].Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(feet[i].Swing / LettingGo) + (feet[i].Correcting ? 0f : Scalar.Smooth((feet[i].Swing - from) / (1f - from)));
-            if (weight == 0f)
-            {
-                continue;
-            }
-
-            Vector3 chord = poses[i].Target - HipOf(i, feet[i], out _);
-            float distance = Vec.Length(chord);
-            float excess = distance - (MostStretch * leg.Reach);
-            float width = 0.01f * leg.Reach;
-            if (excess < -4f * width)
-            {
-                continue;
-            }
-
-            // Softened, so that the body does not jerk as a leg comes to its end.
-            float soft = 0.5f * (excess + (float)Math.Sqrt((excess * excess) + (width * width))) - (0.5f * (-4f * width + (float)Math.Sqrt(17f) * width));
-            float steep = Math.Max(-chord.Y / distance, 0.35f);
-            float drop = weight * Math.Min(Math.Max(soft, 0f) / steep, (leg.Lateral ? LateralDrop : MostDrop) * leg.Length);
-
-            // Bodies on many legs come down level.
-            hindDrop = body.Rows == 2 && leg.Row == 1 ? hindDrop : Math.Max(hindDrop, drop);
-            foreDrop = body.Rows == 2 && leg.Row == 0 ? foreDrop : Math.Max(foreDrop, drop);
-        }
     }
 
     /// <summary>Fore-aft places and loads of a left and a right foot, leg lengths.</summary>

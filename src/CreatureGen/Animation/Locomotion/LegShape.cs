@@ -113,7 +113,8 @@ internal sealed class LegShape
         double la = Vec.Length(a);
         double lb = Vec.Length(b);
         Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * LeastBendCosine));
-        LeastReach = (float)Math.Sqrt(Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(MostBend))));
+        double folds = BendSign > 0 ? fold.Max : -fold.Min;
+        FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(MostBend, bend + folds)))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
         Stoop = stoop;
         Tucked = ((upper + Shank) * TuckedShare) - new Vector3(0f, 0f, TuckedBack * Length);
@@ -297,6 +298,6 @@ internal sealed class LegShape
     /// <summary>Greatest distance that the two solved parts span, the knee at its straightest.</summary>
     public float Reach { get; }
 
-    /// <summary>Least distance that they span, folded.</summary>
-    public float LeastReach { get; }
+    /// <summary>Least distance from the hip to their end, folded as far as the knee's limit goes.</summary>
+    public float FoldedReach { get; }
 }
