@@ -45,7 +45,7 @@ internal static class JointLimits
         (LimbArchetype.Raptorial, new short[] { -100, 60, -60, 60, -40, 40, -60, 130, -10, 10, -10, 10, -130, 60, -12, 12, -16, 16, -40, 40, -10, 10, -10, 10 }),
         (LimbArchetype.Jumper, new short[] { -60, 60, -60, 60, -40, 40, -120, 30, -10, 10, -10, 10, -50, 50, -12, 12, -20, 20, -40, 40, -10, 10, -10, 10 }),
         (LimbArchetype.FrogHind, new short[] { -60, 80, -60, 70, -60, 60, -30, 130, -15, 15, -20, 20, -130, 60, -28, 28, -28, 28, -70, 60, -25, 25, -10, 10 }),
-        (LimbArchetype.FrogFore, new short[] { -60, 60, -60, 60, -65, 65, -110, 30, -15, 15, -20, 20, -70, 70, -32, 32, -32, 32, -70, 60, -25, 25, -10, 10 }),
+        (LimbArchetype.FrogFore, new short[] { -60, 60, -60, 60, -90, 90, -110, 30, -15, 15, -20, 20, -70, 70, -32, 32, -32, 32, -70, 60, -25, 25, -10, 10 }),
     };
 
     // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back.

@@ -21,7 +21,7 @@ internal sealed class LeggedBody
     private const float SteepestRoll = 0.3f;
 
     /// <summary>Share of the way that a hip draws its leg in which the roll of the body takes up: the rest is for its steps.</summary>
-    private const float RollShare = 0.2f;
+    private const float RollShare = 0.15f;
 
     private LeggedBody(Creature creature, LimbChain[] standing)
     {
