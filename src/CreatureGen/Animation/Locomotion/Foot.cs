@@ -54,8 +54,8 @@ internal struct Foot
     /// <summary>How far hip or knee was beyond its limits as it last stood, about half the angle in radians: it comes back within them by and by when the foot has left the ground.</summary>
     public float Strain;
 
-    /// <summary>Whether the joints of its leg did not let it lie on the ground as it should when it last stood.</summary>
-    public bool Yielding;
+    /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
+    public float Yield;
 
     /// <summary>Load: 0 in the air, about 1 in the middle of stance.</summary>
     public float Load;

@@ -63,9 +63,9 @@ internal sealed class LegPoser
         float folding = tuck > 0f && leg.Row > 0 && foot.Phase == FootPhase.Swing ? tuck * LegTraits.TuckCurve.At(foot.Swing) : 0f;
         FootPose wanted = pose;
         LegTurns solved = Solve(leg, carrier, hip, wanted, folding, ref foot, local);
-        Quaternion metatarsus = PoseFoot(leg, solved, wanted, foot.Phase, local, out bool yields);
-        foot.Yielding = foot.Phase == FootPhase.Swing ? foot.Yielding : yields;
-        float share = yields ? YieldShare(leg, foot) : 0f;
+        Quaternion metatarsus = PoseFoot(leg, solved, wanted, foot.Phase, local, out float excess);
+        foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
+        float share = excess > 0f ? YieldShare(leg, foot, excess) : 0f;
         if (share > 0f)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
@@ -132,7 +132,7 @@ internal sealed class LegPoser
 
     /// <summary>Writes ankle and ball, within their limits.</summary>
     /// <returns>The turn of the metatarsus from rest.</returns>
-    private Quaternion PoseFoot(LegShape leg, in LegTurns solved, in FootPose pose, FootPhase phase, in Pose local, out bool bounded)
+    private Quaternion PoseFoot(LegShape leg, in LegTurns solved, in FootPose pose, FootPhase phase, in Pose local, out float excess)
     {
         Quaternion metatarsus = pose.Foot;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
@@ -148,15 +148,15 @@ internal sealed class LegPoser
         }
 
         // The toes go along with a foot that its ankle turns.
-        bool ankle = Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f, 0f) > 0f;
-        bool ball = Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f, 0f) > 0f;
-        bounded = ankle || ball;
-        return bounded ? Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle)) : metatarsus;
+        float ankle = Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f, 0f);
+        excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f, 0f));
+        return ankle > 0f ? Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle)) : metatarsus;
     }
 
-    /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, and less and less before and after.</summary>
-    private static float YieldShare(LegShape leg, in Foot foot) =>
-        leg.Lateral || foot.Phase == FootPhase.Stance ? 1f : Math.Max(Arriving(foot), foot.Yielding ? 1f - Scalar.Smooth(foot.Swing / Release) : 0f);
+    /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
+    private static float YieldShare(LegShape leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
+        ? 1f
+        : Math.Max(Arriving(foot), Math.Min(foot.Yield / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
 
     /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
     private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));
