@@ -63,7 +63,7 @@ internal sealed class LegPoser
         float folding = tuck > 0f && leg.Row > 0 && foot.Phase == FootPhase.Swing ? tuck * LegTraits.TuckCurve.At(foot.Swing) : 0f;
         FootPose wanted = pose;
         LegTurns solved = Solve(leg, carrier, hip, wanted, folding, ref foot, local);
-        Quaternion metatarsus = PoseFoot(leg, solved, wanted, foot.Phase, local, out float excess);
+        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
         float share = excess > 0f ? YieldShare(leg, foot, excess) : 0f;
         if (share > 0f)
@@ -71,7 +71,7 @@ internal sealed class LegPoser
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
             FootYield.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, share, ref wanted);
             solved = Solve(leg, carrier, hip, wanted, folding, ref foot, local);
-            PoseFoot(leg, solved, wanted, foot.Phase, local, out _);
+            PoseFoot(leg, solved, wanted, local, out _);
         }
     }
 
@@ -132,7 +132,7 @@ internal sealed class LegPoser
 
     /// <summary>Writes ankle and ball, within their limits.</summary>
     /// <returns>The turn of the metatarsus from rest.</returns>
-    private Quaternion PoseFoot(LegShape leg, in LegTurns solved, in FootPose pose, FootPhase phase, in Pose local, out float excess)
+    private Quaternion PoseFoot(LegShape leg, in LegTurns solved, in FootPose pose, in Pose local, out float excess)
     {
         Quaternion metatarsus = pose.Foot;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
@@ -142,13 +142,15 @@ internal sealed class LegPoser
 
         turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
         turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
-        if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral && phase == FootPhase.Swing)
+        Quaternion asked = local.Rotations[leg.Ankle];
+        if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral)
         {
             FoldBack(leg, ref local.Rotations[leg.Ankle]);
         }
 
         // The toes go along with a foot that its ankle turns.
-        float ankle = Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f, 0f);
+        Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f, 0f);
+        float ankle = Chord(asked, local.Rotations[leg.Ankle]);
         excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f, 0f));
         return ankle > 0f ? Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle)) : metatarsus;
     }
@@ -189,11 +191,7 @@ internal sealed class LegPoser
             return 0f;
         }
 
-        float x = turn.X - bounded.X;
-        float y = turn.Y - bounded.Y;
-        float z = turn.Z - bounded.Z;
-        float w = turn.W - bounded.W;
-        float chord = (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
+        float chord = Chord(turn, bounded);
         float kept = Math.Max(leeway / chord, give);
         if (kept < 1f)
         {
@@ -201,6 +199,17 @@ internal sealed class LegPoser
         }
 
         return chord;
+    }
+
+    /// <summary>Difference of two turns, about half the angle in radians.</summary>
+    private static float Chord(Quaternion a, Quaternion b)
+    {
+        float sign = Lanes.Dot(a, b) < 0f ? -1f : 1f;
+        float x = a.X - (sign * b.X);
+        float y = a.Y - (sign * b.Y);
+        float z = a.Z - (sign * b.Z);
+        float w = a.W - (sign * b.W);
+        return (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
     }
 
     /// <summary>Fold of the metatarsus that the ankle can follow. Bounded here, as an angle: folded by more than half a turn the ankle would seem to be bent the other way.</summary>

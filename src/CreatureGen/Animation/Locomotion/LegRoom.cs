@@ -23,6 +23,9 @@ internal static class LegRoom
 
     private const float LateralArriving = 0.75f;
 
+    /// <summary>Part of a stance after which a folded leg raises the body less and less.</summary>
+    private const float RollsOff = 0.6f;
+
     /// <summary>Finds how far the body comes down.</summary>
     /// <param name="placer">Gives the hips.</param>
     /// <param name="body">Gives the legs.</param>
@@ -37,7 +40,8 @@ internal static class LegRoom
         for (int i = 0; i < feet.Length; i++)
         {
             LegShape leg = body.Legs[i];
-            float weight = Weight(leg, feet[i]);
+            float arriving = Arrival(leg, feet[i]);
+            float weight = Math.Max(arriving, Leaving(feet[i]));
             if (weight == 0f)
             {
                 continue;
@@ -48,7 +52,7 @@ internal static class LegRoom
             float steep = Math.Max(-chord.Y / Math.Max(distance, 1e-6f), 0.35f);
             float most = (leg.Lateral ? LateralDrop : MostDrop) * leg.Length;
             float drop = weight * Math.Min(Beyond(distance - (MostStretch * leg.Reach), 0.01f * leg.Reach) / steep, most);
-            float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, 0.01f * leg.Reach) / steep, MostDrop * leg.Length);
+            float raise = (feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i])) * Math.Min(Beyond(leg.FoldedReach - distance, 0.01f * leg.Reach) / steep, MostDrop * leg.Length);
             float room = Math.Max((MostStretch * leg.Reach) - distance, 0f) / weight;
 
             // Bodies on many legs come down level.
@@ -69,18 +73,18 @@ internal static class LegRoom
         foreDrop = Math.Max(fore.Drop, level * hindest) - fore.Rise;
     }
 
-    /// <summary>How much a leg counts, 0..1: less and less as it swings.</summary>
-    private static float Weight(LegShape leg, in Foot foot)
-    {
-        if (foot.Phase == FootPhase.Stance)
-        {
-            return 1f;
-        }
+    /// <summary>How much a leg counts that leaves the ground, 0..1: less and less.</summary>
+    private static float Leaving(in Foot foot) => foot.Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(foot.Swing / LettingGo);
 
+    /// <summary>How much one counts that comes down, 0..1: more and more.</summary>
+    private static float Arrival(LegShape leg, in Foot foot)
+    {
         float from = leg.Lateral ? LateralArriving : Arriving;
-        float arriving = foot.Correcting ? 0f : Scalar.Smooth((foot.Swing - from) / (1f - from));
-        return 1f - Scalar.Smooth(foot.Swing / LettingGo) + arriving;
+        return foot.Phase == FootPhase.Stance || foot.Correcting ? 0f : Scalar.Smooth((foot.Swing - from) / (1f - from));
     }
+
+    /// <summary>How much a standing leg counts that is folded, 0..1: it may fold as its foot rolls off.</summary>
+    private static float Standing(in Foot foot) => 1f - Scalar.Smooth((foot.Stance - RollsOff) / (1f - RollsOff));
 
     /// <summary>What an excess comes to: softened, so that the body does not jerk as a leg comes to its end.</summary>
     private static float Beyond(float excess, float width)
