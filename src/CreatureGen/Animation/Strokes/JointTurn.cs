@@ -16,7 +16,6 @@ internal readonly struct JointTurn
     private readonly Quaternion parentInverse;
     private readonly Quaternion rest;
     private readonly Quaternion restInverse;
-    private readonly JointLimit range;
     private readonly SoftLimit limit;
 
     /// <summary>Takes what it needs of a joint.</summary>
@@ -27,8 +26,7 @@ internal readonly struct JointTurn
         parentInverse = parent < 0 ? Quaternion.Identity : Rotation.Inverse(skeleton.ModelRotations[parent]);
         rest = skeleton.ModelRotations[joint];
         restInverse = Rotation.Inverse(rest);
-        range = skeleton.Joints[joint].Limit;
-        limit = new SoftLimit(range);
+        limit = new SoftLimit(skeleton.Joints[joint].Limit);
     }
 
     /// <summary>Index into the skeleton.</summary>
@@ -50,13 +48,6 @@ internal readonly struct JointTurn
         return Rotation.Multiply(turned, restInverse);
     }
 
-    /// <summary>The turn that the limits leave of a turn, also where it swings both ways at once.</summary>
-    public Quaternion Limit(Quaternion turn)
-    {
-        Quaternion own = Ik.SwingTwistLimit.Clamp(limit.Apply(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest)), range);
-        return Rotation.Multiply(Rotation.Multiply(rest, own), restInverse);
-    }
-
-    /// <summary>The same without a kink: what swings too far is drawn in towards the rest pose, not moved to the nearest place within.</summary>
-    public Quaternion LimitRound(Quaternion turn) => Rotation.Multiply(Rotation.Multiply(rest, limit.ApplyRound(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest))), restInverse);
+    /// <summary>The turn that the limits leave of a turn.</summary>
+    public Quaternion Limit(Quaternion turn) => Rotation.Multiply(Rotation.Multiply(rest, limit.Apply(Rotation.Multiply(Rotation.Multiply(restInverse, turn), rest))), restInverse);
 }

@@ -89,9 +89,6 @@ internal sealed class PairedChain
     /// <summary>The turn that the limits leave of a turn of the left limb.</summary>
     public Quaternion Limit(int joint, Quaternion turn) => left[joint].Limit(turn);
 
-    /// <summary>The same without a kink: what swings too far is drawn in towards the rest pose.</summary>
-    public Quaternion LimitRound(int joint, Quaternion turn) => left[joint].LimitRound(turn);
-
     /// <summary>A turn of a bone that lies out to the left: it is twisted about itself (positive: leading edge down), swept back, then raised.</summary>
     public Quaternion Stroke(int joint, double raise, double sweep, double twist) =>
         Rotation.Multiply(AxisTurn.Roll(raise), Rotation.Multiply(AxisTurn.Yaw(sweep), Rotation.FromAxisAngle(axes[joint], twist)));

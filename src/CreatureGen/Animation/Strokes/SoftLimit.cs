@@ -6,10 +6,11 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Strokes;
 
-/// <summary>Keeps a rotation within a <see cref="JointLimit"/> without a kink: free up to 85 % of each range, then ever slower towards its end.</summary>
+/// <summary>Keeps a rotation within a <see cref="JointLimit"/> without a kink: free up to 85 % of the way to its end, then ever slower towards it.</summary>
 /// <remarks>
-/// The rotation is taken apart into a twist about local Y and then a swing; the swing's rotation vector (x, 0, z) gives the angles about X and Z.
-/// Beyond b = 0.85·m the angle a becomes b + (m − b)(1 − e^(−(a−b)/(m−b))): the slope goes on at b and the angle never reaches m.
+/// The rotation is taken apart into a twist about local Y and then a swing; the swing's rotation vector (x, 0, z) gives the angles about X and Z. The swing is bounded all round, by the ellipse of its four
+/// ends, as <see cref="SwingTwistLimit"/> has it; what swings too far is drawn in towards the rest pose. Beyond b = 0.85·m the angle a becomes b + (m − b)(1 − e^(−(a−b)/(m−b))): the slope goes on at b
+/// and the angle never reaches m.
 /// </remarks>
 internal readonly struct SoftLimit
 {
@@ -35,29 +36,12 @@ internal readonly struct SoftLimit
 
     /// <summary>Whether a rotation is certainly left as it is: told without an inverse function.</summary>
     public bool Leaves(Quaternion q) =>
-        SwingTwistLimit.TryBound(q, out float x, out float z, out float twist) && IsFree(x, limit.SwingX) && IsFree(z, limit.SwingZ) && IsFree(twist, limit.Twist);
+        SwingTwistLimit.TryBound(q, out float x, out float z, out float twist) && Swung(x, z) <= Free && twist >= (float)Free * limit.Twist.Min && twist <= (float)Free * limit.Twist.Max;
 
     /// <summary>The rotation within the limit.</summary>
     public Quaternion Apply(Quaternion q)
     {
-        Angles(q, out double x, out double twist, out double z);
-        double sx = Soft(x, limit.SwingX);
-        double sz = Soft(z, limit.SwingZ);
-        double st = Soft(twist, limit.Twist);
-        if (sx == x && sz == z && st == twist)
-        {
-            return q;
-        }
-
-        return Turn(sx, st, sz);
-    }
-
-    /// <summary>
-    /// The rotation within the limit where the swing is bounded all round, by the ellipse of its four ends, as <see cref="SwingTwistLimit"/> has it. What swings too far is drawn in towards the rest pose.
-    /// </summary>
-    public Quaternion ApplyRound(Quaternion q)
-    {
-        if (SwingTwistLimit.TryBound(q, out float mostX, out float mostZ, out float mostTwist) && Swung(mostX, mostZ) <= Free && IsFree(mostTwist, limit.Twist))
+        if (Leaves(q))
         {
             return q;
         }
@@ -90,8 +74,6 @@ internal readonly struct SoftLimit
         var swing = new Quaternion((float)(x * share), 0f, (float)(z * share), (float)cosine);
         return Rotation.Multiply(swing, Rotation.FromAxisAngle(Vector3.UnitY, twist));
     }
-
-    private static bool IsFree(float a, AngleRange range) => a >= (float)Free * range.Min && a <= (float)Free * range.Max;
 
     private static double Soft(double a, AngleRange range)
     {

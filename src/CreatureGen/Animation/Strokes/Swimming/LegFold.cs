@@ -72,7 +72,7 @@ internal sealed class LegFold
             turns[k] = chain.Limit(k, Rotation.FromTo(chain.Axes[k], Rotation.Rotate(Rotation.Inverse(whole), direction)));
 
             // Limits slow a joint down towards their ends: of the turn that is kept, so much is written.
-            whole = Rotation.Normalize(Rotation.Multiply(whole, chain.Limit(k, chain.LimitRound(k, turns[k]))));
+            whole = Rotation.Normalize(Rotation.Multiply(whole, chain.Limit(k, turns[k])));
             foreach (CapsuleCollider capsule in creature.Bones)
             {
                 if (capsule.Joint == chain.Limb.Joints[k])

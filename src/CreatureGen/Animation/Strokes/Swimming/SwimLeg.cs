@@ -144,7 +144,7 @@ internal sealed class SwimLeg
         {
             double share = middle + (way * PortableMath.Cos(phase - (backing * Lag * (k - Hip))));
             Quaternion turn = Rotation.Nlerp(Quaternion.Identity, fold.Turns[k], share);
-            chain.Write(local, side, k, chain.LimitRound(k, k == Hip ? Rotation.Multiply(flank, turn) : turn));
+            chain.Write(local, side, k, k == Hip ? Rotation.Multiply(flank, turn) : turn);
         }
     }
 }
