@@ -53,7 +53,7 @@ internal static class AnatomicalWeights
             if (address.Appendage >= 0)
             {
                 Appendage appendage = input.Appendages[address.Appendage];
-                LimbProfile profile = profiles[address.Appendage] ??= new LimbProfile(appendage, rig.Appendages[address.Appendage]);
+                LimbProfile profile = profiles[address.Appendage] ??= new LimbProfile(appendage, rig.Appendages[address.Appendage], rig.Skeleton);
                 float hold = 1f;
                 if (!appendage.Paired)
                 {
@@ -126,7 +126,7 @@ internal static class AnatomicalWeights
         for (int e = spread.First(vertex); e >= 0; e = spread.Next(e))
         {
             int a = spread.Appendage(e);
-            LimbProfile profile = profiles[a] ??= new LimbProfile(input.Appendages[a], rig.Appendages[a]);
+            LimbProfile profile = profiles[a] ??= new LimbProfile(input.Appendages[a], rig.Appendages[a], rig.Skeleton);
             float share = profile.Border[spread.Distance(e)];
             if (share > pull)
             {
@@ -153,7 +153,7 @@ internal static class AnatomicalWeights
         for (int e = spread.First(vertex); e >= 0; e = spread.Next(e))
         {
             int a = spread.Appendage(e);
-            LimbProfile profile = profiles[a] ??= new LimbProfile(input.Appendages[a], rig.Appendages[a]);
+            LimbProfile profile = profiles[a] ??= new LimbProfile(input.Appendages[a], rig.Appendages[a], rig.Skeleton);
             total += profile.PullAt(spread.Distance(e));
         }
 

@@ -13,7 +13,8 @@ namespace CreatureGen.Skinning;
 /// <remarks>
 /// <para>The limb's first joint holds <see cref="rootShare"/> of the skin at the socket's border and all of it from a little way down; the rest stays with the bones of the body that move
 /// the border where the vertex grew from, and with the girdle.
-/// From joint to joint the skin goes over by smoothstep within a stretch on either side that never exceeds 0.45 of the shorter segment, so that stretches do not overlap.</para>
+/// From joint to joint the skin of legs goes over by smoothstep, that of all else evenly, within a stretch on either side that never exceeds 0.6 of the shorter segment. Blended turns are quickest in the middle
+/// of a stretch: where a wing folds, an even share crowds the fewest of its triangles.</para>
 /// <para>Soles: below about half the height of the ankle a flat foot is one piece with the ankle, and what lies ahead of its ball is one with the toes; else soles sink when feet roll.</para>
 /// </remarks>
 internal sealed class LimbProfile
@@ -22,7 +23,7 @@ internal sealed class LimbProfile
     private const float GirdleShare = 0.45f;
 
     /// <summary>Largest half width of a change of joint, in lengths of the shorter segment.</summary>
-    private const float WidestStretch = 0.45f;
+    private const float WidestStretch = 0.6f;
 
     private readonly Appendage appendage;
     private readonly int[] joints;
@@ -30,12 +31,13 @@ internal sealed class LimbProfile
     private readonly float[] along;
     private readonly float rootShare;
     private readonly float rootEnd;
+    private readonly JointCrease?[] creases;
     private readonly bool legged;
     private readonly bool flat;
     private readonly bool rigidSole;
     private readonly bool hasToes;
 
-    public LimbProfile(Appendage appendage, AppendageJoints joints)
+    public LimbProfile(Appendage appendage, AppendageJoints joints, Skeleton skeleton)
     {
         this.appendage = appendage;
         this.joints = joints.Left;
@@ -48,8 +50,8 @@ internal sealed class LimbProfile
         stretch = new float[along.Length];
         bool insect = archetype is LimbArchetype.Insect or LimbArchetype.Raptorial or LimbArchetype.Jumper;
         float[] half = insect ? new[] { 0f, 0.03f, 0.03f, 0.02f }
-            : legged ? new[] { 0f, 0.075f, 0.055f, 0.03f }
-            : appendage.Kind == LimbKind.Wing ? new[] { 0f, 0.10f, 0.10f, 0.12f }
+            : legged ? new[] { 0f, 0.08f, 0.08f, 0.03f }
+            : appendage.Kind == LimbKind.Wing ? new[] { 0f, 0.15f, 0.15f, 0.15f }
             : new[] { 0f, appendage.Kind == LimbKind.Ear ? 0.2f : 0.25f };
         for (int k = 1; k < along.Length - 1; k++)
         {
@@ -61,11 +63,19 @@ internal sealed class LimbProfile
         (rootShare, rootEnd, Border) = appendage.Kind switch
         {
             LimbKind.Leg or LimbKind.Arm when insect => (1f, 0.01f, new float[SocketSpread.Rings]),
-            LimbKind.Leg or LimbKind.Arm => (0.30f, 0.8f * along[1], new[] { 0.30f, 0.14f, 0.05f }),
+            LimbKind.Leg or LimbKind.Arm => (0.30f, along[1], new[] { 0.30f, 0.14f, 0.05f }),
             LimbKind.Wing => (0.35f, 0.10f, new[] { 0.30f, 0.12f, 0.04f }),
             LimbKind.Ear => (0.25f, 0.25f, new[] { 0.20f, 0.06f, 0f }),
             _ => (0.26f, 0.12f, new[] { 0.20f, 0.06f, 0f }),
         };
+
+        // Columns hardly fold, the joints of insects are hard, and flat feet fold away from their heels.
+        creases = new JointCrease?[along.Length];
+        for (int k = 1; k <= (flat ? 1 : 2) && legged && !insect && !rigidSole; k++)
+        {
+            int joint = joints.Left[k + 1];
+            creases[k] = new JointCrease(appendage, k, skeleton.Joints[joint].Limit, skeleton.ModelRotations[joint]);
+        }
     }
 
     /// <summary>Share of the limb's first joint in the body's vertices at the socket's border and one and two edges off it; the girdle of a leg adds its own.</summary>
@@ -134,11 +144,15 @@ internal sealed class LimbProfile
     private float Passed(int k, float x, Vector3 position, in VertexAddress address)
     {
         bool toe = address.Region == SurfaceRegion.Toe;
-        float passed = toe && legged ? 1f : stretch[k] > 0f ? Scalar.Smooth((x - along[k] + stretch[k]) / (2f * stretch[k])) : x >= along[k] ? 1f : 0f;
+        float passed = creases[k] is { } crease ? crease.Passed(position, x, stretch[k])
+            : stretch[k] > 0f ? Scalar.Clamp((x - along[k] + stretch[k]) / (2f * stretch[k]), 0f, 1f)
+            : x >= along[k] ? 1f : 0f;
         if (!legged)
         {
             return passed;
         }
+
+        passed = toe ? 1f : Scalar.Smooth(passed);
 
         if (k == 3)
         {
