@@ -25,6 +25,11 @@ internal sealed class LimbProfile
     /// <summary>Largest half width of a change of joint, in lengths of the shorter segment.</summary>
     private const float WidestStretch = 0.6f;
 
+    /// <summary>The same at the ball of a foot, where heels and hind toes would sink as it rolls.</summary>
+    private const float WidestAtBall = 0.45f;
+
+    private const int Ball = 3;
+
     private readonly Appendage appendage;
     private readonly int[] joints;
     private readonly float[] stretch;
@@ -57,7 +62,8 @@ internal sealed class LimbProfile
         {
             float before = along[k] - along[k - 1];
             float after = Math.Max(along[k + 1] - along[k], 0.02f);
-            stretch[k] = Math.Min(half[Math.Min(k, half.Length - 1)], WidestStretch * Math.Min(before, after));
+            float widest = legged && k == Ball ? WidestAtBall : WidestStretch;
+            stretch[k] = Math.Min(half[Math.Min(k, half.Length - 1)], widest * Math.Min(before, after));
         }
 
         (rootShare, rootEnd, Border) = appendage.Kind switch
@@ -154,7 +160,7 @@ internal sealed class LimbProfile
 
         passed = toe ? 1f : Scalar.Smooth(passed);
 
-        if (k == 3)
+        if (k == Ball)
         {
             passed = hasToes ? passed : 0f;
             return flat && !rigidSole ? Math.Max(passed, AheadOfBall(position)) : passed;
