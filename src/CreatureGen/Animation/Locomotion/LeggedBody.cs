@@ -74,6 +74,7 @@ internal sealed class LeggedBody
         TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, BaseBodyNames.FamilyOf(creature.Blueprint.Body.Blend.First), Mass);
         Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
+        Posture = StandingPosture.Of(creature);
         PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase(), 1e-3f));
         Neck = NeckOf(Skeleton);
         NeckLimits = Array.ConvertAll(Neck, joint => BendShare * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
@@ -148,6 +149,9 @@ internal sealed class LeggedBody
     public int Body { get; }
 
     public TrunkTraits Traits { get; }
+
+    /// <summary>How it holds its trunk where it stands.</summary>
+    public StandingPosture Posture { get; }
 
     /// <summary>Mean length of the rearmost legs, hip to ground under the ball, metres: the measure of all gaits.</summary>
     public float LegLength { get; }
