@@ -64,7 +64,10 @@ internal sealed class HeadAttention
         else if (weight > 0f && System.Math.Abs(speed) < Still)
         {
             var glances = new GlanceSettings(System.Math.Min(0.85f * weight, 1.2f), System.Math.Min(0.2f * weight, 0.5f), 2.2f);
-            wanted = GazeTarget.Towards(Glances.At(habits, seconds, glances));
+
+            // About where the motion holds the head, however it holds the trunk.
+            LookAngles glance = Glances.At(habits, seconds, glances);
+            wanted = GazeTarget.Towards(glance with { Pitch = glance.Pitch + Gaze.PitchOf(rig, model) });
         }
 
         if (wanted.Kind == GazeTargetKind.None && state.Weight == 0f)

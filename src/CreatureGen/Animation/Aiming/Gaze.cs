@@ -115,6 +115,9 @@ public static class Gaze
         return goal;
     }
 
+    /// <summary>How far a pose holds the head up, seen from the trunk, radians.</summary>
+    internal static float PitchOf(GazeRig rig, in Pose model) => (float)PortableMath.Asin(Scalar.Clamp(Ahead(rig, ToTrunk(rig, model), model).Y, -1f, 1f));
+
     private static Quaternion ToTrunk(GazeRig rig, in Pose model) => Rotation.Inverse(Rotation.Multiply(model.Rotations[rig.Base], rig.BaseToModel));
 
     /// <summary>Where the head points, seen from the trunk.</summary>

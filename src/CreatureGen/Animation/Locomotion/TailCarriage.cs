@@ -10,7 +10,7 @@ internal static class TailCarriage
 {
     private const float TurnShare = -1.3f;
 
-    /// <summary>Part of the pelvis's pitch and roll that the tail takes back.</summary>
+    /// <summary>Part of the pelvis's roll that the tail takes back.</summary>
     private const float Steadiness = 0.5f;
 
     /// <summary>Part of a joint's limit that is used; the rest is for its swing.</summary>
@@ -27,7 +27,7 @@ internal static class TailCarriage
 
         float factor = context.Settings.TailMotion;
         Rotation.ToBasis(placer.Trunk.Turns[0], out Vector3 x, out Vector3 y, out Vector3 z);
-        float pitch = (float)PortableMath.Asin(Scalar.Clamp(z.Y, -1f, 1f)) * Steadiness;
+        float pitch = (float)PortableMath.Asin(Scalar.Clamp(z.Y, -1f, 1f)) * body.Posture.TailSteadiness;
         float roll = -(float)PortableMath.Atan2(x.Y, y.Y) * Steadiness;
         float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnShare * placer.TurnBend) + context.Idle.TailSway);
         float share = 1f / count;
