@@ -13,9 +13,11 @@ internal sealed class PairedChain
     private readonly JointTurn[] right;
     private readonly Vector3[] points;
     private readonly Vector3[] axes;
+    private readonly Skeleton skeleton;
 
-    private PairedChain(LimbChain limb, JointTurn[] left, JointTurn[] right, Vector3[] points)
+    private PairedChain(Skeleton skeleton, LimbChain limb, JointTurn[] left, JointTurn[] right, Vector3[] points)
     {
+        this.skeleton = skeleton;
         Limb = limb;
         this.left = left;
         this.right = right;
@@ -70,7 +72,7 @@ internal sealed class PairedChain
             right[k] = new JointTurn(skeleton, skeleton.Mirrors[joint]);
         }
 
-        return new PairedChain(limb, left, right, points);
+        return new PairedChain(skeleton, limb, left, right, points);
     }
 
     /// <summary>Writes a joint; the turn is that of the left limb, of which the right one takes the mirror image.</summary>
@@ -84,6 +86,18 @@ internal sealed class PairedChain
         {
             right[joint].Write(local, Rotation.Mirror(turn));
         }
+    }
+
+    /// <summary>Draws a joint of both sides towards the one before it.</summary>
+    /// <param name="local">Receives its place.</param>
+    /// <param name="joint">Place in the chain.</param>
+    /// <param name="share">Of the bone's length that is left.</param>
+    public void Draw(in Pose local, int joint, float share)
+    {
+        int near = left[joint].Joint;
+        int far = right[joint].Joint;
+        local.Positions[near] = skeleton.LocalPositions[near] * share;
+        local.Positions[far] = skeleton.LocalPositions[far] * share;
     }
 
     /// <summary>The turn that the limits leave of a turn of the left limb.</summary>

@@ -17,16 +17,16 @@ internal sealed class BuzzPair
     private const double PairLag = 0.25;
 
     private readonly PairedChain chain;
-    private readonly Quaternion[] folded;
+    private readonly FoldedWing folded;
     private readonly double level;
     private readonly double lag;
 
-    /// <summary>Takes a pair, and its place among those of the creature from the front, 0 the first.</summary>
-    public BuzzPair(PairedChain chain, int place)
+    /// <summary>Takes a pair, how it folds, and its place among those of the creature from the front, 0 the first.</summary>
+    public BuzzPair(PairedChain chain, FoldedWing folded, int place)
     {
         this.chain = chain;
+        this.folded = folded;
         lag = PairLag * place;
-        folded = FoldedWing.Of(chain, FoldedWing.Insect);
         Vector3 axis = chain.Axes[0];
 
         // The stroke's middle lies a little above level.
@@ -56,7 +56,7 @@ internal sealed class BuzzPair
             Quaternion beat = k == 0
                 ? Rotation.Multiply(AxisTurn.Pitch(-StrokePlane), chain.Stroke(0, raise, sweep, twist))
                 : chain.Stroke(k, bend, 0, 0.3 * twist);
-            chain.Write(local, side, k, open >= 1 ? beat : Rotation.Slerp(folded[k], beat, open));
+            chain.Write(local, side, k, open >= 1 ? beat : Rotation.Slerp(folded.Turn(k), beat, open));
         }
     }
 }

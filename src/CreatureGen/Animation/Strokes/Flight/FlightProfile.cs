@@ -40,7 +40,8 @@ public sealed class FlightProfile
         Skeleton = creature.Skeleton;
         Chain = AxialChain.Of(creature);
         Axis = new FlightAxis(Skeleton, Chain);
-        Fitting(creature, out wings, out buzzers, out legs, out double span);
+        Posture = Locomotion.StandingPosture.Of(creature);
+        Fitting(creature, new FoldRoom(creature, Posture, Chain.Length), out wings, out buzzers, out legs, out double span);
         Buzzes = wings.Length == 0;
         Shoulder = ShoulderOf(creature);
         double mass = Math.Max(Lightness * creature.Mass.Mass, 1e-9);
@@ -103,6 +104,9 @@ public sealed class FlightProfile
 
     internal float LegLength { get; }
 
+    /// <summary>How it holds its trunk where it stands.</summary>
+    internal Locomotion.StandingPosture Posture { get; }
+
     /// <summary>How far the body goes down before it leaps, metres.</summary>
     internal double CrouchDepth => 0.30 * LegLength;
 
@@ -133,7 +137,7 @@ public sealed class FlightProfile
         return new FlightProfile(creature);
     }
 
-    private static void Fitting(Creature creature, out WingPair[] wings, out BuzzPair[] buzzers, out FlightLegs[] legs, out double span)
+    private static void Fitting(Creature creature, FoldRoom room, out WingPair[] wings, out BuzzPair[] buzzers, out FlightLegs[] legs, out double span)
     {
         var stitched = new List<WingPair>();
         var thin = new List<PairedChain>();
@@ -150,7 +154,7 @@ public sealed class FlightProfile
             switch (limb.Kind)
             {
                 case LimbKind.Wing:
-                    stitched.Add(new WingPair(pair));
+                    stitched.Add(new WingPair(pair, FoldedWing.Of(creature, pair, FoldRange.Stitched, room)));
                     span = Math.Max(span, Spread(pair));
                     break;
                 case LimbKind.InsectWing:
@@ -174,7 +178,7 @@ public sealed class FlightProfile
         buzzers = new BuzzPair[thin.Count];
         for (int k = 0; k < buzzers.Length; k++)
         {
-            buzzers[k] = new BuzzPair(thin[k], k);
+            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(creature, thin[k], FoldRange.Thin, room), k);
         }
 
         legs = limbs.ToArray();

@@ -23,15 +23,15 @@ internal sealed class WingPair
     private static readonly double[] unfolding = { 0, 0.10, 0.2, 0.25 };
 
     private readonly PairedChain chain;
-    private readonly Quaternion[] folded;
+    private readonly FoldedWing folded;
     private readonly double dihedral;
 
-    public WingPair(PairedChain chain)
+    public WingPair(PairedChain chain, FoldedWing folded)
     {
         this.chain = chain;
+        this.folded = folded;
         Vector3 out2 = chain.Points[2] - chain.Points[0];
         dihedral = PortableMath.Atan2(out2.Y, out2.X);
-        folded = FoldedWing.Of(chain, FoldedWing.Stitched);
     }
 
     /// <summary>Writes the joints of both sides.</summary>
@@ -40,12 +40,18 @@ internal sealed class WingPair
         for (int k = 0; k < chain.Count && k < Joints; k++)
         {
             WingBeat beat = WingBeat.At(stroke.Phase - lags[k]);
-            Write(local, Side.Left, k, beat, stroke);
-            Write(local, Side.Right, k, beat, stroke);
+            double open = Scalar.Smooth((stroke.Spread - unfolding[k]) / (1 - 0.25));
+            if (k > 0)
+            {
+                chain.Draw(local, k, Scalar.Lerp(folded.LengthOf(k - 1), 1f, (float)open));
+            }
+
+            Write(local, Side.Left, k, beat, stroke, open);
+            Write(local, Side.Right, k, beat, stroke, open);
         }
     }
 
-    private void Write(in Pose local, Side side, int k, in WingBeat beat, in WingStroke stroke)
+    private void Write(in Pose local, Side side, int k, in WingBeat beat, in WingStroke stroke, double open)
     {
         double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
         Beating(k, beat, stroke, inside, out double raise, out double sweep, out double twist);
@@ -58,11 +64,10 @@ internal sealed class WingPair
         }
 
         Quaternion spread = chain.Stroke(k, raise, sweep, twist);
-        double open = Scalar.Smooth((stroke.Spread - unfolding[k]) / (1 - 0.25));
         if (open < Spread)
         {
             // On the way the shoulder is raised, so that the tip does not sweep over the ground.
-            Quaternion way = Rotation.Slerp(folded[k], spread, open);
+            Quaternion way = Rotation.Slerp(folded.Turn(k), spread, open);
             spread = k == 0 ? Rotation.Multiply(AxisTurn.Roll(4 * FoldLift * open * (1 - open)), way) : way;
         }
 

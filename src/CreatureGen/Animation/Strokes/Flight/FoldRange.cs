@@ -1,0 +1,24 @@
+namespace CreatureGen.Animation.Strokes.Flight;
+
+/// <summary>The ways of folding that a kind of wing has: where the search for the one that fits a body begins, and its bounds.</summary>
+/// <param name="Usual">Where it begins.</param>
+/// <param name="Least">Lower bounds.</param>
+/// <param name="Most">Upper bounds.</param>
+/// <param name="Closeness">How much it matters that it lies on the body, 0..1: thin wings lie flat above it.</param>
+internal sealed record FoldRange(WingFold Usual, WingFold Least, WingFold Most, double Closeness)
+{
+    /// <summary>Along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its forearm forward again as birds do: its surface would turn
+    /// over at the elbow. It is drawn together instead.</summary>
+    public static FoldRange Stitched { get; } = new(
+        new WingFold(0.45, 0.35, 0.05, 0.05, 0.05, 0.05, 0.25, 0.65),
+        new WingFold(0.10, -0.20, -0.15, -0.20, 0.00, 0.00, 0.00, 0.48),
+        new WingFold(0.62, 0.60, 0.15, 0.35, 0.15, 0.18, 1.00, 1.00),
+        1);
+
+    /// <summary>Over the abdomen, flat or as a roof.</summary>
+    public static FoldRange Thin { get; } = new(
+        new WingFold(-0.10, 0.28, 0.02, -0.28, 0.00, 0.00, 1.20, 1.00),
+        new WingFold(-0.20, 0.05, -0.10, -0.60, 0.00, 0.00, 0.80, 1.00),
+        new WingFold(0.10, 0.60, 0.15, 0.00, 0.00, 0.00, 1.40, 1.00),
+        0.1);
+}

@@ -1,0 +1,173 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Animation.Locomotion;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Animation.Strokes.Flight;
+
+/// <summary>The room that a standing body leaves to a folded wing, as the trunk sees it: its own surface, the legs as they swing, the ground, and where its tail begins. All by the capsules of the bones.</summary>
+internal sealed class FoldRoom
+{
+    /// <summary>Girth of a tail where it begins, relative to that of the pelvis.</summary>
+    private const float TailGirth = 0.6f;
+
+    /// <summary>Girth of a body relative to the capsules of its bones, which a part of its skin is outside of.</summary>
+    private const float Girth = 1.12f;
+
+    /// <summary>How far legs swing to either side of where they stand, radians.</summary>
+    private const double LegSwing = 0.4;
+
+    /// <summary>How far a wing keeps off the body, off the legs and off the midline, body lengths.</summary>
+    private const double Gap = 0.004;
+    private const double LegGap = 0.012;
+    private const double MiddleGap = 0.004;
+
+    /// <summary>How far wings may reach beyond where the tail begins, body lengths.</summary>
+    private const double Overhang = 0.08;
+
+    /// <summary>How high wings are to be above the ground, heights of the pelvis.</summary>
+    private const double Clearance = 0.45;
+
+    // What it costs to be in the body, in a leg, over the midline, beyond the tail's root, or low, in relation to being off the body.
+    private const double SunkCost = 16;
+    private const double LegCost = 60;
+    private const double MiddleCost = 24;
+    private const double OverhangCost = 4;
+    private const double LowCost = 10;
+
+    private readonly List<Rod> trunk = new();
+    private readonly List<Rod> legs = new();
+    private readonly double length;
+    private readonly Vector3 tailBase;
+    private readonly Vector3 up;
+    private readonly double floor;
+
+    /// <summary>Takes a creature that stands in a posture.</summary>
+    public FoldRoom(Creature creature, StandingPosture posture, double bodyLength)
+    {
+        length = bodyLength;
+        Skeleton skeleton = creature.Skeleton;
+        Vector3 pelvis = skeleton.ModelPositions[Math.Max(skeleton.IndexOf("Pelvis"), 0)];
+
+        // Seen from a raised trunk the legs and the ground are turned the other way.
+        Quaternion lowered = AxisTurn.Pitch(posture.Raised);
+        up = Rotation.Rotate(lowered, Vector3.UnitY);
+        floor = Vec.Dot(up, pelvis) - pelvis.Y;
+        Height = pelvis.Y;
+        tailBase = TailBase(creature, pelvis);
+        bool[] onLeg = LegBones(creature);
+        foreach (CapsuleCollider bone in creature.Bones)
+        {
+            Vector3 joint = skeleton.ModelPositions[bone.Joint];
+            Quaternion rotation = skeleton.ModelRotations[bone.Joint];
+            var rod = new Rod(joint + Rotation.Rotate(rotation, bone.Start), joint + Rotation.Rotate(rotation, bone.End), bone.Radius);
+            if (onLeg[bone.Joint])
+            {
+                Quaternion standing = posture.Raised == 0f ? Quaternion.Identity : lowered;
+                for (int swing = -1; swing <= 1; swing++)
+                {
+                    Vector3 hip = HipOf(creature, bone.Joint);
+                    legs.Add(rod.Turned(hip, AxisTurn.Pitch(swing * LegSwing)).Turned(pelvis, standing));
+                }
+            }
+            else if (skeleton.Joints[bone.Joint].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Neck or JointRole.Tail)
+            {
+                trunk.Add(rod with { Radius = Girth * rod.Radius });
+            }
+        }
+    }
+
+    /// <summary>Height of the pelvis, metres.</summary>
+    private double Height { get; }
+
+    /// <summary>What it costs a piece of a left wing to be somewhere; 0 where it touches the body and nothing else.</summary>
+    /// <param name="point">Where it is.</param>
+    /// <param name="closeness">How much it matters that it touches the body, 0..1.</param>
+    public double Cost(Vector3 point, double closeness)
+    {
+        double off = double.MaxValue;
+        foreach (Rod rod in trunk)
+        {
+            off = Math.Min(off, rod.Distance(point));
+        }
+
+        off = (off / length) - Gap;
+        double cost = (off < 0 ? SunkCost : closeness) * off * off;
+        double leg = 0;
+        foreach (Rod rod in legs)
+        {
+            leg = Math.Max(leg, LegGap - (rod.Distance(point) / length));
+        }
+
+        double across = Math.Max(0, MiddleGap - (point.X / length));
+        double beyond = Math.Max(0, ((tailBase.Z - point.Z) / length) - Overhang);
+        double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
+        return cost + (LegCost * leg * leg) + (MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+    }
+
+    private static Vector3 TailBase(Creature creature, Vector3 pelvis)
+    {
+        Skeleton skeleton = creature.Skeleton;
+        float girth = 0f;
+        Vector3 found = pelvis;
+        foreach (CapsuleCollider bone in creature.Bones)
+        {
+            JointRole role = skeleton.Joints[bone.Joint].Role;
+            girth = role == JointRole.Pelvis ? bone.Radius : girth;
+            if (role == JointRole.Tail)
+            {
+                found = skeleton.ModelPositions[bone.Joint];
+                if (bone.Radius < TailGirth * girth)
+                {
+                    break;
+                }
+            }
+        }
+
+        return found;
+    }
+
+    private static bool[] LegBones(Creature creature)
+    {
+        var bones = new bool[creature.Skeleton.Count];
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            for (int k = 1; k < limb.Joints.Count && limb.Kind == LimbKind.Leg && limb.Side == Side.Left; k++)
+            {
+                bones[limb.Joints[k]] = true;
+            }
+        }
+
+        return bones;
+    }
+
+    private static Vector3 HipOf(Creature creature, int joint)
+    {
+        Skeleton skeleton = creature.Skeleton;
+        while (skeleton.Joints[joint].Role != JointRole.Hip && skeleton.Parents[joint] >= 0)
+        {
+            joint = skeleton.Parents[joint];
+        }
+
+        return skeleton.ModelPositions[joint];
+    }
+
+    /// <summary>A capsule.</summary>
+    private readonly record struct Rod(Vector3 Start, Vector3 End, float Radius)
+    {
+        public Rod Turned(Vector3 pivot, Quaternion turn) => new(pivot + Rotation.Rotate(turn, Start - pivot), pivot + Rotation.Rotate(turn, End - pivot), Radius);
+
+        /// <summary>From its surface to a point, negative within.</summary>
+        public double Distance(Vector3 point)
+        {
+            Vector3 way = End - Start;
+            float squared = Vec.LengthSquared(way);
+            float along = squared > 0f ? Scalar.Clamp(Vec.Dot(point - Start, way) / squared, 0f, 1f) : 0f;
+            return Vec.Distance(point, Start + (way * along)) - Radius;
+        }
+    }
+}
