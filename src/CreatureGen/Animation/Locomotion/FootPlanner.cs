@@ -105,6 +105,30 @@ internal sealed class FootPlanner
         }
     }
 
+    /// <summary>Sets all feet where they would be in their stride at the speed and place in the cycle.</summary>
+    public void PlaceInStride(in StepContext step)
+    {
+        float duty = step.Clock.Duty;
+        float cycle = 1f / step.Clock.Frequency;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            float p = step.Clock.LegPhase(i);
+            feet[i] = default;
+            Aim(i, step, ((0.5f * duty) - p) * cycle);
+            feet[i].From = feet[i].To;
+            feet[i].Stance = Math.Min(p / duty, 1f);
+            if (p >= duty)
+            {
+                feet[i].Phase = FootPhase.Swing;
+                feet[i].Swing = (p - duty) / (1f - duty);
+                feet[i].Aimed = false;
+                Aim(i, step, (1f - p + (0.5f * duty)) * cycle);
+            }
+
+            SetLoad(ref feet[i], step);
+        }
+    }
+
     /// <summary>Takes feet and body along with the platform that most of its standing feet are on.</summary>
     /// <param name="frame">Where the body is.</param>
     /// <param name="ground">The ground.</param>
