@@ -56,7 +56,7 @@ public sealed class FlierStanceTests
             flight.Go(1f, default);
             flight.Record();
             flight.TakeOff();
-            flight.Land();
+            flight.Drop();
             MotionReport report = flight.Report();
             Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
             Assert.Equal(0f, report.SkatingShare);
@@ -146,6 +146,71 @@ public sealed class FlierStanceTests
             }
 
             Assert.True(least > 0.8f * speed, $"{name}: {least} of {speed} m/s");
+        }
+    }
+
+    [Theory]
+    [InlineData(60f, 7500)]
+    [InlineData(144f, 7600)]
+    public void A_flier_that_lands_as_it_goes_ahead_runs_out(float rate, int firstSeed)
+    {
+        int ran = 0;
+        foreach ((MotionProfile profile, string name) in Standing(firstSeed, 30))
+        {
+            var flight = new Flight(profile, rate);
+            flight.TakeOff();
+            float length = profile.LegLength;
+            float unit = MathF.Sqrt(9.81f * length);
+            float before = flight.Animator.Speed;
+            float touched = float.NaN;
+            flight.Told.Clear();
+            flight.EachFrame = () =>
+            {
+                // Braking in the air takes the way down, that on the ground the usual response of 4 per second.
+                float now = flight.Animator.Speed;
+                float most = 1.02f * MathF.Max(4f * before, 3f * unit * unit / length) / rate;
+                Assert.True(Math.Abs(now - before) <= most, $"{name}: from {before} to {now} m/s at once, {flight.Height / length} leg lengths up");
+                touched = float.IsNaN(touched) && flight.Animator.StandsOnFeet ? now : touched;
+                before = now;
+            };
+            flight.Record();
+            flight.Land();
+            MotionReport report = flight.Report();
+            Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
+            Assert.Equal(0f, report.SkatingShare);
+
+            // Walkers that stop from such a run go as far beyond the limits of their feet.
+            Assert.True(report.LimitExcess <= 0.13f, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} {report.LimitExcess} rad beyond its limits");
+            int downs = flight.Count(MotionEventKind.FootDown);
+            if (touched > 0.5f * unit)
+            {
+                Assert.True(downs > profile.Legs!.Legs.Length, $"{name}: {downs} steps from {touched} m/s");
+                ran++;
+            }
+
+            Assert.True(Math.Abs(flight.Animator.Speed) < 0.01f * unit, $"{name}: {flight.Animator.Speed} m/s in the end");
+        }
+
+        Assert.True(ran > 15, $"{ran} ran");
+    }
+
+    [Fact]
+    public void A_flier_that_comes_straight_down_stays_where_it_lands()
+    {
+        foreach ((MotionProfile profile, string name) in Standing(7700, 15))
+        {
+            var flight = new Flight(profile, 60f);
+            flight.TakeOff();
+            flight.Go(1f, new MotionInput(0f, Medium: MotionMedium.Air));
+            for (int i = 0; i < 4000 && !flight.Animator.StandsOnFeet; i++)
+            {
+                flight.Go(1f / 60f, new MotionInput(0f, ClimbRate: -0.3f * profile.Flight!.CruiseSpeed));
+            }
+
+            Vector3 place = flight.Animator.Root.Position;
+            flight.Go(2f, default);
+            Assert.True(Vector3.Distance(place, flight.Animator.Root.Position) < 0.03f * profile.LegLength, name);
+            Assert.Equal(profile.Legs!.Legs.Length, flight.Count(MotionEventKind.FootDown));
         }
     }
 
@@ -281,12 +346,23 @@ public sealed class FlierStanceTests
             Rise(0.5f);
         }
 
-        /// <summary>Comes down, and stands for a time.</summary>
+        /// <summary>Comes down, runs out, and stands for a time.</summary>
         public void Land()
         {
             for (int i = 0; i < 4000 && !Animator.StandsOnFeet; i++)
             {
                 Sink(step);
+            }
+
+            Go(4f, default);
+        }
+
+        /// <summary>Comes straight down, and stands for a time.</summary>
+        public void Drop()
+        {
+            for (int i = 0; i < 4000 && !Animator.StandsOnFeet; i++)
+            {
+                Go(step, new MotionInput(0f, ClimbRate: -0.3f * Cruise));
             }
 
             Go(2f, default);

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Animation.Events;
 using CreatureGen.Animation.Grounds;
@@ -29,6 +30,7 @@ internal sealed class FlightDrive : IBodyMotion
     private readonly StancePose stance;
     private readonly EventQueue events;
     private FlightState state = FlightState.OnGround;
+    private float turn;
 
     public FlightDrive(FlightProfile profile, Locomotion.LeggedMotion? legs, EventQueue events)
     {
@@ -62,7 +64,7 @@ internal sealed class FlightDrive : IBodyMotion
         BodyVelocity velocity = Fly(place, dt, input, settings, ground, local);
         if (IsOnFeet)
         {
-            TouchDown(before, velocity.Linear.Z * place.Scale, place, settings, ground);
+            TouchDown(before, place, settings, ground);
             place = legs!.Drive(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
             Speed = legs.Speed;
         }
@@ -70,6 +72,7 @@ internal sealed class FlightDrive : IBodyMotion
         {
             LiftOff(before, place.Scale);
             Speed = velocity.Linear.Z;
+            turn = velocity.TurnRate;
             place = RootStep.Advance(place, velocity, dt);
             Reach(place, settings, ground);
         }
@@ -86,7 +89,7 @@ internal sealed class FlightDrive : IBodyMotion
         BodyVelocity velocity = Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
         if (IsOnFeet)
         {
-            TouchDown(before, velocity.Linear.Z * goal.Scale, goal, settings, ground);
+            TouchDown(before, goal, settings, ground);
             legs!.Follow(place, dt, goal, settings, ground, stance.Cleared());
             Speed = legs.Speed;
         }
@@ -94,6 +97,7 @@ internal sealed class FlightDrive : IBodyMotion
         {
             LiftOff(before, goal.Scale);
             Speed = velocity.Linear.Z;
+            turn = velocity.TurnRate;
             Reach(goal, settings, ground);
         }
 
@@ -116,7 +120,7 @@ internal sealed class FlightDrive : IBodyMotion
 
     public void Rebase(Vector3 offset) => legs?.Rebase(offset);
 
-    /// <summary>What is asked of the legs: a flier that makes ready to leap keeps its run, one that has come down stands.</summary>
+    /// <summary>What is asked of the legs: a flier that makes ready to leap keeps its run, one that has come down runs out.</summary>
     private MotionInput OnFoot(in MotionInput input, float scale)
     {
         legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
@@ -124,17 +128,19 @@ internal sealed class FlightDrive : IBodyMotion
         return state.Phase switch
         {
             FlightPhase.Grounded => input,
-            FlightPhase.Crouching => new MotionInput(System.Math.Min(input.Speed, legs.Speed * scale)),
-            _ => default,
+            FlightPhase.Crouching => new MotionInput(Math.Min(input.Speed, legs.Speed * scale)),
+            _ => new MotionInput(Math.Min(input.Speed, Math.Max(legs.Speed, 0f) * scale), input.TurnRate),
         };
     }
 
-    private void TouchDown(bool before, float speed, in RootPlace place, in LocomotionSettings settings, IGround ground)
+    /// <summary>Lets the legs take over, at the speed at which it came down.</summary>
+    private void TouchDown(bool before, in RootPlace place, in LocomotionSettings settings, IGround ground)
     {
         if (!before)
         {
-            legs!.Stand(place, settings, ground, stance.Cleared());
-            legs.Tell(MotionEventKind.FootDown, speed, PushForce);
+            legs!.Sink = 0f;
+            legs.Arrive(place, Speed, turn, settings, ground, stance.Cleared());
+            legs.Tell(MotionEventKind.FootDown, Speed * place.Scale, PushForce);
         }
     }
 
@@ -152,7 +158,7 @@ internal sealed class FlightDrive : IBodyMotion
         if (legs != null && state.Phase == FlightPhase.Landing && state.Planted.Value > 0)
         {
             legs.Sink = 0f;
-            legs.Stand(place, settings, ground, stance.Cleared());
+            legs.Arrive(place, Speed, turn, settings, ground, stance.Cleared());
         }
     }
 
@@ -168,6 +174,8 @@ internal sealed class FlightDrive : IBodyMotion
     {
         FlightIntent intent = input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
+        state.RunOut = legs?.RunOut ?? 0f;
+        state.Raised = legs?.Raised ?? 0f;
         var asked = new FlightInput(intent, input.Speed / scale, input.TurnRate, input.ClimbRate / scale, HeightOf(place, settings, ground));
         BodyVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
         for (int k = state.BeatsBegun - 1; k >= 0; k--)

@@ -5,7 +5,7 @@ namespace CreatureGen.Animation.Locomotion;
 /// <summary>What the body goes by in an update.</summary>
 internal readonly struct BodyContext
 {
-    public BodyContext(GaitClock clock, Travel travel, LocomotionSettings settings, float step, float activity, in IdlePose idle, float acceleration)
+    public BodyContext(GaitClock clock, Travel travel, LocomotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright)
     {
         Clock = clock;
         Travel = travel;
@@ -14,6 +14,7 @@ internal readonly struct BodyContext
         Activity = activity;
         Idle = idle;
         Acceleration = acceleration;
+        Upright = upright;
     }
 
     public GaitClock Clock { get; }
@@ -32,6 +33,9 @@ internal readonly struct BodyContext
 
     /// <summary>Metres per second squared ahead.</summary>
     public float Acceleration { get; }
+
+    /// <summary>How much of its posture for standing the trunk is in, 0..1.</summary>
+    public float Upright { get; }
 }
 
 /// <summary>What a standing body does by itself.</summary>

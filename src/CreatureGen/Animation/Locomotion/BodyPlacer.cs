@@ -52,9 +52,6 @@ internal sealed class BodyPlacer
     /// <summary>Passive nod of the neck, radians.</summary>
     public float Nod { get; private set; }
 
-    /// <summary>How much of its raised stance the trunk is in, 0..1.</summary>
-    public float Upright { get; private set; }
-
     /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
     public float Scissor { get; private set; }
 
@@ -139,13 +136,13 @@ internal sealed class BodyPlacer
         foreRise += ForeGround + context.Idle.Breath - crouch - (stoop * body.ForeStoop) + (0.06f * push * length);
         Level(ref hindRise, ref foreRise);
         float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + (0.35f * push) : 0f;
-        Upright = StandingPosture.Share(act, context.Travel.Speed * context.Travel.Speed / (settings.Gravity * length));
+        float raised = body.Posture.Raised * context.Upright;
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
-            Pelvis = new Vector3(rest.X + sway + context.Idle.Shift, rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * Upright)),
+            Pelvis = new Vector3(rest.X + sway + context.Idle.Shift, rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright)),
             PelvisYaw = pelvisYaw,
-            PelvisPitch = lean - (0.5f * flexion) - (body.Posture.Raised * Upright),
+            PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,
             BendYaw = Scalar.Clamp(chestYaw - pelvisYaw, -body.MostBendYaw, body.MostBendYaw),
             BendPitch = flexion,

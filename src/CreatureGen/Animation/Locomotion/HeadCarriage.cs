@@ -25,7 +25,7 @@ internal static class HeadCarriage
         Rotation.ToBasis(chest, out Vector3 x, out Vector3 y, out Vector3 z);
         float steady = body.Traits.HeadSteadiness * context.Settings.HeadSteadiness;
         float yaw = (-(float)PortableMath.Atan2(z.X, z.Z) * steady) + (TurnLook * Scalar.Clamp(context.Travel.Turn, -1.5f, 1.5f));
-        float pitch = ((float)PortableMath.Asin(Scalar.Clamp(z.Y, -1f, 1f)) - (body.Posture.Raised * placer.Upright)) * steady;
+        float pitch = ((float)PortableMath.Asin(Scalar.Clamp(z.Y, -1f, 1f)) - (body.Posture.Raised * context.Upright)) * steady;
         float roll = -(float)PortableMath.Atan2(x.Y, y.Y) * steady;
         float share = 1f / count;
         float nod = placer.Nod;
@@ -41,7 +41,7 @@ internal static class HeadCarriage
                 tilt += i == 0 ? bob : i == count - 2 ? -0.35f * bob : head ? -0.65f * bob : 0f;
             }
 
-            tilt = Scalar.Clamp(tilt, -body.NeckLimits[i], body.NeckLimits[i]) + (placer.Upright * body.Posture.Nod(i));
+            tilt = Scalar.Clamp(tilt, -body.NeckLimits[i], body.NeckLimits[i]) + (context.Upright * body.Posture.Nod(i));
             if (tilt != last)
             {
                 last = tilt;

@@ -23,6 +23,10 @@ internal sealed class LeggedMotion : IBodyMotion
 
     private const float ActivityRate = 5f;
 
+    /// <summary>How quickly the trunk comes down from how it stands, and up to it again, per second.</summary>
+    private const float LowerRate = 8f;
+    private const float RaiseRate = 1.2f;
+
     /// <summary>Seconds ahead of which the speed decides the gait.</summary>
     private const float Foresight = 0.2f;
 
@@ -31,6 +35,15 @@ internal sealed class LeggedMotion : IBodyMotion
 
     /// <summary>Part of its reach at which a standing leg gives up its place.</summary>
     private const float BreakStretch = 1.12f;
+
+    /// <summary>Part of a slow walk below which a creature that comes down does so on the spot.</summary>
+    private const float ArrivalSpeed = 0.3f;
+
+    /// <summary>How far apart its feet are as it comes down, relative to where they stand at rest.</summary>
+    private const float ArrivalTrack = 0.85f;
+
+    /// <summary>Part of its top speed at which it can come down.</summary>
+    private const float RunOutShare = 0.45f;
 
     private readonly LeggedBody body;
     private readonly GaitSet gaits;
@@ -46,9 +59,11 @@ internal sealed class LeggedMotion : IBodyMotion
     private float acceleration;
     private double seconds;
     private bool standing;
+    private bool arrived;
     private SteadyDecay activityDecay;
     private SteadyDecay accelerationDecay;
     private SteadyDecay rootDecay;
+    private SteadyDecay raiseDecay;
     private SteadyDecay foresightDecay;
 
     public LeggedMotion(LeggedBody body, GaitSet gaits, EventQueue events)
@@ -76,6 +91,12 @@ internal sealed class LeggedMotion : IBodyMotion
     /// <summary>How far the body is let down into its legs, metres of the model.</summary>
     public float Sink { get; set; }
 
+    /// <summary>How much of its posture for standing it is in, 0..1.</summary>
+    public float Raised { get; private set; }
+
+    /// <summary>Fastest speed ahead at which it can come down, metres per second of the model.</summary>
+    public float RunOut => RunOutShare * gaits.TopSpeed;
+
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg)
     {
@@ -89,6 +110,40 @@ internal sealed class LeggedMotion : IBodyMotion
     public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
     {
         Stand(place, settings, ground);
+        Pose(place, 0f, settings, local);
+    }
+
+    /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
+    /// <param name="place">Where the root is.</param>
+    /// <param name="speed">Metres per second ahead, of the model.</param>
+    /// <param name="turn">Radians per second.</param>
+    /// <param name="settings">What can be set.</param>
+    /// <param name="ground">Where feet find footing.</param>
+    /// <param name="local">Receives the pose.</param>
+    public void Arrive(in RootPlace place, float speed, float turn, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        LocomotionSettings own = settings;
+        own.Gravity /= place.Scale;
+        float unit = own.Gravity * body.LegLength;
+        float walking = (float)Math.Sqrt(0.06f * unit);
+        int before = gait;
+        Stand(place, own, ground);
+        if (speed > ArrivalSpeed * walking)
+        {
+            float froude = speed * speed / unit;
+            travel.Speed = travel.GoalSpeed = speed;
+            travel.Turn = travel.GoalTurn = turn;
+            activity = Math.Min((speed / walking) + (0.35f * Math.Abs(turn)), 1f);
+            gait = gaits.Choose(before, froude);
+            clock.Restart(settings.Gait ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
+            clock.Shape.Track = Math.Max(clock.Shape.Track, ArrivalTrack);
+            clock.Phase = 0;
+            clock.Slide(0f, froude, own.Gravity, turn, Math.Min(speed / walking, 1f), own.Stride);
+            planner.PlaceInStride(new StepContext(place, travel, clock, own, ground, 0f, 0f, activity, true));
+            PoseFeet(place, 0f, own);
+            placer.Reset(planner.Feet);
+        }
+
         Pose(place, 0f, settings, local);
     }
 
@@ -106,6 +161,7 @@ internal sealed class LeggedMotion : IBodyMotion
         PoseFeet(placement, 0f, settings);
         placer.Reset(planner.Feet);
         standing = true;
+        arrived = true;
     }
 
     /// <summary>Tells that all feet that stand come down or leave the ground together.</summary>
@@ -201,7 +257,8 @@ internal sealed class LeggedMotion : IBodyMotion
         IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle);
         PoseFeet(placement, dt, settings);
         idle = idle with { Breath = idle.Breath - Sink };
-        var context = new BodyContext(clock, travel, settings, dt, activity, idle, acceleration);
+        Raise(dt, settings.Gravity);
+        var context = new BodyContext(clock, travel, settings, dt, activity, idle, acceleration, Raised);
         placer.Place(context, planner.Feet, poses);
         poser.PoseTrunk(placer, local);
         for (int i = 0; i < poses.Length; i++)
@@ -212,6 +269,15 @@ internal sealed class LeggedMotion : IBodyMotion
         HeadCarriage.Pose(body, turns, placer, context, local);
         ArmSwing.Pose(body, turns, placer, context, local);
         TailCarriage.Pose(body, turns, placer, context, local);
+    }
+
+    /// <summary>Brings the trunk into its posture: down at once, up after the last step.</summary>
+    private void Raise(float dt, float gravity)
+    {
+        float froude = travel.Speed * travel.Speed / (gravity * body.LegLength);
+        float wanted = StandingPosture.Share(activity, froude, Sink / body.LegLength);
+        Raised = arrived ? wanted : Raised + ((wanted - Raised) * raiseDecay.Share((wanted < Raised ? LowerRate : RaiseRate) * dt));
+        arrived = false;
     }
 
     private void Begin(in RootPlace placement, in LocomotionSettings settings, IGround ground)

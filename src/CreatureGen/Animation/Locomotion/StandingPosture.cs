@@ -21,8 +21,15 @@ internal sealed class StandingPosture
     private const float LoweredToWalk = 0.4f;
     private const float LoweredToRun = 0.4f;
 
+    /// <summary>Part of what is left that is given up in a crouch, and how deep that is, leg lengths.</summary>
+    private const float LoweredToCrouch = 0.7f;
+    private const float DeepCrouch = 0.3f;
+
     /// <summary>Height of the hips above which a tail is clear of the ground.</summary>
-    private const double TailClearance = 0.25;
+    private const double TailClearance = 0.12;
+
+    /// <summary>Half the height of a tail relative to the capsules of its bones: fans are flat.</summary>
+    private const double TailThickness = 0.3;
 
     /// <summary>Most that a trunk is raised, radians, and by how much less at a time where its tail would touch the ground.</summary>
     private const double MostRaised = 0.75;
@@ -31,7 +38,7 @@ internal sealed class StandingPosture
     // Degrees of the line from pelvis to shoulders above level.
     private static readonly (string Body, double Degrees)[] carriages =
     {
-        ("duck", 20), ("raptor", 38), ("parrot", 40), ("heron", 32), ("owl", 52), ("toucan", 40), ("penguin", 62), ("ostrich", 15), ("bat", 26), ("pterosaur", 30),
+        ("duck", 20), ("raptor", 38), ("parrot", 40), ("heron", 32), ("owl", 48), ("toucan", 40), ("penguin", 62), ("ostrich", 15), ("bat", 26), ("pterosaur", 30),
     };
 
     private const double BirdCarriage = 24;
@@ -76,10 +83,12 @@ internal sealed class StandingPosture
         return creature.Blueprint.Plan == BodyPlan.Flapping && legs == 2 ? new Carriage(creature).Stand(Wanted(creature.Blueprint.Body.Blend.First)) : asBuilt;
     }
 
-    /// <summary>How much of the posture it keeps, 0..1: it comes down to walk, and farther to run.</summary>
+    /// <summary>How much of the posture it keeps, 0..1: it comes down to walk, farther to run, and to crouch.</summary>
     /// <param name="activity">0 stands, 1 walks.</param>
     /// <param name="froude">v²/(gℓ).</param>
-    public static float Share(float activity, float froude) => 1f - (LoweredToWalk * Scalar.Smooth(activity)) - (LoweredToRun * Scalar.Smooth(froude));
+    /// <param name="sunk">How far the body is let down into its legs, leg lengths.</param>
+    public static float Share(float activity, float froude, float sunk) =>
+        (1f - (LoweredToWalk * Scalar.Smooth(activity)) - (LoweredToRun * Scalar.Smooth(froude))) * (1f - (LoweredToCrouch * Scalar.Smooth(sunk / DeepCrouch)));
 
     private static double Wanted(string body)
     {
@@ -103,6 +112,7 @@ internal sealed class StandingPosture
         private readonly Vector3 pelvis;
         private readonly Vector3 neck;
         private readonly Vector3 tail;
+        private readonly int tailBones;
 
         public Carriage(Creature creature)
         {
@@ -112,6 +122,7 @@ internal sealed class StandingPosture
             for (int i = 0; i < parts.Length; i++)
             {
                 JointRole role = skeleton.Joints[i].Role;
+                tailBones += role == JointRole.Tail ? 1 : 0;
                 int parent = skeleton.Parents[i];
                 parts[i] = role is JointRole.Neck or JointRole.Tail or JointRole.Wing or JointRole.Girdle ? role : parent < 0 ? JointRole.Body : parts[parent];
             }
@@ -190,16 +201,22 @@ internal sealed class StandingPosture
 
         private Vector3 Turned(Vector3 point, Quaternion turn) => pelvis + Rotation.Rotate(turn, point - pelvis);
 
-        /// <summary>Height of the lowest point of the tail.</summary>
+        /// <summary>Height of the lowest point of the tail, whose joints share what it takes back.</summary>
         private double Lowest(double raised, double steadiness)
         {
             double lowest = double.MaxValue;
+            double turned = -raised;
+            Vector3 place = Turned(tail, AxisTurn.Pitch(-raised));
             foreach (CapsuleCollider bone in creature.Bones)
             {
-                if (parts[bone.Joint] == JointRole.Tail)
+                if (skeleton.Joints[bone.Joint].Role == JointRole.Tail)
                 {
-                    Vector3 end = skeleton.ModelPositions[bone.Joint] + Rotation.Rotate(skeleton.ModelRotations[bone.Joint], new Vector3(0f, skeleton.Joints[bone.Joint].Length, 0f));
-                    lowest = Math.Min(lowest, Moved(end, JointRole.Tail, raised, steadiness).Y - bone.Radius);
+                    JointLimit limit = skeleton.Joints[bone.Joint].Limit;
+                    double most = TailCarriage.MostShare * Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+                    turned += Math.Min(steadiness * raised / tailBones, most);
+                    Vector3 along = Rotation.Rotate(skeleton.ModelRotations[bone.Joint], new Vector3(0f, skeleton.Joints[bone.Joint].Length, 0f));
+                    place += Rotation.Rotate(AxisTurn.Pitch(turned), along);
+                    lowest = Math.Min(lowest, place.Y - (TailThickness * bone.Radius));
                 }
             }
 

@@ -14,7 +14,7 @@ internal static class TailCarriage
     private const float Steadiness = 0.5f;
 
     /// <summary>Part of a joint's limit that is used; the rest is for its swing.</summary>
-    private const float MostShare = 0.4f;
+    public const float MostShare = 0.4f;
 
     /// <summary>Writes the tail.</summary>
     public static void Pose(LeggedBody body, RestTurns turns, BodyPlacer placer, in BodyContext context, in Pose local)

@@ -32,6 +32,13 @@ internal static class FlightControl
     private const double LeapHeight = 1.2;
     private const double PlantingHeight = 0.4;
 
+    /// <summary>Leg lengths above the ground at which its feet are where they will stand.</summary>
+    private const double PlantedHeight = 0.03;
+
+    /// <summary>Speed in √(g·leg) from which on a flier that comes down runs, and gives way the less.</summary>
+    private const double RunningSpeed = 0.45;
+    private const double RunningStiffness = 0.9;
+
     /// <summary>Speed of touchdown, in √(g·leg).</summary>
     private const double Touchdown = 0.25;
 
@@ -79,10 +86,11 @@ internal static class FlightControl
         state.Bank.Step(Curve.Bounded(turn, SteepestBank), 1.2 * k, dt);
         state.Steer.Step(Curve.Bounded(yaw * Math.Max(0.35, 0.5 * profile.CruiseSpeed / Gravity), 1), 1.5 * k, dt);
         state.Path.Step(Curve.Bounded(path, SteepestPath), k, dt);
-        Crouch(tempo, dt, ref state);
+        Crouch(tempo, Math.Sqrt(Gravity * leg), dt, ref state);
+        state.Upright.Step(state.Raised, 4 * tempo, dt);
         state.Air.Step(flying ? 1 : 0, 2 * tempo, dt);
         bool reaches = state.Phase == FlightPhase.Landing;
-        state.Planted.Step(reaches ? 1 - Scalar.Smooth(height / (PlantingHeight * leg)) : flying ? 0 : 1, reaches || !flying ? 20 * tempo : 4 * tempo, dt);
+        state.Planted.Step(reaches ? 1 - Scalar.Smooth(((height / leg) - PlantedHeight) / (PlantingHeight - PlantedHeight)) : flying ? 0 : 1, reaches || !flying ? 60 * tempo : 4 * tempo, dt);
         state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
         return Root(state, speed, yaw, climb, height, leg, dt);
     }
@@ -95,7 +103,7 @@ internal static class FlightControl
         {
             FlightPhase.Leaping => Velocity(Scalar.Lerp(state.RunUp, speed, part), Math.Max(climb, 1.5 * unit) * (0.35 + (0.65 * Scalar.Smooth(2 * state.Age / LeapTime))), yaw * part),
             FlightPhase.Landing => Velocity(
-                speed * Scalar.Smooth(height / (LandingHeight * leg)),
+                Scalar.Lerp(Scalar.Clamp(speed, 0, state.RunOut), speed, Scalar.Smooth(((height / leg) - PlantingHeight) / (LandingHeight - PlantingHeight))),
                 -Math.Min(height / Math.Max(dt, 1e-4), Scalar.Clamp(0.9 * unit * height / leg, Touchdown * unit, 1.4 * unit)),
                 yaw),
             FlightPhase.Crouching or FlightPhase.Settling => default,
@@ -106,13 +114,14 @@ internal static class FlightControl
     private static BodyVelocity Velocity(double ahead, double up, double turn) => new(new Vector3(0f, (float)up, (float)ahead), (float)turn);
 
     /// <summary>Goes down before a leap and pushes off out of that; gives way when it has come down.</summary>
-    private static void Crouch(double tempo, double dt, ref FlightState state)
+    private static void Crouch(double tempo, double unit, double dt, ref FlightState state)
     {
+        double running = Scalar.Smooth(Math.Abs(state.RunUp) / (RunningSpeed * unit));
         bool pushes = state.Phase == FlightPhase.Crouching && state.Age > PushTime;
         double depth = state.Phase switch
         {
             FlightPhase.Crouching => pushes ? -PushRise : 1,
-            FlightPhase.Settling => 0.85 * (1 - Scalar.Smooth(state.Age / (0.6 * SettleTime))),
+            FlightPhase.Settling => 0.85 * (1 - (RunningStiffness * running)) * (1 - Scalar.Smooth(state.Age / (0.6 * SettleTime))),
             _ => 0,
         };
         state.Crouch.Step(depth, pushes || state.Phase == FlightPhase.Leaping ? 6 * tempo : 3.5 * tempo, dt);

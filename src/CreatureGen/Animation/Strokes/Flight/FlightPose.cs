@@ -76,14 +76,16 @@ internal static class FlightPose
 
         double posture = profile.Buzzes ? Scalar.Lerp(0.08, -BuzzPitch, hover) : Scalar.Lerp(-0.03, -HoverPitch, hover);
 
-        // Close to the ground it levels out, so that all feet reach it.
-        double pitch = air * Scalar.Smooth(state.Height.Value / profile.LegLength) * (posture - (0.75 * state.Path.Value) - (FlarePitch * Scalar.Clamp(state.Flare.Value, 0, 1)));
+        // Close to the ground it goes over to how it stands, so that all feet reach it.
+        double free = air * Scalar.Smooth(state.Height.Value / profile.LegLength);
+        double raised = (1 - free) * state.Upright.Value;
+        double pitch = (free * (posture - (0.75 * state.Path.Value) - (FlarePitch * Scalar.Clamp(state.Flare.Value, 0, 1)))) - (raised * profile.Posture.Raised);
         pitch += (profile.Buzzes ? 0.2 : 1) * BeatPitch * beating * PortableMath.Sin((2 * PortableMath.Pi * beats) + 0.6);
         pitch -= 0.12 * crouch;
         double roll = -air * state.Bank.Value;
         Quaternion body = Rotation.Multiply(AxisTurn.Pitch(pitch), AxisTurn.Roll(roll));
         AxialChain chain = profile.Chain;
-        Vector3 now = chain.BodyPivot + new Vector3(0f, (float)heave, 0f);
+        Vector3 now = chain.BodyPivot + new Vector3(0f, (float)heave, (float)(raised * profile.Posture.Ahead)) + profile.Raise(raised * profile.Posture.Raised);
         local.Rotations[chain.Body] = Rotation.Normalize(Rotation.Multiply(body, profile.Skeleton.LocalRotations[chain.Body]));
         local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + (now - chain.BodyPivot);
 

@@ -34,12 +34,14 @@ public sealed class FlightProfile
     private readonly WingPair[] wings;
     private readonly BuzzPair[] buzzers;
     private readonly FlightLegs[] legs;
+    private readonly Vector3 pelvis;
 
     private FlightProfile(Creature creature)
     {
         Skeleton = creature.Skeleton;
         Chain = AxialChain.Of(creature);
         Axis = new FlightAxis(Skeleton, Chain);
+        pelvis = Skeleton.IndexOf("Pelvis") is int at and >= 0 ? Skeleton.ModelPositions[at] : Chain.BodyPivot;
         Posture = Locomotion.StandingPosture.Of(creature);
         Fitting(creature, new FoldRoom(creature, Posture, Chain.Length), out wings, out buzzers, out legs, out double span);
         Buzzes = wings.Length == 0;
@@ -124,6 +126,13 @@ public sealed class FlightProfile
     internal ReadOnlySpan<BuzzPair> Buzzers => buzzers;
 
     internal ReadOnlySpan<FlightLegs> Legs => legs;
+
+    /// <summary>How far the body's joint goes as the trunk is raised about the pelvis by an angle in radians.</summary>
+    internal Vector3 Raise(double angle)
+    {
+        Vector3 arm = Chain.BodyPivot - pelvis;
+        return Rotation.Rotate(AxisTurn.Pitch(-angle), arm) - arm;
+    }
 
     /// <summary>Works out how a creature flies.</summary>
     /// <exception cref="ArgumentException">It has no wings, or its skeleton lacks a body, a head or a tail.</exception>

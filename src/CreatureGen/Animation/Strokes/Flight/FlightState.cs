@@ -25,9 +25,16 @@ public struct FlightState
     internal Smoothed Air;
     internal Smoothed Planted;
     internal Smoothed Height;
+    internal Smoothed Upright;
 
     /// <summary>Metres per second ahead at which it leaves the ground.</summary>
     internal double RunUp;
+
+    /// <summary>Fastest speed ahead at which its legs can take over from its wings, metres per second; 0 where it comes to a stop as it lands.</summary>
+    internal double RunOut;
+
+    /// <summary>How much of its posture for standing its legs would have it in at this speed, 0..1.</summary>
+    internal double Raised;
 
     /// <summary>Whether it has ground under its feet.</summary>
     internal readonly bool IsOnFeet => Phase is FlightPhase.Grounded or FlightPhase.Crouching or FlightPhase.Settling;
@@ -60,7 +67,7 @@ public struct FlightState
     public readonly float WingSpread => (float)Spread.Value;
 
     /// <summary>A flier that stands, as if it had always stood.</summary>
-    internal static FlightState OnGround => new() { Planted = Smoothed.At(1) };
+    internal static FlightState OnGround => new() { Planted = Smoothed.At(1), Upright = Smoothed.At(1), Raised = 1 };
 
     /// <summary>A flier in the air at cruise.</summary>
     /// <param name="profile">How the creature flies.</param>
