@@ -55,8 +55,8 @@ internal sealed class FlightDrive : IBodyMotion
     /// <summary>Whether it does so with all but its wings.</summary>
     public bool Stands => IsOnFeet && StancePose.IsWhole(state.Planted.Value);
 
-    /// <summary>Whether it stands with its wings folded.</summary>
-    public bool IsAtRest => Stands && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
+    /// <summary>Whether it stands still with its wings folded.</summary>
+    public bool IsAtRest => Stands && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
 
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
     {

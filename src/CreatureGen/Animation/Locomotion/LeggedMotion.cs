@@ -23,6 +23,9 @@ internal sealed class LeggedMotion : IBodyMotion
 
     private const float ActivityRate = 5f;
 
+    /// <summary>What is left of activity, and of the trunk's way up, where it counts as still.</summary>
+    private const float LeastActivity = 0.02f;
+
     /// <summary>How quickly the trunk comes down from how it stands, and up to it again, per second.</summary>
     private const float LowerRate = 8f;
     private const float RaiseRate = 1.2f;
@@ -93,6 +96,21 @@ internal sealed class LeggedMotion : IBodyMotion
 
     /// <summary>How much of its posture for standing it is in, 0..1.</summary>
     public float Raised { get; private set; }
+
+    /// <summary>Whether it has come to rest: all feet stand, and the trunk is up.</summary>
+    public bool IsStill
+    {
+        get
+        {
+            bool stands = true;
+            foreach (ref readonly Foot foot in planner.Feet.AsSpan())
+            {
+                stands &= foot.Phase == FootPhase.Stance;
+            }
+
+            return stands && activity < LeastActivity && Raised > 1f - LeastActivity;
+        }
+    }
 
     /// <summary>Fastest speed ahead at which it can come down, metres per second of the model.</summary>
     public float RunOut => RunOutShare * gaits.TopSpeed;
