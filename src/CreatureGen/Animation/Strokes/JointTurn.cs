@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Animation.Ik;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -16,6 +17,7 @@ internal readonly struct JointTurn
     private readonly Quaternion parentInverse;
     private readonly Quaternion rest;
     private readonly Quaternion restInverse;
+    private readonly JointLimit range;
     private readonly SoftLimit limit;
 
     /// <summary>Takes what it needs of a joint.</summary>
@@ -26,7 +28,8 @@ internal readonly struct JointTurn
         parentInverse = parent < 0 ? Quaternion.Identity : Rotation.Inverse(skeleton.ModelRotations[parent]);
         rest = skeleton.ModelRotations[joint];
         restInverse = Rotation.Inverse(rest);
-        limit = new SoftLimit(skeleton.Joints[joint].Limit);
+        range = skeleton.Joints[joint].Limit;
+        limit = new SoftLimit(range);
     }
 
     /// <summary>Index into the skeleton.</summary>
@@ -46,6 +49,13 @@ internal readonly struct JointTurn
         turned = Rotation.Multiply(rest, limit.Apply(own));
         local.Rotations[Joint] = UnitTurn.Renormalize(Rotation.Multiply(parentInverse, turned));
         return Rotation.Multiply(turned, restInverse);
+    }
+
+    /// <summary>Writes the local rotation as it is, and at its limit where it goes beyond: for what has to reach its place.</summary>
+    public void WriteFirm(in Pose local, Quaternion turn)
+    {
+        Quaternion own = SwingTwistLimit.Clamp(Rotation.Multiply(restInverse, Rotation.Multiply(turn, rest)), range);
+        local.Rotations[Joint] = UnitTurn.Renormalize(Rotation.Multiply(parentInverse, Rotation.Multiply(rest, own)));
     }
 
     /// <summary>The turn that the limits leave of a turn.</summary>

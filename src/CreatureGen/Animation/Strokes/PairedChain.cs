@@ -88,6 +88,13 @@ internal sealed class PairedChain
         }
     }
 
+    /// <summary>Writes a joint of both sides as it is, and at its limit where it goes beyond: for what has to reach its place.</summary>
+    public void WriteFirm(in Pose local, int joint, Quaternion turn)
+    {
+        left[joint].WriteFirm(local, turn);
+        right[joint].WriteFirm(local, Rotation.Mirror(turn));
+    }
+
     /// <summary>Draws a joint of both sides towards the one before it.</summary>
     /// <param name="local">Receives its place.</param>
     /// <param name="joint">Place in the chain.</param>

@@ -73,10 +73,16 @@ internal sealed class FlightLegs
 
         for (int k = 0; k < chain.Count && k < turns.Length; k++)
         {
-            // Hips and knees that put the foot where it will stand do so; all else turns as far as it can.
-            Quaternion turn = plants && k < Ankle ? turns[k] : chain.Limit(k, turns[k]);
-            chain.Write(local, Side.Left, k, turn);
-            chain.Write(local, Side.Right, k, turn);
+            // Hips and knees that put the foot where it will stand do so; all else slows down towards its limits.
+            if (plants && k < Ankle)
+            {
+                chain.WriteFirm(local, k, Rotation.Slerp(chain.Limit(k, turns[k]), turns[k], stroke.Planted));
+            }
+            else
+            {
+                chain.Write(local, Side.Left, k, turns[k]);
+                chain.Write(local, Side.Right, k, turns[k]);
+            }
         }
     }
 
