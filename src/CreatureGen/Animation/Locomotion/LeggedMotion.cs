@@ -226,7 +226,7 @@ internal sealed class LeggedMotion : IBodyMotion
         travel.GoalSideways = Scalar.Clamp(input.Sideways / scale, -back, back);
         travel.GoalTurn = input.TurnRate;
         travel.Rate = settings.SpeedResponse;
-        placement = planner.Carried(placement, ground, settings.Up);
+        placement = PlatformRide.Carry(planner.Feet, placement, ground, settings.Up);
         int steps = dt > 0f ? Math.Max(1, (int)Math.Ceiling((dt / LongestStep) - 1e-3f)) : 0;
         float h = steps > 0 ? dt / steps : 0f;
         float before = travel.Speed;
@@ -248,7 +248,7 @@ internal sealed class LeggedMotion : IBodyMotion
         settings.Gravity /= goal.Scale;
         settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
         Begin(goal, settings, ground);
-        planner.Carried(goal, ground, settings.Up);
+        PlatformRide.Carry(planner.Feet, goal, ground, settings.Up);
         if (dt > 0f)
         {
             Vector3 way = placement.ToModel(goal.Position) / dt;
