@@ -33,7 +33,7 @@ internal static class JointLimits
         (LimbArchetype.DigitigradeHind, new short[] { -65, 55, -50, 20, -25, 25, -27, 100, -5, 5, -10, 10, -100, 30, -8, 8, -12, 12, -95, 60, -15, 15, -15, 15 }),
         (LimbArchetype.DigitigradeFore, new short[] { -60, 60, -35, 20, -20, 20, -105, 27, -5, 5, -10, 10, -20, 140, -16, 16, -30, 30, -95, 60, -15, 15, -15, 15 }),
         (LimbArchetype.UnguligradeHind, new short[] { -55, 50, -35, 15, -20, 20, -25, 100, -5, 5, -8, 8, -110, 25, -5, 5, -8, 8, -60, 95, -12, 12, -10, 10 }),
-        (LimbArchetype.UnguligradeFore, new short[] { -50, 50, -25, 15, -15, 15, -95, 20, -5, 5, -8, 8, -8, 130, -7, 7, -10, 10, -60, 100, -12, 12, -10, 10 }),
+        (LimbArchetype.UnguligradeFore, new short[] { -50, 50, -25, 18, -15, 15, -95, 20, -5, 5, -8, 8, -8, 130, -7, 7, -10, 10, -60, 100, -12, 12, -10, 10 }),
         (LimbArchetype.PlantigradeHind, new short[] { -100, 40, -45, 25, -35, 35, -15, 130, -5, 5, -10, 10, -40, 55, -15, 15, -30, 20, -80, 45, -10, 10, -5, 5 }),
         (LimbArchetype.PlantigradeFore, new short[] { -90, 60, -60, 30, -30, 30, -115, 25, -5, 5, -15, 15, -35, 120, -30, 20, -30, 30, -80, 50, -10, 10, -5, 5 }),
         (LimbArchetype.Column, new short[] { -60, 45, -25, 12, -15, 15, -8, 85, -4, 4, -6, 6, -45, 50, -6, 6, -6, 6, -30, 30, -5, 5, -5, 5 }),
@@ -45,7 +45,7 @@ internal static class JointLimits
         (LimbArchetype.Raptorial, new short[] { -100, 60, -60, 60, -40, 40, -60, 130, -10, 10, -10, 10, -130, 60, -12, 12, -16, 16, -40, 40, -10, 10, -10, 10 }),
         (LimbArchetype.Jumper, new short[] { -60, 60, -60, 60, -40, 40, -120, 30, -10, 10, -10, 10, -50, 50, -12, 12, -20, 20, -40, 40, -10, 10, -10, 10 }),
         (LimbArchetype.FrogHind, new short[] { -60, 80, -60, 70, -60, 60, -30, 130, -15, 15, -20, 20, -130, 60, -28, 28, -28, 28, -70, 60, -25, 25, -10, 10 }),
-        (LimbArchetype.FrogFore, new short[] { -60, 60, -60, 60, -90, 90, -110, 30, -15, 15, -20, 20, -70, 70, -32, 32, -32, 32, -70, 60, -25, 25, -10, 10 }),
+        (LimbArchetype.FrogFore, new short[] { -60, 70, -60, 60, -90, 90, -130, 30, -15, 15, -20, 20, -70, 70, -32, 32, -32, 32, -70, 60, -25, 25, -10, 10 }),
     };
 
     // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back.

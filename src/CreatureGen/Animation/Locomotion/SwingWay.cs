@@ -87,14 +87,17 @@ internal sealed class SwingWay
         int i = Math.Min((int)x, Knots);
         float t = x - i;
 
-        // Hermite with the mean slope of both sides at each knot, in units of their distance.
+        // Hermite with slopes, in units of the knots' distance, that neither overshoot nor dip.
         float a = rise[i];
         float b = rise[i + 1];
-        float from = i == 0 ? b - a : 0.5f * (b - rise[i - 1]);
-        float to = i == Knots ? b - a : 0.5f * (rise[i + 2] - a);
+        float from = i == 0 ? b - a : Slope(a - rise[i - 1], b - a);
+        float to = i == Knots ? b - a : Slope(b - a, rise[i + 2] - b);
         float u = 1f - t;
         return (a * u * u * (1f + (2f * t))) + (b * t * t * (3f - (2f * t))) + (from * t * u * u) - (to * u * t * t);
     }
+
+    /// <summary>Slope at a knot between two spans: their harmonic mean, none at a peak (Fritsch and Butland 1984).</summary>
+    private static float Slope(float before, float after) => before * after <= 0f ? 0f : 2f * before * after / (before + after);
 
     /// <summary>How much higher than the sole the ground is that it may reach on the side of another knot.</summary>
     private float Beside(int knot, int other, float spacing, float reach, float tilt)
