@@ -96,7 +96,7 @@ internal sealed class FootPlanner
         {
             feet[i] = default;
             ref Foot foot = ref feet[i];
-            foot.HasTarget = search.Find(step, i, body.Legs[i].Home, 0f, ref foot.Nudge, out foot.To);
+            foot.HasTarget = search.Find(step, i, body.Legs[i].Home, body.Legs[i].Home, 0f, ref foot.Nudge, out foot.To);
             foot.To.Heading = step.Frame.Rotation;
             foot.To.Attach(step.Ground as IMovingGround);
             foot.From = foot.To;
@@ -329,12 +329,13 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         Vector3 there = step.Travel.Predict(ahead, out float yaw);
         Quaternion turn = AxisTurn.Yaw(yaw);
-        Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed)));
+        Vector3 home = Home(leg, step.Activity, step.Clock, step.Travel.Speed);
+        Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, home));
         Quaternion heading = UnitTurn.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
         float share = foot.Swing > 0f && foot.Aimed ? aimDecay.Share(AimRate * step.Step) : 1f;
         foot.Wanted += (next - foot.Wanted) * share;
         heading = share < 1f ? UnitTurn.Nlerp(foot.To.Heading, heading, share) : heading;
-        foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), yaw, ref foot.Nudge, out foot.To);
+        foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), home, yaw, ref foot.Nudge, out foot.To);
         foot.To.Heading = heading;
         foot.To.Attach(step.Ground as IMovingGround);
         search.Survey(step, leg, foot, ways[leg]);

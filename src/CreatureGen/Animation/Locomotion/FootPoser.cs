@@ -60,9 +60,7 @@ internal static class FootPoser
         {
             // The foot turns with the leg on the middle of its sole.
             Vector3 shift = Rotation.Rotate(heading, leg.SoleMiddle);
-            var rest = new Vector3(leg.Home.X - leg.HipRest.X, 0f, leg.Home.Z - leg.HipRest.Z);
-            Quaternion sweep = Rotation.FromTo(rest, new Vector3(from.X - leg.HipRest.X, 0f, from.Z - leg.HipRest.Z));
-            heading = UnitTurn.Nlerp(heading, sweep, leg.FollowShare);
+            heading = UnitTurn.Nlerp(heading, leg.Sweep(from), leg.FollowShare);
             shift -= Rotation.Rotate(heading, leg.SoleMiddle);
             shift.Y = -((normal.X * shift.X) + (normal.Z * shift.Z)) / Math.Max(normal.Y, 0.3f);
             from += shift;

@@ -49,11 +49,12 @@ internal sealed class FootingSearch
     /// <param name="step">The moment.</param>
     /// <param name="leg">Whose foot.</param>
     /// <param name="wanted">Under the ball, model space; its height does not count.</param>
+    /// <param name="home">Where that is under the body in the middle of the stance, model space: feet turn with their legs.</param>
     /// <param name="yaw">Heading of the foot there, radians from the body's.</param>
     /// <param name="nudge">Shift along the foot that keeps it off an edge; carried on from update to update.</param>
     /// <param name="place">The place; its heading is not set.</param>
     /// <returns>Whether there is ground.</returns>
-    public bool Find(in StepContext step, int leg, Vector3 wanted, float yaw, ref float nudge, out FootPlace place)
+    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, ref float nudge, out FootPlace place)
     {
         LegShape shape = body.Legs[leg];
         Vector3 up = step.Settings.Up;
@@ -80,8 +81,7 @@ internal sealed class FootingSearch
         place = new FootPlace { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
         if (!(step.Ground is FlatGround))
         {
-            var toes = new Vector3((shape.ToeDirection.X * ahead.Z) + (shape.ToeDirection.Z * ahead.X), 0f, (shape.ToeDirection.Z * ahead.Z) - (shape.ToeDirection.X * ahead.X));
-            var sole = new Sole(toes, new Vector3(toes.Z, 0f, -toes.X));
+            Sole sole = LaidOut(shape, home, ahead);
             Feel(step, shape, target, hit, ref sole);
             KeepOffEdges(shape, sole, ref nudge);
             place.Position += up * (sole.Raise * step.Frame.Scale);
@@ -172,17 +172,34 @@ internal sealed class FootingSearch
         }
     }
 
+    /// <summary>A sole as it will lie in the middle of its stance: turned with its leg on its middle.</summary>
+    private static Sole LaidOut(LegShape shape, Vector3 home, Vector3 ahead)
+    {
+        Vector3 toes = shape.ToeDirection;
+        Vector3 offset = Vector3.Zero;
+        if (shape.FollowShare > 0f)
+        {
+            Quaternion follow = UnitTurn.Nlerp(Quaternion.Identity, shape.Sweep(home), shape.FollowShare);
+            toes = Rotation.Rotate(follow, toes);
+            offset = shape.SoleMiddle - Rotation.Rotate(follow, shape.SoleMiddle);
+        }
+
+        return new Sole(Yawed(toes, ahead), Yawed(offset, ahead));
+    }
+
+    private static Vector3 Yawed(Vector3 v, Vector3 ahead) => new((v.X * ahead.Z) + (v.Z * ahead.X), v.Y, (v.Z * ahead.Z) - (v.X * ahead.X));
+
     /// <summary>Feels the ground under a rigid sole and lays it there: along the chords from heel to toes and, where it is wide, from side to side, as high as the highest ground under it asks.</summary>
     private void Feel(in StepContext step, LegShape shape, Vector3 target, in GroundHit hit, ref Sole sole)
     {
         float end = EndShare * shape.Toe;
-        float toe = Rise(step, shape, target, sole.Ahead * end, hit, out sole.ToesHang);
-        float heel = Rise(step, shape, target, sole.Ahead * (-EndShare * shape.Heel), hit, out sole.HeelHangs);
+        float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.ToesHang);
+        float heel = Rise(step, shape, target, sole.At(-EndShare * shape.Heel, 0f), hit, out sole.HeelHangs);
         sole.Slope = (toe - heel) / (EndShare * (shape.Toe + shape.Heel));
-        sole.Raise = Math.Max(0f, toe - (end * sole.Slope));
+        sole.StandOn(toe, end, 0f);
         if (shape.Toe > LongSole * shape.Length)
         {
-            sole.StandOn(Rise(step, shape, target, sole.Ahead * (0.5f * end), hit, out _), 0.5f * end, 0f);
+            sole.StandOn(Rise(step, shape, target, sole.At(0.5f * end, 0f), hit, out _), 0.5f * end, 0f);
         }
 
         if (shape.HalfWidth <= LongSole * shape.Length)
@@ -190,17 +207,17 @@ internal sealed class FootingSearch
             return;
         }
 
-        float middle = Vec.Dot(shape.SoleMiddleAlong(sole.Ahead), sole.Ahead);
+        float middle = Vec.Dot(shape.SoleMiddle, shape.ToeDirection);
         float side = EndShare * shape.HalfWidth;
-        float left = Rise(step, shape, target, (sole.Ahead * middle) + (sole.Aside * side), hit, out _);
-        float right = Rise(step, shape, target, (sole.Ahead * middle) - (sole.Aside * side), hit, out _);
+        float left = Rise(step, shape, target, sole.At(middle, side), hit, out _);
+        float right = Rise(step, shape, target, sole.At(middle, -side), hit, out _);
         sole.Tilt = (left - right) / (2f * side);
         sole.StandOn(0.5f * (left + right), middle, 0f);
         for (int i = 0; IsFan(shape) && i < fan.Length; i++)
         {
             float along = fan[i].Along * shape.Toe;
             float across = fan[i].Across * shape.HalfWidth;
-            sole.StandOn(Rise(step, shape, target, (sole.Ahead * along) + (sole.Aside * across), hit, out _), along, across);
+            sole.StandOn(Rise(step, shape, target, sole.At(along, across), hit, out _), along, across);
         }
     }
 
@@ -233,12 +250,15 @@ internal sealed class FootingSearch
     /// <summary>How a sole lies on the ground, seen from the plane through the ball's place. Metres of the model.</summary>
     private struct Sole
     {
-        public Sole(Vector3 ahead, Vector3 aside)
+        public Sole(Vector3 ahead, Vector3 offset)
         {
             this = default;
             Ahead = ahead;
-            Aside = aside;
+            Aside = new Vector3(ahead.Z, 0f, -ahead.X);
+            this.offset = offset;
         }
+
+        private readonly Vector3 offset;
 
         /// <summary>Where the toes point, level, unit.</summary>
         public Vector3 Ahead;
@@ -258,10 +278,16 @@ internal sealed class FootingSearch
         public bool ToesHang;
         public bool HeelHangs;
 
+        /// <summary>A place of it from the ball's place.</summary>
+        /// <param name="along">From its ball towards the toes.</param>
+        /// <param name="across">To the side.</param>
+        public readonly Vector3 At(float along, float across) => offset + (Ahead * along) + (Aside * across);
+
         /// <summary>Raises it onto the ground at a place.</summary>
         /// <param name="height">Of the ground above the plane.</param>
         /// <param name="along">Towards the toes.</param>
         /// <param name="across">To the side.</param>
-        public void StandOn(float height, float along, float across) => Raise = Math.Max(Raise, height - (along * Slope) - (across * Tilt));
+        public void StandOn(float height, float along, float across) =>
+            Raise = Math.Max(Raise, height - ((along + Vec.Dot(offset, Ahead)) * Slope) - ((across + Vec.Dot(offset, Aside)) * Tilt));
     }
 }

@@ -259,11 +259,13 @@ internal sealed class LegShape
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
 
-    /// <summary>The middle of the sole for toes that point somewhere else, level, from the ball.</summary>
-    public Vector3 SoleMiddleAlong(Vector3 toes) => toes * Vec.Dot(SoleMiddle, ToeDirection);
-
     /// <summary>Share of the leg's sweep that its foot turns along, on the middle of its sole: all of it for claws.</summary>
     public float FollowShare { get; }
+
+    /// <summary>How far the leg is swept about the vertical with its foot at a place, from rest.</summary>
+    /// <param name="place">Model space; its height does not count.</param>
+    public Quaternion Sweep(Vector3 place) =>
+        Rotation.FromTo(new Vector3(Home.X - HipRest.X, 0f, Home.Z - HipRest.Z), new Vector3(place.X - HipRest.X, 0f, place.Z - HipRest.Z));
 
     /// <summary>Axis about which knee and metatarsus turn.</summary>
     public Vector3 Hinge { get; }
