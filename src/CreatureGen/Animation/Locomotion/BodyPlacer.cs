@@ -16,6 +16,7 @@ internal sealed class BodyPlacer
 
     private const float SlopeRate = 6f;
     private const float SlopeShare = 0.8f;
+    private const float LateralSlopeShare = 1f;
 
     private const float SurgeCap = 0.04f;
 
@@ -140,7 +141,7 @@ internal sealed class BodyPlacer
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
-            Pelvis = new Vector3(rest.X + sway + context.Idle.Shift, rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright)),
+            Pelvis = new Vector3(rest.X + sway + context.Idle.Shift + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright)),
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,
@@ -245,7 +246,7 @@ internal sealed class BodyPlacer
         float share = groundDecay.Share(GroundRate * context.Step);
         HindGround += (hindGround - HindGround) * share;
         ForeGround += (foreGround - ForeGround) * share;
-        float wanted = Scalar.Clamp(0.5f * SlopeShare * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MostRoll, body.MostRoll);
+        float wanted = Scalar.Clamp(0.5f * (body.Legs[0].Lateral ? LateralSlopeShare : SlopeShare) * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MostRoll, body.MostRoll);
         slope += (wanted - slope) * slopeDecay.Share(SlopeRate * context.Step);
         SlideShare = context.Activity;
     }

@@ -18,7 +18,7 @@ internal sealed class LeggedBody
     private const float WideHips = 0.55f;
 
     /// <summary>How far a body rolls with the ground at most, radians.</summary>
-    private const float SteepestRoll = 0.3f;
+    private const float SteepestRoll = 0.5f;
 
     /// <summary>Share of the way that a hip draws its leg in which the roll of the body takes up: the rest is for its steps.</summary>
     private const float RollShare = 0.15f;
