@@ -44,6 +44,9 @@ internal sealed class BodyPlacer
 
     public float ForeGround { get; private set; }
 
+    /// <summary>Rise of the ground from hind to fore feet; none known on two legs.</summary>
+    public float Steepness => body.Wheelbase > 0f ? (ForeGround - HindGround) / body.Wheelbase : 0f;
+
     /// <summary>Bend of the trunk into a turn, radians.</summary>
     public float TurnBend { get; private set; }
 

@@ -39,6 +39,11 @@ internal sealed class FootPlanner
     /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
     private const float AimRate = 15f;
 
+    /// <summary>How far feet are set ahead of the hips on a way uphill, and back downhill, as a trunk that lies along the slope has them: part of what the ground rises over the height of the hip.</summary>
+    private const float SlopeBias = 0.4f;
+
+    private const float MostSlope = 0.5f;
+
     /// <summary>Seconds of a swing out of step.</summary>
     private const float CorrectionTime = 0.22f;
 
@@ -78,7 +83,7 @@ internal sealed class FootPlanner
                 return true;
             }
 
-            Vector3 away = frame.ToModel(feet[i].From.Position) - Home(i, activity, clock, 0f);
+            Vector3 away = frame.ToModel(feet[i].From.Position) - Home(i, activity, clock, 0f, 0f);
             away.Y = 0f;
             if (Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(frame, feet[i].From.Heading)) > 2f * LeastTurn)
             {
@@ -270,7 +275,7 @@ internal sealed class FootPlanner
     {
         Vector3 there = step.Travel.Predict(ahead, out float yaw);
         Quaternion turn = AxisTurn.Yaw(yaw);
-        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed));
+        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed, step.Slope));
         Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
         away.Y = 0f;
         return Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(step.Frame, feet[leg].From.Heading) - yaw) > LeastTurn;
@@ -329,7 +334,7 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         Vector3 there = step.Travel.Predict(ahead, out float yaw);
         Quaternion turn = AxisTurn.Yaw(yaw);
-        Vector3 home = Home(leg, step.Activity, step.Clock, step.Travel.Speed);
+        Vector3 home = Home(leg, step.Activity, step.Clock, step.Travel.Speed, step.Slope);
         Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, home));
         Quaternion heading = UnitTurn.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
         float share = foot.Swing > 0f && foot.Aimed ? aimDecay.Share(AimRate * step.Step) : 1f;
@@ -343,7 +348,7 @@ internal sealed class FootPlanner
     }
 
     /// <summary>Where a foot belongs under the body: its rest place, drawn in towards the middle and shifted ahead or back with the gait.</summary>
-    private Vector3 Home(int leg, float activity, GaitClock clock, float speed)
+    private Vector3 Home(int leg, float activity, GaitClock clock, float speed, float slope)
     {
         LegShape shape = body.Legs[leg];
         Vector3 home = shape.Home + ((shape.Gathered - shape.Home) * activity);
@@ -357,7 +362,8 @@ internal sealed class FootPlanner
         }
 
         float bias = body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
-        home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
+        float climb = shape.Lateral ? 0f : SlopeBias * Scalar.Clamp(slope, -MostSlope, MostSlope) * shape.HipRest.Y;
+        home.Z += ((bias * clock.Duty * speed / clock.Frequency) + climb) * activity;
         return home;
     }
 

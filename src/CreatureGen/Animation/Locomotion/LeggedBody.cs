@@ -75,7 +75,8 @@ internal sealed class LeggedBody
         Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         Posture = StandingPosture.Of(creature);
-        PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase(), 1e-3f));
+        Wheelbase = WheelbaseOf();
+        PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase, 1e-3f));
         Neck = NeckOf(Skeleton);
         NeckLimits = Array.ConvertAll(Neck, joint => BendShare * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
         Tail = ChainOf(Skeleton, JointRole.Tail);
@@ -166,6 +167,9 @@ internal sealed class LeggedBody
     public float HalfTrack { get; }
 
     public float TrunkLength { get; }
+
+    /// <summary>Distance of hind from fore feet, metres; 0 on two legs.</summary>
+    public float Wheelbase { get; }
 
     /// <summary>Share of a difference in height between hind and fore feet that the joints of the legs take up: the trunk goes with the slope under its feet, and these may be farther apart than the joints.</summary>
     public float PitchShare { get; }
@@ -336,7 +340,7 @@ internal sealed class LeggedBody
     }
 
     /// <summary>Distance from the middle of the feet of the rear half of the rows to that of the others, metres.</summary>
-    private float Wheelbase()
+    private float WheelbaseOf()
     {
         float hind = 0f;
         float fore = 0f;

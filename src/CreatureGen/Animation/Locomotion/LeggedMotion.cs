@@ -157,7 +157,7 @@ internal sealed class LeggedMotion : IBodyMotion
             clock.Shape.Track = Math.Max(clock.Shape.Track, ArrivalTrack);
             clock.Phase = 0;
             clock.Slide(0f, froude, own.Gravity, turn, Math.Min(speed / walking, 1f), own.Stride);
-            planner.PlaceInStride(new StepContext(place, travel, clock, own, ground, 0f, 0f, activity, true));
+            planner.PlaceInStride(new StepContext(place, travel, clock, own, ground, 0f, 0f, activity, true, 0f));
             PoseFeet(place, 0f, own);
             placer.Reset(planner.Feet);
         }
@@ -174,7 +174,7 @@ internal sealed class LeggedMotion : IBodyMotion
         gait = 0;
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
         clock.Slide(0f, 0f, settings.Gravity, 0f, 0f);
-        var step = new StepContext(placement, travel, clock, settings, ground, 0f, 0f, 0f, false);
+        var step = new StepContext(placement, travel, clock, settings, ground, 0f, 0f, 0f, false, 0f);
         planner.PlaceAll(step);
         PoseFeet(placement, 0f, settings);
         placer.Reset(planner.Feet);
@@ -325,7 +325,7 @@ internal sealed class LeggedMotion : IBodyMotion
             clock.Phase = phase - Math.Floor(phase);
         }
 
-        var step = new StepContext(placement, travel, clock, settings, ground, h, left, activity, moving);
+        var step = new StepContext(placement, travel, clock, settings, ground, h, left, activity, moving, placer.Steepness);
         planner.Advance(step);
         for (int i = 0; i < planner.Feet.Length; i++)
         {

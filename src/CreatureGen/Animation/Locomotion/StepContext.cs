@@ -7,7 +7,7 @@ namespace CreatureGen.Animation.Locomotion;
 /// <summary>What the feet are told in a step of time.</summary>
 internal readonly struct StepContext
 {
-    public StepContext(RootPlace frame, Travel travel, GaitClock clock, LocomotionSettings settings, IGround ground, float step, float left, float activity, bool moving)
+    public StepContext(RootPlace frame, Travel travel, GaitClock clock, LocomotionSettings settings, IGround ground, float step, float left, float activity, bool moving, float slope)
     {
         Frame = frame;
         Travel = travel;
@@ -18,6 +18,7 @@ internal readonly struct StepContext
         Left = left;
         Activity = activity;
         Moving = moving;
+        Slope = slope;
     }
 
     /// <summary>Where the creature is at the end of the step.</summary>
@@ -42,4 +43,7 @@ internal readonly struct StepContext
 
     /// <summary>Whether it goes or turns.</summary>
     public bool Moving { get; }
+
+    /// <summary>Rise of the ground under the body along its way.</summary>
+    public float Slope { get; }
 }
