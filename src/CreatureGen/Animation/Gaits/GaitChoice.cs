@@ -28,8 +28,8 @@ internal static class GaitChoice
         }
         else if (body.Rows > 2)
         {
-            steps.Add(new GaitStep(GaitLibrary.Wave, 0f, 0f));
-            steps.Add(body.Leaps ? new GaitStep(GaitLibrary.Leap, 0.15f, 0.09f) : new GaitStep(GaitLibrary.Tripod, 0.80f, 0.6f));
+            steps.Add(new GaitStep(WaveOf(body), 0f, 0f));
+            steps.Add(body.Leaps ? new GaitStep(GaitLibrary.Leap, 0.15f, 0.09f) : new GaitStep(GaitLibrary.Tripod, 0.45f, 0.33f));
         }
         else if (plan == BodyPlan.Sprawling || body.Legs[0].Lateral)
         {
@@ -59,6 +59,10 @@ internal static class GaitChoice
 
         return Kept(steps, body, gravity);
     }
+
+    /// <summary>Waves of three pairs run ahead, as in insects; those of more pairs the way in which neighbouring feet leave each other the longer stances.</summary>
+    private static Gait WaveOf(LeggedBody body) =>
+        body.Rows > 3 && body.LongestStance(GaitLibrary.BackwardWave) > body.LongestStance(GaitLibrary.Wave) ? GaitLibrary.BackwardWave : GaitLibrary.Wave;
 
     /// <summary>The set without gaits that the creature's legs are too short or too slow for: those whose top speed is not above where they are entered.</summary>
     private static GaitSet Kept(List<GaitStep> steps, LeggedBody body, float gravity)

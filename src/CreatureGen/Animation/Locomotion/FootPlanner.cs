@@ -351,13 +351,11 @@ internal sealed class FootPlanner
     private Vector3 Home(int leg, float activity, GaitClock clock, float speed, float slope)
     {
         LegShape shape = body.Legs[leg];
-        Vector3 home = shape.Home + ((shape.Gathered - shape.Home) * activity);
-        float track = shape.Lateral ? Math.Max(clock.Shape.Track, 0.9f) : clock.Shape.Track;
-        track = Math.Max(track, 1f - (shape.Traits.MostAdduction * shape.HipRest.Y / Math.Max(Math.Abs(home.X), 1e-4f)));
+        Vector3 home = shape.Home + ((body.GoingHomes[leg] - shape.Home) * activity);
+        float track = shape.Track(clock.Shape.Track, body.IsBiped ? clock.Shape.Lift : 0f);
         home.X *= 1f - ((1f - track) * activity);
         if (shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2)
         {
-            home.Z += ((shape.HipRest.Z - shape.Home.Z) + ((shape.Row == 0 ? 0.10f : 0.02f) * shape.Length)) * activity;
             return home;
         }
 

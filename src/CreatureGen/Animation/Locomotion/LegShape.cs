@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -39,6 +40,12 @@ internal sealed class LegShape
     /// <summary>Part of its distance from the hip, level, to which a foot is drawn in at most.</summary>
     private const float MostGathering = 0.6f;
 
+    /// <summary>Height of a foot's middle as it goes past the other, part of the height to which its ball is lifted: its toes hang.</summary>
+    private const float PassingHeight = 1.3f;
+
+    /// <summary>Least factor on the distance of the tracks of legs out to the side.</summary>
+    private const float LateralTrack = 0.9f;
+
     /// <summary>Part of its chord at rest to which a leg is tucked.</summary>
     private const float TuckedShare = 0.6f;
 
@@ -48,7 +55,7 @@ internal sealed class LegShape
     /// <summary>Sine of a bend at rest that says nothing of the side to which a knee folds.</summary>
     private const float Straight = 0.1f;
 
-    public LegShape(Skeleton skeleton, LimbChain chain, int row, int trunkSlot, SoleExtent sole)
+    public LegShape(Skeleton skeleton, LimbChain chain, int row, int trunkSlot, SoleExtent sole, IReadOnlyList<CapsuleCollider> bones)
     {
         Girdle = chain.Joints[0];
         Hip = chain.Joints[1];
@@ -85,6 +92,7 @@ internal sealed class LegShape
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
         HalfWidth = sole.HalfWidth;
+        Breadth = WidestOf(bones);
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
         RollShare = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
@@ -117,7 +125,26 @@ internal sealed class LegShape
         FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(MostBend, bend + folds)))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
         Stoop = stoop;
+        LeastTrack = NarrowestTrack();
         Tucked = ((upper + Shank) * TuckedShare) - new Vector3(0f, 0f, TuckedBack * Length);
+    }
+
+    private float WidestOf(IReadOnlyList<CapsuleCollider> bones)
+    {
+        float most = 0f;
+        foreach (CapsuleCollider bone in bones)
+        {
+            most = bone.Joint == Knee || bone.Joint == Ankle || bone.Joint == Ball ? Math.Max(most, bone.Radius) : most;
+        }
+
+        return most;
+    }
+
+    /// <summary>Legs out to the side stay there, and the hip draws in a foot only so far.</summary>
+    private float NarrowestTrack()
+    {
+        float least = 1f - (Traits.MostAdduction * HipRest.Y / Math.Max(Math.Abs(Gathered.X), 1e-4f));
+        return Lateral ? Math.Max(least, LateralTrack) : least;
     }
 
     private Vector3 Standing(out float stoop)
@@ -140,18 +167,31 @@ internal sealed class LegShape
         return new Vector3(Home.X - ((1f - share) * chord.X), 0f, Home.Z - ((1f - share) * chord.Z));
     }
 
+    /// <summary>Factor on the distance of its track from the middle: no less than the hip allows, and than lets left and right feet go past each other.</summary>
+    /// <param name="asked">By the gait.</param>
+    /// <param name="lift">Height of a foot that goes past one that stands, as a factor on that of the leg's build; 0 where both may be in the air.</param>
+    public float Track(float asked, float lift)
+    {
+        float aside = Math.Max(Math.Abs(Gathered.X), 1e-4f);
+        float apart = Math.Min(Breadth, aside);
+        float over = 0.5f * PassingHeight * Traits.Lift * lift * Length;
+        float beside = (float)Math.Sqrt(Math.Max((apart * apart) - (over * over), 0f));
+        return Math.Max(asked, Math.Max(LeastTrack, beside / aside));
+    }
+
     /// <summary>The longest way that the foot can go along the ground in a stance before the leg reaches too far, metres.</summary>
+    /// <param name="home">Where the foot belongs under a body that goes.</param>
     /// <param name="bias">Where the foot comes down, stance lengths ahead of home.</param>
     /// <param name="crouch">Lowering of the body, leg lengths.</param>
     /// <param name="slide">Share of the foot's way that the girdle goes along.</param>
     /// <param name="track">Factor on the distance of the tracks.</param>
     /// <param name="yaw">Yaw of the girdle with its feet, radians for each leg length: it gives legs out to the side more way.</param>
-    public float LongestStance(float bias, float crouch, float slide, float track, float yaw)
+    public float LongestStance(Vector3 home, float bias, float crouch, float slide, float track, float yaw)
     {
         bool pantograph = Traits.Linkage == LegLinkage.Pantograph;
         Vector3 rest = Thigh + Shank + (pantograph ? Metatarsus : Vector3.Zero);
         float drop = ((crouch + (Lateral ? 0.012f : MostDrop)) * Length) + Stoop;
-        rest += Gathered - Home;
+        rest += home - Home;
         float height = Math.Max(-rest.Y - drop, 0.2f * Length);
         float aside = Lateral ? rest.X : rest.X + ((track - 1f) * Home.X);
         float share = Lateral ? LateralStretch : Stretch;
@@ -167,7 +207,7 @@ internal sealed class LegShape
         float most = Math.Min(ahead, behind);
         if (Lateral)
         {
-            float away = (float)Math.Sqrt(((Gathered.X - HipRest.X) * (Gathered.X - HipRest.X)) + ((Gathered.Z - HipRest.Z) * (Gathered.Z - HipRest.Z)));
+            float away = (float)Math.Sqrt(((home.X - HipRest.X) * (home.X - HipRest.X)) + ((home.Z - HipRest.Z) * (home.Z - HipRest.Z)));
             most = Math.Min(most, 2f * SweepTangent * away / Math.Max(1f - (2f * yaw), 0.4f));
         }
 
@@ -255,6 +295,12 @@ internal sealed class LegShape
 
     /// <summary>From the middle of the sole to its sides, level.</summary>
     public float HalfWidth { get; }
+
+    /// <summary>Radius of the widest part below the knee.</summary>
+    public float Breadth { get; }
+
+    /// <summary>Least factor on the distance of its track from the middle that the hip allows.</summary>
+    public float LeastTrack { get; }
 
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }

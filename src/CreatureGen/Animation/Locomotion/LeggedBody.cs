@@ -40,7 +40,7 @@ internal sealed class LeggedBody
         for (int i = 0; i < standing.Length; i++)
         {
             int parent = Skeleton.Parents[standing[i].Joints[0]];
-            Legs[i] = new LegShape(Skeleton, standing[i], rows[i], Math.Max(Array.IndexOf(Trunk, parent), 0), soles[i]);
+            Legs[i] = new LegShape(Skeleton, standing[i], rows[i], Math.Max(Array.IndexOf(Trunk, parent), 0), soles[i], creature.Bones);
             halfTrack = Math.Max(halfTrack, Math.Abs(Legs[i].Home.X));
             if (rows[i] == 0)
             {
@@ -50,6 +50,7 @@ internal sealed class LeggedBody
             }
         }
 
+        GoingHomes = FootHomes.Of(Legs, Rows);
         LegLength = hind / rear;
         HipHeight = hips / rear;
         HalfTrack = halfTrack;
@@ -110,6 +111,9 @@ internal sealed class LeggedBody
     public float Mass { get; }
 
     public LegShape[] Legs { get; }
+
+    /// <summary>Where each foot belongs under a body that goes, model space.</summary>
+    public Vector3[] GoingHomes { get; }
 
     /// <summary>Number of pairs of legs.</summary>
     public int Rows { get; }
@@ -215,11 +219,12 @@ internal sealed class LeggedBody
     public float LongestStance(Gaits.Gait gait)
     {
         float most = Overreach.LongestStance(this, gait);
-        foreach (LegShape leg in Legs)
+        for (int i = 0; i < Legs.Length; i++)
         {
+            LegShape leg = Legs[i];
             bool front = Rows > 1 && leg.Row == Rows - 1;
             float bias = Rows == 2 ? (front ? gait.ForeBias : gait.HindBias) : IsBiped ? gait.HindBias : 0f;
-            most = Math.Min(most, leg.LongestStance(bias, gait.Crouch, front ? Traits.ForeSlide : Traits.HindSlide, IsBiped ? gait.Track : 1f, front ? Traits.ChestYaw : Traits.PelvisYaw));
+            most = Math.Min(most, leg.LongestStance(GoingHomes[i], bias, gait.Crouch, front ? Traits.ForeSlide : Traits.HindSlide, IsBiped ? gait.Track : 1f, front ? Traits.ChestYaw : Traits.PelvisYaw));
         }
 
         return most;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Animation;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.Locomotion;
@@ -64,5 +65,26 @@ public sealed class LegOverlapTests
 
         Assert.True(found.Count > 60);
         Assert.True(found.Count(overlap => overlap > 0.02f) < 0.15f * found.Count, $"{found.Count(overlap => overlap > 0.02f)} of {found.Count}");
+    }
+
+    [Theory]
+    [InlineData(BodyPlan.ManyLegged, 0.1f)]
+    [InlineData(BodyPlan.Hexapod, 0.02f)]
+    [InlineData(BodyPlan.Theropod, 0.03f)]
+    public void Neighbouring_legs_and_the_feet_of_bipeds_keep_apart(BodyPlan plan, float most)
+    {
+        int found = 0;
+        for (ulong seed = 9000; seed < 9016; seed++)
+        {
+            var profile = new MotionProfile(Walkers.Of(plan, seed));
+            foreach (MotionTrial trial in MotionTrial.Of(profile).Where(trial => trial.Movement.Gait != null && trial.Hertz == 60f && trial.Relief == GroundRelief.Flat))
+            {
+                float overlap = trial.Run(profile).LegOverlap!.Value;
+                Assert.True(overlap < most, $"{seed} {trial.Movement.GaitName}: legs {overlap} leg lengths into one another");
+                found++;
+            }
+        }
+
+        Assert.True(found >= 16);
     }
 }
