@@ -30,6 +30,7 @@ internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<Measur
     public static readonly MotionMeasure SwingResidual = Of("swingResidualMaxLegLengths", WorseFigure.Greater, run => run.Report.SwingResidual);
     public static readonly MotionMeasure PoseJump = Of("poseJumpMax", WorseFigure.Greater, run => run.Report.PoseJump);
     public static readonly MotionMeasure LegOverlap = Of("legOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.LegOverlap);
+    public static readonly MotionMeasure BellyOverlap = Of("bellyOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.BellyOverlap);
     public static readonly MotionMeasure Support = Of("supportMin", WorseFigure.Smaller, run => run.Report.LeastSupport);
 
     /// <summary>All, in the order of the JSON.</summary>
@@ -58,6 +59,8 @@ internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<Measur
         Metres("bobMetres", Of("", WorseFigure.Greater, run => run.Report.Bob)),
         Metres("legOverlapMaxMetres", LegOverlap),
         LegOverlap,
+        Metres("bellyOverlapMaxMetres", BellyOverlap),
+        BellyOverlap,
         Of("jointSpeedMaxRadiansPerSecond", WorseFigure.Greater, run => run.Report.FastestJoint),
     ];
 

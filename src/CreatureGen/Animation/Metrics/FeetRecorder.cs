@@ -8,7 +8,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Metrics;
 
-/// <summary>Measures the feet of a creature that goes on them: sliding, sinking, floating, clearance, legs that fall short or go into one another, feet down, and how the pelvis rises and falls.</summary>
+/// <summary>Measures the feet of a creature that goes on them: sliding, sinking, floating, clearance, legs that fall short or go into one another or the trunk, feet down, and how the pelvis rises and falls.</summary>
 internal sealed class FeetRecorder
 {
     private const float FlatFrom = 0.17f;
@@ -115,6 +115,7 @@ internal sealed class FeetRecorder
             MeanSupport = support / (float)frames,
             Bob = (highest - lowest) / length,
             LegOverlap = overlap.Deepest / length,
+            BellyOverlap = overlap.DeepestInTrunk / length,
         };
     }
 

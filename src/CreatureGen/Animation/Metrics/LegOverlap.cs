@@ -7,11 +7,15 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Metrics;
 
-/// <summary>How deep the legs of a creature go into one another, by the capsules of their bones, beyond what these do at rest.</summary>
+/// <summary>How deep the legs of a creature go into one another and into the trunk, by the capsules of their bones, beyond what these do at rest.</summary>
 internal sealed class LegOverlap
 {
+    /// <summary>Stands for a leg of what is of the trunk.</summary>
+    private const int Trunk = -1;
+
     private readonly CapsuleCollider[] capsules;
     private readonly int[] legs;
+    private readonly int[] thighs;
     private readonly float[] rest;
     private readonly Vector3[] starts;
     private readonly Vector3[] ends;
@@ -33,6 +37,16 @@ internal sealed class LegOverlap
             }
         }
 
+        foreach (CapsuleCollider capsule in body.Creature.Bones)
+        {
+            if (Array.IndexOf(body.Trunk, capsule.Joint) >= 0)
+            {
+                found.Add(capsule);
+                owners.Add(Trunk);
+            }
+        }
+
+        thighs = Array.ConvertAll(body.Legs, leg => leg.Hip);
         capsules = found.ToArray();
         legs = owners.ToArray();
         starts = new Vector3[capsules.Length];
@@ -54,6 +68,9 @@ internal sealed class LegOverlap
     /// <summary>How deep they did, metres; 0 for not at all.</summary>
     public float Deepest { get; private set; }
 
+    /// <summary>How deep a leg went into the trunk from its knee downwards, metres; 0 for not at all. Thighs and trunk have one skin.</summary>
+    public float DeepestInTrunk { get; private set; }
+
     /// <summary>Measures a pose.</summary>
     /// <param name="model">In model space.</param>
     public void Measure(in Pose model)
@@ -63,8 +80,17 @@ internal sealed class LegOverlap
         {
             for (int k = 0; k < i && legs[k] != legs[i]; k++)
             {
+                if (legs[i] == Trunk && capsules[k].Joint == thighs[legs[k]])
+                {
+                    continue;
+                }
+
                 float depth = Depth(i, k) - rest[(i * capsules.Length) + k];
-                if (depth > Deepest)
+                if (legs[i] == Trunk)
+                {
+                    DeepestInTrunk = Math.Max(DeepestInTrunk, depth);
+                }
+                else if (depth > Deepest)
                 {
                     Deepest = depth;
                     Worst = (legs[k], legs[i]);

@@ -51,4 +51,7 @@ public sealed record MotionReport(int Frames, float Seconds, float LimitExcess, 
 
     /// <summary>Deepest that two legs went into one another, by the capsules of their bones, beyond what the same bones do at rest.</summary>
     public float? LegOverlap { get; init; }
+
+    /// <summary>Deepest that a leg went into the trunk from its knee downwards, by the capsules of their bones, beyond what the same bones do at rest.</summary>
+    public float? BellyOverlap { get; init; }
 }

@@ -7,6 +7,7 @@ using CreatureGen.Animation;
 using CreatureGen.Animation.Grounds;
 using CreatureGen.Animation.Locomotion;
 using CreatureGen.Animation.Metrics;
+using CreatureGen.Maths;
 using CreatureGen.Rigging;
 using Xunit;
 
@@ -26,6 +27,7 @@ public sealed class LegOverlapTests
         body.Skeleton.ModelRotations.CopyTo(model.Rotations);
         overlap.Measure(model);
         Assert.Equal(0f, overlap.Deepest);
+        Assert.Equal(0f, overlap.DeepestInTrunk);
         Assert.Equal((-1, -1), overlap.Worst);
 
         // The left foremost leg is moved over into the right one.
@@ -41,6 +43,30 @@ public sealed class LegOverlapTests
         float radius = body.Creature.Bones.Single(bone => bone.Joint == left.Ankle).Radius;
         Assert.True(overlap.Deepest > radius, $"{overlap.Deepest} m");
         Assert.Contains(other, new[] { overlap.Worst.First, overlap.Worst.Second });
+    }
+
+    [Fact]
+    public void A_foot_that_is_put_into_the_belly_is_as_deep_in_it_as_the_capsules_say()
+    {
+        LeggedBody body = new MotionProfile(Walkers.Any(22)).Legs!;
+        var overlap = new LegOverlap(body);
+        Pose model = new CreatureAnimator(new MotionProfile(body.Creature)).ModelPose;
+        body.Skeleton.ModelPositions.CopyTo(model.Positions);
+        body.Skeleton.ModelRotations.CopyTo(model.Rotations);
+        int thigh = body.Legs[0].Hip;
+        CapsuleCollider belly = body.Creature.Bones.First(bone => bone.Joint == body.Trunk[0]);
+        CapsuleCollider foot = body.Creature.Bones.First(bone => bone.Joint == body.Legs[0].Ankle);
+
+        // Thighs are of one skin with the trunk.
+        Vector3 hip = model.Positions[thigh];
+        model.Positions[thigh] = model.Positions[belly.Joint];
+        overlap.Measure(model);
+        Assert.Equal(0f, overlap.DeepestInTrunk);
+        model.Positions[thigh] = hip;
+
+        model.Positions[foot.Joint] = model.Positions[belly.Joint] + Rotation.Rotate(model.Rotations[belly.Joint], belly.Start) - Rotation.Rotate(model.Rotations[foot.Joint], foot.Start);
+        overlap.Measure(model);
+        Assert.True(overlap.DeepestInTrunk >= belly.Radius + foot.Radius - 1e-4f, $"{overlap.DeepestInTrunk} m");
     }
 
     [Fact]
