@@ -13,7 +13,8 @@ namespace CreatureGen.Animation.Ragdolls;
 /// <remarks>
 /// <para>Going limp: <see cref="Start"/> takes over pose and velocities of the motion, <see cref="Advance"/> lets time pass, <see cref="Show"/> writes the pose. Getting up: take
 /// <see cref="PlaceUnder"/> as the creature's new place, write the lying pose relative to it once more, and fade from it to the motion with <see cref="CrossFade"/> and <see cref="PoseBlend"/>.</para>
-/// <para>The pose is made of rotations alone, each within its joint's limit, so bones keep their length and knees do not bend back even in the midst of an impact.</para>
+/// <para>The pose is made of rotations alone, each within its joint's limit, so bones keep their length and knees do not bend back even in the midst of an impact. Joints that the motion
+/// had slid along their bones, as those of folded wings, go back to their places slowly.</para>
 /// </remarks>
 public static class Ragdoll
 {
@@ -76,8 +77,10 @@ public static class Ragdoll
             state.PastRotations[i] = state.Rotations[i];
             state.Targets[i] = Quaternion.Identity;
             state.Excesses[i] = 0f;
+            state.Slides[i] = Vector3.Zero;
             if (i > 0)
             {
+                state.Slides[i] = Rotation.Rotate(Rotation.Inverse(model.Rotations[parts[parts[i].Parent].Joint]), model.Positions[parts[i].Joint] - Place(parts, i, Vector3.Zero, model));
                 Quaternion carrier = Rotation.Multiply(state.Rotations[parts[i].Parent], parts[i].RestInParent);
                 state.Excesses[i] = SwingTwistLimit.Excess(Rotation.Multiply(Rotation.Inverse(carrier), state.Rotations[i]), parts[i].Limit);
             }
@@ -148,6 +151,7 @@ public static class Ragdoll
             for (int i = 0; i < state.Excesses.Length; i++)
             {
                 state.Excesses[i] *= letOut;
+                state.Slides[i] *= letOut;
             }
 
             if (Rests(rig, state, settings))
@@ -161,7 +165,7 @@ public static class Ragdoll
     /// <param name="rig">The parts.</param>
     /// <param name="state">Started.</param>
     /// <param name="root">Where the creature's model space is; it need not follow the parts.</param>
-    /// <param name="local">Joints of the parts are turned, the first part's is also moved; all others stay as they are.</param>
+    /// <param name="local">Joints of the parts are turned and in their places on their bones, the first part's goes where it has fallen; all others stay as they are.</param>
     /// <param name="model">The same in model space; all is brought up to date.</param>
     /// <exception cref="ArgumentException">The state is of another rig, or a pose is not as long as the skeleton.</exception>
     public static void Show(RagdollRig rig, RagdollState state, in RootPlace root, in Pose local, in Pose model)
@@ -196,6 +200,10 @@ public static class Ragdoll
                     Vector3 world = state.Anchor + centre - (Rotation.Rotate(turned, part.Centre) * state.Scale);
                     Vector3 place = root.ToModel(world);
                     local.Positions[j] = parents[j] < 0 ? place : Rotation.Rotate(toParent, place - model.Positions[parents[j]]);
+                }
+                else
+                {
+                    local.Positions[j] = Rotation.Rotate(toParent, Place(parts, next, state.Slides[next], model) - model.Positions[parents[j]]);
                 }
 
                 next++;
@@ -275,6 +283,13 @@ public static class Ragdoll
         Quaternion own = model.Rotations[part.Joint];
         centre = root.ToWorld(model.Positions[part.Joint] + Rotation.Rotate(own, part.Centre));
         rotation = Rotation.Multiply(root.Rotation, own);
+    }
+
+    /// <summary>Where a part's joint is on its parent, slid out of its place there; model space.</summary>
+    private static Vector3 Place(ReadOnlySpan<RagdollPart> parts, int i, Vector3 slide, in Pose model)
+    {
+        ref readonly RagdollPart parent = ref parts[parts[i].Parent];
+        return model.Positions[parent.Joint] + Rotation.Rotate(model.Rotations[parent.Joint], parent.Centre + parts[i].PivotInParent + slide);
     }
 
     private static Vector3 Spin(Quaternion now, Quaternion before)

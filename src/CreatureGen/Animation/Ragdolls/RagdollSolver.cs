@@ -140,7 +140,7 @@ internal static class RagdollSolver
         int p = child.Parent;
         ref readonly RagdollPart parent = ref parts[p];
         Vector3 armChild = Rotation.Rotate(state.Rotations[i], child.Centre) * -state.Scale;
-        Vector3 armParent = Rotation.Rotate(state.Rotations[p], child.PivotInParent) * state.Scale;
+        Vector3 armParent = Rotation.Rotate(state.Rotations[p], child.PivotInParent + state.Slides[i]) * state.Scale;
         Vector3 gap = state.Positions[p] + armParent - (state.Positions[i] + armChild);
         float distance = Vec.Length(gap);
         if (!(distance > 1e-9f))

@@ -20,6 +20,7 @@ public sealed class RagdollState
         PastRotations = new Quaternion[count];
         Targets = new Quaternion[count];
         Excesses = new float[count];
+        Slides = new Vector3[count];
         Allowances = new float[rig.Contacts.Length];
     }
 
@@ -65,6 +66,9 @@ public sealed class RagdollState
 
     /// <summary>How far each part may still be beyond its limit, since the motion had it there; radians.</summary>
     internal float[] Excesses { get; }
+
+    /// <summary>How far each part's joint may still be from its place on the parent, since the motion had it there, as folded wings do; parent's axes, model metres.</summary>
+    internal Vector3[] Slides { get; }
 
     /// <summary>How deep each ball may still be in the ground, since it started there; model metres.</summary>
     internal float[] Allowances { get; }
