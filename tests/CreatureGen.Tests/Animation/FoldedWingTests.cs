@@ -72,6 +72,41 @@ public sealed class FoldedWingTests
     }
 
     [Fact]
+    public void Bodies_hardly_show_through_folded_wings()
+    {
+        StandingFlier[] fliers = StandingFlier.Of(5000, 60).Where(flier => flier.IsStitched).ToArray();
+        double sum = 0;
+        foreach (StandingFlier flier in fliers)
+        {
+            flier.Stand(FlatGround.Level);
+            double share = SideView.BodyThroughWing(flier);
+            Assert.True(share < 0.04, $"{flier.Name}: {share} of the wing has the body in front of it");
+            sum += share;
+        }
+
+        Assert.True(sum / fliers.Length < 0.008, $"{sum / fliers.Length} in the mean");
+    }
+
+    [Fact]
+    public void Bodies_hardly_show_through_folded_wings_at_a_gallop()
+    {
+        foreach (StandingFlier flier in StandingFlier.Of(5000, 60).Where(flier => flier.IsStitched && flier.Profile.Gaits!.Speeds[^1].Gait.Name.Contains("Gallop", StringComparison.Ordinal)))
+        {
+            flier.Stand(FlatGround.Level);
+            flier.Go(3f, flier.Profile.Gaits!.Speeds[^1].Comfortable, FlatGround.Level);
+            for (int i = 0; i < 8; i++)
+            {
+                flier.Go(0.05f, flier.Profile.Gaits!.Speeds[^1].Comfortable, FlatGround.Level);
+                double share = SideView.BodyThroughWing(flier);
+                Assert.True(share < 0.10, $"{flier.Name}: {share} of the wing has the body in front of it");
+                Assert.True(flier.InLegs() < 0.10, $"{flier.Name}: {flier.InLegs()} leg lengths in its legs");
+                double height = flier.Wings().Min(point => point.Y) / flier.Profile.LegLength;
+                Assert.True(height > 0.15, $"{flier.Name}: wings {height} leg lengths above the ground");
+            }
+        }
+    }
+
+    [Fact]
     public void Folded_wings_are_mirror_images()
     {
         foreach (StandingFlier flier in StandingFlier.Of(9400, 15))

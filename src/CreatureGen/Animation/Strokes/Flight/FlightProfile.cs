@@ -187,7 +187,7 @@ public sealed class FlightProfile
         buzzers = new BuzzPair[thin.Count];
         for (int k = 0; k < buzzers.Length; k++)
         {
-            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(creature, thin[k], FoldRange.Thin, room), k);
+            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(creature, thin[k], k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k);
         }
 
         legs = limbs.ToArray();

@@ -15,10 +15,17 @@ internal sealed record FoldRange(WingFold Usual, WingFold Least, WingFold Most, 
         new WingFold(0.62, 0.60, 0.15, 0.35, 0.15, 0.18, 1.00, 1.00),
         1);
 
-    /// <summary>Over the abdomen, flat or as a roof.</summary>
+    /// <summary>Over the abdomen, flat or as a low roof: tips no higher than the root.</summary>
     public static FoldRange Thin { get; } = new(
-        new WingFold(-0.10, 0.28, 0.02, -0.28, 0.00, 0.00, 1.20, 1.00),
-        new WingFold(-0.20, 0.05, -0.10, -0.60, 0.00, 0.00, 0.80, 1.00),
-        new WingFold(0.10, 0.60, 0.15, 0.00, 0.00, 0.00, 1.40, 1.00),
+        new WingFold(0.00, 0.28, -0.05, -0.28, 0.00, 0.00, 1.20, 1.00),
+        new WingFold(-0.15, 0.05, -0.20, -0.60, 0.00, 0.00, 1.05, 1.00),
+        new WingFold(0.20, 0.60, 0.02, 0.00, 0.00, 0.00, 1.45, 1.00),
+        0.1);
+
+    /// <summary>Below wings that are folded over the abdomen.</summary>
+    public static FoldRange ThinHind { get; } = new(
+        new WingFold(0.12, 0.28, -0.12, -0.28, 0.00, 0.00, 1.30, 1.00),
+        new WingFold(0.05, 0.05, -0.30, -0.60, 0.00, 0.00, 1.20, 1.00),
+        new WingFold(0.30, 0.60, -0.06, 0.00, 0.00, 0.00, 1.50, 1.00),
         0.1);
 }

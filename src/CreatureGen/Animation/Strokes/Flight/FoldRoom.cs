@@ -9,22 +9,25 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Animation.Strokes.Flight;
 
-/// <summary>The room that a standing body leaves to a folded wing, as the trunk sees it: its own surface, the legs as they swing, the ground, and where its tail begins. All by the capsules of the bones.</summary>
+/// <summary>The room that a standing body leaves to a folded wing, as the trunk sees it: its flank, the legs as they swing, by the capsules of their bones, the ground, and where its tail begins.</summary>
 internal sealed class FoldRoom
 {
     /// <summary>Girth of a tail where it begins, relative to that of the pelvis.</summary>
     private const float TailGirth = 0.6f;
 
-    /// <summary>Girth of a body relative to the capsules of its bones, which a part of its skin is outside of.</summary>
+    /// <summary>Girth of a body relative to the capsules of its bones, which a part of its skin is outside of: above and below what is seen of it from the side.</summary>
     private const float Girth = 1.12f;
 
     /// <summary>How far legs swing to either side of where they stand, radians.</summary>
     private const double LegSwing = 0.4;
 
     /// <summary>How far a wing keeps off the body, off the legs and off the midline, body lengths.</summary>
-    private const double Gap = 0.004;
+    private const double Gap = 0.012;
     private const double LegGap = 0.012;
     private const double MiddleGap = 0.004;
+
+    /// <summary>How far the back of a four-legged flier bends up at a gallop: rise over the square of the distance from the shoulder, body lengths.</summary>
+    private const float Bend = 0.4f;
 
     /// <summary>How far wings may reach beyond where the tail begins, body lengths.</summary>
     private const double Overhang = 0.08;
@@ -33,7 +36,7 @@ internal sealed class FoldRoom
     private const double Clearance = 0.45;
 
     // What it costs to be in the body, in a leg, over the midline, beyond the tail's root, or low, in relation to being off the body.
-    private const double SunkCost = 16;
+    private const double SunkCost = 150;
     private const double LegCost = 60;
     private const double MiddleCost = 24;
     private const double OverhangCost = 4;
@@ -41,6 +44,9 @@ internal sealed class FoldRoom
 
     private readonly List<Rod> trunk = new();
     private readonly List<Rod> legs = new();
+    private readonly Flank flank;
+    private readonly float shoulder;
+    private readonly float bend;
     private readonly double length;
     private readonly Vector3 tailBase;
     private readonly Vector3 up;
@@ -50,6 +56,8 @@ internal sealed class FoldRoom
     public FoldRoom(Creature creature, StandingPosture posture, double bodyLength)
     {
         length = bodyLength;
+        flank = new Flank(creature);
+        (shoulder, bend) = Bending(creature, bodyLength);
         Skeleton skeleton = creature.Skeleton;
         Vector3 pelvis = skeleton.ModelPositions[Math.Max(skeleton.IndexOf("Pelvis"), 0)];
 
@@ -89,13 +97,7 @@ internal sealed class FoldRoom
     /// <param name="closeness">How much it matters that it touches the body, 0..1.</param>
     public double Cost(Vector3 point, double closeness)
     {
-        double off = double.MaxValue;
-        foreach (Rod rod in trunk)
-        {
-            off = Math.Min(off, rod.Distance(point));
-        }
-
-        off = (off / length) - Gap;
+        double off = (Off(point) / length) - Gap;
         double cost = (off < 0 ? SunkCost : closeness) * off * off;
         double leg = 0;
         foreach (Rod rod in legs)
@@ -107,6 +109,40 @@ internal sealed class FoldRoom
         double beyond = Math.Max(0, ((tailBase.Z - point.Z) / length) - Overhang);
         double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
         return cost + (LegCost * leg * leg) + (MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+    }
+
+    /// <summary>How far a point is off the body, as it stands and with its rump up: by its skin where that is seen from the side, elsewhere by its bones.</summary>
+    private double Off(Vector3 point)
+    {
+        float behind = Math.Max(0f, shoulder - point.Z);
+        bool standing = flank.TryDistance(point, out double distance);
+        bool bent = flank.TryDistance(point - new Vector3(0f, bend * behind * behind, 0f), out double bentDistance);
+        if (standing || bent)
+        {
+            return !bent ? distance : standing ? Math.Min(distance, bentDistance) : bentDistance;
+        }
+
+        double off = double.MaxValue;
+        foreach (Rod rod in trunk)
+        {
+            off = Math.Min(off, rod.Distance(point));
+        }
+
+        return Math.Max(0, off);
+    }
+
+    /// <summary>Where the wings are, and how much the back behind them bends at a gallop: by how much it rises over the square of the distance, 1/metres.</summary>
+    private static (float Shoulder, float Bend) Bending(Creature creature, double bodyLength)
+    {
+        int legs = 0;
+        float shoulder = 0f;
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            legs += limb.Kind == LimbKind.Leg && limb.Stands ? 1 : 0;
+            shoulder = limb.Kind == LimbKind.Wing ? creature.Skeleton.ModelPositions[limb.Joints[0]].Z : shoulder;
+        }
+
+        return (shoulder, creature.Blueprint.Plan == BodyPlan.Flapping && legs > 2 ? Bend / (float)bodyLength : 0f);
     }
 
     private static Vector3 TailBase(Creature creature, Vector3 pelvis)

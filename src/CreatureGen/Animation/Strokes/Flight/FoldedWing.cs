@@ -11,10 +11,10 @@ namespace CreatureGen.Animation.Strokes.Flight;
 /// <summary>How a wing lies against the body that it belongs to: of the ways of folding that its kind has the one that fits best, found by trying one number after the other in ever smaller steps.</summary>
 internal sealed class FoldedWing
 {
-    private const int MostPieces = 56;
+    private const int MostPieces = 80;
 
-    /// <summary>Share of the wing's joints from which on skin belongs to the wing alone.</summary>
-    private const float LeastShare = 0.99f;
+    /// <summary>Share of the wing's joints from which on skin belongs to the wing.</summary>
+    private const float LeastShare = 0.6f;
 
     private const int Rounds = 7;
     private const double FirstStep = 0.24;
@@ -45,8 +45,14 @@ internal sealed class FoldedWing
     public static FoldedWing Of(Creature creature, PairedChain chain, FoldRange range, FoldRoom room)
     {
         var wing = new FoldedWing(chain, PiecesOf(creature, chain));
+        wing.Fold(wing.Search(range, room));
+        return wing;
+    }
+
+    private WingFold Search(FoldRange range, FoldRoom room)
+    {
         WingFold best = range.Usual;
-        double least = wing.Try(best, range, room);
+        double least = Try(best, range, room);
         double step = FirstStep;
         for (int round = 0; round < Rounds; round++, step *= Shrink)
         {
@@ -55,14 +61,13 @@ internal sealed class FoldedWing
                 for (int sign = -1; sign <= 1; sign += 2)
                 {
                     WingFold other = best.With(number, sign * step, range.Least, range.Most);
-                    double cost = other == best ? least : wing.Try(other, range, room);
+                    double cost = other == best ? least : Try(other, range, room);
                     (best, least) = cost < least ? (other, cost) : (best, least);
                 }
             }
         }
 
-        wing.Fold(best);
-        return wing;
+        return best;
     }
 
     private double Try(in WingFold fold, FoldRange range, FoldRoom room)
@@ -82,7 +87,7 @@ internal sealed class FoldedWing
         double sum = 0;
         foreach (Piece piece in pieces)
         {
-            Vector3 at = Vector3.Zero;
+            Vector3 at = piece.Rest * piece.Still;
             for (int k = 0; k < chain.Count; k++)
             {
                 at += (joints[k] + Rotation.Rotate(carried[k], piece.Rest - chain.Points[k])) * piece.Weights[k];
@@ -109,7 +114,7 @@ internal sealed class FoldedWing
         }
     }
 
-    /// <summary>Pieces of the left wing's skin that the body does not move, evenly chosen.</summary>
+    /// <summary>Pieces of the left wing's skin, evenly chosen.</summary>
     private static Piece[] PiecesOf(Creature creature, PairedChain chain)
     {
         var found = new List<Piece>();
@@ -131,7 +136,7 @@ internal sealed class FoldedWing
                     shares[k] = ShareOf(chain.Limb.Joints[k], weights);
                 }
 
-                found.Add(new Piece(positions[v], shares));
+                found.Add(new Piece(positions[v], shares, 1f - sum));
             }
         }
 
@@ -148,6 +153,6 @@ internal sealed class FoldedWing
     private static float ShareOf(int joint, in SkinWeights weights) =>
         (weights.Joint0 == joint ? weights.Weights.X : 0f) + (weights.Joint1 == joint ? weights.Weights.Y : 0f) + (weights.Joint2 == joint ? weights.Weights.Z : 0f) + (weights.Joint3 == joint ? weights.Weights.W : 0f);
 
-    /// <summary>A place on the skin at rest, and how much each joint of the wing moves it.</summary>
-    private readonly record struct Piece(Vector3 Rest, float[] Weights);
+    /// <summary>A place on the skin at rest, and how much each joint of the wing, and the body, moves it.</summary>
+    private readonly record struct Piece(Vector3 Rest, float[] Weights, float Still);
 }
