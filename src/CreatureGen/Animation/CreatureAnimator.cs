@@ -218,12 +218,12 @@ public sealed class CreatureAnimator
         secondary.Rebase(offset);
     }
 
-    /// <summary>Holds the lids, 0 as at rest to 1 shut; null to let the creature blink by itself.</summary>
-    internal void HoldLids(float? shut)
+    /// <summary>Holds lids and ears; null to let the creature blink and flick its ears by itself.</summary>
+    internal void Hold(Aiming.StandingAct? act)
     {
         if (attention != null)
         {
-            attention.Lids = shut;
+            attention.Held = act;
         }
     }
 

@@ -7,7 +7,7 @@ using CreatureGen.Seeding;
 
 namespace CreatureGen.Animation;
 
-/// <summary>Where head and eyes look: at what the game says, else about while the creature stands; and when it blinks.</summary>
+/// <summary>Where head and eyes look: at what the game says, else about while the creature stands; and when it blinks and flicks its ears.</summary>
 internal sealed class HeadAttention
 {
     /// <summary>Leg or body lengths per second above which nobody looks about.</summary>
@@ -18,6 +18,9 @@ internal sealed class HeadAttention
     private readonly Seed blinks;
     private readonly GazeSettings head;
     private readonly Eyelids? lids;
+    private readonly Ears? ears;
+    private readonly Seed flicks;
+    private readonly float flickPeriod;
     private readonly float blinkPeriod;
     private GazeState state;
     private double seconds;
@@ -31,13 +34,16 @@ internal sealed class HeadAttention
         // Big heads turn slowly: 10 s⁻¹ for a cat, 4 for a cow.
         head = new GazeSettings((float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16));
         lids = Eyelids.Of(rig.Skeleton);
+        ears = Ears.Of(rig.Skeleton);
+        flicks = habits.Child("ears");
+        flickPeriod = (float)Scalar.Clamp(2.5 * PortableMath.Pow(mass, 0.08), 1.5, 6);
 
         // Seconds from blink to blink: 4 for a cat, 5 for a dog, 9 for a cow.
         blinkPeriod = (float)Scalar.Clamp(3 * PortableMath.Pow(mass, 0.165), 2, 12);
     }
 
-    /// <summary>How far the lids are held shut, 0..1; null when the creature blinks by itself.</summary>
-    public float? Lids { get; set; }
+    /// <summary>How lids and ears are held; null when the creature blinks and flicks its ears by itself.</summary>
+    public StandingAct? Held { get; set; }
 
     /// <summary>Turns head and eyes.</summary>
     /// <param name="target">A point in the world to look at; null for none.</param>
@@ -50,10 +56,16 @@ internal sealed class HeadAttention
     public void Update(Vector3? target, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
     {
         seconds += dt;
-        float shut = lids == null ? 0f : Lids ?? Blinks.At(blinks, seconds, blinkPeriod);
+        bool still = weight > 0f && System.Math.Abs(speed) < Still;
+        float shut = lids == null ? 0f : Held?.Lids ?? Blinks.At(blinks, seconds, blinkPeriod);
         if (shut != 0f)
         {
             lids!.Close(shut, local, model);
+        }
+
+        if (ears != null && still)
+        {
+            ears.Flick(Held ?? Flicked(System.Math.Min(weight, 1f)), local, model);
         }
 
         GazeTarget wanted = GazeTarget.None;
@@ -61,7 +73,7 @@ internal sealed class HeadAttention
         {
             wanted = GazeTarget.At(root.ToModel(point));
         }
-        else if (weight > 0f && System.Math.Abs(speed) < Still)
+        else if (still)
         {
             var glances = new GlanceSettings(System.Math.Min(0.85f * weight, 1.2f), System.Math.Min(0.2f * weight, 0.5f), 2.2f);
 
@@ -80,6 +92,12 @@ internal sealed class HeadAttention
         {
             Eyes.Update(rig, ref state, EyeSettings.Default, wanted, dt, local, model);
         }
+    }
+
+    private StandingAct Flicked(float weight)
+    {
+        (float left, float right) = EarFlicks.At(flicks, seconds, flickPeriod);
+        return new StandingAct(0f, left * weight, right * weight);
     }
 
     /// <summary>Looks straight ahead again, at once.</summary>

@@ -123,8 +123,8 @@ public sealed class Movement
     /// <summary>Games look for Walk and Run, whatever walks.</summary>
     private static string NameOf(Gait gait) => gait.Name switch
     {
-        "BipedWalk" => "Walk",
-        "BipedRun" => "Run",
+        "BipedWalk" or "Waddle" => "Walk",
+        "BipedRun" or "WaddleRun" => "Run",
         _ => gait.Name,
     };
 }

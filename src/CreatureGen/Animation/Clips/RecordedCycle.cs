@@ -43,7 +43,7 @@ internal sealed class RecordedCycle
 
             if (frame < frames)
             {
-                motion.Blink((frame + 1) * step);
+                motion.Live((frame + 1) * step, frames * step);
                 motion.Advance(step);
                 speed += animator.Speed / frames;
             }

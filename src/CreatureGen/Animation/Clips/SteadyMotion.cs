@@ -10,11 +10,8 @@ namespace CreatureGen.Animation.Clips;
 /// <summary>A creature that goes straight ahead in one movement until it repeats itself, or that comes to where a movement begins that happens once.</summary>
 internal sealed class SteadyMotion
 {
-    /// <summary>Seconds of a movement that has no cycle.</summary>
-    public const float IdleSeconds = 4f;
-
-    /// <summary>Seconds into a movement without a cycle at which the eyes blink.</summary>
-    private const float BlinkAt = 1.4f;
+    /// <summary>Seconds of a movement that has no cycle, of a creature without legs.</summary>
+    private const float IdleSeconds = 4f;
 
     /// <summary>Seconds after which a movement has come to repeat itself.</summary>
     public const float SettleSeconds = 5f;
@@ -29,6 +26,8 @@ internal sealed class SteadyMotion
 
     private readonly Movement movement;
     private readonly IGround ground;
+    private readonly float idleSeconds;
+    private LookAngles look;
 
     /// <summary>Starts from standing.</summary>
     public SteadyMotion(MotionProfile profile, Movement movement, IGround ground)
@@ -36,7 +35,8 @@ internal sealed class SteadyMotion
         this.movement = movement;
         this.ground = ground;
         Animator = movement.Begin(profile, ground);
-        Animator.HoldLids(0f);
+        Animator.Hold(default(StandingAct));
+        idleSeconds = (float?)profile.Legs?.Idle.Period ?? IdleSeconds;
     }
 
     /// <summary>Whether it begins anew after a time: all but what leads from one movement to another.</summary>
@@ -82,17 +82,25 @@ internal sealed class SteadyMotion
 
     private void Advance(float step, in MotionInput input)
     {
-        // It looks straight ahead: glances would not repeat.
+        // It looks straight ahead, or where the recording has it look: glances of its own would not repeat.
         float height = Animator.Profile.Creature.StandingHeight;
-        Animator.LookAt = Animator.Root.Position + Rotation.Rotate(Animator.Root.Rotation, new Vector3(0f, height, 100f * height));
+        Vector3 ahead = Rotation.Rotate(look.Turn(), new Vector3(0f, 0f, 100f * height));
+        Animator.LookAt = Animator.Root.Position + Rotation.Rotate(Animator.Root.Rotation, ahead + new Vector3(0f, height, 0f));
         Animator.Update(step, input, ground);
     }
 
-    /// <summary>Holds the lids as they are so many seconds into a recording: one blink of a creature that stands, none in a cycle, where it would come at every round.</summary>
-    public void Blink(float seconds) => Animator.HoldLids(movement.IsCyclic ? 0f : Blinks.Once(seconds - BlinkAt));
+    /// <summary>Holds head, lids and ears as they are so many seconds into a recording: a creature that stands looks about and blinks; in a cycle that would come at every round.</summary>
+    /// <param name="seconds">Into the recording.</param>
+    /// <param name="whole">Its length, seconds.</param>
+    public void Live(float seconds, float whole)
+    {
+        bool stands = Closes && !movement.IsCyclic && movement.Input.Speed == 0f;
+        look = stands ? StandingScript.LookAt(seconds / whole) : default;
+        Animator.Hold(movement.IsCyclic ? default : StandingScript.ActAt(seconds, whole));
+    }
 
     /// <summary>Goes on to the next beginning of the cycle and from there to the one after. A movement that happens once stays at its beginning.</summary>
-    /// <returns>Seconds between the two, or from beginning to end; <see cref="IdleSeconds"/> where nothing repeats.</returns>
+    /// <returns>Seconds between the two, or from beginning to end; the period of its rest where nothing repeats.</returns>
     public float CycleSeconds()
     {
         if (!Closes)
@@ -102,7 +110,7 @@ internal sealed class SteadyMotion
 
         if (!movement.IsCyclic)
         {
-            return IdleSeconds;
+            return idleSeconds;
         }
 
         float began = -1f;
@@ -127,7 +135,7 @@ internal sealed class SteadyMotion
             before = phase;
         }
 
-        return IdleSeconds;
+        return idleSeconds;
     }
 
     /// <summary>How long the movement takes a creature of the same kind.</summary>

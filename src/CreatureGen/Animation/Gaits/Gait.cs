@@ -59,6 +59,9 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
     /// <summary>How far the legs ahead of the hindmost pair are folded up to the body in the air, 0..1. Default: 0, their feet go from place to place.</summary>
     public float Tuck { get; init; }
 
+    /// <summary>How far the hindmost legs are stretched out behind in the air before they are drawn in, 0..1. Default: 0, their feet go from place to place.</summary>
+    public float Trail { get; init; }
+
     /// <summary>Whether the feet of a girdle do different things on the left and on the right for ever: such a gait leads with the side that the creature turns to.</summary>
     public GaitSymmetry Symmetry { get; init; } = GaitSymmetry.Symmetric;
 
@@ -91,6 +94,7 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
         Finite.RequireWithin(Lean, -10f, 10f, Name + ".Lean");
         Finite.RequireWithin(ElbowBend, 0f, 2f, Name + ".ElbowBend");
         Finite.RequireWithin(Tuck, 0f, 1f, Name + ".Tuck");
+        Finite.RequireWithin(Trail, 0f, 1f, Name + ".Trail");
     }
 }
 

@@ -21,7 +21,12 @@ internal static class GaitChoice
     {
         var steps = new List<GaitStep>();
         BodyPlan plan = body.Creature.Blueprint.Plan;
-        if (body.Rows == 1)
+        if (body.Waddles)
+        {
+            steps.Add(new GaitStep(GaitLibrary.Waddle, 0f, 0f));
+            steps.Add(new GaitStep(GaitLibrary.WaddleRun, 0.22f, 0.15f));
+        }
+        else if (body.Rows == 1)
         {
             steps.Add(new GaitStep(GaitLibrary.BipedWalk, 0f, 0f));
             steps.Add(body.Hops ? new GaitStep(GaitLibrary.Hop, 0.40f, 0.28f) : new GaitStep(GaitLibrary.BipedRun, 0.50f, 0.36f));

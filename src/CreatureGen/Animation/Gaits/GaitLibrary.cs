@@ -79,16 +79,22 @@ public static class GaitLibrary
         MostRows = 1, Comfortable = 1f, Fastest = 10f, Lift = 1.4f, Track = 0.45f, Crouch = 0.05f, HindBias = -0.07f, Lean = 3f, ElbowBend = 0.5f,
     };
 
+    /// <summary>Short steps on short legs, the body rolled over the foot that carries it: penguins.</summary>
+    public static Gait Waddle { get; } = BipedWalk with { Name = "Waddle", Stride = new StrideLaw(1.6f, 0.30f), Comfortable = 0.08f, Fastest = 0.35f, Lift = 0.7f, Track = 0.85f };
+
+    /// <summary>The same in a hurry: quicker steps.</summary>
+    public static Gait WaddleRun { get; } = Waddle with { Name = "WaddleRun", Duty = new DutyLaw(0.60f, 0.14f, 0.46f, 0.58f), Comfortable = 0.35f, Fastest = 1f, Lift = 0.9f, Track = 0.8f, ForceDip = 0f };
+
     /// <summary>Both feet together: kangaroos. The tail counters the legs.</summary>
-    public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.40f, 0.07f, 0.22f, 0.38f), new StrideLaw(2.2f, 0.40f))
+    public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.34f, 0.07f, 0.20f, 0.34f), new StrideLaw(2.2f, 0.40f))
     {
-        MostRows = 1, Comfortable = 2f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.03f, BounceCap = 0.22f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f,
+        MostRows = 1, Comfortable = 1.6f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.03f, BounceCap = 0.34f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f, Trail = 0.5f,
     };
 
     /// <summary>The hind pair pushes, all other legs catch: grasshoppers and frogs.</summary>
-    public static Gait Leap { get; } = new("Leap", new LeapPhases(), new DutyLaw(0.46f, 0.08f, 0.30f, 0.42f), StrideLaw.Asymmetric)
+    public static Gait Leap { get; } = new("Leap", new LeapPhases(), new DutyLaw(0.32f, 0.06f, 0.20f, 0.30f), new StrideLaw(2.6f, 0.40f))
     {
-        LeastRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, BounceCap = 0.16f, ForeBias = 0f, HindBias = 0f, Tuck = 0.8f,
+        LeastRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, BounceCap = 0.35f, ForeBias = 0f, HindBias = 0f, Tuck = 0.8f, Trail = 1f,
     };
 
     /// <summary>Steps run along the body from the rear, each leg a swing later than the one behind it: one leg after the other when slow, tetrapod, tripod when fast. For any number of legs.</summary>

@@ -15,6 +15,7 @@ internal struct GaitShape
     public float Lean;
     public float ElbowBend;
     public float Tuck;
+    public float Trail;
 
     public static GaitShape Of(Gait gait) => new()
     {
@@ -30,6 +31,7 @@ internal struct GaitShape
         Lean = gait.Lean,
         ElbowBend = gait.ElbowBend,
         Tuck = gait.Tuck,
+        Trail = gait.Trail,
     };
 
     /// <summary>Goes a share of the way to those of a gait.</summary>
@@ -47,5 +49,6 @@ internal struct GaitShape
         Lean += (gait.Lean - Lean) * share;
         ElbowBend += (gait.ElbowBend - ElbowBend) * share;
         Tuck += (gait.Tuck - Tuck) * share;
+        Trail += (gait.Trail - Trail) * share;
     }
 }

@@ -42,6 +42,6 @@ internal readonly struct BodyContext
 /// <param name="Breath">Rise of the trunk, metres.</param>
 /// <param name="Shift">Shift of the weight to the left, metres.</param>
 /// <param name="Roll">Roll of the pelvis with it, radians.</param>
-/// <param name="Side">Side that carries the weight: 1 left, −1 right, between while it is shifted.</param>
+/// <param name="Yaw">Yaw of the pelvis with it, radians.</param>
 /// <param name="TailSway">Yaw of the tail, radians.</param>
-internal readonly record struct IdlePose(float Breath, float Shift, float Roll, float Side, float TailSway);
+internal readonly record struct IdlePose(float Breath, float Shift, float Roll, float Yaw, float TailSway);

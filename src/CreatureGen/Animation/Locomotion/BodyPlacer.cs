@@ -53,6 +53,9 @@ internal sealed class BodyPlacer
     /// <summary>Yaw of the pelvis with the feet, radians.</summary>
     public float PelvisYaw { get; private set; }
 
+    /// <summary>Bend of the back as the feet gather, radians.</summary>
+    public float Flexion { get; private set; }
+
     /// <summary>Passive nod of the neck, radians.</summary>
     public float Nod { get; private set; }
 
@@ -103,9 +106,12 @@ internal sealed class BodyPlacer
             Nod = nod * act;
         }
 
-        float poise = Math.Min(-response.Touchdown * scale, cap) * Together(feet.Length) * bounce;
-        hindRise += poise;
-        foreRise += poise;
+        // Feet that come down at once find the body at its height: all of them, or in a leap those of each girdle.
+        float poise = Math.Min(-response.Touchdown * scale, cap) * bounce;
+        float together = Together(all, feet.Length);
+        float leap = body.Rows == 2 ? clock.Shape.Trail : 0f;
+        hindRise += poise * Math.Max(together, leap * Together(hind, 2));
+        foreRise += poise * Math.Max(together, leap * Together(fore, 2));
         Nod = Scalar.Clamp(Nod * traits.Nod / body.NeckLength, -0.5f, 0.5f);
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Sway;
@@ -125,11 +131,12 @@ internal sealed class BodyPlacer
         PelvisYaw = pelvisYaw;
         float rolling = emphasis * swing;
         float pelvisRoll = (rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad)) + context.Idle.Roll;
-        float chestRoll = body.IsBiped ? -0.6f * rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad) : rolling * traits.ChestRoll * (front.LeftLoad - front.RightLoad);
-        pelvisYaw -= body.IsBiped ? 0f : 0.5f * bend;
+        float chestRoll = rolling * traits.ChestRoll * (body.IsBiped ? rear.LeftLoad - rear.RightLoad : front.LeftLoad - front.RightLoad);
+        pelvisYaw += context.Idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
         chestYaw += (body.IsBiped ? 0.35f : 0.5f) * bend;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
-        float flexion = traits.Flexion * Scalar.Clamp(gather, -1f, 1f) * act * spine;
+        float flexion = Scalar.Clamp(traits.Flexion * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MostBendPitch, body.MostBendPitch);
+        Flexion = flexion;
         float bank = (float)PortableMath.Atan(context.Travel.Speed * context.Travel.Turn / settings.Gravity) * traits.Bank * settings.Bank;
 
         Follow(context, feet);
@@ -192,11 +199,11 @@ internal sealed class BodyPlacer
         return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
     }
 
-    /// <summary>How much all feet come down at once, 0..1: then the body is at its height as they do, and in the mean above it.</summary>
-    private float Together(int legs)
+    /// <summary>How much feet come down at once, 0..1: then the body is at its height as they do, and in the mean above it.</summary>
+    private static float Together(PhaseSums sums, int legs)
     {
-        float c = all.Cosines[1];
-        float s = all.Sines[1];
+        float c = sums.Cosines[1];
+        float s = sums.Sines[1];
         return Math.Max(0f, (2f * ((c * c) + (s * s)) / (legs * legs)) - 1f);
     }
 

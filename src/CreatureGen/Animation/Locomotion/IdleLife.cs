@@ -3,22 +3,23 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Animation.Locomotion;
 
-/// <summary>What a standing creature does: it breathes, shifts its weight, sways its tail. By its mass: big ones are slow.</summary>
+/// <summary>What a standing creature does: it breathes, shifts its weight, sways its tail, in the rhythm of its size.</summary>
 internal static class IdleLife
 {
-    /// <summary>Breaths per second of a kilogram; ∝ M^−0.26 (Stahl 1967).</summary>
-    private const double BreathAtOneKilogram = 0.9;
+    private const float BreathHeight = 0.009f;
+    private const float ShiftShare = 0.38f;
+    private const float ShiftRoll = 0.055f;
 
-    private const float BreathHeight = 0.006f;
+    /// <summary>Yaw of the pelvis to the side that carries the weight; chest and head stay.</summary>
+    private const float ShiftYaw = 0.035f;
 
-    /// <summary>Seconds for which a kilogram stands on one side.</summary>
-    private const double ShiftAtOneKilogram = 3;
+    /// <summary>Part of the time on one side that it takes to get there.</summary>
+    private const float ShiftTime = 0.3f;
 
-    private const float ShiftShare = 0.30f;
-    private const float ShiftRoll = 0.045f;
-    private const float ShiftTime = 0.22f;
-    private const float TailSwing = 0.10f;
-    private const double TailTempo = 0.45;
+    private const float TailSwing = 0.26f;
+
+    /// <summary>How much less the tail swings while the weight is on the right.</summary>
+    private const float TailCalm = 0.45f;
 
     /// <summary>The idle motion at a time.</summary>
     /// <param name="body">Whose.</param>
@@ -28,15 +29,16 @@ internal static class IdleLife
     public static IdlePose At(LeggedBody body, double seconds, float activity, float weight)
     {
         double still = (1 - activity) * weight;
-        double breath = Wave(seconds * BreathAtOneKilogram * body.BreathShare) * BreathHeight * body.LegLength * weight * (1 - (0.7 * activity));
-        double place = seconds / (ShiftAtOneKilogram * body.ShiftShare);
-        double whole = Math.Floor(place);
-        double ease = Quintic((place - whole) / ShiftTime);
-        bool even = whole % 2 == 0;
-        double side = ((2 * ease) - 1) * (even ? 1 : -1);
-        double spread = body.Rows > 2 || body.Legs[0].Lateral ? 0.3 : 1;
-        double sway = Wave(seconds * TailTempo) * TailSwing * still;
-        return new IdlePose((float)breath, (float)(ShiftShare * body.HalfTrack * side * spread * still), (float)(ShiftRoll * side * spread * still), (float)(side * still), (float)sway);
+        double place = seconds / body.Idle.Period;
+        place -= Math.Floor(place);
+        double breath = Wave(place * body.Idle.Breaths) * BreathHeight * body.LegLength * weight * (1 - (0.7 * activity));
+        double half = place < 0.5 ? 2 * place : (2 * place) - 1;
+        double ease = Quintic(half / ShiftTime);
+        double side = ((2 * ease) - 1) * (place < 0.5 ? 1 : -1);
+        double spread = body.Rows > 2 || body.Legs[0].Lateral ? 0.4 : 1;
+        double sway = Wave(place * body.Idle.TailSwings) * TailSwing * (1 - (TailCalm * 0.5 * (1 - side))) * still;
+        double shift = side * spread * still;
+        return new IdlePose((float)breath, (float)(ShiftShare * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway);
     }
 
     private static double Wave(double turns) => PortableMath.Sin(PortableMath.Tau * (turns - Math.Floor(turns)));

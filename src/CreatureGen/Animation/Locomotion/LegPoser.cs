@@ -21,6 +21,9 @@ internal sealed class LegPoser
     /// <summary>Part of a swing from which on a leg that will stand beyond its limits goes there.</summary>
     private const float Arrival = 0.85f;
 
+    /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
+    private const float TrailedPitch = 0.9f;
+
     private readonly LeggedBody body;
     private readonly RestTurns turns;
 
@@ -53,16 +56,24 @@ internal sealed class LegPoser
     /// <param name="foot">Its foot.</param>
     /// <param name="pose">Where the leg has to bring it.</param>
     /// <param name="tuck">How far legs ahead of the hindmost pair are folded to the body in the air, 0..1.</param>
+    /// <param name="trail">How far those of the hindmost pair are stretched out behind, 0..1.</param>
     /// <param name="local">The pose.</param>
-    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, float tuck, in Pose local)
+    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, float tuck, float trail, in Pose local)
     {
         LegShape leg = body.Legs[index];
         Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
         Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
         turns.Slide(local, leg.Girdle, slide);
-        float folding = tuck > 0f && leg.Row > 0 && foot.Phase == FootPhase.Swing ? tuck * LegTraits.TuckCurve.At(foot.Swing) : 0f;
+        float carried = Carried(leg, foot, tuck, trail);
         FootPose wanted = pose;
-        LegTurns solved = Solve(leg, carrier, hip, wanted, folding, ref foot, local);
+        if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
+        {
+            Quaternion point = Rotation.FromAxisAngle(leg.RollAxis, carried * TrailedPitch);
+            wanted.Foot = Rotation.Multiply(wanted.Foot, point);
+            wanted.Toes = Rotation.Multiply(wanted.Toes, point);
+        }
+
+        LegTurns solved = Solve(leg, carrier, hip, wanted, carried, ref foot, local);
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
         float share = excess > 0f ? YieldShare(leg, foot, excess) : 0f;
@@ -70,18 +81,25 @@ internal sealed class LegPoser
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
             FootYield.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, share, ref wanted);
-            solved = Solve(leg, carrier, hip, wanted, folding, ref foot, local);
+            solved = Solve(leg, carrier, hip, wanted, carried, ref foot, local);
             PoseFoot(leg, solved, wanted, local, out _);
         }
     }
 
+    /// <summary>How far a leg in the air is where the body carries it instead of on its foot's way, 0..1.</summary>
+    private static float Carried(LegShape leg, in Foot foot, float tuck, float trail)
+    {
+        float share = leg.Row > 0 ? tuck : trail;
+        return share == 0f || foot.Phase != FootPhase.Swing ? 0f : share * (leg.Row > 0 ? LegTraits.TuckCurve : LegTraits.TrailCurve).At(foot.Swing);
+    }
+
     /// <summary>Solves hip and knee and writes them.</summary>
-    private LegTurns Solve(LegShape leg, Quaternion carrier, Vector3 hip, in FootPose pose, float folding, ref Foot foot, in Pose local)
+    private LegTurns Solve(LegShape leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local)
     {
         Vector3 chord = pose.Target - hip;
-        if (folding > 0f)
+        if (carried > 0f)
         {
-            chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Tucked), folding);
+            chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Row > 0 ? leg.Tucked : leg.Trailed), carried);
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;

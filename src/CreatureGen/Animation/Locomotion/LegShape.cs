@@ -52,6 +52,17 @@ internal sealed class LegShape
     /// <summary>How far back a tucked leg is laid, leg lengths.</summary>
     private const float TuckedBack = 0.25f;
 
+    /// <summary>Part of its reach to which a leg is stretched that trails behind.</summary>
+    private const float TrailedShare = 0.96f;
+
+    /// <summary>How far aside and down a leg out to the side trails, parts of how far behind.</summary>
+    private const float TrailedAside = 0.30f;
+
+    private const float TrailedDown = -0.25f;
+
+    /// <summary>Where a leg under the body trails.</summary>
+    private static readonly Vector3 TrailedUpright = new(0f, -0.75f, -0.65f);
+
     /// <summary>Sine of a bend at rest that says nothing of the side to which a knee folds.</summary>
     private const float Straight = 0.1f;
 
@@ -127,6 +138,8 @@ internal sealed class LegShape
         Stoop = stoop;
         LeastTrack = NarrowestTrack();
         Tucked = ((upper + Shank) * TuckedShare) - new Vector3(0f, 0f, TuckedBack * Length);
+        Vector3 behind = Lateral ? new Vector3(Side == Side.Left ? TrailedAside : -TrailedAside, TrailedDown, -1f) : TrailedUpright;
+        Trailed = Vec.Normalize(behind, -Vector3.UnitZ) * (TrailedShare * Reach);
     }
 
     private float WidestOf(IReadOnlyList<CapsuleCollider> bones)
@@ -262,6 +275,9 @@ internal sealed class LegShape
 
     /// <summary>From the hip to what is solved for of a leg tucked to the body.</summary>
     public Vector3 Tucked { get; }
+
+    /// <summary>The same of a leg that is stretched out behind.</summary>
+    public Vector3 Trailed { get; }
 
     /// <summary>Height of the ball's joint above the ground.</summary>
     public float BallHeight { get; }

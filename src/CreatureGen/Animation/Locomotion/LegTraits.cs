@@ -60,6 +60,9 @@ internal sealed class LegTraits
     /// <summary>Course of the folding of a leg that is tucked in the air.</summary>
     public static Curve TuckCurve { get; } = Curve.Bell(0.45, 1.5);
 
+    /// <summary>Course of the stretching of a leg that trails behind in the air: it has left the ground stretched, and is drawn in before it comes down.</summary>
+    public static Curve TrailCurve { get; } = Curve.Bell(0.30, 1.5);
+
     /// <summary>The build.</summary>
     public LimbArchetype Archetype { get; }
 

@@ -14,6 +14,9 @@ internal sealed class LeggedBody
     /// <summary>Part of the joints' limits that bends to a side take up: the rest is for pitch and roll.</summary>
     private const float BendShare = 0.95f;
 
+    /// <summary>Part of these that bends up and down take up: the rest is for the bends to a side that go with them.</summary>
+    private const float PitchBendShare = 0.75f;
+
     /// <summary>Distance of the hips from the middle, leg lengths, beyond which the body yaws less.</summary>
     private const float WideHips = 0.55f;
 
@@ -30,7 +33,7 @@ internal sealed class LeggedBody
         Mass = Math.Max(creature.Mass.Mass, 1e-4f);
         int[] rows = RowsOf(standing);
         Rows = 1 + Max(rows);
-        Trunk = TrunkOf(creature.Skeleton);
+        Trunk = ChainOf(creature.Skeleton, JointRole.Pelvis, JointRole.Spine, JointRole.Chest);
         SoleExtent[] soles = SoleExtent.Measure(creature, standing);
         Legs = new LegShape[standing.Length];
         float hind = 0f;
@@ -72,13 +75,13 @@ internal sealed class LeggedBody
         }
 
         float steady = SteadyShare();
-        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, BaseBodyNames.FamilyOf(creature.Blueprint.Body.Blend.First), Mass);
+        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, creature.Blueprint.Body.Blend.First, Mass);
         Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         Posture = StandingPosture.Of(creature);
         Wheelbase = WheelbaseOf();
         PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase, 1e-3f));
-        Neck = NeckOf(Skeleton);
+        Neck = ChainOf(Skeleton, JointRole.Neck, JointRole.Head);
         NeckLimits = Array.ConvertAll(Neck, joint => BendShare * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
         Tail = ChainOf(Skeleton, JointRole.Tail);
         TailLimits = new float[Tail.Length];
@@ -95,12 +98,13 @@ internal sealed class LeggedBody
         Arms = ArmsOf(creature);
         Body = Skeleton.IndexOf("Body");
         MostRoll = IsBiped ? 0f : MostRollOf(Legs);
-        MostBendYaw = MostYaw(Skeleton, Trunk, ForeSlot);
+        MostBendYaw = MostBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
+        MostBendPitch = PitchBendShare * MostBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
         Turns = new RestTurns(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
         Hops = Rows == 1 && creature.Blueprint.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
-        BreathShare = PortableMath.Pow(Mass, -0.26);
-        ShiftShare = PortableMath.Pow(Mass, 0.08);
+        Idle = IdleRhythm.Of(Mass);
+        Flippers = Waddles && creature.Blueprint.Kind == LocomotionKind.Walking ? FlippersOf(creature) : Array.Empty<LimbChain>();
     }
 
     public Creature Creature { get; }
@@ -129,6 +133,9 @@ internal sealed class LeggedBody
 
     /// <summary>How far the trunk bends to a side from the pelvis to the fore legs' joint, radians.</summary>
     public float MostBendYaw { get; }
+
+    /// <summary>How far the trunk rounds or hollows its back from the pelvis to the fore legs' joint, radians.</summary>
+    public float MostBendPitch { get; }
 
     /// <summary>How far it rolls with the ground to a side, radians: less on hips that do not draw their legs in far, and not at all on two legs.</summary>
     public float MostRoll { get; }
@@ -192,11 +199,14 @@ internal sealed class LeggedBody
     /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers and frogs.</summary>
     public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype is LimbArchetype.Jumper or LimbArchetype.FrogHind);
 
-    /// <summary>M^−0.26.</summary>
-    public double BreathShare { get; }
+    /// <summary>Whether it rolls from side to side on short legs under an upright body: penguins.</summary>
+    public bool Waddles => IsBiped && Creature.Blueprint.Body.Blend.First == "penguin";
 
-    /// <summary>M^0.08.</summary>
-    public double ShiftShare { get; }
+    /// <summary>The times of what it does while it stands.</summary>
+    public IdleRhythm Idle { get; }
+
+    /// <summary>Wings that it holds away from its body as it waddles.</summary>
+    public LimbChain[] Flippers { get; }
 
     public bool IsBiped => Rows == 1;
 
@@ -252,6 +262,20 @@ internal sealed class LeggedBody
         return rows;
     }
 
+    private static LimbChain[] FlippersOf(Creature creature)
+    {
+        var flippers = new List<LimbChain>();
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            if (limb.Kind == LimbKind.Wing)
+            {
+                flippers.Add(limb);
+            }
+        }
+
+        return flippers.ToArray();
+    }
+
     private static int Max(int[] values)
     {
         int most = 0;
@@ -261,20 +285,6 @@ internal sealed class LeggedBody
         }
 
         return most;
-    }
-
-    private static int[] TrunkOf(Skeleton skeleton)
-    {
-        var trunk = new List<int>();
-        for (int i = 0; i < skeleton.Count; i++)
-        {
-            if (skeleton.Joints[i].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest)
-            {
-                trunk.Add(i);
-            }
-        }
-
-        return trunk.ToArray();
     }
 
     private static float MostRollOf(LegShape[] legs)
@@ -290,38 +300,25 @@ internal sealed class LeggedBody
     }
 
     /// <summary>The stiffest joint decides: all bend alike.</summary>
-    private static float MostYaw(Skeleton skeleton, int[] trunk, int foreSlot)
+    private static float MostBend(Skeleton skeleton, int[] trunk, int foreSlot, Func<JointLimit, AngleRange> axis)
     {
         float least = float.MaxValue;
         for (int i = 1; i <= foreSlot && i < trunk.Length; i++)
         {
-            AngleRange side = skeleton.Joints[trunk[i]].Limit.SwingZ;
+            AngleRange side = axis(skeleton.Joints[trunk[i]].Limit);
             least = Math.Min(least, Math.Min(-side.Min, side.Max));
         }
 
         return least == float.MaxValue ? 0f : BendShare * least * foreSlot;
     }
 
-    private static int[] NeckOf(Skeleton skeleton)
-    {
-        var neck = new List<int>();
-        for (int i = 0; i < skeleton.Count; i++)
-        {
-            if (skeleton.Joints[i].Role is JointRole.Neck or JointRole.Head)
-            {
-                neck.Add(i);
-            }
-        }
-
-        return neck.ToArray();
-    }
-
-    private static int[] ChainOf(Skeleton skeleton, JointRole role)
+    /// <summary>The joints of some roles, in the skeleton's order.</summary>
+    private static int[] ChainOf(Skeleton skeleton, params JointRole[] roles)
     {
         var chain = new List<int>();
         for (int i = 0; i < skeleton.Count; i++)
         {
-            if (skeleton.Joints[i].Role == role)
+            if (Array.IndexOf(roles, skeleton.Joints[i].Role) >= 0)
             {
                 chain.Add(i);
             }

@@ -281,11 +281,12 @@ internal sealed class LeggedMotion : IBodyMotion
         poser.PoseTrunk(placer, local);
         for (int i = 0; i < poses.Length; i++)
         {
-            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], clock.Shape.Tuck * activity, local);
+            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], clock.Shape.Tuck * activity, clock.Shape.Trail * activity, local);
         }
 
         HeadCarriage.Pose(body, turns, placer, context, local);
         ArmSwing.Pose(body, turns, placer, context, local);
+        FlipperCarriage.Pose(body, turns, placer, context, local);
         TailCarriage.Pose(body, turns, placer, context, local);
     }
 
