@@ -94,7 +94,7 @@ public static class GaitLibrary
     /// <summary>The hind pair pushes, all other legs catch: grasshoppers and frogs.</summary>
     public static Gait Leap { get; } = new("Leap", new LeapPhases(), new DutyLaw(0.32f, 0.06f, 0.20f, 0.30f), new StrideLaw(2.6f, 0.40f))
     {
-        LeastRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, BounceCap = 0.35f, ForeBias = 0f, HindBias = 0f, Tuck = 0.8f, Trail = 1f,
+        LeastRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, Bounce = 0.75f, BounceCap = 0.35f, ForeBias = 0f, HindBias = 0f, Tuck = 0.8f, Trail = 1f,
     };
 
     /// <summary>Steps run along the body from the rear, each leg a swing later than the one behind it: one leg after the other when slow, tetrapod, tripod when fast. For any number of legs.</summary>

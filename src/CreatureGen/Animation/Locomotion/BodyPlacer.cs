@@ -20,6 +20,9 @@ internal sealed class BodyPlacer
 
     private const float SurgeCap = 0.04f;
 
+    /// <summary>Share of the back's bend in gaits whose hind feet take turns.</summary>
+    private const float StepFlexion = 0.6f;
+
     private readonly LeggedBody body;
     private readonly ForceResponse response = new();
     private readonly PhaseSums hind = new();
@@ -135,7 +138,8 @@ internal sealed class BodyPlacer
         pelvisYaw += context.Idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
         chestYaw += (body.IsBiped ? 0.35f : 0.5f) * bend;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
-        float flexion = Scalar.Clamp(traits.Flexion * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MostBendPitch, body.MostBendPitch);
+        float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * Together(hind, 2)));
+        float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MostBendPitch, body.MostBendPitch);
         Flexion = flexion;
         float bank = (float)PortableMath.Atan(context.Travel.Speed * context.Travel.Turn / settings.Gravity) * traits.Bank * settings.Bank;
 

@@ -68,7 +68,8 @@ internal sealed class LegPoser
         FootPose wanted = pose;
         if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
         {
-            Quaternion point = Rotation.FromAxisAngle(leg.RollAxis, carried * TrailedPitch);
+            // Not before the toes are well off the ground.
+            Quaternion point = Rotation.FromAxisAngle(leg.RollAxis, carried * carried * carried * TrailedPitch);
             wanted.Foot = Rotation.Multiply(wanted.Foot, point);
             wanted.Toes = Rotation.Multiply(wanted.Toes, point);
         }
