@@ -16,6 +16,11 @@ internal static class IdleLife
     /// <summary>Part of the time on one side that it takes to get there.</summary>
     private const float ShiftTime = 0.3f;
 
+    /// <summary>Share of the shift on legs out to the side, and on more than two pairs.</summary>
+    private const double WideLegs = 0.4;
+
+    private const double ManyLegs = 0.2;
+
     private const float TailSwing = 0.26f;
 
     /// <summary>How much less the tail swings while the weight is on the right.</summary>
@@ -35,7 +40,7 @@ internal static class IdleLife
         double half = place < 0.5 ? 2 * place : (2 * place) - 1;
         double ease = Quintic(half / ShiftTime);
         double side = ((2 * ease) - 1) * (place < 0.5 ? 1 : -1);
-        double spread = body.Rows > 2 || body.Legs[0].Lateral ? 0.4 : 1;
+        double spread = body.Rows > 2 ? ManyLegs : body.Legs[0].Lateral ? WideLegs : 1;
         double sway = Wave(place * body.Idle.TailSwings) * TailSwing * (1 - (TailCalm * 0.5 * (1 - side))) * still;
         double shift = side * spread * still;
         return new IdlePose((float)breath, (float)(ShiftShare * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway);
