@@ -62,9 +62,9 @@ internal sealed record TrunkTraits
         bool feline = family == "feline";
         return plan switch
         {
-            BodyPlan.Digitigrade => quadruped with { ChestYaw = 0.10f, PelvisRoll = 0.055f, ChestRoll = 0.05f, Flexion = feline ? 0.54f : 0.46f, TailLift = 0.8f, ForeSlide = feline ? 0.32f : 0.28f, ForeRise = feline ? 0.05f : 0.03f },
+            BodyPlan.Digitigrade => quadruped with { ChestYaw = 0.10f, PelvisRoll = 0.055f, ChestRoll = 0.05f, Flexion = feline ? 0.44f : 0.38f, TailLift = 0.8f, ForeSlide = feline ? 0.32f : 0.28f, ForeRise = feline ? 0.05f : 0.03f },
             BodyPlan.Unguligrade or BodyPlan.Centaur => quadruped with { PelvisYaw = 0.10f, ChestYaw = 0.06f, PelvisRoll = 0.03f, ChestRoll = 0.02f, Flexion = 0.16f, TailLift = 0.5f, ForeSlide = 0.24f, Nod = 1.3f },
-            BodyPlan.Plantigrade => quadruped with { PelvisYaw = 0.15f, PelvisRoll = 0.07f, ChestRoll = 0.07f, Flexion = 0.40f, TailLift = 0.8f, ForeRise = 0.045f, Nod = 1.2f },
+            BodyPlan.Plantigrade => quadruped with { PelvisYaw = 0.15f, PelvisRoll = 0.07f, ChestRoll = 0.07f, Flexion = 0.33f, TailLift = 0.8f, ForeRise = 0.045f, Nod = 1.2f },
             BodyPlan.Columnar => quadruped with { PelvisYaw = 0.08f, ChestYaw = 0.06f, ChestRoll = 0.035f, Flexion = 0.03f, ForeSlide = 0.20f, ForeRise = 0.02f, Nod = 1f },
             BodyPlan.Sprawling => quadruped with { PelvisYaw = 0.70f, ChestYaw = 0.55f, PelvisRoll = 0.06f, ChestRoll = 0.06f, Flexion = 0f, ForeSlide = 0.03f, ForeRise = 0f, HeadSteadiness = 0.85f, TailYaw = 1.6f },
             BodyPlan.ManyLegged => quadruped with { PelvisYaw = 0.08f, ChestYaw = 0.08f, PelvisRoll = 0.02f, ChestRoll = 0.02f, Flexion = 0f, ForeSlide = 0f, ForeRise = 0f, Bank = 0.2f },
