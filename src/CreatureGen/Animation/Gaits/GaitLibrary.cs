@@ -86,7 +86,7 @@ public static class GaitLibrary
     public static Gait WaddleRun { get; } = Waddle with { Name = "WaddleRun", Duty = new DutyLaw(0.60f, 0.14f, 0.46f, 0.58f), Comfortable = 0.35f, Fastest = 1f, Lift = 0.9f, Track = 0.8f, ForceDip = 0f };
 
     /// <summary>Both feet together: kangaroos. The tail counters the legs.</summary>
-    public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.34f, 0.07f, 0.20f, 0.34f), new StrideLaw(2.2f, 0.40f))
+    public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.38f, 0.07f, 0.21f, 0.36f), new StrideLaw(2.2f, 0.40f))
     {
         MostRows = 1, Comfortable = 1.6f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.03f, BounceCap = 0.34f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f, Trail = 0.5f,
     };

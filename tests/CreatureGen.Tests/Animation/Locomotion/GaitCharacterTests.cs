@@ -87,9 +87,9 @@ public sealed class GaitCharacterTests
             return cycle.Animator.ModelPose.Positions[leg.Joints[1]].Y;
         });
         Assert.True(air > 0.65f * all, $"{air} of {all} in the air");
-        Assert.True(rise > 0.35f * cycle.Profile.LegLength, $"{rise / cycle.Profile.LegLength} leg lengths");
+        Assert.True(rise > 0.3f * cycle.Profile.LegLength, $"{rise / cycle.Profile.LegLength} leg lengths");
         Assert.True(behind > 0.3f, $"{behind} of its length behind");
-        Assert.InRange(1f / cycle.Animator.Frequency, 0.4f, 0.8f);
+        Assert.InRange(1f / cycle.Animator.Frequency, 0.36f, 0.8f);
     }
 
     [Theory]
