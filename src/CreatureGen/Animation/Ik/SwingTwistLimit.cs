@@ -24,6 +24,9 @@ public static class SwingTwistLimit
 
     // 2 · asin(1/2) / (1/2), rounded up: below half, no angle is more than so many times the sine of its half.
     private const float AnglePerHalfSine = 2.0944f;
+
+    // The same for half sines below √3/2, of turns up to 120°.
+    private const float WideAnglePerHalfSine = 2.4185f;
     private const double Hair = 1e-9;
 
     /// <summary>The turn within the limit nearest to a turn.</summary>
@@ -90,7 +93,8 @@ public static class SwingTwistLimit
     private static bool IsWellWithin(Quaternion turn, JointLimit limit)
     {
         float along = (turn.Y * turn.Y) + (turn.W * turn.W);
-        if ((turn.X * turn.X) + (turn.Z * turn.Z) > 0.25f || turn.Y * turn.Y > 0.25f * along)
+        float across = (turn.X * turn.X) + (turn.Z * turn.Z);
+        if (across > 0.75f || turn.Y * turn.Y > 0.25f * along)
         {
             return false;
         }
@@ -105,7 +109,8 @@ public static class SwingTwistLimit
         float c = twist < 0f ? limit.Twist.Min : limit.Twist.Max;
         float aa = a * a;
         float bb = b * b;
-        return Squared * turn.Y * turn.Y <= c * c * along && Squared * ((x * x * bb) + (z * z * aa)) < aa * bb * along;
+        float swing = across > 0.25f ? WideAnglePerHalfSine * WideAnglePerHalfSine : Squared;
+        return Squared * turn.Y * turn.Y <= c * c * along && swing * ((x * x * bb) + (z * z * aa)) < aa * bb * along;
     }
 
     /// <summary>Bounds of the angles of a turn that is not large, without an inverse function: of their signs, and no nearer to 0 than they are.</summary>

@@ -74,7 +74,7 @@ internal sealed class LegPoser
             wanted.Toes = Rotation.Multiply(wanted.Toes, point);
         }
 
-        LegTurns solved = Solve(leg, carrier, hip, wanted, carried, ref foot, local);
+        Solve(leg, carrier, hip, wanted, carried, ref foot, local, out LegTurns solved);
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
         float share = excess > 0f ? YieldShare(leg, foot, excess) : 0f;
@@ -82,7 +82,7 @@ internal sealed class LegPoser
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
             FootYield.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, share, ref wanted);
-            solved = Solve(leg, carrier, hip, wanted, carried, ref foot, local);
+            Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
             PoseFoot(leg, solved, wanted, local, out _);
         }
     }
@@ -95,7 +95,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Solves hip and knee and writes them.</summary>
-    private LegTurns Solve(LegShape leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local)
+    private void Solve(LegShape leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegTurns solved)
     {
         Vector3 chord = pose.Target - hip;
         if (carried > 0f)
@@ -114,7 +114,7 @@ internal sealed class LegPoser
             parts = ref folded;
         }
 
-        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, leeway, give, out LegTurns solved);
+        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, leeway, give, out solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
@@ -130,8 +130,6 @@ internal sealed class LegPoser
                 solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
             }
         }
-
-        return solved;
     }
 
     /// <summary>Where the hinge of the knee has to point.</summary>
@@ -169,7 +167,8 @@ internal sealed class LegPoser
 
         // The toes go along with a foot that its ankle turns.
         Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f, 0f);
-        float ankle = Chord(asked, local.Rotations[leg.Ankle]);
+        Quaternion kept = local.Rotations[leg.Ankle];
+        float ankle = asked == kept ? 0f : Chord(asked, kept);
         excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f, 0f));
         return ankle > 0f ? Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle)) : metatarsus;
     }
