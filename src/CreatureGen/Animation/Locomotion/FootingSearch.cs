@@ -95,6 +95,11 @@ internal sealed class FootingSearch
     /// <summary>Feels the ground along the way of a swing, all of it as the foot leaves the ground, and later on what is just ahead of it.</summary>
     public void Survey(in StepContext step, int leg, in Foot foot, SwingWay way)
     {
+        if (!foot.Aimed)
+        {
+            way.Clear();
+        }
+
         if (step.Ground is FlatGround)
         {
             return;
@@ -112,10 +117,6 @@ internal sealed class FootingSearch
         {
             first = SwingWay.After(FootPoser.Along(foot.Swing));
             last = Math.Min(first + 1, last);
-        }
-        else
-        {
-            way.Clear();
         }
 
         for (int i = first; i < last; i++)
