@@ -9,34 +9,41 @@ internal static class AxisTurn
     /// <summary>About X. Positive tips the front down, and swings what hangs backward.</summary>
     public static Quaternion Pitch(double angle)
     {
-        PortableMath.SinCos(0.5 * angle, out double sine, out double cosine);
-        return new Quaternion((float)sine, 0f, 0f, (float)cosine);
+        QuickAngle.SinCos((float)(0.5 * angle), out float sine, out float cosine);
+        return new Quaternion(sine, 0f, 0f, cosine);
     }
 
     /// <summary>About Y. Positive turns the front to the left, and sweeps what lies out to the left backward.</summary>
     public static Quaternion Yaw(double angle)
     {
-        PortableMath.SinCos(0.5 * angle, out double sine, out double cosine);
-        return new Quaternion(0f, (float)sine, 0f, (float)cosine);
+        QuickAngle.SinCos((float)(0.5 * angle), out float sine, out float cosine);
+        return new Quaternion(0f, sine, 0f, cosine);
     }
 
     /// <summary>About Z. Positive raises the left side.</summary>
     public static Quaternion Roll(double angle)
     {
-        PortableMath.SinCos(0.5 * angle, out double sine, out double cosine);
-        return new Quaternion(0f, 0f, (float)sine, (float)cosine);
+        QuickAngle.SinCos((float)(0.5 * angle), out float sine, out float cosine);
+        return new Quaternion(0f, 0f, sine, cosine);
     }
 
     /// <summary>First about Z, then about X, then about Y.</summary>
     public static Quaternion YawPitchRoll(float yaw, float pitch, float roll)
     {
-        PortableMath.SinCos(0.5 * yaw, out double sy, out double cy);
-        PortableMath.SinCos(0.5 * pitch, out double sx, out double cx);
-        PortableMath.SinCos(0.5 * roll, out double sz, out double cz);
+        QuickAngle.SinCos(0.5f * yaw, out float sy, out float cy);
+        QuickAngle.SinCos(0.5f * pitch, out float sx, out float cx);
+        QuickAngle.SinCos(0.5f * roll, out float sz, out float cz);
         return new Quaternion(
-            (float)((cy * sx * cz) + (sy * cx * sz)),
-            (float)((sy * cx * cz) - (cy * sx * sz)),
-            (float)((cy * cx * sz) - (sy * sx * cz)),
-            (float)((cy * cx * cz) + (sy * sx * sz)));
+            (cy * sx * cz) + (sy * cx * sz),
+            (sy * cx * cz) - (cy * sx * sz),
+            (cy * cx * sz) - (sy * sx * cz),
+            (cy * cx * cz) + (sy * sx * sz));
+    }
+
+    /// <summary>About any unit axis.</summary>
+    public static Quaternion About(Vector3 axis, float angle)
+    {
+        QuickAngle.SinCos(0.5f * angle, out float sine, out float cosine);
+        return new Quaternion(axis * sine, cosine);
     }
 }

@@ -29,6 +29,7 @@ internal sealed class BodyPlacer
     private readonly PhaseSums fore = new();
     private readonly PhaseSums track = new();
     private readonly PhaseSums all = new();
+    private readonly SteadyGait summed;
     private float slope;
     private SteadyDecay groundDecay;
     private SteadyDecay slopeDecay;
@@ -37,6 +38,7 @@ internal sealed class BodyPlacer
     {
         this.body = body;
         Trunk = new TrunkChain(body);
+        summed = new SteadyGait(body.Legs.Length);
     }
 
     /// <summary>The trunk as last placed.</summary>
@@ -141,7 +143,7 @@ internal sealed class BodyPlacer
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * Together(hind, 2)));
         float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MostBendPitch, body.MostBendPitch);
         Flexion = flexion;
-        float bank = (float)PortableMath.Atan(context.Travel.Speed * context.Travel.Turn / settings.Gravity) * traits.Bank * settings.Bank;
+        float bank = QuickAngle.Of(context.Travel.Speed * context.Travel.Turn, settings.Gravity) * traits.Bank * settings.Bank;
 
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
@@ -211,24 +213,36 @@ internal sealed class BodyPlacer
         return Math.Max(0f, (2f * ((c * c) + (s * s)) / (legs * legs)) - 1f);
     }
 
+    /// <summary>Sums up the legs for the moment: anew if the gait has changed, else as the cycle has gone on.</summary>
     private void Sum(GaitClock clock)
     {
-        hind.Clear();
-        fore.Clear();
-        all.Clear();
-        track.Clear();
-        for (int i = 0; i < body.Legs.Length; i++)
+        if (!summed.Is(clock))
         {
-            LegShape leg = body.Legs[i];
-            PortableMath.SinCos(PortableMath.Tau * (clock.LegPhase(i) - (0.5f * clock.Duty)), out double s, out double c);
-            float sine = (float)s;
-            float cosine = (float)c;
-            track.Add(sine, cosine, leg.Home.X * clock.Shape.Track);
-            all.Add(sine, cosine, 1f);
-            if (body.Rows == 2)
+            summed.Take(clock);
+            hind.Clear();
+            fore.Clear();
+            all.Clear();
+            track.Clear();
+            for (int i = 0; i < body.Legs.Length; i++)
             {
-                (leg.Row == 0 ? hind : fore).Add(sine, cosine, 1f);
+                LegShape leg = body.Legs[i];
+                QuickAngle.OfTurns(-clock.Lags[i] - (0.5f * clock.Duty), out float s, out float c);
+                track.Add(s, c, leg.Home.X * clock.Shape.Track);
+                all.Add(s, c, 1f);
+                if (body.Rows == 2)
+                {
+                    (leg.Row == 0 ? hind : fore).Add(s, c, 1f);
+                }
             }
+        }
+
+        QuickAngle.OfTurns((float)clock.Phase, out float sine, out float cosine);
+        track.Turn(sine, cosine);
+        all.Turn(sine, cosine);
+        if (body.Rows == 2)
+        {
+            hind.Turn(sine, cosine);
+            fore.Turn(sine, cosine);
         }
     }
 
@@ -325,20 +339,20 @@ internal sealed class BodyPlacer
         float pitch = plan.PelvisPitch - ((foreRise - foreDrop - (plan.Pelvis.Y - pelvisRest - hindDrop)) / Math.Max(body.TrunkLength, 1e-3f));
 
         // From pelvis to fore legs: rolled, then pitched as it comes to the wanted height, then yawed.
-        PortableMath.SinCos(plan.PelvisRoll, out double sr, out double cr);
-        float x = (between.X * (float)cr) - (between.Y * (float)sr);
-        float y = (between.X * (float)sr) + (between.Y * (float)cr);
+        QuickAngle.SinCos(plan.PelvisRoll, out float sr, out float cr);
+        float x = (between.X * cr) - (between.Y * sr);
+        float y = (between.X * sr) + (between.Y * cr);
         float squared = (x * x) + (y * y) + (between.Z * between.Z);
         for (int i = 0; i < 2; i++)
         {
-            PortableMath.SinCos(pitch, out double sp, out double cp);
-            float height = (y * (float)cp) - (between.Z * (float)sp);
+            QuickAngle.SinCos(pitch, out float sp, out float cp);
+            float height = (y * cp) - (between.Z * sp);
             if (i == 0)
             {
                 // The trunk bends about its middle: half of what its front goes aside the rear takes back.
-                float ahead = (y * (float)sp) + (between.Z * (float)cp);
-                PortableMath.SinCos(plan.PelvisYaw, out double sy, out double cy);
-                float aside = (x * (float)cy) + (ahead * (float)sy);
+                float ahead = (y * sp) + (between.Z * cp);
+                QuickAngle.SinCos(plan.PelvisYaw, out float sy, out float cy);
+                float aside = (x * cy) + (ahead * sy);
                 placed.Pelvis.X -= 0.5f * (aside - (Trunk.Rest[slot].X - Trunk.Rest[0].X));
             }
 

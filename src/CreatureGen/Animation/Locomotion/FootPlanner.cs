@@ -374,7 +374,7 @@ internal sealed class FootPlanner
         }
 
         float s = Math.Min(foot.Stance, 1f);
-        float sine = (float)PortableMath.Sin(PortableMath.Pi * s);
+        QuickAngle.OfTurns(0.5f * s, out float sine, out _);
 
         // sin 3x = 3 sin x − 4 sin³ x
         float dip = (3f * sine) - (4f * sine * sine * sine);

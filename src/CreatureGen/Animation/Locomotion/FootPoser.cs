@@ -70,13 +70,13 @@ internal static class FootPoser
         foot.Normal = normal;
         float pitch = (FootRoll.Pitch(foot, leg, gait.Duty) * gait.Activity) + gait.RestPitch;
         Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitTurn.FromTo(Vector3.UnitY, normal), heading) : heading;
-        pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, Rotation.FromAxisAngle(leg.RollAxis, pitch));
+        pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisTurn.About(leg.RollAxis, pitch));
         Vector3 ball;
         if (leg.FlatFoot)
         {
             float toes = FootRoll.ToePitch(pitch);
             ball = FootRoll.BallAt(leg, foot, toes);
-            pose.Toes = toes == 0f ? ground : Rotation.Multiply(ground, Rotation.FromAxisAngle(leg.RollAxis, toes));
+            pose.Toes = toes == 0f ? ground : Rotation.Multiply(ground, AxisTurn.About(leg.RollAxis, toes));
         }
         else
         {

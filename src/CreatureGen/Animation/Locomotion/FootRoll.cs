@@ -108,11 +108,11 @@ internal static class FootRoll
         float up = 0.5f * (pitch - root);
 
         // In the plane of toes and up: x along the toes, y up; toes down turns up towards the toes.
-        PortableMath.SinCos(down, out double sd, out double cd);
-        PortableMath.SinCos(up, out double su, out double cu);
+        QuickAngle.SinCos(down, out float sd, out float cd);
+        QuickAngle.SinCos(up, out float su, out float cu);
         float h = leg.BallHeight;
-        float along = (float)((leg.Toe - (leg.Toe * cd)) + (h * sd) + ((leg.Heel * cu) - leg.Heel) + (h * su));
-        float above = (float)(((leg.Toe * sd) + (h * cd)) + ((-leg.Heel * su) + (h * cu)) - h);
+        float along = (leg.Toe - (leg.Toe * cd)) + (h * sd) + ((leg.Heel * cu) - leg.Heel) + (h * su);
+        float above = ((leg.Toe * sd) + (h * cd)) + ((-leg.Heel * su) + (h * cu)) - h;
         return (leg.ToeDirection * along) + new Vector3(0f, above, 0f);
     }
 }

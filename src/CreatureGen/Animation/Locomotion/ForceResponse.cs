@@ -20,8 +20,12 @@ internal sealed class ForceResponse
     private const float NodTuning = 1.6f;
     private const double Pi = PortableMath.Pi;
 
+    /// <summary>How a sprung neck answers each harmonic, in step with it and a quarter behind: θ″ + 2ζwθ′ + w²θ = −y″·…, with w in cycles.</summary>
+    private static readonly (float InStep, float Behind)[] NodResponses = NodsOf();
+
     private readonly float[] even = new float[Harmonics + 1];
-    private readonly float[] odd = new float[Harmonics + 1];
+    private readonly float[] heights = new float[Harmonics + 1];
+    private readonly float[] surges = new float[Harmonics + 1];
     private float tunedDuty = float.NaN;
     private float tunedDip = float.NaN;
 
@@ -50,8 +54,9 @@ internal sealed class ForceResponse
             (s, c) = ((s * c1) + (c * s1), (c * c1) - (s * s1));
             double theta = Pi * k * duty;
             even[k] = (float)(Even(theta, c, dip) / mean);
-            odd[k] = (float)(Odd(theta, s, c) / mean);
-            touchdown -= 2 * even[k] * c / (k * k);
+            heights[k] = even[k] / (k * k);
+            surges[k] = (float)(Odd(theta, s, c) / mean) / (k * k);
+            touchdown -= 2 * heights[k] * c;
         }
 
         Touchdown = (float)touchdown;
@@ -67,20 +72,15 @@ internal sealed class ForceResponse
     {
         float most = 0f;
         float height = 0f;
+        float unit = 2f * scale / legs;
         nod = 0f;
         for (int k = 1; k <= Harmonics; k++)
         {
-            float y = -scale * even[k] / (legs * k * k);
+            float y = -unit * heights[k];
             float c = sums.Cosines[k];
-            float s = sums.Sines[k];
-            most = Math.Max(most, 2f * Math.Abs(y) * (float)Math.Sqrt((c * c) + (s * s)));
-            height += 2f * y * c;
-
-            // θ″ + 2ζwθ′ + w²θ = −y″·…, with w in cycles: its response to harmonic k.
-            float re = (NodTuning * NodTuning) - (k * k);
-            float im = 2f * NodDamping * NodTuning * k;
-            float over = k * k / ((re * re) + (im * im));
-            nod -= 2f * y * over * ((re * c) + (im * s));
+            most = Math.Max(most, Math.Abs(y) * sums.Amplitudes[k]);
+            height += y * c;
+            nod -= y * ((NodResponses[k].InStep * c) + (NodResponses[k].Behind * sums.Sines[k]));
         }
 
         float share = most > cap ? cap / most : 1f;
@@ -108,16 +108,29 @@ internal sealed class ForceResponse
     {
         float surge = 0f;
         float most = 0f;
+        float unit = scale * stance / legs;
         for (int k = 1; k <= Harmonics; k++)
         {
-            float z = -scale * 0.5f * stance * odd[k] / (legs * k * k);
-            float c = sums.Cosines[k];
-            float s = sums.Sines[k];
-            most = Math.Max(most, 2f * Math.Abs(z) * (float)Math.Sqrt((c * c) + (s * s)));
-            surge += 2f * z * s;
+            float z = -unit * surges[k];
+            most = Math.Max(most, Math.Abs(z) * sums.Amplitudes[k]);
+            surge += z * sums.Sines[k];
         }
 
         return most > cap ? surge * cap / most : surge;
+    }
+
+    private static (float InStep, float Behind)[] NodsOf()
+    {
+        var nods = new (float InStep, float Behind)[Harmonics + 1];
+        for (int k = 1; k <= Harmonics; k++)
+        {
+            float re = (NodTuning * NodTuning) - (k * k);
+            float im = 2f * NodDamping * NodTuning * k;
+            float over = k * k / ((re * re) + (im * im));
+            nods[k] = (over * re, over * im);
+        }
+
+        return nods;
     }
 
     private static double Even(double theta, double cosine, double dip)

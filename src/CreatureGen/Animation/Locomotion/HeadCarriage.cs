@@ -24,9 +24,9 @@ internal static class HeadCarriage
         Quaternion chest = placer.Trunk.Turns[placer.Trunk.Turns.Length - 1];
         Rotation.ToBasis(chest, out Vector3 x, out Vector3 y, out Vector3 z);
         float steady = body.Traits.HeadSteadiness * context.Settings.HeadSteadiness;
-        float yaw = (-(float)PortableMath.Atan2(z.X, z.Z) * steady) + (TurnLook * Scalar.Clamp(context.Travel.Turn, -1.5f, 1.5f));
-        float pitch = ((float)PortableMath.Asin(Scalar.Clamp(z.Y, -1f, 1f)) - (body.Posture.Raised * context.Upright)) * steady;
-        float roll = -(float)PortableMath.Atan2(x.Y, y.Y) * steady;
+        float yaw = (-QuickAngle.Of(z.X, z.Z) * steady) + (TurnLook * Scalar.Clamp(context.Travel.Turn, -1.5f, 1.5f));
+        float pitch = (QuickAngle.OfSine(z.Y) - (body.Posture.Raised * context.Upright)) * steady;
+        float roll = -QuickAngle.Of(x.Y, y.Y) * steady;
         float share = 1f / count;
         float nod = placer.Nod;
         float bob = Bob(body, context);

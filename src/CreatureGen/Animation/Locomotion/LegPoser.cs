@@ -69,7 +69,7 @@ internal sealed class LegPoser
         if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
         {
             // Not before the toes are well off the ground.
-            Quaternion point = Rotation.FromAxisAngle(leg.RollAxis, carried * carried * carried * TrailedPitch);
+            Quaternion point = AxisTurn.About(leg.RollAxis, carried * carried * carried * TrailedPitch);
             wanted.Foot = Rotation.Multiply(wanted.Foot, point);
             wanted.Toes = Rotation.Multiply(wanted.Toes, point);
         }
@@ -154,7 +154,7 @@ internal sealed class LegPoser
         Quaternion metatarsus = pose.Foot;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
-            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, Rotation.FromAxisAngle(leg.Hinge, FoldOf(leg, pose.Fold, solved.KneeTurn)));
+            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, AxisTurn.About(leg.Hinge, FoldOf(leg, pose.Fold, solved.KneeTurn)));
         }
 
         turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));

@@ -27,8 +27,8 @@ internal static class TailCarriage
 
         float factor = context.Settings.TailMotion;
         Rotation.ToBasis(placer.Trunk.Turns[0], out Vector3 x, out Vector3 y, out Vector3 z);
-        float pitch = ((float)PortableMath.Asin(Scalar.Clamp(z.Y, -1f, 1f)) * body.Posture.TailSteadiness) + (factor * body.Traits.TailLift * placer.Flexion);
-        float roll = -(float)PortableMath.Atan2(x.Y, y.Y) * Steadiness;
+        float pitch = (QuickAngle.OfSine(z.Y) * body.Posture.TailSteadiness) + (factor * body.Traits.TailLift * placer.Flexion);
+        float roll = -QuickAngle.Of(x.Y, y.Y) * Steadiness;
         float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnShare * placer.TurnBend) + context.Idle.TailSway);
         float share = 1f / count;
         float lastYaw = float.NaN;

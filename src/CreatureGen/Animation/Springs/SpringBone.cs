@@ -9,8 +9,8 @@ internal struct SpringBone
     /// <summary>From the goal of its tip to the tip.</summary>
     public Vector3 Offset;
 
-    /// <summary>The same one substep earlier.</summary>
-    public Vector3 OffsetBefore;
+    /// <summary>The same at the moment of the frame, where that was after the last substep.</summary>
+    public Vector3 OffsetShown;
 
     /// <summary>Velocity of its tip relative to the goal.</summary>
     public Vector3 Velocity;

@@ -14,7 +14,8 @@ namespace CreatureGen.Animation.Springs;
 /// rate, by its exact solution (<see cref="DampedSpring"/>), relative to the velocity of its goal: x″ = ω²(goal − x) − 2ζω(x′ − goal′) + gravity. A damping relative to the world would bend tails back when running.
 /// Then the tip is brought into a cone about its goal, out of the colliders, and back to the length of its bone; the correction changes the velocity by itself over the step. The bone is turned by the
 /// smallest rotation that points it at the tip.</para>
-/// <para>The animated pose is interpolated within the frame for the substeps, and offsets from the goals are interpolated for time left over, so nothing lags and nothing trembles at frame rates that are no divisor of 120 Hz.</para>
+/// <para>The animated pose is interpolated within the frame for the substeps; for time left over after the last of them, part of the step is taken that would follow if the goals went on as they do. So nothing lags, and nothing trembles at
+/// frame rates that are no divisor of 120 Hz.</para>
 /// <para>Based on: T. Jakobsen, "Advanced character physics" (2001), for projection; M. Müller et al., "Position based dynamics" (2007), for the velocity; VRM's spring bones for goals, tips and centre space.</para>
 /// </remarks>
 public static class SpringBones
@@ -26,6 +27,9 @@ public static class SpringBones
     public const float LongestStep = 0.25f;
 
     private const int CollisionRounds = 2;
+
+    /// <summary>Part of a substep below which a goal's velocity cannot be told from what it has gone.</summary>
+    private const float LeastShare = 1e-3f;
 
     /// <summary>Substeps that are made of one bone before the next, and the moment of the frame.</summary>
     private const int MostMoments = 5;
@@ -129,7 +133,6 @@ public static class SpringBones
             bone.PastPosition = bone.NowPosition;
             bone.PastAlong = bone.NowAlong;
             bone.Offset = Vector3.Zero;
-            bone.OffsetBefore = Vector3.Zero;
             bone.Velocity = Vector3.Zero;
             bone.GoalVelocity = Vector3.Zero;
             bone.Goal = bone.NowPosition + (bone.NowAlong * (rig.Lengths[i] * root.Scale));
@@ -178,6 +181,7 @@ public static class SpringBones
         int stride = Math.Min(steps, MostMoments - 1) + 1;
         Span<Moment> moments = stackalloc Moment[rig.Joints.Length * stride];
         Span<float> shares = stackalloc float[MostMoments];
+        float left = Math.Max(debt - (steps * Substep), 0f);
         int done = 0;
         do
         {
@@ -197,11 +201,19 @@ public static class SpringBones
             }
             else
             {
-                state.Debt = Math.Max(debt - (steps * Substep), 0f);
+                // A substep that ends with the frame is what is shown.
+                state.Debt = left;
+                bool between = left > 0f || count == 0;
+                int shown = between ? stride - 1 : count - 1;
                 for (int i = 0; i < rig.Joints.Length; i++)
                 {
                     Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments, stride);
-                    Show(rig, state, settings, root, colliders, i, moments, stride, local, model);
+                    if (between)
+                    {
+                        Foresee(rig, state, settings, root.Scale, colliders, i, moments, stride);
+                    }
+
+                    Show(rig, settings, root, i, moments[(i * stride) + shown].Deviation, local, model);
                 }
             }
         }
@@ -222,6 +234,7 @@ public static class SpringBones
         float length = rig.Lengths[index] * scale;
         float radius = Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale;
         Vector3 push = settings.Gravity * Substep;
+        float width = length * state.Width;
         ref SpringBone bone = ref state.Bones[index];
         DampedSpring step = bone.Step;
         for (int k = 0; k < shares.Length; k++)
@@ -236,13 +249,12 @@ public static class SpringBones
             Vector3 goal = moment.Place + tail;
             Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
             Vector3 offset = bone.Offset;
-            Vector3 velocity = Calmed(bone.Velocity + (bone.GoalVelocity - goalVelocity) + push, offset, bone.Liveliness, 2f * (1f - state.SwingCosine) * length * length);
+            Vector3 velocity = Driven(bone, goalVelocity, push, width);
             Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
             velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
             Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
             direction = Outside(colliders, moment.Place, direction, length, radius);
             Vector3 held = (direction * length) - tail;
-            bone.OffsetBefore = offset;
             bone.Offset = held;
             bone.Velocity = velocity + ((held - free) * PerSecond);
             bone.GoalVelocity = goalVelocity;
@@ -251,10 +263,10 @@ public static class SpringBones
         }
     }
 
-    /// <summary>Poses a joint for the moment of the frame; its parent is posed already.</summary>
-    private static void Show(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, int index, Span<Moment> moments, int stride, in Pose local, in Pose model)
+    /// <summary>Finds how a bone is at the moment of the frame, after the last substep and before the next; its parent has been found already.</summary>
+    private static void Foresee(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, Span<Moment> moments, int stride)
     {
-        float length = rig.Lengths[index] * root.Scale;
+        float length = rig.Lengths[index] * scale;
         ref SpringBone bone = ref state.Bones[index];
         ref Moment moment = ref moments[(index * stride) + stride - 1];
         moment.Animated = bone.NowPosition;
@@ -262,10 +274,20 @@ public static class SpringBones
         Vector3 along = Lanes.RotateByAny(carried, bone.NowAlong);
         Vector3 tail = along * length;
         bone.Shown = moment.Place + tail;
-        Vector3 direction = Vec.Normalize(tail + Vec.Lerp(bone.OffsetBefore, bone.Offset, state.Debt / Substep), along);
-        direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Along[index]), 0f) * root.Scale);
+        float share = state.Debt / Substep;
+        Vector3 goalVelocity = share > LeastShare ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
+        Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * Substep, length * state.Width);
+        Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), share);
+        Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
+        direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale);
+        bone.OffsetShown = (direction * length) - tail;
         moment.Deviation = Turned(carried, along, direction);
-        Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(Quaternion.Identity, moment.Deviation, settings.Weight) : moment.Deviation;
+    }
+
+    /// <summary>Poses a joint by its deviation from the animation; its parent is posed already.</summary>
+    private static void Show(SpringRig rig, in SpringSettings settings, in RootPlace root, int index, Quaternion deviation, in Pose local, in Pose model)
+    {
+        Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(Quaternion.Identity, deviation, settings.Weight) : deviation;
         int joint = rig.Joints[index];
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(root.Rotation), Rotation.Multiply(shown, root.Rotation));
         Quaternion inModel = UnitTurn.Renormalize(Rotation.Multiply(turn, model.Rotations[joint]));
@@ -304,19 +326,20 @@ public static class SpringBones
         return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
     }
 
-    /// <summary>A velocity no greater than that of a free swing of full width at the same offset.</summary>
-    /// <param name="velocity">Of the tip.</param>
-    /// <param name="offset">From the goal to the tip.</param>
-    /// <param name="liveliness">Square of the rate of that swing; infinite for no bound.</param>
-    /// <param name="width">Square of the greatest offset.</param>
-    private static Vector3 Calmed(Vector3 velocity, Vector3 offset, float liveliness, float width)
+    /// <summary>Velocity of a tip relative to its goal as a substep begins: no greater than that of a free swing of full width at its offset.</summary>
+    /// <param name="bone">After the substep before.</param>
+    /// <param name="goalVelocity">Of the goal in this one.</param>
+    /// <param name="push">Velocity that gravity adds.</param>
+    /// <param name="width">The greatest offset.</param>
+    private static Vector3 Driven(in SpringBone bone, Vector3 goalVelocity, Vector3 push, float width)
     {
-        if (float.IsPositiveInfinity(liveliness))
+        Vector3 velocity = bone.Velocity + (bone.GoalVelocity - goalVelocity) + push;
+        if (float.IsPositiveInfinity(bone.Liveliness))
         {
             return velocity;
         }
 
-        float most = liveliness * Math.Max(width - Vec.LengthSquared(offset), 0f);
+        float most = bone.Liveliness * Math.Max((width * width) - Vec.LengthSquared(bone.Offset), 0f);
         float squared = Vec.LengthSquared(velocity);
         return squared > most ? velocity * MathF.Sqrt(most / squared) : velocity;
     }

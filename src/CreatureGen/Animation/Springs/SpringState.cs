@@ -43,6 +43,9 @@ public sealed class SpringState
     /// <summary>Its sine.</summary>
     internal float SwingSine { get; private set; }
 
+    /// <summary>The greatest offset of a tip from its goal, lengths of its bone.</summary>
+    internal float Width { get; private set; }
+
     /// <summary>Colliders from the creature's place, world axes; grows to the most that were ever given.</summary>
     internal SpringCollider[] Colliders { get; set; }
 
@@ -88,6 +91,7 @@ public sealed class SpringState
         PortableMath.SinCos(swing, out double sine, out double cosine);
         SwingSine = (float)sine;
         SwingCosine = (float)cosine;
+        Width = (float)System.Math.Sqrt(2 * (1 - cosine));
         for (int i = 0; i < Bones.Length; i++)
         {
             float along = Rig.Along[i];
@@ -98,18 +102,17 @@ public sealed class SpringState
         }
     }
 
-    /// <summary>After a pause: shapes as they were, no velocities.</summary>
+    /// <summary>After a pause: shapes as they were shown, no velocities.</summary>
     internal void Rest()
     {
-        float between = Debt / SpringBones.Substep;
+        bool between = Debt > 0f;
         Debt = 0f;
         for (int i = 0; i < Bones.Length; i++)
         {
             ref SpringBone bone = ref Bones[i];
+            bone.Offset = between ? bone.OffsetShown : bone.Offset;
             bone.Velocity = Vector3.Zero;
             bone.GoalVelocity = Vector3.Zero;
-            bone.Offset = Vec.Lerp(bone.OffsetBefore, bone.Offset, between);
-            bone.OffsetBefore = bone.Offset;
             bone.PastPosition = bone.NowPosition;
             bone.PastAlong = bone.NowAlong;
         }
@@ -148,7 +151,7 @@ public sealed class SpringState
         {
             ref SpringBone bone = ref Bones[i];
             bone.Offset = Rotation.Rotate(silent, bone.Offset) * grown;
-            bone.OffsetBefore = Rotation.Rotate(silent, bone.OffsetBefore) * grown;
+            bone.OffsetShown = Rotation.Rotate(silent, bone.OffsetShown) * grown;
             bone.Velocity = Rotation.Rotate(silent, bone.Velocity) * grown;
             bone.GoalVelocity = Rotation.Rotate(silent, bone.GoalVelocity) * grown;
             bone.Goal = (Rotation.Rotate(silent, bone.Goal) * grown) - shift;

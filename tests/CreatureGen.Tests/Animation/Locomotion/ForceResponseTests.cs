@@ -49,9 +49,11 @@ public class ForceResponseTests
             var sums = new PhaseSums();
             foreach (float lag in lags)
             {
-                double m = 2 * Math.PI * (phase - lag - (duty / 2));
+                double m = 2 * Math.PI * (-lag - (duty / 2));
                 sums.Add((float)Math.Sin(m), (float)Math.Cos(m), 1f);
             }
+
+            sums.Turn((float)Math.Sin(2 * Math.PI * phase), (float)Math.Cos(2 * Math.PI * phase));
 
             Assert.Equal(expected, response.Height(sums, lags.Length, Scale, float.MaxValue, out _), 4);
         }
