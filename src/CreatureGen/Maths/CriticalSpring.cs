@@ -13,9 +13,11 @@ public static class CriticalSpring
     /// <param name="goal">Where it goes, the same during the whole step.</param>
     /// <param name="rate">ω, s⁻¹, not negative.</param>
     /// <param name="seconds">Not negative.</param>
-    public static void Advance(ref float x, ref float velocity, float goal, float rate, float seconds)
+    public static void Advance(ref float x, ref float velocity, float goal, float rate, float seconds) => Advance(ref x, ref velocity, goal, rate, seconds, PortableMath.Exp(-(double)rate * seconds));
+
+    /// <summary>The same, with e^(−ω · seconds) given: several numbers on the same spring share it.</summary>
+    internal static void Advance(ref float x, ref float velocity, float goal, float rate, float seconds, double left)
     {
-        double left = PortableMath.Exp(-(double)rate * seconds);
         double away = (double)x - goal;
         double push = velocity + (rate * away);
         x = (float)(goal + ((away + (push * seconds)) * left));

@@ -9,7 +9,7 @@ internal readonly struct TurnShares
     private const double LeastSine = 1e-9;
 
     private readonly Vector3 axis;
-    private readonly double half;
+    private readonly float half;
 
     /// <summary>Takes a turn.</summary>
     /// <param name="turn">Unit quaternion.</param>
@@ -26,15 +26,15 @@ internal readonly struct TurnShares
             return;
         }
 
-        half = PortableMath.Atan2(sine, Math.Abs((double)turn.W));
+        half = QuickAngle.Of((float)sine, Math.Abs(turn.W));
         double inverse = turn.W < 0f ? -1 / sine : 1 / sine;
         axis = new Vector3((float)(x * inverse), (float)(y * inverse), (float)(z * inverse));
     }
 
     /// <summary>The turn by a share of its angle.</summary>
-    public Quaternion At(double share)
+    public Quaternion At(float share)
     {
-        PortableMath.SinCos(share * half, out double sine, out double cosine);
-        return new Quaternion(axis * (float)sine, (float)cosine);
+        QuickAngle.SinCos(share * half, out float sine, out float cosine);
+        return new Quaternion(axis * sine, cosine);
     }
 }

@@ -20,7 +20,7 @@ public sealed class TurnSharesTests
             var shares = new TurnShares(turn);
             for (int k = 0; k <= 4; k++)
             {
-                Assert.True(MovingPose.Between(Rotation.Slerp(Quaternion.Identity, turn, 0.25 * k), shares.At(0.25 * k)) < 2e-6);
+                Assert.True(MovingPose.Between(Rotation.Slerp(Quaternion.Identity, turn, 0.25 * k), shares.At(0.25f * k)) < 2e-6);
             }
         }
     }
@@ -28,7 +28,7 @@ public sealed class TurnSharesTests
     [Fact]
     public void Any_share_of_no_turn_is_none()
     {
-        Assert.Equal(Quaternion.Identity, new TurnShares(Quaternion.Identity).At(0.7));
-        Assert.Equal(Quaternion.Identity, new TurnShares(new Quaternion(0f, 0f, 0f, -1f)).At(0.7));
+        Assert.Equal(Quaternion.Identity, new TurnShares(Quaternion.Identity).At(0.7f));
+        Assert.Equal(Quaternion.Identity, new TurnShares(new Quaternion(0f, 0f, 0f, -1f)).At(0.7f));
     }
 }

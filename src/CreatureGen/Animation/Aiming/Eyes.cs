@@ -44,8 +44,9 @@ public static class Eyes
 
         float widest = settings.Left.Max > -settings.Left.Min ? settings.Left.Max : -settings.Left.Min;
         goal = new LookAngles(Scalar.Clamp(goal.Yaw, -widest, widest), settings.Pitch.Clamp(goal.Pitch));
-        state.EyeYaw = Damping.Approach(state.EyeYaw, goal.Yaw, settings.Rate, seconds);
-        state.EyePitch = Damping.Approach(state.EyePitch, goal.Pitch, settings.Rate, seconds);
+        float left = Damping.Left(settings.Rate, seconds);
+        state.EyeYaw = Scalar.Lerp(goal.Yaw, state.EyeYaw, left);
+        state.EyePitch = Scalar.Lerp(goal.Pitch, state.EyePitch, left);
         Place(rig, rig.LeftEye, settings.Left, state, settings, local, model);
         Place(rig, rig.RightEye, settings.Left.Negated, state, settings, local, model);
     }

@@ -102,9 +102,10 @@ public static class Gaze
         }
 
         LookAngles bounded = Bounded(goal, state.Yaw, settings);
-        CriticalSpring.Advance(ref state.Yaw, ref state.YawVelocity, bounded.Yaw, settings.Rate, seconds);
-        CriticalSpring.Advance(ref state.Pitch, ref state.PitchVelocity, bounded.Pitch, settings.Rate, seconds);
-        state.Attention = Damping.Approach(state.Attention, attention, settings.FadeRate, seconds);
+        double left = PortableMath.Exp(-(double)settings.Rate * seconds);
+        CriticalSpring.Advance(ref state.Yaw, ref state.YawVelocity, bounded.Yaw, settings.Rate, seconds, left);
+        CriticalSpring.Advance(ref state.Pitch, ref state.PitchVelocity, bounded.Pitch, settings.Rate, seconds, left);
+        state.Attention = state.Attention == attention ? attention : Damping.Approach(state.Attention, attention, settings.FadeRate, seconds);
         if (attention == 0f && state.Attention < LeastAttention)
         {
             state.Attention = 0f;
@@ -116,7 +117,7 @@ public static class Gaze
     }
 
     /// <summary>How far a pose holds the head up, seen from the trunk, radians.</summary>
-    internal static float PitchOf(GazeRig rig, in Pose model) => (float)PortableMath.Asin(Scalar.Clamp(Ahead(rig, ToTrunk(rig, model), model).Y, -1f, 1f));
+    internal static float PitchOf(GazeRig rig, in Pose model) => QuickAngle.OfSine(Ahead(rig, ToTrunk(rig, model), model).Y);
 
     private static Quaternion ToTrunk(GazeRig rig, in Pose model) => Rotation.Inverse(Rotation.Multiply(model.Rotations[rig.Base], rig.BaseToModel));
 

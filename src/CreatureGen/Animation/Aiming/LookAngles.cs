@@ -12,9 +12,9 @@ public readonly record struct LookAngles(float Yaw, float Pitch)
     /// <summary>Both angles' directions and their opposites make one turn: pitch first, then yaw. It never rolls.</summary>
     public Quaternion Turn()
     {
-        PortableMath.SinCos(0.5 * Yaw, out double sy, out double cy);
-        PortableMath.SinCos(-0.5 * Pitch, out double sp, out double cp);
-        return new Quaternion((float)(cy * sp), (float)(sy * cp), (float)(-sy * sp), (float)(cy * cp));
+        QuickAngle.SinCos(0.5f * Yaw, out float sy, out float cy);
+        QuickAngle.SinCos(-0.5f * Pitch, out float sp, out float cp);
+        return new Quaternion(cy * sp, sy * cp, -sy * sp, cy * cp);
     }
 
     /// <summary>The angles of a direction of any length; straight up and down have the yaw given.</summary>
@@ -23,8 +23,7 @@ public readonly record struct LookAngles(float Yaw, float Pitch)
     public static LookAngles Of(Vector3 direction, float yawAtPole)
     {
         double across = Math.Sqrt(((double)direction.X * direction.X) + ((double)direction.Z * direction.Z));
-        double pitch = PortableMath.Atan2(direction.Y, across);
         bool pole = across < 0.05 * Math.Abs((double)direction.Y) || across == 0;
-        return new LookAngles(pole ? yawAtPole : (float)PortableMath.Atan2(direction.X, direction.Z), (float)pitch);
+        return new LookAngles(pole ? yawAtPole : QuickAngle.Of(direction.X, direction.Z), QuickAngle.Of(direction.Y, (float)across));
     }
 }

@@ -101,11 +101,11 @@ public readonly struct SpringSettings
     /// <param name="length">Of the feeler in the world, metres.</param>
     public static SpringSettings Antenna(float length) => Swinging(length, 2.2, 0.3f);
 
-    /// <summary>A chain that swings so many times faster than a hanging rod of its length, √(1.5 g / length) / 2π; 1.9 times as fast at its root. No bone goes more than twice as fast as it would by itself: a jolt of the body would whip it from one end of its swing to the other.</summary>
+    /// <summary>A chain that swings so many times faster than a hanging rod of its length, √(1.5 g / length) / 2π; 1.9 times as fast at its root. No bone goes as fast as it would by itself from one end of its swing to the other: a jolt of the body would whip it there.</summary>
     private static SpringSettings Swinging(float length, double factor, float dampingRatio)
     {
         Finite.RequireWithin(length, 1e-6f, 1e6f, nameof(length));
         float tip = (float)(factor * Math.Sqrt(1.5 * Gravity9 / length) / PortableMath.Tau);
-        return new SpringSettings(new ChainCurve(1.9f * tip, tip), new ChainCurve(dampingRatio), mostSpeed: 2f);
+        return new SpringSettings(new ChainCurve(1.9f * tip, tip), new ChainCurve(dampingRatio), mostSpeed: 0.8f);
     }
 }
