@@ -19,7 +19,7 @@ internal static class Walkers
     /// <summary>A creature of a plan.</summary>
     public static Creature Of(BodyPlan plan, ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with
     {
-        BodyPlans = new ValueList<BodyPlanWeight>(Enum.GetValues<BodyPlan>().Select(p => new BodyPlanWeight(p, p == plan ? 1 : 0)).ToArray()),
+        BodyPlans = BodyPlanWeight.Only(plan),
     });
 
     /// <summary>Lets an animator go for a time.</summary>

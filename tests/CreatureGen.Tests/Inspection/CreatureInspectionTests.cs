@@ -17,7 +17,7 @@ namespace CreatureGen.Tests.Inspection;
 /// <summary>Each invariant is broken on purpose in a sound creature: an inspection that cannot fail is worth nothing.</summary>
 public sealed class CreatureInspectionTests
 {
-    private static readonly Creature Sound = CreatureGenerator.Build(BlueprintSampler.Sample(7, CreatureOptions.Default with { BodyPlans = OnlyDigitigrade() }));
+    private static readonly Creature Sound = CreatureGenerator.Build(BlueprintSampler.Sample(7, CreatureOptions.Default with { BodyPlans = BodyPlanWeight.Only(BodyPlan.Digitigrade) }));
 
     [Fact]
     public void A_sound_creature_has_no_violation()
@@ -181,9 +181,6 @@ public sealed class CreatureInspectionTests
         });
         Assert.True(CreatureInspection.CountSelfIntersections(broken) > 0);
     }
-
-    private static ValueList<BodyPlanWeight> OnlyDigitigrade() =>
-        new(Enum.GetValues<BodyPlan>().Select(plan => new BodyPlanWeight(plan, plan == BodyPlan.Digitigrade ? 1 : 0)));
 
     private static string Found(Creature creature, string invariant) =>
         Assert.Single(CreatureInspection.Inspect(creature), violation => violation.Invariant == invariant).Detail;

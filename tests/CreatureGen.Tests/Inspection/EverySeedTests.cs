@@ -75,7 +75,7 @@ public sealed class EverySeedTests
     [Fact]
     public void Uprights_stand_over_the_weight_of_body_and_arms()
     {
-        CreatureOptions options = CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = new(Enum.GetValues<BodyPlan>().Select(plan => new BodyPlanWeight(plan, plan == BodyPlan.Upright ? 1 : 0)).ToArray()) };
+        CreatureOptions options = CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = BodyPlanWeight.Only(BodyPlan.Upright) };
         int armed = 0;
         foreach (ulong seed in Enumerable.Range(0, 120).Select(i => (ulong)i).Append(66549UL))
         {

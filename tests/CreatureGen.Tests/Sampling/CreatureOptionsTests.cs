@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
@@ -133,6 +134,27 @@ public sealed class CreatureOptionsTests
     }
 
     private static string[] Sentences(CreatureOptions options) => options.Validate().Select(problem => problem.ToString()).ToArray();
+
+    [Fact]
+    public void Only_some_plans_give_creatures_of_no_others()
+    {
+        CreatureOptions options = CreatureOptions.Default with { BodyPlans = BodyPlanWeight.Only(BodyPlan.Hexapod, BodyPlan.Eel) };
+        var found = new HashSet<BodyPlan>();
+        for (ulong seed = 0; seed < 60; seed++)
+        {
+            found.Add(BlueprintSampler.Sample(seed, options).Plan);
+        }
+
+        Assert.Equal(new HashSet<BodyPlan> { BodyPlan.Hexapod, BodyPlan.Eel }, found);
+        Assert.Empty(options.Validate());
+    }
+
+    [Fact]
+    public void Only_no_plans_at_all_is_refused()
+    {
+        Assert.Contains("expected at least one", Assert.Throws<ArgumentException>(() => BodyPlanWeight.Only()).Message);
+        Assert.Throws<ArgumentNullException>(() => BodyPlanWeight.Only(null!));
+    }
 
     private static ValueList<BodyPlanWeight> Plans(params (BodyPlan Plan, double Weight)[] plans) => new(plans.Select(plan => new BodyPlanWeight(plan.Plan, plan.Weight)));
 

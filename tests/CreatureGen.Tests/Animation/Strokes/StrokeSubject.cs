@@ -65,17 +65,7 @@ internal sealed class StrokeSubject
     public static Creature[] Find(BodyPlan plan, int count, double least, double most)
     {
         RequestedKind kind = plan is BodyPlan.Flapping or BodyPlan.Buzzing ? RequestedKind.Flying : plan >= BodyPlan.Fish ? RequestedKind.Swimming : RequestedKind.Walking;
-        var weights = new List<BodyPlanWeight>();
-        foreach (BodyPlan p in Enum.GetValues<BodyPlan>())
-        {
-            bool same = (p is BodyPlan.Flapping or BodyPlan.Buzzing) == (kind == RequestedKind.Flying) && (p >= BodyPlan.Fish) == (kind == RequestedKind.Swimming);
-            if (same)
-            {
-                weights.Add(new BodyPlanWeight(p, p == plan ? 1 : 0));
-            }
-        }
-
-        CreatureOptions options = CreatureOptions.Default with { Kind = kind, BodyPlans = new ValueList<BodyPlanWeight>(weights.ToArray()), MinScale = least, MaxScale = most };
+        CreatureOptions options = CreatureOptions.Default with { Kind = kind, BodyPlans = BodyPlanWeight.Only(plan), MinScale = least, MaxScale = most };
         return Enumerable.Range(1, count).Select(seed => CreatureGenerator.Generate((ulong)seed, options)).ToArray();
     }
 
