@@ -28,6 +28,9 @@ public sealed class StretchTests
     [InlineData(RequestedKind.Flying, 5053)]
     [InlineData(RequestedKind.Flying, 5084)]
     [InlineData(RequestedKind.Flying, 5115)]
+    [InlineData(RequestedKind.Flying, 8103)]
+    [InlineData(RequestedKind.Flying, 8109)]
+    [InlineData(RequestedKind.Flying, 9202)]
     [InlineData(RequestedKind.Swimming, 5004)]
     public void In_no_clip_do_more_than_one_in_a_hundred_triangles_change_their_area_fourfold(RequestedKind kind, int seed)
     {

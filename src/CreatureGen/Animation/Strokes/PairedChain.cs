@@ -41,6 +41,21 @@ internal sealed class PairedChain
     /// <summary>Rest directions of the bones, left, model space, unit.</summary>
     public System.ReadOnlySpan<Vector3> Axes => axes;
 
+    /// <summary>Length of its bones in all, metres.</summary>
+    public double Reach
+    {
+        get
+        {
+            double reach = 0;
+            for (int k = 0; k < axes.Length; k++)
+            {
+                reach += Vec.Distance(points[k], points[k + 1]);
+            }
+
+            return reach;
+        }
+    }
+
     /// <summary>The pair of a left limb; null when it has no counterpart.</summary>
     public static PairedChain? Of(Creature creature, LimbChain limb)
     {

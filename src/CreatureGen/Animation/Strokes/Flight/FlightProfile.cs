@@ -206,16 +206,7 @@ public sealed class FlightProfile
         return 0;
     }
 
-    private static double Spread(PairedChain wing)
-    {
-        double length = wing.Points[0].X;
-        for (int k = 0; k < wing.Count; k++)
-        {
-            length += Vec.Distance(wing.Points[k], wing.Points[k + 1]);
-        }
-
-        return 2 * length;
-    }
+    private static double Spread(PairedChain wing) => 2 * (wing.Points[0].X + wing.Reach);
 
     /// <summary>Half the area of the skin that the joints of the wings move most: wings have two faces.</summary>
     private static double WingArea(Creature creature)

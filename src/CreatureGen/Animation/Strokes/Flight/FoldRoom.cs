@@ -21,8 +21,11 @@ internal sealed class FoldRoom
     /// <summary>How far legs swing to either side of where they stand, radians.</summary>
     private const double LegSwing = 0.4;
 
+    /// <summary>By which part of its height a leg stands out that swings about the vertical.</summary>
+    private const float Sprawl = 0.5f;
+
     /// <summary>How far a wing keeps off the body, off the legs and off the midline, body lengths.</summary>
-    private const double Gap = 0.012;
+    private const double Gap = 0.015;
     private const double LegGap = 0.012;
     private const double MiddleGap = 0.004;
 
@@ -37,7 +40,7 @@ internal sealed class FoldRoom
 
     // What it costs to be in the body, in a leg, over the midline, beyond the tail's root, or low, in relation to being off the body.
     private const double SunkCost = 150;
-    private const double LegCost = 60;
+    private const double LegCost = 1500;
     private const double MiddleCost = 24;
     private const double OverhangCost = 4;
     private const double LowCost = 10;
@@ -48,7 +51,8 @@ internal sealed class FoldRoom
     private readonly float shoulder;
     private readonly float bend;
     private readonly double length;
-    private readonly Vector3 tailBase;
+    private readonly float tailBase;
+    private readonly float tailEnd;
     private readonly Vector3 up;
     private readonly double floor;
 
@@ -66,20 +70,24 @@ internal sealed class FoldRoom
         up = Rotation.Rotate(lowered, Vector3.UnitY);
         floor = Vec.Dot(up, pelvis) - pelvis.Y;
         Height = pelvis.Y;
-        tailBase = TailBase(creature, pelvis);
-        bool[] onLeg = LegBones(creature);
+        (tailBase, tailEnd) = Tail(creature, pelvis);
+        LimbChain?[] limbs = LegBones(creature);
         foreach (CapsuleCollider bone in creature.Bones)
         {
             Vector3 joint = skeleton.ModelPositions[bone.Joint];
             Quaternion rotation = skeleton.ModelRotations[bone.Joint];
             var rod = new Rod(joint + Rotation.Rotate(rotation, bone.Start), joint + Rotation.Rotate(rotation, bone.End), bone.Radius);
-            if (onLeg[bone.Joint])
+            if (limbs[bone.Joint] != null)
             {
                 Quaternion standing = posture.Raised == 0f ? Quaternion.Identity : lowered;
+                LimbChain leg = limbs[bone.Joint]!;
+                Vector3 hip = skeleton.ModelPositions[leg.Joints[1]];
+                Vector3 reach = skeleton.ModelPositions[leg.Joints[leg.Joints.Count - 1]] - hip;
                 for (int swing = -1; swing <= 1; swing++)
                 {
-                    Vector3 hip = HipOf(creature, bone.Joint);
-                    legs.Add(rod.Turned(hip, AxisTurn.Pitch(swing * LegSwing)).Turned(pelvis, standing));
+                    // Legs that stand out to the side swing about the vertical.
+                    Quaternion turn = reach.X > -Sprawl * reach.Y ? AxisTurn.Yaw(swing * LegSwing) : AxisTurn.Pitch(swing * LegSwing);
+                    legs.Add(rod.Turned(hip, turn).Turned(pelvis, standing));
                 }
             }
             else if (skeleton.Joints[bone.Joint].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Neck or JointRole.Tail)
@@ -94,19 +102,20 @@ internal sealed class FoldRoom
 
     /// <summary>What it costs a piece of a left wing to be somewhere; 0 where it touches the body and nothing else.</summary>
     /// <param name="point">Where it is.</param>
-    /// <param name="closeness">How much it matters that it touches the body, 0..1.</param>
-    public double Cost(Vector3 point, double closeness)
+    /// <param name="range">How its kind of wing folds.</param>
+    /// <param name="clear">Share of the usual gap that it is to keep off the body: none where it grows out of it.</param>
+    public double Cost(Vector3 point, FoldRange range, double clear)
     {
-        double off = (Off(point) / length) - Gap;
-        double cost = (off < 0 ? SunkCost : closeness) * off * off;
+        double off = (Off(point) / length) - (clear * Gap);
+        double cost = (off < 0 ? SunkCost : range.Closeness) * off * off;
         double leg = 0;
         foreach (Rod rod in legs)
         {
-            leg = Math.Max(leg, LegGap - (rod.Distance(point) / length));
+            leg = Math.Max(leg, LegGap - ((range.AboveLegs ? rod.Above(point) : rod.Distance(point)) / length));
         }
 
         double across = Math.Max(0, MiddleGap - (point.X / length));
-        double beyond = Math.Max(0, ((tailBase.Z - point.Z) / length) - Overhang);
+        double beyond = Math.Max(0, ((Scalar.Lerp(tailBase, tailEnd, range.Trailing) - point.Z) / length) - Overhang);
         double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
         return cost + (LegCost * leg * leg) + (MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
     }
@@ -145,57 +154,58 @@ internal sealed class FoldRoom
         return (shoulder, creature.Blueprint.Plan == BodyPlan.Flapping && legs > 2 ? Bend / (float)bodyLength : 0f);
     }
 
-    private static Vector3 TailBase(Creature creature, Vector3 pelvis)
+    /// <summary>Where the tail begins, and where it ends.</summary>
+    private static (float Base, float End) Tail(Creature creature, Vector3 pelvis)
     {
         Skeleton skeleton = creature.Skeleton;
         float girth = 0f;
-        Vector3 found = pelvis;
+        float thick = float.MaxValue;
+        float found = pelvis.Z;
+        float end = pelvis.Z;
         foreach (CapsuleCollider bone in creature.Bones)
         {
             JointRole role = skeleton.Joints[bone.Joint].Role;
             girth = role == JointRole.Pelvis ? bone.Radius : girth;
             if (role == JointRole.Tail)
             {
-                found = skeleton.ModelPositions[bone.Joint];
-                if (bone.Radius < TailGirth * girth)
-                {
-                    break;
-                }
+                found = thick > TailGirth * girth ? skeleton.ModelPositions[bone.Joint].Z : found;
+                thick = Math.Min(thick, bone.Radius);
+                end = Math.Min(end, skeleton.ModelPositions[bone.Joint].Z + Rotation.Rotate(skeleton.ModelRotations[bone.Joint], bone.End).Z);
             }
         }
 
-        return found;
+        return (found, end);
     }
 
-    private static bool[] LegBones(Creature creature)
+    /// <summary>The left leg that each joint from the hip down belongs to.</summary>
+    private static LimbChain?[] LegBones(Creature creature)
     {
-        var bones = new bool[creature.Skeleton.Count];
+        var bones = new LimbChain?[creature.Skeleton.Count];
         foreach (LimbChain limb in creature.Limbs)
         {
             for (int k = 1; k < limb.Joints.Count && limb.Kind == LimbKind.Leg && limb.Side == Side.Left; k++)
             {
-                bones[limb.Joints[k]] = true;
+                bones[limb.Joints[k]] = limb;
             }
         }
 
         return bones;
     }
 
-    private static Vector3 HipOf(Creature creature, int joint)
-    {
-        Skeleton skeleton = creature.Skeleton;
-        while (skeleton.Joints[joint].Role != JointRole.Hip && skeleton.Parents[joint] >= 0)
-        {
-            joint = skeleton.Parents[joint];
-        }
-
-        return skeleton.ModelPositions[joint];
-    }
-
     /// <summary>A capsule.</summary>
     private readonly record struct Rod(Vector3 Start, Vector3 End, float Radius)
     {
         public Rod Turned(Vector3 pivot, Quaternion turn) => new(pivot + Rotation.Rotate(turn, Start - pivot), pivot + Rotation.Rotate(turn, End - pivot), Radius);
+
+        /// <summary>How far a point is above it, negative below; or as far beside it as it is.</summary>
+        public double Above(Vector3 point)
+        {
+            var way = new Vector3(End.X - Start.X, 0f, End.Z - Start.Z);
+            float squared = Vec.LengthSquared(way);
+            var from = new Vector3(point.X - Start.X, 0f, point.Z - Start.Z);
+            float along = squared > 0f ? Scalar.Clamp(Vec.Dot(from, way) / squared, 0f, 1f) : 0f;
+            return Math.Max(Vec.Length(from - (way * along)), point.Y - Scalar.Lerp(Start.Y, End.Y, along)) - Radius;
+        }
 
         /// <summary>From its surface to a point, negative within.</summary>
         public double Distance(Vector3 point)
