@@ -8,6 +8,9 @@ internal readonly struct WingBeat
     // Downstroke 56 % of the cycle: 2πp + a(1 − cos 2πp) is π there. The angle runs on smoothly, so the turning points have no kink.
     private const double Warp = -0.1954;
 
+    /// <summary>By how much down- and upstroke reach into each other, as part of the sine: joints of the wing bend and stretch the more gently.</summary>
+    private const double Early = 0.25;
+
     private WingBeat(double height, double sine, double down, double up)
     {
         Height = height;
@@ -22,10 +25,10 @@ internal readonly struct WingBeat
     /// <summary>Positive going down, negative going up.</summary>
     public double Sine { get; }
 
-    /// <summary>0..1 in the downstroke, else 0.</summary>
+    /// <summary>0..1 in the downstroke, 0 in most of the upstroke.</summary>
     public double Down { get; }
 
-    /// <summary>0..1 in the upstroke, else 0.</summary>
+    /// <summary>0..1 in the upstroke, 0 in most of the downstroke.</summary>
     public double Up { get; }
 
     /// <summary>Angle in the beat at a phase in cycles: 0 at the top, π at the bottom.</summary>
@@ -38,6 +41,10 @@ internal readonly struct WingBeat
         return new WingBeat(cosine, sine, Ease(sine), Ease(-sine));
     }
 
-    /// <summary>Rises from 0 without a kink and reaches 1 at 1.</summary>
-    private static double Ease(double x) => x <= 0 ? 0 : x * x * (2 - x);
+    /// <summary>Rises from 0 without a kink, somewhat before the turning point, and reaches 1 at 1.</summary>
+    private static double Ease(double sine)
+    {
+        double x = (sine + Early) / (1 + Early);
+        return x <= 0 ? 0 : x * x * (2 - x);
+    }
 }
