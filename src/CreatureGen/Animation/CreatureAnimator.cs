@@ -254,6 +254,7 @@ public sealed class CreatureAnimator
     {
         ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
         attention?.Update(lookAt, Root, motion?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
-        secondary.Update(Root, Rotation.Rotate(Root.Rotation, Vector3.UnitY), dt, LocalPose, ModelPose);
+        float height = motion is FlightDrive flight ? flight.Height : 0f;
+        secondary.Update(Root, Rotation.Rotate(Root.Rotation, Vector3.UnitY), height, dt, LocalPose, ModelPose);
     }
 }

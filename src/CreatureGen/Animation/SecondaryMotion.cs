@@ -59,14 +59,20 @@ internal sealed class SecondaryMotion
     }
 
     /// <summary>Turns the joints that swing.</summary>
-    public void Update(in RootPlace root, Vector3 up, float seconds, in Pose local, in Pose model)
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="up">Away from the ground, unit.</param>
+    /// <param name="height">Of the root above the ground, metres of the model.</param>
+    /// <param name="seconds">Since the last update.</param>
+    /// <param name="local">Receives the rotations.</param>
+    /// <param name="model">Receives what follows from them.</param>
+    public void Update(in RootPlace root, Vector3 up, float height, float seconds, in Pose local, in Pose model)
     {
         for (int i = 0; i < rigs.Length; i++)
         {
             ReadOnlySpan<SpringCollider> colliders = ReadOnlySpan<SpringCollider>.Empty;
             if (low[i])
             {
-                ground[0] = SpringCollider.Plane(root.Position + (up * (Thickness * rigs[i].Length * root.Scale)), up);
+                ground[0] = SpringCollider.Plane(root.Position + (up * (((Thickness * rigs[i].Length) - height) * root.Scale)), up);
                 colliders = ground;
             }
 

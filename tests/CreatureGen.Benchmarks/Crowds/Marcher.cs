@@ -74,7 +74,7 @@ internal sealed class Marcher
                 attention?.Update(null, root, motion.Speed, 1f, dt, Local, Model);
                 break;
             case CrowdStage.Springs:
-                secondary.Update(root, Rotation.Rotate(root.Rotation, Vector3.UnitY), dt, Local, Model);
+                secondary.Update(root, Rotation.Rotate(root.Rotation, Vector3.UnitY), 0f, dt, Local, Model);
                 break;
             default:
                 SkinMatrices.Fill(skeleton, Model, matrices);

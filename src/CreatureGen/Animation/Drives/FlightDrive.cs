@@ -55,6 +55,9 @@ internal sealed class FlightDrive : IBodyMotion
     /// <summary>Whether it does so with all but its wings.</summary>
     public bool Stands => IsOnFeet && StancePose.IsWhole(state.Planted.Value);
 
+    /// <summary>Height of its root above the ground, metres of the model, as far as that matters; 0 on its feet.</summary>
+    public float Height => IsOnFeet ? 0f : (float)state.Height.Value;
+
     /// <summary>Whether it stands still with its wings folded.</summary>
     public bool IsAtRest => Stands && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
 

@@ -47,6 +47,24 @@ public sealed class PoseJumpTests
         }
     }
 
+    /// <summary>Fliers that jumped: wrists thrown back in the upstroke of those that glide between beats, and a tail pushed up by the ground as if that were right below the root in the air too.</summary>
+    [Theory]
+    [InlineData(2, "Fly")]
+    [InlineData(22, "Fly")]
+    [InlineData(55, "Fly")]
+    [InlineData(89, "Fly")]
+    [InlineData(278, "Hover")]
+    public void No_flight_changes_its_pose_three_times_as_fast_as_usual(int seed, string name)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
+        Movement movement = Movement.Of(profile).Single(movement => movement.GaitName == name);
+        foreach (float rate in new[] { 30f, 60f, 144f })
+        {
+            MotionReport report = new MotionTrial(movement, GroundRelief.Flat, rate).Run(profile);
+            Assert.True(report.PoseJump <= 3f, $"{rate} Hz: {report.PoseJump}");
+        }
+    }
+
     [Fact]
     public void Crawlers_change_their_pose_evenly_on_hills()
     {
