@@ -9,7 +9,7 @@ internal readonly struct WingBeat
     private const double Warp = -0.1954;
 
     /// <summary>By how much down- and upstroke reach into each other, as part of the sine: joints of the wing bend and stretch the more gently.</summary>
-    private const double Early = 0.25;
+    private const double Early = 0.45;
 
     private WingBeat(double height, double sine, double down, double up)
     {
