@@ -24,8 +24,10 @@ internal sealed class GaitClock
     private Gait? measured;
     private float measuredFroude;
     private float measuredGravity;
+    private float measuredSlope;
     private float measuredFrequency;
-    private float longestStance;
+    private SlopeStance longest;
+    private float slope;
 
     public GaitClock(LeggedBody body, Gait gait)
     {
@@ -92,9 +94,11 @@ internal sealed class GaitClock
     /// <param name="gravity">Metres per second squared.</param>
     /// <param name="turn">Radians per second.</param>
     /// <param name="pace">Speed, in slow walks, 0..1: what of a turn is done on the spot.</param>
+    /// <param name="rise">Of the ground along the way: long strides are shorter uphill and downhill.</param>
     /// <param name="stride">Length of strides, a factor.</param>
-    public void Slide(float dt, float froude, float gravity, float turn, float pace, float stride = 1f)
+    public void Slide(float dt, float froude, float gravity, float turn, float pace, float rise, float stride = 1f)
     {
+        slope = rise;
         float share = shapeDecay.Share(ShapeRate * dt);
         Shape.Approach(Gait, share);
         frequencyRest -= frequencyRest * share;
@@ -119,15 +123,16 @@ internal sealed class GaitClock
         if (!ReferenceEquals(gait, measured))
         {
             measured = gait;
-            longestStance = body.LongestStance(gait);
+            longest = SlopeStance.Of(body, gait);
             measuredFroude = float.NaN;
         }
 
-        if (froude != measuredFroude || gravity != measuredGravity)
+        if (froude != measuredFroude || gravity != measuredGravity || slope != measuredSlope)
         {
             measuredFroude = froude;
             measuredGravity = gravity;
-            measuredFrequency = GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, longestStance);
+            measuredSlope = slope;
+            measuredFrequency = GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, longest.At(slope));
         }
 
         return measuredFrequency;

@@ -31,6 +31,7 @@ internal sealed class BodyPlacer
     private readonly PhaseSums all = new();
     private readonly SteadyGait summed;
     private float slope;
+    private GroundSlope way;
     private SteadyDecay groundDecay;
     private SteadyDecay slopeDecay;
 
@@ -49,8 +50,8 @@ internal sealed class BodyPlacer
 
     public float ForeGround { get; private set; }
 
-    /// <summary>Rise of the ground from hind to fore feet; none known on two legs.</summary>
-    public float Steepness => body.Wheelbase > 0f ? (ForeGround - HindGround) / body.Wheelbase : 0f;
+    /// <summary>Rise of the ground along the way, over some steps.</summary>
+    public float Climb => way.Rise;
 
     /// <summary>Bend of the trunk into a turn, radians.</summary>
     public float TurnBend { get; private set; }
@@ -70,6 +71,7 @@ internal sealed class BodyPlacer
     /// <summary>Forgets what was smoothed: the creature has been put somewhere else.</summary>
     public void Reset(ReadOnlySpan<Foot> feet)
     {
+        way.Reset(feet, body.LegLength);
         Grounds(feet, out float hindGround, out float foreGround, out _);
         HindGround = hindGround;
         ForeGround = foreGround;
@@ -274,12 +276,13 @@ internal sealed class BodyPlacer
         float share = groundDecay.Share(GroundRate * context.Step);
         HindGround += (hindGround - HindGround) * share;
         ForeGround += (foreGround - ForeGround) * share;
+        way.Feel(feet, body.LegLength, context.Step);
         float wanted = Scalar.Clamp(0.5f * (body.Legs[0].Lateral ? LateralSlopeShare : SlopeShare) * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MostRoll, body.MostRoll);
         slope += (wanted - slope) * slopeDecay.Share(SlopeRate * context.Step);
         SlideShare = context.Activity;
     }
 
-    /// <summary>Ground under hind and fore feet: half way between their lowest and their mean; and how much higher it is on the left than on the right.</summary>
+    /// <summary>Ground under hind and fore feet, seen along the slope from where they belong: half way between their lowest and their mean; and how much higher it is on the left than on the right.</summary>
     private void Grounds(ReadOnlySpan<Foot> feet, out float hindGround, out float foreGround, out float across)
     {
         float hindLeast = float.MaxValue;
@@ -293,7 +296,7 @@ internal sealed class BodyPlacer
         for (int i = 0; i < feet.Length; i++)
         {
             LegShape leg = body.Legs[i];
-            float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f);
+            float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f) - (Climb * (feet[i].Base.Z - body.GoingHomes[i].Z));
             if (leg.IsHind(body.Rows))
             {
                 hindLeast = Math.Min(hindLeast, y);

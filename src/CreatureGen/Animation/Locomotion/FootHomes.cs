@@ -19,6 +19,12 @@ internal static class FootHomes
     /// <summary>How far a foot is moved for its neighbours' sake at most, leg lengths.</summary>
     private const float MostShift = 0.12f;
 
+    /// <summary>How far feet are set ahead of the hips on a way uphill, and back downhill, as a trunk that lies along the slope has them: part of what the ground rises over the height of the hip.</summary>
+    private const float SlopeBias = 0.6f;
+
+    /// <summary>How far ahead a foot belongs for each metre that the ground rises in one metre; none where the trunk does not lie along the slope, or its legs are out to the side.</summary>
+    public static float Ahead(LegShape leg, int rows) => leg.Lateral || rows == 1 ? 0f : SlopeBias * leg.HipRest.Y;
+
     /// <summary>Homes of all feet, model space.</summary>
     /// <param name="legs">Of a body.</param>
     /// <param name="rows">Number of its pairs.</param>

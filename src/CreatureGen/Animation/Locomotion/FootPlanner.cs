@@ -39,9 +39,6 @@ internal sealed class FootPlanner
     /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
     private const float AimRate = 15f;
 
-    /// <summary>How far feet are set ahead of the hips on a way uphill, and back downhill, as a trunk that lies along the slope has them: part of what the ground rises over the height of the hip.</summary>
-    private const float SlopeBias = 0.4f;
-
     private const float MostSlope = 0.5f;
 
     /// <summary>Seconds of a swing out of step.</summary>
@@ -360,7 +357,7 @@ internal sealed class FootPlanner
         }
 
         float bias = body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
-        float climb = shape.Lateral ? 0f : SlopeBias * Scalar.Clamp(slope, -MostSlope, MostSlope) * shape.HipRest.Y;
+        float climb = FootHomes.Ahead(shape, body.Rows) * Scalar.Clamp(slope, -MostSlope, MostSlope);
         home.Z += ((bias * clock.Duty * speed / clock.Frequency) + climb) * activity;
         return home;
     }

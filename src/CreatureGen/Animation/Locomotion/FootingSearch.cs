@@ -9,10 +9,10 @@ namespace CreatureGen.Animation.Locomotion;
 /// <summary>Finds ground for a foot: below where it wants to go, or nearby when there is a gap, an edge or a wall; and what stands in its way.</summary>
 internal sealed class FootingSearch
 {
-    /// <summary>Where rays begin above the ground of the body, part of the leg's length: steps up to this height are taken.</summary>
+    /// <summary>Where rays begin above the slope on which the body is, part of the leg's length: steps up to this height are taken.</summary>
     private const float Above = 0.8f;
 
-    /// <summary>How far below the ground of the body a foot finds footing, part of the leg's length.</summary>
+    /// <summary>How far below that slope a foot finds footing, part of the leg's length.</summary>
     private const float Below = 0.9f;
 
     /// <summary>Least cosine of a slope that holds a foot (60°).</summary>
@@ -244,7 +244,7 @@ internal sealed class FootingSearch
     {
         float above = Above * body.LegLength;
         Vector3 up = step.Settings.Up;
-        Vector3 origin = step.Frame.ToWorld(new Vector3(point.X, above, point.Z));
+        Vector3 origin = step.Frame.ToWorld(new Vector3(point.X, above + (step.Slope * point.Z), point.Z));
         return step.Ground.Cast(origin, -up, (above + (Below * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
     }
 

@@ -23,6 +23,9 @@ internal sealed class LegShape
     /// <summary>Lowering of the body beyond its crouch that long steps may cost, leg lengths.</summary>
     private const float MostDrop = 0.05f;
 
+    /// <summary>Slope on which they may cost none: what one girdle comes down there pitches the trunk farther.</summary>
+    private const float SteepestDrop = 0.4f;
+
     /// <summary>Part of the stance behind its middle at which the heel has begun to rise and gives length.</summary>
     private const float RearEnd = 0.40f;
 
@@ -193,38 +196,40 @@ internal sealed class LegShape
     }
 
     /// <summary>The longest way that the foot can go along the ground in a stance before the leg reaches too far, metres.</summary>
-    /// <param name="home">Where the foot belongs under a body that goes.</param>
-    /// <param name="bias">Where the foot comes down, stance lengths ahead of home.</param>
-    /// <param name="crouch">Lowering of the body, leg lengths.</param>
-    /// <param name="slide">Share of the foot's way that the girdle goes along.</param>
-    /// <param name="track">Factor on the distance of the tracks.</param>
-    /// <param name="yaw">Yaw of the girdle with its feet, radians for each leg length: it gives legs out to the side more way.</param>
-    public float LongestStance(Vector3 home, float bias, float crouch, float slide, float track, float yaw)
+    /// <param name="steps">How it steps.</param>
+    public float LongestStance(in LegSteps steps)
     {
         bool pantograph = Traits.Linkage == LegLinkage.Pantograph;
         Vector3 rest = Thigh + Shank + (pantograph ? Metatarsus : Vector3.Zero);
-        float drop = ((crouch + (Lateral ? 0.012f : MostDrop)) * Length) + Stoop;
-        rest += home - Home;
+        float drop = ((steps.Crouch + (Lateral ? 0.012f : MostDrop * Math.Max(0f, 1f - (Math.Abs(steps.Slope) / SteepestDrop)))) * Length) + Stoop;
+        rest += steps.Home - Home;
         float height = Math.Max(-rest.Y - drop, 0.2f * Length);
-        float aside = Lateral ? rest.X : rest.X + ((track - 1f) * Home.X);
+        float aside = Lateral ? rest.X : rest.X + ((steps.Track - 1f) * Home.X);
         float share = Lateral ? LateralStretch : Stretch;
-        float room = (share * share * Reach * Reach) - (height * height) - (aside * aside);
-        float level = (float)Math.Sqrt(Math.Max(room, 0.01f * Length * Length));
+        float room = Math.Max((share * share * Reach * Reach) - (height * height) - (aside * aside), 0.01f * Length * Length);
 
         // The foot of a sprawler is set down ahead of its hip, not of its home.
-        float middle = Traits.Archetype == LimbArchetype.Sprawl ? 0.06f * Length : rest.Z;
-        float goes = Math.Max(1f - slide, 0.3f);
-        float ahead = (level - middle) / Math.Max((0.5f + bias) * goes, 0.05f);
+        float middle = (Traits.Archetype == LimbArchetype.Sprawl ? 0.06f * Length : rest.Z) + steps.Shift;
+        float goes = Math.Max(1f - steps.Slide, 0.3f);
+        float ahead = (Level(room, height, steps.Slope) - middle) / Math.Max((0.5f + steps.Bias) * goes, 0.05f);
         float rear = Traits.Archetype == LimbArchetype.Insect ? 0.5f : RearEnd;
-        float behind = (level + middle) / Math.Max((rear - bias) * goes, 0.05f);
+        float behind = (Level(room, height, -steps.Slope) + middle) / Math.Max((rear - steps.Bias) * goes, 0.05f);
         float most = Math.Min(ahead, behind);
         if (Lateral)
         {
-            float away = (float)Math.Sqrt(((home.X - HipRest.X) * (home.X - HipRest.X)) + ((home.Z - HipRest.Z) * (home.Z - HipRest.Z)));
-            most = Math.Min(most, 2f * SweepTangent * away / Math.Max(1f - (2f * yaw), 0.4f));
+            float away = (float)Math.Sqrt(((steps.Home.X - HipRest.X) * (steps.Home.X - HipRest.X)) + ((steps.Home.Z - HipRest.Z) * (steps.Home.Z - HipRest.Z)));
+            most = Math.Min(most, 2f * SweepTangent * away / Math.Max(1f - (2f * steps.Yaw), 0.4f));
         }
 
         return Math.Max(most, 0.1f * Length);
+    }
+
+    /// <summary>How far from below the hip the leg reaches the ground that rises there by a slope: d² + (h − sd)² = h² + room.</summary>
+    private static float Level(float room, float height, float slope)
+    {
+        float steep = 1f + (slope * slope);
+        float rise = height * slope;
+        return (rise + (float)Math.Sqrt((rise * rise) + (steep * room))) / steep;
     }
 
     /// <summary>Whether it is in the rear half of the rows, which carries the pelvis.</summary>
@@ -365,3 +370,14 @@ internal sealed class LegShape
     /// <summary>Least distance from the hip to their end, folded as far as the knee's limit goes.</summary>
     public float FoldedReach { get; }
 }
+
+/// <summary>What of the steps of a leg bounds their length.</summary>
+/// <param name="Home">Where the foot belongs under a body that goes.</param>
+/// <param name="Bias">Where the foot comes down, stance lengths ahead of home.</param>
+/// <param name="Crouch">Lowering of the body, leg lengths.</param>
+/// <param name="Slide">Share of the foot's way that the girdle goes along.</param>
+/// <param name="Track">Factor on the distance of the tracks.</param>
+/// <param name="Yaw">Yaw of the girdle with its feet, radians for each leg length: it gives legs out to the side more way.</param>
+/// <param name="Slope">Rise of the ground along the way.</param>
+/// <param name="Shift">How far the foot is ahead of its hip for that slope, metres.</param>
+internal readonly record struct LegSteps(Vector3 Home, float Bias, float Crouch, float Slide, float Track, float Yaw, float Slope, float Shift);

@@ -225,20 +225,8 @@ internal sealed class LeggedBody
         return standing.Count == 0 ? null : new LeggedBody(creature, standing.ToArray());
     }
 
-    /// <summary>The longest way that the feet can go along the ground in a stance without drawing the body down too far or running into one another, metres.</summary>
-    public float LongestStance(Gaits.Gait gait)
-    {
-        float most = Overreach.LongestStance(this, gait);
-        for (int i = 0; i < Legs.Length; i++)
-        {
-            LegShape leg = Legs[i];
-            bool front = Rows > 1 && leg.Row == Rows - 1;
-            float bias = Rows == 2 ? (front ? gait.ForeBias : gait.HindBias) : IsBiped ? gait.HindBias : 0f;
-            most = Math.Min(most, leg.LongestStance(GoingHomes[i], bias, gait.Crouch, front ? Traits.ForeSlide : Traits.HindSlide, IsBiped ? gait.Track : 1f, front ? Traits.ChestYaw : Traits.PelvisYaw));
-        }
-
-        return most;
-    }
+    /// <summary>The longest way that the feet can go along level ground in a stance without drawing the body down too far or running into one another, metres.</summary>
+    public float LongestStance(Gaits.Gait gait) => SlopeStance.Level(this, gait);
 
     /// <summary>Rows from the rear by the number of the pair.</summary>
     private static int[] RowsOf(LimbChain[] legs)

@@ -156,7 +156,7 @@ internal sealed class LeggedMotion : IBodyMotion
             clock.Restart(settings.Gait ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
             clock.Shape.Track = Math.Max(clock.Shape.Track, ArrivalTrack);
             clock.Phase = 0;
-            clock.Slide(0f, froude, own.Gravity, turn, Math.Min(speed / walking, 1f), own.Stride);
+            clock.Slide(0f, froude, own.Gravity, turn, Math.Min(speed / walking, 1f), 0f, own.Stride);
             planner.PlaceInStride(new StepContext(place, travel, clock, own, ground, 0f, 0f, activity, true, 0f));
             PoseFeet(place, 0f, own);
             placer.Reset(planner.Feet);
@@ -173,7 +173,7 @@ internal sealed class LeggedMotion : IBodyMotion
         acceleration = 0f;
         gait = 0;
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
-        clock.Slide(0f, 0f, settings.Gravity, 0f, 0f);
+        clock.Slide(0f, 0f, settings.Gravity, 0f, 0f, 0f);
         var step = new StepContext(placement, travel, clock, settings, ground, 0f, 0f, 0f, false, 0f);
         planner.PlaceAll(step);
         PoseFeet(placement, 0f, settings);
@@ -262,7 +262,7 @@ internal sealed class LeggedMotion : IBodyMotion
             travel.Turn += (yaw - travel.Turn) * share;
             (travel.GoalSpeed, travel.GoalSideways, travel.GoalTurn) = (travel.Speed, travel.Sideways, travel.Turn);
             acceleration += (((travel.Speed - before) / dt) - acceleration) * share;
-            placer.RootRaised(way.Y * dt);
+            placer.RootRaised((way.Y - (placer.Climb * travel.Speed)) * dt);
             Step(goal, Math.Min(dt, LongestStep), 0f, settings, ground);
         }
     }
@@ -319,14 +319,14 @@ internal sealed class LeggedMotion : IBodyMotion
         float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(travel.Turn)), 1f) : 0f;
         activity += (wanted - activity) * activityDecay.Share(ActivityRate * h);
         float frequency = clock.Frequency;
-        clock.Slide(h, froude, settings.Gravity, travel.Turn, Math.Min(speed / walking, 1f), settings.Stride);
+        clock.Slide(h, froude, settings.Gravity, travel.Turn, Math.Min(speed / walking, 1f), placer.Climb, settings.Stride);
         if (going)
         {
             double phase = clock.Phase + (0.5f * (frequency + clock.Frequency) * h);
             clock.Phase = phase - Math.Floor(phase);
         }
 
-        var step = new StepContext(placement, travel, clock, settings, ground, h, left, activity, moving, placer.Steepness);
+        var step = new StepContext(placement, travel, clock, settings, ground, h, left, activity, moving, placer.Climb);
         planner.Advance(step);
         for (int i = 0; i < planner.Feet.Length; i++)
         {
@@ -370,17 +370,18 @@ internal sealed class LeggedMotion : IBodyMotion
         }
     }
 
-    /// <summary>Keeps the root on the ground under the feet.</summary>
+    /// <summary>Keeps the root on the ground under the feet: up and down a slope as it goes, and the trunk with it, and after what else that ground does.</summary>
     private RootPlace FollowGround(in RootPlace placement, float h, in LocomotionSettings settings)
     {
         float height = 0.5f * (placer.HindGround + placer.ForeGround) * rootDecay.Share(RootRate * h);
-        if (height == 0f)
+        float climb = placer.Climb * travel.Speed * h;
+        if (height == 0f && climb == 0f)
         {
             return placement;
         }
 
         placer.RootRaised(height);
-        return new RootPlace(placement.Position + (settings.Up * (height * placement.Scale)), placement.Rotation, placement.Scale);
+        return new RootPlace(placement.Position + (settings.Up * ((height + climb) * placement.Scale)), placement.Rotation, placement.Scale);
     }
 
     /// <summary>Brings the body's up onto that of the world.</summary>

@@ -44,6 +44,6 @@ internal readonly struct StepContext
     /// <summary>Whether it goes or turns.</summary>
     public bool Moving { get; }
 
-    /// <summary>Rise of the ground under the body along its way.</summary>
+    /// <summary>Rise of the ground along the way, over some steps.</summary>
     public float Slope { get; }
 }
