@@ -19,6 +19,7 @@ internal sealed class GaitClock
 
     private readonly LeggedBody body;
     private readonly float[] lags;
+    private readonly float quickest;
     private float frequencyRest;
     private SteadyDecay shapeDecay;
     private Gait? measured;
@@ -33,6 +34,7 @@ internal sealed class GaitClock
     {
         this.body = body;
         lags = new float[body.Legs.Length];
+        quickest = GaitSet.QuickestOf(body.Mass);
         Gait = gait;
         Shape = GaitShape.Of(gait);
         Restart(gait, 0f, Gaits.Lead.Left);
@@ -115,6 +117,23 @@ internal sealed class GaitClock
             float lag = lags[i] + Scalar.Clamp(d, -most, most);
             lags[i] = lag - (float)Math.Floor(lag);
         }
+    }
+
+    /// <summary>The speed that a creature goes on a slope when it is asked for one: less where shorter strides would come quicker than its mass lets them.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="gravity">Metres per second squared.</param>
+    public float OnSlope(float speed, float gravity)
+    {
+        float stance = longest.At(slope);
+        if (stance >= longest.Level)
+        {
+            return speed;
+        }
+
+        float froude = speed * speed / (gravity * body.LegLength);
+        float level = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level);
+        float here = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, stance);
+        return speed * Math.Min(1f, Math.Max(quickest, level) / here);
     }
 
     /// <summary>Cycles per second of a gait at a speed.</summary>

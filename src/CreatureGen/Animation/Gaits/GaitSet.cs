@@ -118,10 +118,14 @@ public sealed class GaitSet
         return (float)Math.Sqrt(fr * gravity * legLength) / stride;
     }
 
+    /// <summary>Cycles per second that a creature's mass lets it take at most.</summary>
+    /// <param name="mass">Kilograms.</param>
+    internal static float QuickestOf(float mass) => (float)(QuickestAtOneKilogram * PortableMath.Pow(mass, QuickestExponent));
+
     /// <summary>The Froude number at which a gait's steps come as quick as the creature's mass lets them.</summary>
     private static float QuickestFroude(Gait gait, float legLength, float mass, float gravity, float longestStance)
     {
-        double quickest = QuickestAtOneKilogram * PortableMath.Pow(mass, QuickestExponent);
+        float quickest = QuickestOf(mass);
         float least = 0.25f * gait.Comfortable;
         float most = gait.Fastest;
         if (FrequencyOf(gait, most, legLength, gravity, longestStance) <= quickest)

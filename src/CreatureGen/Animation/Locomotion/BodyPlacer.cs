@@ -159,7 +159,7 @@ internal sealed class BodyPlacer
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
-            Pelvis = new Vector3(rest.X + sway + context.Idle.Shift + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright)),
+            Pelvis = new Vector3(rest.X + sway + context.Idle.Shift + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * FootHomes.Shortening(Climb))),
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,
@@ -180,9 +180,9 @@ internal sealed class BodyPlacer
     /// <summary>Brings the heights of hind and fore body, which are those under the feet, to where the joints of the legs are.</summary>
     private void Level(ref float hindRise, ref float foreRise)
     {
-        float middle = 0.5f * (hindRise + foreRise);
-        hindRise = middle + ((hindRise - middle) * body.PitchShare);
-        foreRise = middle + ((foreRise - middle) * body.PitchShare);
+        float rises = foreRise - hindRise;
+        foreRise = hindRise + (rises * body.Span.Fore);
+        hindRise += rises * body.Span.Hind;
     }
 
     /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>
@@ -282,7 +282,7 @@ internal sealed class BodyPlacer
         SlideShare = context.Activity;
     }
 
-    /// <summary>Ground under hind and fore feet, seen along the slope from where they belong: half way between their lowest and their mean; and how much higher it is on the left than on the right.</summary>
+    /// <summary>Ground under hind and fore feet, seen along the slope from the middle of where they belong: half way between their lowest and their mean; and how much higher it is on the left than on the right.</summary>
     private void Grounds(ReadOnlySpan<Foot> feet, out float hindGround, out float foreGround, out float across)
     {
         float hindLeast = float.MaxValue;
@@ -296,7 +296,7 @@ internal sealed class BodyPlacer
         for (int i = 0; i < feet.Length; i++)
         {
             LegShape leg = body.Legs[i];
-            float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f) - (Climb * (feet[i].Base.Z - body.GoingHomes[i].Z));
+            float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f) - (Climb * (feet[i].Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
             if (leg.IsHind(body.Rows))
             {
                 hindLeast = Math.Min(hindLeast, y);

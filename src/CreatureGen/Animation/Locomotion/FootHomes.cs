@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -19,11 +20,22 @@ internal static class FootHomes
     /// <summary>How far a foot is moved for its neighbours' sake at most, leg lengths.</summary>
     private const float MostShift = 0.12f;
 
-    /// <summary>How far feet are set ahead of the hips on a way uphill, and back downhill, as a trunk that lies along the slope has them: part of what the ground rises over the height of the hip.</summary>
+    /// <summary>How far feet are set ahead of the hips on a way uphill, and back downhill: part of what the ground rises over the height of the hip. 1 is where a trunk that lies along the slope has them.</summary>
     private const float SlopeBias = 0.6f;
 
-    /// <summary>How far ahead a foot belongs for each metre that the ground rises in one metre; none where the trunk does not lie along the slope, or its legs are out to the side.</summary>
-    public static float Ahead(LegShape leg, int rows) => leg.Lateral || rows == 1 ? 0f : SlopeBias * leg.HipRest.Y;
+    /// <summary>The same of legs out to the side, which carry the body low.</summary>
+    private const float LateralSlopeBias = 1f;
+
+    /// <summary>How far ahead of its place on the level a foot belongs on a slope, metres: so much for its hip, and nearer to the middle, as the trunk is seen from above; none on two legs, whose trunk stays upright.</summary>
+    /// <param name="leg">Gives the hip.</param>
+    /// <param name="rows">Number of pairs.</param>
+    /// <param name="place">Ahead of the root, on the level, metres.</param>
+    /// <param name="slope">Rise of the ground along the way.</param>
+    public static float Ahead(LegShape leg, int rows, float place, float slope) =>
+        rows == 1 ? 0f : ((leg.Lateral ? LateralSlopeBias : SlopeBias) * leg.HipRest.Y * slope) - (place * Shortening(slope));
+
+    /// <summary>By what part a way along a slope is shorter, seen from above.</summary>
+    public static float Shortening(float slope) => 1f - (1f / (float)Math.Sqrt(1f + (slope * slope)));
 
     /// <summary>Homes of all feet, model space.</summary>
     /// <param name="legs">Of a body.</param>
@@ -53,5 +65,5 @@ internal static class FootHomes
         return homes;
     }
 
-    private static LegShape? Beside(LegShape[] legs, LegShape leg, int rows) => System.Array.Find(legs, other => other.Side == leg.Side && other.Row == leg.Row + rows);
+    private static LegShape? Beside(LegShape[] legs, LegShape leg, int rows) => Array.Find(legs, other => other.Side == leg.Side && other.Row == leg.Row + rows);
 }

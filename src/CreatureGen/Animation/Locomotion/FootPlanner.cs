@@ -351,14 +351,10 @@ internal sealed class FootPlanner
         Vector3 home = shape.Home + ((body.GoingHomes[leg] - shape.Home) * activity);
         float track = shape.Track(clock.Shape.Track, body.IsBiped ? clock.Shape.Lift : 0f);
         home.X *= 1f - ((1f - track) * activity);
-        if (shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2)
-        {
-            return home;
-        }
-
-        float bias = body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
-        float climb = FootHomes.Ahead(shape, body.Rows) * Scalar.Clamp(slope, -MostSlope, MostSlope);
-        home.Z += ((bias * clock.Duty * speed / clock.Frequency) + climb) * activity;
+        bool sprawls = shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2;
+        float bias = sprawls ? 0f : body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
+        home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
+        home.Z += FootHomes.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MostSlope, MostSlope)) * activity;
         return home;
     }
 

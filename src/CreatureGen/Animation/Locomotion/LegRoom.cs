@@ -67,7 +67,7 @@ internal static class LegRoom
             }
         }
 
-        float level = 1f - body.PitchShare;
+        float level = Math.Max(0f, 1f - body.Span.Share);
         float hindest = Math.Max(hind.Drop, level * fore.Drop);
         hindDrop = hindest - hind.Rise;
         foreDrop = Math.Max(fore.Drop, level * hindest) - fore.Rise;

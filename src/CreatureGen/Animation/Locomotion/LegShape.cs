@@ -23,8 +23,8 @@ internal sealed class LegShape
     /// <summary>Lowering of the body beyond its crouch that long steps may cost, leg lengths.</summary>
     private const float MostDrop = 0.05f;
 
-    /// <summary>Slope on which they may cost none: what one girdle comes down there pitches the trunk farther.</summary>
-    private const float SteepestDrop = 0.4f;
+    /// <summary>Slope on which they may cost none, and beyond which the legs keep room to spare: what one girdle comes down there pitches the trunk farther.</summary>
+    private const float SteepestDrop = 0.25f;
 
     /// <summary>Part of the stance behind its middle at which the heel has begun to rise and gives length.</summary>
     private const float RearEnd = 0.40f;
@@ -201,7 +201,7 @@ internal sealed class LegShape
     {
         bool pantograph = Traits.Linkage == LegLinkage.Pantograph;
         Vector3 rest = Thigh + Shank + (pantograph ? Metatarsus : Vector3.Zero);
-        float drop = ((steps.Crouch + (Lateral ? 0.012f : MostDrop * Math.Max(0f, 1f - (Math.Abs(steps.Slope) / SteepestDrop)))) * Length) + Stoop;
+        float drop = ((steps.Crouch + (Lateral ? 0.012f : MostDrop * (1f - (Math.Abs(steps.Slope) / SteepestDrop)))) * Length) + Stoop;
         rest += steps.Home - Home;
         float height = Math.Max(-rest.Y - drop, 0.2f * Length);
         float aside = Lateral ? rest.X : rest.X + ((steps.Track - 1f) * Home.X);

@@ -79,8 +79,7 @@ internal sealed class LeggedBody
         Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         Posture = StandingPosture.Of(creature);
-        Wheelbase = WheelbaseOf();
-        PitchShare = Math.Min(1f, TrunkLength / Math.Max(Wheelbase, 1e-3f));
+        Span = TrunkSpan.Of(Legs, GoingHomes, Rows, Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]], TrunkLength);
         Neck = ChainOf(Skeleton, JointRole.Neck, JointRole.Head);
         NeckLimits = Array.ConvertAll(Neck, joint => BendShare * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
         Tail = ChainOf(Skeleton, JointRole.Tail);
@@ -179,11 +178,8 @@ internal sealed class LeggedBody
 
     public float TrunkLength { get; }
 
-    /// <summary>Distance of hind from fore feet, metres; 0 on two legs.</summary>
-    public float Wheelbase { get; }
-
-    /// <summary>Share of a difference in height between hind and fore feet that the joints of the legs take up: the trunk goes with the slope under its feet, and these may be farther apart than the joints.</summary>
-    public float PitchShare { get; }
+    /// <summary>Where the ends of the trunk are over hind and fore feet.</summary>
+    public TrunkSpan Span { get; }
 
     public float NeckLength { get; }
 
@@ -226,7 +222,7 @@ internal sealed class LeggedBody
     }
 
     /// <summary>The longest way that the feet can go along level ground in a stance without drawing the body down too far or running into one another, metres.</summary>
-    public float LongestStance(Gaits.Gait gait) => SlopeStance.Level(this, gait);
+    public float LongestStance(Gaits.Gait gait) => SlopeStance.OnLevel(this, gait);
 
     /// <summary>Rows from the rear by the number of the pair.</summary>
     private static int[] RowsOf(LimbChain[] legs)
@@ -327,29 +323,6 @@ internal sealed class LeggedBody
         }
 
         return arms.ToArray();
-    }
-
-    /// <summary>Distance from the middle of the feet of the rear half of the rows to that of the others, metres.</summary>
-    private float WheelbaseOf()
-    {
-        float hind = 0f;
-        float fore = 0f;
-        int hindCount = 0;
-        foreach (LegShape leg in Legs)
-        {
-            if (leg.IsHind(Rows))
-            {
-                hind += leg.Home.Z;
-                hindCount++;
-            }
-            else
-            {
-                fore += leg.Home.Z;
-            }
-        }
-
-        int foreCount = Legs.Length - hindCount;
-        return foreCount == 0 ? 0f : (fore / foreCount) - (hind / Math.Max(hindCount, 1));
     }
 
     /// <summary>Share of its yaw with the feet that a body has: on hips far from the middle a turn takes the feet farther than the legs step.</summary>

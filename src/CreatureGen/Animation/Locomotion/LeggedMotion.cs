@@ -222,7 +222,7 @@ internal sealed class LeggedMotion : IBodyMotion
         Begin(placement, settings, ground);
         float top = settings.Gait == null ? gaits.TopSpeed : (float)Math.Sqrt(settings.Gait.Fastest * settings.Gravity * body.LegLength);
         float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
-        travel.GoalSpeed = Scalar.Clamp(input.Speed / scale, -back, top);
+        travel.GoalSpeed = clock.OnSlope(Scalar.Clamp(input.Speed / scale, -back, top), settings.Gravity);
         travel.GoalSideways = Scalar.Clamp(input.Sideways / scale, -back, back);
         travel.GoalTurn = input.TurnRate;
         travel.Rate = settings.SpeedResponse;

@@ -9,30 +9,32 @@ internal readonly struct SlopeStance
     /// <summary>Rise of the slopes that are measured (22°).</summary>
     private const float Measured = 0.4f;
 
-    private readonly float level;
     private readonly float up;
     private readonly float down;
 
     private SlopeStance(float level, float up, float down)
     {
-        this.level = level;
+        Level = level;
         this.up = up;
         this.down = down;
     }
 
+    /// <summary>The longest on level ground, metres.</summary>
+    public float Level { get; }
+
     /// <summary>Measures it.</summary>
     public static SlopeStance Of(LeggedBody body, Gait gait)
     {
-        float level = Level(body, gait);
+        float level = OnLevel(body, gait);
         return new SlopeStance(level, Math.Min(level, Reaching(body, gait, Measured)), Math.Min(level, Reaching(body, gait, -Measured)));
     }
 
-    /// <summary>The longest on level ground, metres.</summary>
-    public static float Level(LeggedBody body, Gait gait) => Math.Min(Overreach.LongestStance(body, gait), Reaching(body, gait, 0f));
+    /// <summary>Measures the longest on level ground alone, metres.</summary>
+    public static float OnLevel(LeggedBody body, Gait gait) => Math.Min(Overreach.LongestStance(body, gait), Reaching(body, gait, 0f));
 
     /// <summary>The longest on a slope, metres.</summary>
     /// <param name="slope">Rise along the way.</param>
-    public float At(float slope) => level + (((slope < 0f ? down : up) - level) * Math.Min(Math.Abs(slope) / Measured, 1f));
+    public float At(float slope) => Level + (((slope < 0f ? down : up) - Level) * Math.Min(Math.Abs(slope) / Measured, 1f));
 
     /// <summary>The longest that all legs reach.</summary>
     private static float Reaching(LeggedBody body, Gait gait, float slope)
@@ -46,7 +48,7 @@ internal readonly struct SlopeStance
             float along = body.IsBiped || leg.Lateral ? 0f : slope;
 
             // The hip hangs below the trunk, which lies along the slope.
-            float shift = along * (FootHomes.Ahead(leg, body.Rows) - (body.TrunkRest[leg.TrunkSlot].Y - leg.HipRest.Y));
+            float shift = FootHomes.Ahead(leg, body.Rows, 0f, along) - (along * (body.TrunkRest[leg.TrunkSlot].Y - leg.HipRest.Y));
             TrunkTraits traits = body.Traits;
             most = Math.Min(most, leg.LongestStance(new LegSteps(body.GoingHomes[i], bias, gait.Crouch, front ? traits.ForeSlide : traits.HindSlide, body.IsBiped ? gait.Track : 1f, front ? traits.ChestYaw : traits.PelvisYaw, along, shift)));
         }
