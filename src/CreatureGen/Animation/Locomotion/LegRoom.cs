@@ -10,6 +10,14 @@ internal static class LegRoom
     /// <summary>Part of its reach beyond which a standing leg draws the body down.</summary>
     private const float MostStretch = 0.972f;
 
+    /// <summary>Part of its reach beyond which a leg that leaves the ground lets itself be stretched where another is folded up; one that stands is stretched to its end.</summary>
+    private const float Spare = 0.1f;
+
+    /// <summary>Part of its reach over which a leg begins to draw the body down, and one to raise it.</summary>
+    private const float Width = 0.01f;
+
+    private const float FoldedWidth = 0.02f;
+
     /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
     private const float MostDrop = 0.35f;
 
@@ -23,7 +31,7 @@ internal static class LegRoom
 
     private const float LateralArriving = 0.75f;
 
-    /// <summary>Part of a stance after which a folded leg raises the body less and less.</summary>
+    /// <summary>Part of a stance after which a stretched leg lets others raise the body more and more.</summary>
     private const float RollsOff = 0.6f;
 
     /// <summary>Finds how far the body comes down.</summary>
@@ -51,9 +59,10 @@ internal static class LegRoom
             float distance = Vec.Length(chord);
             float steep = Math.Max(-chord.Y / Math.Max(distance, 1e-6f), 0.35f);
             float most = (leg.Lateral ? LateralDrop : MostDrop) * leg.Length;
-            float drop = weight * Math.Min(Beyond(distance - (MostStretch * leg.Reach), 0.01f * leg.Reach) / steep, most);
-            float raise = (feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i])) * Math.Min(Beyond(leg.FoldedReach - distance, 0.01f * leg.Reach) / steep, MostDrop * leg.Length);
-            float room = Math.Max((MostStretch * leg.Reach) - distance, 0f) / weight;
+            float drop = weight * Math.Min(Beyond(distance - (MostStretch * leg.Reach), Width * leg.Reach) / steep, most);
+            float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MostDrop * leg.Length);
+            float holds = feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i]);
+            float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);
 
             // Bodies on many legs come down level.
             if (body.Rows != 2 || leg.Row == 0)
@@ -69,9 +78,12 @@ internal static class LegRoom
 
         float level = Math.Max(0f, 1f - body.Span.Share);
         float hindest = Math.Max(hind.Drop, level * fore.Drop);
-        hindDrop = hindest - hind.Rise;
-        foreDrop = Math.Max(fore.Drop, level * hindest) - fore.Rise;
+        hindDrop = Net(hindest, hind.Rise);
+        foreDrop = Net(Math.Max(fore.Drop, level * hindest), fore.Rise);
     }
+
+    /// <summary>How far a girdle comes down: what a folded leg asks for comes before what a stretched one does.</summary>
+    private static float Net(float drop, float rise) => Math.Max(drop - (2f * rise), -rise);
 
     /// <summary>How much a leg counts that leaves the ground, 0..1: less and less.</summary>
     private static float Leaving(in Foot foot) => foot.Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(foot.Swing / LettingGo);
@@ -83,7 +95,7 @@ internal static class LegRoom
         return foot.Phase == FootPhase.Stance || foot.Correcting ? 0f : Scalar.Smooth((foot.Swing - from) / (1f - from));
     }
 
-    /// <summary>How much a standing leg counts that is folded, 0..1: it may fold as its foot rolls off.</summary>
+    /// <summary>How much a standing leg holds the body down, 0..1: it may stretch as its foot rolls off.</summary>
     private static float Standing(in Foot foot) => 1f - Scalar.Smooth((foot.Stance - RollsOff) / (1f - RollsOff));
 
     /// <summary>What an excess comes to: softened, so that the body does not jerk as a leg comes to its end.</summary>

@@ -49,6 +49,18 @@ public sealed class MotionTrialTests
         }
     }
 
+    [Theory]
+    [InlineData(125UL, "Crawl", 144f)]
+    [InlineData(117UL, "Canter", 144f)]
+    [InlineData(257UL, "Canter", 60f)]
+    public void On_hills_the_body_rises_over_folded_legs_though_others_are_stretched(ulong seed, string gait, float hertz)
+    {
+        var profile = new MotionProfile(Walkers.Any(seed));
+        Movement movement = Movement.Of(profile).First(m => m.GaitName == gait);
+        MotionReport report = new MotionTrial(movement, GroundRelief.Rough, hertz).Run(profile);
+        Assert.True(report.LimitViolations == 0, $"{profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
+    }
+
     [Fact]
     public void Rates_out_of_range_and_no_profile_are_refused()
     {
