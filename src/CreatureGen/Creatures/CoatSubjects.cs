@@ -41,8 +41,8 @@ internal static class CoatSubjects
         (SkinCover cover, float size) = body switch
         {
             "bee" or "moth" => (SkinCover.Fur, 0.022f),
-            "shark" or "ray" or "dolphin" => (SkinCover.Wrinkles, 0.022f),
-            "angler" or "puffer" or "pterosaur" or "rhino" => (SkinCover.Wrinkles, 0.05f),
+            "shark" or "ray" or "dolphin" or "puffer" => (SkinCover.Wrinkles, 0.022f),
+            "angler" or "pterosaur" or "rhino" => (SkinCover.Wrinkles, 0.05f),
             _ => CoverOf(BaseBodies.Find(body).Family, blueprint.Plan),
         };
         return new SkinRelief(cover, size, unchecked((blueprint.Coat.PatternSeed * 16) + 12));

@@ -31,6 +31,30 @@ public sealed class SkinReliefTests
         Assert.True(before > after + 0.2f, $"{before} before the end, {after} behind it");
     }
 
+    /// <summary>Of slopes in all directions alike a third would lie within 15 degrees of rows and columns.</summary>
+    [Fact]
+    public void Folds_of_naked_skin_do_not_run_along_rows_and_columns()
+    {
+        const float Step = 0.01f;
+        var skin = new SkinRelief(SkinCover.Wrinkles, 1f, 5);
+        int steep = 0;
+        int aligned = 0;
+        for (int i = 0; i < 40000; i++)
+        {
+            var at = new Vector2(i % 200 * 0.0713f, i / 200 * 0.0691f);
+            float across = Math.Abs(skin.At(at + new Vector2(Step, 0)) - skin.At(at - new Vector2(Step, 0)));
+            float along = Math.Abs(skin.At(at + new Vector2(0, Step)) - skin.At(at - new Vector2(0, Step)));
+            if (Math.Max(across, along) > 0.025f)
+            {
+                steep++;
+                aligned += Math.Min(across, along) < 0.268f * Math.Max(across, along) ? 1 : 0;
+            }
+        }
+
+        Assert.True(steep > 4000);
+        Assert.InRange((double)aligned / steep, 0, 0.4);
+    }
+
     [Theory]
     [InlineData((int)SkinCover.Wrinkles)]
     [InlineData((int)SkinCover.Fur)]

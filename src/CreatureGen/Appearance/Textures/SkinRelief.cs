@@ -139,7 +139,10 @@ internal sealed class SkinRelief
     {
         float u = place.X * perSize;
         float v = place.Y * perSize;
-        float ridge = 1f - Math.Abs((2f * broad.At(1.1f * u, 1.9f * v)) - 1f);
+
+        // Two lattices at an angle to each other: the folds of one alone run along its rows and columns, like a maze.
+        float fold = (0.55f * broad.At(1.1f * u, 1.9f * v)) + (0.45f * fine.At((1.5f * u) + (1.9f * v), (1.6f * v) - (1.3f * u)));
+        float ridge = Math.Max(0f, 1f - Math.Abs(3f * (fold - 0.5f)));
         float pores = coarse.At(5f * u, 5f * v);
         return 1f - (0.7f * ridge * ridge * ridge) - (0.15f * pores);
     }
