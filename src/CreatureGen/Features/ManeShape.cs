@@ -9,7 +9,7 @@ using CreatureGen.Maths;
 namespace CreatureGen.Features;
 
 /// <summary>
-/// Hair as overlapping locks: flat tapered leaves in staggered rows, like tiles, each of which begins below the skin and follows it at a growing distance.
+/// Hair as overlapping locks: flat narrow strands that taper to a point, in staggered rows, each of which begins below the skin and follows it at a growing distance.
 /// </summary>
 /// <remarks>
 /// A lock is laid along the body's grid, not along a straight line: whatever the shape of neck and shoulder, it neither floats nor sinks, and each of its sections moves with the skin below it.
@@ -30,8 +30,14 @@ internal static class ManeShape
     /// <summary>How much the edges of a lock face the way the skin below does: hair is shaded as one soft mass.</summary>
     private const float Softness = 0.75f;
 
-    // From root to tip: where a section lies, and how wide it is.
-    private static readonly Vector2[] sections = { new(0f, 0.60f), new(0.22f, 0.95f), new(0.50f, 1f), new(0.80f, 0.62f) };
+    /// <summary>Shade of the edges of a lock and of its middle: it reads as a strand of many hairs, not as a leaf.</summary>
+    private const float EdgeShade = 0.74f, MiddleShade = 1.08f;
+
+    /// <summary>How much longer or shorter than the mane a single lock may be.</summary>
+    private const double LengthVariety = 0.2;
+
+    // From root to tip: where a section lies, and how wide it is. Strands taper from the first third on; leaves are widest in the middle.
+    private static readonly Vector2[] sections = { new(0f, 0.70f), new(0.25f, 1f), new(0.55f, 0.78f), new(0.82f, 0.36f) };
 
     /// <summary>Appends all locks of a mane, left, right and on the midline.</summary>
     /// <param name="builder">Where they go.</param>
@@ -58,10 +64,16 @@ internal static class ManeShape
 
                 lockCount++;
                 bool median = segment is 0 or BodyGrid.Segments / 2;
+                if (!median)
+                {
+                    segment = Scalar.Clamp(segment + (0.3 * step * Jitter(lockCount, 4)), mane.Segment, mane.LastSegment);
+                }
+
                 var root = new LockRoot(mane.Ring + (along * (mane.LastRing - mane.Ring)) + (0.3 * rowStep * Jitter(lockCount, 3)), segment, median)
                 {
-                    Length = mane.Length * Scalar.Lerp(1, mane.Growth, along) * (1 + (0.2 * Jitter(lockCount, 0))),
+                    Length = mane.Length * Scalar.Lerp(1, mane.Growth, along) * (1 + (LengthVariety * Jitter(lockCount, 0))),
                     Turn = median ? 0 : 0.2 * Jitter(lockCount, 1),
+                    Bend = median ? 0 : 0.5 * Jitter(lockCount, 5),
                 };
                 Vector3 shade = colour * (float)(1 + (0.16 * Jitter(lockCount, 2)));
                 AppendLock(builder, mane, skin, root, shade, addresses);
@@ -81,7 +93,7 @@ internal static class ManeShape
         {
             float s = sections[i].X;
             float half = width * sections[i].Y;
-            float shade = Scalar.Lerp(0.62f, 1.06f, Scalar.Smooth(s * 1.2f));
+            float shade = Scalar.Lerp(0.72f, 1f, Scalar.Smooth(s * 1.6f));
             rows[i] = new TubeRow(path.At(s, out SkinAddress place), half, Thickness * half, colour * shade);
             for (int k = 0; k < Sides; k++)
             {
@@ -91,7 +103,8 @@ internal static class ManeShape
 
         Vector3 tip = path.At(1f, out SkinAddress end);
         addresses.Add(end);
-        SweptTube.Append(builder, rows, tip, colour * 1.14f, path.Across, Sides);
+        SweptTube.Append(builder, rows, tip, colour * MiddleShade, path.Across, Sides);
+        Streak(builder, vertex, rows);
         Soften(builder, vertex, rows.Length * Sides, path.Normal);
         if (!root.Median)
         {
@@ -99,6 +112,18 @@ internal static class ManeShape
             for (int k = address, last = addresses.Count; k < last; k++)
             {
                 addresses.Add(addresses[k].Mirrored);
+            }
+        }
+    }
+
+    // The first axis of a section runs across the lock: its vertices 0 and 2 are the edges, 1 and 3 the middle.
+    private static void Streak(PieceBuilder builder, int first, ReadOnlySpan<TubeRow> rows)
+    {
+        for (int i = 0; i < rows.Length; i++)
+        {
+            for (int k = 0; k < Sides; k++)
+            {
+                builder.SetColour(first + (i * Sides) + k, rows[i].Colour * ((k & 1) == 0 ? EdgeShade : MiddleShade));
             }
         }
     }
@@ -132,6 +157,7 @@ internal static class ManeShape
             Median = median;
             Length = 0;
             Turn = 0;
+            Bend = 0;
         }
 
         public double Ring { get; }
@@ -145,6 +171,9 @@ internal static class ManeShape
 
         /// <summary>Added to the direction in which hair falls, radians.</summary>
         public double Turn { get; init; }
+
+        /// <summary>How far that direction turns on between root and tip, radians.</summary>
+        public double Bend { get; init; }
     }
 
     /// <summary>The middle line of a lock.</summary>
@@ -157,6 +186,8 @@ internal static class ManeShape
         private readonly double rootArc;
         private readonly double along;
         private readonly double segmentsAround;
+        private readonly double alongBend;
+        private readonly double segmentsBend;
         private readonly float rise;
         private readonly float hang;
         private readonly float sunk;
@@ -173,6 +204,8 @@ internal static class ManeShape
             rootArc = BodyShape.At(skin.Shape.Arc, root.Ring);
             along = reach * PortableMath.Cos(fall);
             segmentsAround = reach * PortableMath.Sin(fall) / Math.Max(perSegment, 1e-3f);
+            alongBend = -0.5 * root.Bend * reach * PortableMath.Sin(fall);
+            segmentsBend = 0.5 * root.Bend * reach * PortableMath.Cos(fall) / Math.Max(perSegment, 1e-3f);
             rise = (float)(root.Length * PortableMath.Sin(mane.Rise));
             hang = (float)(root.Length * mane.Hang);
 
@@ -196,10 +229,10 @@ internal static class ManeShape
         /// <summary>A point of the line, 0 at the root and 1 at the tip, and the place of the skin that it moves with.</summary>
         public Vector3 At(float s, out SkinAddress place)
         {
-            double arc = rootArc + (s * along);
+            double arc = rootArc + (s * along) + (s * s * alongBend);
             double last = skin.Shape.Arc[LastRing];
             double ring = skin.Shape.RingAt(Scalar.Clamp(arc, 0, last));
-            double segment = root.Median ? root.Segment : Scalar.Clamp(root.Segment + (s * segmentsAround), 0.02, (BodyGrid.Segments / 2) - 0.02);
+            double segment = root.Median ? root.Segment : Scalar.Clamp(root.Segment + (s * segmentsAround) + (s * s * segmentsBend), 0.02, (BodyGrid.Segments / 2) - 0.02);
             place = new SkinAddress((int)Math.Round(ring), (int)Math.Round(segment));
             SurfacePoint at = skin.At(ring, segment);
             float lift = (rise * s * (1f - (Curl * s))) - (sunk * (1f - s) * (1f - s));

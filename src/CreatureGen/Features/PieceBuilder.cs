@@ -50,12 +50,16 @@ internal sealed class PieceBuilder
 
         positions[VertexCount] = position;
         normals[VertexCount] = normal;
-        colours[VertexCount] = new Vector3(Scalar.Clamp(colour.X, 0f, 1f), Scalar.Clamp(colour.Y, 0f, 1f), Scalar.Clamp(colour.Z, 0f, 1f));
+        SetColour(VertexCount, colour);
         return VertexCount++;
     }
 
     /// <summary>Gives a vertex its normal after its neighbours are known.</summary>
     public void SetNormal(int vertex, Vector3 normal) => normals[vertex] = normal;
+
+    /// <summary>Gives a vertex another colour, limited to 0..1.</summary>
+    public void SetColour(int vertex, Vector3 colour) =>
+        colours[vertex] = new Vector3(Scalar.Clamp(colour.X, 0f, 1f), Scalar.Clamp(colour.Y, 0f, 1f), Scalar.Clamp(colour.Z, 0f, 1f));
 
     /// <summary>Adds a triangle, counter-clockwise seen from outside.</summary>
     public void Triangle(int a, int b, int c)

@@ -62,6 +62,28 @@ public sealed class ManeShapeTests
     }
 
     [Fact]
+    public void A_lock_tapers_from_its_first_third_to_a_point_and_its_edges_are_darker_than_its_middle()
+    {
+        BodySkin skin = SkinOf(Draw("horse", 1));
+        Piece hair = Build(new ManeBlueprint(20, 20, 4, 4, 1, 1, 0.1, 1, 0.012, 0.3, 0.6, 0), skin, out _);
+        float[] widths = Enumerable.Range(0, 4).Select(i => Vector3.Distance(hair.Positions[4 * i], hair.Positions[(4 * i) + 2])).ToArray();
+        Assert.True(widths[1] > widths[2] && widths[2] > 1.5f * widths[3], string.Join(" ", widths));
+        for (int i = 0; i < 4; i++)
+        {
+            Assert.True(hair.Colours[4 * i].X < 0.8f * hair.Colours[(4 * i) + 1].X);
+        }
+    }
+
+    [Fact]
+    public void Locks_of_all_kits_are_at_least_four_times_as_long_as_wide()
+    {
+        foreach (ManeKit kit in new[] { NeckKits.Ruff, NeckKits.Falling, NeckKits.Bristles, NeckKits.Shag, NeckKits.Beard })
+        {
+            Assert.All(kit.Fields, mane => Assert.True(mane.Length >= 4 * 2 * mane.Width, $"{mane}"));
+        }
+    }
+
+    [Fact]
     public void Hair_on_the_midline_is_single_and_all_other_hair_comes_in_pairs()
     {
         BodySkin skin = SkinOf(Draw("horse", 2));
