@@ -59,7 +59,10 @@ internal static class FlierLegs
             style = OwnLegs.StyleOf(draft, style, own);
         }
 
-        anatomy = anatomy with { Size = anatomy.Size with { Toes = insect ? 0 : style.Toes } };
+        // Thin legs keep the feet of stout ones: these have as much to carry.
+        double girth = draft.Species.LegGirth;
+        style = style with { FootSize = style.FootSize / girth };
+        anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = anatomy.Size.Foot / girth, Toes = insect ? 0 : style.Toes } };
         WingMotion motion = draft.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
         FlyingPlacement placement = FlyingRules.Place(LegSampler.Measure(draft), motion, motion == WingMotion.Buzzing ? 2 : 1, new FlyingLegs(pairs, arrangement), anatomy, draft.Sockets, draft.Seed.Child("flier"));
         WingSampler.Add(draft, placement);
@@ -75,6 +78,7 @@ internal static class FlierLegs
         "insect" => CreatureDraft.Choose(random, (3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02)),
         "avian" => 1,
         "canine" or "feline" or "bovine" => 2,
+        "fish" => CreatureDraft.Choose(random, (0, 0.66), (1, 0.28), (2, 0.06)),
         _ => CreatureDraft.Choose(random, (1, 0.36), (2, 0.48), (0, 0.12), (3, 0.04)),
     };
 

@@ -21,7 +21,9 @@ internal static class FlierSpecies
             Eye = (9.4, 5.4), EyeSize = 0.24,
             HeadOrnament = (1, 0), Ears = Weights.Of((EarShape.Big, 1), (EarShape.Pointed, 0.4)),
             FlyingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Flapping, 1) },
-            WingMembrane = 1, FlierLegPairs = 1,
+            WingMembrane = 1, FlierLegPairs = 1, LegGirth = 0.62,
+            Variety = 0.25,
+            Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
             Parts = System.Array.Empty<PartSlot>(),
             Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Saddle, 0.4) },
             Colourings = new[]
@@ -41,7 +43,7 @@ internal static class FlierSpecies
             Eye = (10, 5.6), EyeSize = 0.44,
             HeadOrnament = (0, 0),
             FlyingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Flapping, 1) },
-            WingMembrane = 1, FlierLegPairs = 1,
+            WingMembrane = 1, FlierLegPairs = 1, LegGirth = 0.66,
             Parts = new[]
             {
                 new PartSlot(

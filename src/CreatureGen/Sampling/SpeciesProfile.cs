@@ -87,7 +87,7 @@ internal sealed record SpeciesProfile
     /// <summary>Height of its hip relative to the length of the torso where the rules of the plan place its legs; null for the plan's own.</summary>
     public (double Least, double Most)? HipHeight { get; init; }
 
-    /// <summary>Factor on the girth of legs that the rules of the plan place.</summary>
+    /// <summary>Factor on the girth of legs that the rules of the plan, or those for fliers, place.</summary>
     public double LegGirth { get; init; } = 1;
 
     /// <summary>Legs of its own, of walkers and fliers; null when the plan's rules place them.</summary>

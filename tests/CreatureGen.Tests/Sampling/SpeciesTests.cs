@@ -330,6 +330,31 @@ public sealed class SpeciesTests
     }
 
     [Fact]
+    public void A_bat_has_a_short_muzzle_and_thighs_less_than_half_as_thick_as_its_trunk()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("bat", RequestedKind.Flying))
+        {
+            BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+            Assert.True(shape.Arc[8] - shape.Arc[0] < 2 * shape.Width[12], $"{shape.Arc[8] - shape.Arc[0]} and {shape.Width[12]}");
+            LegBlueprint leg = Assert.Single(blueprint.Legs);
+            Assert.True(2 * leg.Thickness < 0.5 * (shape.Top[30] + shape.Bottom[30]), $"{2 * leg.Thickness} and {shape.Top[30] + shape.Bottom[30]}");
+        }
+    }
+
+    [Fact]
+    public void A_flying_fish_seldom_has_legs_and_hardly_ever_four()
+    {
+        int[] pairs = new int[3];
+        for (ulong seed = 0; seed < 200; seed++)
+        {
+            pairs[BlueprintSampler.Sample(seed, SpeciesSubject.Only("fish", RequestedKind.Flying)).Legs.Count]++;
+        }
+
+        Assert.InRange(pairs[0], 110, 155);
+        Assert.InRange(pairs[2], 1, 24);
+    }
+
+    [Fact]
     public void A_puffer_is_deeper_than_a_third_of_its_length_and_a_swordfish_s_sword_longer_than_its_head()
     {
         foreach (CreatureBlueprint blueprint in Drawn("puffer", RequestedKind.Swimming))
