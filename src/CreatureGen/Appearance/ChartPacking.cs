@@ -118,7 +118,10 @@ internal sealed class ChartPacking
     private static bool Place(int[] order, Vector2[] low, Vector2[] high, float density, Vector2[] place, List<Step> outline)
     {
         outline.Clear();
-        outline.Add(new Step(0f, 1f, 0f));
+
+        // Charts keep clear of the plain texels as they do of each other: white would show at their edges.
+        outline.Add(new Step(0f, Swatches * Margin, Margin));
+        outline.Add(new Step(Swatches * Margin, 1f, 0f));
         foreach (int chart in order)
         {
             Vector2 room = ((high[chart] - low[chart]) * density) + new Vector2(Margin, Margin);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Appearance;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Sampling;
@@ -44,6 +45,19 @@ public sealed class CreatureTexturesTests
         Assert.True(first.BaseColour.SequenceEqual(second.BaseColour));
         Assert.True(first.Normal.SequenceEqual(second.Normal));
         Assert.True(first.Roughness.SequenceEqual(second.Roughness));
+    }
+
+    /// <summary>Charts once began right below them: a row of white dots ran over the nape.</summary>
+    [Theory]
+    [MemberData(nameof(Creatures))]
+    public void Charts_keep_two_texels_of_the_smallest_picture_clear_of_the_plain_texels(LocomotionKind kind, ulong seed)
+    {
+        const float Clear = 2f / 256f;
+        Vector2 corner = (8 * (ChartPacking.Swatch(1) - ChartPacking.Swatch(0))) + new Vector2(0, 2 * ChartPacking.Swatch(0).Y);
+        foreach (Vector2 at in CreatureGenerator.Build(BlueprintSampler.Sample(seed, kind)).Mesh.Texcoords)
+        {
+            Assert.True(ChartPacking.IsSwatch(at) || Math.Max(at.X - corner.X, at.Y - corner.Y) > 0.999f * Clear, $"{kind} {seed} at {at}");
+        }
     }
 
     [Theory]
