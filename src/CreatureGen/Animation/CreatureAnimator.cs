@@ -58,7 +58,7 @@ public sealed class CreatureAnimator
         events = new EventQueue((2 * feet * Locomotion.LeggedMotion.MostSteps) + (profile.Flight != null ? FlightDrive.MostBeats : 0));
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
-        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature.Mass.Mass);
+        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature);
         legs = profile.Legs == null ? null : new Locomotion.LeggedMotion(profile.Legs, profile.Gaits!, events);
         motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs, events)
             : profile.Swim != null ? new SwimDrive(profile.Swim)

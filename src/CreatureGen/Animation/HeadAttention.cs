@@ -1,6 +1,8 @@
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Animation.Aiming;
 using CreatureGen.Animation.RootMotion;
+using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;
@@ -12,6 +14,11 @@ internal sealed class HeadAttention
 {
     /// <summary>Leg or body lengths per second above which nobody looks about.</summary>
     private const float Still = 0.05f;
+
+    /// <summary>How far a swimmer turns a head that sits on its trunk without a neck, radians: the eyes do the rest.</summary>
+    private const float FishYaw = 0.15f;
+
+    private const float FishPitch = 0.1f;
 
     private readonly GazeRig rig;
     private readonly Seed habits;
@@ -25,14 +32,21 @@ internal sealed class HeadAttention
     private GazeState state;
     private double seconds;
 
-    public HeadAttention(GazeRig rig, Seed habits, float mass)
+    /// <summary>Gives a creature habits.</summary>
+    /// <param name="rig">Its head.</param>
+    /// <param name="habits">Of this individual.</param>
+    /// <param name="creature">Big ones are slow; fish look with their eyes.</param>
+    public HeadAttention(GazeRig rig, Seed habits, Creature creature)
     {
+        float mass = creature.Mass.Mass;
         this.rig = rig;
         this.habits = habits;
         blinks = habits.Child("blinks");
 
         // Big heads turn slowly: 10 s⁻¹ for a cat, 4 for a cow.
-        head = new GazeSettings((float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16));
+        float rate = (float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16);
+        bool stiff = creature.Blueprint.Kind == LocomotionKind.Swimming && rig.Joints.Length == 1;
+        head = stiff ? new GazeSettings(rate, FishYaw, FishPitch, FishPitch) : new GazeSettings(rate);
         lids = Eyelids.Of(rig.Skeleton);
         ears = Ears.Of(rig.Skeleton);
         flicks = habits.Child("ears");

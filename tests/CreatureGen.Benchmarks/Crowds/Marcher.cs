@@ -45,7 +45,7 @@ internal sealed class Marcher
             : profile.Swim != null ? new SwimDrive(profile.Swim)
             : profile.Slither != null ? new SlitherDrive(profile.Slither)
             : legs!;
-        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, new Seed(1), profile.Creature.Mass.Mass);
+        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, new Seed(1), profile.Creature);
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         root = place;
     }

@@ -32,6 +32,9 @@ public sealed class StretchTests
     [InlineData(RequestedKind.Flying, 8109)]
     [InlineData(RequestedKind.Flying, 9202)]
     [InlineData(RequestedKind.Swimming, 5004)]
+    [InlineData(RequestedKind.Swimming, 8204)]
+    [InlineData(RequestedKind.Swimming, 9041)]
+    [InlineData(RequestedKind.Swimming, 9084)]
     public void In_no_clip_do_more_than_one_in_a_hundred_triangles_change_their_area_fourfold(RequestedKind kind, int seed)
     {
         Creature creature = CreatureGenerator.Generate((ulong)seed, new CreatureOptions { Kind = kind });
