@@ -46,7 +46,11 @@ internal static class IdleLife
         return new IdlePose((float)breath, (float)(ShiftShare * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway);
     }
 
-    private static double Wave(double turns) => PortableMath.Sin(PortableMath.Tau * (turns - Math.Floor(turns)));
+    private static double Wave(double turns)
+    {
+        QuickAngle.OfTurns((float)(turns - Math.Floor(turns)), out float sine, out _);
+        return sine;
+    }
 
     private static double Quintic(double x)
     {

@@ -33,7 +33,7 @@ internal sealed class LegPoser
         this.turns = turns;
     }
 
-    /// <summary>Writes body, pelvis, spine and chest.</summary>
+    /// <summary>Writes body, spine and chest; the pelvis stays as it is at rest under the body.</summary>
     public void PoseTrunk(BodyPlacer placer, in Pose local)
     {
         // The body's own joint goes half way with pitch and roll; it carries the place of all.
@@ -43,7 +43,6 @@ internal sealed class LegPoser
         Vector3 place = trunk.Positions[0] - Rotation.Rotate(whole, trunk.Rest[0] - rest[body.Body]);
         turns.Set(local, body.Body, whole);
         local.Positions[body.Body] = place;
-        turns.Set(local, body.Trunk[0], Quaternion.Identity);
         for (int i = 1; i < body.Trunk.Length; i++)
         {
             turns.Set(local, body.Trunk[i], trunk.LocalTurn(i));

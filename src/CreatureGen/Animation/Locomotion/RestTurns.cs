@@ -26,9 +26,9 @@ internal sealed class RestTurns
         }
     }
 
-    /// <summary>Turns a joint away from rest.</summary>
+    /// <summary>Turns a joint away from rest. What two products lose of the length of a unit turn is not made up for.</summary>
     public void Set(in Pose local, int joint, Quaternion turn) =>
-        local.Rotations[joint] = Normalized(Rotation.Multiply(before[joint], Rotation.Multiply(turn, after[joint])));
+        local.Rotations[joint] = Rotation.Multiply(before[joint], Rotation.Multiply(turn, after[joint]));
 
     /// <summary>How far a joint is turned away from rest.</summary>
     public Quaternion Of(in Pose local, int joint) =>

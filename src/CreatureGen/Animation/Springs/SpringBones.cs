@@ -300,7 +300,7 @@ public static class SpringBones
         }
 
         Quaternion carrier = model.Rotations[parent];
-        local.Rotations[joint] = UnitTurn.Renormalize(Rotation.Multiply(Rotation.Inverse(carrier), inModel));
+        local.Rotations[joint] = Rotation.Multiply(Rotation.Inverse(carrier), inModel);
         model.Positions[joint] = model.Positions[parent] + Rotation.Rotate(carrier, local.Positions[joint]);
     }
 
