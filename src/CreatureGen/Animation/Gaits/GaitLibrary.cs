@@ -86,9 +86,9 @@ public static class GaitLibrary
     public static Gait WaddleRun { get; } = Waddle with { Name = "WaddleRun", Duty = new DutyLaw(0.60f, 0.14f, 0.46f, 0.58f), Comfortable = 0.35f, Fastest = 1f, Lift = 0.9f, Track = 0.8f, ForceDip = 0f };
 
     /// <summary>Both feet together: kangaroos. The tail counters the legs.</summary>
-    public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.38f, 0.07f, 0.21f, 0.36f), new StrideLaw(2.2f, 0.40f))
+    public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.40f, 0.07f, 0.21f, 0.36f), new StrideLaw(2.3f, 0.40f))
     {
-        MostRows = 1, Comfortable = 1.6f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.03f, BounceCap = 0.34f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f, Trail = 0.5f,
+        MostRows = 1, Comfortable = 1.4f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.045f, Bounce = 0.85f, BounceCap = 0.34f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f, Trail = 0.6f,
     };
 
     /// <summary>The hind pair pushes, all other legs catch: grasshoppers and frogs.</summary>
