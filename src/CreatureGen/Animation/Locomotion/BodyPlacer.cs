@@ -23,6 +23,9 @@ internal sealed class BodyPlacer
     /// <summary>Share of the back's bend in gaits whose hind feet take turns.</summary>
     private const float StepFlexion = 0.6f;
 
+    /// <summary>Part of the difference between hind and fore body that a leaping trunk does not go along with: nose up as it takes off, it levels out to the landing and does not dive.</summary>
+    private const float LeapSteadiness = 0.5f;
+
     private readonly LeggedBody body;
     private readonly ForceResponse response = new();
     private readonly PhaseSums hind = new();
@@ -119,6 +122,9 @@ internal sealed class BodyPlacer
         float leap = body.Rows == 2 ? clock.Shape.Trail : 0f;
         hindRise += poise * Math.Max(together, leap * Together(hind, 2));
         foreRise += poise * Math.Max(together, leap * Together(fore, 2));
+        float steadied = 0.5f * LeapSteadiness * leap * (foreRise - hindRise);
+        hindRise += steadied;
+        foreRise -= steadied;
         Nod = Scalar.Clamp(Nod * traits.Nod / body.NeckLength, -0.5f, 0.5f);
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Sway;

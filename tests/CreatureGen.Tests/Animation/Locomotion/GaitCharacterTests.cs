@@ -70,6 +70,33 @@ public sealed class GaitCharacterTests
     }
 
     [Theory]
+    [Theory]
+    [InlineData(5049)]
+    [InlineData(5090)]
+    [InlineData(85)]
+    [InlineData(103)]
+    [InlineData(282)]
+    public void A_leaping_frog_takes_off_with_its_nose_up_and_levels_out_to_the_landing_without_a_dive(int seed)
+    {
+        var cycle = new GaitCycle((ulong)seed, GaitLibrary.Leap);
+        int pelvis = cycle.Joint(JointRole.Pelvis);
+        int chest = cycle.Joint(JointRole.Chest);
+        float before = float.MaxValue;
+        float least = float.MaxValue;
+        float range = cycle.Range(() =>
+        {
+            Vector3 trunk = cycle.Animator.ModelPose.Positions[chest] - cycle.Animator.ModelPose.Positions[pelvis];
+            float pitch = MathF.Atan2(trunk.Y, trunk.Z) * 180f / MathF.PI;
+            bool flies = Feet(cycle.Animator).All(foot => foot.Phase == FootPhase.Swing);
+            before = flies ? Math.Min(pitch, before) : float.MaxValue;
+            Assert.False(flies && pitch > before + 2f, $"its nose comes up in the air, from {before} to {pitch} degrees");
+            least = Math.Min(least, pitch);
+            return pitch;
+        });
+        Assert.InRange(range, 8f, 18f);
+        Assert.True(least > 0f, $"{least} degrees");
+    }
+
     [InlineData(5010)]
     [InlineData(5035)]
     public void A_hop_is_flight_for_the_most_part_and_high(int seed)

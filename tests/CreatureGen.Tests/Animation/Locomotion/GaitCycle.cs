@@ -58,10 +58,26 @@ internal sealed class GaitCycle
         return most - least;
     }
 
+    /// <summary>Fastest turn of a joint relative to its parent over two cycles, radians per second.</summary>
+    public float Fastest(int joint)
+    {
+        float most = 0f;
+        Quaternion before = Animator.LocalPose.Rotations[joint];
+        Watch(() =>
+        {
+            most = Math.Max(most, Rate * (float)MovingPose.Between(before, Animator.LocalPose.Rotations[joint]));
+            before = Animator.LocalPose.Rotations[joint];
+        });
+        return most;
+    }
+
+    /// <summary>The first joint of a role.</summary>
+    public int Joint(JointRole role) => Enumerable.Range(0, Creature.Skeleton.Count).First(i => Creature.Skeleton.Joints[i].Role == role);
+
     /// <summary>How far a joint is turned from rest, model space.</summary>
     public Quaternion TurnOf(JointRole role)
     {
-        int joint = Enumerable.Range(0, Creature.Skeleton.Count).First(i => Creature.Skeleton.Joints[i].Role == role);
+        int joint = Joint(role);
         return Quaternion.Normalize(Animator.ModelPose.Rotations[joint] * Quaternion.Inverse(Creature.Skeleton.ModelRotations[joint]));
     }
 
