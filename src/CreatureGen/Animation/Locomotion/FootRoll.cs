@@ -76,7 +76,7 @@ internal static class FootRoll
         }
 
         float u = foot.Swing;
-        return (traits.Fold * LegTraits.FoldCurve.At(u)) + (traits.Unfold * Scalar.Smooth((u - 0.52f) / 0.28f) * (1f - Scalar.Smooth((u - 0.80f) / 0.20f)));
+        return (traits.Fold * traits.FoldCurve.At(u)) + (traits.Unfold * Scalar.Smooth((u - 0.52f) / 0.28f) * (1f - Scalar.Smooth((u - 0.80f) / 0.20f)));
     }
 
     /// <summary>Pitch of the toes of a flat foot, whose heel rises about the ball first.</summary>

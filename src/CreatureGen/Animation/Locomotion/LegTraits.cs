@@ -17,12 +17,17 @@ internal enum LegLinkage
 /// <summary>How a leg of some build steps: data, angles in radians, lengths in leg lengths.</summary>
 internal sealed class LegTraits
 {
+    private static readonly Curve hockFold = Curve.Bell(0.42, 1.6);
+
+    /// <summary>A carpus folds later and over more of the swing than a hock: it turns fastest of all joints.</summary>
+    private static readonly Curve carpusFold = Curve.Bell(0.46, 1.4);
+
     private static readonly LegTraits[] all =
     {
         new(LimbArchetype.DigitigradeHind, 0.13, 0.40, 40, -12, 50, 70, -6, LegLinkage.Pantograph, 1),
-        new(LimbArchetype.DigitigradeFore, 0.14, 0.46, 58, -6, 45, 80, -6, LegLinkage.Pantograph, -1),
+        new(LimbArchetype.DigitigradeFore, 0.14, 0.46, 48, 0, 45, 80, -6, LegLinkage.Pantograph, -1),
         new(LimbArchetype.UnguligradeHind, 0.075, 0.40, 42, -14, 55, 70, -4, LegLinkage.Pantograph, 1),
-        new(LimbArchetype.UnguligradeFore, 0.10, 0.46, 60, -5, 52, 92, -4, LegLinkage.Pantograph, -1),
+        new(LimbArchetype.UnguligradeFore, 0.10, 0.46, 54, 0, 52, 92, -4, LegLinkage.Pantograph, -1),
         new(LimbArchetype.PlantigradeHind, 0.085, 0.38, 0, 0, 46, 52, -14, LegLinkage.Foot, 1),
         new(LimbArchetype.PlantigradeFore, 0.12, 0.45, 0, 0, 48, 68, -8, LegLinkage.Foot, -1),
         new(LimbArchetype.Column, 0.07, 0.42, 0, 0, 22, 32, -3, LegLinkage.Foot, 1),
@@ -49,10 +54,8 @@ internal sealed class LegTraits
         Strike = (float)Scalar.Radians(strike);
         Linkage = linkage;
         Bend = bend;
+        FoldCurve = bend < 0 ? carpusFold : hockFold;
     }
-
-    /// <summary>Shape of the early fold of the metatarsus in the swing.</summary>
-    public static Curve FoldCurve { get; } = Curve.Bell(0.42, 1.6);
 
     /// <summary>Share of the swing in which the knee must not come straight yet.</summary>
     public static Curve SlackCurve { get; } = Curve.Bell(0.72, 4);
@@ -74,6 +77,9 @@ internal sealed class LegTraits
 
     /// <summary>How far the metatarsus folds back early in the swing.</summary>
     public float Fold { get; }
+
+    /// <summary>Course of that fold over the swing.</summary>
+    public Curve FoldCurve { get; }
 
     /// <summary>How far it reaches ahead late in the swing (negative).</summary>
     public float Unfold { get; }

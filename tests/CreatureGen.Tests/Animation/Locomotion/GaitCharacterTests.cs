@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
@@ -70,7 +71,6 @@ public sealed class GaitCharacterTests
     }
 
     [Theory]
-    [Theory]
     [InlineData(5049)]
     [InlineData(5090)]
     [InlineData(85)]
@@ -97,6 +97,7 @@ public sealed class GaitCharacterTests
         Assert.True(least > 0f, $"{least} degrees");
     }
 
+    [Theory]
     [InlineData(5010)]
     [InlineData(5035)]
     public void A_hop_is_flight_for_the_most_part_and_high(int seed)
@@ -144,6 +145,29 @@ public sealed class GaitCharacterTests
         Assert.True(together > 0);
         Assert.InRange(most * 180 / Math.PI, 5, 15);
         Assert.InRange(away, 0.2f, 0.5f);
+    }
+
+    [Theory]
+    [InlineData("Walk", 740, 1100)]
+    [InlineData("Trot", 1090, 1500)]
+    [InlineData("RotaryGallop", 1190, 1700)]
+    public void The_carpus_of_dogs_and_cats_folds_and_unfolds_gently(string gait, float median, float worst)
+    {
+        var rates = new List<float>();
+        for (ulong seed = 0; seed < 120; seed++)
+        {
+            Creature creature = Walkers.Any(seed);
+            if (creature.Blueprint.Plan == BodyPlan.Digitigrade && new MotionProfile(creature).Gaits!.Speeds.Any(speed => speed.Gait == Of(gait)))
+            {
+                var cycle = new GaitCycle(seed, Of(gait));
+                rates.Add(cycle.Profile.Legs!.Legs.Where(leg => leg.Row == 1).Max(leg => cycle.Fastest(leg.Ankle)) * 180f / MathF.PI);
+            }
+        }
+
+        rates.Sort();
+        Assert.True(rates.Count > 10, $"{rates.Count}");
+        Assert.InRange(rates[rates.Count / 2], 0.5f * median, median);
+        Assert.InRange(rates[^1], 0f, worst);
     }
 
     [Fact]
