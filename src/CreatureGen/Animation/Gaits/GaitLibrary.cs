@@ -80,10 +80,10 @@ public static class GaitLibrary
     };
 
     /// <summary>Short steps on short legs, the body rolled over the foot that carries it: penguins.</summary>
-    public static Gait Waddle { get; } = BipedWalk with { Name = "Waddle", Stride = new StrideLaw(1.6f, 0.30f), Comfortable = 0.08f, Fastest = 0.35f, Lift = 0.7f, Track = 0.85f };
+    public static Gait Waddle { get; } = BipedWalk with { Name = "Waddle", Stride = new StrideLaw(1.6f, 0.30f), Comfortable = 0.08f, Fastest = 0.35f, Lift = 0.5f, Track = 0.85f };
 
     /// <summary>The same in a hurry: quicker steps.</summary>
-    public static Gait WaddleRun { get; } = Waddle with { Name = "WaddleRun", Duty = new DutyLaw(0.60f, 0.14f, 0.46f, 0.58f), Comfortable = 0.35f, Fastest = 1f, Lift = 0.9f, Track = 0.8f, ForceDip = 0f };
+    public static Gait WaddleRun { get; } = Waddle with { Name = "WaddleRun", Duty = new DutyLaw(0.60f, 0.14f, 0.46f, 0.58f), Comfortable = 0.35f, Fastest = 1f, Lift = 0.55f, Track = 0.8f, ForceDip = 0f };
 
     /// <summary>Both feet together: kangaroos. The tail counters the legs.</summary>
     public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.40f, 0.07f, 0.21f, 0.36f), new StrideLaw(2.3f, 0.40f))

@@ -139,7 +139,7 @@ internal sealed class LegShape
         FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(MostBend, bend + folds)))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
         Stoop = stoop;
-        LeastTrack = NarrowestTrack();
+        LeastTrack = Math.Max(NarrowestTrack(), ThighTrack(skeleton, bones));
         Tucked = ((upper + Shank) * TuckedShare) - new Vector3(0f, 0f, TuckedBack * Length);
         Vector3 behind = Lateral ? new Vector3(Side == Side.Left ? TrailedAside : -TrailedAside, TrailedDown, -1f) : TrailedUpright;
         Trailed = Vec.Normalize(behind, -Vector3.UnitZ) * (TrailedShare * Reach);
@@ -161,6 +161,24 @@ internal sealed class LegShape
     {
         float least = 1f - (Traits.MostAdduction * HipRest.Y / Math.Max(Math.Abs(Gathered.X), 1e-4f));
         return Lateral ? Math.Max(least, LateralTrack) : least;
+    }
+
+    /// <summary>Thick thighs come no nearer to the middle than lets them go past each other: a foot that is drawn in takes its knee along.</summary>
+    private float ThighTrack(Skeleton skeleton, IReadOnlyList<CapsuleCollider> bones)
+    {
+        float room = float.MaxValue;
+        foreach (CapsuleCollider bone in bones)
+        {
+            if (bone.Joint == Hip)
+            {
+                float start = HipRest.X + Rotation.Rotate(skeleton.ModelRotations[Hip], bone.Start).X;
+                float end = HipRest.X + Rotation.Rotate(skeleton.ModelRotations[Hip], bone.End).X;
+                room = Math.Max(0f, Math.Min(room, Math.Min(Math.Abs(start), Math.Abs(end)) - bone.Radius));
+            }
+        }
+
+        float knee = -Thigh.Y / Math.Max(HipRest.Y, 1e-4f);
+        return Lateral ? 0f : Math.Min(1f, 1f - (room / Math.Max(knee * Math.Abs(Home.X), 1e-4f)));
     }
 
     private Vector3 Standing(out float stoop)

@@ -69,6 +69,60 @@ public sealed class LegOverlapTests
         Assert.True(overlap.DeepestInTrunk >= belly.Radius + foot.Radius - 1e-4f, $"{overlap.DeepestInTrunk} m");
     }
 
+    /// <summary>Bears and their like, whose thighs touch at rest.</summary>
+    [Theory]
+    [InlineData(55)]
+    [InlineData(68)]
+    [InlineData(2108)]
+    [InlineData(2297)]
+    [InlineData(7011)]
+    public void Thick_thighs_go_past_each_other_in_a_gallop(int seed)
+    {
+        var profile = new MotionProfile(Walkers.Any((ulong)seed));
+        LeggedBody body = profile.Legs!;
+        CapsuleCollider[] thighs = body.Creature.Bones.Where(bone => body.Legs.Any(leg => leg.Row == 0 && leg.Hip == bone.Joint)).ToArray();
+        Movement gallop = Movement.Of(profile).Single(movement => movement.GaitName == "TransverseGallop");
+        CreatureAnimator animator = gallop.Begin(profile, FlatGround.Level);
+        float rest = Depth(body.Skeleton.ModelPositions, body.Skeleton.ModelRotations);
+        float deepest = 0f;
+        for (int i = 0; i < 300; i++)
+        {
+            animator.Update(1f / 60f, gallop.Input, FlatGround.Level);
+            deepest = Math.Max(deepest, Depth(animator.ModelPose.Positions, animator.ModelPose.Rotations) - Math.Max(rest, 0f));
+        }
+
+        Assert.Equal(2, thighs.Length);
+        Assert.True(deepest < 0.02f * body.LegLength, $"{deepest / body.LegLength} leg lengths");
+
+        float Depth(ReadOnlySpan<Vector3> positions, ReadOnlySpan<Quaternion> rotations)
+        {
+            CapsuleCollider a = thighs[0];
+            CapsuleCollider b = thighs[1];
+            return a.Radius + b.Radius - MathF.Sqrt(SegmentDistance.Squared(Place(a, a.Start, positions, rotations), Place(a, a.End, positions, rotations), Place(b, b.Start, positions, rotations), Place(b, b.End, positions, rotations)));
+        }
+
+        static Vector3 Place(CapsuleCollider bone, Vector3 point, ReadOnlySpan<Vector3> positions, ReadOnlySpan<Quaternion> rotations) =>
+            positions[bone.Joint] + Rotation.Rotate(rotations[bone.Joint], point);
+    }
+
+    [Theory]
+    [InlineData(109, "Waddle", 0.02f)]
+    [InlineData(113, "Waddle", 0.02f)]
+    [InlineData(2023, "Waddle", 0.02f)]
+    [InlineData(7298, "Waddle", 0.02f)]
+    [InlineData(109, "WaddleRun", 0.02f)]
+    [InlineData(113, "WaddleRun", 0.06f)]
+    [InlineData(2023, "WaddleRun", 0.02f)]
+    [InlineData(7298, "WaddleRun", 0.08f)]
+    public void Penguins_lift_their_feet_off_the_ground_and_not_into_their_rumps(int seed, string gait, float most)
+    {
+        var profile = new MotionProfile(Walkers.Any((ulong)seed));
+        Movement movement = Movement.Of(profile).Single(movement => movement.GaitName == gait);
+        MotionReport report = new MotionTrial(movement, GroundRelief.Flat, 60f).Run(profile);
+        Assert.InRange(report.BellyOverlap!.Value, 0f, most);
+        Assert.True(report.Clearance > 0.05f, $"{report.Clearance}");
+    }
+
     [Fact]
     public void Hind_feet_of_four_footed_walkers_do_not_run_into_their_fore_feet()
     {
