@@ -129,7 +129,7 @@ internal sealed class BodyPlacer
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
-        float sway = response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)));
+        float sway = Bounded((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MostSway);
         float stance = context.Travel.Speed * clock.Duty / clock.Frequency;
         float surge = response.Surge(all, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
 
@@ -165,7 +165,7 @@ internal sealed class BodyPlacer
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
-            Pelvis = new Vector3(rest.X + sway + context.Idle.Shift + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * FootHomes.Shortening(Climb))),
+            Pelvis = new Vector3(rest.X + sway + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * FootHomes.Shortening(Climb))),
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,
@@ -211,6 +211,13 @@ internal sealed class BodyPlacer
     {
         float froude = context.Travel.Speed * context.Travel.Speed / (context.Settings.Gravity * length);
         return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
+    }
+
+    /// <summary>A number that comes ever slower to a most on both sides.</summary>
+    private static float Bounded(float x, float most)
+    {
+        float part = x * x / Math.Max(most * most, 1e-12f);
+        return x / (float)Math.Sqrt(Math.Sqrt(1f + (part * part)));
     }
 
     /// <summary>How much feet come down at once, 0..1: then the body is at its height as they do, and in the mean above it.</summary>

@@ -341,6 +341,9 @@ internal sealed class LegShape
     /// <summary>Least factor on the distance of its track from the middle that the hip allows.</summary>
     public float LeastTrack { get; }
 
+    /// <summary>How far the hip draws the leg in towards the middle, radians.</summary>
+    public float DrawsIn => Side == Side.Left ? HipJoint.Limit.SwingZ.Max : -HipJoint.Limit.SwingZ.Min;
+
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
 

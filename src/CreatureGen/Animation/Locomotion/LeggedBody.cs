@@ -26,6 +26,13 @@ internal sealed class LeggedBody
     /// <summary>Share of the way that a hip draws its leg in which the roll of the body takes up: the rest is for its steps.</summary>
     private const float RollShare = 0.15f;
 
+    /// <summary>Share of the room to the inner end of a standing hip that the sway of the body takes up: the rest is for its roll and its steps.</summary>
+    private const float SwayShare = 0.6f;
+
+    /// <summary>How far a body sways at most whose legs stand out to the side, leg lengths, and part of how far the foot is outside its hip.</summary>
+    private const float LateralSway = 0.14f;
+    private const float LateralSwayShare = 0.45f;
+
     private LeggedBody(Creature creature, LimbChain[] standing)
     {
         Creature = creature;
@@ -97,6 +104,7 @@ internal sealed class LeggedBody
         Arms = ArmsOf(creature);
         Body = Skeleton.IndexOf("Body");
         MostRoll = IsBiped ? 0f : MostRollOf(Legs);
+        MostSway = MostSwayOf(Legs);
         MostBendYaw = MostBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
         MostBendPitch = PitchBendShare * MostBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
         Turns = new RestTurns(Skeleton);
@@ -138,6 +146,9 @@ internal sealed class LeggedBody
 
     /// <summary>How far it rolls with the ground to a side, radians: less on hips that do not draw their legs in far, and not at all on two legs.</summary>
     public float MostRoll { get; }
+
+    /// <summary>How far it sways to a side at most, metres: what its hips draw their legs in beyond the narrowest track.</summary>
+    public float MostSway { get; }
 
     /// <summary>Neck joints and the head, which is the last.</summary>
     public int[] Neck { get; }
@@ -276,8 +287,20 @@ internal sealed class LeggedBody
         float most = SteepestRoll;
         foreach (LegShape leg in legs)
         {
-            AngleRange aside = leg.HipJoint.Limit.SwingZ;
-            most = leg.Lateral ? most : Math.Min(most, RollShare * (leg.Side == Side.Left ? aside.Max : -aside.Min));
+            most = leg.Lateral ? most : Math.Min(most, RollShare * leg.DrawsIn);
+        }
+
+        return most;
+    }
+
+    private static float MostSwayOf(LegShape[] legs)
+    {
+        float most = float.MaxValue;
+        foreach (LegShape leg in legs)
+        {
+            float outside = Math.Abs(leg.Home.X - leg.HipRest.X);
+            float room = (leg.HipRest.Y * (float)PortableMath.Sin(leg.DrawsIn)) - ((1f - leg.LeastTrack) * Math.Abs(leg.Home.X));
+            most = Math.Min(most, leg.Lateral ? Math.Min(LateralSway * leg.Length, LateralSwayShare * outside) : SwayShare * Math.Max(room, 0f));
         }
 
         return most;

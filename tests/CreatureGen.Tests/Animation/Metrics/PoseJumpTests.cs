@@ -15,7 +15,7 @@ namespace CreatureGen.Tests.Animation.Metrics;
 
 public sealed class PoseJumpTests
 {
-    /// <summary>Walkers that jumped: tails and ears that whipped as a hop landed or a foot came down, toes thrown up at the end of a stance, knees of columns that snapped as another leg drew the body down, crawlers off the edge of their hills or beside their height.</summary>
+    /// <summary>Walkers that jumped: legs that gave way at once as a hop landed, tails and ears that whipped as a hop landed or a foot came down, toes thrown up at the end of a stance, knees of columns that snapped as another leg drew the body down, crawlers off the edge of their hills or beside their height.</summary>
     [Theory]
     [InlineData(152, "Hop", GroundRelief.Flat)]
     [InlineData(152, "Hop", GroundRelief.Rough)]
