@@ -20,9 +20,9 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Rotate(Quaternion q, Vector3 v) => Turn(q, v, 2f);
 
-    /// <summary>A vector turned by a quaternion of any length but none.</summary>
+    /// <summary>A vector turned by a quaternion of any length but none, the square of which is given.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 RotateByAny(Quaternion q, Vector3 v) => Turn(q, v, 2f / Dot(q, q));
+    public static Vector3 RotateByAny(Quaternion q, float squared, Vector3 v) => Turn(q, v, 2f / squared);
 
 #if NET
     /// <summary>Hamilton's product.</summary>

@@ -14,16 +14,24 @@ internal static class UnitTurn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion FromTo(Vector3 from, Vector3 to)
     {
-        Quaternion turn = Between(from, to);
+        Quaternion turn = Between(from, to, out _);
         return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
     }
 
-    /// <summary>The same, not yet brought to unit length.</summary>
+    /// <summary>The same, not yet brought to unit length, and the square of its length, which is known before it is made.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Between(Vector3 from, Vector3 to)
+    public static Quaternion Between(Vector3 from, Vector3 to, out float squared)
     {
         float w = 1f + Vec.Dot(from, to);
-        return w > NearlyOpposite ? new Quaternion(Vec.Cross(from, to), w) : Rotation.FromTo(from, to);
+        if (w > NearlyOpposite)
+        {
+            // |from × to|² + (1 + from · to)² of unit vectors.
+            squared = 2f * w;
+            return new Quaternion(Vec.Cross(from, to), w);
+        }
+
+        squared = 1f;
+        return Rotation.FromTo(from, to);
     }
 
     /// <summary>The rotation that takes one unit vector to another and a second vector as near as it can to another second, of any length.</summary>

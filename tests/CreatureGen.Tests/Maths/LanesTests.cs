@@ -29,7 +29,7 @@ public sealed class LanesTests
             Same(new Vector3((v.Y * w.Z) - (v.Z * w.Y), (v.Z * w.X) - (v.X * w.Z), (v.X * w.Y) - (v.Y * w.X)), Lanes.Cross(v, w));
             Same((v.X * w.X) + (v.Y * w.Y) + (v.Z * w.Z), Vec.Dot(v, w));
             Same(Turned(a, v, 2f), Lanes.Rotate(a, v));
-            Same(Turned(a, v, 2f / Lanes.Dot(a, a)), Lanes.RotateByAny(a, v));
+            Same(Turned(a, v, 2f / Lanes.Dot(a, a)), Lanes.RotateByAny(a, Lanes.Dot(a, a), v));
         }
     }
 
@@ -39,7 +39,7 @@ public sealed class LanesTests
         var quarter = new Quaternion(0f, MathF.Sqrt(0.5f), 0f, MathF.Sqrt(0.5f));
         Vector3 left = Lanes.Rotate(quarter, Vector3.UnitZ);
         Assert.True(Vec.Distance(left, Vector3.UnitX) < 1e-6f);
-        Assert.True(Vec.Distance(left, Lanes.RotateByAny(Lanes.Scale(quarter, 7f), Vector3.UnitZ)) < 1e-6f);
+        Assert.True(Vec.Distance(left, Lanes.RotateByAny(Lanes.Scale(quarter, 7f), 49f, Vector3.UnitZ)) < 1e-6f);
         Assert.Equal(new Vector3(0f, 0f, 1f), Lanes.Cross(Vector3.UnitX, Vector3.UnitY));
         Assert.Equal(new Quaternion(0f, 0f, 1f, 0f), Lanes.Multiply(new Quaternion(1f, 0f, 0f, 0f), new Quaternion(0f, 1f, 0f, 0f)));
     }

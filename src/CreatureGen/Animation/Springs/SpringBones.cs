@@ -243,8 +243,8 @@ public static class SpringBones
             ref Moment moment = ref moments[(index * stride) + k];
             Vector3 animated = share >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, share), bone.NowAlong);
             moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, share);
-            Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit);
-            Vector3 along = Lanes.RotateByAny(carried, animated);
+            Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit, out float squared);
+            Vector3 along = Lanes.RotateByAny(carried, squared, animated);
             Vector3 tail = along * length;
             Vector3 goal = moment.Place + tail;
             Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
@@ -259,7 +259,7 @@ public static class SpringBones
             bone.Velocity = velocity + ((held - free) * PerSecond);
             bone.GoalVelocity = goalVelocity;
             bone.Goal = goal;
-            moment.Deviation = Turned(carried, along, direction);
+            moment.Deviation = Turned(carried, squared, along, direction);
         }
     }
 
@@ -270,8 +270,8 @@ public static class SpringBones
         ref SpringBone bone = ref state.Bones[index];
         ref Moment moment = ref moments[(index * stride) + stride - 1];
         moment.Animated = bone.NowPosition;
-        Quaternion carried = Carried(ref moment, moments, (rig.Parents[index] * stride) + stride - 1, settings.Inherit);
-        Vector3 along = Lanes.RotateByAny(carried, bone.NowAlong);
+        Quaternion carried = Carried(ref moment, moments, (rig.Parents[index] * stride) + stride - 1, settings.Inherit, out float squared);
+        Vector3 along = Lanes.RotateByAny(carried, squared, bone.NowAlong);
         Vector3 tail = along * length;
         bone.Shown = moment.Place + tail;
         float share = state.Debt / Substep;
@@ -281,7 +281,7 @@ public static class SpringBones
         Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
         direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale);
         bone.OffsetShown = (direction * length) - tail;
-        moment.Deviation = Turned(carried, along, direction);
+        moment.Deviation = Turned(carried, squared, along, direction);
     }
 
     /// <summary>Poses a joint by its deviation from the animation; its parent is posed already.</summary>
@@ -304,26 +304,30 @@ public static class SpringBones
         model.Positions[joint] = model.Positions[parent] + Rotation.Rotate(carrier, local.Positions[joint]);
     }
 
-    /// <summary>How far a bone is carried along by its parent's deviation from the animation, of any length; and its place with that.</summary>
-    private static Quaternion Carried(ref Moment moment, ReadOnlySpan<Moment> moments, int parent, float inherit)
+    /// <summary>How far a bone is carried along by its parent's deviation from the animation, not brought to unit length, with the square of that length; and its place.</summary>
+    private static Quaternion Carried(ref Moment moment, ReadOnlySpan<Moment> moments, int parent, float inherit, out float squared)
     {
         if (parent < 0)
         {
             moment.Place = moment.Animated;
+            squared = 1f;
             return Quaternion.Identity;
         }
 
         ref readonly Moment carrier = ref moments[parent];
         Quaternion deviation = carrier.Deviation;
         moment.Place = carrier.Place + Rotation.Rotate(deviation, moment.Animated - carrier.Animated);
+
+        // Of a mix of the identity and a unit quaternion: their product is the w of that.
+        squared = 1f - (2f * inherit * (1f - inherit) * (1f - Math.Abs(deviation.W)));
         return Lanes.Mix(Quaternion.Identity, 1f - inherit, deviation, deviation.W < 0f ? -inherit : inherit);
     }
 
-    /// <summary>A turn of any length followed by the smallest one that takes one direction to another, brought to unit length: one root for both.</summary>
-    private static Quaternion Turned(Quaternion carried, Vector3 along, Vector3 direction)
+    /// <summary>A turn of any length followed by the smallest one that takes one unit vector to another, brought to unit length.</summary>
+    private static Quaternion Turned(Quaternion carried, float squared, Vector3 along, Vector3 direction)
     {
-        Quaternion turn = Rotation.Multiply(UnitTurn.Between(along, direction), carried);
-        return Lanes.Scale(turn, 1f / MathF.Sqrt(Lanes.Dot(turn, turn)));
+        Quaternion turn = UnitTurn.Between(along, direction, out float square);
+        return Lanes.Scale(Rotation.Multiply(turn, carried), 1f / MathF.Sqrt(square * squared));
     }
 
     /// <summary>Velocity of a tip relative to its goal as a substep begins: no greater than that of a free swing of full width at its offset.</summary>
