@@ -26,6 +26,9 @@ internal sealed class Crowd
     public const int Few = 8;
 
     private const int Rounds = 200;
+
+    /// <summary>Rounds of the whole crowd, which needs the cache that other programs share: for seconds, so that some find it free.</summary>
+    private const int CrowdRounds = 2000;
     private const float Step = 1f / 60f;
 
     private readonly CreatureAnimator[] animators = new CreatureAnimator[Count];
@@ -76,7 +79,7 @@ internal sealed class Crowd
     public double Joints { get; }
 
     /// <summary>Microseconds of an update of each of a crowd that goes round.</summary>
-    public double Update() => Best(Count, Rounds, i => animators[i].Update(Step, inputs[i], FlatGround.Level));
+    public double Update() => Best(Count, CrowdRounds, i => animators[i].Update(Step, inputs[i], FlatGround.Level));
 
     /// <summary>The same of so few that they stay in the nearest cache.</summary>
     public double UpdateOfFew() => Best(Few, Rounds * Count / Few, i => animators[i].Update(Step, inputs[i], FlatGround.Level));

@@ -117,7 +117,7 @@ internal sealed class LegPoser
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
-        turns.Set(local, leg.Knee, solved.Knee);
+        local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
         if (foot.Phase == FootPhase.Swing || foot.Stance > LateStance)
         {
             float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway, give);

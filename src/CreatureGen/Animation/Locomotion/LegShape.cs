@@ -116,6 +116,7 @@ internal sealed class LegShape
         Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
         AcrossSign = Vec.Dot(across, Hinge) < 0f ? -1f : 1f;
         Skew = Hinge - (across * AcrossSign);
+        KneeRest = skeleton.Joints[Knee].LocalRotation;
         HipJoint = skeleton.Joints[Hip];
         AnkleJoint = skeleton.Joints[Ankle];
         AngleRange ankle = AnkleJoint.Limit.SwingX;
@@ -363,6 +364,9 @@ internal sealed class LegShape
 
     /// <summary>What the hinge of a leg out to the side is off that product at rest.</summary>
     public Vector3 Skew { get; }
+
+    /// <summary>Local rotation of the knee at rest; its own X is the hinge.</summary>
+    public Quaternion KneeRest { get; }
 
     /// <summary>How far the knee turns from rest.</summary>
     public FoldLimit KneeFold { get; }
