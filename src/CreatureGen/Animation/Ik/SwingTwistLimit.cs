@@ -51,8 +51,8 @@ public static class SwingTwistLimit
         }
 
         Quaternion swing = Swing(boundedX, boundedZ);
-        PortableMath.SinCos(0.5 * boundedTwist, out double s, out double c);
-        return Rotation.Normalize(Rotation.Multiply(swing, new Quaternion(0f, (float)s, 0f, (float)c)));
+        QuickAngle.SinCos((float)(0.5 * boundedTwist), out float s, out float c);
+        return Rotation.Normalize(Rotation.Multiply(swing, new Quaternion(0f, s, 0f, c)));
     }
 
     /// <summary>How far a turn lies outside its limit: the angle between it and its <see cref="Clamp"/>, radians; 0 within.</summary>
@@ -148,7 +148,7 @@ public static class SwingTwistLimit
             // The swing is turn · twist⁻¹; its w is the length of (y, w).
             double ty = sign * turn.Y / along;
             double tw = sign * turn.W / along;
-            twist = 2 * PortableMath.Atan2(ty, tw);
+            twist = 2 * QuickAngle.Of((float)ty, (float)tw);
             sx = sign * ((turn.X * tw) + (turn.Z * ty));
             sz = sign * ((turn.Z * tw) - (turn.X * ty));
         }
@@ -159,7 +159,7 @@ public static class SwingTwistLimit
         }
 
         double across = Math.Sqrt((sx * sx) + (sz * sz));
-        double scale = across > 1e-12 ? 2 * PortableMath.Atan2(across, along) / across : 2;
+        double scale = across > 1e-12 ? 2 * QuickAngle.Of((float)across, (float)along) / across : 2;
         x = sx * scale;
         z = sz * scale;
     }
@@ -168,9 +168,9 @@ public static class SwingTwistLimit
     internal static Quaternion Swing(double x, double z)
     {
         double angle = Math.Sqrt((x * x) + (z * z));
-        PortableMath.SinCos(0.5 * angle, out double s, out double c);
+        QuickAngle.SinCos((float)(0.5 * angle), out float s, out float c);
         double scale = angle > 1e-12 ? s / angle : 0.5;
-        return new Quaternion((float)(x * scale), 0f, (float)(z * scale), (float)c);
+        return new Quaternion((float)(x * scale), 0f, (float)(z * scale), c);
     }
 
     /// <summary>Moves a swing to the nearest one within the limit; says whether it had to.</summary>
@@ -230,7 +230,7 @@ public static class SwingTwistLimit
             double f = (u * u) + (v * v) - 1;
             double slope = -2 * ((u * u / (t + aa)) + (v * v / (t + bb)));
             double step = -f / slope;
-            if (!(step > 1e-14 * (t + aa + bb)))
+            if (!(step > 1e-10 * (t + aa + bb)))
             {
                 break;
             }
