@@ -43,14 +43,14 @@ internal static class UnitTurn
             return BasisToBasis(from, fromSide, to, toSide);
         }
 
-        Quaternion swing = FromTo(from, to);
-        Vector3 now = Vec.Reject(Rotation.Rotate(swing, fromSide), to);
+        Quaternion swing = Between(from, to, out float squared);
+        Vector3 now = Vec.Reject(Lanes.RotateByAny(swing, squared, fromSide), to);
         Vector3 wanted = Vec.Reject(toSide, to);
         float nowSquared = Vec.LengthSquared(now);
         float wantedSquared = Vec.LengthSquared(wanted);
         if (!(wantedSquared > LeastSine * LeastSine * Vec.LengthSquared(toSide)) || !(nowSquared > LeastSine * LeastSine * Vec.LengthSquared(fromSide)))
         {
-            return swing;
+            return Lanes.Scale(swing, 1f / MathF.Sqrt(squared));
         }
 
         float length = MathF.Sqrt(nowSquared * wantedSquared);

@@ -30,8 +30,9 @@ internal readonly struct LegParts
         Product = 2 * product;
         Most = Math.Sqrt(Squares + (Product * leastBendCosine));
         Least = Math.Sqrt(Math.Max(Squares + (Product * mostBendCosine), 0));
-        Cosine = Vec.Dot(a, b) / product;
-        Sine = Vec.Dot(Vec.Cross(a, b), hinge) / product;
+        double inverse = 1 / product;
+        Cosine = Vec.Dot(a, b) * inverse;
+        Sine = Vec.Dot(Vec.Cross(a, b), hinge) * inverse;
     }
 
     /// <summary>The first part.</summary>

@@ -109,7 +109,7 @@ internal sealed class LegPoser
         scoped ref readonly LegParts parts = ref leg.Parts;
         if (pose.Fold != 0f)
         {
-            folded = new LegParts(leg.Thigh + Vec.Rotate(leg.Metatarsus, leg.Hinge, pose.Fold), leg.Shank, leg.Hinge, leg.LeastBendCosine);
+            folded = new LegParts(leg.Thigh + Rotation.Rotate(AxisTurn.About(leg.Hinge, pose.Fold), leg.Metatarsus), leg.Shank, leg.Hinge, leg.LeastBendCosine);
             parts = ref folded;
         }
 

@@ -32,7 +32,7 @@ internal struct LegTurns
     public float Bend;
 
     /// <summary>Turn of the shank relative to the thigh about the hinge, radians.</summary>
-    public readonly float KneeTurn => 2f * (float)PortableMath.Atan2(KneeHalfSine, Knee.W);
+    public readonly float KneeTurn => 2f * QuickAngle.Of(KneeHalfSine, Knee.W);
 }
 
 /// <summary>
