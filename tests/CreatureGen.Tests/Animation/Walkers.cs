@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Animation;
 using CreatureGen.Animation.Grounds;
+using CreatureGen.Animation.Metrics;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Sampling;
@@ -30,6 +31,19 @@ internal static class Walkers
         {
             animator.Update(1f / rate, input, ground);
         }
+    }
+
+    /// <summary>Lets an animator go for some frames and measures how well it does.</summary>
+    public static MotionReport Measure(CreatureAnimator animator, int frames, float rate, MotionInput input, IGround ground)
+    {
+        var recorder = new MotionRecorder(animator);
+        for (int i = 0; i < frames; i++)
+        {
+            animator.Update(1f / rate, input, ground);
+            recorder.Record(1f / rate, ground);
+        }
+
+        return recorder.Report();
     }
 }
 

@@ -1,6 +1,6 @@
-using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Animation.Ik;
 using CreatureGen.Animation.Poses;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -27,16 +27,8 @@ internal sealed class Ears
     /// <summary>The ears of a skeleton; null when it has none that move.</summary>
     public static Ears? Of(Skeleton skeleton)
     {
-        var roots = new List<int>();
-        for (int i = 0; i < skeleton.Count; i++)
-        {
-            if (skeleton.Joints[i].Role == JointRole.Ear && skeleton.Joints[skeleton.Parents[i]].Role != JointRole.Ear)
-            {
-                roots.Add(i);
-            }
-        }
-
-        return roots.Count == 0 ? null : new Ears(skeleton, roots.ToArray());
+        int[] roots = JointRelations.RootsOf(skeleton, JointRole.Ear);
+        return roots.Length == 0 ? null : new Ears(skeleton, roots);
     }
 
     /// <summary>Flicks the ears. Nothing is allocated.</summary>

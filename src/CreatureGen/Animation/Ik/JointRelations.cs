@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -27,6 +28,22 @@ internal static class JointRelations
         }
 
         throw new ArgumentException(FormattableString.Invariant($"joint {below} does not hang on joint {above}; expected joints of one limb, root first"));
+    }
+
+    /// <summary>Where the chains of a role begin, for example both ears: every joint of the role whose parent has another role, in the skeleton's order.</summary>
+    public static int[] RootsOf(Skeleton skeleton, JointRole role)
+    {
+        var roots = new List<int>();
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            int parent = skeleton.Parents[i];
+            if (skeleton.Joints[i].Role == role && (parent < 0 || skeleton.Joints[parent].Role != role))
+            {
+                roots.Add(i);
+            }
+        }
+
+        return roots.ToArray();
     }
 
     /// <summary>What takes model space to the space of a joint's parent.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Animation.Ik;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -120,20 +121,7 @@ public sealed class SpringRig
     internal ReadOnlySpan<float> Along => along;
 
     /// <summary>All chains of a role, for example both ears: every joint of the role whose parent has another role.</summary>
-    public static SpringRig Of(Skeleton skeleton, JointRole role)
-    {
-        var roots = new List<int>();
-        for (int i = 0; i < skeleton.Count; i++)
-        {
-            int parent = skeleton.Parents[i];
-            if (skeleton.Joints[i].Role == role && (parent < 0 || skeleton.Joints[parent].Role != role))
-            {
-                roots.Add(i);
-            }
-        }
-
-        return new SpringRig(skeleton, roots.ToArray());
-    }
+    public static SpringRig Of(Skeleton skeleton, JointRole role) => new(skeleton, JointRelations.RootsOf(skeleton, role));
 
     private static float Tail(Skeleton skeleton, int joint)
     {

@@ -81,14 +81,7 @@ public sealed class FootYieldTests
             animator.Teleport(new RootPlace(Vector3.Zero, Quaternion.Identity), ground);
             var input = new MotionInput(Speed: profile.Gaits.Speeds[0].Comfortable);
             Walkers.Run(animator, 2f, 60f, input, ground);
-            var recorder = new MotionRecorder(animator);
-            for (int i = 0; i < 120; i++)
-            {
-                animator.Update(1f / 60f, input, ground);
-                recorder.Record(1f / 60f, ground);
-            }
-
-            MotionReport report = recorder.Report();
+            MotionReport report = Walkers.Measure(animator, 120, 60f, input, ground);
             string name = $"{seed} {profile.Creature.Blueprint.Plan}";
             Assert.True(report.LimitViolations == 0, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
             Assert.True(report.MeanPenetration <= 0.004f, $"{name}: sunk {report.MeanPenetration}");

@@ -39,14 +39,7 @@ public sealed class SteadySlopeTests
 
                 CreatureAnimator animator = movement.Begin(profile, ground);
                 Walkers.Run(animator, 3f, Rate, movement.Input, ground);
-                var recorder = new MotionRecorder(animator);
-                for (int i = 0; i < 45; i++)
-                {
-                    animator.Update(1f / Rate, movement.Input, ground);
-                    recorder.Record(1f / Rate, ground);
-                }
-
-                MotionReport report = recorder.Report();
+                MotionReport report = Walkers.Measure(animator, 45, Rate, movement.Input, ground);
                 float leg = profile.LegLength;
                 string name = $"{seed} {profile.Creature.Blueprint.Plan} {movement.GaitName}";
                 Assert.True(report.LimitViolations == 0, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");

@@ -32,14 +32,7 @@ public sealed class StopTests
         {
             var animator = new CreatureAnimator(profile);
             Walkers.Run(animator, 4f + (0.13f * place), Rate, new MotionInput(profile.Gaits!.TopSpeed), FlatGround.Level);
-            var recorder = new MotionRecorder(animator);
-            for (int i = 0; i < 3 * Rate; i++)
-            {
-                animator.Update(1f / Rate, default, FlatGround.Level);
-                recorder.Record(1f / Rate, FlatGround.Level);
-            }
-
-            MotionReport report = recorder.Report();
+            MotionReport report = Walkers.Measure(animator, (int)(3 * Rate), Rate, default, FlatGround.Level);
             Assert.True(report.LimitExcess < 0.005f, $"{report.LimitExcess} rad of joint {report.WorstJoint}, stopped at place {place}");
         }
     }
