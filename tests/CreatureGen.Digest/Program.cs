@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Threading;
 
 namespace CreatureGen.Digest;
@@ -9,11 +10,11 @@ namespace CreatureGen.Digest;
 /// <summary>Prints the entries of a golden file as the library would have them now, or renews the file.</summary>
 internal static class Program
 {
-    private const string Usage = "usage: CreatureGen.Digest renew FILE | print FILE [THREADS [CULTURE]]";
+    private const string Usage = "usage: CreatureGen.Digest renew FILE | renew-poses FILE | print FILE [THREADS [CULTURE]]";
 
     private static int Main(string[] arguments)
     {
-        if (arguments is not (["renew", _] or ["print", _] or ["print", _, _] or ["print", _, _, _]))
+        if (arguments is not (["renew", _] or ["renew-poses", _] or ["print", _] or ["print", _, _] or ["print", _, _, _]))
         {
             Console.Error.WriteLine(Usage);
             return 2;
@@ -24,8 +25,14 @@ internal static class Program
             Surroundings.Enter(arguments[3]);
         }
 
-        int threads = arguments.Length > 2 ? int.Parse(arguments[2], CultureInfo.InvariantCulture) : 1;
         string old = File.ReadAllText(arguments[1]);
+        if (arguments[0] == "renew-poses")
+        {
+            File.WriteAllText(arguments[1], PoseEntry.Format(old, PoseEntry.Parse(old).Select(e => PoseEntry.Compute(e.Plan, e.Seed))));
+            return 0;
+        }
+
+        int threads = arguments.Length > 2 ? int.Parse(arguments[2], CultureInfo.InvariantCulture) : 1;
         GoldenEntry[] entries = Compute(GoldenEntry.Parse(old), threads);
         if (arguments[0] == "renew")
         {
