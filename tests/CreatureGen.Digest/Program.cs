@@ -4,17 +4,18 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using CreatureGen.Blueprints;
 
 namespace CreatureGen.Digest;
 
-/// <summary>Prints the entries of a golden file as the library would have them now, or renews the file.</summary>
+/// <summary>Prints the entries of a golden file as the library would have them now, renews the file, or keeps blueprints in the format of now.</summary>
 internal static class Program
 {
-    private const string Usage = "usage: CreatureGen.Digest renew FILE | renew-poses FILE | print FILE [THREADS [CULTURE]]";
+    private const string Usage = "usage: CreatureGen.Digest renew FILE | renew-poses FILE | save FOLDER | print FILE [THREADS [CULTURE]]";
 
     private static int Main(string[] arguments)
     {
-        if (arguments is not (["renew", _] or ["renew-poses", _] or ["print", _] or ["print", _, _] or ["print", _, _, _]))
+        if (arguments is not (["renew", _] or ["renew-poses", _] or ["save", _] or ["print", _] or ["print", _, _] or ["print", _, _, _]))
         {
             Console.Error.WriteLine(Usage);
             return 2;
@@ -23,6 +24,12 @@ internal static class Program
         if (arguments.Length > 3)
         {
             Surroundings.Enter(arguments[3]);
+        }
+
+        if (arguments[0] == "save")
+        {
+            Console.Out.WriteLine(SavedCreatures.Write(arguments[1]));
+            return 0;
         }
 
         string old = File.ReadAllText(arguments[1]);
@@ -36,13 +43,30 @@ internal static class Program
         GoldenEntry[] entries = Compute(GoldenEntry.Parse(old), threads);
         if (arguments[0] == "renew")
         {
-            File.WriteAllText(arguments[1], GoldenEntry.Format(old, entries));
-            return 0;
+            return Renew(arguments[1], old, entries);
         }
 
         Console.OutputEncoding = new System.Text.UTF8Encoding(false);
         Console.Out.Write("# " + Surroundings.Describe() + "\n");
         Console.Out.Write(GoldenEntry.Format("", entries));
+        return 0;
+    }
+
+    /// <summary>Writes the golden file anew and adds its digest to the list of versions beside it; nothing is written while the algorithm's number stands for other bytes.</summary>
+    private static int Renew(string file, string old, GoldenEntry[] entries)
+    {
+        string versions = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, "versions.txt");
+        try
+        {
+            File.WriteAllText(versions, GoldenVersion.Append(File.ReadAllText(versions), GoldenVersion.Of(CreatureBlueprint.CurrentAlgorithm, entries)));
+        }
+        catch (InvalidOperationException refusal)
+        {
+            Console.Error.WriteLine(refusal.Message);
+            return 1;
+        }
+
+        File.WriteAllText(file, GoldenEntry.Format(old, entries));
         return 0;
     }
 

@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using System.IO;
 using CreatureGen.Json;
 
@@ -17,6 +16,9 @@ public static class BlueprintJson
 {
     /// <summary>Longer text is not read, bytes of UTF-8. A blueprint has some ten thousand.</summary>
     public const int MaximumBytes = 4 << 20;
+
+    /// <summary>The format of the text that is written; text of this and of all older formats is read.</summary>
+    public const int FormatVersion = BlueprintFormat.Current;
 
     private const string What = "blueprint";
 
@@ -50,12 +52,14 @@ public static class BlueprintJson
     internal static BlueprintReading Read(JsonValue source)
     {
         var problems = new ProblemList(What);
-        if (!IsCurrent(source, problems))
+        int format = FormatOf(source, problems);
+        if (problems.All.Count > 0)
         {
             return new BlueprintReading(null, problems.All);
         }
 
-        CreatureBlueprint blueprint = FieldReader.Read(source, CreatureFields.Creature, MissingField.Reported, problems);
+        JsonValue migrated = BlueprintFormat.Migrate(source, format);
+        CreatureBlueprint blueprint = FieldReader.Read(migrated, CreatureFields.Creature, format, MissingField.Reported, problems);
         if (problems.All.Count == 0)
         {
             BlueprintRules.Check(blueprint, problems);
@@ -71,18 +75,24 @@ public static class BlueprintJson
         return root is null ? new BlueprintReading(null, problems.All) : Read(root);
     }
 
-    /// <summary>Text of another version may have any fields: it gets one problem, not one for each field.</summary>
-    private static bool IsCurrent(JsonValue source, ProblemList problems)
+    /// <summary>The format that text says it has. Text of an unknown one may have any fields: it gets one problem, not one for each field.</summary>
+    private static int FormatOf(JsonValue source, ProblemList problems)
     {
-        bool numbered = source.TryGet(CreatureFields.Version, out JsonValue? version) && version!.Kind == JsonKind.Number;
-        if (!numbered || version!.Number == CreatureBlueprint.CurrentVersion)
+        if (!source.TryGet(BlueprintFormat.Field, out JsonValue? version) || version!.Kind != JsonKind.Number)
         {
-            return true;
+            return BlueprintFormat.Current;
         }
 
-        string reason = version.Number > CreatureBlueprint.CurrentVersion ? "this text is for a newer version of the library" : "the library reads no older text";
-        string current = CreatureBlueprint.CurrentVersion.ToString(CultureInfo.InvariantCulture);
-        problems.Add(version.Position, version.Path, version.ToString(), current + ", " + reason);
-        return false;
+        for (int format = BlueprintFormat.First; format <= BlueprintFormat.Current; format++)
+        {
+            if (version.Number == format)
+            {
+                return format;
+            }
+        }
+
+        string reason = version.Number > BlueprintFormat.Current ? ", this text is for a newer version of the library" : "";
+        problems.Add(version.Position, version.Path, version.ToString(), BlueprintFormat.Range + reason);
+        return BlueprintFormat.Current;
     }
 }

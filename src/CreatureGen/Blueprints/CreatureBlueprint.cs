@@ -4,7 +4,7 @@ namespace CreatureGen.Blueprints;
 
 /// <summary>Every number of one creature: what to build, without how. The same blueprint always builds the same creature.</summary>
 /// <remarks>Lengths are in metres at scale 1, where a torso is about one metre long; angles are in radians; all else is a factor unless it says so.</remarks>
-/// <param name="Version">Version of this data format and of the algorithm that reads it; <see cref="CurrentVersion"/>.</param>
+/// <param name="Algorithm">Version of the algorithm by which the seed became these numbers, 1..<see cref="CurrentAlgorithm"/>; a record only, as is the seed.</param>
 /// <param name="Seed">The seed it was sampled from; a record only, nothing is drawn from it.</param>
 /// <param name="Kind">How the creature moves.</param>
 /// <param name="Plan">How it carries its body.</param>
@@ -23,7 +23,7 @@ namespace CreatureGen.Blueprints;
 /// <param name="Frills">Collars that stand off the head.</param>
 /// <param name="Coat">Colours and pattern.</param>
 public sealed record CreatureBlueprint(
-    int Version,
+    int Algorithm,
     ulong Seed,
     LocomotionKind Kind,
     BodyPlan Plan,
@@ -42,8 +42,10 @@ public sealed record CreatureBlueprint(
     ValueList<FrillBlueprint> Frills,
     CoatBlueprint Coat)
 {
-    /// <summary>The version that this library writes and builds.</summary>
-    public const int CurrentVersion = 1;
+    /// <summary>
+    /// Version of the algorithm of this library: the same seed, options and algorithm give the same bytes. It is raised whenever a seed or a blueprint would build other bytes.
+    /// </summary>
+    public const int CurrentAlgorithm = 2;
 
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, CreatureFields.Creature);

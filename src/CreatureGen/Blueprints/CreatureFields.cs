@@ -6,8 +6,8 @@ namespace CreatureGen.Blueprints;
 /// <summary>The fields of a whole creature.</summary>
 internal static class CreatureFields
 {
-    /// <summary>The name of the field that says by which version the rest is to be read.</summary>
-    public const string Version = "version";
+    /// <summary>The name of the field that says by which algorithm a seed became this creature.</summary>
+    public const string Algorithm = "algorithm";
 
     /// <summary>Most pairs of legs and arms.</summary>
     public const int MostLegs = 16;
@@ -21,7 +21,7 @@ internal static class CreatureFields
     /// <summary>The creature.</summary>
     public static readonly RecordDescription<CreatureBlueprint> Creature = new(
         new CreatureBlueprint(
-            CreatureBlueprint.CurrentVersion,
+            CreatureBlueprint.CurrentAlgorithm,
             0,
             LocomotionKind.Walking,
             BodyPlan.Legless,
@@ -41,7 +41,7 @@ internal static class CreatureFields
             CoatFields.Coat.Neutral),
         JsonLayout.Indented,
         (visit, creature) => new CreatureBlueprint(
-            visit.Whole(Version, creature.Version, new WholeRange(CreatureBlueprint.CurrentVersion, CreatureBlueprint.CurrentVersion)),
+            VisitHeading(visit, creature),
             visit.UnsignedText("seed", creature.Seed),
             visit.Choice("kind", creature.Kind, AnatomyChoices.Kind),
             visit.Choice("plan", creature.Plan, AnatomyChoices.Plan),
@@ -59,4 +59,11 @@ internal static class CreatureFields
             visit.List("manes", creature.Manes, new WholeRange(0, 6), NeckFields.Mane),
             visit.List("frills", creature.Frills, new WholeRange(0, 2), NeckFields.Frill),
             visit.Record("coat", creature.Coat, CoatFields.Coat)));
+
+    /// <summary>The number of the format belongs to the text and not to the creature; that of the algorithm to both.</summary>
+    private static int VisitHeading(IFieldVisitor visit, CreatureBlueprint creature)
+    {
+        visit.Version(BlueprintFormat.Field, BlueprintFormat.Current, BlueprintFormat.Current);
+        return visit.Version(Algorithm, creature.Algorithm, CreatureBlueprint.CurrentAlgorithm);
+    }
 }

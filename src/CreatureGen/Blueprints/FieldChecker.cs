@@ -40,6 +40,9 @@ internal sealed class FieldChecker : IFieldVisitor
     }
 
     /// <inheritdoc/>
+    public IFieldVisitor Since(int format) => this;
+
+    /// <inheritdoc/>
     public double Number(string name, double value, NumberRange range)
     {
         if (!range.Contains(value))
@@ -60,6 +63,9 @@ internal sealed class FieldChecker : IFieldVisitor
 
         return value;
     }
+
+    /// <inheritdoc/>
+    public int Version(string name, int value, int current) => Whole(name, value, new WholeRange(1, current));
 
     /// <inheritdoc/>
     public ulong UnsignedText(string name, ulong value) => value;

@@ -18,10 +18,16 @@ internal sealed class FieldLimiter : IFieldVisitor
         where T : class, IEquatable<T> => description.Visit(instance, record);
 
     /// <inheritdoc/>
+    public IFieldVisitor Since(int format) => this;
+
+    /// <inheritdoc/>
     public double Number(string name, double value, NumberRange range) => Scalar.Clamp(value, range.Minimum, range.Maximum);
 
     /// <inheritdoc/>
     public int Whole(string name, int value, WholeRange range) => value;
+
+    /// <inheritdoc/>
+    public int Version(string name, int value, int current) => Whole(name, value, new WholeRange(1, current));
 
     /// <inheritdoc/>
     public ulong UnsignedText(string name, ulong value) => value;

@@ -20,19 +20,29 @@ internal sealed class FieldReader : IFieldVisitor
     private const string Missing = "nothing";
 
     private readonly JsonValue source;
+    private readonly int format;
+    private readonly int since;
     private readonly MissingField missing;
     private readonly ProblemList problems;
-    private readonly List<string> visited = new();
+    private readonly List<string> visited;
 
-    private FieldReader(JsonValue source, MissingField missing, ProblemList problems)
+    private FieldReader(JsonValue source, int format, int since, MissingField missing, ProblemList problems, List<string> visited)
     {
         this.source = source;
+        this.format = format;
+        this.since = since;
         this.missing = missing;
         this.problems = problems;
+        this.visited = visited;
     }
 
     /// <summary>Reads a record; where the text has a problem, it holds values of the neutral one.</summary>
-    public static T Read<T>(JsonValue source, RecordDescription<T> description, MissingField missing, ProblemList problems)
+    /// <param name="source">The text's object.</param>
+    /// <param name="description">The record's fields.</param>
+    /// <param name="format">The format of the text; fields that are younger are not in it and have the value of the neutral record.</param>
+    /// <param name="missing">What is made of a field of the text's own format that the text does not have.</param>
+    /// <param name="problems">Where problems go.</param>
+    public static T Read<T>(JsonValue source, RecordDescription<T> description, int format, MissingField missing, ProblemList problems)
         where T : class, IEquatable<T>
     {
         if (source.Kind != JsonKind.Object)
@@ -41,11 +51,14 @@ internal sealed class FieldReader : IFieldVisitor
             return description.Neutral;
         }
 
-        var reader = new FieldReader(source, missing, problems);
+        var reader = new FieldReader(source, format, BlueprintFormat.First, missing, problems, new List<string>());
         T record = description.Visit(reader, description.Neutral);
         reader.ReportUnknown();
         return record;
     }
+
+    /// <inheritdoc/>
+    public IFieldVisitor Since(int format) => new FieldReader(source, this.format, format, missing, problems, visited);
 
     /// <inheritdoc/>
     public double Number(string name, double value, NumberRange range)
@@ -84,6 +97,9 @@ internal sealed class FieldReader : IFieldVisitor
     }
 
     /// <inheritdoc/>
+    public int Version(string name, int value, int current) => Whole(name, value, new WholeRange(1, current));
+
+    /// <inheritdoc/>
     public ulong UnsignedText(string name, ulong value)
     {
         const string expectation = "a string of the decimal digits of a number 0..18446744073709551615";
@@ -104,6 +120,11 @@ internal sealed class FieldReader : IFieldVisitor
     /// <inheritdoc/>
     public ulong? OptionalText(string name, ulong? value)
     {
+        if (!IsKnown)
+        {
+            return value;
+        }
+
         visited.Add(name);
         return source.TryGet(name, out _) ? UnsignedText(name, value ?? 0) : value;
     }
@@ -146,7 +167,7 @@ internal sealed class FieldReader : IFieldVisitor
     /// <inheritdoc/>
     public T Record<T>(string name, T value, RecordDescription<T> description)
         where T : class, IEquatable<T> =>
-        TryFind(name, FieldChecker.AnObject, out JsonValue field) ? Read(field, description, missing, problems) : value;
+        TryFind(name, FieldChecker.AnObject, out JsonValue field) ? Read(field, description, format, missing, problems) : value;
 
     /// <inheritdoc/>
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
@@ -168,11 +189,14 @@ internal sealed class FieldReader : IFieldVisitor
         for (int i = 0; i < items.Length; i++)
         {
             // An element that leaves something out is not asking for a default, it is unfinished.
-            items[i] = Read(field.Items[i], description, MissingField.Reported, problems);
+            items[i] = Read(field.Items[i], description, format, MissingField.Reported, problems);
         }
 
         return new ValueList<T>(items);
     }
+
+    /// <summary>Whether the format of the text has the field that is visited.</summary>
+    private bool IsKnown => since <= format;
 
     /// <summary>Reads decimal digits without sign or leading zeros, the only form in which a number is written.</summary>
     private static bool TryParse(string text, out ulong number)
@@ -193,6 +217,12 @@ internal sealed class FieldReader : IFieldVisitor
 
     private bool TryFind(string name, string expectation, out JsonValue field)
     {
+        if (!IsKnown)
+        {
+            field = source;
+            return false;
+        }
+
         visited.Add(name);
         bool found = source.TryGet(name, out JsonValue? member);
         field = member!;

@@ -24,6 +24,9 @@ internal sealed class FieldWriter : IFieldVisitor
         where T : class, IEquatable<T> => Write(writer, JsonPath.Root, record, description, problems);
 
     /// <inheritdoc/>
+    public IFieldVisitor Since(int format) => this;
+
+    /// <inheritdoc/>
     public double Number(string name, double value, NumberRange range)
     {
         writer.Name(name);
@@ -44,6 +47,9 @@ internal sealed class FieldWriter : IFieldVisitor
         writer.Name(name).Number(value);
         return value;
     }
+
+    /// <inheritdoc/>
+    public int Version(string name, int value, int current) => Whole(name, value, new WholeRange(1, current));
 
     /// <inheritdoc/>
     public ulong UnsignedText(string name, ulong value)

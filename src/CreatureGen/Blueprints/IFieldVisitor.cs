@@ -9,11 +9,18 @@ namespace CreatureGen.Blueprints;
 /// </summary>
 internal interface IFieldVisitor
 {
+    /// <summary>The visitor for a field that older text does not have: <c>visit.Since(3).Number(…)</c>. Where the text is of an older format, the field has the value of the neutral record.</summary>
+    /// <param name="format">The first format of <see cref="BlueprintFormat"/> with the field.</param>
+    IFieldVisitor Since(int format);
+
     /// <summary>A number.</summary>
     double Number(string name, double value, NumberRange range);
 
     /// <summary>A whole number.</summary>
     int Whole(string name, int value, WholeRange range);
+
+    /// <summary>A version: a whole number from 1 to the library's own.</summary>
+    int Version(string name, int value, int current);
 
     /// <summary>A whole number of 64 bits; in JSON, whose numbers are doubles to many, a string of its decimal digits.</summary>
     ulong UnsignedText(string name, ulong value);

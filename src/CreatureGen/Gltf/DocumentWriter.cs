@@ -79,7 +79,7 @@ internal static class DocumentWriter
         json.Name("generator").Text("CreatureGen");
         json.Name("extras").BeginObject().Name(ExtrasName).BeginObject();
         json.Name("seed").Text(blueprint.Seed.ToString(CultureInfo.InvariantCulture));
-        json.Name("algorithmVersion").Number(blueprint.Version);
+        json.Name("algorithmVersion").Number(CreatureBlueprint.CurrentAlgorithm);
         if (options.Provenance != null)
         {
             json.Name("options").Text(options.Provenance);

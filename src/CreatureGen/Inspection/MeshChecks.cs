@@ -16,6 +16,11 @@ internal static class MeshChecks
     /// <summary>How far the mass may be from that of the mesh, which has lost a little of its volume when it was thinned out to fit its budget.</summary>
     private const double VolumeShare = 0.02;
 
+    /// <summary>
+    /// What flat facets cut off a round body shrinks as their number grows: a sphere loses about 11 / n of its volume to n triangles inscribed in it, a body with limbs up to this much over n.
+    /// </summary>
+    private const double FacetLoss = 60;
+
     /// <summary>False when a number of the mesh is not finite: nothing else can be measured then.</summary>
     public static bool AreFinite(CreatureMesh mesh, ViolationList found)
     {
@@ -52,7 +57,8 @@ internal static class MeshChecks
         }
 
         double volume = VolumeOf(skin);
-        if (!(volume > 0) || Math.Abs(volume - creature.Mass.Volume) > VolumeShare * volume)
+        double share = Math.Max(VolumeShare, FacetLoss * 3 / skin.BodyTriangles.Length);
+        if (!(volume > 0) || Math.Abs(volume - creature.Mass.Volume) > share * volume)
         {
             found.Add(CreatureInspection.PositiveVolume, $"body and limbs enclose {volume} m³ and the creature says {creature.Mass.Volume} m³; expected the same volume above zero");
         }

@@ -89,6 +89,22 @@ internal sealed class JsonValue
         return false;
     }
 
+    /// <summary>This object with one more member, which keeps the place it has in the text; one of the same name is replaced.</summary>
+    public JsonValue With(string name, JsonValue value)
+    {
+        var others = new List<JsonMember>();
+        foreach (JsonMember member in Members)
+        {
+            if (!string.Equals(member.Name, name, StringComparison.Ordinal))
+            {
+                others.Add(member);
+            }
+        }
+
+        others.Add(new JsonMember(name, value));
+        return new JsonValue(JsonKind.Object, path, Position, members: others);
+    }
+
     /// <summary>The value in a few words for a message: a scalar's text, or what kind of container it is.</summary>
     public override string ToString() => Kind switch
     {

@@ -83,7 +83,7 @@ public static class BlueprintSampler
         CoatBlueprint coat = CoatSampler.Sample(draft, options.Palette);
         double scale = draft.Stream("scale").Uniform(options.MinScale, options.MaxScale);
         return new CreatureBlueprint(
-            CreatureBlueprint.CurrentVersion,
+            CreatureBlueprint.CurrentAlgorithm,
             seed,
             draft.Kind,
             draft.Plan,

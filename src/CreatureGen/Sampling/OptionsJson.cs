@@ -46,7 +46,7 @@ public static class OptionsJson
     internal static OptionsReading Read(JsonValue source)
     {
         var problems = new ProblemList(What);
-        CreatureOptions options = FieldReader.Read(source, OptionsFields.Options, MissingField.Neutral, problems);
+        CreatureOptions options = FieldReader.Read(source, OptionsFields.Options, BlueprintFormat.Current, MissingField.Neutral, problems);
         if (problems.All.Count == 0)
         {
             OptionsRules.Check(options, problems);

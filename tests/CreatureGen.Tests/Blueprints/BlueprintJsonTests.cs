@@ -37,7 +37,7 @@ public sealed class BlueprintJsonTests
             var problems = new ProblemList("");
             FieldChecker.Check(blueprint, CreatureFields.Creature, problems);
             JsonValue root = JsonReader.Read(BlueprintJson.Write(blueprint), JsonLimits.Document).Root!;
-            CreatureBlueprint read = FieldReader.Read(root, CreatureFields.Creature, MissingField.Reported, problems);
+            CreatureBlueprint read = FieldReader.Read(root, CreatureFields.Creature, BlueprintFormat.Current, MissingField.Reported, problems);
             Assert.Empty(problems.All);
             Assert.Equal(blueprint, read);
         }

@@ -12,25 +12,25 @@ public sealed class BlueprintReadingTests
     private static readonly string Good = BlueprintJson.Write(Samples.Small);
 
     [Theory]
-    [InlineData("\"scale\": 1.25", "\"scale\": 20.5", "scale = 20.5; expected 0.05..20 (line 6, column 12)")]
-    [InlineData("\"scale\": 1.25", "\"scale\": 1e999", "scale = 1e999; expected 0.05..20 (line 6, column 12)")]
-    [InlineData("\"scale\": 1.25", "\"scale\": \"big\"", "scale = \"big\"; expected 0.05..20 (line 6, column 12)")]
-    [InlineData("\"scale\": 1.25", "\"scale\": null", "scale = null; expected 0.05..20 (line 6, column 12)")]
-    [InlineData("\"scale\": 1.25", "\"scale\": [1.25]", "scale = an array; expected 0.05..20 (line 6, column 12)")]
-    [InlineData("\"scale\": 1.25", "\"scale\": {}", "scale = an object; expected 0.05..20 (line 6, column 12)")]
-    [InlineData("\"scale\": 1.25", "\"scale\": true", "scale = true; expected 0.05..20 (line 6, column 12)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": 20.5", "scale = 20.5; expected 0.05..20 (line 7, column 12)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": 1e999", "scale = 1e999; expected 0.05..20 (line 7, column 12)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": \"big\"", "scale = \"big\"; expected 0.05..20 (line 7, column 12)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": null", "scale = null; expected 0.05..20 (line 7, column 12)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": [1.25]", "scale = an array; expected 0.05..20 (line 7, column 12)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": {}", "scale = an object; expected 0.05..20 (line 7, column 12)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": true", "scale = true; expected 0.05..20 (line 7, column 12)")]
     [InlineData("\"scale\": 1.25,", "", "scale = nothing; expected 0.05..20 (line 1, column 1)")]
-    [InlineData("\"scale\": 1.25", "\"scale\": 1.25, \"size\": 2", "size = 2; expected no field of this name; there are version, seed, kind, plan, scale, triangleBudget, body, head, tail, legs, wings, insectWings, fins, ears, features, manes, frills, coat (line 6, column 26)")]
-    [InlineData("\"kind\": \"flying\"", "\"kind\": \"Flying\"", "kind = \"Flying\"; expected one of walking, flying, swimming (line 4, column 11)")]
-    [InlineData("\"kind\": \"flying\"", "\"kind\": 1", "kind = 1; expected one of walking, flying, swimming (line 4, column 11)")]
+    [InlineData("\"scale\": 1.25", "\"scale\": 1.25, \"size\": 2", "size = 2; expected no field of this name; there are version, algorithm, seed, kind, plan, scale, triangleBudget, body, head, tail, legs, wings, insectWings, fins, ears, features, manes, frills, coat (line 7, column 26)")]
+    [InlineData("\"kind\": \"flying\"", "\"kind\": \"Flying\"", "kind = \"Flying\"; expected one of walking, flying, swimming (line 5, column 11)")]
+    [InlineData("\"kind\": \"flying\"", "\"kind\": 1", "kind = 1; expected one of walking, flying, swimming (line 5, column 11)")]
     [InlineData("\"kind\": \"flying\",", "", "kind = nothing; expected one of walking, flying, swimming (line 1, column 1)")]
-    [InlineData("\"ring\": 39,", "\"ring\": 39.5,", "legs[1].socket.ring = 39.5; expected a whole number 1..52 (line 93, column 27)")]
-    [InlineData("\"ring\": 39,", "\"ring\": 3000000000,", "legs[1].socket.ring = 3000000000; expected a whole number 1..52 (line 93, column 27)")]
-    [InlineData("\"ring\": 39,", "\"ring\": 53,", "legs[1].socket.ring = 53; expected a whole number 1..52 (line 93, column 27)")]
-    [InlineData("\"ring\": 39, \"segment\": 8, \"rows\": 4", "\"ring\": 39, \"segment\": 8, \"rows\": 3", "legs[1].socket.rows = 3; expected an even number 2..22 (line 93, column 53)")]
-    [InlineData("\"first\": \"canine\"", "\"first\": \"unicorn\"", "body.blend.first = \"unicorn\"; expected one of canine, bovine, feline, reptile, avian, fish, insect, serpent, amphibian, beetle, ant, wasp, mantis, hopper, spider, centipede, butterfly, dragonfly, bee, moth, shark, ray, angler, turtle, plesiosaur, crocodile, seal, newt, eel, dolphin, puffer, swordfish, duck, raptor, ostrich, parrot, heron, owl, penguin, toucan, frog, cobra, lion, hyena, boar, horse, bison, camel, bear, rhino, rabbit, bat, pterosaur, ceratops, lizard (line 9, column 25)")]
-    [InlineData("\"ears\": [", "\"ears\": [{}, {}, ", "ears = 3 elements; expected an array of 0..2 elements (line 138, column 11)")]
-    [InlineData("\"fork\": 1.5", "\"fork\": 1.5, \"fork\": 1.5", "tail.fork = a second member of this name; expected one (line 72, column 57)")]
+    [InlineData("\"ring\": 39,", "\"ring\": 39.5,", "legs[1].socket.ring = 39.5; expected a whole number 1..52 (line 94, column 27)")]
+    [InlineData("\"ring\": 39,", "\"ring\": 3000000000,", "legs[1].socket.ring = 3000000000; expected a whole number 1..52 (line 94, column 27)")]
+    [InlineData("\"ring\": 39,", "\"ring\": 53,", "legs[1].socket.ring = 53; expected a whole number 1..52 (line 94, column 27)")]
+    [InlineData("\"ring\": 39, \"segment\": 8, \"rows\": 4", "\"ring\": 39, \"segment\": 8, \"rows\": 3", "legs[1].socket.rows = 3; expected an even number 2..22 (line 94, column 53)")]
+    [InlineData("\"first\": \"canine\"", "\"first\": \"unicorn\"", "body.blend.first = \"unicorn\"; expected one of canine, bovine, feline, reptile, avian, fish, insect, serpent, amphibian, beetle, ant, wasp, mantis, hopper, spider, centipede, butterfly, dragonfly, bee, moth, shark, ray, angler, turtle, plesiosaur, crocodile, seal, newt, eel, dolphin, puffer, swordfish, duck, raptor, ostrich, parrot, heron, owl, penguin, toucan, frog, cobra, lion, hyena, boar, horse, bison, camel, bear, rhino, rabbit, bat, pterosaur, ceratops, lizard (line 10, column 25)")]
+    [InlineData("\"ears\": [", "\"ears\": [{}, {}, ", "ears = 3 elements; expected an array of 0..2 elements (line 139, column 11)")]
+    [InlineData("\"fork\": 1.5", "\"fork\": 1.5, \"fork\": 1.5", "tail.fork = a second member of this name; expected one (line 73, column 57)")]
     public void A_wrong_field_is_reported_with_its_path_and_place(string good, string bad, string problem)
     {
         Assert.Equal(problem, Assert.Single(ReadChanged(good, bad).Problems).ToString());
@@ -76,22 +76,23 @@ public sealed class BlueprintReadingTests
     }
 
     [Theory]
-    [InlineData("2", "version = 2; expected 1, this text is for a newer version of the library (line 2, column 14)")]
-    [InlineData("1e300", "version = 1e300; expected 1, this text is for a newer version of the library (line 2, column 14)")]
-    [InlineData("0", "version = 0; expected 1, the library reads no older text (line 2, column 14)")]
-    public void Another_version_is_one_problem_whatever_the_rest_holds(string version, string problem)
+    [InlineData("999999", ", this text is for a newer version of the library")]
+    [InlineData("1e300", ", this text is for a newer version of the library")]
+    [InlineData("0", "")]
+    [InlineData("1.5", "")]
+    public void An_unknown_format_is_one_problem_whatever_the_rest_holds(string version, string reason)
     {
-        string text = Good.Replace("\"version\": 1", "\"version\": " + version, StringComparison.Ordinal).Replace("\"scale\"", "\"size\"", StringComparison.Ordinal);
-        Assert.Equal(problem, Assert.Single(BlueprintJson.Read(text).Problems).ToString());
+        string text = WithVersion(version).Replace("\"scale\"", "\"size\"", StringComparison.Ordinal);
+        Assert.Equal($"version = {version}; expected {BlueprintFormat.Range}{reason} (line 2, column 14)", Assert.Single(BlueprintJson.Read(text).Problems).ToString());
     }
 
     [Theory]
     [InlineData("\"1\"")]
     [InlineData("null")]
     [InlineData("[1]")]
-    public void A_version_that_is_no_number_is_reported(string version)
+    public void A_format_that_is_no_number_is_reported(string version)
     {
-        Assert.Equal("version", Assert.Single(ReadChanged("\"version\": 1", "\"version\": " + version).Problems).Path);
+        Assert.Equal("version", Assert.Single(BlueprintJson.Read(WithVersion(version)).Problems).Path);
     }
 
     [Fact]
@@ -114,7 +115,7 @@ public sealed class BlueprintReadingTests
     [Fact]
     public void An_empty_object_lacks_every_field()
     {
-        Assert.Equal(18, BlueprintJson.Read("{}").Problems.Count);
+        Assert.Equal(19, BlueprintJson.Read("{}").Problems.Count);
     }
 
     [Fact]
@@ -176,4 +177,6 @@ public sealed class BlueprintReadingTests
         string sentence = reading.Problems[0].ToString();
         return sentence[..sentence.IndexOf(" (line", StringComparison.Ordinal)];
     }
+
+    private static string WithVersion(string version) => Good.Replace($"\"version\": {BlueprintJson.FormatVersion}", "\"version\": " + version, StringComparison.Ordinal);
 }

@@ -43,7 +43,7 @@ public sealed class BlueprintValidatorTests
         CreatureBlueprint small = Samples.Small;
         CreatureBlueprint wrong = small with
         {
-            Version = 2,
+            Algorithm = 0,
             Scale = double.NaN,
             Legs = small.Legs.With(1, small.Legs[1] with { Toes = 0, Thickness = 0 }),
             Body = small.Body with { Slices = new ValueList<LatticeSlice>(small.Body.Slices.Skip(1)), Posture = small.Body.Posture with { TailBend = 0.3, NeckBend = -0.6 } },
@@ -53,7 +53,7 @@ public sealed class BlueprintValidatorTests
         Assert.Equal(
             new[]
             {
-                "version = 2; expected 1",
+                $"algorithm = 0; expected a whole number 1..{CreatureBlueprint.CurrentAlgorithm}",
                 "scale = NaN; expected 0.05..20",
                 "body.posture.neckBend = -0.6; expected -0.5817764173314431..0.5817764173314431",
                 "body.posture.tailBend = 0.3; expected -0.29088820866572157..0.29088820866572157",

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using CreatureGen.Blueprints;
+using CreatureGen.Json;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -40,49 +41,60 @@ public sealed class FieldTablesTests
     /// <summary>Lists the fields of a record and of all records in it, each kind of record once.</summary>
     private sealed class FieldTables : IFieldVisitor
     {
-        private readonly StringBuilder rows = new();
-        private readonly StringBuilder following = new();
+        private readonly StringBuilder rows;
+        private readonly StringBuilder following;
         private readonly HashSet<Type> listed;
+        private readonly int since;
 
-        private FieldTables(HashSet<Type> listed) => this.listed = listed;
+        private FieldTables(StringBuilder rows, StringBuilder following, HashSet<Type> listed, int since)
+        {
+            this.rows = rows;
+            this.following = following;
+            this.listed = listed;
+            this.since = since;
+        }
 
         public static string Of<T>(RecordDescription<T> description)
             where T : class, IEquatable<T> => Of(description, new HashSet<Type>());
 
-        public double Number(string name, double value, NumberRange range) => Row(name, range.ToString(), value);
+        public IFieldVisitor Since(int format) => new FieldTables(rows, following, listed, format);
 
-        public int Whole(string name, int value, WholeRange range) => Row(name, range.ToString(), value);
+        public double Number(string name, double value, NumberRange range) => Row(name, range.ToString(), value, NumberText.Of(value));
 
-        public ulong UnsignedText(string name, ulong value) => Row(name, "a string of the digits of a number of 64 bits", value);
+        public int Whole(string name, int value, WholeRange range) => Row(name, range.ToString(), value, NumberText.Of(value));
 
-        public ulong? OptionalText(string name, ulong? value) => Row(name, "left out, or a string of the digits of a number of 64 bits", value);
+        public int Version(string name, int value, int current) => Row(name, "a whole number from 1 to that of the library", value, "");
+
+        public ulong UnsignedText(string name, ulong value) => Row(name, "a string of the digits of a number of 64 bits", value, "0");
+
+        public ulong? OptionalText(string name, ulong? value) => Row(name, "left out, or a string of the digits of a number of 64 bits", value, "left out");
 
         public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
-            where TEnum : struct, Enum => Row(name, names.ToString(), value);
+            where TEnum : struct, Enum => Row(name, names.ToString(), value, names.NameOf(value)!);
 
-        public string Word(string name, string value, IReadOnlyList<string> known) => Row(name, FieldChecker.OneOf(known), value);
+        public string Word(string name, string value, IReadOnlyList<string> known) => Row(name, FieldChecker.OneOf(known), value, value);
 
         public T Record<T>(string name, T value, RecordDescription<T> description)
             where T : class, IEquatable<T>
         {
             Follow(description);
-            return Row(name, "`" + typeof(T).Name + "`", value);
+            return Row(name, "`" + typeof(T).Name + "`", value, "");
         }
 
         public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
             where T : class, IEquatable<T>
         {
             Follow(description);
-            return Row(name, "an array of " + count.Bounds() + " `" + typeof(T).Name + "`", value);
+            return Row(name, "an array of " + count.Bounds() + " `" + typeof(T).Name + "`", value, value.Count == 0 ? "[]" : "");
         }
 
         private static string Of<T>(RecordDescription<T> description, HashSet<Type> listed)
             where T : class, IEquatable<T>
         {
             listed.Add(typeof(T));
-            var tables = new FieldTables(listed);
+            var tables = new FieldTables(new StringBuilder(), new StringBuilder(), listed, BlueprintFormat.First);
             description.Visit(tables, description.Neutral);
-            return "\n### " + typeof(T).Name + "\n\n| field | value |\n| --- | --- |\n" + tables.rows + tables.following;
+            return "\n### " + typeof(T).Name + "\n\n| field | value | default | since |\n| --- | --- | --- | --- |\n" + tables.rows + tables.following;
         }
 
         private void Follow<T>(RecordDescription<T> description)
@@ -94,9 +106,9 @@ public sealed class FieldTablesTests
             }
         }
 
-        private T Row<T>(string name, string range, T value)
+        private T Row<T>(string name, string range, T value, string neutral)
         {
-            rows.Append("| `").Append(name).Append("` | ").Append(range).Append(" |\n");
+            rows.Append("| `").Append(name).Append("` | ").Append(range).Append(" | ").Append(neutral).Append(" | ").Append(since).Append(" |\n");
             return value;
         }
     }

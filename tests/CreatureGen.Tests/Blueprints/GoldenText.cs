@@ -1,12 +1,19 @@
+using System;
+using System.Globalization;
+using CreatureGen.Blueprints;
+
 namespace CreatureGen.Tests.Blueprints;
 
 /// <summary>Text that must not change while the version of blueprints stays: files that people keep are written like this.</summary>
 internal static class GoldenText
 {
     /// <summary>The text of <see cref="Samples.Small"/>.</summary>
-    public const string Small = """
+    public static string Small => Text.Replace("FORMAT", Number(BlueprintFormat.Current), StringComparison.Ordinal).Replace("ALGORITHM", Number(CreatureBlueprint.CurrentAlgorithm), StringComparison.Ordinal);
+
+    private const string Text = """
         {
-          "version": 1,
+          "version": FORMAT,
+          "algorithm": ALGORITHM,
           "seed": "18446744073709551615",
           "kind": "flying",
           "plan": "flapping",
@@ -222,4 +229,6 @@ internal static class GoldenText
         }
 
         """;
+
+    private static string Number(int value) => value.ToString(CultureInfo.InvariantCulture);
 }

@@ -16,6 +16,8 @@ internal sealed class RandomFields : IFieldVisitor
     public static T Draw<T>(RecordDescription<T> description, RandomStream random)
         where T : class, IEquatable<T> => description.Visit(new RandomFields(random), description.Neutral);
 
+    public IFieldVisitor Since(int format) => this;
+
     public double Number(string name, double value, NumberRange range) => random.Integer(0, 8) switch
     {
         0 => range.Minimum,
@@ -35,6 +37,8 @@ internal sealed class RandomFields : IFieldVisitor
             }
         }
     }
+
+    public int Version(string name, int value, int current) => Whole(name, value, new WholeRange(1, current));
 
     public ulong UnsignedText(string name, ulong value) => random.NextUInt64() >> random.Integer(0, 64);
 

@@ -50,9 +50,13 @@ public sealed class RangeEndsTests
         /// <summary>The name of the number; null if the record has fewer numbers.</summary>
         public string? Pushed { get; private set; }
 
+        public IFieldVisitor Since(int format) => this;
+
         public double Number(string name, double value, NumberRange range) => IsTarget(name) ? (greatest ? range.Maximum : range.Minimum) : value;
 
         public int Whole(string name, int value, WholeRange range) => IsTarget(name) ? (greatest ? range.Maximum : range.Minimum) : value;
+
+        public int Version(string name, int value, int current) => value;
 
         public ulong UnsignedText(string name, ulong value) => value;
 

@@ -96,7 +96,7 @@ public sealed class GlbBlueprintTests
     [InlineData("{\"asset\":{\"version\":\"2.0\",\"extras\":7}}", "asset.extras.creaturegen.blueprint = nothing")]
     [InlineData("{\"asset\":{\"extras\":{\"creaturegen\":{\"seed\":\"1\"}}}}", "asset.extras.creaturegen.blueprint = nothing")]
     [InlineData("{\"asset\":{\"extras\":{\"creaturegen\":{\"blueprint\":3}}}}", "asset.extras.creaturegen.blueprint = 3; expected an object")]
-    [InlineData("{\"asset\":{\"extras\":{\"creaturegen\":{\"blueprint\":{\"version\":99}}}}}", "asset.extras.creaturegen.blueprint.version = 99; expected 1")]
+    [InlineData("{\"asset\":{\"extras\":{\"creaturegen\":{\"blueprint\":{\"version\":99}}}}}", "asset.extras.creaturegen.blueprint.version = 99; expected a whole number 1..")]
     public void Json_without_a_blueprint_is_reported(string json, string problem) => AssertProblem(problem, Glb(json));
 
     [Fact]

@@ -1,7 +1,8 @@
-using System;
 using System.Linq;
 using System.Numerics;
 using System.Text.Json;
+using System;
+using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 using CreatureGen.Rigging;
@@ -21,7 +22,7 @@ public sealed class GlbExtrasTests
         Assert.Equal("CreatureGen", asset.GetProperty("generator").GetString());
         JsonElement own = asset.GetProperty("extras").GetProperty("creaturegen");
         Assert.Equal("18446744073709551609", own.GetProperty("seed").GetString());
-        Assert.Equal(Sample.Blueprint.Version, own.GetProperty("algorithmVersion").GetInt32());
+        Assert.Equal(CreatureBlueprint.CurrentAlgorithm, own.GetProperty("algorithmVersion").GetInt32());
         Assert.Equal("{\"kind\":\"walking\"}", own.GetProperty("options").GetString());
         Assert.Equal(JsonValueKind.Object, own.GetProperty("blueprint").ValueKind);
     }

@@ -1,10 +1,11 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Numerics;
 using System.Text.Json;
 using System.Threading.Tasks;
-using System;
+using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Gltf;
@@ -38,8 +39,8 @@ public sealed class IndependentReaderTests(CreatureFolder folder)
     {
         Assert.Equal(0, read.GetProperty("warnings").GetArrayLength());
         Assert.Equal(file.Creature.Blueprint.Seed.ToString(CultureInfo.InvariantCulture), read.GetProperty("seed").GetString());
-        Assert.Equal(file.Creature.Blueprint.Version, read.GetProperty("algorithmVersion").GetInt32());
-        Assert.Equal(file.Creature.Blueprint.Version, read.GetProperty("blueprintVersion").GetInt32());
+        Assert.Equal(CreatureBlueprint.CurrentAlgorithm, read.GetProperty("algorithmVersion").GetInt32());
+        Assert.Equal(CreatureBlueprint.CurrentAlgorithm, read.GetProperty("blueprintVersion").GetInt32());
         Assert.Equal(file.Options.Provenance, read.GetProperty("options").GetString());
         Assert.Equal(["Creature", "Root"], Texts(read, "roots"));
         Assert.Equal("Root", read.GetProperty("skeleton").GetString());

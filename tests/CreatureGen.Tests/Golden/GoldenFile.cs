@@ -14,6 +14,9 @@ internal static class GoldenFile
     /// <summary>Where it is in the repository.</summary>
     public const string Place = "tests/CreatureGen.Tests/Golden/golden.txt";
 
+    /// <summary>Where the list of versions is.</summary>
+    public const string VersionsPlace = "tests/CreatureGen.Tests/Golden/versions.txt";
+
     /// <summary>Its text.</summary>
     public static string Text { get; } = RepositoryFiles.Text(Place);
 

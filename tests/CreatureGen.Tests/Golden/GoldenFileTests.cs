@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
 using CreatureGen.Digest;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Conventions;
@@ -18,6 +20,28 @@ public sealed class GoldenFileTests
         string renewed = Path.Combine(AppContext.BaseDirectory, "golden.txt");
         File.WriteAllText(renewed, GoldenEntry.Format(GoldenFile.Text, actual));
         GoldenFile.AssertSame(actual, $"If that is meant, copy {Path.GetRelativePath(RepositoryFiles.Root, renewed)} over it, and say why in the commit (docs/determinism.md).");
+    }
+
+    [Fact]
+    public void The_bytes_have_a_version_of_the_algorithm_of_their_own()
+    {
+        IReadOnlyList<GoldenVersion> versions = GoldenVersion.Parse(RepositoryFiles.Text(GoldenFile.VersionsPlace));
+        Assert.Equal(Enumerable.Range(1, versions.Count), versions.Select(v => v.Algorithm));
+        Assert.Equal(versions.Count, versions.Select(v => v.Sha256).Distinct().Count());
+        GoldenVersion now = GoldenVersion.Of(CreatureBlueprint.CurrentAlgorithm, GoldenFile.Entries);
+        Assert.True(
+            versions[^1] == now,
+            $"{GoldenFile.Place} is \"{now}\" and {GoldenFile.VersionsPlace} ends with \"{versions[^1]}\": other bytes need a higher CreatureBlueprint.CurrentAlgorithm, then the golden file renewed (docs/determinism.md).");
+    }
+
+    [Fact]
+    public void A_version_keeps_its_bytes_for_good()
+    {
+        const string list = "# remark\n1 aa\n2 bb\n";
+        Assert.Equal(list, GoldenVersion.Append(list, new GoldenVersion(2, "bb")));
+        Assert.Equal(list + "3 cc\n", GoldenVersion.Append(list, new GoldenVersion(3, "cc")));
+        Assert.Contains("raise CreatureBlueprint.CurrentAlgorithm to 3", Assert.Throws<InvalidOperationException>(() => GoldenVersion.Append(list, new GoldenVersion(2, "cc"))).Message, StringComparison.Ordinal);
+        Assert.Throws<FormatException>(() => GoldenVersion.Parse("one aa"));
     }
 
     [Theory]

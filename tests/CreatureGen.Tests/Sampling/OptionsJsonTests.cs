@@ -71,7 +71,7 @@ public sealed class OptionsJsonTests
             CreatureOptions options = RandomFields.Draw(OptionsFields.Options, random);
             JsonValue root = JsonReader.Read(OptionsJson.Write(options), JsonLimits.Document).Root!;
             var problems = new ProblemList("");
-            Assert.Equal(options, FieldReader.Read(root, OptionsFields.Options, MissingField.Reported, problems));
+            Assert.Equal(options, FieldReader.Read(root, OptionsFields.Options, BlueprintFormat.Current, MissingField.Reported, problems));
             Assert.Empty(problems.All);
             OptionsReading reading = OptionsJson.Read(OptionsJson.Write(options));
             Assert.Equal(options.Validate(), reading.Problems);

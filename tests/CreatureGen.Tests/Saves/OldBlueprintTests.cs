@@ -1,0 +1,109 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Gltf;
+using CreatureGen.Inspection;
+using CreatureGen.Tests.Conventions;
+using Xunit;
+
+namespace CreatureGen.Tests.Saves;
+
+/// <summary>Files of every format there ever was lie beside this test and must load for ever.</summary>
+public sealed class OldBlueprintTests
+{
+    private const string Folder = "tests/CreatureGen.Tests/Saves";
+
+    /// <summary>Fields that say how the text is written, not what the creature is.</summary>
+    private static readonly string[] headings = [".version", ".algorithm"];
+
+    public static TheoryData<string> Texts => new(RepositoryFiles.Below(Folder, "*.json"));
+
+    public static TheoryData<string> Files => new(RepositoryFiles.Below(Folder, "*.glb"));
+
+    [Theory]
+    [MemberData(nameof(Texts))]
+    public void Text_of_an_old_format_loads_with_all_it_says_and_builds_a_sound_creature(string path)
+    {
+        string text = RepositoryFiles.Text(path);
+        BlueprintReading reading = BlueprintJson.Read(text);
+        Assert.True(reading.Blueprint is not null, path + ":\n" + string.Join('\n', reading.Problems));
+        Dictionary<string, string> now = Leaves(BlueprintJson.Write(reading.Blueprint));
+        foreach ((string field, string value) in Leaves(text).Where(leaf => !headings.Contains(leaf.Key)))
+        {
+            Assert.True(now.TryGetValue(field, out string? kept) && kept == value, $"{path}: {field} was {value} and is {now.GetValueOrDefault(field, "gone")}");
+        }
+
+        AssertSound(path, reading.Blueprint);
+    }
+
+    [Theory]
+    [MemberData(nameof(Files))]
+    public void An_old_file_gives_its_blueprint_and_builds_a_sound_creature(string path)
+    {
+        using FileStream file = File.OpenRead(Path.Combine(RepositoryFiles.Root, path));
+        BlueprintReading reading = GlbReader.ReadBlueprint(file);
+        Assert.True(reading.Blueprint is not null, path + ":\n" + string.Join('\n', reading.Problems));
+        AssertSound(path, reading.Blueprint);
+    }
+
+    [Fact]
+    public void There_is_text_of_every_format()
+    {
+        int[] missing = Enumerable.Range(1, BlueprintJson.FormatVersion).Where(f => !Texts.Any(row => row.Data.StartsWith($"{Folder}/format-{f}/", StringComparison.Ordinal))).ToArray();
+        Assert.True(missing.Length == 0, $"no text of format {string.Join(", ", missing)}: dotnet run -c Release --project tests/CreatureGen.Digest save {Folder} (docs/blueprint-json.md)");
+    }
+
+    [Fact]
+    public void Text_says_in_which_format_it_is()
+    {
+        foreach (string path in Texts.Select(row => row.Data))
+        {
+            using JsonDocument document = JsonDocument.Parse(RepositoryFiles.Text(path));
+            Assert.Equal("format-" + document.RootElement.GetProperty("version").GetInt32(), Path.GetFileName(Path.GetDirectoryName(path)));
+        }
+    }
+
+    private static void AssertSound(string path, CreatureBlueprint blueprint)
+    {
+        Creature creature = CreatureGenerator.Build(blueprint);
+        IReadOnlyList<InvariantViolation> violations = CreatureInspection.Inspect(creature);
+        Assert.True(violations.Count == 0, path + ":\n" + string.Join('\n', violations));
+    }
+
+    /// <summary>Every value of a document that holds no others, by its way from the root.</summary>
+    private static Dictionary<string, string> Leaves(string text)
+    {
+        var leaves = new Dictionary<string, string>(StringComparer.Ordinal);
+        using JsonDocument document = JsonDocument.Parse(text);
+        Collect("", document.RootElement, leaves);
+        return leaves;
+    }
+
+    private static void Collect(string path, JsonElement value, Dictionary<string, string> leaves)
+    {
+        switch (value.ValueKind)
+        {
+            case JsonValueKind.Object:
+                foreach (JsonProperty member in value.EnumerateObject())
+                {
+                    Collect(path + "." + member.Name, member.Value, leaves);
+                }
+
+                break;
+            case JsonValueKind.Array:
+                foreach ((int index, JsonElement item) in value.EnumerateArray().Index())
+                {
+                    Collect($"{path}[{index}]", item, leaves);
+                }
+
+                break;
+            default:
+                leaves.Add(path, value.GetRawText());
+                break;
+        }
+    }
+}
