@@ -19,12 +19,11 @@ internal static class ExportCheck
             throw ExportError.At("the mesh", "it has no triangle", "at least one");
         }
 
-        if (creature.Skeleton.Joints.Count == 0 || creature.Skeleton.Joints.Count > ushort.MaxValue)
+        if (creature.Skeleton.Joints.Count > ushort.MaxValue)
         {
             throw ExportError.At("the skeleton", FormattableString.Invariant($"it has {creature.Skeleton.Joints.Count} joints"), FormattableString.Invariant($"1..{ushort.MaxValue}"));
         }
 
-        RequireJoints(creature.Skeleton.Joints);
         RequireAttachmentPoints(creature);
         RequireLimbs(creature);
         int joints = creature.Skeleton.Joints.Count;
@@ -44,25 +43,6 @@ internal static class ExportCheck
         if (!(float.IsFinite(creature.DefaultSpeed) && creature.DefaultSpeed >= 0f))
         {
             throw ExportError.At("the default speed", FormattableString.Invariant($"it is {creature.DefaultSpeed}"), "a finite number that is not negative");
-        }
-    }
-
-    private static void RequireJoints(IReadOnlyList<Joint> joints)
-    {
-        for (int i = 0; i < joints.Count; i++)
-        {
-            Joint joint = joints[i];
-            string where = "joint " + joint.Name;
-            RequireFinite(joint.LocalPosition, where + ", position in its parent");
-            RequireFinite(joint.ModelPosition, where + ", position in the model");
-            RequireUnit(joint.LocalRotation, where + ", rotation in its parent");
-            RequireUnit(joint.ModelRotation, where + ", rotation in the model");
-            JointFrame parent = i == 0 ? new JointFrame(Vector3.Zero, Quaternion.Identity) : JointFrame.InModel(joints[joint.Parent]);
-            double deviation = JointFrame.InModel(joint).Deviation(parent, JointFrame.InParent(joint));
-            if (!(deviation <= Tolerance.RestPose))
-            {
-                throw ExportError.At(where, FormattableString.Invariant($"its rest pose in its parent differs from that in the model by {deviation}"), FormattableString.Invariant($"at most {Tolerance.RestPose}"));
-            }
         }
     }
 
@@ -160,15 +140,6 @@ internal static class ExportCheck
         if (!(float.IsFinite(x) && x > 0f))
         {
             throw ExportError.At(where, FormattableString.Invariant($"it is {x}"), "a finite positive number");
-        }
-    }
-
-    private static void RequireUnit(Quaternion q, string where)
-    {
-        double square = ((double)q.X * q.X) + ((double)q.Y * q.Y) + ((double)q.Z * q.Z) + ((double)q.W * q.W);
-        if (!(Math.Abs(Math.Sqrt(square) - 1.0) <= Tolerance.UnitLength))
-        {
-            throw ExportError.At(where, "it is " + ExportError.Text(q), "a unit quaternion");
         }
     }
 }

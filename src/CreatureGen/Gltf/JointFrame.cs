@@ -45,9 +45,6 @@ internal readonly struct JointFrame
     /// <summary>The rest pose of a joint in model space.</summary>
     public static JointFrame InModel(Joint joint) => new(joint.ModelPosition, joint.ModelRotation);
 
-    /// <summary>The rest pose of a joint in its parent's space.</summary>
-    public static JointFrame InParent(Joint joint) => new(joint.LocalPosition, joint.LocalRotation);
-
     /// <summary>A direction of the outer space, seen from this frame.</summary>
     public Vector3 DirectionToLocal(Vector3 d) => new(
         (float)((xx * d.X) + (xy * d.Y) + (xz * d.Z)),
@@ -85,26 +82,5 @@ internal readonly struct JointFrame
         matrix[13] = (float)-((yx * px) + (yy * py) + (yz * pz));
         matrix[14] = (float)-((zx * px) + (zy * py) + (zz * pz));
         matrix[15] = 1f;
-    }
-
-    /// <summary>How far this frame is from <paramref name="parent"/> followed by <paramref name="local"/>: the larger of the distance, as a part of 1 m plus the distance from the origin, and the largest difference between matrix entries.</summary>
-    public double Deviation(in JointFrame parent, in JointFrame local)
-    {
-        double x = (parent.xx * local.px) + (parent.yx * local.py) + (parent.zx * local.pz) + parent.px - px;
-        double y = (parent.xy * local.px) + (parent.yy * local.py) + (parent.zy * local.pz) + parent.py - py;
-        double z = (parent.xz * local.px) + (parent.yz * local.py) + (parent.zz * local.pz) + parent.pz - pz;
-        double distance = Math.Sqrt((x * x) + (y * y) + (z * z)) / (1.0 + Math.Sqrt((px * px) + (py * py) + (pz * pz)));
-        double turn = Math.Max(
-            Column(parent, local.xx, local.xy, local.xz, xx, xy, xz),
-            Math.Max(Column(parent, local.yx, local.yy, local.yz, yx, yy, yz), Column(parent, local.zx, local.zy, local.zz, zx, zy, zz)));
-        return Math.Max(distance, turn);
-    }
-
-    private static double Column(in JointFrame frame, double x, double y, double z, double expectedX, double expectedY, double expectedZ)
-    {
-        double dx = Math.Abs((frame.xx * x) + (frame.yx * y) + (frame.zx * z) - expectedX);
-        double dy = Math.Abs((frame.xy * x) + (frame.yy * y) + (frame.zy * z) - expectedY);
-        double dz = Math.Abs((frame.xz * x) + (frame.yz * y) + (frame.zz * z) - expectedZ);
-        return Math.Max(dx, Math.Max(dy, dz));
     }
 }

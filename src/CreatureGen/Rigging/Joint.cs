@@ -68,10 +68,13 @@ public enum JointRole
 
     /// <summary>The end of a chain; moves no vertex.</summary>
     End,
+
+    /// <summary>None of these: a joint of a skeleton from elsewhere about which nothing is known.</summary>
+    Other,
 }
 
-/// <summary>A joint of a <see cref="Skeleton"/> in its rest pose. Local +Y points at the main child.</summary>
-/// <param name="Name">Unique ASCII name, the same for the same role in every creature.</param>
+/// <summary>A joint of a <see cref="Skeleton"/> in its rest pose.</summary>
+/// <param name="Name">Unique name; of grown creatures ASCII, the same for the same role in every creature.</param>
 /// <param name="Role">What it is for.</param>
 /// <param name="Side">Left, right or on the midline.</param>
 /// <param name="Parent">Index of the parent, always smaller than its own; −1 for the root.</param>
@@ -91,4 +94,8 @@ public sealed record Joint(
     Vector3 ModelPosition,
     Quaternion ModelRotation,
     float Length,
-    JointLimit Limit);
+    JointLimit Limit)
+{
+    /// <summary>Unit direction of the bone in the joint's own space: towards the main child, of a joint without children onward from its parent. +Y in grown creatures.</summary>
+    public Vector3 Along { get; init; } = Vector3.UnitY;
+}

@@ -21,11 +21,11 @@ public readonly record struct AngleRange(float Min, float Max)
 }
 
 /// <summary>
-/// Limits of a joint's rotation away from its rest pose, in the joint's own axes. A knee bends far one way and hardly at all the other, so every range has its own two ends.
+/// Limits of a joint's rotation away from its rest pose, in the axes of its bone (<see cref="BoneAxes"/>). A knee bends far one way and hardly at all the other, so every range has its own two ends.
 /// </summary>
-/// <param name="SwingX">Turn about local X, the axis of hinges.</param>
-/// <param name="SwingZ">Turn about local Z.</param>
-/// <param name="Twist">Turn about the bone, local Y.</param>
+/// <param name="SwingX">Turn about the bone's X, the axis of hinges.</param>
+/// <param name="SwingZ">Turn about the bone's Z.</param>
+/// <param name="Twist">Turn about the bone, its Y.</param>
 public sealed record JointLimit(AngleRange SwingX, AngleRange SwingZ, AngleRange Twist)
 {
     /// <summary>The same limit both ways about each axis, radians.</summary>

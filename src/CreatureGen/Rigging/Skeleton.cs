@@ -2,10 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Rigging;
 
-/// <summary>The joints of a creature in rest pose, parents before children. The bind pose is the rest pose.</summary>
+/// <summary>The joints of a creature, grown or from elsewhere, in rest pose, parents before children. The bind pose is the rest pose.</summary>
 /// <remarks>The spans are the same numbers as in <see cref="Joints"/>, one array per field with one entry per joint: the form that per-frame code reads.</remarks>
 public sealed class Skeleton
 {
@@ -19,10 +20,19 @@ public sealed class Skeleton
     private readonly Vector3[] modelPositions;
 
     /// <summary>Takes the joints in order.</summary>
-    /// <exception cref="ArgumentException">A parent does not precede its child, a name is empty, not plain ASCII or used twice, or there are several roots.</exception>
+    /// <exception cref="ArgumentNullException">There is no list.</exception>
+    /// <exception cref="ArgumentException">
+    /// There is no joint, there are several roots, a parent does not precede its child, a name is empty or used twice, a number is not finite, a rotation or a direction is not of unit length,
+    /// a length is negative, a range of angles does not hold 0, or the place in the model is not the place that the parent gives.
+    /// </exception>
     public Skeleton(IReadOnlyList<Joint> joints)
     {
-        this.joints = new List<Joint>(joints).ToArray();
+        this.joints = new List<Joint>(joints ?? throw new ArgumentNullException(nameof(joints))).ToArray();
+        if (this.joints.Length == 0)
+        {
+            throw new ArgumentException("a skeleton of no joints; expected one at least", nameof(joints));
+        }
+
         int count = this.joints.Length;
         parents = new int[count];
         mirrors = new int[count];
@@ -35,7 +45,7 @@ public sealed class Skeleton
         for (int i = 0; i < count; i++)
         {
             Joint joint = this.joints[i];
-            Prove(joint, i, names);
+            JointProof.Require(joint, i, joint.Parent >= 0 && joint.Parent < i ? this.joints[joint.Parent] : null, names);
             parents[i] = joint.Parent;
             mirrors[i] = i;
             last[i] = i;
@@ -83,6 +93,47 @@ public sealed class Skeleton
     /// <summary>The last joint that hangs on each, itself if none does.</summary>
     internal ReadOnlySpan<int> LastBelow => last;
 
+    /// <summary>
+    /// A skeleton from local transforms alone, as other programs give them: places in model space, lengths and directions of bones are worked out.
+    /// </summary>
+    /// <param name="placements">Parents before children.</param>
+    /// <exception cref="ArgumentNullException">There is no list, or no joint in it.</exception>
+    /// <exception cref="ArgumentException">They are no tree, a name is empty or used twice, a number is not finite, or a rotation is zero.</exception>
+    public static Skeleton Build(IReadOnlyList<JointPlacement> placements)
+    {
+        int count = (placements ?? throw new ArgumentNullException(nameof(placements))).Count;
+        int[] parents = new int[count];
+        var localRotations = new Quaternion[count];
+        var localPositions = new Vector3[count];
+        for (int i = 0; i < count; i++)
+        {
+            JointPlacement placement = placements[i] ?? throw new ArgumentNullException(FormattableString.Invariant($"placements[{i}]"));
+            JointProof.RequireTree(placement.Name, i, placement.Parent);
+            parents[i] = placement.Parent;
+            localRotations[i] = JointProof.Unit(placement);
+            localPositions[i] = placement.Position;
+        }
+
+        var modelRotations = new Quaternion[count];
+        var modelPositions = new Vector3[count];
+        ForwardKinematics.Chain(parents, localRotations, localPositions, modelRotations, modelPositions);
+        int[] main = MainChildren.Find(parents, modelPositions);
+        var joints = new Joint[count];
+        for (int i = 0; i < count; i++)
+        {
+            Vector3 onward = main[i] >= 0 ? localPositions[main[i]] : Rotation.Rotate(Rotation.Inverse(localRotations[i]), localPositions[i]);
+            float length = main[i] >= 0 ? Vec.Length(onward) : 0f;
+            Vector3 along = Vec.Normalize(onward, Vector3.UnitY);
+            JointPlacement placement = placements[i];
+            joints[i] = new Joint(placement.Name, placement.Role, placement.Side, placement.Parent, localPositions[i], localRotations[i], modelPositions[i], modelRotations[i], length, placement.Limit)
+            {
+                Along = along,
+            };
+        }
+
+        return new Skeleton(joints);
+    }
+
     /// <summary>The index of the joint with the given name, or −1.</summary>
     public int IndexOf(string name)
     {
@@ -97,35 +148,14 @@ public sealed class Skeleton
         return -1;
     }
 
-    private static void Prove(Joint joint, int index, HashSet<string> names)
-    {
-        if (joint.Parent >= index || (joint.Parent < 0) != (index == 0))
-        {
-            throw new ArgumentException(FormattableString.Invariant($"joint {index} ({joint.Name}) has parent {joint.Parent}; expected a joint before it, or −1 for joint 0 alone"), "joints");
-        }
-
-        foreach (char c in joint.Name)
-        {
-            if (!(c is (>= 'A' and <= 'Z') or (>= 'a' and <= 'z') or (>= '0' and <= '9') or '_'))
-            {
-                throw new ArgumentException($"joint name \"{joint.Name}\"; expected letters, digits and underscores", "joints");
-            }
-        }
-
-        if (joint.Name.Length == 0 || !names.Add(joint.Name))
-        {
-            throw new ArgumentException($"joint name \"{joint.Name}\" is empty or used twice; expected unique names", "joints");
-        }
-    }
-
-    /// <summary>Left and right names differ in one letter.</summary>
+    /// <summary>Names of counterparts differ in the word for the side alone.</summary>
     private void FindMirrors()
     {
         for (int i = 0; i < joints.Length; i++)
         {
             for (int k = i + 1; joints[i].Side == Side.Left && k < joints.Length; k++)
             {
-                if (joints[k].Side == Side.Right && AreCounterparts(joints[i].Name, joints[k].Name))
+                if (joints[k].Side == Side.Right && SideNames.AreCounterparts(joints[i].Name, joints[k].Name))
                 {
                     mirrors[i] = k;
                     mirrors[k] = i;
@@ -133,28 +163,5 @@ public sealed class Skeleton
                 }
             }
         }
-    }
-
-    private static bool AreCounterparts(string left, string right)
-    {
-        if (left.Length != right.Length)
-        {
-            return false;
-        }
-
-        int different = 0;
-        for (int c = 0; c < left.Length; c++)
-        {
-            if (left[c] != right[c])
-            {
-                different++;
-                if (left[c] != 'L' || right[c] != 'R')
-                {
-                    return false;
-                }
-            }
-        }
-
-        return different == 1;
     }
 }
