@@ -28,6 +28,7 @@ public sealed class CreatureMesh
     private readonly Vector3[] colours;
     private readonly SkinWeights[] weights;
     private readonly int[] triangles;
+    private Vector4[] tangents = Array.Empty<Vector4>();
     private CreatureLevels? levels;
 
     /// <summary>Takes ownership of the arrays.</summary>
@@ -77,6 +78,12 @@ public sealed class CreatureMesh
     /// <summary>Unit smooth normals.</summary>
     public ReadOnlySpan<Vector3> Normals => normals;
 
+    /// <summary>
+    /// For each vertex the unit direction, perpendicular to the normal, in which u grows, and in w the side (±1) of the third axis, w · (normal × tangent), which points up the picture.
+    /// Empty unless this is a mesh made by <see cref="Textured"/>.
+    /// </summary>
+    public ReadOnlySpan<Vector4> Tangents => tangents;
+
     /// <summary>Texture coordinates, 0..1, origin at the top left of the picture.</summary>
     public ReadOnlySpan<Vector2> Texcoords => texcoords;
 
@@ -106,7 +113,14 @@ public sealed class CreatureMesh
         }
     }
 
+    /// <summary>This mesh as it is drawn with its texture atlas: with <see cref="Tangents"/>, and white where the atlas has the colour.</summary>
+    /// <remarks>Left and right share their texels. Along back and belly, where the texture turns over, vertices are there twice; those of this mesh come first, in their order. Levels of detail are made of the mesh before, each textured by itself.</remarks>
+    public CreatureMesh Textured() => TexturedMesh.Of(this);
+
+    /// <summary>The same mesh with tangents, one for each vertex.</summary>
+    internal CreatureMesh With(Vector4[] otherTangents) => new(positions, normals, texcoords, colours, weights, triangles, Parts) { Attention = Attention, tangents = otherTangents };
+
     /// <summary>Other triangles over the same vertices, which are shared.</summary>
     internal CreatureMesh With(int[] otherTriangles, IReadOnlyList<MeshPart> otherParts) =>
-        new(positions, normals, texcoords, colours, weights, otherTriangles, otherParts) { Attention = Attention };
+        new(positions, normals, texcoords, colours, weights, otherTriangles, otherParts) { Attention = Attention, tangents = tangents };
 }

@@ -45,10 +45,9 @@ public static class GlbWriter
         ExportCheck.Require(creature);
         LevelStack levels = LevelStack.Of(creature.Mesh, options);
         TextureImages? images = options.TextureSize == 0 ? null : TextureImages.Of(creature, options.TextureSize);
-        TangentFrames? frames = images == null ? null : TangentFrames.Of(levels.Mesh);
-        levels = frames == null ? levels : levels.Over(frames.Mesh);
+        levels = images == null ? levels : levels.Over(levels.Mesh.Textured());
         var plan = new BufferPlan();
-        var buffers = new MeshBuffers(levels.Mesh, frames?.Tangents ?? default, creature.Skeleton, plan);
+        var buffers = new MeshBuffers(levels.Mesh, creature.Skeleton, plan);
         var clips = new ClipBuffers(options.Clips, creature.Skeleton, plan);
         foreach (byte[] file in images?.Files ?? Array.Empty<byte[]>())
         {

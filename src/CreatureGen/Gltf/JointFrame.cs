@@ -62,25 +62,4 @@ internal readonly struct JointFrame
             (float)((yx * x) + (yy * y) + (yz * z)),
             (float)((zx * x) + (zy * y) + (zz * z)));
     }
-
-    /// <summary>Writes the matrix that takes the outer space into this frame: 16 numbers, columns one after the other.</summary>
-    public void WriteInverse(Span<float> matrix)
-    {
-        matrix[0] = (float)xx;
-        matrix[1] = (float)yx;
-        matrix[2] = (float)zx;
-        matrix[3] = 0f;
-        matrix[4] = (float)xy;
-        matrix[5] = (float)yy;
-        matrix[6] = (float)zy;
-        matrix[7] = 0f;
-        matrix[8] = (float)xz;
-        matrix[9] = (float)yz;
-        matrix[10] = (float)zz;
-        matrix[11] = 0f;
-        matrix[12] = (float)-((xx * px) + (xy * py) + (xz * pz));
-        matrix[13] = (float)-((yx * px) + (yy * py) + (yz * pz));
-        matrix[14] = (float)-((zx * px) + (zy * py) + (zz * pz));
-        matrix[15] = 1f;
-    }
 }

@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using CreatureGen.Creatures;
 using CreatureGen.Rigging;
+using CreatureGen.Skinning;
 
 namespace CreatureGen.Gltf;
 
@@ -13,26 +15,23 @@ internal sealed class MeshBuffers
     private const int LastShortIndex = ushort.MaxValue - 1;
 
     private readonly CreatureMesh mesh;
-    private readonly ReadOnlyMemory<Vector4> tangents;
     private readonly Skeleton skeleton;
     private readonly List<Accessor> indices = new();
 
     /// <summary>Appends the accessors of <paramref name="mesh"/> and of the skin of <paramref name="skeleton"/> to <paramref name="plan"/>.</summary>
     /// <param name="mesh">What is drawn.</param>
-    /// <param name="tangents">One per vertex; empty for a mesh without a normal map.</param>
     /// <param name="skeleton">Its joints.</param>
     /// <param name="plan">Takes the accessors.</param>
-    public MeshBuffers(CreatureMesh mesh, ReadOnlyMemory<Vector4> tangents, Skeleton skeleton, BufferPlan plan)
+    public MeshBuffers(CreatureMesh mesh, Skeleton skeleton, BufferPlan plan)
     {
         this.mesh = mesh;
-        this.tangents = tangents;
         this.skeleton = skeleton;
         int vertices = mesh.Positions.Length;
         ComponentFormat joint = skeleton.Joints.Count > byte.MaxValue ? ComponentFormat.Short : ComponentFormat.Byte;
         ComponentFormat index = vertices - 1 > LastShortIndex ? ComponentFormat.Integer : ComponentFormat.Short;
         Positions = plan.Add(ElementShape.Vector3, ComponentFormat.Float, vertices, BufferTarget.Vertices);
         Normals = plan.Add(ElementShape.Vector3, ComponentFormat.Float, vertices, BufferTarget.Vertices);
-        Tangents = tangents.IsEmpty ? null : plan.Add(ElementShape.Vector4, ComponentFormat.Float, vertices, BufferTarget.Vertices);
+        Tangents = mesh.Tangents.IsEmpty ? null : plan.Add(ElementShape.Vector4, ComponentFormat.Float, vertices, BufferTarget.Vertices);
         Texcoords = plan.Add(ElementShape.Vector2, ComponentFormat.Float, vertices, BufferTarget.Vertices);
         Colours = plan.Add(ElementShape.Vector4, ComponentFormat.ShortFraction, vertices, BufferTarget.Vertices);
         Joints = plan.Add(ElementShape.Vector4, joint, vertices, BufferTarget.Vertices);
@@ -74,7 +73,7 @@ internal sealed class MeshBuffers
         VertexWriter.Normals(mesh.Normals, BufferPlan.Bytes(Normals, binary));
         if (Tangents != null)
         {
-            VertexWriter.Tangents(tangents.Span, BufferPlan.Bytes(Tangents, binary));
+            VertexWriter.Tangents(mesh.Tangents, BufferPlan.Bytes(Tangents, binary));
         }
 
         VertexWriter.Texcoords(mesh.Texcoords, BufferPlan.Bytes(Texcoords, binary));
@@ -117,14 +116,12 @@ internal sealed class MeshBuffers
 
     private void WriteInverseBinds(Span<byte> destination)
     {
-        Span<float> matrix = stackalloc float[16];
-        for (int j = 0; j < skeleton.Joints.Count; j++)
+        var matrices = new Matrix4x4[skeleton.Count];
+        SkinMatrices.FillInverseBinds(skeleton, matrices);
+        ReadOnlySpan<float> numbers = MemoryMarshal.Cast<Matrix4x4, float>(matrices);
+        for (int k = 0; k < numbers.Length; k++)
         {
-            JointFrame.InModel(skeleton.Joints[j]).WriteInverse(matrix);
-            for (int k = 0; k < 16; k++)
-            {
-                LittleEndian.Write(destination, (64 * j) + (4 * k), matrix[k]);
-            }
+            LittleEndian.Write(destination, 4 * k, numbers[k]);
         }
     }
 }

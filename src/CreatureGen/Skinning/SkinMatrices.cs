@@ -76,4 +76,62 @@ public static class SkinMatrices
             m.M44 = 1f;
         }
     }
+
+    /// <summary>Fills in one matrix per joint that carries model space at rest into the joint's space: its inverse bind matrix.</summary>
+    /// <param name="skeleton">Its rest pose is the bind pose.</param>
+    /// <param name="matrices">Receives one matrix per joint, for row vectors (v · M, translation in the fourth row). In memory this is also a matrix for column vectors stored column by column, as OpenGL and glTF have it.</param>
+    /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
+    /// <exception cref="ArgumentException">There is not one matrix for each joint.</exception>
+    public static void FillInverseBinds(Skeleton skeleton, Span<Matrix4x4> matrices)
+    {
+        _ = skeleton ?? throw new ArgumentNullException(nameof(skeleton));
+        if (matrices.Length != skeleton.Count)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{matrices.Length} matrices; expected one for each of the {skeleton.Count} joints"), nameof(matrices));
+        }
+
+        for (int i = 0; i < matrices.Length; i++)
+        {
+            matrices[i] = Inverse(skeleton.ModelRotations[i], skeleton.ModelPositions[i]);
+        }
+    }
+
+    /// <summary>The inverse of a turn, of any length but zero, and a move, worked out in double precision.</summary>
+    private static Matrix4x4 Inverse(Quaternion rotation, Vector3 position)
+    {
+        double x = rotation.X;
+        double y = rotation.Y;
+        double z = rotation.Z;
+        double w = rotation.W;
+        double s = 2.0 / ((x * x) + (y * y) + (z * z) + (w * w));
+        double xx = 1.0 - (s * ((y * y) + (z * z)));
+        double xy = s * ((x * y) + (w * z));
+        double xz = s * ((x * z) - (w * y));
+        double yx = s * ((x * y) - (w * z));
+        double yy = 1.0 - (s * ((x * x) + (z * z)));
+        double yz = s * ((y * z) + (w * x));
+        double zx = s * ((x * z) + (w * y));
+        double zy = s * ((y * z) - (w * x));
+        double zz = 1.0 - (s * ((x * x) + (y * y)));
+        double px = position.X;
+        double py = position.Y;
+        double pz = position.Z;
+        return new Matrix4x4(
+            (float)xx,
+            (float)yx,
+            (float)zx,
+            0f,
+            (float)xy,
+            (float)yy,
+            (float)zy,
+            0f,
+            (float)xz,
+            (float)yz,
+            (float)zz,
+            0f,
+            (float)-((xx * px) + (xy * py) + (xz * pz)),
+            (float)-((yx * px) + (yy * py) + (yz * pz)),
+            (float)-((zx * px) + (zy * py) + (zz * pz)),
+            1f);
+    }
 }

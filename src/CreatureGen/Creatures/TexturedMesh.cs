@@ -1,32 +1,19 @@
 using System;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Skinning;
 
-namespace CreatureGen.Gltf;
+namespace CreatureGen.Creatures;
 
-/// <summary>Tangents for normal maps, and the mesh that they belong to.</summary>
+/// <summary>A mesh made ready for its texture atlas: tangents for the normal map, and white where the atlas has the colour.</summary>
 /// <remarks>
 /// Left and right share their texels, so along back and belly the texture runs in opposite directions on the two sides: a vertex whose triangles disagree about that becomes two.
 /// A tangent is the mean of the directions in which u grows over the triangles around a vertex, weighted by area in space, made perpendicular to the normal.
 /// </remarks>
-internal sealed class TangentFrames
+internal static class TexturedMesh
 {
-    private TangentFrames(CreatureMesh mesh, Vector4[] tangents)
-    {
-        Mesh = mesh;
-        Tangents = tangents;
-    }
-
-    /// <summary>The mesh with vertices split where the texture is mirrored.</summary>
-    public CreatureMesh Mesh { get; }
-
-    /// <summary>One per vertex: a unit direction perpendicular to the normal, and in w the side (±1) of the third axis as glTF has it.</summary>
-    public ReadOnlyMemory<Vector4> Tangents { get; }
-
-    /// <summary>Finds the tangents of a mesh with texture coordinates whose v points down the picture.</summary>
-    public static TangentFrames Of(CreatureMesh mesh)
+    /// <summary>Makes a mesh ready. The v of its texture coordinates points down the picture.</summary>
+    public static CreatureMesh Of(CreatureMesh mesh)
     {
         int vertices = mesh.Positions.Length;
         int[] triangles = mesh.Triangles.ToArray();
@@ -55,7 +42,7 @@ internal sealed class TangentFrames
         }
 
         CreatureMesh split = Split(mesh, triangles, mirroredCopy, count);
-        return new TangentFrames(split, Directions(split));
+        return split.With(Directions(split));
     }
 
     private static CreatureMesh Split(CreatureMesh mesh, int[] triangles, int[] mirroredCopy, int count)
