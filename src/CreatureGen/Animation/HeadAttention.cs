@@ -93,7 +93,7 @@ internal sealed class HeadAttention
 
             // About where the motion holds the head, however it holds the trunk.
             LookAngles glance = Glances.At(habits, seconds, glances);
-            wanted = GazeTarget.Towards(glance with { Pitch = glance.Pitch + Gaze.PitchOf(rig, model) });
+            wanted = GazeTarget.Towards(glance with { Pitch = glance.Pitch + GazeSolver.PitchOf(rig, model) });
         }
 
         if (wanted.Kind == GazeTargetKind.None && state.Weight == 0f)
@@ -101,7 +101,7 @@ internal sealed class HeadAttention
             return;
         }
 
-        Gaze.Advance(rig, ref state, head, wanted, dt, local, model);
+        GazeSolver.Advance(rig, ref state, head, wanted, dt, local, model);
         if (rig.LeftEye >= 0 && rig.RightEye >= 0)
         {
             Eyes.Update(rig, ref state, EyeSettings.Default, wanted, dt, local, model);

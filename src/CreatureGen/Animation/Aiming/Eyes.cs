@@ -14,7 +14,7 @@ namespace CreatureGen.Animation.Aiming;
 /// </remarks>
 public static class Eyes
 {
-    /// <summary>Lets time pass and poses the eyes; call it after <see cref="Gaze.Update"/>.</summary>
+    /// <summary>Lets time pass and poses the eyes; call it after <see cref="GazeSolver.Update"/>.</summary>
     /// <param name="rig">The joints.</param>
     /// <param name="state">Where the eyes are on their way; the same as the head's.</param>
     /// <param name="settings">How they move.</param>

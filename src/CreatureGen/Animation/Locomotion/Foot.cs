@@ -2,16 +2,6 @@ using System.Numerics;
 
 namespace CreatureGen.Animation.Locomotion;
 
-/// <summary>What a foot is doing.</summary>
-public enum FootPhase
-{
-    /// <summary>On the ground, locked to where it came down.</summary>
-    Stance,
-
-    /// <summary>In the air, on its way to the next place.</summary>
-    Swing,
-}
-
 /// <summary>What a foot remembers from update to update.</summary>
 internal struct Foot
 {

@@ -51,7 +51,7 @@ public sealed class GazeTests
             for (int i = 0; i < 120; i++)
             {
                 pose = new MovingPose(skeleton);
-                error = Gaze.Update(rig, ref state, GazeSettings.Default, GazeTarget.At(target), 1f / 60f, pose.Local, pose.Model);
+                error = GazeSolver.Update(rig, ref state, GazeSettings.Default, GazeTarget.At(target), 1f / 60f, pose.Local, pose.Model);
             }
 
             Assert.True(error < 0.002f, $"{target}: {error}");
@@ -114,7 +114,7 @@ public sealed class GazeTests
             double swing = 0.5 * PortableMath.Sin(2 * PortableMath.Pi * 0.7 * i * step);
             pose.LocalRotations[0] = Rotation.Multiply(Rotation.FromAxisAngle(Vector3.UnitY, swing), pose.LocalRotations[0]);
             ForwardKinematics.LocalToModel(skeleton, pose.Local, pose.Model);
-            Gaze.Update(rig, ref state, GazeSettings.Default, target, step, pose.Local, pose.Model);
+            GazeSolver.Update(rig, ref state, GazeSettings.Default, target, step, pose.Local, pose.Model);
             trunk = Math.Max(trunk, Math.Abs(swing));
             Vector3 ahead = Rotation.Rotate(Rotation.Multiply(pose.ModelRotations[rig.Head], rig.HeadToModel), Vector3.UnitZ);
             head = Math.Max(head, Math.Abs(PortableMath.Atan2(ahead.X, ahead.Z)));
@@ -131,7 +131,7 @@ public sealed class GazeTests
         GazeState state = default;
         MovingPose pose = new MovingPose(skeleton).Shaken(4);
         MovingPose motion = new MovingPose(skeleton).Shaken(4);
-        Gaze.Update(rig, ref state, GazeSettings.Default, GazeTarget.None, 1f / 60f, pose.Local, pose.Model);
+        GazeSolver.Update(rig, ref state, GazeSettings.Default, GazeTarget.None, 1f / 60f, pose.Local, pose.Model);
         Assert.Equal(motion.LocalRotations, pose.LocalRotations);
         Settle(rig, ref state, GazeTarget.Towards(new LookAngles(1f, 0f)), 1f, 1f / 60f);
         Assert.True(state.Weight > 0.99f);
@@ -139,7 +139,7 @@ public sealed class GazeTests
         for (int i = 0; i < 120; i++)
         {
             pose = new MovingPose(skeleton);
-            Gaze.Update(rig, ref state, GazeSettings.Default, GazeTarget.None, 1f / 60f, pose.Local, pose.Model);
+            GazeSolver.Update(rig, ref state, GazeSettings.Default, GazeTarget.None, 1f / 60f, pose.Local, pose.Model);
             double away = MovingPose.Between(skeleton.ModelRotations[rig.Head], pose.ModelRotations[rig.Head]);
             Assert.True(away <= last + 1e-5);
             last = away;
@@ -153,10 +153,10 @@ public sealed class GazeTests
     public void A_target_behind_is_seen_over_the_nearer_shoulder_and_crossing_behind_does_not_whip_the_head_round()
     {
         GazeSettings settings = GazeSettings.Default;
-        Assert.Equal(1.22f, Gaze.Bounded(new LookAngles(2.4f, 0f), 0f, settings).Yaw, 1e-5f);
-        Assert.Equal(-1.22f, Gaze.Bounded(new LookAngles(-2.4f, 0f), 0f, settings).Yaw, 1e-5f);
-        Assert.Equal(1.22f, Gaze.Bounded(new LookAngles(-3.0f, 0f), 1f, settings).Yaw, 1e-5f);
-        Assert.Equal(-1.22f, Gaze.Bounded(new LookAngles(-2.5f, 0f), 1f, settings).Yaw, 1e-5f);
+        Assert.Equal(1.22f, GazeSolver.Bounded(new LookAngles(2.4f, 0f), 0f, settings).Yaw, 1e-5f);
+        Assert.Equal(-1.22f, GazeSolver.Bounded(new LookAngles(-2.4f, 0f), 0f, settings).Yaw, 1e-5f);
+        Assert.Equal(1.22f, GazeSolver.Bounded(new LookAngles(-3.0f, 0f), 1f, settings).Yaw, 1e-5f);
+        Assert.Equal(-1.22f, GazeSolver.Bounded(new LookAngles(-2.5f, 0f), 1f, settings).Yaw, 1e-5f);
 
         (Skeleton _, GazeRig rig) = Giraffe(wide);
         GazeState state = default;
@@ -178,7 +178,7 @@ public sealed class GazeTests
         for (int i = 0; i < 120; i++)
         {
             pose = new MovingPose(rig.Skeleton);
-            Gaze.Update(rig, ref state, losing, GazeTarget.Towards(new LookAngles(2.9f, 0f)), 1f / 60f, pose.Local, pose.Model);
+            GazeSolver.Update(rig, ref state, losing, GazeTarget.Towards(new LookAngles(2.9f, 0f)), 1f / 60f, pose.Local, pose.Model);
         }
 
         Assert.Equal(0f, state.Weight);
@@ -234,7 +234,7 @@ public sealed class GazeTests
                 for (int i = 0; i < 60; i++)
                 {
                     pose = new MovingPose(skeleton);
-                    error = Gaze.Update(rig, ref state, GazeSettings.Default, target, 1f / 30f, pose.Local, pose.Model);
+                    error = GazeSolver.Update(rig, ref state, GazeSettings.Default, target, 1f / 30f, pose.Local, pose.Model);
                     Eyes.Update(rig, ref state, EyeSettings.Default, target, 1f / 30f, pose.Local, pose.Model);
                 }
 
@@ -323,11 +323,11 @@ public sealed class GazeTests
         GazeTarget target = GazeTarget.At(new Vector3(1f, 1f, 3f));
         Assert.Equal(0, MovingPose.Allocated(() =>
         {
-            Gaze.Update(rig, ref state, GazeSettings.Default, target, 0.01f, pose.Local, pose.Model);
+            GazeSolver.Update(rig, ref state, GazeSettings.Default, target, 0.01f, pose.Local, pose.Model);
             Eyes.Update(rig, ref state, EyeSettings.Default, target, 0.01f, pose.Local, pose.Model);
         }));
         Assert.Throws<ArgumentException>(() => GazeTarget.At(new Vector3(float.NaN, 0f, 0f)));
-        Assert.Throws<ArgumentOutOfRangeException>(() => Gaze.Update(rig, ref state, GazeSettings.Default, target, float.NaN, pose.Local, pose.Model));
+        Assert.Throws<ArgumentOutOfRangeException>(() => GazeSolver.Update(rig, ref state, GazeSettings.Default, target, float.NaN, pose.Local, pose.Model));
         Assert.Throws<ArgumentOutOfRangeException>(() => new GazeSettings(-1f));
         Assert.Throws<ArgumentException>(() => new GazeRig(skeleton, new[] { 0 }, new[] { 1f }));
     }
@@ -341,7 +341,7 @@ public sealed class GazeTests
         for (int i = 0; i < steps; i++)
         {
             pose = new MovingPose(rig.Skeleton);
-            Gaze.Update(rig, ref state, GazeSettings.Default, target, step, pose.Local, pose.Model);
+            GazeSolver.Update(rig, ref state, GazeSettings.Default, target, step, pose.Local, pose.Model);
         }
 
         return pose;

@@ -14,12 +14,12 @@ public sealed class SwimMotionTests
     public static TheoryData<BodyPlan> Plans => new(BodyPlan.Fish, BodyPlan.Eel, BodyPlan.Whale, BodyPlan.Flipper);
 
     [Theory]
-    [InlineData(BodyPlan.Fish, SwimStyle.Carangiform)]
-    [InlineData(BodyPlan.Eel, SwimStyle.Anguilliform)]
-    [InlineData(BodyPlan.Whale, SwimStyle.Cetacean)]
-    [InlineData(BodyPlan.Flipper, SwimStyle.Flippers)]
-    public void The_build_alone_tells_how_a_creature_swims(BodyPlan plan, SwimStyle style) =>
-        Assert.All(StrokeSubject.Of(plan, 16), creature => Assert.Equal(style, SwimProfile.Of(creature).Style));
+    [InlineData(BodyPlan.Fish, nameof(SwimStyle.Carangiform))]
+    [InlineData(BodyPlan.Eel, nameof(SwimStyle.Anguilliform))]
+    [InlineData(BodyPlan.Whale, nameof(SwimStyle.Cetacean))]
+    [InlineData(BodyPlan.Flipper, nameof(SwimStyle.Flippers))]
+    public void The_build_alone_tells_how_a_creature_swims(BodyPlan plan, string style) =>
+        Assert.All(StrokeSubject.Of(plan, 16), creature => Assert.Equal(style, SwimProfile.Of(creature).Style.ToString()));
 
     [Theory]
     [MemberData(nameof(Plans))]

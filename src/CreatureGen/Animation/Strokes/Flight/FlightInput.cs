@@ -1,7 +1,7 @@
 namespace CreatureGen.Animation.Strokes.Flight;
 
 /// <summary>Where a flier wants to be.</summary>
-public enum FlightIntent
+internal enum FlightIntent
 {
     /// <summary>On the ground: it comes down on its legs when it is low enough, folds its wings and stands.</summary>
     Ground,
@@ -16,4 +16,4 @@ public enum FlightIntent
 /// <param name="TurnRate">Radians per second; positive turns left.</param>
 /// <param name="ClimbRate">Metres per second up; negative descends.</param>
 /// <param name="Height">Metres from the ground up to the root.</param>
-public readonly record struct FlightInput(FlightIntent Intent, float Speed, float TurnRate = 0f, float ClimbRate = 0f, float Height = 100f);
+internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float TurnRate = 0f, float ClimbRate = 0f, float Height = 100f);

@@ -8,7 +8,7 @@ namespace CreatureGen.Animation.Strokes.Flight;
 
 /// <summary>Moves the body, wings, legs, neck and tail of a flier.</summary>
 /// <remarks>All oscillations are whole multiples of one slow cycle of <see cref="FlightProfile.BeatsPerCycle"/> beats: under steady input the motion repeats exactly after it.</remarks>
-public static class FlightMotion
+internal static class FlightMotion
 {
     /// <summary>Moves on and writes the body's root, axis, wings and legs of a local pose.</summary>
     /// <param name="profile">How the creature flies.</param>

@@ -1,7 +1,7 @@
 namespace CreatureGen.Animation.Strokes.Flight;
 
 /// <summary>What a flier is doing between standing and flying.</summary>
-public enum FlightPhase
+internal enum FlightPhase
 {
     /// <summary>It stands or walks, with folded wings.</summary>
     Grounded,

@@ -10,7 +10,7 @@ using CreatureGen.Skinning;
 namespace CreatureGen.Animation.Strokes.Flight;
 
 /// <summary>How a creature flies, worked out once from its build: its wings, their tempo, its legs, neck and tail. Immutable, and safe to share between threads.</summary>
-public sealed class FlightProfile
+internal sealed class FlightProfile
 {
     private const double Gravity = 9.81;
     private const double AirDensity = 1.225;

@@ -3,7 +3,7 @@ using CreatureGen.Maths;
 namespace CreatureGen.Animation.Strokes.Flight;
 
 /// <summary>Where a flier is in its motion. The default stands on the ground with folded wings; one for each creature on the scene, changed by <see cref="FlightMotion.Update"/> alone.</summary>
-public struct FlightState
+internal struct FlightState
 {
     /// <summary>Leg lengths above which height does not matter.</summary>
     internal const double HighEnough = 3;

@@ -7,4 +7,4 @@ namespace CreatureGen.Animation.Strokes.Slithering;
 /// <param name="Speed">Metres of the model per second on its way, not negative; less counts as 0.</param>
 /// <param name="TurnRate">Radians per second by which the head turns its way; positive turns left. A crawler that does not move cannot turn, and none turns tighter than its body bends.</param>
 /// <param name="Root">Where its root is; of its rotation the heading counts.</param>
-public readonly record struct SlitherInput(SlitherMode Mode, float Speed, float TurnRate, RootPlace Root);
+internal readonly record struct SlitherInput(SlitherMode Mode, float Speed, float TurnRate, RootPlace Root);

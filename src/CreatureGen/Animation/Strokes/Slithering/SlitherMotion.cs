@@ -8,7 +8,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Animation.Strokes.Slithering;
 
 /// <summary>Moves a body without legs over the ground: every joint follows the track of the head, so that nothing slips sideways.</summary>
-public static class SlitherMotion
+internal static class SlitherMotion
 {
     private const double Response = 6;
 

@@ -11,7 +11,7 @@ namespace CreatureGen.Animation.Strokes.Slithering;
 /// The track is a serpenoid curve: its heading swings as α·cos 2πσ/λ with the way σ along it (Hirose 1993). A body holds one and a half waves; α is 0.85, less where joints do not bend
 /// so far. Along its middle line it gets on by J₀(α) of the way along its body, with J₀ the Bessel function.
 /// </remarks>
-public sealed class SlitherProfile
+internal sealed class SlitherProfile
 {
     private const double Winding = 0.85;
     private const double SidewindWinding = 1.1;

@@ -5,7 +5,7 @@ using CreatureGen.Animation.RootMotion;
 namespace CreatureGen.Animation.Strokes.Slithering;
 
 /// <summary>Where a crawler is in its motion, with the track that its head has left behind. One for each creature on the scene; made once, nothing is allocated later.</summary>
-public sealed class SlitherState
+internal sealed class SlitherState
 {
     internal Smoothed Speed;
     internal Smoothed Sidewinding;

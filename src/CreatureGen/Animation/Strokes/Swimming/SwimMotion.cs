@@ -11,7 +11,7 @@ namespace CreatureGen.Animation.Strokes.Swimming;
 /// The speed decides tempo and width of the beat so that the Strouhal number stays that of the style: f = f₀·u^¾ and width u^¼, with u the speed in cruising speeds; standing still, the
 /// body sways slowly. All oscillations are whole multiples of one phase: under steady input the motion repeats exactly after each cycle.
 /// </remarks>
-public static class SwimMotion
+internal static class SwimMotion
 {
     /// <summary>Sharpness with which the motion follows its input, in cycles at cruise.</summary>
     private const double Response = 5;

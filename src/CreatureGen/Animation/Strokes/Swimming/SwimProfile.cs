@@ -9,7 +9,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Animation.Strokes.Swimming;
 
 /// <summary>How a creature swims, worked out once from its build: its style, its wave, its fins and legs and the tempo of its size. Immutable, and safe to share between threads.</summary>
-public sealed class SwimProfile
+internal sealed class SwimProfile
 {
     /// <summary>Share of a joint's range that the wave at its widest may take; the rest is for turns.</summary>
     private const double LimitShare = 0.84;

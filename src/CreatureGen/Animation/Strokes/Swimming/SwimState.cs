@@ -1,7 +1,7 @@
 namespace CreatureGen.Animation.Strokes.Swimming;
 
 /// <summary>Where a swimmer is in its motion. The default is at rest in still water; one for each creature on the scene, changed by <see cref="SwimMotion.Update"/> alone.</summary>
-public struct SwimState
+internal struct SwimState
 {
     internal double Phase;
     internal Smoothed Frequency;

@@ -1,7 +1,7 @@
 namespace CreatureGen.Animation.Strokes.Swimming;
 
 /// <summary>What drives a swimmer.</summary>
-public enum SwimStyle
+internal enum SwimStyle
 {
     /// <summary>The hind half of the body beats from side to side (most fish).</summary>
     Carangiform,

@@ -15,7 +15,7 @@ namespace CreatureGen.Animation.Aiming;
 /// <para>A target behind is looked at over the nearer shoulder, and over the same one while it is near straight behind. With no target the turn fades out; it comes back from where the motion is.</para>
 /// <para>Based on: WeaverDev, "Bonehead" (2018), for damping and limits; ozz-animation's look-at sample (G. Blanc), for a turn spread over a chain.</para>
 /// </remarks>
-public static class Gaze
+public static class GazeSolver
 {
     private const float LeastAttention = 1e-3f;
     private const int MostJoints = 64;
