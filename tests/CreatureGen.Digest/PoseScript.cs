@@ -1,13 +1,8 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Animation;
-using CreatureGen.Animation.Events;
-using CreatureGen.Animation.Grounds;
-using CreatureGen.Animation.RootMotion;
-using CreatureGen.Animation.Strokes.Slithering;
-using CreatureGen.Animation.Strokes.Swimming;
 using CreatureGen.Creatures;
+using CreatureGen.Motion;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Digest;

@@ -1,6 +1,6 @@
 using System;
 using System.Numerics;
-using CreatureGen.Animation.Grounds;
+using CreatureGen.Motion;
 
 namespace CreatureGen.Digest;
 

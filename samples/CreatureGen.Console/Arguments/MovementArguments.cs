@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text;
-using CreatureGen.Animation;
+using CreatureGen.Motion;
 
 namespace CreatureGen.Console.Arguments;
 

@@ -5,10 +5,10 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using CreatureGen.Anatomy;
-using CreatureGen.Animation.Grounds;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Working;
+using CreatureGen.Motion;
 
 namespace CreatureGen.Console.Text;
 

@@ -1,13 +1,12 @@
 using System;
 using System.IO;
 using System.Linq;
-using CreatureGen.Animation;
-using CreatureGen.Animation.Grounds;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Files;
 using CreatureGen.Console.Text;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
+using CreatureGen.Motion;
 using CreatureGen.Preview.Films;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Png;

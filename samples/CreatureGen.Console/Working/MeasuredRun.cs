@@ -1,12 +1,10 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
-using CreatureGen.Animation;
-using CreatureGen.Animation.Grounds;
-using CreatureGen.Animation.Metrics;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Creatures;
+using CreatureGen.Motion;
 using CreatureGen.Sampling;
 
 namespace CreatureGen.Console.Working;

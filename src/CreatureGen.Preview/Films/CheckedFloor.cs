@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Animation.Grounds;
+using CreatureGen.Motion;
 using CreatureGen.Preview.Scenes;
 
 namespace CreatureGen.Preview.Films;

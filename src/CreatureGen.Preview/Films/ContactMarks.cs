@@ -1,8 +1,7 @@
 using System;
 using System.Numerics;
-using CreatureGen.Animation;
-using CreatureGen.Animation.Grounds;
-using CreatureGen.Animation.Locomotion;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Walking;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Scenes;
 

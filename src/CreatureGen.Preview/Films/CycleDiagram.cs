@@ -3,8 +3,8 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Animation;
-using CreatureGen.Animation.Locomotion;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Walking;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Rigging;
 

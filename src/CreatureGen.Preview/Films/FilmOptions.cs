@@ -1,4 +1,4 @@
-using CreatureGen.Animation.Grounds;
+using CreatureGen.Motion;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Preview.Scenes;
 

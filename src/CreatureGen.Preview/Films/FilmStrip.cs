@@ -1,8 +1,8 @@
 using System;
 using System.Numerics;
 using System.Threading;
-using CreatureGen.Animation.Grounds;
 using CreatureGen.Maths;
+using CreatureGen.Motion;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Preview.Scenes;

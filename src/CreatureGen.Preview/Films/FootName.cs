@@ -1,6 +1,7 @@
 using System;
 using CreatureGen.Anatomy;
-using CreatureGen.Animation.Locomotion;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Preview.Pictures;
 
 namespace CreatureGen.Preview.Films;

@@ -1,11 +1,9 @@
 using System;
 using System.Numerics;
-using CreatureGen.Animation;
-using CreatureGen.Animation.Clips;
-using CreatureGen.Animation.Grounds;
-using CreatureGen.Animation.Metrics;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Clips;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;
 using CreatureGen.Skinning;
@@ -148,7 +146,7 @@ internal sealed class Take
         var positions = new Vector3[mesh.Positions.Length];
         var normals = new Vector3[mesh.Positions.Length];
         CpuSkinning.Skin(matrices, mesh.Weights, mesh.Positions, mesh.Normals, positions, normals);
-        Animation.RootMotion.RootPlace place = cycle.PlaceAt(moment);
+        RootPlace place = cycle.PlaceAt(moment);
         Vector3 camera = CameraAt(moment);
         for (int i = 0; i < positions.Length; i++)
         {

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Animation.Clips;
+using CreatureGen.Motion;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Gltf;

@@ -1,5 +1,5 @@
-using CreatureGen.Animation.Clips;
 using CreatureGen.Json;
+using CreatureGen.Motion;
 
 namespace CreatureGen.Gltf;
 

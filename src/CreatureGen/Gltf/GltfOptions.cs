@@ -1,6 +1,6 @@
 using System;
 using System.Collections.Generic;
-using CreatureGen.Animation.Clips;
+using CreatureGen.Motion;
 
 namespace CreatureGen.Gltf;
 

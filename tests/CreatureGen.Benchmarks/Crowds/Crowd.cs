@@ -3,12 +3,9 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Animation;
-using CreatureGen.Animation.Gaits;
-using CreatureGen.Animation.Grounds;
-using CreatureGen.Animation.RootMotion;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
+using CreatureGen.Motion;
 using CreatureGen.Sampling;
 
 namespace CreatureGen.Benchmarks.Crowds;

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using CreatureGen.Animation;
+using CreatureGen.Motion;
 using CreatureGen.Sampling;
 
 namespace CreatureGen.Benchmarks.Crowds;

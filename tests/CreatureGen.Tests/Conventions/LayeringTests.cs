@@ -10,11 +10,12 @@ namespace CreatureGen.Tests.Conventions;
 public sealed partial class LayeringTests
 {
     private static readonly RoomTable Table = RoomTable.Read();
+    private static readonly TypeFolders Folders = TypeFolders.Read();
 
     [Fact]
     public void The_plan_of_the_house_lists_every_folder_of_the_library()
     {
-        string[] folders = RepositoryFiles.Below("src/CreatureGen", "*.cs").Select(FolderOfFile).Where(r => r != "Polyfills").Distinct().ToArray();
+        string[] folders = RepositoryFiles.Below("src/CreatureGen", "*.cs").Select(TypeFolders.FolderOfFile).Where(r => r != "Polyfills").Distinct().ToArray();
         Assert.True(folders.Length > 15);
         string[] missing = folders.Where(f => Table.RoomOf(f) == null).ToArray();
         Assert.True(missing.Length == 0, "docs/architecture.md section 2 has no row for " + string.Join(", ", missing));
@@ -34,7 +35,7 @@ public sealed partial class LayeringTests
     public void Sources_name_only_the_rooms_that_they_may_know()
     {
         var wrong = new List<string>();
-        foreach (string path in RepositoryFiles.Below("src/CreatureGen", "*.cs").Where(p => FolderOfFile(p) != "Polyfills"))
+        foreach (string path in RepositoryFiles.Below("src/CreatureGen", "*.cs").Where(p => TypeFolders.FolderOfFile(p) != "Polyfills"))
         {
             wrong.AddRange(Mistakes(path, RepositoryFiles.Text(path), Table));
         }
@@ -49,8 +50,8 @@ public sealed partial class LayeringTests
         int rooms = 0;
         foreach (CompiledUse use in CompiledUse.Of(typeof(CreatureGenerator).Assembly))
         {
-            string? folder = RoomTable.FolderOf(use.Outer.Namespace);
-            string? other = RoomTable.FolderOf(use.TargetType.Namespace);
+            string? folder = Folders.FolderOf(use.Outer.FullName);
+            string? other = Folders.FolderOf(Outermost(use.TargetType).FullName);
             if (folder != null && other != null)
             {
                 rooms++;
@@ -66,15 +67,16 @@ public sealed partial class LayeringTests
     }
 
     [Fact]
-    public void Files_are_in_the_namespace_of_their_folder()
+    public void Files_are_in_the_namespace_of_their_folder_and_public_types_in_that_of_their_door()
     {
         var wrong = new List<string>();
-        foreach (string path in RepositoryFiles.Below("src/CreatureGen", "*.cs").Where(p => FolderOfFile(p) != "Polyfills"))
+        foreach (string path in RepositoryFiles.Below("src/CreatureGen", "*.cs").Where(p => TypeFolders.FolderOfFile(p) != "Polyfills"))
         {
-            Match space = NamespaceLine().Match(SourceText.CodeOf(RepositoryFiles.Text(path)));
-            if (RoomTable.FolderOf(space.Groups[1].Value) != FolderOfFile(path))
+            string code = SourceText.CodeOf(RepositoryFiles.Text(path));
+            string expected = TypeFolders.ExpectedNamespace(TypeFolders.FolderOfFile(path), code);
+            if (TypeFolders.NamespaceOf(code) != expected)
             {
-                wrong.Add($"{path}: namespace {space.Groups[1].Value}; expected that of its folder");
+                wrong.Add($"{path}: namespace {TypeFolders.NamespaceOf(code)}; expected {expected}");
             }
         }
 
@@ -110,30 +112,24 @@ public sealed partial class LayeringTests
 
     private static IEnumerable<string> Mistakes(string path, string source, RoomTable table)
     {
-        string room = table.RoomOf(FolderOfFile(path)) ?? throw new FormatException(path + " is in no room");
+        string room = table.RoomOf(TypeFolders.FolderOfFile(path)) ?? throw new FormatException(path + " is in no room");
         string code = SourceText.CodeOf(source);
         foreach (Match match in QualifiedName().Matches(code))
         {
             // The longest room that the name begins with: in CreatureGen.Limbs.Attachment.LegRules that is Limbs/Attachment.
+            // A door is no room: what is used of it is found in the compiled code.
             string name = match.Groups[1].Value.Replace('.', '/') + "/";
-            string? other = table.Rooms.Where(r => name.StartsWith(r + "/", StringComparison.Ordinal)).MaxBy(r => r.Length);
+            string? other = Folders.FolderOf(match.Value) is string folder ? table.RoomOf(folder) : table.Rooms.Where(r => name.StartsWith(r + "/", StringComparison.Ordinal)).MaxBy(r => r.Length);
             bool declares = code[..match.Index].TrimEnd().EndsWith("namespace", StringComparison.Ordinal);
-            if (!declares && (other == null || !table.Allows(room, other)))
+            if (!declares && !TypeFolders.IsDoor(match.Value) && (other == null || !table.Allows(room, other)))
             {
                 yield return $"{path} line {SourceText.LineAt(code, match.Index)}: {match.Value}; {room} may know {string.Join(", ", table.KnownTo(room))} (docs/architecture.md section 2)";
             }
         }
     }
 
-    private static string FolderOfFile(string path)
-    {
-        string folder = Path.GetDirectoryName(path)!.Replace('\\', '/');
-        return folder == "src/CreatureGen" ? "." : folder["src/CreatureGen/".Length..];
-    }
+    private static Type Outermost(Type type) => type.DeclaringType == null ? type : Outermost(type.DeclaringType);
 
     [GeneratedRegex(@"(?<![\w.])CreatureGen\.([A-Z][\w.]*)")]
     private static partial Regex QualifiedName();
-
-    [GeneratedRegex(@"^namespace ([\w.]+);", RegexOptions.Multiline)]
-    private static partial Regex NamespaceLine();
 }

@@ -58,15 +58,4 @@ internal sealed class RoomTable
 
         return folder;
     }
-
-    /// <summary>The folder of a namespace, with forward slashes; null for one outside the library.</summary>
-    public static string? FolderOf(string? space)
-    {
-        if (space == "CreatureGen")
-        {
-            return ".";
-        }
-
-        return space != null && space.StartsWith("CreatureGen.", StringComparison.Ordinal) ? space["CreatureGen.".Length..].Replace('.', '/') : null;
-    }
 }

@@ -1,7 +1,7 @@
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
-using CreatureGen.Tests.Animation;
+using CreatureGen.Tests.Motion;
 using Xunit;
 
 namespace CreatureGen.Tests.Maths;

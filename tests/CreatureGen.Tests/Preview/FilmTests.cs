@@ -3,8 +3,7 @@ using System.Linq;
 using System.Numerics;
 using System.Threading;
 using CreatureGen.Anatomy;
-using CreatureGen.Animation;
-using CreatureGen.Animation.Grounds;
+using CreatureGen.Motion;
 using CreatureGen.Preview.Films;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Scenes;
@@ -65,7 +64,7 @@ public sealed class FilmTests
             {
                 FootReport before = take.FootAt(moment - 1, foot);
                 FootReport now = take.FootAt(moment, foot);
-                if (before.Phase == CreatureGen.Animation.Locomotion.FootPhase.Stance && now.Phase == before.Phase)
+                if (before.Phase == FootPhase.Stance && now.Phase == before.Phase)
                 {
                     Assert.Equal(before.Place, now.Place);
                 }
@@ -111,7 +110,7 @@ public sealed class FilmTests
         for (int foot = 0; foot < film.Take.Feet; foot++)
         {
             Pixel colour = FootName.Colour(film.Profile.Legs!, foot);
-            double standing = Enumerable.Range(0, moments).Count(moment => film.Take.FootAt(moment, foot).Phase == CreatureGen.Animation.Locomotion.FootPhase.Stance) / (double)moments;
+            double standing = Enumerable.Range(0, moments).Count(moment => film.Take.FootAt(moment, foot).Phase == FootPhase.Stance) / (double)moments;
             int most = Enumerable.Range(strip.Height - CycleDiagram.Height(film), CycleDiagram.Height(film) - 2).Max(y => Enumerable.Range(0, strip.Width).Count(x => strip[x, y] == colour));
             Assert.Equal(standing, most / (double)(strip.Width - 66), 0.02);
         }

@@ -1,9 +1,9 @@
 using System;
 using System.Numerics;
-using CreatureGen.Animation.Clips;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
+using CreatureGen.Motion;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;

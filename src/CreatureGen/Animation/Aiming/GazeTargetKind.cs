@@ -1,9 +1,0 @@
-namespace CreatureGen.Animation.Aiming;
-
-/// <summary>Kinds of <see cref="GazeTarget"/>.</summary>
-internal enum GazeTargetKind
-{
-    None,
-    Point,
-    Direction,
-}

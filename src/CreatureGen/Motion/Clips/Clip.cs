@@ -1,0 +1,137 @@
+using System;
+using System.Numerics;
+
+namespace CreatureGen.Motion;
+
+/// <summary>What becomes of a clip at its end.</summary>
+public enum ClipEnd
+{
+    /// <summary>It begins anew: its last frame is its first, bit for bit.</summary>
+    Loops,
+
+    /// <summary>It stays at its last frame.</summary>
+    Stays,
+}
+
+/// <summary>
+/// A piece of motion as poses of all joints in their parents' space, at a fixed rate and in place: the root joint does not travel. Immutable.
+/// </summary>
+/// <remarks>Frames follow one another; each holds one entry per joint in the order of the skeleton. Rotations are unit quaternions that never jump to the other sign from frame to frame; positions are metres.</remarks>
+public sealed class Clip
+{
+    /// <summary>Frames per second of a clip whose joints turn slowly enough; quick wings take more.</summary>
+    public const int UsualRate = 30;
+
+    /// <summary>Most that a rotation may be off unit length.</summary>
+    private const float UnitLength = 1e-4f;
+
+    private readonly Quaternion[] rotations;
+    private readonly Vector3[] positions;
+
+    /// <summary>Takes ownership of the arrays; turns signs of rotations so that none jumps.</summary>
+    /// <param name="name">ASCII letters, digits and underscores.</param>
+    /// <param name="end">What becomes of it at its end.</param>
+    /// <param name="rate">Frames per second, at least 1.</param>
+    /// <param name="speed">Metres per second ahead at which the creature has to be moved for its feet not to slide; 0 for a clip on the spot.</param>
+    /// <param name="joints">Number of joints.</param>
+    /// <param name="rotations">Frames × joints, at least two frames.</param>
+    /// <param name="positions">Frames × joints.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The rate is below 1.</exception>
+    /// <exception cref="ArgumentException">A length, a number or the name is wrong, or a loop does not close.</exception>
+    public Clip(string name, ClipEnd end, int rate, float speed, int joints, Quaternion[] rotations, Vector3[] positions)
+    {
+        if (string.IsNullOrEmpty(name))
+        {
+            throw new ArgumentException("a clip has no name; expected letters, digits and underscores", nameof(name));
+        }
+
+        foreach (char c in name)
+        {
+            if (!(c is (>= 'A' and <= 'Z') or (>= 'a' and <= 'z') or (>= '0' and <= '9') or '_'))
+            {
+                throw new ArgumentException($"clip name \"{name}\"; expected letters, digits and underscores", nameof(name));
+            }
+        }
+
+        if (joints < 1 || rotations.Length != positions.Length || rotations.Length % joints != 0 || rotations.Length < 2 * joints)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"clip {name} has {rotations.Length} rotations and {positions.Length} positions of {joints} joints; expected one of each for every joint of at least two frames"), nameof(rotations));
+        }
+
+        if (rate < 1)
+        {
+            throw new ArgumentOutOfRangeException(nameof(rate), rate, "expected at least 1 frame per second");
+        }
+
+        if (!float.IsFinite(speed))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"clip {name} has the speed {speed}; expected a finite number"), nameof(speed));
+        }
+
+        Name = name;
+        End = end;
+        Rate = rate;
+        Speed = speed;
+        Joints = joints;
+        this.rotations = rotations;
+        this.positions = positions;
+        for (int i = 0; i < rotations.Length; i++)
+        {
+            Check(i);
+        }
+    }
+
+    /// <summary>Unique among the clips of a creature.</summary>
+    public string Name { get; }
+
+    /// <summary>What becomes of it at its end.</summary>
+    public ClipEnd End { get; }
+
+    /// <summary>Frames per second.</summary>
+    public int Rate { get; }
+
+    /// <summary>Metres per second ahead at which the creature has to be moved for its feet not to slide.</summary>
+    public float Speed { get; }
+
+    /// <summary>Number of joints.</summary>
+    public int Joints { get; }
+
+    /// <summary>Number of frames, the last included.</summary>
+    public int Frames => rotations.Length / Joints;
+
+    /// <summary>Seconds from the first to the last frame.</summary>
+    public float Duration => TimeOf(Frames - 1);
+
+    /// <summary>Seconds from the first to another frame.</summary>
+    public float TimeOf(int frame) => frame / (float)Rate;
+
+    /// <summary>The rotations of a frame, one per joint.</summary>
+    public ReadOnlySpan<Quaternion> RotationsAt(int frame) => rotations.AsSpan(frame * Joints, Joints);
+
+    /// <summary>The positions of a frame, one per joint.</summary>
+    public ReadOnlySpan<Vector3> PositionsAt(int frame) => positions.AsSpan(frame * Joints, Joints);
+
+    private void Check(int i)
+    {
+        Quaternion q = rotations[i];
+        Vector3 p = positions[i];
+        float squared = (q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W);
+        if (!(Math.Abs(squared - 1f) <= 2f * UnitLength) || !float.IsFinite(p.X + p.Y + p.Z))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"clip {Name}, frame {i / Joints}, joint {i % Joints}: rotation {q}, position {p}; expected a unit quaternion and finite numbers"), "rotations");
+        }
+
+        if (i >= Joints)
+        {
+            Quaternion before = rotations[i - Joints];
+            float dot = (q.X * before.X) + (q.Y * before.Y) + (q.Z * before.Z) + (q.W * before.W);
+            rotations[i] = dot < 0f ? new Quaternion(-q.X, -q.Y, -q.Z, -q.W) : q;
+        }
+
+        int first = i - (rotations.Length - Joints);
+        if (first >= 0 && End == ClipEnd.Loops && (rotations[i] != rotations[first] || positions[i] != positions[first]))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"clip {Name}, joint {first}: the last frame is not the first; expected a loop that closes exactly"), "rotations");
+        }
+    }
+}

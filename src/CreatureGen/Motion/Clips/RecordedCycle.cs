@@ -1,0 +1,120 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Clips;
+
+/// <summary>Poses of a time after which motion begins anew, with where the creature and its feet were. What is left between the last pose and the first is spread evenly, so that the poses close to the bit; what happens once is taken as it is.</summary>
+internal sealed class RecordedCycle
+{
+    private readonly Skeleton skeleton;
+    private readonly RootPlace[] places;
+    private readonly FootReport[] feet;
+    private readonly int footCount;
+
+    /// <summary>Records from now on.</summary>
+    /// <param name="motion">What has settled.</param>
+    /// <param name="frames">Number of updates.</param>
+    /// <param name="step">Seconds of each.</param>
+    public RecordedCycle(SteadyMotion motion, int frames, float step)
+    {
+        CreatureAnimator animator = motion.Animator;
+        Frames = frames;
+        skeleton = animator.Profile.Creature.Skeleton;
+        Joints = skeleton.Count;
+        Step = step;
+        Rotations = new Quaternion[(frames + 1) * Joints];
+        Positions = new Vector3[(frames + 1) * Joints];
+        places = new RootPlace[frames + 1];
+        footCount = animator.StandsOnFeet || !motion.Closes ? animator.FootCount : 0;
+        feet = new FootReport[(frames + 1) * footCount];
+        double speed = 0;
+        for (int frame = 0; frame <= frames; frame++)
+        {
+            animator.LocalPose.Rotations.CopyTo(Rotations.AsSpan(frame * Joints, Joints));
+            animator.LocalPose.Positions.CopyTo(Positions.AsSpan(frame * Joints, Joints));
+            places[frame] = animator.Root;
+            for (int foot = 0; foot < footCount; foot++)
+            {
+                feet[(frame * footCount) + foot] = animator.Foot(foot);
+            }
+
+            if (frame < frames)
+            {
+                motion.Live((frame + 1) * step, frames * step);
+                motion.Advance(step);
+                speed += animator.Speed / frames;
+            }
+        }
+
+        MeanSpeed = speed;
+        for (int joint = 0; joint < Joints && motion.Closes; joint++)
+        {
+            Close(joint);
+        }
+    }
+
+    /// <summary>Number of frames but the last, which is the first again.</summary>
+    public int Frames { get; }
+
+    /// <summary>Number of joints.</summary>
+    public int Joints { get; }
+
+    /// <summary>Number of feet that the creature goes on; 0 in the air and in water.</summary>
+    public int Feet => footCount;
+
+    /// <summary>Seconds from frame to frame.</summary>
+    public float Step { get; }
+
+    /// <summary>Metres per second.</summary>
+    public double MeanSpeed { get; }
+
+    /// <summary>One for each joint of each frame, in the parents' space.</summary>
+    public Quaternion[] Rotations { get; }
+
+    /// <summary>One for each joint of each frame, in the parents' space.</summary>
+    public Vector3[] Positions { get; }
+
+    /// <summary>The farthest that any joint turns from one frame to the next, radians. A blink is a matter of a frame or two and does not count.</summary>
+    public float FarthestTurn()
+    {
+        float least = 1f;
+        for (int i = Joints; i < Rotations.Length; i++)
+        {
+            if (skeleton.Joints[i % Joints].Role == JointRole.Lid)
+            {
+                continue;
+            }
+
+            least = Math.Min(least, Math.Abs(Lanes.Dot(Rotations[i - Joints], Rotations[i])));
+        }
+
+        return 2f * (float)PortableMath.Acos(least);
+    }
+
+    /// <summary>Where the root was.</summary>
+    public RootPlace PlaceAt(int frame) => places[frame];
+
+    /// <summary>How a foot was.</summary>
+    public FootReport FootAt(int frame, int foot) => feet[(frame * footCount) + foot];
+
+    /// <summary>Spreads the difference of the last and the first frame of a joint over all frames.</summary>
+    private void Close(int joint)
+    {
+        int last = (Frames * Joints) + joint;
+        Quaternion first = Rotations[joint];
+        Quaternion missing = Rotation.Multiply(first, Rotation.Inverse(Rotations[last]));
+        Vector3 gap = Positions[joint] - Positions[last];
+        for (int frame = 1; frame < Frames; frame++)
+        {
+            int at = (frame * Joints) + joint;
+            float share = frame / (float)Frames;
+            Rotations[at] = Rotation.Normalize(Rotation.Multiply(Rotation.Slerp(Quaternion.Identity, missing, share), Rotations[at]));
+            Positions[at] += gap * share;
+        }
+
+        Rotations[last] = first;
+        Positions[last] = Positions[joint];
+    }
+}

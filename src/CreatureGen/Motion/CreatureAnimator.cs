@@ -1,0 +1,262 @@
+using System;
+using System.Numerics;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Flying;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Slithering;
+using CreatureGen.Motion.Swimming;
+using CreatureGen.Motion.Toolkit.Gaze;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Rigging;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Motion;
+
+/// <summary>
+/// Makes a creature go: a game calls <see cref="Update(float, in MotionInput, IGround)"/> each frame and reads where the creature is and how it is posed. One animator for each creature on the scene; the
+/// creature and its <see cref="MotionProfile"/> may be shared by any number of them on any threads.
+/// </summary>
+/// <remarks>
+/// <para>Configured by the creature's build alone. An update allocates nothing. The same calls give the same bits.</para>
+/// <para>The pose is in the creature's own space, with its root joint at rest: <see cref="Root"/> says where that is in the world.</para>
+/// </remarks>
+public sealed class CreatureAnimator
+{
+    private readonly Quaternion[] localRotations;
+    private readonly Vector3[] localPositions;
+    private readonly Quaternion[] modelRotations;
+    private readonly Vector3[] modelPositions;
+    private readonly EventQueue events;
+    private readonly LeggedMotion? legs;
+    private readonly IBodyMotion? motion;
+    private readonly SecondaryMotion secondary;
+    private readonly HeadAttention? attention;
+    private Vector3? lookAt;
+    private LocomotionSettings settings = LocomotionSettings.Default;
+
+    /// <summary>An animator for a creature, standing at the origin.</summary>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public CreatureAnimator(Creature creature)
+        : this(new MotionProfile(creature ?? throw new ArgumentNullException(nameof(creature))))
+    {
+    }
+
+    /// <summary>An animator for a creature whose profile is at hand: many of a kind share it.</summary>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public CreatureAnimator(MotionProfile profile)
+    {
+        Profile = profile ?? throw new ArgumentNullException(nameof(profile));
+        Skeleton skeleton = profile.Creature.Skeleton;
+        localRotations = new Quaternion[skeleton.Count];
+        localPositions = new Vector3[skeleton.Count];
+        modelRotations = new Quaternion[skeleton.Count];
+        modelPositions = new Vector3[skeleton.Count];
+        LocalPose.SetToRest(skeleton);
+        ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
+        int feet = profile.Legs?.Legs.Length ?? 0;
+        events = new EventQueue((2 * feet * LeggedMotion.MostSteps) + (profile.Flight != null ? FlightDrive.MostBeats : 0));
+        Root = RootPlace.Identity;
+        secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
+        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature);
+        legs = profile.Legs == null ? null : new LeggedMotion(profile.Legs, profile.Gaits!, events);
+        motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs, events)
+            : profile.Swim != null ? new SwimDrive(profile.Swim)
+            : profile.Slither != null ? new SlitherDrive(profile.Slither)
+            : legs;
+    }
+
+    /// <summary>What is known of the creature's way of going.</summary>
+    public MotionProfile Profile { get; }
+
+    /// <summary>Where the creature's root is in the world: on the ground below its middle; set it by <see cref="Teleport"/> or <see cref="Follow"/>. Speeds and gravity are those of the world, whatever the scale.</summary>
+    public RootPlace Root { get; private set; }
+
+    /// <summary>What can be set; taken up by the next update.</summary>
+    /// <exception cref="ArgumentException">A setting is not finite or out of its range.</exception>
+    public LocomotionSettings Settings
+    {
+        get => settings;
+        set
+        {
+            value.ThrowIfInvalid();
+            settings = value;
+        }
+    }
+
+    /// <summary>A point of the world that head and eyes are to look at; null for none: then it looks about while it stands.</summary>
+    /// <exception cref="ArgumentException">The point is not finite.</exception>
+    public Vector3? LookAt
+    {
+        get => lookAt;
+        set
+        {
+            if (value is Vector3 point)
+            {
+                Finite.Require(point, nameof(LookAt));
+            }
+
+            lookAt = value;
+        }
+    }
+
+    /// <summary>The pose in the parents' space, as of the last update. It may be changed before it is used; the next update writes it anew.</summary>
+    public Pose LocalPose => new(localRotations, localPositions);
+
+    /// <summary>The pose in model space, as of the last update.</summary>
+    public Pose ModelPose => new(modelRotations, modelPositions);
+
+    /// <summary>What happened in the last update.</summary>
+    public ReadOnlySpan<MotionEvent> Events => events.Items;
+
+    /// <summary>The gait at present; null for creatures without legs to stand on.</summary>
+    public Gait? Gait => legs?.Gait;
+
+    /// <summary>Number of feet that it walks on.</summary>
+    public int FootCount => legs?.FootCount ?? 0;
+
+    /// <summary>Whether it goes on its feet at present: not in the air, in water or on the belly.</summary>
+    internal bool StandsOnFeet => motion is FlightDrive flight ? flight.Stands : legs != null && motion == legs;
+
+    /// <summary>Whether it is on its feet with its wings folded, or has none that fold.</summary>
+    internal bool IsAtRest => motion is not FlightDrive flight || flight.IsAtRest;
+
+    /// <summary>Whether a C-start is under way.</summary>
+    internal bool Escapes => motion is SwimDrive { Escapes: true };
+
+    /// <summary>Metres per second ahead at present.</summary>
+    public float Speed => (motion?.Speed ?? 0f) * Root.Scale;
+
+    /// <summary>Place in the gait's cycle, 0..1.</summary>
+    public float Phase => motion?.Phase ?? 0f;
+
+    /// <summary>Cycles per second at present.</summary>
+    public float Frequency => motion?.Frequency ?? 0f;
+
+    /// <summary>How a foot is at present.</summary>
+    /// <param name="foot">0 up to <see cref="FootCount"/>.</param>
+    public FootReport Foot(int foot)
+    {
+        if (legs == null || (uint)foot >= (uint)FootCount)
+        {
+            throw new ArgumentOutOfRangeException(nameof(foot), foot, FormattableString.Invariant($"expected 0..{FootCount - 1}"));
+        }
+
+        FootReport report = legs.Report(foot);
+        return motion is FlightDrive { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
+    }
+
+    /// <summary>Moves on: the creature goes as it is asked, over the ground.</summary>
+    /// <param name="dt">Seconds since the last update, 0..0.25; 0 gives the same pose again. What is longer counts as 0.25.</param>
+    /// <param name="input">What the creature is to do.</param>
+    /// <param name="ground">Where feet find footing.</param>
+    /// <exception cref="ArgumentException">A number is not finite, or dt is negative.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    public void Update(float dt, in MotionInput input, IGround ground)
+    {
+        Check(ref dt, ground);
+        Finite.Require(input.Speed, nameof(input.Speed));
+        Finite.Require(input.Sideways, nameof(input.Sideways));
+        Finite.Require(input.TurnRate, nameof(input.TurnRate));
+        Finite.Require(input.ClimbRate, nameof(input.ClimbRate));
+        if (motion != null)
+        {
+            LocalPose.SetToRest(Profile.Creature.Skeleton);
+            Root = motion.Drive(Root, dt, input, settings, ground, LocalPose);
+            Finish(dt);
+        }
+    }
+
+    /// <summary>Moves on where the game itself moves the creature: speeds follow from the way it was moved.</summary>
+    /// <param name="dt">Seconds since the last update, 0..0.25; what is longer counts as 0.25.</param>
+    /// <param name="placement">Where the root is now; its own up is taken for up.</param>
+    /// <param name="ground">Where feet find footing.</param>
+    /// <exception cref="ArgumentException">A number is not finite, the rotation is not unit, or dt is negative.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    public void Follow(float dt, in RootPlace placement, IGround ground)
+    {
+        Check(ref dt, ground);
+        placement.Require(nameof(placement));
+        if (motion != null)
+        {
+            LocalPose.SetToRest(Profile.Creature.Skeleton);
+            motion.Follow(Root, dt, placement, settings, ground, LocalPose);
+        }
+
+        Root = placement;
+        Finish(dt);
+    }
+
+    /// <summary>Puts the creature somewhere else, standing on its feet there as if it had always been.</summary>
+    /// <exception cref="ArgumentException">A number is not finite, or the rotation is not unit.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    public void Teleport(in RootPlace placement, IGround ground)
+    {
+        if (ground == null)
+        {
+            throw new ArgumentNullException(nameof(ground));
+        }
+
+        placement.Require(nameof(placement));
+        Root = placement;
+        events.Clear();
+        secondary.Reset();
+        attention?.Reset();
+        LocalPose.SetToRest(Profile.Creature.Skeleton);
+        motion?.Stand(placement, settings, ground, LocalPose);
+        Finish(0f);
+    }
+
+    /// <summary>Moves the origin of the world: everything that is remembered in it moves by the offset, and nothing else changes.</summary>
+    /// <param name="offset">Added to all places, metres.</param>
+    /// <exception cref="ArgumentException">A number is not finite.</exception>
+    public void Rebase(Vector3 offset)
+    {
+        Finite.Require(offset, nameof(offset));
+        Root = new RootPlace(Root.Position + offset, Root.Rotation, Root.Scale);
+        motion?.Rebase(offset);
+        secondary.Rebase(offset);
+    }
+
+    /// <summary>Holds lids and ears; null to let the creature blink and flick its ears by itself.</summary>
+    internal void Hold(StandingAct? act)
+    {
+        if (attention != null)
+        {
+            attention.Held = act;
+        }
+    }
+
+    /// <summary>The habits of an individual: no two of a species look about or blink together.</summary>
+    private static Seed Habits(CreatureBlueprint blueprint)
+    {
+        Seed species = new Seed(blueprint.Seed).Child("glances");
+        return blueprint.Coat.Marks == 0 ? species : species.Child(blueprint.Coat.Marks);
+    }
+
+    private void Check(ref float dt, IGround ground)
+    {
+        if (ground == null)
+        {
+            throw new ArgumentNullException(nameof(ground));
+        }
+
+        if (!(dt >= 0f) || float.IsInfinity(dt))
+        {
+            throw new ArgumentOutOfRangeException(nameof(dt), dt, "expected finite seconds, not negative");
+        }
+
+        dt = Math.Min(dt, LeggedMotion.LongestUpdate);
+        events.Clear();
+    }
+
+    private void Finish(float dt)
+    {
+        ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
+        attention?.Update(lookAt, Root, motion?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
+        float height = motion is FlightDrive flight ? flight.Height : 0f;
+        secondary.Update(Root, Rotation.Rotate(Root.Rotation, Vector3.UnitY), height, dt, LocalPose, ModelPose);
+    }
+}

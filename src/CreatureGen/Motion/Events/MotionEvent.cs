@@ -1,0 +1,37 @@
+using System.Numerics;
+
+namespace CreatureGen.Motion;
+
+/// <summary>What happened.</summary>
+public enum MotionEventKind
+{
+    /// <summary>A foot came down.</summary>
+    FootDown,
+
+    /// <summary>A foot left the ground.</summary>
+    FootUp,
+
+    /// <summary>Wings began to beat down.</summary>
+    WingBeat,
+}
+
+/// <summary>Something that happened in an update: for sounds, dust and prints. Each happens in exactly one update.</summary>
+/// <param name="Kind">What.</param>
+/// <param name="Foot">Index of the foot, in the order of the animator's feet; −1 for a beat of wings.</param>
+/// <param name="Joint">Skeleton index of the ball of that foot; of the left shoulder for wings.</param>
+/// <param name="Position">On the ground under the ball, world space, metres; the creature's root for wings.</param>
+/// <param name="Normal">Of the ground, unit, world space; the creature's own up for wings.</param>
+/// <param name="Surface">What the ground is made of; 0 for wings.</param>
+/// <param name="Speed">Metres per second of the body over the ground.</param>
+/// <param name="Strength">Greatest force of the step to be expected, in weights of the body; for wings the width of the beat, 1 at cruise.</param>
+/// <param name="SecondsAgo">How long before the end of the update it happened.</param>
+public readonly record struct MotionEvent(
+    MotionEventKind Kind,
+    int Foot,
+    int Joint,
+    Vector3 Position,
+    Vector3 Normal,
+    int Surface,
+    float Speed,
+    float Strength,
+    float SecondsAgo);

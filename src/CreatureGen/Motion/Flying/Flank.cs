@@ -1,0 +1,116 @@
+using System;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>The left side of a body at rest, as seen from there: how far out its skin is at each height and length. Wings and legs are left out.</summary>
+internal sealed class Flank
+{
+    private const int Columns = 80;
+
+    /// <summary>Most of a corner that wings move for its skin to be the body's.</summary>
+    private const float MostShare = 0.02f;
+
+    private readonly float[] outward;
+    private readonly int rows;
+    private readonly float cell;
+    private readonly float bottom;
+    private readonly float back;
+
+    /// <summary>Takes a creature.</summary>
+    public Flank(Creature creature)
+    {
+        CreatureMesh mesh = creature.Mesh;
+        ReadOnlySpan<Vector3> positions = mesh.Positions;
+        bool[] trunk = TrunkJoints(creature.Skeleton);
+        bool[] body = new bool[positions.Length];
+        var least = new Vector3(float.MaxValue);
+        var most = new Vector3(float.MinValue);
+        for (int v = 0; v < body.Length; v++)
+        {
+            body[v] = IsBody(trunk, mesh.Weights[v]);
+            if (body[v])
+            {
+                least = Vec.Min(least, positions[v]);
+                most = Vec.Max(most, positions[v]);
+            }
+        }
+
+        bottom = least.Y;
+        back = least.Z;
+        cell = Math.Max((most.Z - back) / Columns, 1e-6f);
+        rows = Math.Max(1, (int)Math.Ceiling((most.Y - bottom) / cell));
+        outward = new float[rows * Columns];
+        ReadOnlySpan<int> triangles = mesh.Triangles;
+        for (int t = 0; t < triangles.Length; t += 3)
+        {
+            if (body[triangles[t]] && body[triangles[t + 1]] && body[triangles[t + 2]])
+            {
+                Draw(positions[triangles[t]], positions[triangles[t + 1]], positions[triangles[t + 2]]);
+            }
+        }
+    }
+
+    /// <summary>How far a point is off the skin, negative within the body; whether the body is seen there at all.</summary>
+    public bool TryDistance(Vector3 point, out double distance)
+    {
+        int column = (int)Math.Floor((point.Z - back) / cell);
+        int row = (int)Math.Floor((point.Y - bottom) / cell);
+        float here = At(row, column);
+        float high = (At(row + 1, column) - At(row - 1, column)) / (2f * cell);
+        float along = (At(row, column + 1) - At(row, column - 1)) / (2f * cell);
+        distance = (point.X - here) / Math.Sqrt(1.0 + (high * high) + (along * along));
+        return here > 0f;
+    }
+
+    private static bool[] TrunkJoints(Skeleton skeleton)
+    {
+        bool[] trunk = new bool[skeleton.Count];
+        for (int j = 0; j < trunk.Length; j++)
+        {
+            trunk[j] = skeleton.Joints[j].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Neck or JointRole.Tail or JointRole.Girdle or JointRole.Body;
+        }
+
+        return trunk;
+    }
+
+    private static bool IsBody(bool[] trunk, in SkinWeights weights) =>
+        (trunk[weights.Joint0] ? 0f : weights.Weights.X) + (trunk[weights.Joint1] ? 0f : weights.Weights.Y)
+        + (trunk[weights.Joint2] ? 0f : weights.Weights.Z) + (trunk[weights.Joint3] ? 0f : weights.Weights.W) < MostShare;
+
+    private float At(int row, int column) => (uint)row < (uint)rows && (uint)column < Columns ? outward[(row * Columns) + column] : 0f;
+
+    /// <summary>Keeps the outermost skin over the middle of each cell.</summary>
+    private void Draw(Vector3 a, Vector3 b, Vector3 c)
+    {
+        float area = ((b.Y - c.Y) * (a.Z - c.Z)) + ((c.Z - b.Z) * (a.Y - c.Y));
+        if (Math.Abs(area) < 1e-12f)
+        {
+            return;
+        }
+
+        Vector3 least = Vec.Min(a, Vec.Min(b, c));
+        Vector3 most = Vec.Max(a, Vec.Max(b, c));
+        for (int row = Cell(least.Y - bottom, rows); row <= Cell(most.Y - bottom, rows); row++)
+        {
+            for (int column = Cell(least.Z - back, Columns); column <= Cell(most.Z - back, Columns); column++)
+            {
+                float y = bottom + ((row + 0.5f) * cell);
+                float z = back + ((column + 0.5f) * cell);
+                float first = (((b.Y - c.Y) * (z - c.Z)) + ((c.Z - b.Z) * (y - c.Y))) / area;
+                float second = (((c.Y - a.Y) * (z - c.Z)) + ((a.Z - c.Z) * (y - c.Y))) / area;
+                if (first >= 0f && second >= 0f && first + second <= 1f)
+                {
+                    ref float kept = ref outward[(row * Columns) + column];
+                    kept = Math.Max(kept, (a.X * first) + (b.X * second) + (c.X * (1f - first - second)));
+                }
+            }
+        }
+    }
+
+    private int Cell(float offset, int count) => Math.Min(count - 1, Math.Max(0, (int)(offset / cell)));
+}

@@ -1,0 +1,19 @@
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>Where a flier wants to be.</summary>
+internal enum FlightIntent
+{
+    /// <summary>On the ground: it comes down on its legs when it is low enough, folds its wings and stands.</summary>
+    Ground,
+
+    /// <summary>In the air: it takes off when it stands.</summary>
+    Air,
+}
+
+/// <summary>What a flier is to do.</summary>
+/// <param name="Intent">On the ground or in the air.</param>
+/// <param name="Speed">Metres per second ahead; 0 hovers.</param>
+/// <param name="TurnRate">Radians per second; positive turns left.</param>
+/// <param name="ClimbRate">Metres per second up; negative descends.</param>
+/// <param name="Height">Metres from the ground up to the root.</param>
+internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float TurnRate = 0f, float ClimbRate = 0f, float Height = 100f);

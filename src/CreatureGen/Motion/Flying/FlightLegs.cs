@@ -1,0 +1,130 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>A pair of legs or arms of a flier: tucked, hanging or reaching for the ground in the air, and planted on it while the body crouches.</summary>
+internal sealed class FlightLegs
+{
+    private const int Hip = 1;
+    private const int Ankle = 3;
+    private const double FullReach = 0.995;
+    private const double Dangle = 0.05;
+
+    /// <summary>Share below which a leg is in the air alone.</summary>
+    private const double LeastPlanted = 1e-5;
+
+    private readonly PairedChain chain;
+    private readonly LegPosture tucked;
+    private readonly LegPosture hanging;
+    private readonly LegPosture reaching;
+    private readonly bool lateral;
+    private readonly Vector3 normal;
+    private readonly double side;
+
+    public FlightLegs(PairedChain chain)
+    {
+        this.chain = chain;
+        LimbArchetype archetype = chain.Limb.Archetype ?? LimbArchetype.Arm;
+        tucked = LegPosture.Tucked(archetype);
+        hanging = LegPosture.Hanging(archetype);
+        reaching = LegPosture.Reaching(archetype);
+        lateral = archetype is LimbArchetype.Sprawl or LimbArchetype.Insect;
+        Vector3 thigh = chain.Points[2] - chain.Points[1];
+        Vector3 shank = chain.Points[3] - chain.Points[2];
+        normal = Vec.Normalize(Vec.Cross(thigh, shank), Vector3.UnitX);
+        Vector3 line = Vec.Normalize(thigh + shank, -Vector3.UnitY);
+        side = Vec.Dot(thigh, Vec.Cross(normal, line)) < 0 ? -1 : 1;
+    }
+
+    /// <summary>Whether it is one to stand on.</summary>
+    public bool Stands => chain.Limb.Kind == LimbKind.Leg;
+
+    /// <summary>Height of its sole at rest, model space, metres.</summary>
+    public double Sole => chain.Limb.Contact.Y;
+
+    /// <summary>From the hip to the sole at rest, metres.</summary>
+    public double Length => chain.Points[Hip].Y - Sole;
+
+    /// <summary>Writes the joints of both sides.</summary>
+    /// <param name="local">Receives them.</param>
+    /// <param name="stroke">The moment.</param>
+    /// <param name="body">Turn of the body in the root's axes.</param>
+    /// <param name="bodyPivot">The body's root at rest.</param>
+    /// <param name="bodyNow">The body's root now, in the root's axes.</param>
+    public void Write(in Pose local, in LegStroke stroke, Quaternion body, Vector3 bodyPivot, Vector3 bodyNow)
+    {
+        LegPosture posture = LegPosture.Between(LegPosture.Between(tucked, hanging, stroke.Hanging), reaching, stroke.Reaching);
+        Span<Quaternion> turns = stackalloc Quaternion[5];
+        double dangle = Dangle * stroke.Swing;
+        turns[0] = Quaternion.Identity;
+        turns[1] = Bend(posture.Hip + dangle);
+        turns[2] = lateral ? AxisTurn.Roll(posture.Knee) : AxisTurn.Pitch(posture.Knee);
+        turns[3] = lateral ? AxisTurn.Roll(-0.5 * posture.Ankle) : AxisTurn.Pitch(posture.Ankle + dangle);
+        turns[4] = lateral ? AxisTurn.Roll(-0.5 * posture.Ball) : AxisTurn.Pitch(posture.Ball);
+        bool plants = Stands && stroke.Planted > LeastPlanted;
+        if (plants)
+        {
+            Plant(turns, stroke, body, bodyPivot, bodyNow);
+        }
+
+        for (int k = 0; k < chain.Count && k < turns.Length; k++)
+        {
+            // Hips and knees that put the foot where it will stand do so; all else slows down towards its limits.
+            if (plants && k < Ankle)
+            {
+                chain.WriteFirm(local, k, Rotation.Slerp(chain.Limit(k, turns[k]), turns[k], stroke.Planted));
+            }
+            else
+            {
+                chain.Write(local, Side.Left, k, turns[k]);
+                chain.Write(local, Side.Right, k, turns[k]);
+            }
+        }
+    }
+
+    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisTurn.Roll(-0.5 * Math.Abs(hip)), AxisTurn.Yaw(hip)) : AxisTurn.Pitch(hip);
+
+    /// <summary>Two bones reach from the hip, wherever the body has taken it, to the ankle's place over the foothold; the foot stays level.</summary>
+    private void Plant(Span<Quaternion> turns, in LegStroke stroke, Quaternion body, Vector3 bodyPivot, Vector3 bodyNow)
+    {
+        Vector3 hip = bodyNow + Rotation.Rotate(body, chain.Points[Hip] - bodyPivot);
+        Vector3 ankle = chain.Points[Ankle] - new Vector3(0f, (float)(Sole + stroke.Height), 0f);
+        Vector3 thigh = chain.Points[2] - chain.Points[1];
+        Vector3 shank = chain.Points[3] - chain.Points[2];
+        double a = Vec.Length(thigh);
+        double b = Vec.Length(shank);
+        Vector3 way = ankle - hip;
+        double far = Vec.Length(way);
+        double d = Scalar.Clamp(far, Math.Abs(a - b) + (1e-3 * (a + b)), FullReach * (a + b));
+        Vector3 line = Vec.Normalize(way, -Vector3.UnitY);
+        Vector3 across = Vec.Normalize(Vec.Reject(normal, line), Vector3.UnitX);
+        Vector3 bow = Vec.Cross(across, line) * (float)side;
+        double along = ((a * a) - (b * b) + (d * d)) / (2 * d);
+        double bowed = Math.Sqrt(Math.Max(0, (a * a) - (along * along)));
+        Vector3 knee = (line * (float)along) + (bow * (float)bowed);
+        Quaternion upper = Aim(thigh, knee, across);
+        Quaternion lower = Aim(shank, (line * (float)d) - knee, across);
+        double share = stroke.Planted;
+        turns[1] = Rotation.Slerp(turns[1], Rotation.Multiply(Rotation.Inverse(body), upper), share);
+        turns[2] = Rotation.Slerp(turns[2], Rotation.Multiply(Rotation.Inverse(upper), lower), share);
+        turns[3] = Rotation.Slerp(turns[3], Rotation.Inverse(lower), share);
+        turns[4] = Rotation.Slerp(turns[4], Quaternion.Identity, share);
+    }
+
+    /// <summary>The turn that takes a bone of the rest pose to a direction, with the plane of the leg's bend staying one.</summary>
+    private Quaternion Aim(Vector3 rest, Vector3 direction, Vector3 across)
+    {
+        Vector3 y0 = Vec.Normalize(rest, -Vector3.UnitY);
+        Vector3 x0 = Vec.Normalize(Vec.Reject(normal, y0), Vector3.UnitX);
+        Vector3 y1 = Vec.Normalize(direction, -Vector3.UnitY);
+        Vector3 x1 = Vec.Normalize(Vec.Reject(across, y1), Vector3.UnitX);
+        Quaternion from = Rotation.FromBasis(x0, y0, Vec.Cross(x0, y0));
+        Quaternion to = Rotation.FromBasis(x1, y1, Vec.Cross(x1, y1));
+        return Rotation.Multiply(to, Rotation.Inverse(from));
+    }
+}

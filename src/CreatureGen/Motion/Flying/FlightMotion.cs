@@ -1,0 +1,33 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>Moves the body, wings, legs, neck and tail of a flier.</summary>
+/// <remarks>All oscillations are whole multiples of one slow cycle of <see cref="FlightProfile.BeatsPerCycle"/> beats: under steady input the motion repeats exactly after it.</remarks>
+internal static class FlightMotion
+{
+    /// <summary>Moves on and writes the body's root, axis, wings and legs of a local pose.</summary>
+    /// <param name="profile">How the creature flies.</param>
+    /// <param name="input">What it is to do.</param>
+    /// <param name="state">Where it is in its motion.</param>
+    /// <param name="dt">Seconds, not negative; longer steps than 0.25 s count as that.</param>
+    /// <param name="local">Pose in the parents' space, one entry per joint of the creature's skeleton.</param>
+    /// <returns>How the root moves: as asked in the air, by the motion itself while it takes off or lands.</returns>
+    /// <exception cref="ArgumentException">The pose does not fit, or a number is not finite.</exception>
+    public static BodyVelocity Update(FlightProfile profile, in FlightInput input, ref FlightState state, float dt, in Pose local)
+    {
+        if (profile == null)
+        {
+            throw new ArgumentNullException(nameof(profile));
+        }
+
+        local.Require(profile.Skeleton);
+        BodyVelocity root = FlightControl.Advance(profile, input, ref state, StrokeInput.Step(dt));
+        FlightPose.Write(profile, state, local);
+        return root;
+    }
+}

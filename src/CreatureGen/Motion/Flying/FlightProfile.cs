@@ -1,0 +1,234 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>How a creature flies, worked out once from its build: its wings, their tempo, its legs, neck and tail. Immutable, and safe to share between threads.</summary>
+internal sealed class FlightProfile
+{
+    private const double Gravity = 9.81;
+    private const double AirDensity = 1.225;
+
+    /// <summary>Mass of a flier over that of a solid body of the same shape: feathers, air sacs and thin bones.</summary>
+    private const double Lightness = 0.3;
+
+    /// <summary>Coefficient of f = k·√m/S for insects, after the fit of one law from insects to whales (Jensen, Dyre and Hecksher 2024).</summary>
+    private const double BuzzCoefficient = 0.75;
+
+    private const double SlowestBuzz = 6;
+    private const double FastestBeat = 15;
+    private const double SlowestBeat = 0.35;
+
+    /// <summary>Beats per second above which birds beat steadily; below, they beat and glide by turns.</summary>
+    private const double SteadyBeat = 6;
+
+    /// <summary>Length of the cycle of hovering up and down, and of beating and gliding, in √(span/g).</summary>
+    private const double SlowCycle = 5;
+
+    private readonly WingPair[] wings;
+    private readonly BuzzPair[] buzzers;
+    private readonly FlightLegs[] legs;
+    private readonly Vector3 pelvis;
+
+    private FlightProfile(Creature creature)
+    {
+        Skeleton = creature.Skeleton;
+        Chain = AxialChain.Of(creature);
+        Axis = new FlightAxis(Skeleton, Chain);
+        pelvis = Skeleton.IndexOf("Pelvis") is int at and >= 0 ? Skeleton.ModelPositions[at] : Chain.BodyPivot;
+        Posture = StandingPosture.Of(creature);
+        Fitting(creature, new FoldRoom(creature, Posture, Chain.Length), out wings, out buzzers, out legs, out double span);
+        Buzzes = wings.Length == 0;
+        Shoulder = ShoulderOf(creature);
+        double mass = Math.Max(Lightness * creature.Mass.Mass, 1e-9);
+        double area = Math.Max(WingArea(creature), 0.02 * span * span);
+        WingSpan = (float)span;
+        WingSurface = (float)area;
+        double frequency = Buzzes
+            ? Math.Max(BuzzCoefficient * Math.Sqrt(mass) / area, SlowestBuzz)
+            : PortableMath.Pow(mass, 3.0 / 8) * Math.Sqrt(Gravity) * PortableMath.Pow(span, -23.0 / 24) * PortableMath.Pow(area, -1.0 / 3) * PortableMath.Pow(AirDensity, -3.0 / 8);
+        frequency = Scalar.Clamp(frequency, SlowestBeat, FastestBeat);
+        BeatFrequency = (float)frequency;
+        BeatsPerCycle = Math.Max(1, (int)Math.Floor((frequency * SlowCycle * Math.Sqrt(span / Gravity)) + 0.5));
+        GlidesBetweenBeats = !Buzzes && frequency < SteadyBeat;
+        CruiseSpeed = Math.Max(creature.DefaultSpeed, 1e-3f);
+        double length = 0;
+        SoleHeight = double.MaxValue;
+        foreach (FlightLegs leg in legs)
+        {
+            if (leg.Stands)
+            {
+                length = Math.Max(length, leg.Length);
+                SoleHeight = Math.Min(SoleHeight, leg.Sole);
+            }
+        }
+
+        Stands = length > 0;
+        SoleHeight = Stands ? SoleHeight : 0;
+        LegLength = (float)(Stands ? length : 0.3 * Chain.Length);
+        Response = 4 / Math.Sqrt(Math.Max(Chain.Length, 1e-3));
+    }
+
+    /// <summary>From tip to tip of the spread wings, metres.</summary>
+    public float WingSpan { get; }
+
+    /// <summary>Area of all wings, square metres.</summary>
+    public float WingSurface { get; }
+
+    /// <summary>Beats per second at cruise.</summary>
+    public float BeatFrequency { get; }
+
+    /// <summary>Beats after which the motion repeats exactly under steady input: a flier that hovers rises and sinks once in them, and one that glides between beats glides once.</summary>
+    public int BeatsPerCycle { get; }
+
+    /// <summary>Metres per second at cruise.</summary>
+    public float CruiseSpeed { get; }
+
+    internal Skeleton Skeleton { get; }
+
+    internal AxialChain Chain { get; }
+
+    internal FlightAxis Axis { get; }
+
+    internal WingForce Force { get; } = new();
+
+    internal bool Buzzes { get; }
+
+    internal bool GlidesBetweenBeats { get; }
+
+    internal bool Stands { get; }
+
+    internal float LegLength { get; }
+
+    /// <summary>How it holds its trunk where it stands.</summary>
+    internal StandingPosture Posture { get; }
+
+    /// <summary>How far the body goes down before it leaps, metres.</summary>
+    internal double CrouchDepth => 0.30 * LegLength;
+
+    /// <summary>Joint of the left wing's root.</summary>
+    internal int Shoulder { get; }
+
+    /// <summary>Height of the lowest sole at rest, metres: 0 but for legs that hang free; to stand on these the body comes down by so much.</summary>
+    internal double SoleHeight { get; }
+
+    /// <summary>Sharpness with which the motion follows its input, 1/s.</summary>
+    internal double Response { get; }
+
+    internal ReadOnlySpan<WingPair> Wings => wings;
+
+    internal ReadOnlySpan<BuzzPair> Buzzers => buzzers;
+
+    internal ReadOnlySpan<FlightLegs> Legs => legs;
+
+    /// <summary>How far the body's joint goes as the trunk is raised about the pelvis by an angle in radians.</summary>
+    internal Vector3 Raise(double angle)
+    {
+        Vector3 arm = Chain.BodyPivot - pelvis;
+        return Rotation.Rotate(AxisTurn.Pitch(-angle), arm) - arm;
+    }
+
+    /// <summary>Works out how a creature flies.</summary>
+    /// <exception cref="ArgumentException">It has no wings, or its skeleton lacks a body, a head or a tail.</exception>
+    public static FlightProfile Of(Creature creature)
+    {
+        if (creature == null)
+        {
+            throw new ArgumentNullException(nameof(creature));
+        }
+
+        return new FlightProfile(creature);
+    }
+
+    private static void Fitting(Creature creature, FoldRoom room, out WingPair[] wings, out BuzzPair[] buzzers, out FlightLegs[] legs, out double span)
+    {
+        var stitched = new List<WingPair>();
+        var thin = new List<PairedChain>();
+        var limbs = new List<FlightLegs>();
+        span = 0;
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            PairedChain? pair = PairedChain.Of(creature, limb);
+            if (pair == null)
+            {
+                continue;
+            }
+
+            switch (limb.Kind)
+            {
+                case LimbKind.Wing:
+                    stitched.Add(new WingPair(pair, FoldedWing.Of(creature, pair, FoldRange.Stitched, room)));
+                    span = Math.Max(span, Spread(pair));
+                    break;
+                case LimbKind.InsectWing:
+                    thin.Add(pair);
+                    span = Math.Max(span, Spread(pair));
+                    break;
+                case LimbKind.Leg:
+                case LimbKind.Arm:
+                    limbs.Add(new FlightLegs(pair));
+                    break;
+            }
+        }
+
+        if (span <= 0)
+        {
+            throw new ArgumentException("the creature has no wings; expected at least one pair to fly with", nameof(creature));
+        }
+
+        thin.Sort((a, b) => b.Points[0].Z.CompareTo(a.Points[0].Z));
+        wings = stitched.ToArray();
+        buzzers = new BuzzPair[thin.Count];
+        for (int k = 0; k < buzzers.Length; k++)
+        {
+            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(creature, thin[k], k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k);
+        }
+
+        legs = limbs.ToArray();
+    }
+
+    private static int ShoulderOf(Creature creature)
+    {
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            if (limb.Kind is LimbKind.Wing or LimbKind.InsectWing && limb.Side == Side.Left)
+            {
+                return limb.Joints[0];
+            }
+        }
+
+        return 0;
+    }
+
+    private static double Spread(PairedChain wing) => 2 * (wing.Points[0].X + wing.Reach);
+
+    /// <summary>Half the area of the skin that the joints of the wings move most: wings have two faces.</summary>
+    private static double WingArea(Creature creature)
+    {
+        double area = 0;
+        CreatureMesh mesh = creature.Mesh;
+        for (int t = 0; t < mesh.Triangles.Length; t += 3)
+        {
+            int a = mesh.Triangles[t];
+            int b = mesh.Triangles[t + 1];
+            int c = mesh.Triangles[t + 2];
+            if (OnWing(creature, mesh.Weights[a]) && OnWing(creature, mesh.Weights[b]) && OnWing(creature, mesh.Weights[c]))
+            {
+                Vector3 p = mesh.Positions[a];
+                area += 0.25 * Vec.Length(Vec.Cross(mesh.Positions[b] - p, mesh.Positions[c] - p));
+            }
+        }
+
+        return area;
+    }
+
+    private static bool OnWing(Creature creature, in SkinWeights weights) => creature.Skeleton.Joints[weights.Joint0].Role == JointRole.Wing;
+}

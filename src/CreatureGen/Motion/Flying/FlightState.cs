@@ -1,0 +1,94 @@
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>Where a flier is in its motion. The default stands on the ground with folded wings; one for each creature on the scene, changed by <see cref="FlightMotion.Update"/> alone.</summary>
+internal struct FlightState
+{
+    /// <summary>Leg lengths above which height does not matter.</summary>
+    internal const double HighEnough = 3;
+
+    private const double Settled = 1e-3;
+
+    internal double Cycle;
+    internal double Age;
+    internal Smoothed Frequency;
+    internal Smoothed Amplitude;
+    internal Smoothed Effort;
+    internal Smoothed Spread;
+    internal Smoothed Flare;
+    internal Smoothed Speed;
+    internal Smoothed Bank;
+    internal Smoothed Steer;
+    internal Smoothed Path;
+    internal Smoothed Crouch;
+    internal Smoothed Air;
+    internal Smoothed Planted;
+    internal Smoothed Height;
+    internal Smoothed Upright;
+
+    /// <summary>Metres per second ahead at which it leaves the ground.</summary>
+    internal double RunUp;
+
+    /// <summary>Fastest speed ahead at which its legs can take over from its wings, metres per second; 0 where it comes to a stop as it lands.</summary>
+    internal double RunOut;
+
+    /// <summary>How much of its posture for standing its legs would have it in at this speed, 0..1.</summary>
+    internal double Raised;
+
+    /// <summary>Whether it has ground under its feet.</summary>
+    internal readonly bool IsOnFeet => Phase is FlightPhase.Grounded or FlightPhase.Crouching or FlightPhase.Settling;
+
+    /// <summary>How far it is down, in depths of a crouch; negative where it stretches.</summary>
+    internal readonly double CrouchDepth => Scalar.Clamp(Crouch.Value, -0.3, 1);
+
+    /// <summary>What it is doing between standing and flying.</summary>
+    public FlightPhase Phase { get; internal set; }
+
+    /// <summary>Downstrokes begun so far.</summary>
+    public long Beats { get; internal set; }
+
+    /// <summary>How many of them began in the last update.</summary>
+    public int BeatsBegun { get; internal set; }
+
+    /// <summary>How long before the end of the last update the latest of those began, seconds; 0 when none did.</summary>
+    public float SecondsSinceBeat { get; internal set; }
+
+    /// <summary>Beats per second at present.</summary>
+    public readonly float BeatFrequency => (float)Frequency.Value;
+
+    /// <summary>Width of the beat at present, 1 at cruise.</summary>
+    public readonly float BeatWidth => (float)Amplitude.Value;
+
+    /// <summary>How far it is off the ground in its posture: 0 stands, 1 flies. Where it is 0, legs, neck and tail may be moved by a walk instead.</summary>
+    public readonly float Airborne => Phase == FlightPhase.Grounded && Air.Value < Settled ? 0f : (float)Air.Value;
+
+    /// <summary>0 folded wings, 1 spread.</summary>
+    public readonly float WingSpread => (float)Spread.Value;
+
+    /// <summary>A flier that stands, as if it had always stood.</summary>
+    internal static FlightState OnGround => new() { Planted = Smoothed.At(1), Upright = Smoothed.At(1), Raised = 1 };
+
+    /// <summary>A flier in the air at cruise.</summary>
+    /// <param name="profile">How the creature flies.</param>
+    /// <exception cref="System.ArgumentNullException">There is no profile.</exception>
+    public static FlightState InAir(FlightProfile profile)
+    {
+        if (profile == null)
+        {
+            throw new System.ArgumentNullException(nameof(profile));
+        }
+
+        return new FlightState
+        {
+            Phase = FlightPhase.Airborne,
+            Frequency = Smoothed.At(profile.BeatFrequency),
+            Amplitude = Smoothed.At(1),
+            Effort = Smoothed.At(1),
+            Spread = Smoothed.At(1),
+            Speed = Smoothed.At(1),
+            Air = Smoothed.At(1),
+            Height = Smoothed.At(HighEnough * profile.LegLength),
+        };
+    }
+}

@@ -1,0 +1,39 @@
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>The ways of folding that a kind of wing has: where the search for the one that fits a body begins, and its bounds.</summary>
+/// <param name="Usual">Where it begins.</param>
+/// <param name="Least">Lower bounds.</param>
+/// <param name="Most">Upper bounds.</param>
+/// <param name="Closeness">How much it matters that it lies on the body, 0..1: thin wings lie flat above it.</param>
+/// <param name="Trailing">Where it is to end: 0 where the tail begins, 1 where it ends.</param>
+/// <param name="AboveLegs">Whether no leg is to be above it.</param>
+internal sealed record FoldRange(WingFold Usual, WingFold Least, WingFold Most, double Closeness, float Trailing, bool AboveLegs)
+{
+    /// <summary>Along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its forearm forward again as birds do: its surface would turn
+    /// over at the elbow. It is drawn together instead.</summary>
+    public static FoldRange Stitched { get; } = new(
+        new WingFold(0.45, 0.35, 0.05, 0.05, 0.05, 0.05, 0.25, 0.10, 0.65),
+        new WingFold(0.00, -0.20, -0.30, -0.20, 0.00, 0.00, 0.00, 0.00, 0.48),
+        new WingFold(0.62, 0.65, 0.15, 0.45, 0.18, 0.18, 1.00, 0.60, 1.00),
+        1,
+        0f,
+        false);
+
+    /// <summary>Over the abdomen, flat or as a low roof: tips no higher than the root.</summary>
+    public static FoldRange Thin { get; } = new(
+        new WingFold(0.00, 0.28, -0.05, -0.28, 0.00, 0.00, 1.20, 0.00, 1.00),
+        new WingFold(-0.15, 0.05, -0.20, -0.60, 0.00, 0.00, 1.05, 0.00, 1.00),
+        new WingFold(0.20, 0.60, 0.02, 0.00, 0.00, 0.00, 1.45, 0.00, 1.00),
+        0.1,
+        1f,
+        true);
+
+    /// <summary>Below wings that are folded over the abdomen.</summary>
+    public static FoldRange ThinHind { get; } = new(
+        new WingFold(0.12, 0.28, -0.12, -0.28, 0.00, 0.00, 1.30, 0.00, 1.00),
+        new WingFold(0.05, 0.05, -0.30, -0.60, 0.00, 0.00, 1.20, 0.00, 1.00),
+        new WingFold(0.30, 0.60, -0.06, 0.00, 0.00, 0.00, 1.50, 0.00, 1.00),
+        0.1,
+        1f,
+        true);
+}

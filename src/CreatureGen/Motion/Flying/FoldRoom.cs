@@ -1,0 +1,219 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>The room that a standing body leaves to a folded wing, as the trunk sees it: its flank, the legs as they swing, by the capsules of their bones, the ground, and where its tail begins.</summary>
+internal sealed class FoldRoom
+{
+    /// <summary>Girth of a tail where it begins, relative to that of the pelvis.</summary>
+    private const float TailGirth = 0.6f;
+
+    /// <summary>Girth of a body relative to the capsules of its bones, which a part of its skin is outside of: above and below what is seen of it from the side.</summary>
+    private const float Girth = 1.12f;
+
+    /// <summary>How far legs swing to either side of where they stand, radians.</summary>
+    private const double LegSwing = 0.4;
+
+    /// <summary>By which part of its height a leg stands out that swings about the vertical.</summary>
+    private const float Sprawl = 0.5f;
+
+    /// <summary>How far a wing keeps off the body, off the legs and off the midline, body lengths.</summary>
+    private const double Gap = 0.015;
+    private const double LegGap = 0.012;
+    private const double MiddleGap = 0.004;
+
+    /// <summary>How far the back of a four-legged flier bends up at a gallop: rise over the square of the distance from the shoulder, body lengths.</summary>
+    private const float Bend = 0.4f;
+
+    /// <summary>How far wings may reach beyond where the tail begins, body lengths.</summary>
+    private const double Overhang = 0.08;
+
+    /// <summary>How high wings are to be above the ground, heights of the pelvis.</summary>
+    private const double Clearance = 0.45;
+
+    // What it costs to be in the body, in a leg, over the midline, beyond the tail's root, or low, in relation to being off the body.
+    private const double SunkCost = 150;
+    private const double LegCost = 1500;
+    private const double MiddleCost = 24;
+    private const double OverhangCost = 4;
+    private const double LowCost = 10;
+
+    private readonly List<Rod> trunk = new();
+    private readonly List<Rod> legs = new();
+    private readonly Flank flank;
+    private readonly float shoulder;
+    private readonly float bend;
+    private readonly double length;
+    private readonly float tailBase;
+    private readonly float tailEnd;
+    private readonly Vector3 up;
+    private readonly double floor;
+
+    /// <summary>Takes a creature that stands in a posture.</summary>
+    public FoldRoom(Creature creature, StandingPosture posture, double bodyLength)
+    {
+        length = bodyLength;
+        flank = new Flank(creature);
+        (shoulder, bend) = Bending(creature, bodyLength);
+        Skeleton skeleton = creature.Skeleton;
+        Vector3 pelvis = skeleton.ModelPositions[Math.Max(skeleton.IndexOf("Pelvis"), 0)];
+
+        // Seen from a raised trunk the legs and the ground are turned the other way.
+        Quaternion lowered = AxisTurn.Pitch(posture.Raised);
+        up = Rotation.Rotate(lowered, Vector3.UnitY);
+        floor = Vec.Dot(up, pelvis) - pelvis.Y;
+        Height = pelvis.Y;
+        (tailBase, tailEnd) = Tail(creature, pelvis);
+        LimbChain?[] limbs = LegBones(creature);
+        foreach (CapsuleCollider bone in creature.Bones)
+        {
+            Vector3 joint = skeleton.ModelPositions[bone.Joint];
+            Quaternion rotation = skeleton.ModelRotations[bone.Joint];
+            var rod = new Rod(joint + Rotation.Rotate(rotation, bone.Start), joint + Rotation.Rotate(rotation, bone.End), bone.Radius);
+            if (limbs[bone.Joint] != null)
+            {
+                Quaternion standing = posture.Raised == 0f ? Quaternion.Identity : lowered;
+                LimbChain leg = limbs[bone.Joint]!;
+                Vector3 hip = skeleton.ModelPositions[leg.Joints[1]];
+                Vector3 reach = skeleton.ModelPositions[leg.Joints[leg.Joints.Count - 1]] - hip;
+                for (int swing = -1; swing <= 1; swing++)
+                {
+                    // Legs that stand out to the side swing about the vertical.
+                    Quaternion turn = reach.X > -Sprawl * reach.Y ? AxisTurn.Yaw(swing * LegSwing) : AxisTurn.Pitch(swing * LegSwing);
+                    legs.Add(rod.Turned(hip, turn).Turned(pelvis, standing));
+                }
+            }
+            else if (skeleton.Joints[bone.Joint].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Neck or JointRole.Tail)
+            {
+                trunk.Add(rod with { Radius = Girth * rod.Radius });
+            }
+        }
+    }
+
+    /// <summary>Height of the pelvis, metres.</summary>
+    private double Height { get; }
+
+    /// <summary>What it costs a piece of a left wing to be somewhere; 0 where it touches the body and nothing else.</summary>
+    /// <param name="point">Where it is.</param>
+    /// <param name="range">How its kind of wing folds.</param>
+    /// <param name="clear">Share of the usual gap that it is to keep off the body: none where it grows out of it.</param>
+    public double Cost(Vector3 point, FoldRange range, double clear)
+    {
+        double off = (Off(point) / length) - (clear * Gap);
+        double cost = (off < 0 ? SunkCost : range.Closeness) * off * off;
+        double leg = 0;
+        foreach (Rod rod in legs)
+        {
+            leg = Math.Max(leg, LegGap - ((range.AboveLegs ? rod.Above(point) : rod.Distance(point)) / length));
+        }
+
+        double across = Math.Max(0, MiddleGap - (point.X / length));
+        double beyond = Math.Max(0, ((Scalar.Lerp(tailBase, tailEnd, range.Trailing) - point.Z) / length) - Overhang);
+        double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
+        return cost + (LegCost * leg * leg) + (MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+    }
+
+    /// <summary>How far a point is off the body, as it stands and with its rump up: by its skin where that is seen from the side, elsewhere by its bones.</summary>
+    private double Off(Vector3 point)
+    {
+        float behind = Math.Max(0f, shoulder - point.Z);
+        bool standing = flank.TryDistance(point, out double distance);
+        bool bent = flank.TryDistance(point - new Vector3(0f, bend * behind * behind, 0f), out double bentDistance);
+        if (standing || bent)
+        {
+            return !bent ? distance : standing ? Math.Min(distance, bentDistance) : bentDistance;
+        }
+
+        double off = double.MaxValue;
+        foreach (Rod rod in trunk)
+        {
+            off = Math.Min(off, rod.Distance(point));
+        }
+
+        return Math.Max(0, off);
+    }
+
+    /// <summary>Where the wings are, and how much the back behind them bends at a gallop: by how much it rises over the square of the distance, 1/metres.</summary>
+    private static (float Shoulder, float Bend) Bending(Creature creature, double bodyLength)
+    {
+        int legs = 0;
+        float shoulder = 0f;
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            legs += limb.Kind == LimbKind.Leg && limb.Stands ? 1 : 0;
+            shoulder = limb.Kind == LimbKind.Wing ? creature.Skeleton.ModelPositions[limb.Joints[0]].Z : shoulder;
+        }
+
+        return (shoulder, creature.Blueprint.Plan == BodyPlan.Flapping && legs > 2 ? Bend / (float)bodyLength : 0f);
+    }
+
+    /// <summary>Where the tail begins, and where it ends.</summary>
+    private static (float Base, float End) Tail(Creature creature, Vector3 pelvis)
+    {
+        Skeleton skeleton = creature.Skeleton;
+        float girth = 0f;
+        float thick = float.MaxValue;
+        float found = pelvis.Z;
+        float end = pelvis.Z;
+        foreach (CapsuleCollider bone in creature.Bones)
+        {
+            JointRole role = skeleton.Joints[bone.Joint].Role;
+            girth = role == JointRole.Pelvis ? bone.Radius : girth;
+            if (role == JointRole.Tail)
+            {
+                found = thick > TailGirth * girth ? skeleton.ModelPositions[bone.Joint].Z : found;
+                thick = Math.Min(thick, bone.Radius);
+                end = Math.Min(end, skeleton.ModelPositions[bone.Joint].Z + Rotation.Rotate(skeleton.ModelRotations[bone.Joint], bone.End).Z);
+            }
+        }
+
+        return (found, end);
+    }
+
+    /// <summary>The left leg that each joint from the hip down belongs to.</summary>
+    private static LimbChain?[] LegBones(Creature creature)
+    {
+        var bones = new LimbChain?[creature.Skeleton.Count];
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            for (int k = 1; k < limb.Joints.Count && limb.Kind == LimbKind.Leg && limb.Side == Side.Left; k++)
+            {
+                bones[limb.Joints[k]] = limb;
+            }
+        }
+
+        return bones;
+    }
+
+    /// <summary>A capsule.</summary>
+    private readonly record struct Rod(Vector3 Start, Vector3 End, float Radius)
+    {
+        public Rod Turned(Vector3 pivot, Quaternion turn) => new(pivot + Rotation.Rotate(turn, Start - pivot), pivot + Rotation.Rotate(turn, End - pivot), Radius);
+
+        /// <summary>How far a point is above it, negative below; or as far beside it as it is.</summary>
+        public double Above(Vector3 point)
+        {
+            var way = new Vector3(End.X - Start.X, 0f, End.Z - Start.Z);
+            float squared = Vec.LengthSquared(way);
+            var from = new Vector3(point.X - Start.X, 0f, point.Z - Start.Z);
+            float along = squared > 0f ? Scalar.Clamp(Vec.Dot(from, way) / squared, 0f, 1f) : 0f;
+            return Math.Max(Vec.Length(from - (way * along)), point.Y - Scalar.Lerp(Start.Y, End.Y, along)) - Radius;
+        }
+
+        /// <summary>From its surface to a point, negative within.</summary>
+        public double Distance(Vector3 point)
+        {
+            Vector3 way = End - Start;
+            float squared = Vec.LengthSquared(way);
+            float along = squared > 0f ? Scalar.Clamp(Vec.Dot(point - Start, way) / squared, 0f, 1f) : 0f;
+            return Vec.Distance(point, Start + (way * along)) - Radius;
+        }
+    }
+}

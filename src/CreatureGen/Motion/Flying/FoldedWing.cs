@@ -1,0 +1,102 @@
+using System;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>How a wing lies against the body that it belongs to: of the ways of folding that its kind has the one that fits best, found by trying one number after the other in ever smaller steps.</summary>
+internal sealed class FoldedWing
+{
+    private const int Rounds = 10;
+    private const double FirstStep = 0.24;
+    private const double Shrink = 0.7;
+
+    /// <summary>What corners of the leading edge and crowded skin cost, in relation to being off the body by a body length.</summary>
+    private const double CornerCost = 0.003;
+    private const double CrowdingCost = 0.08;
+
+    /// <summary>By which part of what the others are shortened the upper arm is.</summary>
+    private const float UpperArm = 0.35f;
+
+    private readonly PairedChain chain;
+    private readonly WingSkin skin;
+    private readonly Quaternion[] turns;
+    private float length;
+
+    private FoldedWing(PairedChain chain, WingSkin skin)
+    {
+        this.chain = chain;
+        this.skin = skin;
+        turns = new Quaternion[chain.Count];
+    }
+
+    /// <summary>Share of its length that a bone keeps: the upper arm most of it, for there the skin bends.</summary>
+    public float LengthOf(int bone) => bone == 0 ? 1f - (UpperArm * (1f - length)) : length;
+
+    /// <summary>The turn of a joint of the left wing.</summary>
+    public Quaternion Turn(int joint) => turns[joint];
+
+    /// <summary>Fits a pair of wings to a body.</summary>
+    public static FoldedWing Of(Creature creature, PairedChain chain, FoldRange range, FoldRoom room)
+    {
+        var wing = new FoldedWing(chain, WingSkin.Of(creature, chain));
+        wing.Fold(wing.Search(range, room));
+        return wing;
+    }
+
+    private WingFold Search(FoldRange range, FoldRoom room)
+    {
+        WingFold best = range.Usual;
+        double least = Try(best, range, room);
+        double step = FirstStep;
+        for (int round = 0; round < Rounds; round++, step *= Shrink)
+        {
+            for (int number = 0; number < WingFold.Count; number++)
+            {
+                for (int sign = -1; sign <= 1; sign += 2)
+                {
+                    WingFold other = best.With(number, sign * step, range.Least, range.Most);
+                    double cost = other == best ? least : Try(other, range, room);
+                    (best, least) = cost < least ? (other, cost) : (best, least);
+                }
+            }
+        }
+
+        return best;
+    }
+
+    private double Try(in WingFold fold, FoldRange range, FoldRoom room)
+    {
+        Fold(fold);
+        Span<Quaternion> carried = stackalloc Quaternion[chain.Count];
+        Span<Vector3> joints = stackalloc Vector3[chain.Count];
+        Quaternion turn = Quaternion.Identity;
+        Vector3 place = chain.Points[0];
+        for (int k = 0; k < chain.Count; k++)
+        {
+            joints[k] = place;
+            turn = carried[k] = Rotation.Normalize(Rotation.Multiply(turn, turns[k]));
+            place += Rotation.Rotate(turn, (chain.Points[k + 1] - chain.Points[k]) * LengthOf(k));
+        }
+
+        return skin.Cost(joints, carried, room, range) + (CornerCost * fold.Corners) + (CrowdingCost * skin.Crowding(joints, carried));
+    }
+
+    /// <summary>Turns the joints as far as they can.</summary>
+    private void Fold(in WingFold fold)
+    {
+        length = (float)fold.Length;
+        Quaternion carried = Quaternion.Identity;
+        for (int k = 0; k < turns.Length; k++)
+        {
+            Quaternion rest = JointFrame.Raised(chain.Axes[k], Vector3.UnitY);
+            Quaternion target = JointFrame.Raised(fold.Direction(k), fold.Face(k));
+            Quaternion wanted = Rotation.Multiply(target, Rotation.Inverse(rest));
+            turns[k] = chain.Limit(k, Rotation.Multiply(Rotation.Inverse(carried), wanted));
+            carried = Rotation.Normalize(Rotation.Multiply(carried, turns[k]));
+        }
+    }
+}

@@ -1,0 +1,54 @@
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>How a left wing lies when it is folded, in angles about the body, radians, and a length.</summary>
+/// <param name="Drop">Of the upper arm below level.</param>
+/// <param name="Spread">Of the upper arm away from straight back, to the left.</param>
+/// <param name="Rise">Of what follows above level.</param>
+/// <param name="Converge">Of what follows from straight back towards the midline.</param>
+/// <param name="Curl">By how much more each bone beyond the forearm turns towards the midline than the one before it.</param>
+/// <param name="Lift">By how much more each of these rises than the one before it.</param>
+/// <param name="Lean">Of the blade from upright towards lying flat: its trailing edge over the back.</param>
+/// <param name="Wrap">By how much more the blade leans at each bone beyond the upper arm: it winds about the body.</param>
+/// <param name="Length">Share of their length that upper arm, forearm and hand keep: feathers slide over one another, and skin draws together.</param>
+internal readonly record struct WingFold(double Drop, double Spread, double Rise, double Converge, double Curl, double Lift, double Lean, double Wrap, double Length)
+{
+    /// <summary>Number of what can be chosen.</summary>
+    public const int Count = 9;
+
+    /// <summary>The same with one number changed, within its bounds.</summary>
+    public WingFold With(int number, double change, in WingFold least, in WingFold most) => number switch
+    {
+        0 => this with { Drop = Scalar.Clamp(Drop + change, least.Drop, most.Drop) },
+        1 => this with { Spread = Scalar.Clamp(Spread + change, least.Spread, most.Spread) },
+        2 => this with { Rise = Scalar.Clamp(Rise + change, least.Rise, most.Rise) },
+        3 => this with { Converge = Scalar.Clamp(Converge + change, least.Converge, most.Converge) },
+        4 => this with { Curl = Scalar.Clamp(Curl + change, least.Curl, most.Curl) },
+        5 => this with { Lift = Scalar.Clamp(Lift + change, least.Lift, most.Lift) },
+        6 => this with { Lean = Scalar.Clamp(Lean + change, least.Lean, most.Lean) },
+        7 => this with { Wrap = Scalar.Clamp(Wrap + change, least.Wrap, most.Wrap) },
+        _ => this with { Length = Scalar.Clamp(Length + change, least.Length, most.Length) },
+    };
+
+    /// <summary>Direction of a bone, unit.</summary>
+    public Vector3 Direction(int bone)
+    {
+        double up = bone == 0 ? -Drop : Rise + ((bone - 1) * Lift);
+        double aside = bone == 0 ? Spread : -Converge - ((bone - 1) * Curl);
+        PortableMath.SinCos(up, out double su, out double cu);
+        PortableMath.SinCos(aside, out double sa, out double ca);
+        return new Vector3((float)(sa * cu), (float)su, (float)(-ca * cu));
+    }
+
+    /// <summary>How much the leading edge bends in the plane of the blade: squares of the angles from bone to bone.</summary>
+    public double Corners => ((Drop + Rise) * (Drop + Rise)) + (2 * Lift * Lift);
+
+    /// <summary>The side to which the upper face of the wing looks at a bone.</summary>
+    public Vector3 Face(int bone)
+    {
+        PortableMath.SinCos(Lean + (bone * Wrap), out double sine, out double cosine);
+        return new Vector3((float)cosine, (float)sine, 0f);
+    }
+}

@@ -1,0 +1,132 @@
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>A pair of stitched wings: shoulder, elbow, wrist and hand, beating, gliding or folded.</summary>
+internal sealed class WingPair
+{
+    private const int Joints = 4;
+
+    /// <summary>Share of the way from folded to spread from which on a wing is spread.</summary>
+    private const double Spread = 1 - 1e-6;
+
+    /// <summary>How far the shoulder is raised half way between folded and spread, radians.</summary>
+    private const double FoldLift = 0.45;
+
+    // Share of a cycle by which each joint is behind the shoulder.
+    private static readonly double[] lags = { 0, 0.035, 0.075, 0.12 };
+
+    // How late each joint unfolds, in shares of the whole.
+    private static readonly double[] unfolding = { 0, 0.10, 0.2, 0.25 };
+
+    private readonly PairedChain chain;
+    private readonly FoldedWing folded;
+    private readonly double dihedral;
+
+    public WingPair(PairedChain chain, FoldedWing folded)
+    {
+        this.chain = chain;
+        this.folded = folded;
+        Vector3 out2 = chain.Points[2] - chain.Points[0];
+        dihedral = PortableMath.Atan2(out2.Y, out2.X);
+    }
+
+    /// <summary>Writes the joints of both sides.</summary>
+    public void Write(in Pose local, in WingStroke stroke)
+    {
+        for (int k = 0; k < chain.Count && k < Joints; k++)
+        {
+            WingBeat beat = WingBeat.At(stroke.Phase - lags[k]);
+            double open = Scalar.Smooth((stroke.Spread - unfolding[k]) / (1 - 0.25));
+            if (k > 0)
+            {
+                chain.Draw(local, k, Scalar.Lerp(folded.LengthOf(k - 1), 1f, (float)open));
+            }
+
+            Write(local, Side.Left, k, beat, stroke, open);
+            Write(local, Side.Right, k, beat, stroke, open);
+        }
+    }
+
+    private void Write(in Pose local, Side side, int k, in WingBeat beat, in WingStroke stroke, double open)
+    {
+        double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
+        Beating(k, beat, stroke, inside, out double raise, out double sweep, out double twist);
+        if (stroke.Glide > 0)
+        {
+            Gliding(k, stroke, inside, out double glideRaise, out double glideSweep, out double glideTwist);
+            raise = Scalar.Lerp(raise, glideRaise, stroke.Glide);
+            sweep = Scalar.Lerp(sweep, glideSweep, stroke.Glide);
+            twist = Scalar.Lerp(twist, glideTwist, stroke.Glide);
+        }
+
+        Quaternion spread = chain.Stroke(k, raise, sweep, twist);
+        if (open < Spread)
+        {
+            // On the way the shoulder is raised, so that the tip does not sweep over the ground.
+            Quaternion way = Rotation.Slerp(folded.Turn(k), spread, open);
+            spread = k == 0 ? Rotation.Multiply(AxisTurn.Roll(4 * FoldLift * open * (1 - open)), way) : way;
+        }
+
+        chain.Write(local, side, k, spread);
+    }
+
+    private void Beating(int joint, in WingBeat b, in WingStroke stroke, double inside, out double raise, out double sweep, out double twist)
+    {
+        double a = stroke.Amplitude * (1 - (0.12 * inside));
+        switch (joint)
+        {
+            case 0:
+                raise = (-0.72 * dihedral) + 0.10 + (0.48 * a * b.Height) - (0.05 * inside);
+                sweep = -0.06 + (a * ((-0.16 * b.Sine) + (0.18 * b.Up))) - (0.22 * stroke.Flare);
+                twist = (a * ((0.10 * b.Down) - (0.16 * b.Up))) - (0.30 * stroke.Flare);
+                break;
+            case 1:
+                raise = a * ((0.10 * b.Height) - (0.10 * b.Up));
+                sweep = a * -0.34 * b.Up;
+                twist = a * ((0.05 * b.Down) - (0.10 * b.Up));
+                break;
+            case 2:
+                raise = a * ((0.09 * b.Height) - (0.34 * b.Up) + (0.06 * b.Down));
+                sweep = 0.06 + (a * 0.72 * b.Up) + (0.10 * inside);
+                twist = a * ((0.12 * b.Down) - (0.18 * b.Up));
+                break;
+            default:
+                raise = a * ((-0.22 * b.Up) + (0.16 * b.Down));
+                sweep = a * 0.34 * b.Up;
+                twist = a * 0.10 * (b.Down - b.Up);
+                break;
+        }
+    }
+
+    private void Gliding(int joint, in WingStroke stroke, double inside, out double raise, out double sweep, out double twist)
+    {
+        switch (joint)
+        {
+            case 0:
+                raise = (-0.55 * dihedral) - 0.02 + (0.02 * stroke.Drift) - (0.06 * inside);
+                sweep = -0.05 - (0.25 * stroke.Flare);
+                twist = 0.03 - (0.35 * stroke.Flare);
+                break;
+            case 1:
+                raise = -0.10 * dihedral;
+                sweep = 0.12;
+                twist = 0;
+                break;
+            case 2:
+                raise = -0.20 * dihedral;
+                sweep = 0.16 + (0.12 * inside);
+                twist = -0.02;
+                break;
+            default:
+                raise = 0.08;
+                sweep = 0.05;
+                twist = -0.02 - (0.05 * inside);
+                break;
+        }
+    }
+}

@@ -1,0 +1,191 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Rigging;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>Some of the skin of a left wing, evenly chosen: places all over it, and triangles in its creases, where it goes over from bone to bone.</summary>
+internal sealed class WingSkin
+{
+    private const int MostPlaces = 80;
+    private const int MostCreases = 60;
+
+    /// <summary>How far apart places are at most on the large triangles of thin wings, lengths of the wing: knees are no wider.</summary>
+    private const double Spacing = 0.1;
+
+    /// <summary>Share of the wing's joints from which on skin belongs to the wing.</summary>
+    private const float LeastShare = 0.6f;
+
+    /// <summary>Share of one joint, or of the body, from which on skin lies in no crease.</summary>
+    private const float MostOfOne = 0.9f;
+
+    /// <summary>Part of its area below which a triangle is crowded: somewhat before it shrinks to a quarter.</summary>
+    private const double Crowded = 0.4;
+
+    private readonly PairedChain chain;
+    private readonly Place[] places;
+    private readonly Crease[] creases;
+
+    private WingSkin(PairedChain chain, Place[] places, Crease[] creases)
+    {
+        this.chain = chain;
+        this.places = places;
+        this.creases = creases;
+    }
+
+    /// <summary>Chooses the skin of a pair's left wing.</summary>
+    public static WingSkin Of(Creature creature, PairedChain chain)
+    {
+        CreatureMesh mesh = creature.Mesh;
+        var places = new Place[mesh.Positions.Length];
+        var found = new List<Place>();
+        for (int v = 0; v < places.Length; v++)
+        {
+            places[v] = PlaceOf(chain, mesh.Positions[v], mesh.Weights[v]);
+            if (places[v].Still < 1f - LeastShare)
+            {
+                found.Add(places[v]);
+            }
+        }
+
+        bool thin = chain.Limb.Kind == LimbKind.InsectWing;
+        double spacing = Spacing * chain.Reach;
+        var bent = new List<Crease>();
+        ReadOnlySpan<int> triangles = mesh.Triangles;
+        for (int t = 0; t < triangles.Length; t += 3)
+        {
+            (int a, int b, int c) = (triangles[t], triangles[t + 1], triangles[t + 2]);
+            if (places[a].Bends && places[b].Still < MostOfOne && places[c].Still < MostOfOne)
+            {
+                bent.Add(new Crease(places[a], places[b], places[c], Area(places[a].Rest, places[b].Rest, places[c].Rest)));
+            }
+
+            if (thin && places[a].Still < 1f - LeastShare)
+            {
+                Fill(found, places[a], places[b], places[c], spacing);
+            }
+        }
+
+        return new WingSkin(chain, Some(found, thin ? 2 * MostPlaces : MostPlaces), Some(bent, MostCreases));
+    }
+
+    /// <summary>What it costs the places of the wing to be where they are, in the mean.</summary>
+    /// <param name="joints">Places of the joints.</param>
+    /// <param name="turns">How they are turned in the model.</param>
+    /// <param name="room">The body it is folded to.</param>
+    /// <param name="range">How its kind of wing folds.</param>
+    public double Cost(ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns, FoldRoom room, FoldRange range)
+    {
+        double sum = 0;
+        foreach (Place place in places)
+        {
+            sum += room.Cost(At(place, joints, turns), range, place.Clear);
+        }
+
+        return sum / Math.Max(places.Length, 1);
+    }
+
+    /// <summary>How crowded the creases are in the mean, 0..1: squares of what triangles lack.</summary>
+    public double Crowding(ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns)
+    {
+        double sum = 0;
+        foreach (Crease crease in creases)
+        {
+            double area = Area(At(crease.A, joints, turns), At(crease.B, joints, turns), At(crease.C, joints, turns));
+            double lack = Math.Max(0, 1 - (area / (Crowded * crease.Area)));
+            sum += lack * lack;
+        }
+
+        return sum / Math.Max(creases.Length, 1);
+    }
+
+    private Vector3 At(in Place place, ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns)
+    {
+        Vector3 at = place.Rest * place.Still;
+        for (int k = 0; k < place.Shares.Length; k++)
+        {
+            if (place.Shares[k] > 0f)
+            {
+                at += (joints[k] + Rotation.Rotate(turns[k], place.Rest - chain.Points[k])) * place.Shares[k];
+            }
+        }
+
+        return at;
+    }
+
+    /// <summary>Adds the middles of the parts of a triangle, none of them longer than a spacing.</summary>
+    private static void Fill(List<Place> found, in Place a, in Place b, in Place c, double spacing)
+    {
+        double longest = Math.Max(Vec.Distance(a.Rest, b.Rest), Math.Max(Vec.Distance(b.Rest, c.Rest), Vec.Distance(c.Rest, a.Rest)));
+        int parts = (int)Math.Floor(longest / spacing);
+        for (int i = 0; i < parts; i++)
+        {
+            for (int j = 0; i + j < parts; j++)
+            {
+                float u = (i + (1f / 3f)) / parts;
+                float v = (j + (1f / 3f)) / parts;
+                found.Add(Place.Between(a, b, c, u, v));
+            }
+        }
+    }
+
+    private static double Area(Vector3 a, Vector3 b, Vector3 c) => Vec.Length(Vec.Cross(b - a, c - a));
+
+    private static T[] Some<T>(List<T> all, int most)
+    {
+        int stride = Math.Max(1, all.Count / most);
+        var chosen = new List<T>();
+        for (int i = 0; i < all.Count; i += stride)
+        {
+            chosen.Add(all[i]);
+        }
+
+        return chosen.ToArray();
+    }
+
+    private static Place PlaceOf(PairedChain chain, Vector3 rest, in SkinWeights weights)
+    {
+        float[] shares = new float[chain.Count];
+        float sum = 0f;
+        float most = 0f;
+        for (int k = 0; k < shares.Length; k++)
+        {
+            shares[k] = ShareOf(chain.Limb.Joints[k], weights);
+            sum += shares[k];
+            most = Math.Max(most, shares[k]);
+        }
+
+        // A stitched wing grows out of the body, where its upper arm moves it.
+        float still = 1f - sum;
+        return new Place(rest, shares, still, most, chain.Limb.Kind == LimbKind.Wing ? sum - shares[0] : 1f);
+    }
+
+    private static float ShareOf(int joint, in SkinWeights weights) =>
+        (weights.Joint0 == joint ? weights.Weights.X : 0f) + (weights.Joint1 == joint ? weights.Weights.Y : 0f) + (weights.Joint2 == joint ? weights.Weights.Z : 0f) + (weights.Joint3 == joint ? weights.Weights.W : 0f);
+
+    /// <summary>A place on the skin at rest, how much each joint of the wing, and the body, moves it, the most of the former, and how far it is to keep off the body, 0..1.</summary>
+    private readonly record struct Place(Vector3 Rest, float[] Shares, float Still, float Most, float Clear)
+    {
+        public bool Bends => Math.Max(Still, Most) < MostOfOne;
+
+        public static Place Between(in Place a, in Place b, in Place c, float u, float v)
+        {
+            float w = 1f - u - v;
+            float[] shares = new float[a.Shares.Length];
+            for (int k = 0; k < shares.Length; k++)
+            {
+                shares[k] = (a.Shares[k] * w) + (b.Shares[k] * u) + (c.Shares[k] * v);
+            }
+
+            return a with { Rest = (a.Rest * w) + (b.Rest * u) + (c.Rest * v), Shares = shares, Still = (a.Still * w) + (b.Still * u) + (c.Still * v) };
+        }
+    }
+
+    /// <summary>A triangle and twice its area at rest.</summary>
+    private readonly record struct Crease(Place A, Place B, Place C, double Area);
+}

@@ -1,0 +1,26 @@
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>One moment of a flier's motion, as its wings see it.</summary>
+internal struct WingStroke
+{
+    /// <summary>Beats; only the fraction counts.</summary>
+    public double Phase;
+
+    /// <summary>Width of the beat, 1 at cruise.</summary>
+    public double Amplitude;
+
+    /// <summary>0 beating, 1 gliding.</summary>
+    public double Glide;
+
+    /// <summary>0 folded, 1 spread.</summary>
+    public double Spread;
+
+    /// <summary>0..1, spread against the air to slow down.</summary>
+    public double Flare;
+
+    /// <summary>−1..1, positive in a turn to the left.</summary>
+    public double Steer;
+
+    /// <summary>−1..1, a slow swing.</summary>
+    public double Drift;
+}

@@ -1,0 +1,119 @@
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Toolkit.Gaze;
+using CreatureGen.Rigging;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Motion;
+
+/// <summary>Where head and eyes look: at what the game says, else about while the creature stands; and when it blinks and flicks its ears.</summary>
+internal sealed class HeadAttention
+{
+    /// <summary>Leg or body lengths per second above which nobody looks about.</summary>
+    private const float Still = 0.05f;
+
+    /// <summary>How far a swimmer turns a head that sits on its trunk without a neck, radians: the eyes do the rest.</summary>
+    private const float FishYaw = 0.15f;
+
+    private const float FishPitch = 0.1f;
+
+    private readonly GazeRig rig;
+    private readonly Seed habits;
+    private readonly Seed blinks;
+    private readonly GazeSettings head;
+    private readonly Eyelids? lids;
+    private readonly Ears? ears;
+    private readonly Seed flicks;
+    private readonly float flickPeriod;
+    private readonly float blinkPeriod;
+    private GazeState state;
+    private double seconds;
+
+    /// <summary>Gives a creature habits.</summary>
+    /// <param name="rig">Its head.</param>
+    /// <param name="habits">Of this individual.</param>
+    /// <param name="creature">Big ones are slow; fish look with their eyes.</param>
+    public HeadAttention(GazeRig rig, Seed habits, Creature creature)
+    {
+        float mass = creature.Mass.Mass;
+        this.rig = rig;
+        this.habits = habits;
+        blinks = habits.Child("blinks");
+
+        // Big heads turn slowly: 10 s⁻¹ for a cat, 4 for a cow.
+        float rate = (float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16);
+        bool stiff = creature.Blueprint.Kind == LocomotionKind.Swimming && rig.Joints.Length == 1;
+        head = stiff ? new GazeSettings(rate, FishYaw, FishPitch, FishPitch) : new GazeSettings(rate);
+        lids = Eyelids.Of(rig.Skeleton);
+        ears = Ears.Of(rig.Skeleton);
+        flicks = habits.Child("ears");
+        flickPeriod = (float)Scalar.Clamp(2.5 * PortableMath.Pow(mass, 0.08), 1.5, 6);
+
+        // Seconds from blink to blink: 4 for a cat, 5 for a dog, 9 for a cow.
+        blinkPeriod = (float)Scalar.Clamp(3 * PortableMath.Pow(mass, 0.165), 2, 12);
+    }
+
+    /// <summary>How lids and ears are held; null when the creature blinks and flicks its ears by itself.</summary>
+    public StandingAct? Held { get; set; }
+
+    /// <summary>Turns head and eyes.</summary>
+    /// <param name="target">A point in the world to look at; null for none.</param>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="speed">Metres per second.</param>
+    /// <param name="weight">A factor on looking about.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="local">The pose, its lids at rest; head, neck, eyes and lids are turned.</param>
+    /// <param name="model">The same in model space.</param>
+    public void Update(Vector3? target, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
+    {
+        seconds += dt;
+        bool still = weight > 0f && System.Math.Abs(speed) < Still;
+        float shut = lids == null ? 0f : Held?.Lids ?? Blinks.At(blinks, seconds, blinkPeriod);
+        if (shut != 0f)
+        {
+            lids!.Close(shut, local, model);
+        }
+
+        if (ears != null && still)
+        {
+            ears.Flick(Held ?? Flicked(System.Math.Min(weight, 1f)), local, model);
+        }
+
+        GazeTarget wanted = GazeTarget.None;
+        if (target is Vector3 point)
+        {
+            wanted = GazeTarget.At(root.ToModel(point));
+        }
+        else if (still)
+        {
+            var glances = new GlanceSettings(System.Math.Min(0.85f * weight, 1.2f), System.Math.Min(0.2f * weight, 0.5f), 2.2f);
+
+            // About where the motion holds the head, however it holds the trunk.
+            LookAngles glance = Glances.At(habits, seconds, glances);
+            wanted = GazeTarget.Towards(glance with { Pitch = glance.Pitch + GazeSolver.PitchOf(rig, model) });
+        }
+
+        if (wanted.Kind == GazeTargetKind.None && state.Weight == 0f)
+        {
+            return;
+        }
+
+        GazeSolver.Advance(rig, ref state, head, wanted, dt, local, model);
+        if (rig.LeftEye >= 0 && rig.RightEye >= 0)
+        {
+            Eyes.Update(rig, ref state, EyeSettings.Default, wanted, dt, local, model);
+        }
+    }
+
+    private StandingAct Flicked(float weight)
+    {
+        (float left, float right) = EarFlicks.At(flicks, seconds, flickPeriod);
+        return new StandingAct(0f, left * weight, right * weight);
+    }
+
+    /// <summary>Looks straight ahead again, at once.</summary>
+    public void Reset() => state = default;
+}

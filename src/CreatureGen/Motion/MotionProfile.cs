@@ -1,0 +1,94 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Motion.Flying;
+using CreatureGen.Motion.Slithering;
+using CreatureGen.Motion.Swimming;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Walking;
+
+namespace CreatureGen.Motion;
+
+/// <summary>What follows from a creature's build for its motion: worked out once, immutable, shared by all animators of the creature.</summary>
+public sealed class MotionProfile
+{
+    /// <summary>Works out how a creature goes.</summary>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public MotionProfile(Creature creature)
+        : this(creature, null)
+    {
+    }
+
+    /// <summary>The same with gaits of the game's own choice.</summary>
+    /// <param name="creature">The creature.</param>
+    /// <param name="gaits">Its gaits, or null for those of its build.</param>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public MotionProfile(Creature creature, GaitSet? gaits)
+    {
+        Creature = creature ?? throw new ArgumentNullException(nameof(creature));
+        Legs = LeggedBody.Of(creature);
+        if (Legs != null)
+        {
+            Gaits = gaits ?? GaitChoice.For(Legs, LocomotionSettings.Default.Gravity);
+        }
+
+        switch (creature.Blueprint.Kind)
+        {
+            case LocomotionKind.Flying:
+                Flight = FlightProfile.Of(creature);
+                break;
+            case LocomotionKind.Swimming:
+                Swim = SwimProfile.Of(creature);
+                break;
+            default:
+                Slither = Legs == null ? SlitherProfile.Of(creature) : null;
+                break;
+        }
+
+        Gaze = HasHead(creature) ? GazeRig.Of(creature.Skeleton) : null;
+        (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null && !Legs.HasAbdomen);
+    }
+
+    /// <summary>The creature.</summary>
+    public Creature Creature { get; }
+
+    /// <summary>Its gaits and their speeds; null for creatures without legs to stand on.</summary>
+    public GaitSet? Gaits { get; }
+
+    /// <summary>Length of its rearmost legs from hip to ground, metres; 0 without legs.</summary>
+    public float LegLength => Legs?.LegLength ?? 0f;
+
+    /// <summary>How it flies; null when it does not.</summary>
+    internal FlightProfile? Flight { get; }
+
+    /// <summary>How it swims; null when it does not.</summary>
+    internal SwimProfile? Swim { get; }
+
+    /// <summary>How it crawls; null when it has legs.</summary>
+    internal SlitherProfile? Slither { get; }
+
+    /// <summary>Neck, head and eyes; null without a head.</summary>
+    internal GazeRig? Gaze { get; }
+
+    /// <summary>What swings by itself.</summary>
+    internal SpringRig[] SpringRigs { get; }
+
+    /// <summary>How each of these swings.</summary>
+    internal SpringSettings[] SpringSettings { get; }
+
+    /// <summary>The body as its walk sees it; null without legs.</summary>
+    internal LeggedBody? Legs { get; }
+
+    private static bool HasHead(Creature creature)
+    {
+        foreach (Rigging.Joint joint in creature.Skeleton.Joints)
+        {
+            if (joint.Role == Rigging.JointRole.Head)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+}

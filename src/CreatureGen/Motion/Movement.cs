@@ -1,0 +1,127 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Motion.Swimming;
+
+namespace CreatureGen.Motion;
+
+/// <summary>Something that a creature does by itself: standing, one of its gaits, flight, swimming, each way of crawling; and what leads fliers from standing to flight and back, and what a startled fish does. Immutable.</summary>
+public sealed class Movement
+{
+    private const float PassageSpeed = 0.3f;
+    private const float PassageClimb = 0.25f;
+
+    /// <summary>Part of the cruise of an undulating crawler that it makes straight on: waves of the belly are slow.</summary>
+    private const float RectilinearSpeed = 0.3f;
+
+    private Movement(string name, MotionInput input, Gait? gait, MovementCourse course = MovementCourse.Lasting, SlitherMode crawl = SlitherMode.Undulating)
+    {
+        Name = name;
+        Input = input;
+        Gait = gait;
+        Course = course;
+        Crawl = crawl;
+    }
+
+    /// <summary>What games call it: <c>Idle</c>, <c>Walk</c>, <c>Run</c>, the name of another gait, <c>Fly</c>, <c>Hover</c>, <c>TakeOff</c>, <c>Land</c>, <c>Swim</c>, <c>CStart</c>, <c>Slither</c>, <c>Sidewind</c> or <c>Rectilinear</c>. Unique among those of a creature.</summary>
+    public string Name { get; }
+
+    /// <summary>What the creature is asked to do.</summary>
+    public MotionInput Input { get; }
+
+    /// <summary>Whether it goes on and on or happens once.</summary>
+    public MovementCourse Course { get; }
+
+    /// <summary>The gait it keeps to; null for none.</summary>
+    public Gait? Gait { get; }
+
+    /// <summary>How a creature without legs crawls; others take no notice.</summary>
+    public SlitherMode Crawl { get; }
+
+    /// <summary>The name of its gait, such as <c>BipedWalk</c>; <see cref="Name"/> where there is no gait.</summary>
+    public string GaitName => Gait?.Name ?? Name;
+
+    /// <summary>Whether the motion repeats at the beat of a gait or a stroke; standing still has none.</summary>
+    public bool IsCyclic => Course == MovementCourse.Lasting && (Input.Speed != 0f || Input.Medium == MotionMedium.Air);
+
+    /// <summary>Everything a creature does by itself: Idle, each of its gaits at its most comfortable speed, flight, taking off and landing, swimming, the start of a startled fish to its left, all ways of crawling.</summary>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public static IReadOnlyList<Movement> Of(MotionProfile profile)
+    {
+        if (profile == null)
+        {
+            throw new ArgumentNullException(nameof(profile));
+        }
+
+        var movements = new List<Movement> { new("Idle", default, null) };
+        if (profile.Gaits != null)
+        {
+            foreach (GaitSpeed speed in profile.Gaits.Speeds)
+            {
+                movements.Add(new Movement(NameOf(speed.Gait), new MotionInput(speed.Comfortable), speed.Gait));
+            }
+        }
+
+        if (profile.Flight != null)
+        {
+            movements.Add(new Movement("Fly", new MotionInput(profile.Flight.CruiseSpeed, Medium: MotionMedium.Air), null));
+            movements.Add(new Movement("Hover", new MotionInput(0f, Medium: MotionMedium.Air), null));
+        }
+
+        if (profile.Flight != null && profile.Legs != null)
+        {
+            float speed = PassageSpeed * profile.Flight.CruiseSpeed;
+            float climb = PassageClimb * profile.Flight.CruiseSpeed;
+            movements.Add(new Movement("TakeOff", new MotionInput(speed, ClimbRate: climb, Medium: MotionMedium.Air), null, MovementCourse.TakeOff));
+            movements.Add(new Movement("Land", new MotionInput(speed, ClimbRate: -climb), null, MovementCourse.Landing));
+        }
+
+        if (profile.Swim != null)
+        {
+            float speed = profile.Swim.CruiseSpeed;
+            movements.Add(new Movement("Swim", new MotionInput(speed), null));
+            if (profile.Swim.Style is SwimStyle.Carangiform or SwimStyle.Anguilliform)
+            {
+                movements.Add(new Movement("CStart", new MotionInput(speed, Escape: EscapeTurn.Left), null, MovementCourse.Escape));
+            }
+        }
+
+        if (profile.Slither != null)
+        {
+            float speed = profile.Slither.CruiseSpeed;
+            movements.Add(new Movement("Slither", new MotionInput(speed), null));
+            movements.Add(new Movement("Sidewind", new MotionInput(speed), null, crawl: SlitherMode.Sidewinding));
+            movements.Add(new Movement("Rectilinear", new MotionInput(RectilinearSpeed * speed), null, crawl: SlitherMode.Rectilinear));
+        }
+
+        return movements;
+    }
+
+    /// <summary>The same at another speed. Creatures go no faster than they can, whatever is asked.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <exception cref="ArgumentException">The speed is not finite.</exception>
+    public Movement At(float speed)
+    {
+        Maths.Finite.Require(speed, nameof(speed));
+        return new Movement(Name, Input with { Speed = speed }, Gait, Course, Crawl);
+    }
+
+    /// <summary>An animator of a creature that stands at the origin and keeps to the movement's gait or way of crawling from its first step.</summary>
+    internal CreatureAnimator Begin(MotionProfile profile, IGround ground)
+    {
+        var animator = new CreatureAnimator(profile);
+        LocomotionSettings settings = animator.Settings;
+        settings.Gait = Gait;
+        settings.Crawl = Crawl;
+        animator.Settings = settings;
+        animator.Teleport(animator.Root, ground);
+        return animator;
+    }
+
+    /// <summary>Games look for Walk and Run, whatever walks.</summary>
+    private static string NameOf(Gait gait) => gait.Name switch
+    {
+        "BipedWalk" or "Waddle" => "Walk",
+        "BipedRun" or "WaddleRun" => "Run",
+        _ => gait.Name,
+    };
+}

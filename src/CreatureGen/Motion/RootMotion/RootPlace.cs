@@ -1,0 +1,51 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion;
+
+/// <summary>Where a creature's model space is in the world: turned, grown by one factor, and moved.</summary>
+public readonly struct RootPlace
+{
+    /// <summary>Places a creature.</summary>
+    /// <param name="position">Of the model's origin, world space, metres.</param>
+    /// <param name="rotation">From model to world, unit.</param>
+    /// <param name="scale">World metres per model metre, above 0.</param>
+    /// <exception cref="ArgumentException">A number is not finite, or the rotation is not a unit quaternion.</exception>
+    public RootPlace(Vector3 position, Quaternion rotation, float scale = 1f)
+    {
+        Finite.Require(position, nameof(position));
+        Finite.RequireUnit(rotation, nameof(rotation));
+        Finite.RequireWithin(scale, 1e-6f, 1e6f, nameof(scale));
+        Position = position;
+        Rotation = rotation;
+        Scale = scale;
+    }
+
+    /// <summary>At the origin, unturned, at its own size.</summary>
+    public static RootPlace Identity { get; } = new(Vector3.Zero, Quaternion.Identity);
+
+    /// <summary>Of the model's origin, world space, metres.</summary>
+    public Vector3 Position { get; }
+
+    /// <summary>From model to world, unit.</summary>
+    public Quaternion Rotation { get; }
+
+    /// <summary>World metres per model metre.</summary>
+    public float Scale { get; }
+
+    /// <summary>A point of the model in the world.</summary>
+    public Vector3 ToWorld(Vector3 model) => Position + (Maths.Rotation.Rotate(Rotation, model) * Scale);
+
+    /// <summary>A point of the world in the model.</summary>
+    public Vector3 ToModel(Vector3 world) => Maths.Rotation.Rotate(Maths.Rotation.Inverse(Rotation), world - Position) / Scale;
+
+    /// <summary>Throws on a value that no constructor made.</summary>
+    internal void Require(string name)
+    {
+        if (!(Scale > 0f))
+        {
+            throw new ArgumentException("a place without size; expected RootPlace.Identity or one made by its constructor", name);
+        }
+    }
+}

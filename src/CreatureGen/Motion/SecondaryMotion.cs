@@ -1,0 +1,132 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion;
+
+/// <summary>What swings after the motion by itself: tail, ears, feelers; never into the ground.</summary>
+internal sealed class SecondaryMotion
+{
+    /// <summary>Part of a chain's length that its tips keep from the ground.</summary>
+    private const float Thickness = 0.03f;
+
+    /// <summary>Part of a joint's limit that its spring may take up.</summary>
+    private const float SwingShare = 0.38f;
+
+    private readonly SpringRig[] rigs;
+    private readonly SpringSettings[] settings;
+    private readonly SpringState[] states;
+    private readonly bool[] low;
+    private readonly SpringCollider[] ground = new SpringCollider[1];
+
+    public SecondaryMotion(SpringRig[] rigs, SpringSettings[] settings)
+    {
+        this.rigs = rigs;
+        this.settings = settings;
+        states = new SpringState[rigs.Length];
+        low = new bool[rigs.Length];
+        for (int i = 0; i < rigs.Length; i++)
+        {
+            states[i] = new SpringState(rigs[i]);
+            low[i] = rigs[i].Skeleton.Joints[rigs[i].Joints[0]].Role == JointRole.Tail;
+        }
+    }
+
+    /// <summary>The chains of a skeleton that swing, and how.</summary>
+    public static (SpringRig[] Rigs, SpringSettings[] Settings) Of(Skeleton skeleton, bool tail)
+    {
+        var rigs = new System.Collections.Generic.List<SpringRig>();
+        var settings = new System.Collections.Generic.List<SpringSettings>();
+        Add(JointRole.Tail, tail);
+        Add(JointRole.Ear, true);
+        Add(JointRole.Antenna, true);
+        return (rigs.ToArray(), settings.ToArray());
+
+        void Add(JointRole role, bool wanted)
+        {
+            SpringRig rig = SpringRig.Of(skeleton, role);
+            if (wanted && rig.Joints.Length > 0 && rig.Length > 0f)
+            {
+                rigs.Add(rig);
+                settings.Add(Within(role switch { JointRole.Tail => SpringSettings.Tail(rig.Length), JointRole.Ear => SpringSettings.Ear(rig.Length), _ => SpringSettings.Antenna(rig.Length) }, rig));
+            }
+        }
+    }
+
+    /// <summary>Turns the joints that swing.</summary>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="up">Away from the ground, unit.</param>
+    /// <param name="height">Of the root above the ground, metres of the model.</param>
+    /// <param name="seconds">Since the last update.</param>
+    /// <param name="local">Receives the rotations.</param>
+    /// <param name="model">Receives what follows from them.</param>
+    public void Update(in RootPlace root, Vector3 up, float height, float seconds, in Pose local, in Pose model)
+    {
+        for (int i = 0; i < rigs.Length; i++)
+        {
+            ReadOnlySpan<SpringCollider> colliders = ReadOnlySpan<SpringCollider>.Empty;
+            if (low[i])
+            {
+                ground[0] = SpringCollider.Plane(root.Position + (up * (((Thickness * rigs[i].Length) - height) * root.Scale)), up);
+                colliders = ground;
+            }
+
+            SpringBones.Update(rigs[i], states[i], settings[i], root, colliders, seconds, local, model);
+            KeepWithinLimits(rigs[i], local, model);
+        }
+    }
+
+    /// <summary>Forgets all swing: the creature has been put somewhere else.</summary>
+    public void Reset()
+    {
+        foreach (SpringState state in states)
+        {
+            state.Reset();
+        }
+    }
+
+    /// <summary>Moves the origin of the world.</summary>
+    public void Rebase(Vector3 offset)
+    {
+        foreach (SpringState state in states)
+        {
+            state.Rebase(offset);
+        }
+    }
+
+    private static void KeepWithinLimits(SpringRig rig, in Pose local, in Pose model)
+    {
+        int first = -1;
+        ReadOnlySpan<Joint> joints = rig.Skeleton.AllJoints;
+        foreach (int joint in rig.Joints)
+        {
+            Quaternion bounded = SwingTwistLimit.ClampLocal(local.Rotations[joint], joints[joint]);
+            if (bounded != local.Rotations[joint])
+            {
+                local.Rotations[joint] = bounded;
+                first = first < 0 ? joint : first;
+            }
+        }
+
+        if (first >= 0)
+        {
+            Subtree.LocalToModel(rig.Skeleton, first, local, model);
+        }
+    }
+
+    /// <summary>Settings whose swing leaves room for the motion within the narrowest joint's limits.</summary>
+    private static SpringSettings Within(in SpringSettings settings, SpringRig rig)
+    {
+        float most = settings.MostSwing;
+        foreach (int joint in rig.Joints)
+        {
+            JointLimit limit = rig.Skeleton.Joints[joint].Limit;
+            float least = Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+            most = Math.Min(most, Math.Max(SwingShare * least, 0.02f));
+        }
+
+        return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, most, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle, settings.MostSpeed);
+    }
+}

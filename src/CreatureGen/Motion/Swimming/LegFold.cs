@@ -1,0 +1,105 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Swimming;
+
+/// <summary>A leg folded back along the flank: as straight back as its joints allow, and as far out as what lies there is thick.</summary>
+internal sealed class LegFold
+{
+    /// <summary>Least and widest angle between the direction that a folded leg is turned to and straight back, and the steps in which it is sought, radians. The least leaves hips room to follow the flank both ways.</summary>
+    private const double LeastSplay = 0.3;
+    private const double WidestSplay = 0.9;
+    private const double SplayStep = 0.06;
+
+    /// <summary>First joint whose bone has to keep clear: the thigh grows out of the body.</summary>
+    private const int Knee = 2;
+
+    private readonly Quaternion[] turns;
+
+    private LegFold(Quaternion[] turns, Vector3 tip, FoldedBone[] bones)
+    {
+        this.turns = turns;
+        Tip = tip;
+        Bones = bones;
+    }
+
+    /// <summary>The turn of each joint of the left leg away from rest, about the model's axes.</summary>
+    public ReadOnlySpan<Quaternion> Turns => turns;
+
+    /// <summary>Where the tip of the left foot is, model space.</summary>
+    public Vector3 Tip { get; }
+
+    /// <summary>Where the bones of the left leg are.</summary>
+    public IReadOnlyList<FoldedBone> Bones { get; }
+
+    /// <summary>Folds a leg.</summary>
+    /// <param name="chain">The pair of legs.</param>
+    /// <param name="creature">Whose they are.</param>
+    /// <param name="beside">What the leg is to keep clear of, as far as it can.</param>
+    /// <param name="droop">How much it is turned down on its way back, as a slope.</param>
+    public static LegFold Of(PairedChain chain, Creature creature, IReadOnlyList<FoldedBone> beside, double droop)
+    {
+        LegFold? best = null;
+        float least = float.MaxValue;
+        for (double splay = LeastSplay; splay <= WidestSplay && least > 0f; splay += SplayStep)
+        {
+            PortableMath.SinCos(splay, out double sine, out double cosine);
+            LegFold fold = Towards(chain, creature, new Vector3((float)sine, -(float)droop, -(float)cosine));
+            float depth = fold.DepthIn(beside);
+            if (depth < least)
+            {
+                least = depth;
+                best = fold;
+            }
+        }
+
+        return best!;
+    }
+
+    /// <summary>Turns every bone towards a direction, from the hip down, as far as its joint allows.</summary>
+    private static LegFold Towards(PairedChain chain, Creature creature, Vector3 direction)
+    {
+        var turns = new Quaternion[chain.Count];
+        var bones = new List<FoldedBone>();
+        Quaternion whole = Quaternion.Identity;
+        Vector3 at = chain.Points[0];
+        for (int k = 0; k < turns.Length; k++)
+        {
+            turns[k] = chain.Limit(k, Rotation.FromTo(chain.Axes[k], Rotation.Rotate(Rotation.Inverse(whole), direction)));
+
+            // Limits slow a joint down towards their ends: of the turn that is kept, so much is written.
+            whole = Rotation.Normalize(Rotation.Multiply(whole, chain.Limit(k, turns[k])));
+            foreach (CapsuleCollider capsule in creature.Bones)
+            {
+                if (capsule.Joint == chain.Limb.Joints[k])
+                {
+                    bones.Add(new FoldedBone(k, capsule, at, Rotation.Multiply(whole, creature.Skeleton.ModelRotations[capsule.Joint])));
+                }
+            }
+
+            at += Rotation.Rotate(whole, chain.Points[k + 1] - chain.Points[k]);
+        }
+
+        return new LegFold(turns, at, bones.ToArray());
+    }
+
+    /// <summary>How deep shank and foot go into other bones, metres; 0 when they keep clear.</summary>
+    private float DepthIn(IReadOnlyList<FoldedBone> others)
+    {
+        float depth = 0f;
+        foreach (FoldedBone own in Bones)
+        {
+            for (int i = 0; own.Number >= Knee && i < others.Count; i++)
+            {
+                depth = Math.Max(depth, own.DepthIn(others[i]));
+            }
+        }
+
+        return depth;
+    }
+}

@@ -1,0 +1,252 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Swimming;
+
+/// <summary>Moves the body, the legs and the fins of a swimmer.</summary>
+/// <remarks>
+/// The speed decides tempo and width of the beat so that the Strouhal number stays that of the style: f = f₀·u^¾ and width u^¼, with u the speed in cruising speeds; standing still, the
+/// body sways slowly. All oscillations are whole multiples of one phase: under steady input the motion repeats exactly after each cycle.
+/// </remarks>
+internal static class SwimMotion
+{
+    /// <summary>Sharpness with which the motion follows its input, in cycles at cruise.</summary>
+    private const double Response = 5;
+
+    private const double IdleTempo = 0.35;
+    private const double IdleAmplitude = 0.28;
+    private const double FastestTempo = 2.6;
+
+    /// <summary>Greatest width of the beat, 1 at cruise.</summary>
+    internal const double WidestBeat = 1.15;
+
+    /// <summary>Cruises above which legs begin to lie back, and from which on they do.</summary>
+    private const double SlowestTrail = 0.1;
+    private const double FullTrail = 0.85;
+
+    /// <summary>Most that a steady turn bends the body from nose to tail, radians.</summary>
+    private const double DeepestTurn = 1.25;
+
+    private const double SteepestPitch = 1.1;
+
+    /// <summary>What a C-start adds to the speed at its height, cruises.</summary>
+    private const double DartCruises = 2.2;
+
+    /// <summary>Steps for each stage of a C-start, and most in one update.</summary>
+    private const int StepsPerStage = 8;
+    private const int MostSteps = 64;
+
+    /// <summary>Moves on and writes the body's root, the axis of the body, the legs and the fins of a local pose; other joints are left alone.</summary>
+    /// <param name="profile">How the creature swims.</param>
+    /// <param name="input">What it is to do.</param>
+    /// <param name="state">Where it is in its motion.</param>
+    /// <param name="dt">Seconds, not negative; longer steps than 0.25 s count as that.</param>
+    /// <param name="local">Pose in the parents' space, one entry per joint of the creature's skeleton.</param>
+    /// <returns>How the root moves: as asked, and faster and round in a C-start.</returns>
+    /// <exception cref="ArgumentException">The pose does not fit, or a number is not finite.</exception>
+    public static BodyVelocity Update(SwimProfile profile, in SwimInput input, ref SwimState state, float dt, in Pose local)
+    {
+        if (profile == null)
+        {
+            throw new ArgumentNullException(nameof(profile));
+        }
+
+        local.Require(profile.Skeleton);
+        BodyVelocity root = Advance(profile, input, ref state, StrokeInput.Step(dt));
+        Write(profile, state, local);
+        return root;
+    }
+
+    /// <summary>The speed's share of tempo and width.</summary>
+    internal static void Effort(double cruises, out double tempo, out double width)
+    {
+        double u = Math.Abs(cruises);
+        double quarter = Math.Sqrt(Math.Sqrt(u));
+        double moving = Scalar.Smooth(u / 0.25);
+        tempo = Math.Min(Math.Max(quarter * quarter * quarter, IdleTempo), FastestTempo);
+        width = Scalar.Lerp(IdleAmplitude, Math.Min(quarter, WidestBeat), moving);
+    }
+
+    private static BodyVelocity Advance(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
+    {
+        StrokeInput.Finite(input.Speed, "Speed");
+        StrokeInput.Finite(input.TurnRate, "TurnRate");
+        StrokeInput.Finite(input.ClimbRate, "ClimbRate");
+        StartEscape(input.Escape, ref state);
+        double stages = StagesPerSecond(profile) * dt;
+        return state.EscapeSide == 0 || dt <= 0 ? Step(profile, input, ref state, dt) : Dart(profile, input, ref state, dt, Math.Min((int)Math.Ceiling(stages * StepsPerStage), MostSteps));
+    }
+
+    /// <summary>A C-start is over in a few frames, turning and darting at once: it is stepped finely, and the velocity is that which leads along the chord.</summary>
+    private static BodyVelocity Dart(SwimProfile profile, in SwimInput input, ref SwimState state, double dt, int steps)
+    {
+        double step = dt / steps;
+        Vector3 way = Vector3.Zero;
+        double turn = 0;
+        for (int k = 0; k < steps; k++)
+        {
+            BodyVelocity velocity = Step(profile, input, ref state, step);
+            double turned = velocity.TurnRate * step;
+            way += Rotation.Rotate(AxisTurn.Yaw(turn + (0.5 * turned)), velocity.Linear) * (float)step;
+            turn += turned;
+        }
+
+        return new BodyVelocity(Rotation.Rotate(AxisTurn.Yaw(-0.5 * turn), way) / (float)dt, (float)(turn / dt));
+    }
+
+    private static BodyVelocity Step(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
+    {
+        double speed = input.Speed;
+        double yaw = input.TurnRate;
+        double climb = input.ClimbRate;
+        double cruise = profile.CruiseSpeed;
+        double cycle = profile.CruiseFrequency;
+        double sharpness = Response * cycle;
+        double side = state.EscapeSide;
+        double before = state.EscapeAge;
+        double age = side == 0 ? 0 : Math.Min(before + (dt * StagesPerSecond(profile)), EscapeCurve.Duration);
+        double drive = side == 0 ? 0 : EscapeCurve.Drive(0.5 * (before + age));
+        bool over = age >= EscapeCurve.Duration;
+        state.EscapeAge = over ? 0 : age;
+        state.EscapeSide = over ? 0 : side;
+
+        Effort(speed / cruise, out double tempo, out double width);
+        tempo += 1.2 * drive;
+        width = Math.Min(width + (0.5 * drive), WidestBeat);
+        bool backwards = speed < 0 && profile.Style == SwimStyle.Anguilliform;
+        state.Phase += state.Frequency.Step(backwards ? -tempo * cycle : tempo * cycle, sharpness, dt);
+        state.Phase -= Math.Floor(state.Phase);
+        state.Amplitude.Step(width, sharpness, dt);
+
+        // The body lies along the arc that it swims.
+        double arc = yaw * profile.BodyLength / Math.Max(Math.Abs(speed), 0.4 * cruise);
+        state.Bend.Step(Curve.Bounded(arc, DeepestTurn), sharpness, dt);
+        state.Climb.Step(Curve.Bounded(PortableMath.Atan2(climb, Math.Max(Math.Abs(speed), 0.35 * cruise)), SteepestPitch), 0.7 * sharpness, dt);
+        double brake = Scalar.Clamp((Math.Abs(state.Speed.Value) - Math.Abs(speed)) / (0.5 * cruise), 0, 1);
+        state.Brake.Step(brake, 2 * sharpness, dt);
+        state.Speed.Step(speed, 0.8 * sharpness, dt);
+        if (side != 0 && dt > 0)
+        {
+            yaw += side * EscapeCurve.TurnAngle * (EscapeCurve.Turned(age) - EscapeCurve.Turned(before)) / dt;
+            speed += DartCruises * cruise * (EscapeCurve.Driven(age) - EscapeCurve.Driven(before)) / (dt * StagesPerSecond(profile));
+        }
+
+        return new BodyVelocity(new Vector3(0f, (float)climb, (float)speed), (float)yaw);
+    }
+
+    private static double StagesPerSecond(SwimProfile profile) => profile.CruiseFrequency / EscapeCurve.StageShare;
+
+    private static void StartEscape(EscapeTurn asked, ref SwimState state)
+    {
+        if (asked != EscapeTurn.None && state.LastEscape == EscapeTurn.None && state.EscapeSide == 0)
+        {
+            state.EscapeSide = asked == EscapeTurn.Left ? 1 : -1;
+            state.EscapeAge = 0;
+        }
+
+        state.LastEscape = asked;
+    }
+
+    private static void Write(SwimProfile profile, in SwimState state, in Pose local)
+    {
+        AxialChain chain = profile.Chain;
+        Span<Quaternion> turns = stackalloc Quaternion[chain.Count];
+        Span<Vector3> pivots = stackalloc Vector3[chain.Count];
+        bool vertical = profile.Style == SwimStyle.Cetacean;
+        bool escaping = state.EscapeSide != 0;
+        double calm = escaping ? EscapeCurve.Wave(state.EscapeAge) : 1;
+        double amplitude = state.Amplitude.Value * calm;
+        double bend = state.Bend.Value + (escaping ? state.EscapeSide * profile.Curl * EscapeCurve.Bend(state.EscapeAge) : 0);
+        PortableMath.SinCos(2 * PortableMath.Pi * state.Phase, out double sine, out double cosine);
+        for (int b = 0; b < chain.Count; b++)
+        {
+            ref readonly AxialBone bone = ref chain.Bones[b];
+            double heading = profile.Wave.Heading(b, amplitude, cosine, sine);
+            double round = bend * (bone.Middle.Z - chain.Centre.Z) / chain.Length;
+            turns[b] = vertical ? Rotation.Multiply(AxisTurn.Yaw(round), AxisTurn.Pitch(-heading)) : AxisTurn.Yaw(round + heading);
+        }
+
+        // The body's root lies as the axis does there, or the joints next to it would have to turn by all of it.
+        Quaternion there = Rotation.Slerp(turns[chain.BeforeRoot], turns[chain.BehindRoot], 0.5);
+        for (int b = 0; b < chain.Count; b++)
+        {
+            turns[b] = Rotation.Multiply(Rotation.Inverse(there), turns[b]);
+        }
+
+        chain.Write(local, turns, pivots);
+        Place(profile, state, there, bend, amplitude, turns, pivots, local);
+        SwimStroke stroke = StrokeOf(profile, state, amplitude, calm);
+        foreach (SwimLeg leg in profile.Legs)
+        {
+            leg.Write(local, stroke, turns);
+        }
+
+        foreach (SwimFin fin in profile.Fins)
+        {
+            fin.Write(local, profile.Style, stroke);
+        }
+
+        foreach (MedianFin fin in profile.MedianFins)
+        {
+            fin.Write(local, stroke);
+        }
+    }
+
+    /// <summary>Hangs the body on its centre of mass, which sways by what the recoil leaves of the wave's mean.</summary>
+    private static void Place(SwimProfile profile, in SwimState state, Quaternion there, double bend, double amplitude, ReadOnlySpan<Quaternion> turns, ReadOnlySpan<Vector3> pivots, in Pose local)
+    {
+        AxialChain chain = profile.Chain;
+        SwimKinematics kinematics = profile.Kinematics;
+        PortableMath.SinCos(2 * PortableMath.Pi * state.Phase, out double sine, out double cosine);
+        double pitch = -state.Climb.Value;
+        double roll = -kinematics.Banking * bend;
+        double heave = 0;
+        double mean = amplitude * profile.Wave.Mean(cosine, sine);
+        switch (profile.Style)
+        {
+            case SwimStyle.Flippers:
+                double flying = amplitude * (1 - Hover(profile, state));
+                heave = -0.035 * flying * chain.Length * ((sine * 0.62) - (cosine * 0.78));
+                pitch += 0.07 * flying * ((cosine * 0.83) + (sine * 0.56));
+                break;
+            case SwimStyle.Cetacean:
+                break;
+            default:
+                roll += 0.05 * amplitude * ((sine * 0.88) + (cosine * 0.48));
+                break;
+        }
+
+        // Standing still it hangs in the water and floats up and down a little.
+        heave += 0.008 * chain.Length * Hover(profile, state) * sine;
+        Quaternion body = Rotation.Multiply(Rotation.Multiply(AxisTurn.Pitch(pitch), AxisTurn.Roll(roll)), there);
+        Vector3 centre = chain.CentreOf(turns, pivots);
+        Vector3 rest = chain.Centre - chain.BodyPivot;
+        Vector3 sway = profile.Style == SwimStyle.Cetacean ? new Vector3(0f, (float)(heave + mean), 0f) : new Vector3((float)mean, (float)heave, 0f);
+        local.Rotations[chain.Body] = Rotation.Normalize(Rotation.Multiply(body, profile.Skeleton.LocalRotations[chain.Body]));
+        local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + rest - Rotation.Rotate(body, centre) + sway;
+    }
+
+    private static double Hover(SwimProfile profile, in SwimState state) => 1 - Scalar.Smooth(Math.Abs(state.Speed.Value) / (0.5 * profile.CruiseSpeed));
+
+    private static SwimStroke StrokeOf(SwimProfile profile, in SwimState state, double amplitude, double calm)
+    {
+        double u = state.Speed.Value / profile.CruiseSpeed;
+        return new SwimStroke
+        {
+            Phase = state.Phase,
+            Amplitude = amplitude,
+            Wavelength = profile.Kinematics.Wavelength,
+            Sideways = profile.Style == SwimStyle.Cetacean ? 0 : 1,
+            Hover = Hover(profile, state),
+            Fast = Scalar.Smooth(Math.Abs(u) - 1),
+            Trail = 1 - (calm * (1 - Scalar.Smooth((u - SlowestTrail) / (FullTrail - SlowestTrail)))),
+            Steer = Curve.Bounded(state.Bend.Value / 0.7, 1),
+            Rise = Curve.Bounded(state.Climb.Value / 0.6, 1),
+            Brake = state.Brake.Value,
+            Back = Scalar.Smooth(-u / 0.3),
+        };
+    }
+}

@@ -1,0 +1,222 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Swimming;
+
+/// <summary>How a creature swims, worked out once from its build: its style, its wave, its fins and legs and the tempo of its size. Immutable, and safe to share between threads.</summary>
+internal sealed class SwimProfile
+{
+    /// <summary>Share of a joint's range that the wave at its widest may take; the rest is for turns.</summary>
+    private const double LimitShare = 0.84;
+
+    /// <summary>Bones behind the chest from which on a body undulates as a whole: the rig gives such bodies more.</summary>
+    private const int WavingBones = 18;
+
+    /// <summary>Heights of the tail's end below which it is an upright fin.</summary>
+    private const double FinThinness = 0.45;
+
+    /// <summary>Heights of the tail's end above which it is a fluke if it is so wide, and its least width in body lengths.</summary>
+    private const double FlukeFlatness = 1.6;
+    private const double FlukeWidth = 0.15;
+
+    private readonly SwimFin[] fins;
+    private readonly SwimLeg[] legs;
+    private readonly MedianFin[] medianFins;
+
+    private SwimProfile(Creature creature, AxialChain chain, SwimStyle style)
+    {
+        Chain = chain;
+        Skeleton = creature.Skeleton;
+        Style = style;
+        Kinematics = SwimKinematics.Of(style);
+        BodyLength = (float)chain.Length;
+        Wave = new SwimWave(chain, style, Kinematics);
+        Wave.Scale(RoomForWave(creature.Skeleton, chain, Wave, style));
+        Curl = RoomForCurl(creature.Skeleton, chain);
+        double frequency = Kinematics.Frequency(chain.Length);
+        CruiseFrequency = (float)frequency;
+        Fitting(creature, out fins, out medianFins);
+        legs = SwimLeg.Of(creature, chain);
+        TailBeat = (float)(2 * Wave.TailReach);
+        if (style == SwimStyle.Flippers)
+        {
+            // Flippers do the work of the tail.
+            foreach (SwimFin fin in fins)
+            {
+                TailBeat = Math.Max(TailBeat, (float)fin.TipWay);
+            }
+        }
+
+        CruiseSpeed = (float)(frequency * TailBeat / Kinematics.Strouhal);
+    }
+
+    /// <summary>What drives it.</summary>
+    public SwimStyle Style { get; }
+
+    /// <summary>From nose to tail, metres.</summary>
+    public float BodyLength { get; }
+
+    /// <summary>Beats per second at cruise.</summary>
+    public float CruiseFrequency { get; }
+
+    /// <summary>Metres per second at cruise.</summary>
+    public float CruiseSpeed { get; }
+
+    /// <summary>From side to side of the tail's tip (of a flipper's, for swimmers that row) at cruise, metres.</summary>
+    public float TailBeat { get; }
+
+    internal Skeleton Skeleton { get; }
+
+    internal AxialChain Chain { get; }
+
+    /// <summary>Bend of the whole body at the height of a C-start, radians.</summary>
+    internal double Curl { get; }
+
+    internal SwimKinematics Kinematics { get; }
+
+    internal SwimWave Wave { get; }
+
+    internal ReadOnlySpan<SwimFin> Fins => fins;
+
+    internal ReadOnlySpan<SwimLeg> Legs => legs;
+
+    internal ReadOnlySpan<MedianFin> MedianFins => medianFins;
+
+    /// <summary>Works out how a creature swims. Any creature can: those not built for it swim as their shape allows.</summary>
+    /// <exception cref="ArgumentException">The skeleton lacks a body, a head or a tail.</exception>
+    public static SwimProfile Of(Creature creature)
+    {
+        if (creature == null)
+        {
+            throw new ArgumentNullException(nameof(creature));
+        }
+
+        AxialChain chain = AxialChain.Of(creature);
+        return new SwimProfile(creature, chain, StyleOf(creature, chain));
+    }
+
+    /// <summary>A level fluke beats up and down; two and more pairs of flippers without a fin on back or tail row; a body of many bones, or one without limbs, undulates as a whole; all others beat their tails.</summary>
+    private static SwimStyle StyleOf(Creature creature, AxialChain chain)
+    {
+        int pairs = 0;
+        int legs = 0;
+        int upright = 0;
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            pairs += limb.Kind == LimbKind.Pectoral && limb.Side == Side.Left ? 1 : 0;
+            legs += limb.Kind is LimbKind.Leg or LimbKind.Arm ? 1 : 0;
+            upright += limb.Kind == LimbKind.Dorsal ? 1 : 0;
+        }
+
+        int bones = 0;
+        bool crawls = false;
+        foreach (AxialBone bone in chain.Bones)
+        {
+            JointRole role = creature.Skeleton.Joints[bone.Turn.Joint].Role;
+            bones += role is JointRole.Spine or JointRole.Tail ? 1 : 0;
+            crawls |= role == JointRole.Pelvis && legs == 0;
+        }
+
+        TailEnd(creature, chain, out double width, out double height);
+        return creature.Blueprint.Plan == BodyPlan.Whale || (width > FlukeFlatness * height && width > FlukeWidth * chain.Length) ? SwimStyle.Cetacean
+            : pairs > 1 && upright == 0 && width > FinThinness * height ? SwimStyle.Flippers
+            : crawls || bones >= WavingBones ? SwimStyle.Anguilliform
+            : SwimStyle.Carangiform;
+    }
+
+    /// <summary>Width and height of the skin that the last two bones move.</summary>
+    private static void TailEnd(Creature creature, AxialChain chain, out double width, out double height)
+    {
+        int last = chain.Bones[chain.Count - 1].Turn.Joint;
+        int before = creature.Skeleton.Parents[last];
+        float side = 0f;
+        float top = float.MinValue;
+        float bottom = float.MaxValue;
+        for (int v = 0; v < creature.Mesh.Positions.Length; v++)
+        {
+            int joint = creature.Mesh.Weights[v].Joint0;
+            if (joint == last || joint == before)
+            {
+                Vector3 p = creature.Mesh.Positions[v];
+                side = Math.Max(side, Math.Abs(p.X));
+                top = Math.Max(top, p.Y);
+                bottom = Math.Min(bottom, p.Y);
+            }
+        }
+
+        width = 2 * side;
+        height = Math.Max(top - bottom, 0f);
+    }
+
+    /// <summary>Factor by which the wave has to narrow for all joints to stay within their limits.</summary>
+    private static double RoomForWave(Skeleton skeleton, AxialChain chain, SwimWave wave, SwimStyle style)
+    {
+        double factor = 1;
+        for (int b = 0; b + 1 < chain.Count; b++)
+        {
+            // The joint between two bones is that of the one carried by the other.
+            ReadOnlySpan<AxialBone> bones = chain.Bones;
+            int child = bones[b + 1].Parent == b ? b + 1 : b;
+            JointLimit limit = skeleton.Joints[bones[child].Turn.Joint].Limit;
+            AngleRange range = style == SwimStyle.Cetacean ? limit.SwingX : limit.SwingZ;
+            double most = Math.Min(range.Max, -range.Min);
+
+            // The bend grows faster than the width: a few steps of the rule of three settle it.
+            for (int pass = 0; pass < 4; pass++)
+            {
+                double bend = wave.Bend(b, factor * SwimMotion.WidestBeat);
+                factor *= Math.Min(1, LimitShare * most / Math.Max(bend, 1e-9));
+            }
+        }
+
+        for (int b = 0; b < chain.Count; b++)
+        {
+            factor = Math.Min(factor, SwimWave.Steepest / (SwimMotion.WidestBeat * wave.Steepness(b)));
+        }
+
+        return factor;
+    }
+
+    /// <summary>Deepest bend from nose to tail, spread evenly, that leaves all joints within their limits.</summary>
+    private static double RoomForCurl(Skeleton skeleton, AxialChain chain)
+    {
+        double most = EscapeCurve.Curl;
+        for (int b = 0; b + 1 < chain.Count; b++)
+        {
+            ReadOnlySpan<AxialBone> bones = chain.Bones;
+            int child = bones[b + 1].Parent == b ? b + 1 : b;
+            AngleRange range = skeleton.Joints[bones[child].Turn.Joint].Limit.SwingZ;
+            double share = (bones[b].Middle.Z - bones[b + 1].Middle.Z) / chain.Length;
+            most = Math.Min(most, LimitShare * Math.Min(range.Max, -range.Min) / Math.Max(share, 1e-6));
+        }
+
+        return most;
+    }
+
+    private void Fitting(Creature creature, out SwimFin[] paired, out MedianFin[] median)
+    {
+        var pairs = new List<SwimFin>();
+        var singles = new List<MedianFin>();
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            float at = (Chain.Nose.Z - creature.Skeleton.ModelPositions[limb.Joints[0]].Z) / BodyLength;
+            if (limb.Kind == LimbKind.Pectoral && PairedChain.Of(creature, limb) is { } chain)
+            {
+                pairs.Add(new SwimFin(chain, at));
+            }
+            else if (limb.Kind is LimbKind.Dorsal or LimbKind.Ventral)
+            {
+                singles.Add(new MedianFin(creature.Skeleton, limb, at));
+            }
+        }
+
+        paired = pairs.ToArray();
+        median = singles.ToArray();
+    }
+}

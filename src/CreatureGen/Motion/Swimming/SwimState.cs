@@ -1,0 +1,30 @@
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Swimming;
+
+/// <summary>Where a swimmer is in its motion. The default is at rest in still water; one for each creature on the scene, changed by <see cref="SwimMotion.Update"/> alone.</summary>
+internal struct SwimState
+{
+    internal double Phase;
+    internal Smoothed Frequency;
+    internal Smoothed Amplitude;
+    internal Smoothed Speed;
+    internal Smoothed Bend;
+    internal Smoothed Climb;
+    internal Smoothed Brake;
+    internal double EscapeAge;
+    internal double EscapeSide;
+    internal EscapeTurn LastEscape;
+
+    /// <summary>Place in the cycle of the tail's beat (of the flippers' stroke), 0..1.</summary>
+    public readonly float CyclePhase => (float)Phase;
+
+    /// <summary>Beats per second at present.</summary>
+    public readonly float BeatFrequency => (float)Frequency.Value;
+
+    /// <summary>Width of the beat at present, 1 at cruise.</summary>
+    public readonly float BeatAmplitude => (float)Amplitude.Value;
+
+    /// <summary>Whether a C-start is under way, as its progress: 0 none, then rising to 1 at its end.</summary>
+    public readonly float EscapeProgress => EscapeSide == 0 ? 0f : (float)System.Math.Min(EscapeAge / EscapeCurve.Duration, 1);
+}

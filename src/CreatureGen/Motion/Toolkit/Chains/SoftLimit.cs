@@ -1,0 +1,91 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Toolkit.Chains;
+
+/// <summary>Keeps a rotation within a <see cref="JointLimit"/> without a kink: free up to 85 % of the way to its end, then ever slower towards it.</summary>
+/// <remarks>
+/// The rotation is taken apart into a twist about local Y and then a swing; the swing's rotation vector (x, 0, z) gives the angles about X and Z. The swing is bounded all round, by the ellipse of its four
+/// ends, as <see cref="SwingTwistLimit"/> has it; what swings too far is drawn in towards the rest pose. Beyond b = 0.85·m the angle a becomes b + (m − b)(1 − e^(−(a−b)/(m−b))): the slope goes on at b
+/// and the angle never reaches m.
+/// </remarks>
+internal readonly struct SoftLimit
+{
+    private const double Free = 0.85;
+
+    /// <summary>Radians; a range that is less counts as so much where ranges are compared.</summary>
+    private const double LeastRange = 1e-6;
+
+    private readonly JointLimit limit;
+
+    public SoftLimit(JointLimit limit) => this.limit = limit;
+
+    /// <summary>The angles of a rotation about its X and Z (swing) and Y (twist), radians.</summary>
+    public static void Angles(Quaternion q, out double x, out double twist, out double z)
+    {
+        Rotation.SwingTwist(q, Vector3.UnitY, out Quaternion swing, out Quaternion about);
+        twist = 2 * PortableMath.Atan2(about.Y, about.W);
+        double sine = Math.Sqrt(((double)swing.X * swing.X) + ((double)swing.Z * swing.Z));
+        double factor = sine < 1e-9 ? 2 : 2 * PortableMath.Atan2(sine, swing.W) / sine;
+        x = swing.X * factor;
+        z = swing.Z * factor;
+    }
+
+    /// <summary>Whether a rotation is certainly left as it is: told without an inverse function.</summary>
+    public bool Leaves(Quaternion q) =>
+        SwingTwistLimit.TryBound(q, out float x, out float z, out float twist) && Swung(x, z) <= Free && twist >= (float)Free * limit.Twist.Min && twist <= (float)Free * limit.Twist.Max;
+
+    /// <summary>The rotation within the limit.</summary>
+    public Quaternion Apply(Quaternion q)
+    {
+        if (Leaves(q))
+        {
+            return q;
+        }
+
+        Angles(q, out double x, out double twist, out double z);
+        double swung = Swung(x, z);
+        double st = Soft(twist, limit.Twist);
+        if (swung <= Free && st == twist)
+        {
+            return q;
+        }
+
+        double share = swung > Free ? Soft(swung, AngleRange.Both(1f)) / swung : 1;
+        return Turn(x * share, st, z * share);
+    }
+
+    /// <summary>How far a swing goes, 1 on the ellipse of the four ends.</summary>
+    private double Swung(double x, double z)
+    {
+        double across = x / Math.Max(x < 0 ? -limit.SwingX.Min : limit.SwingX.Max, LeastRange);
+        double aside = z / Math.Max(z < 0 ? -limit.SwingZ.Min : limit.SwingZ.Max, LeastRange);
+        return Math.Sqrt((across * across) + (aside * aside));
+    }
+
+    private static Quaternion Turn(double x, double twist, double z)
+    {
+        double angle = Math.Sqrt((x * x) + (z * z));
+        PortableMath.SinCos(angle / 2, out double sine, out double cosine);
+        double share = angle < 1e-9 ? 0.5 : sine / angle;
+        var swing = new Quaternion((float)(x * share), 0f, (float)(z * share), (float)cosine);
+        return Rotation.Multiply(swing, Rotation.FromAxisAngle(Vector3.UnitY, twist));
+    }
+
+    private static double Soft(double a, AngleRange range)
+    {
+        double most = a < 0 ? -range.Min : range.Max;
+        double size = Math.Abs(a);
+        double free = Free * most;
+        if (size <= free)
+        {
+            return a;
+        }
+
+        double room = most - free;
+        double kept = room > 0 ? free + (room * (1 - PortableMath.Exp((free - size) / room))) : 0;
+        return a < 0 ? -kept : kept;
+    }
+}

@@ -1,0 +1,108 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ragdolls;
+
+namespace CreatureGen.Motion.Toolkit;
+
+/// <summary>Where the parts of a ragdoll are and how they move. Made once per creature; everything is kept relative to where it started, so that the world's origin may be anywhere and may be moved.</summary>
+public sealed class RagdollState
+{
+    /// <summary>Makes room for a rig; nothing moves before <see cref="Ragdoll.Start"/>.</summary>
+    public RagdollState(RagdollRig rig)
+    {
+        Rig = rig;
+        int count = rig.Count;
+        Positions = new Vector3[count];
+        Rotations = new Quaternion[count];
+        Velocities = new Vector3[count];
+        Spins = new Vector3[count];
+        PastPositions = new Vector3[count];
+        PastRotations = new Quaternion[count];
+        Targets = new Quaternion[count];
+        Excesses = new float[count];
+        Slides = new Vector3[count];
+        Allowances = new float[rig.Contacts.Length];
+    }
+
+    /// <summary>Whether a ragdoll is under way.</summary>
+    public bool IsActive { get; internal set; }
+
+    /// <summary>Whether everything has come to rest; a push wakes it.</summary>
+    public bool IsAsleep { get; internal set; }
+
+    /// <summary>Root mean square of the speed over the mass, world m/s, turning counted at a tenth of the creature's size.</summary>
+    public float Speed { get; internal set; }
+
+    internal RagdollRig Rig { get; }
+
+    /// <summary>World position that all others are relative to.</summary>
+    internal Vector3 Anchor { get; set; }
+
+    /// <summary>World metres per model metre.</summary>
+    internal float Scale { get; set; }
+
+    /// <summary>Time not yet simulated, seconds.</summary>
+    internal float Debt { get; set; }
+
+    /// <summary>Seconds for which it has hardly moved.</summary>
+    internal float Calm { get; set; }
+
+    /// <summary>Centres of mass, from the anchor, world axes.</summary>
+    internal Vector3[] Positions { get; }
+
+    internal Quaternion[] Rotations { get; }
+
+    internal Vector3[] Velocities { get; }
+
+    /// <summary>Angular velocities, world axes, rad/s.</summary>
+    internal Vector3[] Spins { get; }
+
+    internal Vector3[] PastPositions { get; }
+
+    internal Quaternion[] PastRotations { get; }
+
+    /// <summary>Rotations that muscles pull to, in the parents' axes.</summary>
+    internal Quaternion[] Targets { get; }
+
+    /// <summary>How far each part may still be beyond its limit, since the motion had it there; radians.</summary>
+    internal float[] Excesses { get; }
+
+    /// <summary>How far each part's joint may still be from its place on the parent, since the motion had it there, as folded wings do; parent's axes, model metres.</summary>
+    internal Vector3[] Slides { get; }
+
+    /// <summary>How deep each ball may still be in the ground, since it started there; model metres.</summary>
+    internal float[] Allowances { get; }
+
+    /// <summary>Ends the ragdoll.</summary>
+    public void Stop() => IsActive = false;
+
+    /// <summary>Tells that the world's origin was moved, so that all positions changed by an offset and nothing else did.</summary>
+    /// <param name="offset">Added to every position of the world, metres.</param>
+    /// <exception cref="ArgumentException">The offset is not finite.</exception>
+    public void Rebase(Vector3 offset)
+    {
+        Finite.Require(offset, nameof(offset));
+        Anchor += offset;
+    }
+
+    /// <summary>Hits one part.</summary>
+    /// <param name="joint">A joint of it.</param>
+    /// <param name="velocity">Change of its velocity at the point, world m/s, as if it were free.</param>
+    /// <param name="point">Where, world space, metres.</param>
+    /// <exception cref="ArgumentException">A number is not finite, or there is no such joint.</exception>
+    public void Push(int joint, Vector3 velocity, Vector3 point)
+    {
+        Finite.Require(velocity, nameof(velocity));
+        Finite.Require(point, nameof(point));
+        if ((uint)joint >= (uint)Rig.PartOfJoint.Length)
+        {
+            throw new ArgumentOutOfRangeException(nameof(joint), FormattableString.Invariant($"joint {joint}; expected 0 to {Rig.PartOfJoint.Length - 1}"));
+        }
+
+        int part = Rig.PartOfJoint[joint];
+        RagdollSolver.Push(this, part, velocity, point - Anchor);
+        IsAsleep = false;
+        Calm = 0f;
+    }
+}

@@ -1,0 +1,408 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Poses;
+using CreatureGen.Motion.Toolkit.Springs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Toolkit;
+
+/// <summary>Lets tails, ears, feelers and the like swing after any motion. Nothing is allocated once the colliders have been seen.</summary>
+/// <remarks>
+/// <para>Each bone's tip hangs on a spring at its goal, which is where the animated pose of this very frame would have it, its parent's swing taken over by a share. The spring is stepped at 120 Hz, whatever the frame
+/// rate, by its exact solution (<see cref="DampedSpring"/>), relative to the velocity of its goal: x″ = ω²(goal − x) − 2ζω(x′ − goal′) + gravity. A damping relative to the world would bend tails back when running.
+/// Then the tip is brought into a cone about its goal, out of the colliders, and back to the length of its bone; the correction changes the velocity by itself over the step. The bone is turned by the
+/// smallest rotation that points it at the tip.</para>
+/// <para>The animated pose is interpolated within the frame for the substeps; for time left over after the last of them, part of the step is taken that would follow if the goals went on as they do. So nothing lags, and nothing trembles at
+/// frame rates that are no divisor of 120 Hz.</para>
+/// <para>Based on: T. Jakobsen, "Advanced character physics" (2001), for projection; M. Müller et al., "Position based dynamics" (2007), for the velocity; VRM's spring bones for goals, tips and centre space.</para>
+/// </remarks>
+public static class SpringBones
+{
+    /// <summary>Length of a substep, seconds.</summary>
+    public const float Substep = 1f / 120f;
+
+    /// <summary>A step longer than this is a pause, not motion: shapes are kept and nothing is simulated. Seconds.</summary>
+    public const float LongestStep = 0.25f;
+
+    private const int CollisionRounds = 2;
+
+    /// <summary>Part of a substep below which a goal's velocity cannot be told from what it has gone.</summary>
+    private const float LeastShare = 1e-3f;
+
+    /// <summary>Substeps that are made of one bone before the next, and the moment of the frame.</summary>
+    private const int MostMoments = 5;
+
+    /// <summary>Lets time pass and poses the joints.</summary>
+    /// <param name="rig">The joints.</param>
+    /// <param name="state">Made for this rig; kept by the caller.</param>
+    /// <param name="settings">How they move.</param>
+    /// <param name="root">Where the creature is now; <see cref="RootPlace.Identity"/> to feel nothing of its movement.</param>
+    /// <param name="colliders">What they stay out of; none of it carried by the joints themselves.</param>
+    /// <param name="seconds">Time since the last call; 0 poses again without moving on.</param>
+    /// <param name="local">The animated pose in the parents' space; the joints are turned.</param>
+    /// <param name="model">The same in model space; the joints and what hangs on them are brought up to date.</param>
+    /// <exception cref="ArgumentException">The state is of another rig, a pose is not as long as the skeleton, or a number is not finite.</exception>
+    public static void Update(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
+    {
+        local.Require(rig.Skeleton);
+        model.Require(rig.Skeleton);
+        root.Require(nameof(root));
+        Finite.RequireStep(seconds);
+        if (!ReferenceEquals(state.Rig, rig))
+        {
+            throw new ArgumentException("the state was made for another rig; expected new SpringState(rig)", nameof(state));
+        }
+
+        ReadOnlySpan<int> joints = rig.Joints;
+        if (joints.Length == 0)
+        {
+            return;
+        }
+
+        ReadModelPose(rig, state, root, model);
+        ReadOnlySpan<SpringCollider> around = Place(colliders, state, root, model);
+        if (!state.Started)
+        {
+            Start(rig, state, root);
+        }
+        else
+        {
+            state.Carry(root, IsJump(state.Root, root, settings, seconds) ? 0f : settings.Inertia);
+        }
+
+        bool pause = seconds > LongestStep;
+        if (pause)
+        {
+            state.Rest();
+        }
+
+        Simulate(rig, state, settings, root, around, pause ? 0f : seconds, local, model);
+        if (pause)
+        {
+            state.Aim();
+        }
+    }
+
+    private static bool IsJump(in RootPlace past, in RootPlace now, in SpringSettings settings, float seconds)
+    {
+        if (seconds > LongestStep || Vec.Distance(past.Position, now.Position) > settings.TeleportDistance)
+        {
+            return true;
+        }
+
+        // Most turns are told from a jump without their angle: up to a right angle it is less than three times the sine of its half.
+        Quaternion turn = Rotation.Multiply(Rotation.Inverse(past.Rotation), now.Rotation);
+        float sine = (turn.X * turn.X) + (turn.Y * turn.Y) + (turn.Z * turn.Z);
+        bool small = sine < 0.5f && 9f * sine < settings.TeleportAngle * settings.TeleportAngle;
+        return !small && Rotation.Angle(turn) > settings.TeleportAngle;
+    }
+
+    private static void ReadModelPose(SpringRig rig, SpringState state, in RootPlace root, in Pose model)
+    {
+        float nought = 0f;
+        ReadOnlySpan<int> joints = rig.Joints;
+        Span<SpringBone> bones = state.Bones.AsSpan(0, joints.Length);
+        for (int i = 0; i < bones.Length; i++)
+        {
+            ref SpringBone bone = ref bones[i];
+            int joint = joints[i];
+            bone.PastPosition = bone.NowPosition;
+            bone.PastAlong = bone.NowAlong;
+            Vector3 p = Rotation.Rotate(root.Rotation, model.Positions[joint]) * root.Scale;
+            Vector3 along = Rotation.Rotate(root.Rotation, UnitTurn.BoneAxis(model.Rotations[joint]));
+            nought += ((along.X + along.Y + along.Z) + (p.X + p.Y + p.Z)) * 0f;
+            bone.NowPosition = p;
+            bone.NowAlong = along;
+            if (nought != 0f)
+            {
+                throw PoseCheck.NotFinite(joint);
+            }
+        }
+    }
+
+    private static void Start(SpringRig rig, SpringState state, in RootPlace root)
+    {
+        state.Started = true;
+        state.Root = root;
+        state.Debt = 0f;
+        for (int i = 0; i < state.Bones.Length; i++)
+        {
+            ref SpringBone bone = ref state.Bones[i];
+            bone.PastPosition = bone.NowPosition;
+            bone.PastAlong = bone.NowAlong;
+            bone.Offset = Vector3.Zero;
+            bone.Velocity = Vector3.Zero;
+            bone.GoalVelocity = Vector3.Zero;
+            bone.Goal = bone.NowPosition + (bone.NowAlong * (rig.Lengths[i] * root.Scale));
+        }
+    }
+
+    private static ReadOnlySpan<SpringCollider> Place(ReadOnlySpan<SpringCollider> colliders, SpringState state, in RootPlace root, in Pose model)
+    {
+        if (state.Colliders.Length < colliders.Length)
+        {
+            state.Colliders = new SpringCollider[colliders.Length];
+        }
+
+        for (int i = 0; i < colliders.Length; i++)
+        {
+            SpringCollider collider = colliders[i];
+            if (collider.Joint >= model.Rotations.Length)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"colliders[{i}] is carried by joint {collider.Joint}; expected 0 to {model.Rotations.Length - 1}, or −1"), nameof(colliders));
+            }
+
+            if (collider.Joint < 0)
+            {
+                bool plane = collider.Kind == SpringColliderKind.Plane;
+                state.Colliders[i] = collider.Moved(collider.Start - root.Position, plane ? collider.End : collider.End - root.Position, collider.Radius);
+                continue;
+            }
+
+            Quaternion turn = Rotation.Multiply(root.Rotation, model.Rotations[collider.Joint]);
+            Vector3 place = Rotation.Rotate(root.Rotation, model.Positions[collider.Joint]) * root.Scale;
+            state.Colliders[i] = collider.Moved(
+                place + (Rotation.Rotate(turn, collider.Start) * root.Scale),
+                place + (Rotation.Rotate(turn, collider.End) * root.Scale),
+                collider.Radius * root.Scale);
+        }
+
+        return state.Colliders.AsSpan(0, colliders.Length);
+    }
+
+    /// <summary>Makes the substeps that are due, and poses the joints for the moment of the frame.</summary>
+    private static void Simulate(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
+    {
+        float debt = state.Debt + seconds;
+        int steps = (int)(debt / Substep);
+        state.Tune(settings);
+        int stride = Math.Min(steps, MostMoments - 1) + 1;
+        Span<Moment> moments = stackalloc Moment[rig.Joints.Length * stride];
+        Span<float> shares = stackalloc float[MostMoments];
+        float left = Math.Max(debt - (steps * Substep), 0f);
+        int done = 0;
+        do
+        {
+            int count = Math.Min(steps - done, MostMoments - 1);
+            for (int k = 0; k < count; k++)
+            {
+                shares[k] = seconds > 0f ? Math.Min((((done + k + 1) * Substep) - state.Debt) / seconds, 1f) : 1f;
+            }
+
+            done += count;
+            if (done < steps)
+            {
+                for (int i = 0; i < rig.Joints.Length; i++)
+                {
+                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments, stride);
+                }
+            }
+            else
+            {
+                // A substep that ends with the frame is what is shown.
+                state.Debt = left;
+                bool between = left > 0f || count == 0;
+                int shown = between ? stride - 1 : count - 1;
+                for (int i = 0; i < rig.Joints.Length; i++)
+                {
+                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments, stride);
+                    if (between)
+                    {
+                        Foresee(rig, state, settings, root.Scale, colliders, i, moments, stride);
+                    }
+
+                    Show(rig, settings, root, i, moments[(i * stride) + shown].Deviation, local, model);
+                }
+            }
+        }
+        while (done < steps);
+
+        ReadOnlySpan<int> parents = rig.Skeleton.Parents;
+        foreach (int joint in rig.Ends)
+        {
+            Subtree.Place(parents[joint], joint, local, model);
+        }
+    }
+
+    /// <summary>Some substeps of one bone; its parent has made them already. One bone after the other, not one step after the other: a step waits for little of the one before, but a bone for all of its parent.</summary>
+    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> shares, Span<Moment> moments, int stride)
+    {
+        const float PerSecond = 1f / Substep;
+        int parent = rig.Parents[index];
+        float length = rig.Lengths[index] * scale;
+        float radius = Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale;
+        Vector3 push = settings.Gravity * Substep;
+        float width = length * state.Width;
+        ref SpringBone bone = ref state.Bones[index];
+        DampedSpring step = bone.Step;
+        for (int k = 0; k < shares.Length; k++)
+        {
+            float share = shares[k];
+            ref Moment moment = ref moments[(index * stride) + k];
+            Vector3 animated = share >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, share), bone.NowAlong);
+            moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, share);
+            Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit, out float squared);
+            Vector3 along = Lanes.RotateByAny(carried, squared, animated);
+            Vector3 tail = along * length;
+            Vector3 goal = moment.Place + tail;
+            Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
+            Vector3 offset = bone.Offset;
+            Vector3 velocity = Driven(bone, goalVelocity, push, width);
+            Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
+            velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
+            Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
+            direction = Outside(colliders, moment.Place, direction, length, radius);
+            Vector3 held = (direction * length) - tail;
+            bone.Offset = held;
+            bone.Velocity = velocity + ((held - free) * PerSecond);
+            bone.GoalVelocity = goalVelocity;
+            bone.Goal = goal;
+            moment.Deviation = Turned(carried, squared, along, direction);
+        }
+    }
+
+    /// <summary>Finds how a bone is at the moment of the frame, after the last substep and before the next; its parent has been found already.</summary>
+    private static void Foresee(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, Span<Moment> moments, int stride)
+    {
+        float length = rig.Lengths[index] * scale;
+        ref SpringBone bone = ref state.Bones[index];
+        ref Moment moment = ref moments[(index * stride) + stride - 1];
+        moment.Animated = bone.NowPosition;
+        Quaternion carried = Carried(ref moment, moments, (rig.Parents[index] * stride) + stride - 1, settings.Inherit, out float squared);
+        Vector3 along = Lanes.RotateByAny(carried, squared, bone.NowAlong);
+        Vector3 tail = along * length;
+        bone.Shown = moment.Place + tail;
+        float share = state.Debt / Substep;
+        Vector3 goalVelocity = share > LeastShare ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
+        Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * Substep, length * state.Width);
+        Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), share);
+        Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
+        direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale);
+        bone.OffsetShown = (direction * length) - tail;
+        moment.Deviation = Turned(carried, squared, along, direction);
+    }
+
+    /// <summary>Poses a joint by its deviation from the animation; its parent is posed already.</summary>
+    private static void Show(SpringRig rig, in SpringSettings settings, in RootPlace root, int index, Quaternion deviation, in Pose local, in Pose model)
+    {
+        Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(Quaternion.Identity, deviation, settings.Weight) : deviation;
+        int joint = rig.Joints[index];
+        Quaternion turn = Rotation.Multiply(Rotation.Inverse(root.Rotation), Rotation.Multiply(shown, root.Rotation));
+        Quaternion inModel = UnitTurn.Renormalize(Rotation.Multiply(turn, model.Rotations[joint]));
+        int parent = rig.Skeleton.Parents[joint];
+        model.Rotations[joint] = inModel;
+        if (parent < 0)
+        {
+            local.Rotations[joint] = inModel;
+            return;
+        }
+
+        Quaternion carrier = model.Rotations[parent];
+        local.Rotations[joint] = Rotation.Multiply(Rotation.Inverse(carrier), inModel);
+        model.Positions[joint] = model.Positions[parent] + Rotation.Rotate(carrier, local.Positions[joint]);
+    }
+
+    /// <summary>How far a bone is carried along by its parent's deviation from the animation, not brought to unit length, with the square of that length; and its place.</summary>
+    private static Quaternion Carried(ref Moment moment, ReadOnlySpan<Moment> moments, int parent, float inherit, out float squared)
+    {
+        if (parent < 0)
+        {
+            moment.Place = moment.Animated;
+            squared = 1f;
+            return Quaternion.Identity;
+        }
+
+        ref readonly Moment carrier = ref moments[parent];
+        Quaternion deviation = carrier.Deviation;
+        moment.Place = carrier.Place + Rotation.Rotate(deviation, moment.Animated - carrier.Animated);
+
+        // Of a mix of the identity and a unit quaternion: their product is the w of that.
+        squared = 1f - (2f * inherit * (1f - inherit) * (1f - Math.Abs(deviation.W)));
+        return Lanes.Mix(Quaternion.Identity, 1f - inherit, deviation, deviation.W < 0f ? -inherit : inherit);
+    }
+
+    /// <summary>A turn of any length followed by the smallest one that takes one unit vector to another, brought to unit length.</summary>
+    private static Quaternion Turned(Quaternion carried, float squared, Vector3 along, Vector3 direction)
+    {
+        Quaternion turn = UnitTurn.Between(along, direction, out float square);
+        return Lanes.Scale(Rotation.Multiply(turn, carried), 1f / MathF.Sqrt(square * squared));
+    }
+
+    /// <summary>Velocity of a tip relative to its goal as a substep begins: no greater than that of a free swing of full width at its offset.</summary>
+    /// <param name="bone">After the substep before.</param>
+    /// <param name="goalVelocity">Of the goal in this one.</param>
+    /// <param name="push">Velocity that gravity adds.</param>
+    /// <param name="width">The greatest offset.</param>
+    private static Vector3 Driven(in SpringBone bone, Vector3 goalVelocity, Vector3 push, float width)
+    {
+        Vector3 velocity = bone.Velocity + (bone.GoalVelocity - goalVelocity) + push;
+        if (float.IsPositiveInfinity(bone.Liveliness))
+        {
+            return velocity;
+        }
+
+        float most = bone.Liveliness * Math.Max((width * width) - Vec.LengthSquared(bone.Offset), 0f);
+        float squared = Vec.LengthSquared(velocity);
+        return squared > most ? velocity * MathF.Sqrt(most / squared) : velocity;
+    }
+
+    /// <summary>A direction no farther from another than the cone allows.</summary>
+    private static Vector3 InCone(Vector3 direction, Vector3 axis, float cosine, float sine)
+    {
+        if (Vec.Dot(direction, axis) >= cosine)
+        {
+            return direction;
+        }
+
+        Vector3 across = Vec.Normalize(Vec.Reject(direction, axis), Vec.Perpendicular(axis));
+        return (axis * cosine) + (across * sine);
+    }
+
+    /// <summary>A direction of a bone that brings its tip out of all colliders.</summary>
+    private static Vector3 Outside(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 direction, float length, float radius)
+    {
+        if (colliders.Length == 0)
+        {
+            return direction;
+        }
+
+        Vector3 bone = direction * length;
+        if (colliders.Length == 1 && colliders[0].Clears(place, bone, radius))
+        {
+            return direction;
+        }
+
+        for (int round = 0; round < CollisionRounds; round++)
+        {
+            for (int c = 0; c < colliders.Length; c++)
+            {
+                bone = colliders[c].Turn(place, bone, length, radius);
+            }
+        }
+
+        // Between a body and the ground, the ground wins.
+        for (int c = 0; c < colliders.Length; c++)
+        {
+            if (colliders[c].Kind == SpringColliderKind.Plane)
+            {
+                bone = colliders[c].Turn(place, bone, length, radius);
+            }
+        }
+
+        return bone / length;
+    }
+
+    /// <summary>A bone at one moment within the frame. World axes, from the creature's place.</summary>
+    private struct Moment
+    {
+        /// <summary>Turn from the animated to the simulated rotation.</summary>
+        public Quaternion Deviation;
+
+        /// <summary>Simulated place of its joint.</summary>
+        public Vector3 Place;
+
+        /// <summary>Animated place of its joint.</summary>
+        public Vector3 Animated;
+    }
+}

@@ -1,0 +1,8 @@
+namespace CreatureGen.Motion.Toolkit.Springs;
+
+/// <summary>Shapes of <see cref="SpringCollider"/>.</summary>
+internal enum SpringColliderKind
+{
+    Capsule,
+    Plane,
+}

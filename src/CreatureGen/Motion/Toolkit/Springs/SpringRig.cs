@@ -1,0 +1,151 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Toolkit;
+
+/// <summary>The joints that swing by themselves: one or more chains, with branches, each from a joint that is animated to its tips. Immutable.</summary>
+public sealed class SpringRig
+{
+    // Bones at the end of a chain without an end joint get a tip of their own: half as long as their parent's.
+    private const float VirtualTip = 0.5f;
+
+    private readonly int[] joints;
+    private readonly int[] parents;
+    private readonly float[] lengths;
+    private readonly float[] along;
+    private readonly int[] ends;
+
+    /// <summary>Takes joints with everything that hangs on them.</summary>
+    /// <param name="skeleton">In rest pose.</param>
+    /// <param name="roots">First joints that swing; none below another.</param>
+    /// <exception cref="ArgumentException">There is no such joint, or one hangs on another.</exception>
+    public SpringRig(Skeleton skeleton, ReadOnlySpan<int> roots)
+    {
+        Skeleton = skeleton;
+        var chosen = new List<int>();
+        int[] indexOf = new int[skeleton.Count];
+        Array.Fill(indexOf, -1);
+        foreach (int root in roots)
+        {
+            if ((uint)root >= (uint)skeleton.Count)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"root {root}; expected joints 0 to {skeleton.Count - 1}"), nameof(roots));
+            }
+
+            indexOf[root] = int.MaxValue;
+        }
+
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            int parent = skeleton.Parents[i];
+            bool below = parent >= 0 && indexOf[parent] >= 0;
+            if (below && indexOf[i] == int.MaxValue)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"joint {i} is a root and hangs on another; expected separate chains"), nameof(roots));
+            }
+
+            if ((below || indexOf[i] == int.MaxValue) && skeleton.Joints[i].Role != JointRole.End)
+            {
+                indexOf[i] = chosen.Count;
+                chosen.Add(i);
+            }
+        }
+
+        var rigid = new List<int>();
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            int parent = skeleton.Parents[i];
+            if (indexOf[i] < 0 && parent >= 0 && (indexOf[parent] >= 0 || rigid.Contains(parent)))
+            {
+                rigid.Add(i);
+            }
+        }
+
+        ends = rigid.ToArray();
+        joints = chosen.ToArray();
+        parents = new int[joints.Length];
+        lengths = new float[joints.Length];
+        along = new float[joints.Length];
+        float[] end = new float[joints.Length];
+        for (int i = 0; i < joints.Length; i++)
+        {
+            int parent = skeleton.Parents[joints[i]];
+            parents[i] = parent >= 0 ? indexOf[parent] : -1;
+            lengths[i] = Tail(skeleton, joints[i]);
+            end[i] = lengths[i] + (parents[i] >= 0 ? end[parents[i]] : 0f);
+        }
+
+        // How far out the farthest tip below each bone is, then each bone's own place on the way there.
+        float[] farthest = (float[])end.Clone();
+        for (int i = joints.Length - 1; i > 0; i--)
+        {
+            if (parents[i] >= 0)
+            {
+                farthest[parents[i]] = Math.Max(farthest[parents[i]], farthest[i]);
+            }
+        }
+
+        for (int i = 0; i < joints.Length; i++)
+        {
+            farthest[i] = parents[i] >= 0 ? farthest[parents[i]] : farthest[i];
+            float before = end[i] - lengths[i];
+            float last = farthest[i] - lengths[Outermost(i)];
+            along[i] = last > 0f ? Math.Min(before / last, 1f) : 0f;
+            Length = Math.Max(Length, end[i]);
+        }
+    }
+
+    /// <summary>Of these joints.</summary>
+    public Skeleton Skeleton { get; }
+
+    /// <summary>The joints that swing, parents first.</summary>
+    public ReadOnlySpan<int> Joints => joints;
+
+    /// <summary>Length of the longest chain, model metres.</summary>
+    public float Length { get; }
+
+    /// <summary>Number of the parent among the joints that swing, −1 for a root.</summary>
+    internal ReadOnlySpan<int> Parents => parents;
+
+    /// <summary>From each joint to its tip, along its own +Y, model metres.</summary>
+    internal ReadOnlySpan<float> Lengths => lengths;
+
+    /// <summary>What hangs on the joints and does not swing, parents first.</summary>
+    internal ReadOnlySpan<int> Ends => ends;
+
+    /// <summary>Place of each bone along its chain, 0 the root, 1 the outermost.</summary>
+    internal ReadOnlySpan<float> Along => along;
+
+    /// <summary>All chains of a role, for example both ears: every joint of the role whose parent has another role.</summary>
+    public static SpringRig Of(Skeleton skeleton, JointRole role) => new(skeleton, JointRelations.RootsOf(skeleton, role));
+
+    private static float Tail(Skeleton skeleton, int joint)
+    {
+        if (skeleton.Joints[joint].Length > 0f)
+        {
+            return skeleton.Joints[joint].Length;
+        }
+
+        int parent = skeleton.Parents[joint];
+        float length = parent >= 0 ? skeleton.Joints[parent].Length : 0f;
+        return length > 0f ? length * VirtualTip : 0.05f;
+    }
+
+    /// <summary>The last bone of the line that goes on from a bone through first children.</summary>
+    private int Outermost(int bone)
+    {
+        for (int i = bone + 1; i < joints.Length; i++)
+        {
+            if (parents[i] == bone)
+            {
+                bone = i;
+            }
+        }
+
+        return bone;
+    }
+}

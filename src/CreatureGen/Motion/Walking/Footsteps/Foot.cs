@@ -1,0 +1,73 @@
+using System.Numerics;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>What a foot remembers from update to update.</summary>
+internal struct Foot
+{
+    /// <summary>Whether it is down.</summary>
+    public FootPhase Phase;
+
+    /// <summary>Where it is locked in stance, or comes from in a swing.</summary>
+    public FootPlace From;
+
+    /// <summary>Where a swing goes.</summary>
+    public FootPlace To;
+
+    /// <summary>Where a swing would go on level ground, followed smoothly: what is asked may change in mid step. World space.</summary>
+    public Vector3 Wanted;
+
+    /// <summary>Whether there is ground where it goes.</summary>
+    public bool HasTarget;
+
+    /// <summary>Shift of the target off an edge, along the foot, metres.</summary>
+    public float Nudge;
+
+    /// <summary>Place in the swing's share of the cycle at which it left the ground.</summary>
+    public float LiftAt;
+
+    /// <summary>Progress of the swing, 0..1.</summary>
+    public float Swing;
+
+    /// <summary>Progress of the stance, 0..1.</summary>
+    public float Stance;
+
+    /// <summary>Whether it sits out a swing because it is where it should be.</summary>
+    public bool Held;
+
+    /// <summary>Whether the present swing has a target.</summary>
+    public bool Aimed;
+
+    /// <summary>Whether it swings by its own clock, out of step with the gait: a correction.</summary>
+    public bool Correcting;
+
+    /// <summary>How far hip or knee was beyond its limits as it last stood, about half the angle in radians: it comes back within them by and by when the foot has left the ground.</summary>
+    public float Strain;
+
+    /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
+    public float Yield;
+
+    /// <summary>Load: 0 in the air, about 1 in the middle of stance.</summary>
+    public float Load;
+
+    /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
+    public Vector3 Base;
+
+    /// <summary>What of its height above that place is for what stands in its way, metres.</summary>
+    public float Over;
+
+    /// <summary>Height above that place, metres.</summary>
+    public float Lift;
+
+    /// <summary>Heading in model space at present.</summary>
+    public Quaternion Heading;
+
+    /// <summary>Normal of the ground in model space at present.</summary>
+    public Vector3 Normal;
+
+    /// <summary>Length that the leg would need, as part of its reach, when last posed.</summary>
+    public float Stretch;
+
+    /// <summary>Distance by which the foot missed its place when last posed, metres.</summary>
+    public float Residual;
+}

@@ -1,0 +1,384 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>
+/// Decides when each foot leaves the ground and where it comes down. A foot on the ground is locked to its place in the world; a swinging one goes to where its home will be
+/// in the middle of the coming stance, predicted along the arc that the body follows: that alone gives straight steps, inner and outer legs in turns, and stepping on the spot.
+/// </summary>
+internal sealed class FootPlanner
+{
+    /// <summary>Part of the leg's length that a foot has to be from its next place before it steps.</summary>
+    private const float LeastStep = 0.03f;
+
+    /// <summary>Radians that a foot has to be turned from its next heading before it steps.</summary>
+    private const float LeastTurn = 0.05f;
+
+    /// <summary>Part of the swing after which a foot that stayed down stays for this cycle.</summary>
+    private const float LatestLift = 0.35f;
+
+    /// <summary>The same for a foot that is far from home.</summary>
+    private const float LatestRescue = 0.7f;
+
+    /// <summary>Leg lengths from home from which on a foot is far from it.</summary>
+    private const float Far = 0.35f;
+
+    /// <summary>Part of the swing after which the target stays where it is.</summary>
+    private const float Frozen = 0.85f;
+
+    /// <summary>How quickly a foot that sits out goes back to the middle of its stance, stances per second.</summary>
+    private const float MidstanceRate = 3f;
+
+    /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
+    private const float AimRate = 15f;
+
+    private const float MostSlope = 0.5f;
+
+    /// <summary>Seconds of a swing out of step.</summary>
+    private const float CorrectionTime = 0.22f;
+
+    private readonly LeggedBody body;
+    private readonly Foot[] feet;
+    private readonly SwingWay[] ways;
+    private readonly EventQueue events;
+    private readonly FootingSearch search;
+    private SteadyDecay aimDecay;
+
+    public FootPlanner(LeggedBody body, EventQueue events)
+    {
+        this.body = body;
+        this.events = events;
+        feet = new Foot[body.Legs.Length];
+        ways = new SwingWay[feet.Length];
+        for (int i = 0; i < ways.Length; i++)
+        {
+            ways[i] = new SwingWay();
+        }
+
+        search = new FootingSearch(body);
+    }
+
+    public Foot[] Feet => feet;
+
+    /// <summary>What is in the way of each foot that swings.</summary>
+    public ReadOnlySpan<SwingWay> Ways => ways;
+
+    /// <summary>Whether a foot is in the air or away from its home.</summary>
+    public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
+    {
+        for (int i = 0; i < feet.Length; i++)
+        {
+            if (feet[i].Phase == FootPhase.Swing)
+            {
+                return true;
+            }
+
+            Vector3 away = frame.ToModel(feet[i].From.Position) - Home(i, activity, clock, 0f, 0f);
+            away.Y = 0f;
+            if (Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(frame, feet[i].From.Heading)) > 2f * LeastTurn)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Sets all feet down at home.</summary>
+    public void PlaceAll(in StepContext step)
+    {
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i] = default;
+            ref Foot foot = ref feet[i];
+            foot.HasTarget = search.Find(step, i, body.Legs[i].Home, body.Legs[i].Home, 0f, ref foot.Nudge, out foot.To);
+            foot.To.Heading = step.Frame.Rotation;
+            foot.To.Attach(step.Ground as IMovingGround);
+            foot.From = foot.To;
+            foot.Stance = 0.5f;
+            foot.Load = 0.7f;
+        }
+    }
+
+    /// <summary>Sets all feet where they would be in their stride at the speed and place in the cycle.</summary>
+    public void PlaceInStride(in StepContext step)
+    {
+        float duty = step.Clock.Duty;
+        float cycle = 1f / step.Clock.Frequency;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            float p = step.Clock.LegPhase(i);
+            feet[i] = default;
+            Aim(i, step, ((0.5f * duty) - p) * cycle);
+            feet[i].From = feet[i].To;
+            feet[i].Stance = Math.Min(p / duty, 1f);
+            if (p >= duty)
+            {
+                feet[i].Phase = FootPhase.Swing;
+                feet[i].Swing = (p - duty) / (1f - duty);
+                feet[i].Aimed = false;
+                Aim(i, step, (1f - p + (0.5f * duty)) * cycle);
+            }
+
+            SetLoad(ref feet[i], step);
+        }
+    }
+
+    /// <summary>Lets a foot take a step of its own at once: where it stands is out of reach.</summary>
+    public void Release(int leg, in StepContext step)
+    {
+        ref Foot foot = ref feet[leg];
+        if (foot.Phase == FootPhase.Swing)
+        {
+            return;
+        }
+
+        Lift(leg, step, 0f);
+        foot.Correcting = true;
+        Aim(leg, step, CorrectionTime);
+    }
+
+    /// <summary>Moves all feet on by a step of time; the clock has been moved already.</summary>
+    public void Advance(in StepContext step)
+    {
+        float duty = step.Clock.Duty;
+        float cycle = 1f / step.Clock.Frequency;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            ref Foot foot = ref feet[i];
+            float p = step.Clock.LegPhase(i);
+            if (foot.Correcting)
+            {
+                Correct(i, step, p, duty, cycle);
+            }
+            else if (p < duty)
+            {
+                if (foot.Phase == FootPhase.Swing)
+                {
+                    Land(i, step, Math.Min(p * cycle, step.Step));
+                }
+
+                else if (step.Step > (1f - duty) * cycle && foot.Stance > p / duty && !foot.Held && Wants(i, step, ((0.5f * duty) - p) * cycle))
+                {
+                    // Steps so quick that a whole swing has passed unseen: it stepped all the same.
+                    Lift(i, step, 0f);
+                    Aim(i, step, ((0.5f * duty) - p) * cycle);
+                    Land(i, step, Math.Min(p * cycle, step.Step));
+                }
+
+                Rest(ref foot, step, p / duty);
+            }
+            else
+            {
+                Swing(i, step, (p - duty) / (1f - duty), duty, cycle);
+            }
+
+            SetLoad(ref foot, step);
+        }
+    }
+
+    private void Correct(int leg, in StepContext step, float p, float duty, float cycle)
+    {
+        ref Foot foot = ref feet[leg];
+        if (p >= duty)
+        {
+            // Its own swing has come: it goes on in step with the gait, from where it is.
+            float u = (p - duty) / (1f - duty);
+            foot.Correcting = false;
+            foot.LiftAt = Math.Min((u - foot.Swing) / Math.Max(1f - foot.Swing, 0.05f), 0.95f);
+            Swing(leg, step, u, duty, cycle);
+            return;
+        }
+
+        foot.Swing += step.Step / CorrectionTime;
+        if (foot.Swing >= 1f)
+        {
+            Land(leg, step, Math.Min((foot.Swing - 1f) * CorrectionTime, step.Step));
+            foot.Held = p < 0.5f * duty;
+            foot.Stance = Math.Max(p / duty, 0.5f);
+            return;
+        }
+
+        if (foot.Swing < Frozen)
+        {
+            // For the middle of what is left of its stance.
+            float flight = (1f - foot.Swing) * CorrectionTime;
+            float stance = Math.Max(((duty - p) * cycle) - flight, 0f);
+            Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f));
+        }
+    }
+
+    private void Swing(int leg, in StepContext step, float u, float duty, float cycle)
+    {
+        ref Foot foot = ref feet[leg];
+        float ahead = ((1f - u) * (1f - duty) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
+        if (foot.Phase == FootPhase.Swing && u - foot.LiftAt < (foot.Swing - 0.5f) * (1f - foot.LiftAt))
+        {
+            // Steps so quick that a whole stance has passed unseen: it stood all the same.
+            Land(leg, step, Math.Min((duty + (u * (1f - duty))) * cycle, step.Step));
+        }
+
+        if (foot.Phase == FootPhase.Stance)
+        {
+            float begun = 0.02f + (step.Step / (cycle * (1f - duty)));
+            if (u > Math.Max(begun, IsFar(leg, step) ? LatestRescue : LatestLift) || !Wants(leg, step, ahead))
+            {
+                foot.Held = true;
+                Rest(ref foot, step, 0f);
+                return;
+            }
+
+            Lift(leg, step, u < begun ? 0f : u);
+        }
+
+        // A step of its own that the gait has caught up with goes on to the place of the gait's, however far it has come.
+        foot.Swing = (u - foot.LiftAt) / (1f - foot.LiftAt);
+        if ((foot.LiftAt < 0f ? u : foot.Swing) < Frozen)
+        {
+            Aim(leg, step, ahead);
+        }
+    }
+
+    /// <summary>Lets the stance go on with the cycle; a foot that sits out goes back to the middle of its stance and is taken up again there.</summary>
+    private static void Rest(ref Foot foot, in StepContext step, float stance)
+    {
+        if (foot.Held && stance < 0.5f)
+        {
+            float most = MidstanceRate * step.Step;
+            foot.Stance += Scalar.Clamp(0.5f - foot.Stance, -most, most);
+            return;
+        }
+
+        foot.Held = false;
+        foot.Stance = stance;
+    }
+
+    private bool IsFar(int leg, in StepContext step)
+    {
+        Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - body.Legs[leg].Home;
+        away.Y = 0f;
+        return Vec.LengthSquared(away) > Square(Far * body.LegLength);
+    }
+
+    /// <summary>Whether a foot's next place is far enough from where it stands.</summary>
+    private bool Wants(int leg, in StepContext step, float ahead)
+    {
+        Vector3 there = step.Travel.Predict(ahead, out float yaw);
+        Quaternion turn = AxisTurn.Yaw(yaw);
+        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed, step.Slope));
+        Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
+        away.Y = 0f;
+        return Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(step.Frame, feet[leg].From.Heading) - yaw) > LeastTurn;
+    }
+
+    private void Lift(int leg, in StepContext step, float at)
+    {
+        ref Foot foot = ref feet[leg];
+        foot.Phase = FootPhase.Swing;
+        foot.Held = false;
+        foot.Correcting = false;
+        foot.LiftAt = at;
+        foot.Aimed = false;
+        foot.Swing = 0f;
+        foot.Nudge = 0f;
+        Tell(MotionEventKind.FootUp, leg, step, foot.From, 0f);
+    }
+
+    private void Land(int leg, in StepContext step, float ago)
+    {
+        ref Foot foot = ref feet[leg];
+        foot.Phase = FootPhase.Stance;
+        foot.Correcting = false;
+        foot.From = foot.To;
+        foot.Swing = 0f;
+        if (foot.HasTarget)
+        {
+            Tell(MotionEventKind.FootDown, leg, step, foot.From, ago);
+        }
+    }
+
+    private void Tell(MotionEventKind kind, int leg, in StepContext step, in FootPlace place, float ago)
+    {
+        float speed = (float)Math.Sqrt((step.Travel.Speed * step.Travel.Speed) + (step.Travel.Sideways * step.Travel.Sideways)) * step.Frame.Scale;
+        float strength = (float)PortableMath.Pi / (2f * feet.Length * step.Clock.Duty);
+        strength = Scalar.Lerp(1f / feet.Length, strength, step.Activity);
+        events.Add(new MotionEvent(kind, leg, body.Legs[leg].Ball, place.Position, place.Normal, place.Surface, speed, strength, step.Left + ago));
+    }
+
+    /// <summary>Tells of all feet that stand.</summary>
+    public void TellAll(MotionEventKind kind, float speed, float strength)
+    {
+        for (int i = 0; i < feet.Length; i++)
+        {
+            FootPlace place = feet[i].From;
+            if (feet[i].Phase == FootPhase.Stance)
+            {
+                events.Add(new MotionEvent(kind, i, body.Legs[i].Ball, place.Position, place.Normal, place.Surface, speed, strength, 0f));
+            }
+        }
+    }
+
+    /// <summary>Sets the target of a swing.</summary>
+    private void Aim(int leg, in StepContext step, float ahead)
+    {
+        ref Foot foot = ref feet[leg];
+        Vector3 there = step.Travel.Predict(ahead, out float yaw);
+        Quaternion turn = AxisTurn.Yaw(yaw);
+        Vector3 home = Home(leg, step.Activity, step.Clock, step.Travel.Speed, step.Slope);
+        Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, home));
+        Quaternion heading = UnitTurn.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
+        float share = foot.Swing > 0f && foot.Aimed ? aimDecay.Share(AimRate * step.Step) : 1f;
+        foot.Wanted += (next - foot.Wanted) * share;
+        heading = share < 1f ? UnitTurn.Nlerp(foot.To.Heading, heading, share) : heading;
+        foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), home, yaw, ref foot.Nudge, out foot.To);
+        foot.To.Heading = heading;
+        foot.To.Attach(step.Ground as IMovingGround);
+        search.Survey(step, leg, foot, ways[leg]);
+        foot.Aimed = true;
+    }
+
+    /// <summary>Where a foot belongs under the body: its rest place, drawn in towards the middle and shifted ahead or back with the gait.</summary>
+    private Vector3 Home(int leg, float activity, GaitClock clock, float speed, float slope)
+    {
+        LegShape shape = body.Legs[leg];
+        Vector3 home = shape.Home + ((body.GoingHomes[leg] - shape.Home) * activity);
+        float track = shape.Track(clock.Shape.Track, body.IsBiped ? clock.Shape.Lift : 0f);
+        home.X *= 1f - ((1f - track) * activity);
+        bool sprawls = shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2;
+        float bias = sprawls ? 0f : body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
+        home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
+        home.Z += FootHomes.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MostSlope, MostSlope)) * activity;
+        return home;
+    }
+
+    private static void SetLoad(ref Foot foot, in StepContext step)
+    {
+        if (foot.Phase == FootPhase.Swing)
+        {
+            foot.Load = 0f;
+            return;
+        }
+
+        float s = Math.Min(foot.Stance, 1f);
+        QuickAngle.OfTurns(0.5f * s, out float sine, out _);
+
+        // sin 3x = 3 sin x − 4 sin³ x
+        float dip = (3f * sine) - (4f * sine * sine * sine);
+        float shape = Math.Max(0f, sine + (step.Clock.Shape.ForceDip * dip));
+        foot.Load = Scalar.Lerp(0.7f, shape, step.Activity);
+    }
+
+    /// <summary>Yaw of a heading from that of the body, radians, small angles.</summary>
+    private static float YawOf(in RootPlace frame, Quaternion heading)
+    {
+        Quaternion turn = Rotation.Multiply(Rotation.Inverse(frame.Rotation), heading);
+        return 2f * (turn.W < 0f ? -turn.Y : turn.Y);
+    }
+
+    private static float Square(float x) => x * x;
+}

@@ -1,0 +1,294 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>Finds ground for a foot: below where it wants to go, or nearby when there is a gap, an edge or a wall; and what stands in its way.</summary>
+internal sealed class FootingSearch
+{
+    /// <summary>Where rays begin above the slope on which the body is, part of the leg's length: steps up to this height are taken.</summary>
+    private const float Above = 0.8f;
+
+    /// <summary>How far below that slope a foot finds footing, part of the leg's length.</summary>
+    private const float Below = 0.9f;
+
+    /// <summary>Least cosine of a slope that holds a foot (60°).</summary>
+    private const float Steepest = 0.5f;
+
+    /// <summary>Drop at toe or heel that counts as an edge, part of the leg's length.</summary>
+    private const float EdgeDrop = 0.12f;
+
+    /// <summary>Part of the sole's extent at which the ground under its ends is felt.</summary>
+    private const float EndShare = 0.95f;
+
+    /// <summary>Part of the leg's length from which on a sole is long or wide.</summary>
+    private const float LongSole = 0.15f;
+
+    /// <summary>Rise over its distance up to which ground is bent; from twice that on it is an edge or a wall.</summary>
+    private const float BendOfGround = 0.4f;
+
+    /// <summary>What a swinging foot is lifted over at most, part of the leg's length.</summary>
+    private const float Highest = 0.6f;
+
+    /// <summary>Share of a change that is taken up when the ground along a way is felt again.</summary>
+    private const float Renewal = 0.5f;
+
+    private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
+
+    /// <summary>Where a sole of spread toes may stand on something, of the length of its toes and half its width.</summary>
+    private static readonly (float Along, float Across)[] fan = { (1f, 0.52f), (1f, -0.52f), (0.75f, EndShare), (0.75f, -EndShare) };
+
+    private readonly LeggedBody body;
+
+    public FootingSearch(LeggedBody body) => this.body = body;
+
+    /// <summary>Finds a place for a foot.</summary>
+    /// <param name="step">The moment.</param>
+    /// <param name="leg">Whose foot.</param>
+    /// <param name="wanted">Under the ball, model space; its height does not count.</param>
+    /// <param name="home">Where that is under the body in the middle of the stance, model space: feet turn with their legs.</param>
+    /// <param name="yaw">Heading of the foot there, radians from the body's.</param>
+    /// <param name="nudge">Shift along the foot that keeps it off an edge; carried on from update to update.</param>
+    /// <param name="place">The place; its heading is not set.</param>
+    /// <returns>Whether there is ground.</returns>
+    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, ref float nudge, out FootPlace place)
+    {
+        LegShape shape = body.Legs[leg];
+        Vector3 up = step.Settings.Up;
+        PortableMath.SinCos(yaw, out double sine, out double cosine);
+        var ahead = new Vector3((float)sine, 0f, (float)cosine);
+        Vector3 target = wanted + (ahead * nudge);
+        bool found = Down(step, target, out GroundHit hit);
+        if (!found)
+        {
+            for (int i = 0; i < alternatives.Length && !found; i++)
+            {
+                Vector3 inward = new Vector3(ahead.Z, 0f, -ahead.X) * (shape.Home.X > 0f ? -1f : 1f);
+                target = wanted + (((ahead * alternatives[i].Ahead) + (inward * alternatives[i].In)) * shape.Length);
+                found = Down(step, target, out hit);
+            }
+        }
+
+        if (!found)
+        {
+            place = new FootPlace { Position = step.Frame.ToWorld(new Vector3(wanted.X, 0f, wanted.Z)), Normal = up };
+            return false;
+        }
+
+        place = new FootPlace { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
+        if (!(step.Ground is FlatGround))
+        {
+            Sole sole = LaidOut(shape, home, ahead);
+            Feel(step, shape, target, hit, ref sole);
+            KeepOffEdges(shape, sole, ref nudge);
+            place.Position += up * (sole.Raise * step.Frame.Scale);
+            Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
+            place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);
+        }
+
+        return true;
+    }
+
+    /// <summary>Feels the ground along the way of a swing, all of it as the foot leaves the ground, and later on what is just ahead of it.</summary>
+    public void Survey(in StepContext step, int leg, in Foot foot, SwingWay way)
+    {
+        if (!foot.Aimed)
+        {
+            way.Clear();
+        }
+
+        if (step.Ground is FlatGround)
+        {
+            return;
+        }
+
+        LegShape shape = body.Legs[leg];
+        Quaternion inverse = Rotation.Inverse(step.Frame.Rotation);
+        Vector3 from = step.Frame.ToModel(foot.From.Position);
+        Vector3 to = step.Frame.ToModel(foot.To.Position);
+        Vector3 slopeFrom = Slope(Rotation.Rotate(inverse, foot.From.Normal));
+        Vector3 slopeTo = Slope(Rotation.Rotate(inverse, foot.To.Normal));
+        int first = 0;
+        int last = SwingWay.Knots;
+        if (foot.Aimed)
+        {
+            first = SwingWay.After(FootPoser.Along(foot.Swing));
+            last = Math.Min(first + 1, last);
+        }
+
+        for (int i = first; i < last; i++)
+        {
+            float along = SwingWay.At(i);
+            if (Obstacle(step, shape, Vec.Lerp(from, to, along), Vec.Lerp(slopeFrom, slopeTo, along), out float height))
+            {
+                way.Feel(i, height, foot.Aimed ? Renewal : 1f);
+            }
+        }
+
+        Vector3 course = to - from;
+        float length = (float)Math.Sqrt((course.X * course.X) + (course.Z * course.Z));
+        Vector3 ahead = course / Math.Max(length, 1e-6f);
+        way.Span(length, shape.Toe, Vec.Dot(slopeFrom, ahead) - ahead.Y, Vec.Dot(slopeTo, ahead) - ahead.Y);
+    }
+
+    /// <summary>How far the ground is above a foot on its straight way: under its place, and under the toes of a sole that spreads, of legs out to the side, which carry it level.</summary>
+    private bool Obstacle(in StepContext step, LegShape shape, Vector3 place, Vector3 slope, out float height)
+    {
+        height = float.MinValue;
+        if (Down(step, place, out GroundHit hit))
+        {
+            height = step.Frame.ToModel(hit.Point).Y - place.Y;
+        }
+
+        Vector3 aside = Vec.Cross(Vector3.UnitY, shape.ToeDirection);
+        for (int i = 0; shape.Lateral && IsFan(shape) && i < fan.Length; i++)
+        {
+            Vector3 toe = (shape.ToeDirection * (fan[i].Along * shape.Toe)) + (aside * (fan[i].Across * shape.HalfWidth));
+            if (Down(step, place + toe, out hit))
+            {
+                height = Math.Max(height, step.Frame.ToModel(hit.Point).Y - place.Y - Vec.Dot(slope, toe));
+            }
+        }
+
+        height = Math.Min(height, Highest * body.LegLength);
+        return height > float.MinValue;
+    }
+
+    /// <summary>Whether a sole is long and wide: its toes spread.</summary>
+    private static bool IsFan(LegShape shape) => Math.Min(shape.Toe, shape.HalfWidth) > LongSole * shape.Length;
+
+    /// <summary>Rise of a plane along each level axis.</summary>
+    private static Vector3 Slope(Vector3 normal) => new Vector3(-normal.X, 0f, -normal.Z) / Math.Max(normal.Y, Steepest);
+
+    /// <summary>Moves a foot back from an edge under its toes, or ahead from one under its heel, a little in each update.</summary>
+    private static void KeepOffEdges(LegShape shape, in Sole sole, ref float nudge)
+    {
+        float most = 0.5f * (shape.Toe + shape.Heel);
+        if (sole.ToesHang != sole.HeelHangs)
+        {
+            nudge = Scalar.Clamp(nudge + (sole.ToesHang ? -0.25f * most : 0.25f * most), -1.5f * most, 1.5f * most);
+        }
+    }
+
+    /// <summary>A sole as it will lie in the middle of its stance: turned with its leg on its middle.</summary>
+    private static Sole LaidOut(LegShape shape, Vector3 home, Vector3 ahead)
+    {
+        Vector3 toes = shape.ToeDirection;
+        Vector3 offset = Vector3.Zero;
+        if (shape.FollowShare > 0f)
+        {
+            Quaternion follow = UnitTurn.Nlerp(Quaternion.Identity, shape.Sweep(home), shape.FollowShare);
+            toes = Rotation.Rotate(follow, toes);
+            offset = shape.SoleMiddle - Rotation.Rotate(follow, shape.SoleMiddle);
+        }
+
+        return new Sole(Yawed(toes, ahead), Yawed(offset, ahead));
+    }
+
+    private static Vector3 Yawed(Vector3 v, Vector3 ahead) => new((v.X * ahead.Z) + (v.Z * ahead.X), v.Y, (v.Z * ahead.Z) - (v.X * ahead.X));
+
+    /// <summary>Feels the ground under a rigid sole and lays it there: along the chords from heel to toes and, where it is wide, from side to side, as high as the highest ground under it asks.</summary>
+    private void Feel(in StepContext step, LegShape shape, Vector3 target, in GroundHit hit, ref Sole sole)
+    {
+        float end = EndShare * shape.Toe;
+        float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.ToesHang);
+        float heel = Rise(step, shape, target, sole.At(-EndShare * shape.Heel, 0f), hit, out sole.HeelHangs);
+        sole.Slope = (toe - heel) / (EndShare * (shape.Toe + shape.Heel));
+        sole.StandOn(toe, end, 0f);
+        if (shape.Toe > LongSole * shape.Length)
+        {
+            sole.StandOn(Rise(step, shape, target, sole.At(0.5f * end, 0f), hit, out _), 0.5f * end, 0f);
+        }
+
+        if (shape.HalfWidth <= LongSole * shape.Length)
+        {
+            return;
+        }
+
+        float middle = Vec.Dot(shape.SoleMiddle, shape.ToeDirection);
+        float side = EndShare * shape.HalfWidth;
+        float left = Rise(step, shape, target, sole.At(middle, side), hit, out _);
+        float right = Rise(step, shape, target, sole.At(middle, -side), hit, out _);
+        sole.Tilt = (left - right) / (2f * side);
+        sole.StandOn(0.5f * (left + right), middle, 0f);
+        for (int i = 0; IsFan(shape) && i < fan.Length; i++)
+        {
+            float along = fan[i].Along * shape.Toe;
+            float across = fan[i].Across * shape.HalfWidth;
+            sole.StandOn(Rise(step, shape, target, sole.At(along, across), hit, out _), along, across);
+        }
+    }
+
+    /// <summary>How much higher the ground is beside a foot's place than the plane of that place goes on, metres of the model; none where an edge or a wall is.</summary>
+    private float Rise(in StepContext step, LegShape shape, Vector3 target, Vector3 beside, in GroundHit under, out bool hangs)
+    {
+        hangs = true;
+        if (!Down(step, target + beside, out GroundHit hit))
+        {
+            return 0f;
+        }
+
+        Vector3 up = step.Settings.Up;
+        Vector3 way = hit.Point - under.Point;
+        float scale = step.Frame.Scale;
+        hangs = -Vec.Dot(way, up) > (EdgeDrop * shape.Length * scale) + (2f * Vec.Length(Vec.Reject(way, up)));
+        float rise = Vec.Dot(way, under.Normal) / (Vec.Dot(under.Normal, up) * scale);
+        float bend = Math.Abs(rise) / Math.Max(BendOfGround * Vec.Length(beside), 1e-6f);
+        return rise * Scalar.Clamp(2f - bend, 0f, 1f);
+    }
+
+    private bool Down(in StepContext step, Vector3 point, out GroundHit hit)
+    {
+        float above = Above * body.LegLength;
+        Vector3 up = step.Settings.Up;
+        Vector3 origin = step.Frame.ToWorld(new Vector3(point.X, above + (step.Slope * point.Z), point.Z));
+        return step.Ground.Cast(origin, -up, (above + (Below * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
+    }
+
+    /// <summary>How a sole lies on the ground, seen from the plane through the ball's place. Metres of the model.</summary>
+    private struct Sole
+    {
+        public Sole(Vector3 ahead, Vector3 offset)
+        {
+            this = default;
+            Ahead = ahead;
+            Aside = new Vector3(ahead.Z, 0f, -ahead.X);
+            this.offset = offset;
+        }
+
+        private readonly Vector3 offset;
+
+        /// <summary>Where the toes point, level, unit.</summary>
+        public Vector3 Ahead;
+
+        /// <summary>To the side of that.</summary>
+        public Vector3 Aside;
+
+        /// <summary>Rise towards the toes.</summary>
+        public float Slope;
+
+        /// <summary>Rise to the side.</summary>
+        public float Tilt;
+
+        /// <summary>Height above the place.</summary>
+        public float Raise;
+
+        public bool ToesHang;
+        public bool HeelHangs;
+
+        /// <summary>A place of it from the ball's place.</summary>
+        /// <param name="along">From its ball towards the toes.</param>
+        /// <param name="across">To the side.</param>
+        public readonly Vector3 At(float along, float across) => offset + (Ahead * along) + (Aside * across);
+
+        /// <summary>Raises it onto the ground at a place.</summary>
+        /// <param name="height">Of the ground above the plane.</param>
+        /// <param name="along">Towards the toes.</param>
+        /// <param name="across">To the side.</param>
+        public void StandOn(float height, float along, float across) =>
+            Raise = Math.Max(Raise, height - ((along + Vec.Dot(offset, Ahead)) * Slope) - ((across + Vec.Dot(offset, Aside)) * Tilt));
+    }
+}

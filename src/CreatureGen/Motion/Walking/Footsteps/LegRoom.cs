@@ -1,0 +1,141 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Trunk;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>How far hind and fore body come down so that no standing leg reaches beyond its share of the reach, or up so that none is folded beyond the limit of its knee.</summary>
+internal static class LegRoom
+{
+    /// <summary>Part of its reach beyond which a standing leg draws the body down.</summary>
+    private const float MostStretch = 0.972f;
+
+    /// <summary>Part of its reach beyond which a leg that leaves the ground lets itself be stretched where another is folded up; one that stands is stretched to its end.</summary>
+    private const float Spare = 0.1f;
+
+    /// <summary>Part of its reach over which a leg begins to draw the body down, and one to raise it.</summary>
+    private const float Width = 0.01f;
+
+    private const float FoldedWidth = 0.02f;
+
+    /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
+    private const float MostDrop = 0.35f;
+
+    private const float LateralDrop = 0.025f;
+
+    /// <summary>Part of a swing in which its leg stops drawing the body down.</summary>
+    private const float LettingGo = 0.25f;
+
+    /// <summary>Part of a swing from which on its leg draws the body to where it will stand: in less time a knee near straight that stands beside it snaps.</summary>
+    private const float Arriving = 0.6f;
+
+    private const float LateralArriving = 0.75f;
+
+    /// <summary>Part of a stance after which a stretched leg lets others raise the body more and more.</summary>
+    private const float RollsOff = 0.6f;
+
+    /// <summary>Finds how far the body comes down.</summary>
+    /// <param name="placer">Gives the hips.</param>
+    /// <param name="body">Gives the legs.</param>
+    /// <param name="feet">What the feet do.</param>
+    /// <param name="poses">Where they have to be.</param>
+    /// <param name="hindDrop">Of the hind body, metres; negative is up.</param>
+    /// <param name="foreDrop">Of the fore body.</param>
+    public static void Find(BodyPlacer placer, LeggedBody body, ReadOnlySpan<Foot> feet, ReadOnlySpan<FootPose> poses, out float hindDrop, out float foreDrop)
+    {
+        var hind = new Girdle(float.MaxValue);
+        var fore = new Girdle(float.MaxValue);
+        for (int i = 0; i < feet.Length; i++)
+        {
+            LegShape leg = body.Legs[i];
+            float arriving = Arrival(leg, feet[i]);
+            float weight = Math.Max(arriving, Leaving(feet[i]));
+            if (weight == 0f)
+            {
+                continue;
+            }
+
+            Vector3 chord = poses[i].Target - placer.HipOf(i, feet[i], out _);
+            float distance = Vec.Length(chord);
+            float steep = Math.Max(-chord.Y / Math.Max(distance, 1e-6f), 0.35f);
+            float most = (leg.Lateral ? LateralDrop : MostDrop) * leg.Length;
+            float drop = weight * Math.Min(Beyond(distance - (MostStretch * leg.Reach), Width * leg.Reach) / steep, most);
+            float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MostDrop * leg.Length);
+            float holds = feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i]);
+            float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);
+
+            // Bodies on many legs come down level.
+            if (body.Rows != 2 || leg.Row == 0)
+            {
+                hind.Add(drop, raise, room);
+            }
+
+            if (body.Rows != 2 || leg.Row == 1)
+            {
+                fore.Add(drop, raise, room);
+            }
+        }
+
+        float level = Math.Max(0f, 1f - body.Span.Share);
+        float hindest = Math.Max(hind.Drop, level * fore.Drop);
+        hindDrop = Net(hindest, hind.Rise);
+        foreDrop = Net(Math.Max(fore.Drop, level * hindest), fore.Rise);
+    }
+
+    /// <summary>How far a girdle comes down: what a folded leg asks for comes before what a stretched one does.</summary>
+    private static float Net(float drop, float rise) => Math.Max(drop - (2f * rise), -rise);
+
+    /// <summary>How much a leg counts that leaves the ground, 0..1: less and less.</summary>
+    private static float Leaving(in Foot foot) => foot.Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(foot.Swing / LettingGo);
+
+    /// <summary>How much one counts that comes down, 0..1: more and more.</summary>
+    private static float Arrival(LegShape leg, in Foot foot)
+    {
+        float from = leg.Lateral ? LateralArriving : Arriving;
+        return foot.Phase == FootPhase.Stance || foot.Correcting ? 0f : Scalar.Smooth((foot.Swing - from) / (1f - from));
+    }
+
+    /// <summary>How much a standing leg holds the body down, 0..1: it may stretch as its foot rolls off.</summary>
+    private static float Standing(in Foot foot) => 1f - Scalar.Smooth((foot.Stance - RollsOff) / (1f - RollsOff));
+
+    /// <summary>What an excess comes to: softened, so that the body does not jerk as a leg comes to its end.</summary>
+    private static float Beyond(float excess, float width)
+    {
+        if (excess < -4f * width)
+        {
+            return 0f;
+        }
+
+        float soft = 0.5f * (excess + (float)Math.Sqrt((excess * excess) + (width * width))) - (0.5f * (-4f * width + (float)Math.Sqrt(17f) * width));
+        return Math.Max(soft, 0f);
+    }
+
+    /// <summary>What the legs of a girdle ask.</summary>
+    private struct Girdle
+    {
+        private float raise;
+        private float room;
+
+        public Girdle(float room)
+        {
+            Drop = 0f;
+            raise = 0f;
+            this.room = room;
+        }
+
+        /// <summary>How far it comes down, metres.</summary>
+        public float Drop { get; private set; }
+
+        /// <summary>How far it comes up: no farther than the others reach.</summary>
+        public readonly float Rise => Math.Min(raise, room);
+
+        public void Add(float drop, float raise, float room)
+        {
+            Drop = Math.Max(Drop, drop);
+            this.raise = Math.Max(this.raise, raise);
+            this.room = Math.Min(this.room, room);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+using System;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Trunk;
+
+namespace CreatureGen.Motion.Walking.Idle;
+
+/// <summary>What a standing creature does: it breathes, shifts its weight, sways its tail, in the rhythm of its size.</summary>
+internal static class IdleLife
+{
+    private const float BreathHeight = 0.009f;
+    private const float ShiftShare = 0.38f;
+    private const float ShiftRoll = 0.055f;
+
+    /// <summary>Yaw of the pelvis to the side that carries the weight; chest and head stay.</summary>
+    private const float ShiftYaw = 0.035f;
+
+    /// <summary>Part of the time on one side that it takes to get there.</summary>
+    private const float ShiftTime = 0.3f;
+
+    /// <summary>Share of the shift on legs out to the side, and on more than two pairs.</summary>
+    private const double WideLegs = 0.4;
+
+    private const double ManyLegs = 0.2;
+
+    private const float TailSwing = 0.26f;
+
+    /// <summary>How much less the tail swings while the weight is on the right.</summary>
+    private const float TailCalm = 0.45f;
+
+    /// <summary>The idle motion at a time.</summary>
+    /// <param name="body">Whose.</param>
+    /// <param name="seconds">Since the creature came to be.</param>
+    /// <param name="activity">0 stands, 1 walks.</param>
+    /// <param name="weight">A factor on all of it.</param>
+    public static IdlePose At(LeggedBody body, double seconds, float activity, float weight)
+    {
+        double still = (1 - activity) * weight;
+        double place = seconds / body.Idle.Period;
+        place -= Math.Floor(place);
+        double breath = Wave(place * body.Idle.Breaths) * BreathHeight * body.LegLength * weight * (1 - (0.7 * activity));
+        double half = place < 0.5 ? 2 * place : (2 * place) - 1;
+        double ease = Quintic(half / ShiftTime);
+        double side = ((2 * ease) - 1) * (place < 0.5 ? 1 : -1);
+        double spread = body.Rows > 2 ? ManyLegs : body.Legs[0].Lateral ? WideLegs : 1;
+        double sway = Wave(place * body.Idle.TailSwings) * TailSwing * (1 - (TailCalm * 0.5 * (1 - side))) * still;
+        double shift = side * spread * still;
+        return new IdlePose((float)breath, (float)(ShiftShare * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway);
+    }
+
+    private static double Wave(double turns)
+    {
+        QuickAngle.OfTurns((float)(turns - Math.Floor(turns)), out float sine, out _);
+        return sine;
+    }
+
+    private static double Quintic(double x)
+    {
+        x = Scalar.Clamp(x, 0, 1);
+        return x * x * x * (10 + (x * ((6 * x) - 15)));
+    }
+}

@@ -1,0 +1,57 @@
+using System;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Legs;
+
+/// <summary>How far a hinge turns either way from rest, as cosines and sines: angles are bounded without an inverse function.</summary>
+internal readonly struct FoldLimit
+{
+    private readonly double leastCosine;
+    private readonly double leastSine;
+    private readonly double mostCosine;
+    private readonly double mostSine;
+
+    public FoldLimit(AngleRange range)
+    {
+        PortableMath.SinCos(range.Min, out leastSine, out leastCosine);
+        PortableMath.SinCos(range.Max, out mostSine, out mostCosine);
+    }
+
+    /// <summary>Brings an angle in −π..π, given by its cosine and sine, back towards the nearer end of the range if it is beyond.</summary>
+    /// <param name="cosine">Of the angle.</param>
+    /// <param name="sine">Of the angle.</param>
+    /// <param name="leeway">How far from that end it may stay, as the chord of the difference on the unit circle.</param>
+    /// <param name="give">Share of that difference that it may stay beyond at least, 0..1.</param>
+    /// <returns>The chord by which it was beyond; 0 for none.</returns>
+    public float Clamp(ref double cosine, ref double sine, float leeway, float give)
+    {
+        bool beyond = (sine < 0 && cosine < leastCosine) || (sine > 0 && cosine < mostCosine);
+        if (!beyond)
+        {
+            return 0f;
+        }
+
+        double endCosine = sine < 0 ? leastCosine : mostCosine;
+        double endSine = sine < 0 ? leastSine : mostSine;
+        double c = cosine - endCosine;
+        double s = sine - endSine;
+        double chord = Math.Sqrt((c * c) + (s * s));
+        if (chord <= leeway)
+        {
+            return (float)chord;
+        }
+
+        double share = Math.Max(leeway / chord, give);
+        cosine = endCosine + (c * share);
+        sine = endSine + (s * share);
+        double length = Math.Sqrt((cosine * cosine) + (sine * sine));
+        if (share > 0 && length > 1e-6)
+        {
+            cosine /= length;
+            sine /= length;
+        }
+
+        return (float)chord;
+    }
+}

@@ -1,0 +1,108 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Footsteps;
+
+namespace CreatureGen.Motion.Walking.Legs;
+
+/// <summary>Where a leg has to bring its foot. Model space.</summary>
+internal struct FootPose
+{
+    /// <summary>The ball's joint.</summary>
+    public Vector3 Ball;
+
+    /// <summary>What the two solved parts have to reach: the ball, or the ankle of legs whose foot has its own angle.</summary>
+    public Vector3 Target;
+
+    /// <summary>Turn of the foot from rest, ankle to ball.</summary>
+    public Quaternion Foot;
+
+    /// <summary>Turn of the toes from rest.</summary>
+    public Quaternion Toes;
+
+    /// <summary>Fold of the metatarsus, radians.</summary>
+    public float Fold;
+}
+
+/// <summary>Turns the state of a foot into a pose of it: along the arc of its swing, rolled from heel to toe, laid onto the ground.</summary>
+internal static class FootPoser
+{
+    /// <summary>Share of a swing's height that is left when the creature hardly moves.</summary>
+    private const float LeastLift = 0.35f;
+
+    /// <summary>Share of its way over the ground that a swinging foot has gone.</summary>
+    /// <param name="swing">Progress of the swing, 0..1.</param>
+    public static float Along(float swing) => Scalar.Smooth(swing * (0.93f + (0.07f * swing)));
+
+    /// <summary>Poses a foot.</summary>
+    public static void Pose(LegShape leg, ref Foot foot, SwingWay way, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
+    {
+        Quaternion inverse = Rotation.Inverse(frame.Rotation);
+        Vector3 from = frame.ToModel(foot.From.Position);
+        Quaternion heading = Rotation.Multiply(inverse, foot.From.Heading);
+        Vector3 normal = Rotation.Rotate(inverse, foot.From.Normal);
+        foot.Lift = 0f;
+        foot.Over = 0f;
+        if (foot.Phase == FootPhase.Swing)
+        {
+            float u = foot.Swing;
+            Vector3 to = frame.ToModel(foot.To.Position);
+            float r = Along(u);
+            from += (to - from) * r;
+            heading = UnitTurn.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
+            normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
+            foot.Over = way.Rise(r);
+            foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (LeastLift + ((1f - LeastLift) * gait.Activity))) + foot.Over;
+        }
+
+        foot.Base = from;
+        if (leg.FollowShare > 0f)
+        {
+            // The foot turns with the leg on the middle of its sole.
+            Vector3 shift = Rotation.Rotate(heading, leg.SoleMiddle);
+            heading = UnitTurn.Nlerp(heading, leg.Sweep(from), leg.FollowShare);
+            shift -= Rotation.Rotate(heading, leg.SoleMiddle);
+            shift.Y = -((normal.X * shift.X) + (normal.Z * shift.Z)) / Math.Max(normal.Y, 0.3f);
+            from += shift;
+        }
+
+        foot.Heading = heading;
+        foot.Normal = normal;
+        float pitch = (FootRoll.Pitch(foot, leg, gait.Duty) * gait.Activity) + gait.RestPitch;
+        Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitTurn.FromTo(Vector3.UnitY, normal), heading) : heading;
+        pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisTurn.About(leg.RollAxis, pitch));
+        Vector3 ball;
+        if (leg.FlatFoot)
+        {
+            float toes = FootRoll.ToePitch(pitch);
+            ball = FootRoll.BallAt(leg, foot, toes);
+            pose.Toes = toes == 0f ? ground : Rotation.Multiply(ground, AxisTurn.About(leg.RollAxis, toes));
+        }
+        else
+        {
+            ball = FootRoll.BallAt(leg, foot, pitch);
+            pose.Toes = pose.Foot;
+        }
+
+        pose.Ball = from + Rotation.Rotate(ground, ball);
+        pose.Ball.Y += foot.Lift;
+        if (leg.Traits.Linkage == LegLinkage.Pantograph)
+        {
+            pose.Fold = FootRoll.Fold(foot, leg.Traits) * gait.Activity;
+            pose.Target = pose.Ball;
+        }
+        else
+        {
+            pose.Fold = 0f;
+            pose.Target = pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
+        }
+    }
+}
+
+/// <summary>What of a gait concerns the shape of a step.</summary>
+/// <param name="Duty">Part of the cycle that a foot is down.</param>
+/// <param name="Lift">Height of swings, a factor.</param>
+/// <param name="Activity">0 stands, 1 walks.</param>
+/// <param name="RestPitch">Pitch of a foot at rest on its toes, radians.</param>
+/// <param name="Step">Seconds since the last pose.</param>
+internal readonly record struct GaitNumbers(float Duty, float Lift, float Activity, float RestPitch, float Step);

@@ -1,0 +1,119 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Footsteps;
+
+namespace CreatureGen.Motion.Walking.Legs;
+
+/// <summary>The roll of a foot from heel to toe: its pitch through the cycle, and what that does to the ball's joint.</summary>
+internal static class FootRoll
+{
+    /// <summary>Part of a stance in which the heel rises at least, as in a walk.</summary>
+    private const float ShortestRise = 0.38f;
+
+    /// <summary>The same at most, of feet that stand on their toes, which begin to roll as it does.</summary>
+    private const float LongestRise = 0.42f;
+
+    /// <summary>The same of flat feet, whose toes stay down at first.</summary>
+    private const float LongestFlatRise = 0.50f;
+
+    /// <summary>Part of the cycle that it takes to rise: in the short stances of a trot or gallop it begins early.</summary>
+    private const float RiseOfCycle = 0.24f;
+
+    /// <summary>Where in stance the sole is flat.</summary>
+    private const float FlatFrom = 0.14f;
+
+    /// <summary>Where in the swing the foot is pitched most.</summary>
+    private const float PeakAt = 0.30f;
+
+    /// <summary>Width in which heel and toe change places as pivots, radians.</summary>
+    private const float PivotBlend = 0.2094f;
+
+    /// <summary>Pitch beyond which toes leave the ground with the rest of a flat foot, radians.</summary>
+    private const float ToeBreak = 0.3491f;
+
+    /// <summary>Pitch over which they begin to, radians: at once they would throw the foot up.</summary>
+    private const float ToeEasing = 0.5236f;
+
+    /// <summary>Part of the pitch that toes off the ground make.</summary>
+    private const float ToeShare = 0.8f;
+
+    /// <summary>Pitch of a foot, radians, toes down.</summary>
+    /// <param name="foot">Its place in the cycle.</param>
+    /// <param name="leg">Its build.</param>
+    /// <param name="duty">Part of the cycle that it is down.</param>
+    public static float Pitch(in Foot foot, LegShape leg, float duty)
+    {
+        LegTraits traits = leg.Traits;
+        float off = traits.ToeOff * leg.RollShare;
+        float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
+        if (foot.Phase == FootPhase.Stance)
+        {
+            float rise = Scalar.Clamp(1f - ((1f - foot.Stance) / rising), 0f, 1f);
+            return (off * rise * rise) + (traits.Strike * (1f - Scalar.Smooth(foot.Stance / FlatFrom)));
+        }
+
+        float u = foot.Swing;
+        float peak = traits.SwingPitch * leg.RollShare;
+        if (u >= PeakAt)
+        {
+            return peak + ((traits.Strike - peak) * Scalar.Smooth((u - PeakAt) / 0.58f));
+        }
+
+        // Hermite from the end of stance, with its rate, to the peak.
+        float x = u / PeakAt;
+        float rate = 2f * off / (rising * duty) * (1f - duty) * PeakAt;
+        rate = Math.Min(rate, (3f * (peak - off)) + (0.5f * off));
+        float y = 1f - x;
+        return (off * (1f + (2f * x)) * y * y) + (rate * x * y * y) + (peak * x * x * (3f - (2f * x)));
+    }
+
+    /// <summary>Fold of the metatarsus beyond its link to the thigh, radians.</summary>
+    public static float Fold(in Foot foot, LegTraits traits)
+    {
+        if (foot.Phase == FootPhase.Stance)
+        {
+            return 0f;
+        }
+
+        float u = foot.Swing;
+        return (traits.Fold * traits.FoldCurve.At(u)) + (traits.Unfold * Scalar.Smooth((u - 0.52f) / 0.28f) * (1f - Scalar.Smooth((u - 0.80f) / 0.20f)));
+    }
+
+    /// <summary>Pitch of the toes of a flat foot, whose heel rises about the ball first.</summary>
+    public static float ToePitch(float pitch)
+    {
+        if (pitch <= 0f)
+        {
+            return pitch;
+        }
+
+        float beyond = Math.Max(pitch - ToeBreak, 0f);
+        return ToeShare * (beyond < ToeEasing ? beyond * beyond / (2f * ToeEasing) : beyond - (0.5f * ToeEasing));
+    }
+
+    /// <summary>Place of the ball's joint from the point under the ball, in the foot's own axes, when the foot turns by a pitch about the tip of its toes (down) or its heel (up).</summary>
+    /// <param name="leg">Gives the sole.</param>
+    /// <param name="foot">In the swing the two pivots give way to one another gradually.</param>
+    /// <param name="pitch">Radians.</param>
+    public static Vector3 BallAt(LegShape leg, in Foot foot, float pitch)
+    {
+        float blend = foot.Phase == FootPhase.Stance ? 0f : PivotBlend * Scalar.Smooth(foot.Swing / 0.15f) * Scalar.Smooth((1f - foot.Swing) / 0.15f);
+        float root = (float)Math.Sqrt((pitch * pitch) + (blend * blend));
+        if (root == 0f)
+        {
+            return new Vector3(0f, leg.BallHeight, 0f);
+        }
+
+        float down = 0.5f * (pitch + root);
+        float up = 0.5f * (pitch - root);
+
+        // In the plane of toes and up: x along the toes, y up; toes down turns up towards the toes.
+        QuickAngle.SinCos(down, out float sd, out float cd);
+        QuickAngle.SinCos(up, out float su, out float cu);
+        float h = leg.BallHeight;
+        float along = (leg.Toe - (leg.Toe * cd)) + (h * sd) + ((leg.Heel * cu) - leg.Heel) + (h * su);
+        float above = ((leg.Toe * sd) + (h * cd)) + ((-leg.Heel * su) + (h * cu)) - h;
+        return (leg.ToeDirection * along) + new Vector3(0f, above, 0f);
+    }
+}

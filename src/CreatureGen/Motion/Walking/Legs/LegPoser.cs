@@ -1,0 +1,240 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Trunk;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Legs;
+
+/// <summary>Writes the trunk and the legs into a local pose.</summary>
+internal sealed class LegPoser
+{
+    /// <summary>Share of the body's own axis in the plane of a leg out to the side.</summary>
+    private const float BodyShare = 0.3f;
+
+    /// <summary>Part of a stance after which it is seen whether the leg stands beyond its limits.</summary>
+    private const float LateStance = 0.7f;
+
+    /// <summary>Part of a swing in which a leg that stood beyond its limits comes back within them.</summary>
+    private const float Release = 0.35f;
+
+    /// <summary>Part of a swing from which on a leg that will stand beyond its limits goes there.</summary>
+    private const float Arrival = 0.85f;
+
+    /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
+    private const float TrailedPitch = 0.9f;
+
+    private readonly LeggedBody body;
+    private readonly RestTurns turns;
+
+    public LegPoser(LeggedBody body, RestTurns turns)
+    {
+        this.body = body;
+        this.turns = turns;
+    }
+
+    /// <summary>Writes body, spine and chest; the pelvis stays as it is at rest under the body.</summary>
+    public void PoseTrunk(BodyPlacer placer, in Pose local)
+    {
+        // The body's own joint goes half way with pitch and roll; it carries the place of all.
+        TrunkChain trunk = placer.Trunk;
+        ReadOnlySpan<Vector3> rest = body.Skeleton.ModelPositions;
+        Quaternion whole = trunk.Turns[0];
+        Vector3 place = trunk.Positions[0] - Rotation.Rotate(whole, trunk.Rest[0] - rest[body.Body]);
+        turns.Set(local, body.Body, whole);
+        local.Positions[body.Body] = place;
+        for (int i = 1; i < body.Trunk.Length; i++)
+        {
+            turns.Set(local, body.Trunk[i], trunk.LocalTurn(i));
+        }
+    }
+
+    /// <summary>Solves and writes a leg.</summary>
+    /// <param name="index">Which.</param>
+    /// <param name="placer">Gives trunk and hip.</param>
+    /// <param name="foot">Its foot.</param>
+    /// <param name="pose">Where the leg has to bring it.</param>
+    /// <param name="tuck">How far legs ahead of the hindmost pair are folded to the body in the air, 0..1.</param>
+    /// <param name="trail">How far those of the hindmost pair are stretched out behind, 0..1.</param>
+    /// <param name="local">The pose.</param>
+    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, float tuck, float trail, in Pose local)
+    {
+        LegShape leg = body.Legs[index];
+        Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
+        Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
+        turns.Slide(local, leg.Girdle, slide);
+        float carried = Carried(leg, foot, tuck, trail);
+        FootPose wanted = pose;
+        if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
+        {
+            // Not before the toes are well off the ground.
+            Quaternion point = AxisTurn.About(leg.RollAxis, carried * carried * carried * TrailedPitch);
+            wanted.Foot = Rotation.Multiply(wanted.Foot, point);
+            wanted.Toes = Rotation.Multiply(wanted.Toes, point);
+        }
+
+        Solve(leg, carrier, hip, wanted, carried, ref foot, local, out LegTurns solved);
+        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
+        foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
+        float share = excess > 0f ? YieldShare(leg, foot, excess) : 0f;
+        if (share > 0f)
+        {
+            Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
+            FootYield.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, share, ref wanted);
+            Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
+            PoseFoot(leg, solved, wanted, local, out _);
+        }
+    }
+
+    /// <summary>How far a leg in the air is where the body carries it instead of on its foot's way, 0..1.</summary>
+    private static float Carried(LegShape leg, in Foot foot, float tuck, float trail)
+    {
+        float share = leg.Row > 0 ? tuck : trail;
+        return share == 0f || foot.Phase != FootPhase.Swing ? 0f : share * (leg.Row > 0 ? LegTraits.TuckCurve : LegTraits.TrailCurve).At(foot.Swing);
+    }
+
+    /// <summary>Solves hip and knee and writes them.</summary>
+    private void Solve(LegShape leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegTurns solved)
+    {
+        Vector3 chord = pose.Target - hip;
+        if (carried > 0f)
+        {
+            chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Row > 0 ? leg.Tucked : leg.Trailed), carried);
+        }
+
+        float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
+        float leeway = Leeway(foot);
+        float give = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
+        LegParts folded = default;
+        scoped ref readonly LegParts parts = ref leg.Parts;
+        if (pose.Fold != 0f)
+        {
+            folded = new LegParts(leg.Thigh + Rotation.Rotate(AxisTurn.About(leg.Hinge, pose.Fold), leg.Metatarsus), leg.Shank, leg.Hinge, leg.LeastBendCosine);
+            parts = ref folded;
+        }
+
+        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, leeway, give, out solved);
+        foot.Stretch = solved.Stretch;
+        foot.Residual = solved.Residual;
+        turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
+        local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
+        if (foot.Phase == FootPhase.Swing || foot.Stance > LateStance)
+        {
+            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway, give);
+            foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : Math.Max(solved.Strain, hips);
+            if (hips > leeway)
+            {
+                // The foot keeps its own turn where the thigh cannot go.
+                solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
+                solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
+            }
+        }
+    }
+
+    /// <summary>Where the hinge of the knee has to point.</summary>
+    private static Vector3 Side(LegShape leg, Quaternion carrier, Vector3 chord, Quaternion heading)
+    {
+        Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
+        if (!leg.Lateral)
+        {
+            // Half with the pelvis, half with the foot.
+            return carried + (Rotation.Rotate(heading, leg.Hinge) * 0.5f) + (leg.Hinge * 0.5f);
+        }
+
+        // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
+        Vector3 across = Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)) * (leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
+        return across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyShare);
+    }
+
+    /// <summary>Writes ankle and ball, within their limits.</summary>
+    /// <returns>The turn of the metatarsus from rest.</returns>
+    private Quaternion PoseFoot(LegShape leg, in LegTurns solved, in FootPose pose, in Pose local, out float excess)
+    {
+        Quaternion metatarsus = pose.Foot;
+        if (leg.Traits.Linkage == LegLinkage.Pantograph)
+        {
+            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, AxisTurn.About(leg.Hinge, FoldOf(leg, pose.Fold, solved.KneeTurn)));
+        }
+
+        turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
+        turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
+        Quaternion asked = local.Rotations[leg.Ankle];
+        if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral)
+        {
+            FoldBack(leg, ref local.Rotations[leg.Ankle]);
+        }
+
+        // The toes go along with a foot that its ankle turns.
+        Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f, 0f);
+        Quaternion kept = local.Rotations[leg.Ankle];
+        float ankle = asked == kept ? 0f : Chord(asked, kept);
+        excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f, 0f));
+        return ankle > 0f ? Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle)) : metatarsus;
+    }
+
+    /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
+    private static float YieldShare(LegShape leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
+        ? 1f
+        : Math.Max(Arriving(foot), Math.Min(foot.Yield / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
+
+    /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
+    private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));
+
+    /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps; as it comes down it goes as far beyond them as it will stand.</summary>
+    private static float Leeway(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
+
+    /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
+    private static void FoldBack(LegShape leg, ref Quaternion ankle)
+    {
+        Quaternion folded = Rotation.Multiply(leg.AnkleJoint.LocalRotation, leg.AnkleFolded);
+        Quaternion beyond = Rotation.Multiply(Rotation.Inverse(folded), ankle);
+        if (beyond.X * beyond.W * leg.AnkleFolded.X <= 0f)
+        {
+            return;
+        }
+
+        float scale = (beyond.W < 0f ? -1f : 1f) / (float)Math.Sqrt((beyond.X * beyond.X) + (beyond.W * beyond.W));
+        var fold = new Quaternion(-beyond.X * scale, 0f, 0f, beyond.W * scale);
+        ankle = Rotation.Multiply(folded, Rotation.Multiply(beyond, fold));
+    }
+
+    /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
+    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float leeway, float give)
+    {
+        Quaternion turn = rotations[index];
+        Quaternion bounded = SwingTwistLimit.ClampLocal(turn, joint);
+        if (bounded == turn)
+        {
+            return 0f;
+        }
+
+        float chord = Chord(turn, bounded);
+        float kept = Math.Max(leeway / chord, give);
+        if (kept < 1f)
+        {
+            rotations[index] = kept > 0f ? UnitTurn.Nlerp(bounded, turn, kept) : bounded;
+        }
+
+        return chord;
+    }
+
+    /// <summary>Difference of two turns, about half the angle in radians.</summary>
+    private static float Chord(Quaternion a, Quaternion b)
+    {
+        float sign = Lanes.Dot(a, b) < 0f ? -1f : 1f;
+        float x = a.X - (sign * b.X);
+        float y = a.Y - (sign * b.Y);
+        float z = a.Z - (sign * b.Z);
+        float w = a.W - (sign * b.W);
+        return (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
+    }
+
+    /// <summary>Fold of the metatarsus that the ankle can follow. Bounded here, as an angle: folded by more than half a turn the ankle would seem to be bent the other way.</summary>
+    private static float FoldOf(LegShape leg, float fold, float knee)
+    {
+        AngleRange range = leg.AnkleJoint.Limit.SwingX;
+        return knee + Scalar.Clamp(fold - knee, range.Min, range.Max);
+    }
+}

@@ -1,0 +1,111 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Walking.Legs;
+
+/// <summary>Turns of a leg's bones away from rest, in model space; those of knee and metatarsus relative to their parents are about the hinge alone.</summary>
+internal struct LegTurns
+{
+    /// <summary>Turn of the thigh from rest.</summary>
+    public Quaternion Thigh;
+
+    /// <summary>Turn of the shank relative to the thigh.</summary>
+    public Quaternion Knee;
+
+    /// <summary>Turn of the shank from rest.</summary>
+    public Quaternion Shank;
+
+    /// <summary>Sine of half the angle of that turn.</summary>
+    public float KneeHalfSine;
+
+    /// <summary>Length needed as part of the reach; above 1 is out of reach.</summary>
+    public float Stretch;
+
+    /// <summary>By how much the leg fell short or was too long, metres.</summary>
+    public float Residual;
+
+    /// <summary>How far beyond its limits the knee would have to turn, about half the angle in radians.</summary>
+    public float Strain;
+
+    /// <summary>Bend of the knee about its hinge, radians: 0 is straight, negative for elbows.</summary>
+    public float Bend;
+
+    /// <summary>Turn of the shank relative to the thigh about the hinge, radians.</summary>
+    public readonly float KneeTurn => 2f * QuickAngle.Of(KneeHalfSine, Knee.W);
+}
+
+/// <summary>
+/// Reaches for a point with two parts joined by a hinge: thigh and shank, or, for legs of three bones whose thigh and metatarsus turn together, both of these as one part and the shank as the other.
+/// Closed form; the end of the reach is eased, since a knee near straight snaps.
+/// </summary>
+internal static class LegSolver
+{
+    /// <summary>Part of the reach from which on it is eased.</summary>
+    private const float EaseFrom = 0.968f;
+
+    /// <summary>How much earlier in the middle of the swing.</summary>
+    private const float SwingSlack = 0.07f;
+
+    /// <summary>Solves a leg.</summary>
+    /// <param name="leg">At rest.</param>
+    /// <param name="parts">Its parts at rest, or with the metatarsus folded.</param>
+    /// <param name="target">Where the end has to be, from the hip.</param>
+    /// <param name="side">Where the hinge has to point.</param>
+    /// <param name="slack">0..1: how early the reach is eased.</param>
+    /// <param name="leeway">How far the knee may stay beyond its limits, about half the angle in radians: on the ground, where the foot keeps its place, as far as it likes.</param>
+    /// <param name="give">Share of what it is beyond its limits that it may keep at least, 0..1: as a foot comes down, more and more.</param>
+    /// <param name="turns">The turns.</param>
+    public static void Solve(LegShape leg, in LegParts parts, Vector3 target, Vector3 side, float slack, float leeway, float give, out LegTurns turns)
+    {
+        Vector3 n = leg.Hinge;
+        double most = parts.Most;
+        double least = parts.Least;
+        double asked = Math.Sqrt(Math.Max(Vec.LengthSquared(target) - parts.OffsetSquared, 1e-12));
+        double from = (EaseFrom - (SwingSlack * slack)) * most;
+        double taken = asked;
+        if (asked > from)
+        {
+            double width = most - from;
+            taken = from + (width * (1 - PortableMath.Exp(-(asked - from) / width)));
+        }
+        else if (asked < least)
+        {
+            taken = least;
+        }
+
+        turns.Stretch = (float)(asked / most);
+        turns.Residual = (float)Math.Abs(asked - taken);
+        double cosNow = parts.Cosine;
+        double sinNow = parts.Sine;
+        double cosThen = Scalar.Clamp(((taken * taken) - parts.Squares) / parts.Product, -1, 1);
+        double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
+        double cosKnee = (cosThen * cosNow) + (sinThen * sinNow);
+        double sinKnee = (sinThen * cosNow) - (cosThen * sinNow);
+        turns.Strain = 0.5f * leg.KneeFold.Clamp(ref cosKnee, ref sinKnee, 2f * leeway, give);
+
+        HalfAngle.Of(cosKnee, sinKnee, out double halfCosine, out double halfSine);
+        turns.Bend = (float)cosThen;
+        turns.KneeHalfSine = (float)halfSine;
+        turns.Knee = new Quaternion(n * (float)halfSine, (float)halfCosine);
+
+        Vector3 chord = parts.Upper + Rotation.Rotate(turns.Knee, leg.Shank);
+        Vector3 aim = leg.Lateral && turns.Strain > leeway ? Around(target, Vec.LengthSquared(chord)) : target;
+        turns.Thigh = UnitTurn.Frame(Vec.Normalize(chord, -Vector3.UnitY), n, Vec.Normalize(aim, -Vector3.UnitY), side);
+        turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
+    }
+
+    /// <summary>Where a foot goes that is nearer to its hip than the leg folds: round it outside at the same height, and not down into the ground.</summary>
+    private static Vector3 Around(Vector3 target, float lengthSquared)
+    {
+        float level = (target.X * target.X) + (target.Z * target.Z);
+        float wanted = lengthSquared - (target.Y * target.Y);
+        if (wanted <= level || level < 1e-4f * lengthSquared)
+        {
+            return target;
+        }
+
+        float share = (float)Math.Sqrt(wanted / level);
+        return new Vector3(target.X * share, target.Y, target.Z * share);
+    }
+}

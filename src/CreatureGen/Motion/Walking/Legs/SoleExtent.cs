@@ -1,0 +1,114 @@
+using System;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Motion.Walking.Legs;
+
+/// <summary>How far a foot's sole reaches on the ground, ahead of the ball and behind it, metres.</summary>
+internal readonly struct SoleExtent
+{
+    /// <summary>Height below which skin is sole, part of the ball's height.</summary>
+    private const float SoleShare = 0.55f;
+
+    /// <summary>Layer above its lowest point that counts as the sole's surface, part of the leg's length.</summary>
+    private const float LayerShare = 0.02f;
+
+    /// <summary>Weight from which on a vertex is of the foot alone.</summary>
+    private const float Firm = 0.9f;
+
+    private SoleExtent(float toe, float heel, float width, Vector3 middle)
+    {
+        Toe = toe;
+        Heel = heel;
+        HalfWidth = width;
+        Middle = middle;
+    }
+
+    /// <summary>From the ball to the middle of the sole's surface, level.</summary>
+    public Vector3 Middle { get; }
+
+    public float Toe { get; }
+
+    public float Heel { get; }
+
+    /// <summary>From the line through the ball to the farther side.</summary>
+    public float HalfWidth { get; }
+
+    /// <summary>Measures the soles of all legs on the skin.</summary>
+    public static SoleExtent[] Measure(Creature creature, LimbChain[] legs)
+    {
+        Skeleton skeleton = creature.Skeleton;
+        int[] legOf = new int[skeleton.Count];
+        Array.Fill(legOf, -1);
+        var ahead = new Vector3[legs.Length];
+        for (int i = 0; i < legs.Length; i++)
+        {
+            Vector3 toes = skeleton.ModelPositions[legs[i].Joints[5]] - skeleton.ModelPositions[legs[i].Joints[4]];
+            toes.Y = 0f;
+            ahead[i] = Vec.Normalize(toes, Vector3.UnitZ);
+            for (int k = 3; k <= 5; k++)
+            {
+                legOf[legs[i].Joints[k]] = i;
+            }
+        }
+
+        var toe = new float[legs.Length];
+        var heel = new float[legs.Length];
+        var width = new float[legs.Length];
+        var sum = new Vector3[legs.Length];
+        var count = new int[legs.Length];
+        var surface = new float[legs.Length];
+        Array.Fill(surface, float.MaxValue);
+        ReadOnlySpan<SkinWeights> weights = creature.Mesh.Weights;
+        ReadOnlySpan<Vector3> positions = creature.Mesh.Positions;
+        for (int v = 0; v < positions.Length; v++)
+        {
+            int leg = legOf[weights[v].Joint0];
+            if (leg < 0)
+            {
+                continue;
+            }
+
+            Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
+            if (positions[v].Y > SoleShare * ball.Y)
+            {
+                continue;
+            }
+
+            float along = Vec.Dot(positions[v] - ball, ahead[leg]);
+            toe[leg] = Math.Max(toe[leg], along);
+            heel[leg] = Math.Max(heel[leg], -along);
+            width[leg] = Math.Max(width[leg], Math.Abs(((positions[v].X - ball.X) * ahead[leg].Z) - ((positions[v].Z - ball.Z) * ahead[leg].X)));
+            if (weights[v].Weights.X > Firm)
+            {
+                surface[leg] = Math.Min(surface[leg], positions[v].Y);
+            }
+        }
+
+        for (int v = 0; v < positions.Length; v++)
+        {
+            int leg = legOf[weights[v].Joint0];
+            if (leg >= 0 && weights[v].Weights.X > Firm)
+            {
+                Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
+                Vector3 hip = skeleton.ModelPositions[legs[leg].Joints[1]];
+                if (positions[v].Y < surface[leg] + (LayerShare * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z))))
+                {
+                    sum[leg] += positions[v] - ball;
+                    count[leg]++;
+                }
+            }
+        }
+
+        var extents = new SoleExtent[legs.Length];
+        for (int i = 0; i < legs.Length; i++)
+        {
+            extents[i] = new SoleExtent(toe[i], heel[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])));
+        }
+
+        return extents;
+    }
+}

@@ -1,0 +1,30 @@
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Trunk;
+
+/// <summary>Arms swing against the leg of their side, and bend as it gets faster.</summary>
+internal static class ArmSwing
+{
+    private const float SwingPerScissor = 0.68f;
+    private const float CarriedSwing = 0.10f;
+    private const float Forearm = 0.25f;
+    private const float Wrist = 0.3f;
+
+    /// <summary>Writes the arms.</summary>
+    public static void Pose(LeggedBody body, RestTurns turns, BodyPlacer placer, in BodyContext context, in Pose local)
+    {
+        foreach (ArmShape arm in body.Arms)
+        {
+            float side = arm.Side == Side.Left ? -1f : 1f;
+            float size = body.IsBiped ? SwingPerScissor : CarriedSwing;
+            float swing = Scalar.Clamp(size * placer.Scissor * side, -0.7f, 0.7f) * context.Activity;
+            float bend = (Forearm * (swing > 0f ? swing : 0f)) + (context.Clock.Shape.ElbowBend * 0.5f * context.Activity);
+            turns.Set(local, arm.Shoulder, AxisTurn.Pitch(-swing));
+            turns.Set(local, arm.Elbow, AxisTurn.Pitch(-bend));
+            turns.Set(local, arm.Wrist, AxisTurn.Pitch(Wrist * swing));
+        }
+    }
+}

@@ -1,0 +1,47 @@
+using CreatureGen.Motion.Walking.Footsteps;
+
+namespace CreatureGen.Motion.Walking.Trunk;
+
+/// <summary>What the body goes by in an update.</summary>
+internal readonly struct BodyContext
+{
+    public BodyContext(GaitClock clock, Travel travel, LocomotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright)
+    {
+        Clock = clock;
+        Travel = travel;
+        Settings = settings;
+        Step = step;
+        Activity = activity;
+        Idle = idle;
+        Acceleration = acceleration;
+        Upright = upright;
+    }
+
+    public GaitClock Clock { get; }
+
+    public Travel Travel { get; }
+
+    public LocomotionSettings Settings { get; }
+
+    /// <summary>Seconds.</summary>
+    public float Step { get; }
+
+    /// <summary>0 stands, 1 walks.</summary>
+    public float Activity { get; }
+
+    public IdlePose Idle { get; }
+
+    /// <summary>Metres per second squared ahead.</summary>
+    public float Acceleration { get; }
+
+    /// <summary>How much of its posture for standing the trunk is in, 0..1.</summary>
+    public float Upright { get; }
+}
+
+/// <summary>What a standing body does by itself.</summary>
+/// <param name="Breath">Rise of the trunk, metres.</param>
+/// <param name="Shift">Shift of the weight to the left, metres.</param>
+/// <param name="Roll">Roll of the pelvis with it, radians.</param>
+/// <param name="Yaw">Yaw of the pelvis with it, radians.</param>
+/// <param name="TailSway">Yaw of the tail, radians.</param>
+internal readonly record struct IdlePose(float Breath, float Shift, float Roll, float Yaw, float TailSway);

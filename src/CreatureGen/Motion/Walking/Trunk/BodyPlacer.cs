@@ -1,0 +1,406 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Legs;
+
+namespace CreatureGen.Motion.Walking.Trunk;
+
+/// <summary>
+/// Places the trunk over the feet: height, sway and surge from the forces of the feet; yaw, roll and bends with the feet; pitch and roll to the ground; lean in turns; and low enough that no standing leg
+/// has to reach too far.
+/// </summary>
+internal sealed class BodyPlacer
+{
+    /// <summary>How quickly the trunk follows the ground, per second.</summary>
+    private const float GroundRate = 9f;
+
+    private const float SlopeRate = 6f;
+    private const float SlopeShare = 0.8f;
+    private const float LateralSlopeShare = 1f;
+
+    private const float SurgeCap = 0.04f;
+
+    /// <summary>Share of the back's bend in gaits whose hind feet take turns.</summary>
+    private const float StepFlexion = 0.6f;
+
+    /// <summary>Part of the difference between hind and fore body that a leaping trunk does not go along with: nose up as it takes off, it levels out to the landing and does not dive.</summary>
+    private const float LeapSteadiness = 0.5f;
+
+    private readonly LeggedBody body;
+    private readonly ForceResponse response = new();
+    private readonly PhaseSums hind = new();
+    private readonly PhaseSums fore = new();
+    private readonly PhaseSums track = new();
+    private readonly PhaseSums all = new();
+    private readonly SteadyGait summed;
+    private float slope;
+    private GroundSlope way;
+    private SteadyDecay groundDecay;
+    private SteadyDecay slopeDecay;
+
+    public BodyPlacer(LeggedBody body)
+    {
+        this.body = body;
+        Trunk = new TrunkChain(body);
+        summed = new SteadyGait(body.Legs.Length);
+    }
+
+    /// <summary>The trunk as last placed.</summary>
+    public TrunkChain Trunk { get; }
+
+    /// <summary>Height of the ground under hind and fore feet above the root, smoothed, metres.</summary>
+    public float HindGround { get; private set; }
+
+    public float ForeGround { get; private set; }
+
+    /// <summary>Rise of the ground along the way, over some steps.</summary>
+    public float Climb => way.Rise;
+
+    /// <summary>Bend of the trunk into a turn, radians.</summary>
+    public float TurnBend { get; private set; }
+
+    /// <summary>Yaw of the pelvis with the feet, radians.</summary>
+    public float PelvisYaw { get; private set; }
+
+    /// <summary>Bend of the back as the feet gather, radians.</summary>
+    public float Flexion { get; private set; }
+
+    /// <summary>Passive nod of the neck, radians.</summary>
+    public float Nod { get; private set; }
+
+    /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
+    public float Scissor { get; private set; }
+
+    /// <summary>Forgets what was smoothed: the creature has been put somewhere else.</summary>
+    public void Reset(ReadOnlySpan<Foot> feet)
+    {
+        way.Reset(feet, body.LegLength);
+        Grounds(feet, out float hindGround, out float foreGround, out _);
+        HindGround = hindGround;
+        ForeGround = foreGround;
+        slope = 0f;
+    }
+
+    /// <summary>Tells that the root was moved up under the body, metres.</summary>
+    public void RootRaised(float height)
+    {
+        HindGround -= height;
+        ForeGround -= height;
+    }
+
+    /// <summary>Places the trunk.</summary>
+    public void Place(in BodyContext context, ReadOnlySpan<Foot> feet, ReadOnlySpan<FootPose> poses)
+    {
+        TrunkTraits traits = body.Traits;
+        LocomotionSettings settings = context.Settings;
+        GaitClock clock = context.Clock;
+        float length = body.LegLength;
+        float act = context.Activity;
+        Sum(clock);
+        response.Tune(clock.Duty, clock.Shape.ForceDip * DipShare(context, length));
+        float omega = (float)PortableMath.Tau * Math.Max(clock.Frequency, 0.05f);
+        float scale = settings.Gravity / (omega * omega);
+        float cap = clock.Shape.BounceCap * length;
+        float bounce = clock.Shape.Bounce * settings.Bounce * act;
+        float hindRise;
+        float foreRise;
+        if (body.Rows == 2)
+        {
+            hindRise = response.Height(hind, 2, scale, cap, out _) * bounce;
+            foreRise = response.Height(fore, 2, scale, cap, out float nod) * bounce;
+            Nod = nod * act;
+        }
+        else
+        {
+            hindRise = foreRise = response.Height(all, feet.Length, scale, cap, out float nod) * bounce;
+            Nod = nod * act;
+        }
+
+        // Feet that come down at once find the body at its height: all of them, or in a leap those of each girdle.
+        float poise = Math.Min(-response.Touchdown * scale, cap) * bounce;
+        float together = Together(all, feet.Length);
+        float leap = body.Rows == 2 ? clock.Shape.Trail : 0f;
+        hindRise += poise * Math.Max(together, leap * Together(hind, 2));
+        foreRise += poise * Math.Max(together, leap * Together(fore, 2));
+        float steadied = 0.5f * LeapSteadiness * leap * (foreRise - hindRise);
+        hindRise += steadied;
+        foreRise -= steadied;
+        Nod = Scalar.Clamp(Nod * traits.Nod / body.NeckLength, -0.5f, 0.5f);
+        float emphasis = clock.Shape.Emphasis;
+        float swing = act * settings.Sway;
+        float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
+        float sway = Bounded((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MostSway);
+        float stance = context.Travel.Speed * clock.Duty / clock.Frequency;
+        float surge = response.Surge(all, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
+
+        Spread(feet, out Girdle rear, out Girdle front);
+        Scissor = rear.Left - rear.Right;
+        float walking = (float)Math.Sqrt(0.12f * settings.Gravity * length);
+        float bend = Scalar.Clamp(context.Travel.Turn / Math.Max(Math.Abs(context.Travel.Speed), 0.35f * walking) * body.TrunkLength * 0.7f, -0.5f, 0.5f);
+        TurnBend = bend;
+        float spine = settings.SpineMotion;
+        float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
+        float chestYaw = body.IsBiped ? traits.ChestYaw * Scissor * spine : -traits.ChestYaw * (front.Left - front.Right) * spine;
+        PelvisYaw = pelvisYaw;
+        float rolling = emphasis * swing;
+        float pelvisRoll = (rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad)) + context.Idle.Roll;
+        float chestRoll = rolling * traits.ChestRoll * (body.IsBiped ? rear.LeftLoad - rear.RightLoad : front.LeftLoad - front.RightLoad);
+        pelvisYaw += context.Idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
+        chestYaw += (body.IsBiped ? 0.35f : 0.5f) * bend;
+        float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
+        float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * Together(hind, 2)));
+        float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MostBendPitch, body.MostBendPitch);
+        Flexion = flexion;
+        float bank = QuickAngle.Of(context.Travel.Speed * context.Travel.Turn, settings.Gravity) * traits.Bank * settings.Bank;
+
+        Follow(context, feet);
+        float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
+        float push = Scalar.Clamp(context.Acceleration / settings.Gravity, -0.5f, 0.5f);
+        float stoop = Scalar.Smooth(act);
+        hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - (0.06f * push * length);
+        foreRise += ForeGround + context.Idle.Breath - crouch - (stoop * body.ForeStoop) + (0.06f * push * length);
+        Level(ref hindRise, ref foreRise);
+        float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + (0.35f * push) : 0f;
+        float raised = body.Posture.Raised * context.Upright;
+        Vector3 rest = Trunk.Rest[0];
+        var plan = new TrunkPlan
+        {
+            Pelvis = new Vector3(rest.X + sway + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * FootHomes.Shortening(Climb))),
+            PelvisYaw = pelvisYaw,
+            PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
+            PelvisRoll = pelvisRoll - bank + slope,
+            BendYaw = Scalar.Clamp(chestYaw - pelvisYaw, -body.MostBendYaw, body.MostBendYaw),
+            BendPitch = flexion,
+            BendRoll = chestRoll - pelvisRoll,
+            ChestPitch = -0.3f * lean,
+        };
+        Vector3 between = Trunk.Flex(plan);
+        Settle(plan, between, rest.Y, foreRise, 0f, 0f);
+        LegRoom.Find(this, body, feet, poses, out float hindDrop, out float foreDrop);
+        if (Math.Max(Math.Abs(hindDrop), Math.Abs(foreDrop)) > 1e-5f * length)
+        {
+            Settle(plan, between, rest.Y, foreRise, hindDrop, foreDrop);
+        }
+    }
+
+    /// <summary>Brings the heights of hind and fore body, which are those under the feet, to where the joints of the legs are.</summary>
+    private void Level(ref float hindRise, ref float foreRise)
+    {
+        float rises = foreRise - hindRise;
+        foreRise = hindRise + (rises * body.Span.Fore);
+        hindRise += rises * body.Span.Hind;
+    }
+
+    /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>
+    public Vector3 HipOf(int leg, in Foot foot, out Vector3 slide)
+    {
+        LegShape shape = body.Legs[leg];
+        bool front = body.Rows > 1 && shape.Row == body.Rows - 1;
+        TrunkTraits traits = body.Traits;
+        float z = Scalar.Clamp((foot.Base.Z - shape.Home.Z) / body.LegLength, -0.6f, 0.6f);
+        slide = new Vector3(0f, front ? traits.ForeRise * shape.Length * (foot.Load - 0.45f) * SlideShare : 0f, (front ? traits.ForeSlide : traits.HindSlide) * shape.Length * z);
+        int slot = shape.TrunkSlot;
+        return Trunk.Positions[slot] + Rotation.Rotate(Trunk.Turns[slot], (shape.HipRest - Trunk.Rest[slot]) + slide);
+    }
+
+    /// <summary>Share of the girdles' rise: none while the creature stands.</summary>
+    private float SlideShare { get; set; }
+
+    /// <summary>The dip of a walk's force fades with speed.</summary>
+    private static float DipShare(in BodyContext context, float length)
+    {
+        float froude = context.Travel.Speed * context.Travel.Speed / (context.Settings.Gravity * length);
+        return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
+    }
+
+    /// <summary>A number that comes ever slower to a most on both sides.</summary>
+    private static float Bounded(float x, float most)
+    {
+        float part = x * x / Math.Max(most * most, 1e-12f);
+        return x / (float)Math.Sqrt(Math.Sqrt(1f + (part * part)));
+    }
+
+    /// <summary>How much feet come down at once, 0..1: then the body is at its height as they do, and in the mean above it.</summary>
+    private static float Together(PhaseSums sums, int legs)
+    {
+        float c = sums.Cosines[1];
+        float s = sums.Sines[1];
+        return Math.Max(0f, (2f * ((c * c) + (s * s)) / (legs * legs)) - 1f);
+    }
+
+    /// <summary>Sums up the legs for the moment: anew if the gait has changed, else as the cycle has gone on.</summary>
+    private void Sum(GaitClock clock)
+    {
+        if (!summed.Is(clock))
+        {
+            summed.Take(clock);
+            hind.Clear();
+            fore.Clear();
+            all.Clear();
+            track.Clear();
+            for (int i = 0; i < body.Legs.Length; i++)
+            {
+                LegShape leg = body.Legs[i];
+                QuickAngle.OfTurns(-clock.Lags[i] - (0.5f * clock.Duty), out float s, out float c);
+                track.Add(s, c, leg.Home.X * clock.Shape.Track);
+                all.Add(s, c, 1f);
+                if (body.Rows == 2)
+                {
+                    (leg.Row == 0 ? hind : fore).Add(s, c, 1f);
+                }
+            }
+        }
+
+        QuickAngle.OfTurns((float)clock.Phase, out float sine, out float cosine);
+        track.Turn(sine, cosine);
+        all.Turn(sine, cosine);
+        if (body.Rows == 2)
+        {
+            hind.Turn(sine, cosine);
+            fore.Turn(sine, cosine);
+        }
+    }
+
+    /// <summary>Fore-aft places and loads of the feet of the rearmost and the foremost pair.</summary>
+    private void Spread(ReadOnlySpan<Foot> feet, out Girdle rear, out Girdle front)
+    {
+        rear = default;
+        front = default;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            LegShape leg = body.Legs[i];
+            float z = (feet[i].Base.Z - leg.Home.Z) / body.LegLength;
+            if (leg.Row == 0)
+            {
+                rear.Add(leg.Side, z, feet[i].Load);
+            }
+
+            if (leg.Row == body.Rows - 1)
+            {
+                front.Add(leg.Side, z, feet[i].Load);
+            }
+        }
+    }
+
+    /// <summary>Follows the ground under the feet.</summary>
+    private void Follow(in BodyContext context, ReadOnlySpan<Foot> feet)
+    {
+        Grounds(feet, out float hindGround, out float foreGround, out float across);
+        float share = groundDecay.Share(GroundRate * context.Step);
+        HindGround += (hindGround - HindGround) * share;
+        ForeGround += (foreGround - ForeGround) * share;
+        way.Feel(feet, body.LegLength, context.Step);
+        float wanted = Scalar.Clamp(0.5f * (body.Legs[0].Lateral ? LateralSlopeShare : SlopeShare) * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MostRoll, body.MostRoll);
+        slope += (wanted - slope) * slopeDecay.Share(SlopeRate * context.Step);
+        SlideShare = context.Activity;
+    }
+
+    /// <summary>Ground under hind and fore feet, seen along the slope from the middle of where they belong: half way between their lowest and their mean; and how much higher it is on the left than on the right.</summary>
+    private void Grounds(ReadOnlySpan<Foot> feet, out float hindGround, out float foreGround, out float across)
+    {
+        float hindLeast = float.MaxValue;
+        float foreLeast = float.MaxValue;
+        float hindSum = 0f;
+        float foreSum = 0f;
+        float left = 0f;
+        float right = 0f;
+        int hindCount = 0;
+        int leftCount = 0;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            LegShape leg = body.Legs[i];
+            float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f) - (Climb * (feet[i].Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
+            if (leg.IsHind(body.Rows))
+            {
+                hindLeast = Math.Min(hindLeast, y);
+                hindSum += y;
+                hindCount++;
+            }
+            else
+            {
+                foreLeast = Math.Min(foreLeast, y);
+                foreSum += y;
+            }
+
+            if (leg.Side == Anatomy.Side.Left)
+            {
+                left += y;
+                leftCount++;
+            }
+            else
+            {
+                right += y;
+            }
+        }
+
+        int foreCount = feet.Length - hindCount;
+        hindGround = 0.5f * (hindLeast + (hindSum / hindCount));
+        foreGround = foreCount == 0 ? hindGround : 0.5f * (foreLeast + (foreSum / foreCount));
+        across = (left / Math.Max(leftCount, 1)) - (right / Math.Max(feet.Length - leftCount, 1));
+    }
+
+    /// <summary>Places the bent trunk with the pelvis at its height, and pitches it so that the fore legs' joint comes to its own.</summary>
+    private void Settle(in TrunkPlan plan, Vector3 between, float pelvisRest, float foreRise, float hindDrop, float foreDrop)
+    {
+        TrunkPlan placed = plan;
+        placed.Pelvis.Y -= hindDrop;
+        if (body.IsBiped)
+        {
+            Trunk.Apply(placed);
+            return;
+        }
+
+        int slot = body.ForeSlot;
+        float wanted = Trunk.Rest[slot].Y + foreRise - foreDrop;
+        float pitch = plan.PelvisPitch - ((foreRise - foreDrop - (plan.Pelvis.Y - pelvisRest - hindDrop)) / Math.Max(body.TrunkLength, 1e-3f));
+
+        // From pelvis to fore legs: rolled, then pitched as it comes to the wanted height, then yawed.
+        QuickAngle.SinCos(plan.PelvisRoll, out float sr, out float cr);
+        float x = (between.X * cr) - (between.Y * sr);
+        float y = (between.X * sr) + (between.Y * cr);
+        float squared = (x * x) + (y * y) + (between.Z * between.Z);
+        for (int i = 0; i < 2; i++)
+        {
+            QuickAngle.SinCos(pitch, out float sp, out float cp);
+            float height = (y * cp) - (between.Z * sp);
+            if (i == 0)
+            {
+                // The trunk bends about its middle: half of what its front goes aside the rear takes back.
+                float ahead = (y * sp) + (between.Z * cp);
+                QuickAngle.SinCos(plan.PelvisYaw, out float sy, out float cy);
+                float aside = (x * cy) + (ahead * sy);
+                placed.Pelvis.X -= 0.5f * (aside - (Trunk.Rest[slot].X - Trunk.Rest[0].X));
+            }
+
+            float level = (float)Math.Sqrt(Math.Max(squared - (height * height), 0f));
+            pitch -= Scalar.Clamp((wanted - placed.Pelvis.Y - height) / Math.Max(level, 0.2f * body.TrunkLength), -0.5f, 0.5f);
+        }
+
+        placed.PelvisPitch = pitch;
+        Trunk.Apply(placed);
+    }
+
+    /// <summary>Fore-aft places and loads of a left and a right foot, leg lengths.</summary>
+    private struct Girdle
+    {
+        public float Left;
+        public float Right;
+        public float LeftLoad;
+        public float RightLoad;
+
+        public void Add(Anatomy.Side side, float z, float load)
+        {
+            if (side == Anatomy.Side.Left)
+            {
+                Left += z;
+                LeftLoad += load;
+            }
+            else
+            {
+                Right += z;
+                RightLoad += load;
+            }
+        }
+    }
+}

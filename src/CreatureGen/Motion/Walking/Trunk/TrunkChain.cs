@@ -1,0 +1,100 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Walking.Trunk;
+
+/// <summary>What turns a trunk: the pelvis as a whole, and the bends that its joints share. Radians, model axes; metres.</summary>
+internal struct TrunkPlan
+{
+    /// <summary>Place of the pelvis joint.</summary>
+    public Vector3 Pelvis;
+
+    public float PelvisYaw;
+    public float PelvisPitch;
+    public float PelvisRoll;
+
+    /// <summary>Bend from the pelvis to the joint of the fore legs.</summary>
+    public float BendYaw;
+
+    public float BendPitch;
+    public float BendRoll;
+
+    /// <summary>Turn of the chest of bipeds about the left axis, on top.</summary>
+    public float ChestPitch;
+}
+
+/// <summary>Turns and places of the trunk's joints, pelvis to chest, in model space; turns are from rest.</summary>
+internal sealed class TrunkChain
+{
+    private readonly LeggedBody body;
+    private readonly Vector3[] bent;
+    private readonly Quaternion[] bends;
+
+    public TrunkChain(LeggedBody body)
+    {
+        int count = body.Trunk.Length;
+        this.body = body;
+        bent = new Vector3[count];
+        bends = new Quaternion[count];
+        Turns = new Quaternion[count];
+        Positions = new Vector3[count];
+    }
+
+    public Quaternion[] Turns { get; }
+
+    public Vector3[] Positions { get; }
+
+    /// <summary>Places at rest.</summary>
+    public Vector3[] Rest => body.TrunkRest;
+
+    /// <summary>The turn of each joint relative to the one before.</summary>
+    public Quaternion Bend { get; private set; } = Quaternion.Identity;
+
+    /// <summary>The further turn of the last joint.</summary>
+    public Quaternion ChestTurn { get; private set; } = Quaternion.Identity;
+
+    /// <summary>Bends the chain, as seen from the pelvis.</summary>
+    /// <returns>From the pelvis to the joint of the fore legs.</returns>
+    public Vector3 Flex(in TrunkPlan plan)
+    {
+        int foreSlot = body.ForeSlot;
+        float share = 1f / Math.Max(foreSlot, 1);
+        Bend = AxisTurn.YawPitchRoll(plan.BendYaw * share, plan.BendPitch * share, plan.BendRoll * share);
+        ChestTurn = plan.ChestPitch == 0f ? Quaternion.Identity : AxisTurn.Pitch(plan.ChestPitch);
+        Vector3[] rest = Rest;
+        bends[0] = Quaternion.Identity;
+        bent[0] = Vector3.Zero;
+        for (int i = 1; i < bends.Length; i++)
+        {
+            bent[i] = bent[i - 1] + Rotation.Rotate(bends[i - 1], rest[i] - rest[i - 1]);
+            bends[i] = i <= foreSlot ? Rotation.Multiply(bends[i - 1], Bend) : bends[i - 1];
+        }
+
+        int last = bends.Length - 1;
+        if (plan.ChestPitch != 0f && last > 0)
+        {
+            bends[last] = Rotation.Multiply(bends[last], ChestTurn);
+        }
+
+        return bent[foreSlot];
+    }
+
+    /// <summary>Places the bent chain.</summary>
+    public void Apply(in TrunkPlan plan)
+    {
+        Quaternion pelvis = AxisTurn.YawPitchRoll(plan.PelvisYaw, plan.PelvisPitch, plan.PelvisRoll);
+        for (int i = 0; i < bends.Length; i++)
+        {
+            Turns[i] = Rotation.Multiply(pelvis, bends[i]);
+            Positions[i] = plan.Pelvis + Rotation.Rotate(pelvis, bent[i]);
+        }
+    }
+
+    /// <summary>The turn of a joint relative to the one before.</summary>
+    public Quaternion LocalTurn(int slot)
+    {
+        Quaternion turn = slot <= body.ForeSlot ? Bend : Quaternion.Identity;
+        return slot == Turns.Length - 1 ? Rotation.Multiply(turn, ChestTurn) : turn;
+    }
+}

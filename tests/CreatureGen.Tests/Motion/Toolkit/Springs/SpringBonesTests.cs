@@ -1,0 +1,400 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Toolkit.Springs;
+
+public sealed class SpringBonesTests
+{
+    private const int Bones = 6;
+    private static readonly Skeleton skeleton = MovingPose.Chain(Bones + 1, 0.2f, JointLimit.Free);
+    private static readonly SpringRig rig = new(skeleton, new[] { 1 });
+    private static readonly SpringSettings soft = new(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f));
+
+    [Fact]
+    public void At_rest_the_pose_is_the_animated_pose()
+    {
+        var state = new SpringState(rig);
+        MovingPose pose = new(skeleton);
+        for (int i = 0; i < 100; i++)
+        {
+            pose = Step(state, soft, RootPlace.Identity, 1f / 60f);
+        }
+
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            Assert.True(Vec.Distance(skeleton.ModelPositions[i], pose.ModelPositions[i]) < 1e-5f);
+        }
+    }
+
+    [Fact]
+    public void Pushed_sideways_the_tip_lags_swings_through_and_comes_to_rest_with_bones_of_their_length()
+    {
+        var state = new SpringState(rig);
+        MovingPose pose = Step(state, soft, RootPlace.Identity, 1f / 60f);
+        float least = 0f;
+        float most = 0f;
+        for (int i = 0; i < 400; i++)
+        {
+            float x = Math.Min(i / 30f, 1f);
+            pose = Step(state, soft, new RootPlace(new Vector3(x, 0f, 0f), Quaternion.Identity), 1f / 60f);
+            least = Math.Min(least, pose.ModelPositions[^1].X);
+            most = Math.Max(most, pose.ModelPositions[^1].X);
+            for (int k = 1; k < skeleton.Count; k++)
+            {
+                Assert.Equal(0.2f, Vec.Distance(pose.ModelPositions[k], pose.ModelPositions[k - 1]), 1e-6f);
+            }
+        }
+
+        Assert.True(least < -0.02f && most > 0.01f, $"{least} {most}");
+        Assert.True(Math.Abs(pose.ModelPositions[^1].X) < 1e-3f);
+    }
+
+    [Fact]
+    public void At_a_steady_speed_the_chain_is_straight_again()
+    {
+        var state = new SpringState(rig);
+        MovingPose pose = new(skeleton);
+        for (int i = 0; i < 400; i++)
+        {
+            pose = Step(state, soft, new RootPlace(new Vector3(0f, 0f, i * 0.05f), Quaternion.Identity), 1f / 60f);
+        }
+
+        Assert.True(Math.Abs(pose.ModelPositions[^1].Z) < 2e-3f);
+    }
+
+    [Fact]
+    public void Damped_and_hung_from_one_side_a_single_bone_sinks_by_gravity_over_its_frequency_squared()
+    {
+        Skeleton one = MovingPose.Chain(2, 1f, JointLimit.Free);
+        var single = new SpringRig(one, new[] { 1 });
+        var state = new SpringState(single);
+        var settings = new SpringSettings(new ChainCurve(2f), new ChainCurve(1f), gravity: new Vector3(5f, 0f, 0f));
+        MovingPose pose = new(one);
+        for (int i = 0; i < 300; i++)
+        {
+            pose = new MovingPose(one);
+            SpringBones.Update(single, state, settings, RootPlace.Identity, ReadOnlySpan<SpringCollider>.Empty, 1f / 60f, pose.Local, pose.Model);
+        }
+
+        // On the circle: ω² · distance from the goal balances gravity across the bone: ω² · 2 sin(a/2) cos(a/2) = g cos a.
+        double w = 2 * PortableMath.Tau;
+        double tangent = 5 / (w * w);
+        Assert.Equal(tangent, pose.ModelPositions[2].X / (pose.ModelPositions[2].Y - 1f), 2e-3);
+    }
+
+    [Theory]
+    [InlineData(1f / 30f)]
+    [InlineData(1f / 60f)]
+    [InlineData(1f / 144f)]
+    [InlineData(1f / 37f)]
+    public void At_any_frame_rate_the_tip_keeps_within_2_percent_of_the_chain_of_the_finest(float step)
+    {
+        double sum = 0;
+        int count = 0;
+        SpringState fine = new(rig);
+        SpringState coarse = new(rig);
+        float time = 0f;
+        double fineTime = 0;
+        Vector3 expected = default;
+        Step(fine, soft, Running(0f), 0f);
+        Step(coarse, soft, Running(0f), 0f);
+        while (time < 3f)
+        {
+            time += step;
+            while (fineTime < time - 1e-6)
+            {
+                double next = Math.Min(fineTime + (1 / 960.0), time);
+                expected = Step(fine, soft, Running((float)next), (float)(next - fineTime)).ModelPositions[^1];
+                fineTime = next;
+            }
+
+            Vector3 actual = Step(coarse, soft, Running(time), step).ModelPositions[^1];
+            sum += Vec.LengthSquared(actual - expected);
+            count++;
+        }
+
+        Assert.True(Math.Sqrt(sum / count) < 0.02 * rig.Length, $"{Math.Sqrt(sum / count) / rig.Length}");
+    }
+
+    [Theory]
+    [InlineData(0.05f)]
+    [InlineData(20f)]
+    public void A_creature_of_another_size_has_the_same_angles_when_all_accelerations_grow_with_it(float scale)
+    {
+        SpringState own = new(rig);
+        SpringState grown = new(rig);
+        var far = new SpringSettings(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f), teleportDistance: 1e6f);
+        for (int i = 0; i < 120; i++)
+        {
+            RootPlace at = Running(i / 60f);
+            MovingPose a = Step(own, far, at, 1f / 60f);
+            MovingPose b = Step(grown, far, new RootPlace(at.Position * scale, at.Rotation, scale), 1f / 60f);
+            for (int k = 0; k < skeleton.Count; k++)
+            {
+                Assert.True(Vec.Distance(a.ModelPositions[k], b.ModelPositions[k]) < 1e-4f);
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(0f)]
+    [InlineData(1e-6f)]
+    [InlineData(0.001f)]
+    [InlineData(0.1f)]
+    [InlineData(0.25f)]
+    [InlineData(10f)]
+    public void However_long_the_step_and_stiff_the_spring_all_stays_finite_and_within_the_cone(float step)
+    {
+        foreach (float stiffer in new[] { 0f, 1f, 10f, 100f })
+        {
+            var settings = new SpringSettings(new ChainCurve(3f * stiffer), new ChainCurve(0.1f), gravity: new Vector3(0f, -9.81f, 0f));
+            SpringState state = new(rig);
+            for (int i = 0; i < 60; i++)
+            {
+                MovingPose pose = Step(state, settings, Running(i * step), step);
+                for (int k = 1; k < skeleton.Count; k++)
+                {
+                    Assert.Equal(0.2f, Vec.Distance(pose.ModelPositions[k], pose.ModelPositions[k - 1]), 1e-5f);
+                    Assert.True(Rotation.Angle(pose.LocalRotations[k]) < 3.2);
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void A_teleport_a_rebase_and_a_pause_leave_the_shape_as_it_is()
+    {
+        SpringState state = new(rig);
+        MovingPose before = new(skeleton);
+        for (int i = 0; i < 40; i++)
+        {
+            before = Step(state, soft, Running(i / 60f), 1f / 60f);
+        }
+
+        RootPlace here = Running(39f / 60f);
+        MovingPose same = Step(state, soft, here, 0f);
+        AssertClose(before, same, 1e-5f);
+
+        var there = new RootPlace(here.Position + new Vector3(100f, 5f, -30f), here.Rotation);
+        MovingPose after = Step(state, soft, there, 0f);
+        AssertClose(before, after, 1e-5f);
+
+        state.Rebase(new Vector3(-5000f, 0f, 0f));
+        there = new RootPlace(there.Position + new Vector3(-5000f, 0f, 0f), there.Rotation);
+        after = Step(state, soft, there, 0f);
+        AssertClose(before, after, 1e-5f);
+
+        var turned = new RootPlace(there.Position, Rotation.Multiply(Rotation.FromAxisAngle(Vector3.UnitY, 3), there.Rotation));
+        state.Teleport(turned);
+        after = Step(state, soft, turned, 0f);
+        AssertClose(before, after, 1e-4f);
+
+        after = Step(state, soft, new RootPlace(new Vector3(7f), Quaternion.Identity), 5f);
+        AssertClose(before, after, 1e-4f);
+
+        state.Reset();
+        AssertClose(new MovingPose(skeleton), Step(state, soft, RootPlace.Identity, 1f / 60f), 1e-5f);
+    }
+
+    [Fact]
+    public void Without_inertia_the_creature_may_move_as_it_likes()
+    {
+        var calm = new SpringSettings(new ChainCurve(2f), new ChainCurve(0.5f), inertia: 0f);
+        SpringState state = new(rig);
+        for (int i = 0; i < 200; i++)
+        {
+            AssertClose(new MovingPose(skeleton), Step(state, calm, Running(i / 60f), 1f / 60f), 1e-4f);
+        }
+    }
+
+    [Fact]
+    public void Tips_stay_out_of_spheres_capsules_and_the_ground()
+    {
+        var settings = new SpringSettings(new ChainCurve(0f), new ChainCurve(2f), new ChainCurve(0.05f), new Vector3(0f, -9.81f, 0f), 3.14f, 1f);
+        SpringCollider[] colliders =
+        {
+            SpringCollider.Plane(new Vector3(0f, -0.1f, 0f), Vector3.UnitY),
+            SpringCollider.Capsule(-1, new Vector3(0.3f, 0.3f, -1f), new Vector3(0.3f, 0.3f, 1f), 0.15f),
+            SpringCollider.Capsule(0, new Vector3(0f, 0.05f, 0f), new Vector3(0f, 0.05f, 0f), 0.05f),
+        };
+        SpringState state = new(rig);
+        MovingPose pose = new(skeleton);
+        for (int i = 0; i < 600; i++)
+        {
+            pose = new MovingPose(skeleton);
+            pose.LocalRotations[0] = Rotation.FromAxisAngle(Vec.Normalize(new Vector3(0.1f, 0f, -1f)), Math.Min(i / 100.0, 1.5));
+            pose.Chained();
+            SpringBones.Update(rig, state, settings, RootPlace.Identity, colliders, 1f / 60f, pose.Local, pose.Model);
+            for (int k = 2; k < skeleton.Count; k++)
+            {
+                Assert.True(pose.ModelPositions[k].Y > -0.1f + 0.05f - 1e-4f, $"{i} {k} {pose.ModelPositions[k]}");
+            }
+        }
+
+        for (int k = 3; k < skeleton.Count; k++)
+        {
+            Vector3 p = pose.ModelPositions[k];
+            float fromAxis = Vec.Length(new Vector3(p.X - 0.3f, p.Y - 0.3f, 0f));
+            Assert.True(fromAxis > 0.15f + 0.05f - 0.02f, $"{k} {p}");
+        }
+    }
+
+    [Fact]
+    public void The_mirror_image_swings_the_other_way()
+    {
+        SpringState left = new(rig);
+        SpringState right = new(rig);
+        for (int i = 0; i < 120; i++)
+        {
+            RootPlace at = Running(i / 60f);
+            MovingPose a = Step(left, soft, at, 1f / 60f);
+            MovingPose b = Step(right, soft, new RootPlace(Vec.Mirror(at.Position), Rotation.Mirror(at.Rotation)), 1f / 60f);
+            for (int k = 0; k < skeleton.Count; k++)
+            {
+                Assert.True(Vec.Distance(Vec.Mirror(a.ModelPositions[k]), b.ModelPositions[k]) < 1e-5f);
+            }
+        }
+    }
+
+    [Fact]
+    public void Settings_may_change_from_frame_to_frame_without_a_jump()
+    {
+        Assert.InRange(MostStep(true), 0.5f * MostStep(false), 1.5f * MostStep(false));
+
+        static float MostStep(bool changes)
+        {
+            SpringState state = new(rig);
+            MovingPose last = Step(state, soft, Running(0f), 0f);
+            float most = 0f;
+            for (int i = 1; i < 240; i++)
+            {
+                SpringSettings settings = changes && (i / 20) % 2 == 1 ? new SpringSettings(new ChainCurve(4f, 2f), new ChainCurve(0.9f)) : soft;
+                MovingPose now = Step(state, settings, Running(i / 60f), 1f / 60f);
+                most = Math.Max(most, Vec.Distance(now.ModelPositions[^1], last.ModelPositions[^1]));
+                last = now;
+            }
+
+            return most;
+        }
+    }
+
+    [Fact]
+    public void Tails_and_ears_of_fifty_creatures_swing_and_calm_down()
+    {
+        int chains = 0;
+        for (ulong seed = 0; seed < 50; seed++)
+        {
+            Creature creature = CreatureGenerator.Generate(seed);
+            foreach (JointRole role in new[] { JointRole.Tail, JointRole.Ear, JointRole.Antenna })
+            {
+                SpringRig own = SpringRig.Of(creature.Skeleton, role);
+                if (own.Joints.Length == 0)
+                {
+                    continue;
+                }
+
+                chains++;
+                SpringState state = new(own);
+                SpringSettings settings = role switch { JointRole.Tail => SpringSettings.Tail(own.Length), JointRole.Ear => SpringSettings.Ear(own.Length), _ => SpringSettings.Antenna(own.Length) };
+                float swing = 0f;
+                MovingPose pose = new(creature.Skeleton);
+                for (int i = 0; i < 400; i++)
+                {
+                    pose = new MovingPose(creature.Skeleton);
+                    float turn = (float)PortableMath.Sin(Math.Min(i, 100) * 0.1);
+                    var at = new RootPlace(new Vector3(turn * own.Length, 0f, 0f), Rotation.FromAxisAngle(Vector3.UnitY, turn));
+                    SpringBones.Update(own, state, settings, at, ReadOnlySpan<SpringCollider>.Empty, 1f / 60f, pose.Local, pose.Model);
+                    foreach (int joint in own.Joints)
+                    {
+                        swing = Math.Max(swing, (float)MovingPose.Between(creature.Skeleton.LocalRotations[joint], pose.LocalRotations[joint]));
+                    }
+                }
+
+                Assert.True(swing > 0.02f, $"seed {seed} {role}: {swing}");
+                foreach (int joint in own.Joints)
+                {
+                    Assert.True(MovingPose.Between(creature.Skeleton.LocalRotations[joint], pose.LocalRotations[joint]) < 0.03, $"seed {seed} {role}");
+                }
+            }
+        }
+
+        Assert.True(chains > 40);
+    }
+
+    [Fact]
+    public void A_damped_chain_sends_a_turn_down_as_a_wave_and_straightens_again()
+    {
+        int[] joints = { 1, 2, 3, 4, 5, 6 };
+        var remembered = new Quaternion[joints.Length];
+        MovingPose pose = new(skeleton);
+        DampedChain.Reset(joints, RootPlace.Identity, pose.Model, remembered);
+        var turned = new RootPlace(Vector3.Zero, Rotation.FromAxisAngle(Vector3.UnitX, 0.8));
+        int[] arrived = new int[joints.Length];
+        for (int i = 1; i < 300; i++)
+        {
+            pose = new MovingPose(skeleton);
+            DampedChain.Update(skeleton, joints, new ChainCurve(12f), 3f, turned, 1f / 60f, remembered, pose.Local, pose.Model);
+            for (int k = 0; k < joints.Length; k++)
+            {
+                if (arrived[k] == 0 && MovingPose.Between(remembered[k], turned.Rotation) < 0.4)
+                {
+                    arrived[k] = i;
+                }
+            }
+        }
+
+        for (int k = 1; k < joints.Length; k++)
+        {
+            Assert.True(arrived[k] > arrived[k - 1]);
+        }
+
+        AssertClose(new MovingPose(skeleton), pose, 1e-4f);
+        pose = new MovingPose(skeleton);
+        DampedChain.Update(skeleton, joints, new ChainCurve(12f), 0.1f, RootPlace.Identity, 0f, remembered, pose.Local, pose.Model);
+        Assert.All(pose.LocalRotations, q => Assert.True(Rotation.Angle(q) < 0.1001));
+    }
+
+    [Fact]
+    public void Swinging_allocates_nothing_and_refuses_what_is_no_number()
+    {
+        SpringState state = new(rig);
+        MovingPose pose = new(skeleton);
+        SpringCollider[] colliders = { SpringCollider.Plane(Vector3.Zero, Vector3.UnitY) };
+        Assert.Equal(0, MovingPose.Allocated(() => SpringBones.Update(rig, state, soft, RootPlace.Identity, colliders, 1f / 60f, pose.Local, pose.Model)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => SpringBones.Update(rig, state, soft, RootPlace.Identity, colliders, float.NaN, pose.Local, pose.Model));
+        Assert.Throws<ArgumentException>(() => SpringBones.Update(rig, state, soft, default, colliders, 0.1f, pose.Local, pose.Model));
+        Assert.Throws<ArgumentException>(() => SpringBones.Update(rig, new SpringState(new SpringRig(skeleton, new[] { 2 })), soft, RootPlace.Identity, colliders, 0.1f, pose.Local, pose.Model));
+        Assert.Throws<ArgumentException>(() => new SpringRig(skeleton, new[] { 1, 3 }));
+        Assert.Throws<ArgumentException>(() => new RootPlace(new Vector3(float.NaN), Quaternion.Identity));
+        Assert.Throws<ArgumentException>(() => new RootPlace(Vector3.Zero, default));
+        pose.ModelRotations[3].X = float.NaN;
+        Assert.Contains("joint 3", Assert.Throws<ArgumentException>(() => SpringBones.Update(rig, state, soft, RootPlace.Identity, colliders, 0.1f, pose.Local, pose.Model)).Message);
+    }
+
+    /// <summary>Running to and fro with turns.</summary>
+    private static RootPlace Running(float time) => new(
+        new Vector3((float)PortableMath.Sin(2 * time), 0.2f * (float)PortableMath.Sin(5 * time), 1.5f * time),
+        Rotation.FromAxisAngle(Vec.Normalize(new Vector3(0.2f, 1f, 0f)), PortableMath.Sin(3 * time)));
+
+    private static MovingPose Step(SpringState state, in SpringSettings settings, in RootPlace root, float seconds)
+    {
+        MovingPose pose = new(skeleton);
+        SpringBones.Update(rig, state, settings, root, ReadOnlySpan<SpringCollider>.Empty, seconds, pose.Local, pose.Model);
+        return pose;
+    }
+
+    private static void AssertClose(MovingPose expected, MovingPose actual, float tolerance)
+    {
+        for (int i = 0; i < expected.ModelPositions.Length; i++)
+        {
+            Assert.True(Vec.Distance(expected.ModelPositions[i], actual.ModelPositions[i]) < tolerance, $"joint {i}: {expected.ModelPositions[i]} {actual.ModelPositions[i]}");
+        }
+    }
+}

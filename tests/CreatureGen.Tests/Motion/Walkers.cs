@@ -1,0 +1,95 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Motion;
+using CreatureGen.Sampling;
+
+namespace CreatureGen.Tests.Motion;
+
+/// <summary>Creatures to walk with.</summary>
+internal static class Walkers
+{
+    /// <summary>A walking creature of a seed.</summary>
+    public static Creature Any(ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+
+    /// <summary>A creature of a plan.</summary>
+    public static Creature Of(BodyPlan plan, ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with
+    {
+        BodyPlans = BodyPlanWeight.Only(plan),
+    });
+
+    /// <summary>Lets an animator go for a time.</summary>
+    public static void Run(CreatureAnimator animator, float seconds, float rate, MotionInput input, IGround ground)
+    {
+        int frames = (int)Math.Round(seconds * rate);
+        for (int i = 0; i < frames; i++)
+        {
+            animator.Update(1f / rate, input, ground);
+        }
+    }
+
+    /// <summary>Lets an animator go for some frames and measures how well it does.</summary>
+    public static MotionReport Measure(CreatureAnimator animator, int frames, float rate, MotionInput input, IGround ground)
+    {
+        var recorder = new MotionRecorder(animator);
+        for (int i = 0; i < frames; i++)
+        {
+            animator.Update(1f / rate, input, ground);
+            recorder.Record(1f / rate, ground);
+        }
+
+        return recorder.Report();
+    }
+}
+
+/// <summary>Smooth hills, so high and steep as a leg length makes them.</summary>
+internal sealed class Hills : IGround
+{
+    private readonly float length;
+    private readonly float height;
+
+    public Hills(float legLength, float share)
+    {
+        length = legLength;
+        height = share * legLength;
+    }
+
+    public float At(float x, float z) => height * 0.4f * (MathF.Sin((x / length * 2.1f) + 1f) + MathF.Sin(z / length * 3.3f) + MathF.Sin(((x * 1.3f) + (z * 2.2f)) / length));
+
+    public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
+    {
+        float y = At(origin.X, origin.Z);
+        if (origin.Y - y > distance)
+        {
+            hit = default;
+            return false;
+        }
+
+        float e = 0.01f * length;
+        var normal = Vector3.Normalize(new Vector3(-(At(origin.X + e, origin.Z) - At(origin.X - e, origin.Z)) / (2 * e), 1f, -(At(origin.X, origin.Z + e) - At(origin.X, origin.Z - e)) / (2 * e)));
+        hit = new GroundHit(new Vector3(origin.X, y, origin.Z), normal);
+        return true;
+    }
+}
+
+/// <summary>A lift that goes up and sideways and turns.</summary>
+internal sealed class Lift : IMovingGround
+{
+    public RootPlace Place { get; set; } = RootPlace.Identity;
+
+    public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
+    {
+        float y = Place.Position.Y;
+        hit = new GroundHit(new Vector3(origin.X, y, origin.Z), Vector3.UnitY, 3, 7);
+        return origin.Y - y <= distance;
+    }
+
+    public bool TryLocate(int platform, out RootPlace placement)
+    {
+        placement = Place;
+        return platform == 7;
+    }
+}

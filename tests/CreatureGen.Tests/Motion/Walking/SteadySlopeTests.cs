@@ -1,0 +1,165 @@
+using System;
+using System.Numerics;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Trunk;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Walking;
+
+public sealed class SteadySlopeTests
+{
+    private const float Rate = 30f;
+
+    /// <summary>Degrees beyond which frogs' leaps go beyond their shoulders' limits.</summary>
+    private const float SteepestLeap = 17f;
+
+    [Theory]
+    [InlineData(11f)]
+    [InlineData(-11f)]
+    [InlineData(17f)]
+    [InlineData(-17f)]
+    [InlineData(20f)]
+    [InlineData(-20f)]
+    public void Up_and_down_steady_slopes_all_gaits_keep_to_the_limits_of_all_joints_and_stand_on_the_ground(float degrees)
+    {
+        FlatGround ground = Slope(degrees);
+        for (ulong seed = 300; seed < 350; seed++)
+        {
+            var profile = new MotionProfile(Walkers.Any(seed));
+            foreach (Movement movement in Movement.Of(profile))
+            {
+                if (movement.Gait == null || (movement.Gait == GaitLibrary.Leap && Math.Abs(degrees) > SteepestLeap))
+                {
+                    continue;
+                }
+
+                CreatureAnimator animator = movement.Begin(profile, ground);
+                Walkers.Run(animator, 3f, Rate, movement.Input, ground);
+                MotionReport report = Walkers.Measure(animator, 45, Rate, movement.Input, ground);
+                float leg = profile.LegLength;
+                string name = $"{seed} {profile.Creature.Blueprint.Plan} {movement.GaitName}";
+                Assert.True(report.LimitViolations == 0, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
+                Assert.True(report.MeanPenetration <= 0.004f * leg, $"{name}: sunk {report.MeanPenetration / leg} leg lengths");
+                Assert.True(report.Slip <= 0.004f * leg, $"{name}: slip {report.Slip / leg} leg lengths");
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(17f)]
+    [InlineData(-17f)]
+    public void A_run_stays_on_the_slope_at_any_speed(float degrees)
+    {
+        FlatGround ground = Slope(degrees);
+        for (ulong seed = 300; seed < 340; seed++)
+        {
+            var profile = new MotionProfile(Walkers.Any(seed));
+            if (profile.Gaits == null)
+            {
+                continue;
+            }
+
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(new RootPlace(Vector3.Zero, Quaternion.Identity), ground);
+            Walkers.Run(animator, 3f, Rate, new MotionInput(profile.Gaits.TopSpeed), ground);
+            for (int i = 0; i < 30; i++)
+            {
+                animator.Update(1f / Rate, new MotionInput(profile.Gaits.TopSpeed), ground);
+                float above = Above(animator.Root.Position, degrees) / profile.LegLength;
+                Assert.True(Math.Abs(above) < 0.12f, $"{seed}: the root is {above} leg lengths above the slope");
+                for (int k = 0; k < animator.FootCount; k++)
+                {
+                    Assert.True(animator.Foot(k).Phase == FootPhase.Swing || Math.Abs(Above(animator.Foot(k).Place, degrees)) < 1e-3f * profile.LegLength, $"{seed}: foot {k} stands on air");
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void A_body_that_the_game_moves_along_a_slope_is_as_high_above_it_as_one_that_goes_by_itself()
+    {
+        foreach (ulong seed in new ulong[] { 304, 305, 306, 321, 340 })
+        {
+            var profile = new MotionProfile(Walkers.Any(seed));
+            FlatGround ground = Slope(-17f);
+            var own = new CreatureAnimator(profile);
+            var moved = new CreatureAnimator(profile);
+            own.Teleport(RootPlace.Identity, ground);
+            moved.Teleport(RootPlace.Identity, ground);
+            var input = new MotionInput(profile.Gaits!.Speeds[^1].Comfortable);
+            double difference = 0;
+            for (int i = 0; i < 150; i++)
+            {
+                own.Update(1f / Rate, input, ground);
+                moved.Follow(1f / Rate, own.Root, ground);
+                difference += i < 90 ? 0 : Pelvis(own) - Pelvis(moved);
+            }
+
+            Assert.True(Math.Abs(difference / 60) < 0.02f * profile.LegLength, $"{seed}: {difference / 60 / profile.LegLength} leg lengths apart");
+        }
+    }
+
+    [Fact]
+    public void The_longest_stance_is_that_of_the_level_and_never_longer_on_a_slope()
+    {
+        for (ulong seed = 300; seed < 330; seed++)
+        {
+            if (new MotionProfile(Walkers.Any(seed)).Legs is not LeggedBody body)
+            {
+                continue;
+            }
+
+            foreach (Gait gait in new[] { GaitLibrary.Walk, GaitLibrary.Trot, GaitLibrary.TransverseGallop })
+            {
+                SlopeStance stance = SlopeStance.Of(body, gait);
+                Assert.Equal(body.LongestStance(gait), stance.At(0f));
+                float last = stance.At(0f);
+                for (float slope = 0.05f; slope < 0.6f; slope += 0.05f)
+                {
+                    Assert.True(stance.At(slope) <= stance.At(slope - 0.05f) && stance.At(-slope) <= stance.At(0.05f - slope), $"{seed} {gait.Name} at {slope}");
+                }
+
+                Assert.True(last > 0f && stance.At(0.5f) > 0f && stance.At(-0.5f) > 0f);
+            }
+        }
+    }
+
+    [Fact]
+    public void The_slope_is_felt_by_the_line_through_the_feet_and_not_at_all_where_they_are_level()
+    {
+        var feet = new Foot[4];
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i].Base = new Vector3(i % 2, 0.3f, i - 1.5f);
+        }
+
+        GroundSlope slope = default;
+        slope.Reset(feet, 1f);
+        Assert.Equal(0f, slope.Rise, 6);
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i].Base.Y = 0.3f + (0.2f * feet[i].Base.Z);
+        }
+
+        slope.Feel(feet, 1f, 0.1f);
+        Assert.InRange(slope.Rise, 0.01f, 0.19f);
+        for (int i = 0; i < 100; i++)
+        {
+            slope.Feel(feet, 1f, 0.1f);
+        }
+
+        Assert.Equal(0.2f, slope.Rise, 3);
+    }
+
+    private static FlatGround Slope(float degrees) => new(Vector3.Zero, Vector3.Normalize(new Vector3(0f, 1f, -MathF.Tan(degrees * MathF.PI / 180f))));
+
+    private static float Above(Vector3 point, float degrees) => point.Y - (point.Z * MathF.Tan(degrees * MathF.PI / 180f));
+
+    private static float Pelvis(CreatureAnimator animator)
+    {
+        int joint = animator.Profile.Legs!.Trunk[0];
+        return animator.Root.Position.Y + animator.ModelPose.Positions[joint].Y;
+    }
+}
