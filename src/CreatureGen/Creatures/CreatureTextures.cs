@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Appearance;
 using CreatureGen.Appearance.Textures;
+using CreatureGen.Concurrency;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Limbs;
@@ -63,15 +64,16 @@ public sealed class CreatureTextures
         var normals = new Vector3[surface.Positions.Length];
         SurfaceNormals.Smooth(surface.Positions, surface.Triangles, normals);
         EyeFrame eye = EyeSetter.EyeOf(creature.Blueprint, grown);
-        var coat = new CoatPainter(creature.Blueprint.Coat, CoatSubjects.Of(creature.Blueprint, grown, eye));
         var pictures = new AtlasPictures(size);
-        var painter = new TexturePainter(coat, CoatSubjects.ReliefOf(creature.Blueprint), pictures);
-        ChartPacking packing = ChartPacking.Pack(surface);
         PaintSwatches(pictures);
-        Paint(surface, packing, new VertexCoat(coat, surface, normals), painter);
+        ChartPacking packing = ChartPacking.Pack(surface);
+        Paint(surface, packing, new VertexCoat(Coat(), surface, normals), size, PainterOf);
         pictures.Bleed(Math.Max(2, size / 256));
-        pictures.Emboss(1f / (packing.Density * size));
+        ForEachBand(size, rows => pictures.Emboss(1f / (packing.Density * size), rows));
         return new CreatureTextures(pictures);
+
+        CoatPainter Coat() => new(creature.Blueprint.Coat, CoatSubjects.Of(creature.Blueprint, grown, eye));
+        TexturePainter PainterOf(RowBand rows, CoarseColours? coarse) => new(Coat(), CoatSubjects.ReliefOf(creature.Blueprint), pictures, coarse, rows);
     }
 
     /// <summary>
@@ -101,32 +103,52 @@ public sealed class CreatureTextures
         _ => 0.65f,
     };
 
-    /// <summary>The right side shares the texels of the left; few faces of it, if any, find one that is not painted yet.</summary>
-    private static void Paint(Surface surface, ChartPacking packing, VertexCoat coat, TexturePainter painter)
+    /// <summary>Paints band by band. The right side shares the texels of the left; few faces of it, if any, find one that is not painted yet.</summary>
+    private static void Paint(Surface surface, ChartPacking packing, VertexCoat coat, int size, Func<RowBand, CoarseColours?, TexturePainter> painterOf)
     {
         var left = new List<ChartFace>(surface.Faces.Length / 2);
+        var right = new List<int>(surface.Faces.Length / 2);
         for (int f = 0; f < surface.Faces.Length; f++)
         {
-            if (!IsRight(surface, f))
+            if (IsRight(surface, f))
+            {
+                right.Add(f);
+            }
+            else
             {
                 left.Add(ChartFace.Of(surface, packing, f, coat));
-                painter.Sketch(left[^1]);
             }
         }
 
-        foreach (ChartFace face in left)
+        CoarseColours? coarse = size >= CoarseColours.LeastAtlas ? new CoarseColours(size) : null;
+        if (coarse != null)
         {
-            painter.Paint(face);
+            ForEachBand(size, rows => Each(left, painterOf(rows, coarse).Sketch));
         }
 
-        for (int f = 0; f < surface.Faces.Length; f++)
+        ForEachBand(size, rows => Each(left, painterOf(rows, coarse).Paint));
+        TexturePainter last = painterOf(RowBand.All(size), coarse);
+        foreach (int f in right)
         {
-            if (IsRight(surface, f) && HasGap(surface, packing, f, painter))
+            if (HasGap(surface, packing, f, last))
             {
-                painter.Paint(ChartFace.Of(surface, packing, f, coat));
+                last.Paint(ChartFace.Of(surface, packing, f, coat));
             }
         }
     }
+
+    private delegate void FaceAction(in ChartFace face);
+
+    private static void Each(List<ChartFace> faces, FaceAction action)
+    {
+        foreach (ChartFace face in faces)
+        {
+            action(face);
+        }
+    }
+
+    /// <summary>Does something to all bands of rows of a picture, side by side.</summary>
+    private static void ForEachBand(int size, Action<RowBand> action) => IndependentParts.Run(RowBand.Count, band => action(RowBand.Of(size, band)));
 
     private static bool HasGap(Surface surface, ChartPacking packing, int f, TexturePainter painter)
     {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using CreatureGen.Concurrency;
 using CreatureGen.Creatures;
 using CreatureGen.Png;
 
@@ -33,8 +34,18 @@ internal sealed class TextureImages
     public static TextureImages Of(Creature creature, int size)
     {
         CreatureTextures textures = CreatureTextures.Bake(creature, size);
-        return new TextureImages(new[] { Pack(textures.BaseColour, size), Pack(textures.Normal, size), Pack(textures.Roughness, size) });
+        var files = new byte[Names.Count][];
+        IndependentParts.Run(files.Length, picture => files[picture] = Pack(PixelsOf(textures, picture), size));
+        return new TextureImages(files);
     }
+
+    private static ReadOnlySpan<byte> PixelsOf(CreatureTextures textures, int picture) => picture switch
+    {
+        BaseColour => textures.BaseColour,
+        Normal => textures.Normal,
+        Roughness => textures.Roughness,
+        _ => throw new ArgumentOutOfRangeException(nameof(picture), picture, "expected 0..2"),
+    };
 
     private static byte[] Pack(ReadOnlySpan<byte> pixels, int size)
     {

@@ -13,7 +13,13 @@ internal static class DeflateTables
     private static readonly byte[] LengthBits = [0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0];
     private static readonly ushort[] DistanceStart = [1, 2, 3, 4, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129, 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097, 6145, 8193, 12289, 16385, 24577];
     private static readonly byte[] DistanceBits = [0, 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9, 9, 10, 10, 11, 11, 12, 12, 13, 13];
+
+    // Distances up to NearDistances have an entry each in the table of their symbols; of farther ones FarStep in a row have the same symbol and share one.
+    private const int NearDistances = 256;
+    private const int FarStep = 128;
+
     private static readonly byte[] LengthToIndex = MakeLengthToIndex();
+    private static readonly byte[] DistanceToSymbol = MakeDistanceToSymbol();
 
     /// <summary>The order in which the lengths of the code of code lengths are stored.</summary>
     public static ReadOnlySpan<byte> CodeLengthOrder => [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
@@ -34,21 +40,8 @@ internal static class DeflateTables
     public static int ShortestLength(int index) => LengthStart[index];
 
     /// <summary>Symbol of a distance 1..32768.</summary>
-    public static int DistanceSymbol(int distance)
-    {
-        if (distance <= 4)
-        {
-            return distance - 1;
-        }
-
-        int log = 1;
-        while ((distance - 1) >> (log + 1) != 0)
-        {
-            log++;
-        }
-
-        return (2 * log) + (((distance - 1) >> (log - 1)) & 1);
-    }
+    public static int DistanceSymbol(int distance) =>
+        distance <= NearDistances ? DistanceToSymbol[distance - 1] : DistanceToSymbol[NearDistances + ((distance - 1) / FarStep)];
 
     /// <summary>Extra bits of a distance symbol.</summary>
     public static int ExtraDistanceBits(int symbol) => DistanceBits[symbol];
@@ -68,6 +61,23 @@ internal static class DeflateTables
             }
 
             table[length] = (byte)index;
+        }
+
+        return table;
+    }
+
+    private static byte[] MakeDistanceToSymbol()
+    {
+        var table = new byte[NearDistances + (32768 / FarStep)];
+        int symbol = 0;
+        for (int distance = 1; distance <= 32768; distance++)
+        {
+            while (symbol + 1 < DistanceSymbols && DistanceStart[symbol + 1] <= distance)
+            {
+                symbol++;
+            }
+
+            table[distance <= NearDistances ? distance - 1 : NearDistances + ((distance - 1) / FarStep)] = (byte)symbol;
         }
 
         return table;

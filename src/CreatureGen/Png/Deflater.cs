@@ -16,9 +16,11 @@ internal sealed class Deflater
     private const int HashBits = 15;
     private const int TokensPerBlock = 32768;
 
-    // Steps along a chain, and the match length with which the search is content: size against time, measured on pictures.
-    private const int LongestChain = 8;
-    private const int GoodMatch = 130;
+    // Steps along a chain; how few of them are left for what follows a good match; and the length after which nothing better is looked for: size against time, measured on pictures.
+    private const int LongestChain = 16;
+    private const int ShortChain = 4;
+    private const int GoodMatch = 16;
+    private const int LongMatch = 48;
 
     private readonly int[] heads = new int[1 << HashBits];
     private readonly int[] previous = new int[WindowSize];
@@ -41,21 +43,35 @@ internal sealed class Deflater
 
     private void Compress(ReadOnlySpan<byte> bytes, BitSink sink)
     {
-        Array.Fill(heads, -1);
+        Array.Fill(heads, -WindowSize);
         int blockStart = 0;
         int at = 0;
-        int inserted = 0;
         int pendingLength = 0;
         int pendingDistance = 0;
+        int searched = bytes.Length - ShortestMatch;
         while (at < bytes.Length)
         {
-            Insert(bytes, ref inserted, at);
-            int length = Match(bytes, at, pendingLength, out int distance);
-            inserted = Link(bytes, at);
-            if (pendingLength >= ShortestMatch && length <= pendingLength)
+            int length = 0;
+            int distance = 0;
+            if (at <= searched)
+            {
+                int candidate = Link(bytes, at);
+                if (pendingLength < LongMatch)
+                {
+                    length = Match(bytes, at, candidate, pendingLength, out distance);
+                }
+            }
+
+            if (pendingLength > 0 && length <= pendingLength)
             {
                 tokens[tokenCount++] = (pendingLength << 16) | (pendingDistance - 1);
-                at += pendingLength - 1;
+                int end = at - 1 + pendingLength;
+                for (at++; at < Math.Min(end, searched + 1); at++)
+                {
+                    Link(bytes, at);
+                }
+
+                at = end;
                 pendingLength = 0;
             }
             else
@@ -65,24 +81,14 @@ internal sealed class Deflater
                     tokens[tokenCount++] = bytes[at - 1];
                 }
 
-                if (length >= GoodMatch)
-                {
-                    tokens[tokenCount++] = (length << 16) | (distance - 1);
-                    at += length;
-                    pendingLength = 0;
-                }
-                else if (length >= ShortestMatch)
-                {
-                    pendingLength = length;
-                    pendingDistance = distance;
-                    at++;
-                }
-                else
+                if (length == 0)
                 {
                     tokens[tokenCount++] = bytes[at];
-                    pendingLength = 0;
-                    at++;
                 }
+
+                pendingLength = length;
+                pendingDistance = distance;
+                at++;
             }
 
             if (tokenCount >= TokensPerBlock - 2)
@@ -101,44 +107,35 @@ internal sealed class Deflater
         Flush(bytes[blockStart..], sink, DeflateBlockPlace.Last);
     }
 
-    // Enters the positions that a match has stepped over.
-    private void Insert(ReadOnlySpan<byte> bytes, ref int inserted, int at)
-    {
-        while (inserted < at)
-        {
-            inserted = Link(bytes, inserted);
-        }
-    }
-
+    /// <summary>Enters a position into the chain of its four bytes and returns the one before it there.</summary>
     private int Link(ReadOnlySpan<byte> bytes, int at)
     {
-        if (at + ShortestMatch <= bytes.Length)
-        {
-            int hash = Hash(bytes, at);
-            previous[at & (WindowSize - 1)] = heads[hash];
-            heads[hash] = at;
-        }
-
-        return at + 1;
+        uint hash = (BinaryPrimitives.ReadUInt32LittleEndian(bytes.Slice(at)) * 2654435761u) >> (32 - HashBits);
+        int before = heads[hash];
+        previous[at & (WindowSize - 1)] = before;
+        heads[hash] = at;
+        return before;
     }
 
-    private int Match(ReadOnlySpan<byte> bytes, int at, int atLeast, out int distance)
+    /// <summary>The longest match that is longer than another, as far as the chain is followed; 0 for none.</summary>
+    private int Match(ReadOnlySpan<byte> bytes, int at, int candidate, int atLeast, out int distance)
     {
         distance = 0;
-        int most = Math.Min(LongestMatch, bytes.Length - at);
+        ReadOnlySpan<byte> here = bytes.Slice(at, Math.Min(LongestMatch, bytes.Length - at));
         int best = Math.Max(atLeast, ShortestMatch - 1);
-        if (most <= best)
+        if (here.Length <= best)
         {
             return 0;
         }
 
         int found = 0;
-        int candidate = heads[Hash(bytes, at)];
-        ReadOnlySpan<byte> here = bytes.Slice(at, most);
-        for (int step = 0; step < LongestChain && candidate >= 0 && at - candidate <= WindowSize; step++)
+        int oldest = Math.Max(at - WindowSize, 0);
+        uint start = BinaryPrimitives.ReadUInt32LittleEndian(here);
+        uint end = BinaryPrimitives.ReadUInt32LittleEndian(here.Slice(best - 3));
+        for (int left = atLeast >= GoodMatch ? ShortChain : LongestChain; left > 0 && candidate >= oldest; left--)
         {
-            ReadOnlySpan<byte> there = bytes.Slice(candidate, most);
-            if (there[best] == here[best] && there[0] == here[0])
+            ReadOnlySpan<byte> there = bytes.Slice(candidate, here.Length);
+            if (BinaryPrimitives.ReadUInt32LittleEndian(there.Slice(best - 3)) == end && BinaryPrimitives.ReadUInt32LittleEndian(there) == start)
             {
                 int length = CommonPrefix(here, there);
                 if (length > best)
@@ -146,13 +143,16 @@ internal sealed class Deflater
                     best = length;
                     found = length;
                     distance = at - candidate;
-                    if (length >= GoodMatch || length == most)
+                    if (length >= LongMatch || length == here.Length)
                     {
                         break;
                     }
+
+                    end = BinaryPrimitives.ReadUInt32LittleEndian(here.Slice(best - 3));
                 }
             }
 
+            // What a place of the ring held before is older than all that is left in the chain.
             int next = previous[candidate & (WindowSize - 1)];
             if (next >= candidate)
             {
@@ -169,12 +169,6 @@ internal sealed class Deflater
     {
         block.Write(tokens.AsSpan(0, tokenCount), source, sink, place);
         tokenCount = 0;
-    }
-
-    private static int Hash(ReadOnlySpan<byte> bytes, int at)
-    {
-        uint four = (uint)(bytes[at] | (bytes[at + 1] << 8) | (bytes[at + 2] << 16) | (bytes[at + 3] << 24));
-        return (int)((four * 2654435761u) >> (32 - HashBits));
     }
 
     /// <summary>How many bytes two spans of equal length have in common from their start.</summary>

@@ -67,6 +67,12 @@ internal static class BannedUse
         ["System.Runtime.CompilerServices.RuntimeHelpers.GetHashCode"] = "differs in every run",
     };
 
+    /// <summary>The one type that may use threads: it runs parts of a piece of work that know nothing of each other.</summary>
+    private const string ThreadedType = "CreatureGen.Concurrency.IndependentParts";
+
+    /// <summary>The one type that may work on sixteen bytes at a time: on whole numbers every operation is exact.</summary>
+    private const string WideBytesType = "CreatureGen.Png.RowFilters";
+
     /// <summary>Types of which only some members may be used: those that are exact or correctly rounded everywhere.</summary>
     private static readonly Dictionary<string, (string[] Allowed, string Reason)> Partly = new(StringComparer.Ordinal)
     {
@@ -99,7 +105,17 @@ internal static class BannedUse
     /// <summary>Why a use is not allowed; null when it is.</summary>
     public static string? Reason(CompiledUse use)
     {
+        if (use.Outer.FullName == WideBytesType && IsOfWholeNumbers(use.Target))
+        {
+            return null;
+        }
+
         string type = use.TargetName;
+        if (use.Outer.FullName == ThreadedType && type is "System.Threading.Tasks.Parallel" or "System.Environment")
+        {
+            return null;
+        }
+
         string member = use.Target is Type ? "" : use.Target.Name;
         if (Types.TryGetValue(type, out string? reason) || Members.TryGetValue(type + "." + member, out reason))
         {
@@ -126,4 +142,18 @@ internal static class BannedUse
 
         return Hashed.Contains(type) && member is "GetEnumerator" or "get_Keys" or "get_Values" ? HashOrder : null;
     }
+
+    /// <summary>Whether a member or type of vectors has whole numbers in its lanes alone.</summary>
+    private static bool IsOfWholeNumbers(MemberInfo target)
+    {
+        Type[] mentioned = target switch
+        {
+            Type type => [type],
+            MethodInfo method => [method.DeclaringType!, method.ReturnType, .. method.GetParameters().Select(p => p.ParameterType), .. method.GetGenericArguments()],
+            _ => [target.DeclaringType!],
+        };
+        return mentioned.All(t => t.Namespace == "System.Runtime.Intrinsics" || t.Namespace == "System") && !mentioned.SelectMany(Lanes).Any(t => t == typeof(float) || t == typeof(double));
+    }
+
+    private static IEnumerable<Type> Lanes(Type type) => type.IsByRef ? Lanes(type.GetElementType()!) : type.IsGenericType ? type.GetGenericArguments() : [type];
 }

@@ -8,7 +8,7 @@ namespace CreatureGen.Tests.Conventions;
 /// <summary>The files of the repository as they lie in the folder it was cloned to, found upwards from that of the tests.</summary>
 internal static class RepositoryFiles
 {
-    private static readonly string[] NotOurs = [".git", "bin", "obj", "node_modules", "TestResults", "artifacts", "BenchmarkDotNet.Artifacts", ".vs", ".idea"];
+    private static readonly string[] NotOurs = [".git", "bin", "obj", "node_modules", "TestResults", "artifacts", "BenchmarkDotNet.Artifacts", ".vs", ".idea", ".installing"];
 
     /// <summary>The folder that holds the solution.</summary>
     public static string Root { get; } = FindRoot();

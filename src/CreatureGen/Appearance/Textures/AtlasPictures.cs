@@ -70,12 +70,13 @@ internal sealed class AtlasPictures
         }
     }
 
-    /// <summary>Makes the normals of all painted texels from the heights of those beside them.</summary>
+    /// <summary>Makes the normals of all painted texels of some rows from the heights of those beside them.</summary>
     /// <param name="texel">Side of a texel on the surface, metres.</param>
-    public void Emboss(float texel)
+    /// <param name="rows">The rows.</param>
+    public void Emboss(float texel, RowBand rows)
     {
         float perTexel = 1f / texel;
-        for (int row = 0; row < painted.Length; row += Size)
+        for (int row = rows.Top * Size; row < rows.End * Size; row += Size)
         {
             bool upper = row > 0;
             bool lower = row < painted.Length - Size;

@@ -15,6 +15,14 @@ internal struct ChartFace
     /// <summary>The appendage of the corners that have one, else −1.</summary>
     public short Appendage;
 
+    /// <summary>Whether some rows of a picture of so many texels a side may hold texels of the face.</summary>
+    public readonly bool Touches(int size, RowBand rows)
+    {
+        float top = Math.Min(Math.Min(A.Picture.Y, B.Picture.Y), Math.Min(C.Picture.Y, D.Picture.Y)) * size;
+        float bottom = Math.Max(Math.Max(A.Picture.Y, B.Picture.Y), Math.Max(C.Picture.Y, D.Picture.Y)) * size;
+        return top <= rows.End + 1f && bottom >= rows.Top - 1f;
+    }
+
     /// <summary>Prepares a face.</summary>
     public static ChartFace Of(Surface surface, ChartPacking packing, int face, VertexCoat coat)
     {

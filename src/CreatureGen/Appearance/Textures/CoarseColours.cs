@@ -13,6 +13,9 @@ internal sealed class CoarseColours
     /// <summary>Linear RGB, and 1 where there is one.</summary>
     private readonly Vector4[] texels;
 
+    /// <summary>From so many texels a side on, the coat of an atlas is worked out at half its size.</summary>
+    public const int LeastAtlas = 1024;
+
     /// <summary>No colours yet, for an atlas of so many texels a side.</summary>
     public CoarseColours(int atlasSize)
     {
@@ -20,7 +23,7 @@ internal sealed class CoarseColours
         texels = new Vector4[size * size];
     }
 
-    /// <summary>Texels along a side.</summary>
+    /// <summary>Texels along a side: half as many as the atlas has.</summary>
     public int Size => size;
 
     /// <summary>Whether a texel has its colour.</summary>

@@ -5,30 +5,35 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance.Textures;
 
-/// <summary>Paints the faces of a surface into the three pictures of an atlas, texel by texel.</summary>
+/// <summary>Paints the faces of a surface into some rows of the three pictures of an atlas, texel by texel. Each thread needs its own.</summary>
 /// <remarks>Each texel is a place of the surface: what it shows depends on that place alone, so neither the order of the faces nor the seams between charts can be seen.</remarks>
 internal sealed class TexturePainter
 {
-    /// <summary>From here on the coat is worked out at half the size.</summary>
-    private const int LargeAtlas = 1024;
-
     private readonly CoatBetween coat;
     private readonly SkinRelief relief;
     private readonly AtlasPictures pictures;
     private readonly CoarseColours? coarse;
+    private readonly RowBand rows;
 
-    public TexturePainter(CoatPainter coat, SkinRelief relief, AtlasPictures pictures)
+    /// <summary>A painter.</summary>
+    /// <param name="coat">The coat.</param>
+    /// <param name="relief">What covers the skin.</param>
+    /// <param name="pictures">What to paint.</param>
+    /// <param name="coarse">The coat at half the size, which all painters share; null to work it out at each texel.</param>
+    /// <param name="rows">The rows to paint; even numbers where there are coarse colours.</param>
+    public TexturePainter(CoatPainter coat, SkinRelief relief, AtlasPictures pictures, CoarseColours? coarse, RowBand rows)
     {
         this.coat = new CoatBetween(coat);
         this.relief = relief;
         this.pictures = pictures;
-        coarse = pictures.Size >= LargeAtlas ? new CoarseColours(pictures.Size) : null;
+        this.coarse = coarse;
+        this.rows = rows;
     }
 
     /// <summary>Works out the coat of a face before it is painted, where the atlas is so large that it can be coarser. A face that was left out is only slower to paint.</summary>
     public void Sketch(in ChartFace face)
     {
-        if (coarse != null)
+        if (coarse != null && face.Touches(pictures.Size, rows))
         {
             Sketch(face.A, face.B, face.C, face.Appendage, coarse);
             Sketch(face.A, face.C, face.D, face.Appendage, coarse);
@@ -38,8 +43,11 @@ internal sealed class TexturePainter
     /// <summary>Paints the texels whose middles lie in a face and that no other has painted.</summary>
     public void Paint(in ChartFace face)
     {
-        Paint(face.A, face.B, face.C, face.Appendage);
-        Paint(face.A, face.C, face.D, face.Appendage);
+        if (face.Touches(pictures.Size, rows))
+        {
+            Paint(face.A, face.B, face.C, face.Appendage);
+            Paint(face.A, face.C, face.D, face.Appendage);
+        }
     }
 
     /// <summary>Whether there is a texel to paint in a face.</summary>
@@ -50,21 +58,21 @@ internal sealed class TexturePainter
     public bool HasGap(Vector2 a, Vector2 b, Vector2 c, Vector2 d)
     {
         var gap = new Gap(pictures);
-        TriangleRaster.Fill(pictures.Size, a, b, c, ref gap);
-        TriangleRaster.Fill(pictures.Size, a, c, d, ref gap);
+        TriangleRaster.Fill(pictures.Size, rows, a, b, c, ref gap);
+        TriangleRaster.Fill(pictures.Size, rows, a, c, d, ref gap);
         return gap.Found;
     }
 
     private void Sketch(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, CoarseColours colours)
     {
         var pencil = new Pencil(coat, colours, a, b, c, appendage);
-        TriangleRaster.Fill(colours.Size, a.Picture, b.Picture, c.Picture, ref pencil);
+        TriangleRaster.Fill(colours.Size, new RowBand(rows.Top / 2, rows.End / 2), a.Picture, b.Picture, c.Picture, ref pencil);
     }
 
     private void Paint(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage)
     {
         var brush = new Brush(this, a, b, c, appendage);
-        TriangleRaster.Fill(pictures.Size, a.Picture, b.Picture, c.Picture, ref brush);
+        TriangleRaster.Fill(pictures.Size, rows, a.Picture, b.Picture, c.Picture, ref brush);
     }
 
     /// <summary>How much of the skin's cover a region wears.</summary>

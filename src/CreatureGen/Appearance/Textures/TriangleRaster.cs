@@ -18,11 +18,12 @@ internal static class TriangleRaster
 {
     /// <summary>Gives the texels to a sink, row by row.</summary>
     /// <param name="size">Texels along a side of the picture.</param>
+    /// <param name="rows">The rows to look at.</param>
     /// <param name="a">First corner, in parts of the side from the left and from the top.</param>
     /// <param name="b">Second corner.</param>
     /// <param name="c">Third corner.</param>
     /// <param name="sink">Takes them.</param>
-    public static void Fill<TSink>(int size, Vector2 a, Vector2 b, Vector2 c, ref TSink sink)
+    public static void Fill<TSink>(int size, RowBand rows, Vector2 a, Vector2 b, Vector2 c, ref TSink sink)
         where TSink : struct, ITexelSink
     {
         Vector2 pa = a * size;
@@ -34,8 +35,8 @@ internal static class TriangleRaster
             return;
         }
 
-        int top = Math.Max(0, (int)Math.Floor(Math.Min(pa.Y, Math.Min(pb.Y, pc.Y)) - 0.5));
-        int bottom = Math.Min(size - 1, (int)Math.Ceiling(Math.Max(pa.Y, Math.Max(pb.Y, pc.Y)) - 0.5));
+        int top = Math.Max(rows.Top, (int)Math.Floor(Math.Min(pa.Y, Math.Min(pb.Y, pc.Y)) - 0.5));
+        int bottom = Math.Min(rows.End - 1, (int)Math.Ceiling(Math.Max(pa.Y, Math.Max(pb.Y, pc.Y)) - 0.5));
         int left = Math.Max(0, (int)Math.Floor(Math.Min(pa.X, Math.Min(pb.X, pc.X)) - 0.5));
         int right = Math.Min(size - 1, (int)Math.Ceiling(Math.Max(pa.X, Math.Max(pb.X, pc.X)) - 0.5));
         for (int y = top; y <= bottom; y++)
