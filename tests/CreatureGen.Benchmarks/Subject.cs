@@ -12,6 +12,7 @@ using CreatureGen.Limbs;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
+using CreatureGen.Species;
 
 namespace CreatureGen.Benchmarks;
 

@@ -6,43 +6,80 @@ namespace CreatureGen.Anatomy;
 /// <summary>The names of the base bodies, nine families and then their species, as blueprints and options use them.</summary>
 public static class BaseBodyNames
 {
-    private const int Families = 9;
-
-    private static readonly string[] all =
+    private static readonly (string Name, string Family)[] bodies =
     {
-        "canine", "bovine", "feline", "reptile", "avian", "fish", "insect", "serpent", "amphibian",
-        "beetle", "ant", "wasp", "mantis", "hopper", "spider", "centipede", "butterfly", "dragonfly", "bee", "moth",
-        "shark", "ray", "angler", "turtle", "plesiosaur", "crocodile", "seal", "newt", "eel", "dolphin", "puffer", "swordfish",
-        "duck", "raptor", "ostrich", "parrot", "heron", "owl", "penguin", "toucan",
-        "frog", "cobra",
-        "lion", "hyena", "boar", "horse", "bison", "camel", "bear", "rhino", "rabbit",
-        "bat", "pterosaur", "ceratops", "lizard",
-    };
-
-    /// <summary>Family of each species, in the order of <see cref="all"/> behind the families.</summary>
-    private static readonly string[] families =
-    {
-        "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect", "insect",
-        "fish", "fish", "fish", "reptile", "reptile", "reptile", "canine", "amphibian", "serpent", "fish", "fish", "fish",
-        "avian", "avian", "avian", "avian", "avian", "avian", "avian", "avian",
-        "amphibian", "serpent",
-        "feline", "canine", "bovine", "bovine", "bovine", "bovine", "canine", "bovine", "canine",
-        "canine", "reptile", "reptile", "reptile",
+        ("canine", "canine"),
+        ("bovine", "bovine"),
+        ("feline", "feline"),
+        ("reptile", "reptile"),
+        ("avian", "avian"),
+        ("fish", "fish"),
+        ("insect", "insect"),
+        ("serpent", "serpent"),
+        ("amphibian", "amphibian"),
+        ("beetle", "insect"),
+        ("ant", "insect"),
+        ("wasp", "insect"),
+        ("mantis", "insect"),
+        ("hopper", "insect"),
+        ("spider", "insect"),
+        ("centipede", "insect"),
+        ("butterfly", "insect"),
+        ("dragonfly", "insect"),
+        ("bee", "insect"),
+        ("moth", "insect"),
+        ("shark", "fish"),
+        ("ray", "fish"),
+        ("angler", "fish"),
+        ("turtle", "reptile"),
+        ("plesiosaur", "reptile"),
+        ("crocodile", "reptile"),
+        ("seal", "canine"),
+        ("newt", "amphibian"),
+        ("eel", "serpent"),
+        ("dolphin", "fish"),
+        ("puffer", "fish"),
+        ("swordfish", "fish"),
+        ("duck", "avian"),
+        ("raptor", "avian"),
+        ("ostrich", "avian"),
+        ("parrot", "avian"),
+        ("heron", "avian"),
+        ("owl", "avian"),
+        ("penguin", "avian"),
+        ("toucan", "avian"),
+        ("frog", "amphibian"),
+        ("cobra", "serpent"),
+        ("lion", "feline"),
+        ("hyena", "canine"),
+        ("boar", "bovine"),
+        ("horse", "bovine"),
+        ("bison", "bovine"),
+        ("camel", "bovine"),
+        ("bear", "canine"),
+        ("rhino", "bovine"),
+        ("rabbit", "canine"),
+        ("bat", "canine"),
+        ("pterosaur", "reptile"),
+        ("ceratops", "reptile"),
+        ("lizard", "reptile"),
     };
 
     /// <summary>All names, in a fixed order.</summary>
-    public static IReadOnlyList<string> All { get; } = Array.AsReadOnly(all);
+    public static IReadOnlyList<string> All { get; } = Array.AsReadOnly(Array.ConvertAll(bodies, body => body.Name));
 
     /// <summary>The base body whose kin a body is: one of the first nine names; of those their own.</summary>
     /// <exception cref="ArgumentException">There is no body of this name.</exception>
     public static string FamilyOf(string name)
     {
-        int index = Array.IndexOf(all, name);
-        if (index < 0)
+        foreach ((string known, string family) in bodies)
         {
-            throw new ArgumentException($"base body \"{name}\"; expected one of " + string.Join(", ", all), nameof(name));
+            if (string.Equals(known, name, StringComparison.Ordinal))
+            {
+                return family;
+            }
         }
 
-        return index < Families ? all[index] : families[index - Families];
+        throw new ArgumentException($"base body \"{name}\"; expected one of " + string.Join(", ", All), nameof(name));
     }
 }

@@ -1,6 +1,7 @@
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
+using CreatureGen.Species;
 
 namespace CreatureGen.Bodies;
 
@@ -13,9 +14,9 @@ internal static class BodyBlender
     /// <summary>The stations of the mixed body.</summary>
     public static BodyStations Blend(BodyBlueprint body)
     {
-        BaseBody a = BaseBodies.Find(body.Blend.First);
-        BaseBody b = BaseBodies.Find(body.Blend.Second);
-        BaseBody c = BaseBodies.Find(body.Blend.Third);
+        BodyTable a = SpeciesCatalogue.Find(body.Blend.First).Table;
+        BodyTable b = SpeciesCatalogue.Find(body.Blend.Second).Table;
+        BodyTable c = SpeciesCatalogue.Find(body.Blend.Third).Table;
         double w = body.Blend.SecondWeight;
         double v = body.Blend.ThirdWeight;
         var s = new BodyStations

@@ -1,10 +1,10 @@
+using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
 using CreatureGen.Appearance.Textures;
 using CreatureGen.Blueprints;
-using CreatureGen.Bodies;
 using CreatureGen.Features;
 using CreatureGen.Limbs;
-using CreatureGen.Anatomy;
+using CreatureGen.Species;
 
 namespace CreatureGen.Creatures;
 
@@ -14,7 +14,7 @@ internal static class CoatSubjects
     /// <summary>The subject of a creature's coat.</summary>
     public static CoatSubject Of(CreatureBlueprint blueprint, GrownSurface grown, EyeFrame eye)
     {
-        string family = BaseBodies.Find(blueprint.Body.Blend.First).Family;
+        string family = SpeciesCatalogue.Find(blueprint.Body.Blend.First).Family;
         var wings = new WingStyle[grown.Appendages.Count];
         for (int i = 0; i < blueprint.Wings.Count; i++)
         {
@@ -43,7 +43,7 @@ internal static class CoatSubjects
             "bee" or "moth" => (SkinCover.Fur, 0.022f),
             "shark" or "ray" or "dolphin" or "puffer" => (SkinCover.Wrinkles, 0.022f),
             "angler" or "pterosaur" or "rhino" => (SkinCover.Wrinkles, 0.05f),
-            _ => CoverOf(BaseBodies.Find(body).Family, blueprint.Plan),
+            _ => CoverOf(SpeciesCatalogue.Find(body).Family, blueprint.Plan),
         };
         return new SkinRelief(cover, size, unchecked((blueprint.Coat.PatternSeed * 16) + 12));
     }

@@ -3,11 +3,11 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
 using CreatureGen.Blueprints;
-using CreatureGen.Bodies;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Limbs;
 using CreatureGen.Rigging;
+using CreatureGen.Species;
 
 namespace CreatureGen.Creatures;
 
@@ -103,7 +103,7 @@ internal static class EyeSetter
             return Rim.Bare;
         }
 
-        return BaseBodies.Find(blueprint.Body.Blend.First).Family switch
+        return SpeciesCatalogue.Find(blueprint.Body.Blend.First).Family switch
         {
             "insect" => Rim.Bare,
             "fish" or "serpent" => Rim.Still,

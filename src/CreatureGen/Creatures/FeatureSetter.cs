@@ -9,6 +9,7 @@ using CreatureGen.Geometry;
 using CreatureGen.Limbs;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
+using CreatureGen.Species;
 
 namespace CreatureGen.Creatures;
 
@@ -42,7 +43,7 @@ internal sealed class FeatureSetter
         this.coat = coat;
         palette = coat.Palette;
         this.normals = normals;
-        family = BaseBodies.Find(blueprint.Body.Blend.First).Family;
+        family = SpeciesCatalogue.Find(blueprint.Body.Blend.First).Family;
         appendages = new List<Appendage>(grown.Appendages);
     }
 

@@ -2,7 +2,13 @@ using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Sampling.Coats;
+using CreatureGen.Sampling.Features;
+using CreatureGen.Sampling.Individuals;
+using CreatureGen.Sampling.Limbs;
+using CreatureGen.Sampling.Shapes;
 using CreatureGen.Seeding;
+using CreatureGen.Species;
 
 namespace CreatureGen.Sampling;
 
@@ -36,11 +42,11 @@ public static class BlueprintSampler
         for (int attempt = 0; attempt < Attempts; attempt++)
         {
             var root = new Seed(seed);
-            CreatureDraft? draft = Stand(attempt == 0 ? root : root.Child("attempt").Child(attempt), choice, options);
-            if (draft != null)
+            CreatureBuilder? builder = Stand(attempt == 0 ? root : root.Child("attempt").Child(attempt), choice, options);
+            if (builder != null)
             {
-                CreatureBlueprint type = Finish(seed, draft, options, out sockets);
-                return options.Individual is ulong individual ? IndividualSampler.Vary(type, draft, IndividualTraits.Draw(root, individual), options) : type;
+                CreatureBlueprint type = Finish(seed, builder, options, out sockets);
+                return options.Individual is ulong individual ? IndividualSampler.Vary(type, builder, IndividualTraits.Draw(root, individual), options) : type;
             }
         }
 
@@ -50,56 +56,56 @@ public static class BlueprintSampler
     }
 
     /// <summary>Draws body and legs; null when the number of limbs is not what the options ask for.</summary>
-    private static CreatureDraft? Stand(Seed root, PlanChoice choice, CreatureOptions options)
+    private static CreatureBuilder? Stand(Seed root, PlanChoice choice, CreatureOptions options)
     {
         LocomotionKind kind = choice.Kind(root.Child("kind").Stream());
         SpeciesProfile species = choice.Species(root.Child("family").Stream(), kind);
         BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, species);
         for (int change = 0; ; change++)
         {
-            var draft = new CreatureDraft(root, kind, species, plan);
-            BodySampler.Sample(draft);
-            StanceSampler.Settle(draft);
-            BodyPlan? other = LegSampler.Sample(draft);
+            var builder = new CreatureBuilder(root, kind, species, plan);
+            BodySampler.Sample(builder);
+            StanceSampler.Settle(builder);
+            BodyPlan? other = LegSampler.Sample(builder);
             if (other is BodyPlan next && change < PlanChanges && choice.Allows(species, next))
             {
                 plan = next;
                 continue;
             }
 
-            bool fits = other == null && draft.Legs.Count >= options.MinLegPairs && draft.Legs.Count <= options.MaxLegPairs;
-            return fits ? draft : null;
+            bool fits = other == null && builder.Legs.Count >= options.MinLegPairs && builder.Legs.Count <= options.MaxLegPairs;
+            return fits ? builder : null;
         }
     }
 
-    private static CreatureBlueprint Finish(ulong seed, CreatureDraft draft, CreatureOptions options, out SocketTally sockets)
+    private static CreatureBlueprint Finish(ulong seed, CreatureBuilder builder, CreatureOptions options, out SocketTally sockets)
     {
-        FinSampler.Sample(draft);
-        int refused = draft.Sockets.Refusals;
-        HeadSampler.AddEars(draft);
-        sockets = new SocketTally(refused, draft.Sockets.Refusals - refused, draft.Sockets.TakenCells);
-        FeatureSampler.Sample(draft, options.Ornaments);
-        HeadBlueprint head = HeadSampler.Sample(draft);
-        CoatBlueprint coat = CoatSampler.Sample(draft, options.Palette);
-        double scale = draft.Stream("scale").Uniform(options.MinScale, options.MaxScale);
+        FinSampler.Sample(builder);
+        int refused = builder.Sockets.Refusals;
+        HeadSampler.AddEars(builder);
+        sockets = new SocketTally(refused, builder.Sockets.Refusals - refused, builder.Sockets.TakenCells);
+        FeatureSampler.Sample(builder, options.Ornaments);
+        HeadBlueprint head = HeadSampler.Sample(builder);
+        CoatBlueprint coat = CoatSampler.Sample(builder, options.Palette);
+        double scale = builder.Stream("scale").Uniform(options.MinScale, options.MaxScale);
         return new CreatureBlueprint(
             CreatureBlueprint.CurrentAlgorithm,
             seed,
-            draft.Kind,
-            draft.Plan,
+            builder.Kind,
+            builder.Plan,
             scale,
             options.TriangleBudget,
-            draft.Body,
+            builder.Body,
             head,
-            draft.Tail,
-            new ValueList<LegBlueprint>(draft.Legs),
-            new ValueList<WingBlueprint>(draft.Wings),
-            new ValueList<InsectWingBlueprint>(draft.InsectWings),
-            new ValueList<FinBlueprint>(draft.Fins),
-            new ValueList<EarBlueprint>(draft.Ears),
-            new ValueList<FeatureBlueprint>(draft.Features),
-            new ValueList<ManeBlueprint>(draft.Manes),
-            new ValueList<FrillBlueprint>(draft.Frills),
+            builder.Tail,
+            new ValueList<LegBlueprint>(builder.Legs),
+            new ValueList<WingBlueprint>(builder.Wings),
+            new ValueList<InsectWingBlueprint>(builder.InsectWings),
+            new ValueList<FinBlueprint>(builder.Fins),
+            new ValueList<EarBlueprint>(builder.Ears),
+            new ValueList<FeatureBlueprint>(builder.Features),
+            new ValueList<ManeBlueprint>(builder.Manes),
+            new ValueList<FrillBlueprint>(builder.Frills),
             coat);
     }
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Seeding;
+using CreatureGen.Species;
 
 namespace CreatureGen.Sampling;
 
@@ -127,7 +128,7 @@ internal sealed class PlanChoice
     private double FactorOf(SpeciesProfile species, BodyPlan plan)
     {
         (int least, int most) = PairsOf(plan);
-        if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegKit own)
+        if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegPreset own)
         {
             least = most = own.Sites.Length + own.Arms.Length;
         }

@@ -3,9 +3,9 @@ using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
-using CreatureGen.Bodies;
 using CreatureGen.Seeding;
 using Xunit;
+using CreatureGen.Species;
 
 namespace CreatureGen.Tests.Blueprints;
 
@@ -179,7 +179,7 @@ public sealed class BlueprintValidatorTests
     [Fact]
     public void Known_names_are_those_of_the_base_bodies()
     {
-        Assert.Equal(BaseBodies.All.Select(body => body.Name), BaseBodyNames.All);
+        Assert.Equal(SpeciesCatalogue.All.Select(species => species.Body), BaseBodyNames.All);
     }
 
     [Fact]

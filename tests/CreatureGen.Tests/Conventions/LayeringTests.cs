@@ -116,7 +116,7 @@ public sealed partial class LayeringTests
         string code = SourceText.CodeOf(source);
         foreach (Match match in QualifiedName().Matches(code))
         {
-            // The longest room that the name begins with: in CreatureGen.Limbs.Attachment.LegRules that is Limbs/Attachment.
+            // The longest room that the name begins with: in CreatureGen.Appearance.Textures.Texels that is Appearance.
             // A door is no room: what is used of it is found in the compiled code.
             string name = match.Groups[1].Value.Replace('.', '/') + "/";
             string? other = Folders.FolderOf(match.Value) is string folder ? table.RoomOf(folder) : table.Rooms.Where(r => name.StartsWith(r + "/", StringComparison.Ordinal)).MaxBy(r => r.Length);

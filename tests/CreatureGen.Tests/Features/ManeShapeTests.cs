@@ -10,6 +10,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Sampling;
+using CreatureGen.Species;
 using CreatureGen.Tests.Sampling;
 using Xunit;
 
@@ -77,7 +78,7 @@ public sealed class ManeShapeTests
     [Fact]
     public void Locks_of_all_kits_are_at_least_four_times_as_long_as_wide()
     {
-        foreach (ManeKit kit in new[] { NeckKits.Ruff, NeckKits.Falling, NeckKits.Bristles, NeckKits.Shag, NeckKits.Beard })
+        foreach (ManePreset kit in new[] { NeckPresets.Ruff, NeckPresets.Falling, NeckPresets.Bristles, NeckPresets.Shag, NeckPresets.Beard })
         {
             Assert.All(kit.Fields, mane => Assert.True(mane.Length >= 4 * 2 * mane.Width, $"{mane}"));
         }

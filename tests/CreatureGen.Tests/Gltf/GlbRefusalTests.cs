@@ -1,12 +1,13 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Numerics;
-using System;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
+using CreatureGen.Species;
 using Xunit;
 
 namespace CreatureGen.Tests.Gltf;

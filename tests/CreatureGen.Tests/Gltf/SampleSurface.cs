@@ -1,10 +1,11 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
-using System;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
+using CreatureGen.Species;
 
 namespace CreatureGen.Tests.Gltf;
 

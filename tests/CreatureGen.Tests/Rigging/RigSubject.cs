@@ -9,6 +9,7 @@ using CreatureGen.Limbs;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
+using CreatureGen.Species;
 using Xunit;
 
 namespace CreatureGen.Tests.Rigging;

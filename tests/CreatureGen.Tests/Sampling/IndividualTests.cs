@@ -6,6 +6,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Sampling;
+using CreatureGen.Sampling.Individuals;
 using CreatureGen.Seeding;
 using Xunit;
 

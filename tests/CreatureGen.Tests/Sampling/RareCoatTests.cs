@@ -5,6 +5,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
 using CreatureGen.Blueprints;
 using CreatureGen.Sampling;
+using CreatureGen.Sampling.Coats;
 using CreatureGen.Seeding;
 using Xunit;
 

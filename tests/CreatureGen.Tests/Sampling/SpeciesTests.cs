@@ -12,6 +12,7 @@ using CreatureGen.Geometry;
 using CreatureGen.Inspection;
 using CreatureGen.Limbs;
 using CreatureGen.Sampling;
+using CreatureGen.Species;
 using Xunit;
 
 namespace CreatureGen.Tests.Sampling;
@@ -47,10 +48,16 @@ public sealed class SpeciesTests
     [Fact]
     public void Every_body_has_a_profile_and_every_profile_a_body()
     {
-        Assert.Equal(BaseBodyNames.All.Order(StringComparer.Ordinal), SpeciesCatalogue.All.Select(species => species.Body).Order(StringComparer.Ordinal));
+        Assert.Equal(BaseBodyNames.All, SpeciesCatalogue.All.Select(species => species.Body));
         foreach (SpeciesProfile species in SpeciesCatalogue.All)
         {
-            Assert.Equal(BaseBodies.Find(species.Body).Family, species.Family);
+            Assert.Equal(BaseBodyNames.FamilyOf(species.Body), species.Family);
+            Assert.Same(species, SpeciesCatalogue.Find(species.Body));
+        }
+
+        foreach (SpeciesProfile species in SpeciesCatalogue.All)
+        {
+            Assert.Equal(1, SpeciesCatalogue.All.Count(other => ReferenceEquals(other.Table, species.Table)));
         }
     }
 
@@ -69,12 +76,13 @@ public sealed class SpeciesTests
     [Fact]
     public void Tables_are_sections_that_can_be_mixed()
     {
-        foreach (BaseBody body in BaseBodies.All)
+        foreach (SpeciesProfile species in SpeciesCatalogue.All)
         {
+            BodyTable body = species.Table;
             for (int i = 0; i < BodyGrid.StationCount; i++)
             {
-                Assert.True(body.Width[i] is >= 0.004 and < 0.8 && body.Top[i] is >= 0.004 and < 0.8 && body.Bottom[i] is >= 0.004 and < 0.8, $"{body.Name} station {i}");
-                Assert.True(i == 0 ? body.Length[i] == 0 : body.Length[i] is > 0.01 and < 0.6, $"{body.Name} station {i}");
+                Assert.True(body.Width[i] is >= 0.004 and < 0.8 && body.Top[i] is >= 0.004 and < 0.8 && body.Bottom[i] is >= 0.004 and < 0.8, $"{species.Body} station {i}");
+                Assert.True(i == 0 ? body.Length[i] == 0 : body.Length[i] is > 0.01 and < 0.6, $"{species.Body} station {i}");
                 Assert.InRange(body.Pitch[i], -Math.PI / 1.7, Math.PI / 1.7);
             }
         }
@@ -91,8 +99,8 @@ public sealed class SpeciesTests
     [Fact]
     public void A_mix_lies_between_its_bodies()
     {
-        BaseBody a = BaseBodies.Find("shark");
-        BaseBody b = BaseBodies.Find("owl");
+        BodyTable a = SpeciesCatalogue.Find("shark").Table;
+        BodyTable b = SpeciesCatalogue.Find("owl").Table;
         BodyStations mixed = BodyBlender.Blend(BodyFields.Body.Neutral with { Blend = new BodyBlend("shark", "owl", "owl", 0.3, 0.2) });
         BodyStations pure = BodyBlender.Blend(BodyFields.Body.Neutral with { Blend = new BodyBlend("shark", "owl", "owl", 0, 0) });
         for (int i = 0; i < BodyGrid.StationCount; i++)

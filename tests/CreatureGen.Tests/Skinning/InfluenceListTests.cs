@@ -3,6 +3,7 @@ using System.Linq;
 using System.Numerics;
 using CreatureGen.Seeding;
 using CreatureGen.Skinning;
+using CreatureGen.Species;
 using Xunit;
 
 namespace CreatureGen.Tests.Skinning;

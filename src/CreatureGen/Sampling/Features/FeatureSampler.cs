@@ -1,0 +1,282 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Features;
+
+/// <summary>Draws ornaments, at most one kind on the head and one on the back, so that a creature looks designed.</summary>
+internal static class FeatureSampler
+{
+    /// <summary>Metres between the tip of a part and the ground.</summary>
+    private const double Clearance = 0.045;
+
+    /// <summary>First ring of the end of the tail.</summary>
+    private const int TailEndRing = 46;
+
+    /// <summary>Fills in the features of the creature, as many as are asked for.</summary>
+    public static void Sample(CreatureBuilder builder, OrnamentLevel level)
+    {
+        double plenty = level switch { OrnamentLevel.None => 0, OrnamentLevel.Sparse => 0.4, OrnamentLevel.Rich => 2, _ => 1 };
+        double head = builder.Shape.Width[13];
+        if (builder.Species.Parts is PartSlot[] slots)
+        {
+            OwnParts(builder, slots, plenty, builder.Stream("own parts"));
+            return;
+        }
+
+        if (builder.Species.Family == "insect")
+        {
+            InsectHead(builder, builder.Stream("insect head"));
+            return;
+        }
+
+        bool horned = Horns(builder, head, plenty, builder.Stream("horns"));
+        horned |= !horned && NeckSampler.Collar(builder, plenty, builder.Stream("collar"));
+        Tuft(builder, head, horned, plenty, builder.Stream("tuft"));
+        if (!horned)
+        {
+            Tusks(builder, head, plenty, builder.Stream("tusks"));
+        }
+
+        if (!NeckSampler.Hair(builder, plenty, builder.Stream("hair")))
+        {
+            Back(builder, horned, plenty, builder.Stream("back"));
+        }
+
+        TailEnd(builder, plenty, builder.Stream("tail end"));
+    }
+
+    /// <summary>From each slot of a species one choice.</summary>
+    private static void OwnParts(CreatureBuilder builder, PartSlot[] slots, double plenty, RandomStream random)
+    {
+        double head = builder.Proportions.Head;
+        foreach (PartSlot slot in slots)
+        {
+            double[] weights = new double[slot.Choices.Length];
+            for (int i = 0; i < weights.Length; i++)
+            {
+                weights[i] = slot.Choices[i].Weight * (slot.Choices[i].IsEmpty ? 1 / Math.Max(plenty, 1e-6) : 1);
+            }
+
+            PartChoice choice = slot.Choices[random.Weighted(weights)];
+            double size = random.Uniform();
+            if (choice.Mane is ManePreset mane)
+            {
+                NeckSampler.Add(builder, mane, size);
+            }
+
+            if (choice.Frill is FrillPreset frill)
+            {
+                NeckSampler.Add(builder, frill, size);
+            }
+
+            foreach (PartPreset preset in choice.Parts)
+            {
+                FeatureBlueprint part = preset.Part;
+                double factor = Maths.Scalar.Lerp(preset.Least, preset.Most, size) * (part.Ring < 16 ? head : 1);
+                builder.Features.Add(OffGround(builder, part with { Length = part.Length * factor, Radius = part.Radius * Math.Sqrt(factor) }));
+            }
+        }
+    }
+
+    /// <summary>The part of a walker, bent up until its tip clears the ground.</summary>
+    public static FeatureBlueprint OffGround(CreatureBuilder builder, FeatureBlueprint part)
+    {
+        if (!builder.IsOnGround)
+        {
+            return part;
+        }
+
+        BodyShape s = builder.Shape;
+        int ring = (int)part.Ring;
+        double pitch = s.Pitch[ring];
+        double around = Maths.PortableMath.Cos(Maths.PortableMath.Tau * part.Segment / BodyGrid.Segments);
+        double root = s.Y[ring] + (around * Maths.PortableMath.Cos(pitch) * (around > 0 ? s.Top[ring] : s.Bottom[ring]));
+        double rise = (part.Outward * around) + part.Upward + (part.Forward * Maths.PortableMath.Sin(pitch));
+        double size = Math.Sqrt((part.Outward * part.Outward) + (part.Upward * part.Upward) + (part.Forward * part.Forward) + (part.Sideward * part.Sideward));
+        double tip = root + (part.Length * ((rise / size) + part.BendUp));
+        double missing = Clearance + (2 * part.Radius) - tip;
+        return missing > 0 ? part with { BendUp = Math.Min(3, part.BendUp + (missing / part.Length)) } : part;
+    }
+
+    private static bool Horns(CreatureBuilder builder, double head, double plenty, RandomStream random)
+    {
+        double chance = builder.Species.HeadOrnament.Horns * plenty;
+        chance *= builder.Signature == Signature.BigEyes ? 0.4 : 1;
+        chance *= builder.Kind == LocomotionKind.Swimming ? 0.25 : 1;
+        bool eared = builder.Ears.Count > 0 && builder.Species.Family != "bovine";
+        bool nose = builder.Plan is BodyPlan.Columnar or BodyPlan.Plantigrade or BodyPlan.Unguligrade;
+        if (eared || !random.Chance(chance))
+        {
+            return false;
+        }
+
+        double length = head * random.Uniform(0.9, 2.0);
+        double radius = head * random.Uniform(0.16, 0.25);
+        bool deer = builder.Plan is BodyPlan.Unguligrade or BodyPlan.Digitigrade && builder.Species.Family is "bovine" or "canine";
+        int style = random.Weighted(stackalloc double[] { 1, 1, 0.7, nose ? 0.35 : 0, deer ? 1.1 : 0 });
+        builder.Features.Add(style switch
+        {
+            0 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.87, -0.09, 0.48, 0.15, 0.25, -0.25, 1, 1),
+            1 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.50, -0.81, 0.32, -0.35, -0.10, 0.10, 1, 1),
+            2 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.24, -0.24, 0.94, 0.65, 0.45, -0.20, 1, 1),
+            4 => new FeatureBlueprint(FeatureKind.Antler, 13, 2.6, length * 1.5, radius * 0.62, 0, 0.80, -0.35, 0.55, 0.2, 0.1, 0.15, 1, 1),
+            _ => new FeatureBlueprint(FeatureKind.Horn, 3, 0, length, radius * 1.2, 0.87, 0, 0.48, 0, 0, -0.35, 0, 1, 1),
+        });
+        return true;
+    }
+
+    /// <summary>A bird's crest.</summary>
+    private static void Tuft(CreatureBuilder builder, double head, bool horned, double plenty, RandomStream random)
+    {
+        if (builder.Kind == LocomotionKind.Swimming || horned || builder.Species.Family != "avian" || !random.Chance(0.45 * plenty))
+        {
+            return;
+        }
+
+        const int count = 5;
+        for (int q = 0; q < count; q++)
+        {
+            double ring = 12 + (q * 0.9);
+            double length = head * 0.9 * (1 - (0.5 * Math.Abs((q / (count - 1.0)) - 0.35)));
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Tuft, ring, 0, length, head * 0.2, 0.73, 0, -0.68, 0, 0, -0.3, 0, 0.5, 0.7));
+        }
+    }
+
+    /// <summary>One thing along the back: spikes, plates, a sail or a shell.</summary>
+    private static void Back(CreatureBuilder builder, bool horned, double plenty, RandomStream random)
+    {
+        string family = builder.Species.Family;
+        bool plain = builder.Kind == LocomotionKind.Swimming || family is "avian" or "fish";
+        bool furred = family is "canine" or "feline";
+        bool scaled = family is "reptile" or "amphibian" or "serpent";
+        bool grounded = builder.Kind == LocomotionKind.Walking;
+        double chance = (plain ? 0 : furred ? 0.1 : scaled ? 0.5 : 0.14) * plenty;
+        bool shelled = grounded && family is "reptile" or "amphibian" or "bovine" && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar;
+        int style = random.Weighted(stackalloc double[] { 1, scaled ? 0.8 : 0, grounded && scaled ? 0.9 : 0, shelled ? 0.6 : 0 });
+        int count = random.Integer(7, 13);
+        double height = random.Uniform(0.06, 0.13);
+        double sail = random.Uniform(0.12, 0.26);
+        bool spiny = random.Chance(0.4);
+        if (!random.Chance(horned && style < 2 ? chance * 0.4 : chance))
+        {
+            return;
+        }
+
+        switch (style)
+        {
+            case 0:
+                Row(builder, FeatureKind.Spike, count, height, 0.3, 1, 1);
+                break;
+            case 1:
+                Row(builder, FeatureKind.Plate, count, 1.35 * height, 0.62, 0.22, 0.55);
+                break;
+            case 2:
+                Sail(builder, sail, spiny, random.Integer(7, 10));
+                break;
+            default:
+                builder.Shell = new ShellBlueprint(ShellStyle.Carapace, 24, 19, 5, 0.16);
+                break;
+        }
+    }
+
+    private static void Row(CreatureBuilder builder, FeatureKind kind, int count, double height, double breadth, double flatness, double taper)
+    {
+        BodyShape s = builder.Shape;
+        for (int q = 0; q < count; q++)
+        {
+            double ring = 18 + (30.0 * q / (count - 1));
+            double length = height * (0.35 + (0.65 * Maths.PortableMath.Sin(Maths.PortableMath.Pi * (q + 0.6) / (count + 0.2)))) * Maths.Scalar.Clamp(s.Top[(int)ring] / 0.12, 0.35, 1.2);
+            double lean = kind == FeatureKind.Plate ? -0.2 : -0.48;
+            builder.Features.Add(new FeatureBlueprint(kind, ring, 0, length, length * breadth, 0.88, 0, lean, 0, 0, 0, 0, flatness, taper));
+        }
+    }
+
+    /// <summary>A fin on dry land.</summary>
+    private static void Sail(CreatureBuilder builder, double height, bool spiny, int pairsOfRows)
+    {
+        var socket = new SocketBlueprint(23, 31, 2 * pairsOfRows, 2);
+        if (builder.Sockets.TryReserve(socket, 0))
+        {
+            builder.Fins.Add(new FinBlueprint(FinPlace.Dorsal, spiny ? FinStyle.Spiny : FinStyle.Sail, socket, height, 0, 0, 0.35));
+        }
+    }
+
+    /// <summary>A club or spikes at the end of a strong tail.</summary>
+    private static void TailEnd(CreatureBuilder builder, double plenty, RandomStream random)
+    {
+        bool strong = builder.Kind == LocomotionKind.Walking
+            && builder.Species.Family is "reptile" or "amphibian"
+            && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Theropod;
+        bool club = random.Chance(0.5);
+        if (!random.Chance(0.25 * plenty) || !strong)
+        {
+            return;
+        }
+
+        BodyShape s = builder.Shape;
+        double radius = Math.Max(0.035, 1.5 * s.Width[48]);
+        if (!TailClears(builder, radius))
+        {
+            return;
+        }
+
+        if (club)
+        {
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Club, 52, 0, 2.1 * radius, 0.85 * radius, 0.1, 0, -1, 0, 0, 0, 0, 1.2, 0.4));
+        }
+
+        for (int k = 0; k < 3; k++)
+        {
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Spike, 46 + (2 * k), 4, 1.4 * radius, 0.3 * radius, 0.9, 0.1, -0.4, 0, 0, 0, 0, 1, 1));
+        }
+    }
+
+    /// <summary>Whether the tail is high enough for a club, if there is one.</summary>
+    public static bool TailClears(CreatureBuilder builder, ValueList<FeatureBlueprint> parts)
+    {
+        double radius = 0;
+        foreach (FeatureBlueprint part in parts)
+        {
+            radius = part.Kind == FeatureKind.Club || (part.Kind == FeatureKind.Spike && part.Ring >= TailEndRing && part.Segment > 0) ? Math.Max(radius, part.Radius / 0.85) : radius;
+        }
+
+        return radius == 0 || TailClears(builder, radius);
+    }
+
+    private static bool TailClears(CreatureBuilder builder, double radius)
+    {
+        for (int ring = TailEndRing; ring < BodyGrid.Rings; ring++)
+        {
+            if (builder.Shape.Y[ring] < (1.2 * radius) + Clearance)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Tusks where there are no horns.</summary>
+    private static void Tusks(CreatureBuilder builder, double head, double plenty, RandomStream random)
+    {
+        bool fits = builder.Kind == LocomotionKind.Walking
+            && builder.Plan is BodyPlan.Columnar or BodyPlan.Plantigrade or BodyPlan.Unguligrade or BodyPlan.Upright
+            && builder.Species.Family is "canine" or "bovine" or "reptile";
+        double length = head * random.Uniform(0.5, 1.1);
+        if (random.Chance(0.25 * plenty) && fits)
+        {
+            builder.Features.Add(OffGround(builder, new FeatureBlueprint(FeatureKind.Tusk, 4, 10.6, length, 0.15 * length, 0.2, -0.25, 0.7, 0.3, 0.45, 0.1, 0, 1, 0.9)));
+        }
+    }
+
+    private static void InsectHead(CreatureBuilder builder, RandomStream random)
+    {
+        double length = random.Uniform(0.25, 0.5);
+        builder.Features.Add(new FeatureBlueprint(FeatureKind.Antenna, 6, 3, length * 1.3, 0.012, 0, 0.76, 0.53, 0.34, -0.35, 0.27, 0.08, 1, 0.6));
+        builder.Features.Add(new FeatureBlueprint(FeatureKind.Mandible, 2, 10, 0.11, 0.024, 0, -0.18, 0.95, -0.1, 0, 0, -0.27, 1, 1));
+    }
+}

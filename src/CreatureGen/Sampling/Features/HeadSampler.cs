@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+using CreatureGen.Sampling.Shapes;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Features;
+
+/// <summary>Draws the face: bumps of the skull, eyes, mouth, nostrils, ears.</summary>
+internal static class HeadSampler
+{
+    /// <summary>Metres between an open jaw and the ground, with room for the chin and the gap between closed lips.</summary>
+    private const double JawClearance = 0.05;
+
+    /// <summary>A mouth that is open no further shows no teeth, radians.</summary>
+    public const double LeastToothed = 0.05;
+
+    /// <summary>Mean of half the width and half the height of a head at the eyes, metres.</summary>
+    public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[10] + (0.5 * (shape.Top[10] + shape.Bottom[10])));
+
+    /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
+    public static double LargestEye(CreatureBuilder builder) => (builder.Species.Family == "insect" ? 0.85 : 0.46) * HalfHeight(builder.Shape);
+
+    /// <summary>The face of the creature.</summary>
+    public static HeadBlueprint Sample(CreatureBuilder builder)
+    {
+        SpeciesProfile species = builder.Species;
+        RandomStream random = builder.Stream("face");
+        double mood = random.Normal(0, 0.5) + species.Mood;
+        double smile = Scalar.Clamp(random.Normal(0.25, 0.4) - (0.35 * mood), -0.7, 1);
+        return new HeadBlueprint(Bumps(builder, mood), species.MuzzleSquareness, Eyes(builder, mood), Mouth(builder, smile), species.Nostril);
+    }
+
+    /// <summary>Adds ears to the creature.</summary>
+    public static void AddEars(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("ears");
+        if (builder.Kind == LocomotionKind.Swimming || !random.Chance(builder.Species.HeadOrnament.Ears))
+        {
+            return;
+        }
+
+        double head = builder.Species.EarSize * builder.Shape.Width[13];
+        double size = random.Uniform(0.85, 1.2) * head;
+        EarShape shape = builder.Species.Ears[random.Weighted(Array.ConvertAll(builder.Species.Ears, ear => ear.Weight))].Value;
+        var socket = new SocketBlueprint(13, shape == EarShape.Sideways ? 4 : 2, 2, 2);
+        EarBlueprint ear = shape switch
+        {
+            EarShape.Drooping => new EarBlueprint(socket, 1.15 * size, 0.42 * head, 0.9, 0.45, -0.1, 0.9, 0),
+            EarShape.Big => new EarBlueprint(socket, 2.0 * size, 0.5 * head, 0.55, 1, -0.35, 0, 0),
+            EarShape.Round => new EarBlueprint(socket, 0.75 * size, 0.48 * head, 0.6, 0.9, -0.15, 0, 1),
+            EarShape.Sideways => new EarBlueprint(socket, 1.15 * size, 0.36 * head, 1, 0.12, -0.25, 0.35, 0),
+            EarShape.Long => new EarBlueprint(socket, 2.9 * size, 0.40 * head, 0.22, 1, -0.3, 0, 0.4),
+            _ => new EarBlueprint(socket, 1.15 * size, 0.42 * head, 0.38, 1, -0.25, 0, 0),
+        };
+        if (builder.Sockets.TryReserve(socket, 0))
+        {
+            builder.Ears.Add(ear);
+        }
+    }
+
+    private static ValueList<HeadBump> Bumps(CreatureBuilder builder, double mood)
+    {
+        SpeciesProfile species = builder.Species;
+        RandomStream random = builder.Stream("skull");
+        bool mammal = species.Family is "canine" or "feline" or "bovine";
+        bool insect = species.Family == "insect";
+        var bumps = new List<HeadBump>();
+        Add(9.2, 4.2, 1.6, 1.3, Vary(species.Swelling.Brow));
+        Add(8.4, 1.0, 1.5, 1.6, -Vary(0.05));
+        Add(12.8, 9.2, 2.2, 2.0, Vary(species.Swelling.Cheek));
+        Add(13.2, 12.5, 1.8, 1.8, species.Family == "fish" || insect ? 0 : Vary(0.08));
+        Add(1.2, 7.0, 1.6, 2.2, mammal ? Vary(0.14) : 0);
+        Add(7.5, 7.5, 1.4, 2.2, insect ? 0 : -Vary(0.07));
+        Add(2.5, 15.5, 2.0, 2.5, insect || species.Family == "avian" ? 0 : Vary(0.12));
+        if (species.Bone > 0)
+        {
+            (double ring, double segment) = species.Eye;
+            Add(ring - 0.6, segment + 0.2, 1.5, 1.25, -0.13 * species.Bone);
+            Add(ring - 1.6, segment - 1.9, 1.2, 1.1, 0.11 * species.Bone * (1 + (0.5 * mood)));
+            Add(ring + 1.2, segment - 2.0, 1.4, 1.1, 0.11 * species.Bone * (1 - (0.4 * mood)));
+            Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * species.Bone);
+        }
+
+        if (species.Family is "canine" or "feline")
+        {
+            Add(2.6, 7.2, 2.0, 2.0, 0.12);
+            Add(5.6, 7.0, 1.3, 2.6, -0.10);
+            Add(6.6, 0.5, 1.1, 2.5, -0.10);
+            Add(0.6, 2.0, 1.0, 3.0, 0.10);
+        }
+        else if (species.Family == "bovine")
+        {
+            Add(1.4, 6.5, 1.6, 3.0, 0.10);
+            Add(5.5, 6.0, 1.8, 2.5, -0.08);
+        }
+
+        return new ValueList<HeadBump>(bumps);
+
+        double Vary(double amount) => amount * Scalar.Clamp(random.Normal(1, 0.45), 0.2, 2);
+
+        void Add(double ring, double segment, double ringSpread, double segmentSpread, double amount)
+        {
+            if (amount != 0)
+            {
+                bumps.Add(new HeadBump(ring, segment, ringSpread, segmentSpread, amount));
+            }
+        }
+    }
+
+    private static EyeBlueprint Eyes(CreatureBuilder builder, double mood)
+    {
+        SpeciesProfile species = builder.Species;
+        RandomStream random = builder.Stream("eyes");
+        BodyShape s = builder.Shape;
+        double half = HalfHeight(s);
+        double radius = species.EyeSize * half * Scalar.Clamp(1 + (0.14 * builder.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (builder.Signature == Signature.BigEyes ? 1.36 : 1);
+        bool insect = species.Family == "insect";
+        radius = Math.Min(radius, LargestEye(builder));
+        bool faceted = random.Chance(0.85);
+        bool slit = random.Chance(species.SlitPupils);
+        bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
+        EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : insect && faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : bar ? EyeStyle.Bar : EyeStyle.Round;
+        double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
+        return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, species.EyeSink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
+    }
+
+    private static MouthBlueprint Mouth(CreatureBuilder builder, double smile)
+    {
+        SpeciesProfile species = builder.Species;
+        RandomStream random = builder.Stream("mouth");
+        double opening = CreatureBuilder.Choose(random, (0.0, 0.4), (0.10, 0.2), (0.2, 0.2), (0.32, 0.2));
+        double beak = CreatureBuilder.Choose(random, (0.0, 1), (0.06, 1), (0.2, 1));
+        bool toothed = random.Chance(species.Teeth);
+        opening = species.Family switch { "bovine" => 0, "fish" => Math.Min(opening, 0.12), "avian" => beak, _ => opening };
+        if (species.MouthOpenings is Weighted<double>[] own)
+        {
+            opening = CreatureBuilder.Choose(random, own);
+        }
+
+        opening = species.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(builder));
+        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > LeastToothed ? species.ToothLength : 0, species.MouthCorner == 0 ? TongueStyle.None : species.Tongue);
+    }
+
+    /// <summary>How far a walker may open its mouth before the lower jaw touches the ground, radians.</summary>
+    public static double WidestOpening(CreatureBuilder builder)
+    {
+        if (!builder.IsOnGround)
+        {
+            return double.PositiveInfinity;
+        }
+
+        BodyShape s = builder.Shape;
+        int hinge = Math.Min(builder.Species.MouthCorner + 3, 14);
+        double jaw = s.Arc[hinge] - s.Arc[0] + s.Bottom[0];
+        return Math.Max(0, (StanceSampler.Lowest(s, 0, hinge) - JawClearance) / jaw);
+    }
+}

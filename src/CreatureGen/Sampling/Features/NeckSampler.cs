@@ -1,0 +1,144 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Features;
+
+/// <summary>Draws hair and collars: those of the families, and any preset in the size of its wearer.</summary>
+internal static class NeckSampler
+{
+    /// <summary>Metres between hanging hair and the ground.</summary>
+    private const double Clearance = 0.05;
+
+    /// <summary>Length of the longest lock of a row in lengths of its mane.</summary>
+    private const double LongestLock = 1.2;
+
+    // How hair that is too long is cut.
+    private const double Shortening = 0.88;
+    private const int MostCuts = 20;
+
+    /// <summary>Places along a collar that are held against the ground.</summary>
+    private const int FrillSteps = 12;
+
+    /// <summary>The hair that furred families wear now and then; whether there is any.</summary>
+    public static bool Hair(CreatureBuilder builder, double plenty, RandomStream random)
+    {
+        bool hoofed = builder.Species.Family == "bovine" && builder.Plan is BodyPlan.Unguligrade or BodyPlan.Centaur;
+        double chance = builder.Kind == LocomotionKind.Swimming ? 0 : builder.Species.Family switch { "canine" => 0.22, "feline" => 0.22, "bovine" when hoofed => 0.3, _ => 0 };
+        double size = random.Uniform();
+        bool ruffed = random.Chance(builder.Species.Family == "feline" ? 0.4 : 0.15);
+        if (!random.Chance(chance * plenty))
+        {
+            return false;
+        }
+
+        Add(builder, hoofed ? NeckPresets.Falling : ruffed ? NeckPresets.Ruff : NeckPresets.Bristles, size);
+        return true;
+    }
+
+    /// <summary>The collar that lizards wear now and then; whether there is one.</summary>
+    public static bool Collar(CreatureBuilder builder, double plenty, RandomStream random)
+    {
+        bool fits = builder.Species.Family == "reptile" && builder.Kind == LocomotionKind.Walking && builder.Ears.Count == 0;
+        bool bony = random.Chance(builder.Plan is BodyPlan.Plantigrade ? 0.6 : 0.25);
+        double size = random.Uniform();
+        if (!random.Chance(0.14 * plenty) || !fits)
+        {
+            return false;
+        }
+
+        Add(builder, bony ? NeckPresets.Shield : NeckPresets.Fan, size);
+        return true;
+    }
+
+    /// <summary>Adds hair; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
+    public static void Add(CreatureBuilder builder, in ManePreset preset, double size)
+    {
+        double factor = Scalar.Lerp(preset.Least, preset.Most, size);
+        double unit = builder.HalfDepth(19);
+        foreach (ManeBlueprint mane in preset.Fields)
+        {
+            builder.Manes.Add(OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit }));
+        }
+    }
+
+    /// <summary>Adds a collar; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
+    public static void Add(CreatureBuilder builder, in FrillPreset preset, double size)
+    {
+        double unit = builder.Shape.Width[13];
+        builder.Frills.Add(OffGround(builder, preset.Frill with { Length = preset.Frill.Length * Scalar.Lerp(preset.Least, preset.Most, size) * unit, Thickness = preset.Frill.Thickness * unit }));
+    }
+
+    /// <summary>Hair of what stands, shortened until what hangs from its tail or its throat clears the ground.</summary>
+    public static ManeBlueprint OffGround(CreatureBuilder builder, ManeBlueprint mane)
+    {
+        if (!builder.IsOnGround || mane.LastSegment <= BodyGrid.Segments / 4)
+        {
+            return mane;
+        }
+
+        for (int attempt = 0; attempt < MostCuts && !Clears(builder.Shape, mane); attempt++)
+        {
+            mane = mane with { Length = Shortening * mane.Length };
+        }
+
+        return mane;
+    }
+
+    /// <summary>A collar of what stands, shortened until it clears the ground.</summary>
+    public static FrillBlueprint OffGround(CreatureBuilder builder, FrillBlueprint frill)
+    {
+        if (!builder.IsOnGround)
+        {
+            return frill;
+        }
+
+        BodyShape s = builder.Shape;
+        int ring = (int)frill.Ring;
+        double sin = PortableMath.Sin(s.Pitch[ring]);
+        double cos = PortableMath.Cos(s.Pitch[ring]);
+        double longest = frill.Length;
+        for (int k = 0; k <= FrillSteps; k++)
+        {
+            double across = (double)k / FrillSteps;
+            double around = PortableMath.Cos(PortableMath.Tau * frill.Spread * across / BodyGrid.Segments);
+            double root = s.Y[ring] + (around * cos * (around > 0 ? s.Top[ring] : s.Bottom[ring]));
+            double fall = FrillOutline.HeightAt(across) * ((sin * PortableMath.Sin(frill.Tilt)) - (around * cos * PortableMath.Cos(frill.Tilt)));
+            longest = fall > 0 ? Math.Min(longest, Math.Max(root - Clearance, 0.2 * s.Bottom[ring]) / fall) : longest;
+        }
+
+        return frill with { Length = longest };
+    }
+
+    /// <summary>Whether the lowest hair of every row ends above the ground: as far along the body as it is long, and below the body by what it stands off and hangs down.</summary>
+    private static bool Clears(BodyShape s, ManeBlueprint mane)
+    {
+        const int end = BodyGrid.Rings - 1;
+        for (int row = 0; row < mane.Rows; row++)
+        {
+            double along = mane.Rows > 1 ? row / (mane.Rows - 1.0) : 0;
+            double length = LongestLock * mane.Length * Scalar.Lerp(1, mane.Growth, along);
+            double below = length * (mane.Hang + (0.5 * PortableMath.Sin(mane.Rise)));
+            int first = (int)Scalar.Lerp(mane.Ring, mane.LastRing, along);
+            int ring = first;
+            double lowest = double.MaxValue;
+            for (; ring < end && s.Arc[ring] < s.Arc[first] + length; ring++)
+            {
+                lowest = Math.Min(lowest, s.Y[ring] - s.Bottom[ring]);
+            }
+
+            double beyond = Math.Max(0, s.Arc[first] + length - s.Arc[end]);
+            lowest = Math.Min(lowest, s.Y[ring] - s.Bottom[ring] - beyond);
+            if (lowest - below < Clearance)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+}

@@ -1,0 +1,121 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Sampling.Placement;
+using CreatureGen.Sampling.Shapes;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Limbs;
+
+/// <summary>Gives swimmers, and fish out of water, their fins where the attachment rules put them.</summary>
+internal static class FinSampler
+{
+    /// <summary>Fills in the fins and the tail fin of the creature.</summary>
+    public static void Sample(CreatureBuilder builder)
+    {
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            Swim(builder);
+        }
+        else if (builder.Species.Family == "fish")
+        {
+            Crest(builder, builder.Stream("fins"));
+        }
+    }
+
+    private static void Swim(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("fins");
+        if (builder.Species.Fins is FinPreset preset)
+        {
+            Own(builder, random, preset);
+            return;
+        }
+
+        SwimmingPlacement placement = SwimmingRules.Place(LegSampler.Measure(builder), FinAnatomy.Of(builder.Plan), builder.Sockets, builder.Seed.Child("swimmer"));
+        double drop = random.Uniform(0.25, 0.6);
+        double sweep = random.Uniform(0.4, 0.8);
+        foreach (FinPlacement fin in placement.Fins)
+        {
+            if (!builder.Sockets.TryReserve(fin.Socket, 0))
+            {
+                continue;
+            }
+
+            if (fin.Place == FinPlace.Pectoral)
+            {
+                bool front = fin.Socket.Ring < BodyGrid.AnchorRing - 2;
+                (double length, double width) = builder.Plan switch
+                {
+                    BodyPlan.Flipper => front ? (0.65, 0.41) : (0.46, 0.42),
+                    BodyPlan.Whale => (0.42, 0.45),
+                    BodyPlan.Eel => (0.28, 0.55),
+                    _ => front ? (0.34, 0.55) : (0.2, 0.55),
+                };
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, length * fin.Scale.X, width * fin.Scale.Z, drop, sweep));
+            }
+            else
+            {
+                double height = builder.Plan == BodyPlan.Eel ? 0.13 : fin.Place == FinPlace.Ventral ? 0.12 : builder.Plan == BodyPlan.Whale ? 0.16 : 0.2;
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, height * fin.Scale.Y, 0, 0, SweepOf(fin.Style)));
+            }
+        }
+
+        double fork = placement.Tail.Style switch
+        {
+            TailStyle.Fork => random.Uniform(1.2, 2.2),
+            TailStyle.Fan => random.Uniform(-0.5, 0.1),
+            TailStyle.Lance => -1,
+            TailStyle.Fluke => 1,
+            _ => 0,
+        };
+        double size = placement.Tail.Style switch
+        {
+            TailStyle.Fork => 0.29 * placement.Tail.Scale.Y,
+            TailStyle.Fan => 0.24 * placement.Tail.Scale.Y,
+            TailStyle.Lance => 0.15 * placement.Tail.Scale.Y,
+            TailStyle.Fluke => 0.34 * placement.Tail.Scale.X,
+            _ => 0,
+        };
+        builder.Tail = new TailBlueprint(placement.Tail.Style, size, fork);
+        builder.Shape = StanceSampler.ShapeOf(builder);
+    }
+
+    /// <summary>The fins that a species always has.</summary>
+    private static void Own(CreatureBuilder builder, RandomStream random, FinPreset preset)
+    {
+        foreach (FinSitePreset fin in preset.Fins)
+        {
+            double length = CreatureBuilder.Between(random, fin.Length);
+            double width = CreatureBuilder.Between(random, fin.Width);
+            SocketBlueprint socket = fin.Place switch
+            {
+                FinPlace.Dorsal => new SocketBlueprint(fin.Ring, 31, fin.Rows, 2),
+                FinPlace.Ventral => new SocketBlueprint(fin.Ring, 15, fin.Rows, 2),
+                _ => SocketSizing.Centre(fin.Ring, fin.Segment, fin.Rows, 2),
+            };
+            if (builder.Sockets.TryReserve(socket, 0))
+            {
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, fin.Drop, fin.Sweep));
+            }
+        }
+
+        builder.Tail = new TailBlueprint(preset.Tail, CreatureBuilder.Between(random, preset.TailSize), CreatureBuilder.Between(random, preset.TailFork), preset.TailLobe);
+        builder.Shape = StanceSampler.ShapeOf(builder);
+    }
+
+    /// <summary>A fish that walks or flies keeps the fin on its back.</summary>
+    private static void Crest(CreatureBuilder builder, RandomStream random)
+    {
+        FinStyle style = CreatureBuilder.Choose(random, (FinStyle.Sail, 1), (FinStyle.Spiny, 1), (FinStyle.Shark, 1));
+        var socket = new SocketBlueprint(random.Integer(24, 30), 31, 2 * random.Integer(4, 7), 2);
+        double height = random.Uniform(0.14, 0.26);
+        if (builder.Sockets.TryReserve(socket, 0))
+        {
+            builder.Fins.Add(new FinBlueprint(FinPlace.Dorsal, style, socket, height, 0, 0, SweepOf(style)));
+        }
+    }
+
+    private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
+}

@@ -1,0 +1,170 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling.Placement;
+using CreatureGen.Sampling.Shapes;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Limbs;
+
+/// <summary>Gives fliers wings, and legs that they stand on: the rules for fliers say how many there are, where and how long; those for walkers see to it that they carry the body.</summary>
+internal static class FlierLegs
+{
+    /// <summary>Last ring of an insect's thorax.</summary>
+    private const int ThoraxEnd = 34;
+
+    /// <summary>Least height of the belly above the ground, relative to the torso.</summary>
+    private const double LeastClearance = 0.08;
+
+    /// <summary>How far the foot of a leg that hangs trails behind, in lengths of the leg.</summary>
+    private const double HangingShear = -0.15;
+
+    /// <summary>How far the feet of a single pair are ahead of its hips, in heights of these.</summary>
+    private const double FeetAhead = 0.15;
+
+    /// <summary>How far a body is pitched at a time to stand, degrees: more would change how it flies.</summary>
+    private const double MostPitch = 4;
+
+    /// <summary>By which part of the feet's hull a flier's centre of mass is to lie inside it: that of spread wings is estimated.</summary>
+    private const double SafeMargin = 0.1;
+
+    /// <summary>Shortest leg relative to the body's length.</summary>
+    private const double ShortestLeg = 0.05;
+
+    /// <summary>Adds wings and legs to the creature, and sets its body down on these.</summary>
+    public static void Add(CreatureBuilder builder, LegStyle style)
+    {
+        if (builder.Species.Legs is LegPreset preset)
+        {
+            AddOwn(builder, style, preset);
+            return;
+        }
+
+        bool insect = builder.Species.Family == "insect";
+        RandomStream random = builder.Stream("flier legs");
+        int pairs = PairsOf(builder, random);
+        LegArrangement arrangement = insect && random.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread;
+        FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : FlierLegAnatomy.Dragon;
+        if (insect && pairs <= 4)
+        {
+            // Few legs all grow from the thorax.
+            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).FindAll(site => site.Ring <= ThoraxEnd) };
+        }
+
+        if (builder.Species.Bird is BirdPreset own)
+        {
+            double thigh = CreatureBuilder.Between(builder.Stream("thigh"), own.Thigh);
+            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).ConvertAll(site => site with { Archetype = LimbArchetype.Bird, Girth = thigh }) };
+            style = OwnLegs.StyleOf(builder, style, own);
+        }
+
+        // Thin legs keep the feet of stout ones: these have as much to carry.
+        double girth = builder.Species.LegGirth;
+        style = style with { FootSize = style.FootSize / girth };
+        anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = anatomy.Size.Foot / girth, Toes = insect ? 0 : style.Toes } };
+        WingMotion motion = builder.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
+        FlyingPlacement placement = FlyingRules.Place(LegSampler.Measure(builder), motion, motion == WingMotion.Buzzing ? 2 : 1, new FlyingLegs(pairs, arrangement), anatomy, builder.Sockets, builder.Seed.Child("flier"));
+        WingSampler.Add(builder, placement);
+        if (placement.Legs.Count > 0)
+        {
+            style = insect ? style with { FootSize = 1 } : style with { Toes = anatomy.Size.Toes == 0 ? style.Toes : anatomy.Size.Toes };
+            Stand(builder, style, placement, anatomy);
+        }
+    }
+
+    private static int PairsOf(CreatureBuilder builder, RandomStream random) => builder.Species.FlierLegPairs ?? builder.Species.Family switch
+    {
+        "insect" => CreatureBuilder.Choose(random, (3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02)),
+        "avian" => 1,
+        "canine" or "feline" or "bovine" => 2,
+        "fish" => CreatureBuilder.Choose(random, (0, 0.66), (1, 0.28), (2, 0.06)),
+        _ => CreatureBuilder.Choose(random, (1, 0.36), (2, 0.48), (0, 0.12), (3, 0.04)),
+    };
+
+    /// <summary>An insect stands with spread wings as it does with folded ones.</summary>
+    private static void AddOwn(CreatureBuilder builder, LegStyle style, LegPreset preset)
+    {
+        style = OwnLegs.StyleOf(builder, style, preset);
+        var size = new LegSize(1, 1, style.FootSize, style.Toes);
+        WalkingPlacement placement = LegSampler.Settle(builder, measure => OwnLegs.SetOf(builder, preset, measure), size);
+        LegSampler.AddStanding(builder, style, placement, OwnLegs.SetOf(builder, preset, LegSampler.Measure(builder)), size);
+        OwnLegs.AddArms(builder, style, preset);
+        WingSampler.AddThin(builder, builder.Species.Wings!.Spread);
+        builder.Legs.Sort((a, b) => a.Socket.Ring.CompareTo(b.Socket.Ring));
+    }
+
+    private static void Stand(CreatureBuilder builder, LegStyle style, FlyingPlacement flying, FlierLegAnatomy anatomy)
+    {
+        (BodyPosture posture, double elevation, double raised, BodyShape shape) = (builder.Posture, builder.Elevation, builder.Raised, builder.Shape);
+        StanceSampler.Lower(builder, Math.Min(MeanTip(flying.Legs), StanceSampler.Lowest(builder.Shape, 20, 44) - (LeastClearance * builder.TorsoLength)));
+        SocketSet set = SetOf(builder, flying, anatomy);
+        if (IsCarried(LegSampler.Settle(builder, _ => set, anatomy.Size)))
+        {
+            // A raised head or tail moves the centre of mass: the feet are placed under the body as it is.
+            StanceSampler.Clear(builder);
+            WalkingPlacement placement = LegSampler.Settle(builder, _ => set, anatomy.Size);
+            if (IsCarried(placement))
+            {
+                LegSampler.AddStanding(builder, style, placement, set, anatomy.Size);
+                return;
+            }
+        }
+
+        // No legs at these places carry it: they hang, and it stays in the air.
+        (builder.Posture, builder.Elevation, builder.Raised, builder.Shape) = (posture, elevation, raised, shape);
+        foreach (LegPlacement leg in flying.Legs)
+        {
+            bool splayed = LegBuild.Of(leg.Site.Archetype).Carriage == LegCarriage.Splayed;
+            LegSampler.Add(builder, style, leg.Site.Archetype, LegStance.Hanging, leg.Socket, leg.RootRadius, leg.Length, splayed ? leg.Reach : leg.Length, leg.Site.Azimuth, splayed ? 0 : HangingShear, leg.Site.Bounds.Pad);
+        }
+    }
+
+    private static bool IsCarried(WalkingPlacement placement) => placement.Balance is { Pitch: 0 } balance && balance.Remedy != BalanceRemedy.AddPairOrTail;
+
+    private static double MeanTip(IReadOnlyList<LegPlacement> legs)
+    {
+        double sum = 0;
+        foreach (LegPlacement leg in legs)
+        {
+            sum += leg.TipHeight / legs.Count;
+        }
+
+        return sum;
+    }
+
+    /// <summary>One pair stands nearest under the centre of mass, feet ahead of the hips as birds stand.</summary>
+    private static LimbSocket UnderMass(CreatureBuilder builder, FlierLegAnatomy anatomy)
+    {
+        SpineMeasure measure = LegSampler.Measure(builder);
+        LimbSocket best = anatomy.Sockets[0];
+        double nearest = double.MaxValue;
+        foreach (LimbSocket site in anatomy.Sockets)
+        {
+            SpineSection section = measure.At(site.Ring);
+            double off = Math.Abs(section.Z + (FeetAhead * LegFitting.AttachmentHeight(section, site.Segment)) - measure.CentreOfMass.Z);
+            (best, nearest) = off < nearest ? (site, off) : (best, nearest);
+        }
+
+        return best;
+    }
+
+    /// <summary>The places of the legs, each as large as the rules for fliers made it.</summary>
+    private static SocketSet SetOf(CreatureBuilder builder, FlyingPlacement flying, FlierLegAnatomy anatomy)
+    {
+        var places = new List<LimbSocket>();
+        foreach (LegPlacement leg in flying.Legs)
+        {
+            bool alone = flying.Legs.Count == 1 && LegBuild.Of(leg.Site.Archetype).Carriage == LegCarriage.Under;
+            LimbSocket site = alone ? UnderMass(builder, anatomy) : leg.Site;
+            double factor = alone ? 1 : flying.LegFactor;
+            places.Add(site with { Girth = site.Girth * factor, Reach = site.Reach * factor });
+        }
+
+        double forward = places.Count == 1 ? 0.5 : 0.3;
+        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MostPitch, 1.6, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin };
+        return new SocketSet(builder.Plan, places, places.Count, null, stance) { TakesAll = true };
+    }
+}

@@ -1,0 +1,260 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+using CreatureGen.Sampling.Placement;
+using CreatureGen.Sampling.Shapes;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Limbs;
+
+/// <summary>Gives walkers and fliers their legs and arms where the attachment rules put them.</summary>
+internal static class LegSampler
+{
+    /// <summary>Rounds of placing legs and moving the body for them.</summary>
+    private const int Rounds = 4;
+
+    /// <summary>Radius of an even cylinder as heavy as a hanging arm with its hand, relative to the radius of its root.</summary>
+    private const double ArmFullness = 0.55;
+
+    /// <summary>Fills in the legs of the creature; gives the plan to try instead when the body cannot carry the legs of its own.</summary>
+    public static BodyPlan? Sample(CreatureBuilder builder)
+    {
+        var style = new LegStyle(builder);
+        switch (builder.Kind)
+        {
+            case LocomotionKind.Walking:
+                return Walk(builder, style);
+            case LocomotionKind.Flying:
+                FlierLegs.Add(builder, style);
+                return null;
+            default:
+                OwnLegs.Paddle(builder, style);
+                return null;
+        }
+    }
+
+    /// <summary>Volume of a pair of spread wings in spans times chords squared.</summary>
+    private const double WingFullness = 0.05;
+
+    /// <summary>How far behind its shoulder a spread wing's centre of mass is, in spans.</summary>
+    private const double WingTrail = 0.03;
+
+    /// <summary>The torso of the creature as the attachment rules see it, with the weight of spread wings.</summary>
+    public static SpineMeasure Measure(CreatureBuilder builder)
+    {
+        BodyShape s = builder.Shape;
+        SpineMeasure measure = SpineSurvey.Measure(s.Y, s.Z, s.Width, s.Top, s.Bottom);
+        foreach (WingBlueprint wing in builder.Wings)
+        {
+            if (wing.Style != WingStyle.Folded)
+            {
+                double volume = WingFullness * wing.Span * wing.Chord * wing.Chord;
+                double z = measure.At(wing.Socket.Ring + (0.5 * wing.Socket.Rows)).Z - (WingTrail * wing.Span);
+                measure = measure.Laden(z, volume / (volume + StanceSampler.Volume(s)));
+            }
+        }
+
+        return measure;
+    }
+
+    private static BodyPlan? Walk(CreatureBuilder builder, LegStyle style)
+    {
+        LegPreset? preset = builder.Species.Legs;
+        BirdPreset? bird = builder.Species.Bird;
+        style = preset != null ? OwnLegs.StyleOf(builder, style, preset) : bird != null ? OwnLegs.StyleOf(builder, style, bird) : style;
+        var size = new LegSize(1, preset != null ? 1 : style.Reach, style.FootSize, style.Toes);
+        WalkingPlacement placement = Settle(builder, SetFor, size);
+        if (placement.PlanChange != null && placement.PlanChange != builder.Plan)
+        {
+            return placement.PlanChange;
+        }
+
+        AddStanding(builder, style, placement, SetFor(Measure(builder)), size);
+        if (placement.Arms is ArmPlacement arms)
+        {
+            LegStyle hand = style with { ClawLength = Math.Max(style.ClawLength, 0.6), FootSize = 1.3 };
+            Add(builder, hand, LimbArchetype.Arm, LegStance.Hanging, arms.Socket, arms.RootRadius, arms.Length, arms.Length * 0.9, 0, 0, arms.Site.Bounds.Pad);
+        }
+
+        if (preset != null)
+        {
+            OwnLegs.AddArms(builder, style, preset);
+        }
+
+        if (builder.Species.Wings is ThinWings wings)
+        {
+            WingSampler.AddThin(builder, wings.Folded);
+        }
+
+        if (builder.Species.Family == "avian" && builder.Plan == BodyPlan.Theropod && placement.Arms is null)
+        {
+            WingSampler.AddFolded(builder);
+        }
+
+        builder.Legs.Sort((a, b) => a.Socket.Ring.CompareTo(b.Socket.Ring));
+        return null;
+
+        SocketSet SetFor(SpineMeasure measure) => preset != null ? OwnLegs.SetOf(builder, preset, measure) : bird != null ? OwnLegs.SetOf(builder, bird) : SetOf(builder);
+    }
+
+    /// <summary>Places the legs of a walker, and raises and pitches the body until it stands on them.</summary>
+    public static WalkingPlacement Settle(CreatureBuilder builder, Func<SpineMeasure, SocketSet> anatomy, LegSize size)
+    {
+        WalkingPlacement placement = Place();
+        for (int round = 1; round < Rounds; round++)
+        {
+            double pitch = placement.Balance?.Pitch ?? 0;
+            if (placement.RaiseBody == 0 && pitch == 0)
+            {
+                break;
+            }
+
+            builder.Raised += placement.RaiseBody;
+            builder.Elevation += placement.RaiseBody;
+            builder.Posture = builder.Posture with { Trunk = builder.Posture.Trunk + pitch };
+            builder.Shape = StanceSampler.ShapeOf(builder);
+            placement = Place();
+        }
+
+        return placement;
+
+        WalkingPlacement Place()
+        {
+            SpineMeasure measure = Measure(builder);
+            return WalkingRules.Place(measure, anatomy(measure), size, builder.Stream("arms"));
+        }
+    }
+
+    /// <summary>How a leg of a placement turns to the front and leans, radians and shift of the foot in units of the length.</summary>
+    public static (double Azimuth, double Shear) Carriage(CreatureBuilder builder, WalkingPlacement placement, LegPlacement leg)
+    {
+        bool last = leg == placement.Legs[placement.Legs.Count - 1];
+        double azimuth = leg.Site.Archetype == LimbArchetype.Insect && last ? UnderAbdomen(builder, leg, placement.Legs[0]) : leg.Site.Azimuth;
+        return (azimuth, placement.Legs.Count == 1 ? UnderMass(builder, leg, placement.Arms) : leg.Shear);
+    }
+
+    private static List<LimbSocket> SitesOf(WalkingPlacement placement)
+    {
+        var sites = new List<LimbSocket>();
+        foreach (LegPlacement leg in placement.Legs)
+        {
+            sites.Add(leg.Site);
+        }
+
+        return sites;
+    }
+
+    /// <summary>A biped stands with its feet under its centre of mass, as far as its hips allow; the rules have seen to it that it can.</summary>
+    private static double UnderMass(CreatureBuilder builder, LegPlacement leg, ArmPlacement? arms)
+    {
+        double middle = leg.Foot.Z + ((leg.Foot.Toe - leg.Foot.Heel) / 2);
+        SpineMeasure measure = Measure(builder);
+        double mass = arms is null ? measure.CentreOfMass.Z : WithArms(builder.Shape, measure, arms);
+        double ideal = leg.Shear + ((mass - middle) / leg.Length);
+        return Scalar.Clamp(ideal, Math.Min(leg.Shear, -0.1), Math.Max(leg.Shear, 0.5));
+    }
+
+    /// <summary>Where the centre of mass lies along z with a pair of hanging arms, which the measured body is without: they balance on their shoulders.</summary>
+    private static double WithArms(BodyShape body, SpineMeasure measure, ArmPlacement arms)
+    {
+        double radius = ArmFullness * arms.RootRadius;
+        double both = 2 * PortableMath.Pi * radius * radius * arms.Length;
+        return Scalar.Lerp(measure.CentreOfMass.Z, measure.At(arms.Site.Ring).Z, both / (both + StanceSampler.Volume(body)));
+    }
+
+    /// <summary>The turn of an insect's last legs, radians: far enough back to carry a heavy abdomen.</summary>
+    private static double UnderAbdomen(CreatureBuilder builder, LegPlacement last, LegPlacement first)
+    {
+        LegBuild build = LegBuild.Of(last.Site.Archetype);
+        double step = build.FootOutward * last.Reach;
+        double front = first.RootZ + (step * PortableMath.Sin(first.Site.Azimuth));
+        double mass = Measure(builder).CentreOfMass.Z;
+
+        // Behind the centre of mass by a fifth of what lies before it.
+        double sine = (mass - (0.2 * (front - mass)) - last.RootZ) / step;
+        return Math.Min(last.Site.Azimuth, PortableMath.Asin(Scalar.Clamp(sine, -0.97, 0.97)));
+    }
+
+    private static SocketSet SetOf(CreatureBuilder builder)
+    {
+        bool bird = builder.Species.Family == "avian";
+        SocketSet set = builder.Plan switch
+        {
+            BodyPlan.Centaur => SocketSets.Centaur(builder.Species.Family == "bovine" ? BodyPlan.Unguligrade : BodyPlan.Digitigrade),
+            BodyPlan.Upright => SocketSets.Upright(builder.Stream("upright legs").Chance(0.6) ? LimbArchetype.PlantigradeHind : LimbArchetype.DigitigradeHind),
+            BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar => SocketSets.Quadruped(builder.Plan) with { Arms = null },
+            _ => SocketSets.Of(builder.Plan),
+        };
+        if (bird && set.Arms != null)
+        {
+            set = set with { Arms = set.Arms with { OddsNear = 0, OddsFar = 0.15 } };
+        }
+
+        double girth = builder.Species.LegGirth;
+        return set.WithGirth(builder.Signature == Signature.Hulk ? 1.3 * girth : girth, builder.Signature == Signature.Rump ? 1.15 * girth : girth);
+    }
+
+    /// <summary>Adds the legs of a placement that the builder stands on.</summary>
+    public static void AddStanding(CreatureBuilder builder, LegStyle style, WalkingPlacement placement, SocketSet places, LegSize size)
+    {
+        double growth = placement.Balance?.FootGrowth ?? 1;
+        builder.Stand = new LegStand(places.Pinned(SitesOf(placement), placement.Girth), size, growth);
+        foreach (LegPlacement leg in placement.Legs)
+        {
+            LegBuild build = LegBuild.Of(leg.Site.Archetype);
+            bool splayed = build.Carriage == LegCarriage.Splayed;
+            (double azimuth, double shear) = Carriage(builder, placement, leg);
+            double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && builder.Species.Legs == null ? 1.05 : 1);
+            Add(builder, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
+        }
+    }
+
+    /// <summary>Adds a pair of legs if its cells are free.</summary>
+    public static void Add(CreatureBuilder builder, LegStyle style, LimbArchetype archetype, LegStance stance, SocketBlueprint socket, double thickness, double length, double reach, double azimuth, double shear, int pad)
+    {
+        if (builder.Sockets.TryReserve(socket, pad))
+        {
+            builder.Legs.Add(new LegBlueprint(archetype, stance, socket, thickness, length, reach, azimuth, shear, style.Slimness, style.Stoutness, style.FootSize, style.KneeRise, Math.Max(1, style.Toes), style.ClawLength));
+        }
+    }
+}
+
+/// <summary>What the legs of a walker grew by.</summary>
+/// <param name="Places">Their places, on any body of the species.</param>
+/// <param name="Size">Their size.</param>
+/// <param name="FootGrowth">Factor on their feet for balance.</param>
+internal sealed record LegStand(SocketSet Places, LegSize Size, double FootGrowth);
+
+/// <summary>What all legs of one creature share.</summary>
+internal sealed record LegStyle
+{
+    public LegStyle(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("leg style");
+        Stoutness = CreatureBuilder.Around(random, 1 + (0.05 * builder.Style), 0.08, 0.85, 1.25);
+        FootSize = CreatureBuilder.Around(random, 1.25 + (0.1 * builder.Style), 0.1, 1, builder.Plan == BodyPlan.Columnar ? 1.12 : 1.65);
+        Slimness = CreatureBuilder.Around(random, builder.Plan == BodyPlan.Unguligrade ? 1.02 : 1.12, 0.1, 0.85, 1.35);
+        Toes = builder.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || builder.Species.Family == "avian" ? 3 : random.Integer(3, 5);
+        Reach = random.Uniform(0.85, 1.15);
+        bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
+        ClawLength = soft ? CreatureBuilder.Choose(random, (0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;
+    }
+
+    public double Stoutness { get; init; }
+
+    public double FootSize { get; init; }
+
+    public double Slimness { get; init; }
+
+    public double Reach { get; init; }
+
+    public int Toes { get; init; }
+
+    public double ClawLength { get; init; }
+
+    public double KneeRise { get; init; } = 1;
+}

@@ -1,0 +1,104 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Sampling.Placement;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Limbs;
+
+/// <summary>Legs that a species brings with it: where its preset puts them, not where the rules of its plan would choose.</summary>
+internal static class OwnLegs
+{
+    /// <summary>The style of legs of a preset.</summary>
+    public static LegStyle StyleOf(CreatureBuilder builder, LegStyle style, LegPreset preset)
+    {
+        RandomStream random = builder.Stream("own legs");
+        return style with
+        {
+            Slimness = IsJointed(preset.Sites[0].Archetype) ? 1 : style.Slimness,
+            FootSize = IsJointed(preset.Sites[0].Archetype) ? 1 : 1.2,
+            Toes = IsJointed(preset.Sites[0].Archetype) ? 0 : random.Integer(preset.Toes.Least, preset.Toes.Most + 1),
+            ClawLength = preset.Claw,
+            KneeRise = preset.KneeRise,
+        };
+    }
+
+    /// <summary>The style of a bird's legs.</summary>
+    public static LegStyle StyleOf(CreatureBuilder builder, LegStyle style, BirdPreset preset)
+    {
+        RandomStream random = builder.Stream("own legs");
+        return style with
+        {
+            Slimness = random.Uniform(0.95, 1.1),
+            Stoutness = 1,
+            FootSize = style.FootSize * preset.Foot,
+            Toes = preset.Toes,
+            ClawLength = preset.Claw,
+        };
+    }
+
+    /// <summary>The places of a preset on the body as it is.</summary>
+    public static SocketSet SetOf(CreatureBuilder builder, LegPreset preset, SpineMeasure measure)
+    {
+        double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
+        var places = new List<LimbSocket>();
+        foreach (LegSite site in preset.Sites)
+        {
+            bool jointed = IsJointed(site.Archetype);
+            double girth = preset.Thickness * site.Thickness / (0.5 * measure.At(site.Ring).Thickness);
+            places.Add(new LimbSocket(site.Ring, site.Segment, site.Archetype, girth, reach * site.Reach / measure.BodyLength, site.Azimuth, jointed ? SocketBounds.Insect : SocketBounds.Limb));
+        }
+
+        var stance = new StanceLimits(0.01, 0.5, -0.3, 0.3, 3, 1.5, builder.Plan, builder.Plan);
+        return new SocketSet(builder.Plan, places, places.Count, null, stance) { TakesAll = true };
+    }
+
+    /// <summary>The hips of a bird.</summary>
+    public static SocketSet SetOf(CreatureBuilder builder, BirdPreset preset)
+    {
+        double girth = CreatureBuilder.Between(builder.Stream("thigh"), preset.Thigh);
+        var hips = new List<LimbSocket>();
+        for (int ring = 34; ring <= 38; ring++)
+        {
+            hips.Add(new LimbSocket(ring, preset.HipSegment, LimbArchetype.Bird, girth, 0, 0, SocketBounds.Limb));
+        }
+
+        var stance = new StanceLimits(0.12, 0.45, -0.05, 0.5, 22, 1.6, BodyPlan.Theropod, BodyPlan.Theropod);
+        return new SocketSet(BodyPlan.Theropod, hips, 1, null, stance);
+    }
+
+    /// <summary>Adds the limbs that a walker holds up.</summary>
+    public static void AddArms(CreatureBuilder builder, LegStyle style, LegPreset preset)
+    {
+        foreach (LegSite site in preset.Arms)
+        {
+            SocketBlueprint socket = SocketSizing.Centre(site.Ring, site.Segment, SocketBounds.Insect.MinimumRows, SocketBounds.Insect.MinimumColumns);
+            LegSampler.Add(builder, style with { Toes = 1 }, site.Archetype, LegStance.Hanging, socket, preset.Thickness * site.Thickness, site.Reach, site.Reach, 0, 0, 0);
+        }
+    }
+
+    /// <summary>Hangs the legs of a swimmer that has any.</summary>
+    public static void Paddle(CreatureBuilder builder, LegStyle style)
+    {
+        if (builder.Species.Paddles is not LegPreset preset)
+        {
+            return;
+        }
+
+        style = StyleOf(builder, style, preset);
+        SpineMeasure measure = LegSampler.Measure(builder);
+        double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
+        foreach (LegSite site in preset.Sites)
+        {
+            SpineSection section = measure.At(site.Ring);
+            double thickness = preset.Thickness * site.Thickness;
+            SocketBlueprint socket = SocketSizing.Size(
+                site.Ring, site.Segment, thickness, thickness * 0.8, section.RingSpacing, SocketSizing.SegmentSpacing(section.HipWidth, section.Thickness), style.Toes, SocketBounds.Limb);
+            LegSampler.Add(builder, style, site.Archetype, LegStance.Hanging, socket, thickness, preset.HangingLength, reach * site.Reach, site.Azimuth, 0, SocketBounds.Limb.Pad);
+        }
+    }
+
+    private static bool IsJointed(LimbArchetype archetype) => archetype is LimbArchetype.Insect or LimbArchetype.Jumper or LimbArchetype.Raptorial;
+}

@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+using CreatureGen.Sampling.Placement;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Limbs;
+
+/// <summary>Gives fliers their wings where the attachment rules put them.</summary>
+internal static class WingSampler
+{
+    /// <summary>Fore and hind wings of insects; where they sit is the placement's.</summary>
+    private static readonly ThinWing[] insectWings = { new(0, 0.95, 0.21, -6, 36), new(0, 0.68, 0.17, -36, 26) };
+
+    /// <summary>Those of heavier bodies: long and broad, or they would look too small to carry them.</summary>
+    private static readonly ThinWing[] fairyWings = { new(0, 1.45, 0.44, 6, 32), new(0, 1.0, 0.36, -40, 20) };
+
+    /// <summary>Adds thin wings of a species' own.</summary>
+    public static void AddThin(CreatureBuilder builder, ThinWing[] wings)
+    {
+        RandomStream random = builder.Stream("thin wings");
+        double size = random.Uniform(0.9, 1.1);
+        double breadth = random.Uniform(0.92, 1.08);
+        double rise = random.Uniform(-1, 1);
+        foreach (ThinWing wing in wings)
+        {
+            double elevation = wing.Elevation + (wing.Azimuth < -60 ? 0 : 6 * rise);
+            builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.5, wing.Length * size, wing.Width * size * breadth, Scalar.Radians(wing.Azimuth), Scalar.Radians(elevation)));
+        }
+    }
+
+    /// <summary>Folds the wings of a walking bird along its flanks.</summary>
+    public static void AddFolded(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("folded wings");
+        double ring = Math.Min(52, (builder.Species.Bird?.FoldRing ?? 45.5) + random.Uniform(-0.8, 0.8));
+        var socket = new SocketBlueprint(24, 4, 2, 4);
+        double span = BodyShape.At(builder.Shape.Arc, ring) - builder.Shape.Arc[25];
+        if (builder.Sockets.TryReserve(socket, 0))
+        {
+            builder.Wings.Add(new WingBlueprint(WingStyle.Folded, socket, span, 0.3, 0.05 / span, 0));
+        }
+    }
+
+    /// <summary>Adds the wings of a placement to the creature.</summary>
+    public static void Add(CreatureBuilder builder, FlyingPlacement placement)
+    {
+        RandomStream random = builder.Stream("wings");
+        bool bat = random.Chance(builder.Species.WingMembrane);
+        double rise = random.Uniform(0.42, 0.75);
+        double sweep = random.Uniform(0.05, 0.25);
+        foreach (WingPlacement wing in placement.Wings)
+        {
+            if (wing.Socket is SocketBlueprint socket)
+            {
+                if (builder.Sockets.TryReserve(socket, 0))
+                {
+                    double span = 1.36 * wing.Scale.X * Math.Max(builder.TorsoLength, 0.8);
+                    double chord = (bat ? 0.40 : 0.36) * span * random.Uniform(0.9, 1.15);
+                    builder.Wings.Add(new WingBlueprint(bat ? WingStyle.Bat : WingStyle.Feathered, socket, span, chord, rise, sweep));
+                }
+            }
+            else
+            {
+                ThinWing thin = (builder.Species.Family == "insect" ? insectWings : fairyWings)[builder.InsectWings.Count == 0 ? 0 : 1];
+                double elevation = Scalar.Radians(thin.Elevation * wing.Scale.Y);
+                builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.6, thin.Length * wing.Scale.X, thin.Width * wing.Scale.Z, Scalar.Radians(thin.Azimuth), elevation));
+            }
+        }
+    }
+}

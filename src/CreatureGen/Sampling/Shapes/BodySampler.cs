@@ -1,0 +1,293 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Shapes;
+
+/// <summary>Draws the body: which bases are mixed, proportions, posture, lattice slices and the end of the tail.</summary>
+internal static class BodySampler
+{
+    private static readonly double[] partnerWeights = { 0.45, 0.3, 0.15, 0.1 };
+
+    /// <summary>Fills in all of the creature that does not depend on how the creature stands.</summary>
+    public static void Sample(CreatureBuilder builder)
+    {
+        builder.Style = builder.Stream("style").Normal(0, 1);
+        builder.Blend = Blend(builder);
+        builder.Signature = DrawSignature(builder);
+        builder.Proportions = Proportions(builder);
+        builder.Drawn = Posture(builder);
+        builder.Posture = builder.Drawn;
+        builder.Slices = Slices(builder);
+        builder.Tail = Tail(builder);
+        builder.Disc = Disc(builder);
+    }
+
+    private static DiscBlueprint Disc(CreatureBuilder builder)
+    {
+        (double sweep, double least, double most) = builder.Species.Disc;
+        return new DiscBlueprint(sweep, least == most ? least : builder.Stream("disc").Uniform(least, most));
+    }
+
+    /// <summary>One dominant body, a partner that mixes well with it, and a touch of any third.</summary>
+    private static BodyBlend Blend(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("blend");
+        string second = builder.Species.Partners[random.Weighted(partnerWeights)];
+        double kin = random.Uniform();
+        string[] siblings = SpeciesCatalogue.SiblingsOf(builder.Species);
+        int sibling = random.Integer(0, Math.Max(1, siblings.Length));
+        if (kin < builder.Species.Kinship && siblings.Length > 0)
+        {
+            second = siblings[sibling];
+        }
+
+        var rest = new List<string>();
+        foreach (SpeciesProfile family in SpeciesCatalogue.Families)
+        {
+            if (family.Body != builder.Species.Family && family.Body != second)
+            {
+                rest.Add(family.Body);
+            }
+        }
+
+        string third = rest[random.Integer(0, rest.Count)];
+        double dominant = CreatureBuilder.Between(random, builder.Species.Dominance);
+        double share = random.Uniform(0.6, 0.9);
+
+        // lerp(lerp(A, B, w1), C, w2): the second body gets w1 (1 − w2), the third w2.
+        double w2 = (1 - dominant) * (1 - share);
+        double w1 = (1 - dominant) * share / (1 - w2);
+        return new BodyBlend(builder.Species.Body, second, third, w1, w2);
+    }
+
+    private static Signature DrawSignature(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("signature");
+        Signature signature = CreatureBuilder.Choose(
+            random,
+            (Signature.None, 0.15), (Signature.BigHead, 0.16), (Signature.LongNeck, 0.12), (Signature.BigTail, 0.12), (Signature.Hulk, 0.14),
+            (Signature.Rump, 0.08), (Signature.Hump, 0.08), (Signature.BigEyes, 0.08), (Signature.LongSnout, 0.07));
+        if (builder.Species.Signatures is Signature[] fitting && Array.IndexOf(fitting, signature) < 0)
+        {
+            return Signature.None;
+        }
+
+        bool unfit = (builder.Kind == LocomotionKind.Swimming && signature is Signature.LongNeck or Signature.Hump or Signature.Hulk)
+            || (builder.Species.Family == "amphibian" && signature is Signature.LongNeck or Signature.LongSnout)
+            || (builder.Plan == BodyPlan.Legless && signature is Signature.Hump or Signature.Rump or Signature.Hulk);
+        return unfit ? (random.Chance(0.5) ? Signature.BigEyes : Signature.None) : signature;
+    }
+
+    private static BodyProportions Proportions(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("proportions");
+        string family = builder.Species.Family;
+        double head = Scalar.Clamp(1.26 + (0.14 * builder.Style) + random.Normal(0, 0.05), 0.9, 1.55);
+        double neck = random.LogNormal(0.22, 0.65, 1.7);
+        double tail = random.LogNormal(0.25, 0.55, 1.7);
+        double snout = Scalar.Clamp(PortableMath.Exp(random.Normal(-0.08 * builder.Style, 0.18)), 0.6, 1.5);
+        double girth = CreatureBuilder.Around(random, 1, 0.08, 0.85, 1.2);
+        double belly = CreatureBuilder.Around(random, 1, 0.07, 0.88, 1.15);
+        double depth = Scalar.Clamp(PortableMath.Exp(random.Normal(-0.02, 0.22)), 0.66, 1.38);
+        double wide = random.LogNormal(0.12, 0.85, 1.25);
+        SpeciesProfile species = builder.Species;
+        if (species.IsSpecies)
+        {
+            head = species.HeadSize.Mean + ((head - 1.26) * species.HeadSize.Variation);
+            neck = PortableMath.Pow(neck, species.Variety);
+            tail = PortableMath.Pow(tail, species.Variety);
+            snout = PortableMath.Pow(snout, species.Variety);
+        }
+
+        double neckGirth = 1, chest = 1, hump = 1, rump = 1, tailGirth = 1, width = 1;
+        if (family == "amphibian")
+        {
+            neck = Math.Min(neck, 0.95);
+        }
+
+        if (family == "insect")
+        {
+            girth = species.IsSpecies ? girth : wide;
+            head = Math.Min(head, 1.22);
+        }
+
+        switch (builder.Signature)
+        {
+            case Signature.BigHead:
+                head = Math.Min(1.75, head * 1.25);
+                neck *= 0.85;
+                break;
+            case Signature.LongNeck:
+                neck = Math.Max(neck, 1.1) * 1.75;
+                head *= 0.88;
+                neckGirth = 0.84;
+                break;
+            case Signature.BigTail:
+                tail *= 1.35;
+                tailGirth = 1.5;
+                break;
+            case Signature.Hulk:
+                chest = 1.2;
+                rump = 0.9;
+                break;
+            case Signature.Rump:
+                rump = 1.2;
+                chest = 0.95;
+                break;
+            case Signature.Hump:
+                hump = 1.5;
+                break;
+            case Signature.LongSnout:
+                snout = Math.Max(snout, 1) * 1.5;
+                break;
+        }
+
+        if (builder.Plan == BodyPlan.Theropod && family != "avian")
+        {
+            girth *= 1.14;
+            tailGirth = Math.Max(tailGirth, 1.25);
+        }
+
+        if (builder.Plan == BodyPlan.Centaur)
+        {
+            chest = 1.15;
+        }
+
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            neck = Math.Min(neck, 1.1);
+            if (family == "fish" && !species.IsSpecies)
+            {
+                head *= 0.74;
+                snout *= 0.8;
+                width = depth < 1 ? Scalar.Lerp(0.85, 1, (depth - 0.6) / 0.4) : Scalar.Lerp(1, 0.78, (depth - 1) / 0.6);
+            }
+        }
+
+        depth = family == "fish" && !species.IsSpecies && builder.Kind == LocomotionKind.Swimming ? depth : 1;
+        if (neck > 1.25)
+        {
+            head *= 0.92;
+        }
+
+        return new BodyProportions(head, snout, neck, neckGirth, girth, belly, chest, hump, rump, tail, tailGirth, depth, width);
+    }
+
+    private static BodyPosture Posture(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("posture");
+        double tilt = builder.Species.TiltVariety;
+        double neck = tilt * random.Normal(0, 9);
+        double head = tilt * random.Normal(0, 6);
+        double tail = tilt * random.Normal(0, 14);
+        double torso = 0;
+        double trunk = 0;
+        double upright = random.Uniform(48, 66);
+        double uprightNeck = random.Uniform(-2, 10);
+        double lean = builder.Species.Bird != null ? 0 : builder.Species.Family == "avian" ? random.Uniform(0, 14) : random.Uniform(6, 22);
+
+        // S1.5: one angle for the neck and one for the tail, in [0, 200° / bones]; here a moderate share of it, either way.
+        double neckBend = tilt * random.Uniform(-2, 5);
+        double tailBend = tilt * random.Uniform(-6, 9);
+        switch (builder.Plan)
+        {
+            case BodyPlan.Upright:
+                torso = upright - (builder.Species.Family == "amphibian" ? 12 : 0);
+                neck = uprightNeck - (builder.Species.Family == "amphibian" ? 12 : 0);
+                tail += 18;
+                neckBend = 0;
+                break;
+            case BodyPlan.Theropod:
+                tail *= 0.4;
+                trunk = lean;
+                neck += builder.Species.Family == "avian" ? 0 : 22;
+                tail -= builder.Species.Family == "avian" ? 0 : 6;
+                tailBend = Math.Min(tailBend, 2);
+                break;
+            case BodyPlan.Centaur:
+                neck += 25;
+                break;
+            case BodyPlan.Legless:
+                tailBend = 0;
+                tail = 0;
+                break;
+        }
+
+        if (builder.Species.Bird is BirdPreset bird && builder.Plan == BodyPlan.Flapping)
+        {
+            torso += bird.FlightPitch.Torso;
+            tail += bird.FlightPitch.Tail;
+        }
+
+        if (builder.Signature == Signature.LongNeck)
+        {
+            neck += 8;
+        }
+
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            // Swimmers keep a straight spine (S1.5).
+            neck /= 3;
+            head /= 2;
+            tail /= 5;
+            neckBend = 0;
+            tailBend = 0;
+            neck -= builder.Species.Family == "serpent" ? 20 : 0;
+            head = builder.Species.Family == "canine" ? 4 : head;
+        }
+
+        return new BodyPosture(Scalar.Radians(head), Scalar.Radians(neck), Scalar.Radians(torso), Scalar.Radians(tail), Scalar.Radians(trunk), Scalar.Radians(neckBend), Scalar.Radians(tailBend));
+    }
+
+    /// <summary>S1.3: swimmers get smaller ranges in x and z and a larger one in y.</summary>
+    private static ValueList<LatticeSlice> Slices(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("lattice");
+        bool swims = builder.Kind == LocomotionKind.Swimming && !builder.Species.IsSpecies;
+        double spread = builder.Species.LatticeSpread;
+        var slices = new LatticeSlice[11];
+        for (int k = 0; k < slices.Length; k++)
+        {
+            double x = random.Uniform(-1, 1);
+            double y = random.Uniform(-1, 1);
+            double z = random.Uniform(-1, 1);
+            slices[k] = swims
+                ? new LatticeSlice(0.9 + (0.14 * x), 1.06 + (0.28 * y), 1 + (0.14 * z))
+                : new LatticeSlice(1 + (spread * x), 1 + (spread * y), 1 + (spread * z));
+        }
+
+        return new ValueList<LatticeSlice>(slices);
+    }
+
+    /// <summary>The end of the tail of walkers and fliers; swimmers get theirs with their fins.</summary>
+    private static TailBlueprint Tail(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("tail");
+        double feathers = random.Uniform(0.13, 0.19);
+        bool feathered = builder.Kind == LocomotionKind.Flying || random.Chance(0.55);
+        double size = random.Uniform(0.16, 0.24);
+        double fork = random.Uniform(-0.5, 0.1);
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            return new TailBlueprint(TailStyle.Plain, 0, 0);
+        }
+
+        if (builder.Species.Bird is BirdPreset bird)
+        {
+            double fan = bird.Fan * (builder.Kind == LocomotionKind.Flying ? 1.35 : 1);
+            return bird.Fan == 0 ? new TailBlueprint(TailStyle.Plain, 0, 0) : new TailBlueprint(TailStyle.Feathers, fan, 0);
+        }
+
+        return builder.Species.Family switch
+        {
+            "avian" when feathered => new TailBlueprint(TailStyle.Feathers, feathers, 0),
+            "fish" when builder.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),
+            _ => new TailBlueprint(TailStyle.Plain, 0, 0),
+        };
+    }
+}

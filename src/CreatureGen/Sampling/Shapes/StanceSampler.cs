@@ -1,0 +1,281 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Shapes;
+
+/// <summary>Decides how high the body is carried, and raises head and tail until they clear the ground.</summary>
+internal static class StanceSampler
+{
+    private const int Attempts = 12;
+
+    /// <summary>First ring that a raised tail takes with it: its root stays as low as the rump, however steep the rest.</summary>
+    private const int FirstRaised = 47;
+
+    /// <summary>Metres by which the feathers of a lowered tail reach below its spine.</summary>
+    private const double FanDrop = 0.06;
+
+    /// <summary>The same of a flier's tail that hangs steeply, relative to its fan.</summary>
+    private const double HangingFan = 0.6;
+
+    /// <summary>Least size of a head that is made smaller.</summary>
+    private const double LeastHead = 0.6;
+
+    /// <summary>Radians by which a low head or tail is raised at a time.</summary>
+    private static readonly double lift = Scalar.Radians(7);
+
+    /// <summary>A face does not change how a body stands: the shape is taken without one.</summary>
+    private static readonly HeadBlueprint faceless = new(ValueList<HeadBump>.Empty, 2.2, new EyeBlueprint(EyeStyle.Round, 9, 5, 0.03, 0.5, 0.4, 1, 1, 0), new MouthBlueprint(0, 0, 0, 0), 0);
+
+    /// <summary>Sets the elevation and the final posture.</summary>
+    public static void Settle(CreatureBuilder builder)
+    {
+        double draw = Scalar.Clamp(builder.Stream("stance").Uniform() + builder.StanceShift, 0, 1);
+        for (int attempt = 0; attempt < Attempts; attempt++)
+        {
+            Measure(builder);
+            Place(builder, draw);
+            if (!Adjust(builder))
+            {
+                break;
+            }
+        }
+
+        Measure(builder);
+        Place(builder, draw);
+        for (int attempt = 0; attempt < Attempts && builder.Plan == BodyPlan.Legless && IsFrontHeavy(builder.Shape); attempt++)
+        {
+            // No rearing carries this head: it is too large.
+            builder.Proportions = builder.Proportions with { Head = Math.Max(0.94 * builder.Proportions.Head, LeastHead) };
+            Measure(builder);
+            Place(builder, draw);
+        }
+    }
+
+    /// <summary>Lowers a body onto its legs, and raises its head and tail again until they clear the ground.</summary>
+    public static void Lower(CreatureBuilder builder, double metres)
+    {
+        builder.Raised -= metres;
+        builder.Elevation -= metres;
+        builder.Shape = ShapeOf(builder);
+        Clear(builder);
+    }
+
+    /// <summary>Raises head and tail until they clear the ground.</summary>
+    public static void Clear(CreatureBuilder builder)
+    {
+        for (int attempt = 0; attempt < Attempts && Adjust(builder); attempt++)
+        {
+            builder.Shape = ShapeOf(builder);
+        }
+    }
+
+    /// <summary>The body's shape with the current posture and elevation.</summary>
+    public static BodyShape ShapeOf(CreatureBuilder builder) =>
+        BodyShaper.Shape(builder.Plan, builder.Body, faceless, builder.Tail);
+
+    private static void Measure(CreatureBuilder builder)
+    {
+        builder.Elevation = 0;
+        builder.Shape = ShapeOf(builder);
+        double length = Math.Abs(builder.Shape.Z[22] - builder.Shape.Z[42]);
+        double arc = builder.Shape.Arc[42] - builder.Shape.Arc[22];
+        builder.TorsoLength = builder.Plan switch
+        {
+            BodyPlan.Flapping or BodyPlan.Theropod => Math.Max(length, arc * 0.92),
+            BodyPlan.Upright => arc * 0.95,
+            _ => length,
+        };
+    }
+
+    private static void Place(CreatureBuilder builder, double draw)
+    {
+        BodyShape s = builder.Shape;
+        double torso = builder.TorsoLength;
+        double lowest = Lowest(s, 20, 44);
+        (double min, double max) = builder.Plan switch
+        {
+            BodyPlan.Digitigrade => (0.62, 0.92),
+            BodyPlan.Centaur => (0.66, 0.92),
+            BodyPlan.Unguligrade => (0.72, 1.12),
+            BodyPlan.Plantigrade => (0.50, 0.70),
+            BodyPlan.Columnar => (0.58, 0.85),
+            BodyPlan.Upright => (0.46, 0.68),
+            BodyPlan.Theropod => builder.Species.Family == "avian" ? (0.95, 1.4) : (0.78, 1.08),
+            _ => (0.0, 0.0),
+        };
+        if (builder.Species.Bird is BirdPreset bird)
+        {
+            (min, max) = bird.HipHeight;
+        }
+        else if (builder.Species.HipHeight is (double Least, double Most) own)
+        {
+            (min, max) = own;
+        }
+
+        double hip = Scalar.Lerp(min, max, draw) * torso / 0.92;
+        if (builder.Kind != LocomotionKind.Swimming && builder.Species.Legs is LegPreset preset)
+        {
+            builder.HipHeight = hip;
+            double height = Scalar.Lerp(preset.Height.Least, preset.Height.Most, draw);
+            builder.Elevation = Math.Max(height - lowest, 0.03 - Lowest(s, 23, 55));
+            builder.Shape = ShapeOf(builder);
+            return;
+        }
+
+        builder.HipHeight = hip;
+        double elevation;
+        switch (builder.Plan)
+        {
+            case BodyPlan.Digitigrade:
+            case BodyPlan.Centaur:
+            case BodyPlan.Unguligrade:
+                elevation = Math.Max(hip - s.Y[42], (0.30 * torso) - lowest);
+                break;
+            case BodyPlan.Plantigrade:
+            case BodyPlan.Columnar:
+                elevation = Math.Max(hip - s.Y[42], (0.20 * torso) - lowest);
+                break;
+            case BodyPlan.Upright:
+                elevation = Math.Max(hip - s.Y[42], (0.22 * torso) - lowest);
+                break;
+            case BodyPlan.Theropod:
+                elevation = Math.Max(hip - s.Y[36], ((builder.Species.Bird != null ? 0.1 : 0.3) * torso) - lowest);
+                break;
+            case BodyPlan.Sprawling:
+                elevation = (Scalar.Lerp(0.07, 0.16, draw) * torso) - lowest;
+                break;
+            case BodyPlan.ManyLegged:
+                elevation = 0.10 - lowest;
+                break;
+            case BodyPlan.Legless:
+                elevation = LyingElevation(s);
+                break;
+            case BodyPlan.Hexapod:
+                elevation = Math.Max(Scalar.Lerp(0.16, 0.34, draw) - lowest, 0.035 - Lowest(s, 23, 55));
+                break;
+            case BodyPlan.Flapping:
+            case BodyPlan.Buzzing:
+                elevation = (0.55 * torso) + 0.3 - lowest;
+                break;
+            default:
+                elevation = 0.35 - lowest;
+                break;
+        }
+
+        builder.Elevation = elevation;
+        builder.Shape = ShapeOf(builder);
+    }
+
+    /// <summary>Whether the raised front of a legless body nearly tips it over the front end of the trunk that lies on the ground.</summary>
+    private static bool IsFrontHeavy(BodyShape s)
+    {
+        double front = s.Z[26];
+        return CentreOfMass(s) > front - (0.15 * (front - s.Z[BodyGrid.Rings - 1]));
+    }
+
+    /// <summary>Raises a head or a tail that is too low, rears up a legless body that is heavy in front, and straightens an upright trunk that leans too far. True if anything changed.</summary>
+    private static bool Adjust(CreatureBuilder builder)
+    {
+        BodyShape s = builder.Shape;
+        BodyPosture p = builder.Posture;
+        double torso = builder.TorsoLength;
+        bool crawls = builder.Plan is BodyPlan.Legless or BodyPlan.Hexapod || builder.Species.Legs != null;
+        double tailGap = crawls ? double.NegativeInfinity : (0.03 * torso) + (builder.Tail.Style == TailStyle.Feathers ? Math.Max(FanDrop, builder.Kind == LocomotionKind.Flying ? HangingFan * builder.Tail.Size : 0) : 0);
+        double headGap = crawls ? 0.01 : 0.06 * torso;
+        double tail = p.Tail;
+        double neck = p.Neck;
+        double bend = p.TailBend;
+        double torsoPitch = p.Torso;
+        if (builder.Kind != LocomotionKind.Swimming)
+        {
+            if (Lowest(s, FirstRaised, BodyGrid.Rings) < tailGap)
+            {
+                tail -= lift;
+                bend -= bend > 0 ? lift / 3 : 0;
+            }
+
+            if (Lowest(s, 0, 20) < headGap)
+            {
+                neck += lift;
+            }
+        }
+
+        if (builder.Plan == BodyPlan.Legless && IsFrontHeavy(s))
+        {
+            neck += lift;
+        }
+
+        if (builder.Plan == BodyPlan.Upright && torsoPitch < Scalar.Radians(80))
+        {
+            double ahead = CentreOfMass(s) - s.Z[40];
+            if (ahead > 0.30 * s.Y[40])
+            {
+                torsoPitch += Scalar.Radians(6);
+            }
+        }
+
+        BodyPosture changed = p with { Tail = tail, Neck = neck, TailBend = bend, Torso = torsoPitch };
+        builder.Posture = changed;
+        return !changed.Equals(p);
+    }
+
+    /// <summary>The elevation at which the raised front of a legless body just clears the ground; its trunk lies on it anyway.</summary>
+    private static double LyingElevation(BodyShape s)
+    {
+        double elevation = 0;
+        for (int i = 12; i < 27; i++)
+        {
+            double below = s.Bottom[i] - s.Y[i];
+            elevation = Math.Max(elevation, below / (1 - BodyShaper.Lying(BodyPlan.Legless, i)));
+        }
+
+        return elevation;
+    }
+
+    /// <summary>The lowest point of the skin between two rings, the last excluded.</summary>
+    public static double Lowest(BodyShape s, int first, int end)
+    {
+        double lowest = double.MaxValue;
+        for (int i = first; i < end; i++)
+        {
+            lowest = Math.Min(lowest, s.Y[i] - (s.Bottom[i] * Math.Abs(PortableMath.Cos(s.Pitch[i]))));
+        }
+
+        return lowest;
+    }
+
+    /// <summary>The place along z of the body's centre of mass, limbs left aside.</summary>
+    public static double CentreOfMass(BodyShape s)
+    {
+        double mass = 0;
+        double moment = 0;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            double m = Slice(s, i);
+            mass += m;
+            moment += m * s.Z[i];
+        }
+
+        return moment / mass;
+    }
+
+    /// <summary>Volume of the body, limbs left aside.</summary>
+    public static double Volume(BodyShape s)
+    {
+        double sum = 0;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            sum += Slice(s, i);
+        }
+
+        return 0.5 * PortableMath.Pi * sum;
+    }
+
+    /// <summary>Volume of the body from the ring before, as a part of that of an elliptic slice: times π / 2.</summary>
+    private static double Slice(BodyShape s, int ring) => s.Width[ring] * (s.Top[ring] + s.Bottom[ring]) * s.Step[ring];
+}

@@ -1,0 +1,55 @@
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+
+namespace CreatureGen.Species.Catalogue;
+
+/// <summary>Boars.</summary>
+internal static class Boar
+{
+    /// <summary>All that is known of it.</summary>
+    public static readonly SpeciesProfile Profile = Bovine.Profile.Tamed() with
+    {
+        Body = "boar",
+        Table = new BodyTable(
+            2.1,
+            2.3,
+            (0, -30, 62, 52, 50),      // nose
+            (26, -30, 66, 56, 54),     // muzzle, front
+            (80, -30, 70, 62, 62),     // muzzle
+            (90, -31, 92, 86, 84),     // stop
+            (80, -32, 128, 122, 108),  // brow
+            (90, -24, 146, 142, 130),  // cranium
+            (100, -4, 150, 158, 160),  // nape
+            (95, 14, 158, 186, 196),   // neck
+            (100, 16, 172, 214, 226),  // neck base
+            (140, 8, 200, 240, 260),   // shoulders
+            (230, 0, 215, 205, 265),   // ribs
+            (230, -2, 205, 180, 250),  // belly
+            (210, -2, 182, 172, 215),  // loin
+            (190, 8, 150, 158, 175),   // pelvis
+            (90, 45, 44, 50, 50),      // tail base
+            (90, 70, 18, 19, 19),      // tail, first third
+            (90, 75, 14, 15, 15),      // tail, second third
+            (90, 75, 18, 22, 22)),     // tail tip
+        Frequency = (0.24, 0, 0),
+        Kinship = 0,
+        HipHeight = (0.52, 0.66), LegGirth = 1.15,
+        Eye = (9.6, 5.2), EyeSize = 0.2,
+        HeadOrnament = (1, 0), EarSize = 0.8, Ears = Weights.Of((EarShape.Pointed, 1), (EarShape.Drooping, 0.4)),
+        WalkingPlans = Weights.Of((BodyPlan.Unguligrade, 1)),
+        Parts = new[]
+        {
+            new PartSlot(
+                new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Tusk, 3.4, 10.4, 0.13, 0.022, 0.2, -0.1, 0.5, 0.7, 0.55, 0, 0, 1, 0.9), 0.7, 1.6)),
+                new PartChoice(0.4)),
+            new PartSlot(new PartChoice(1) { Mane = NeckPresets.Bristles }),
+        },
+        Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Patches, 0.6), (PatternKind.Mottle, 0.5)),
+        Colourings = new[]
+        {
+            new Colouring(new Tint(0.34, 0.03, 55)) { Kind = PatternKind.Plain, Accent = new Tint(0.22, 0.02, 50) },
+            new Colouring(new Tint(0.78, 0.06, 25)) { Pattern = new Tint(0.28, 0.02, 50), Kind = PatternKind.Patches, Muzzle = new Tint(0.72, 0.09, 20) },
+            new Colouring(new Tint(0.52, 0.09, 48)) { Kind = PatternKind.Mottle, Accent = new Tint(0.88, 0.03, 80) },
+        },
+    };
+}

@@ -1,0 +1,53 @@
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+
+namespace CreatureGen.Species.Catalogue;
+
+/// <summary>Centipedes.</summary>
+internal static class Centipede
+{
+    /// <summary>All that is known of it.</summary>
+    public static readonly SpeciesProfile Profile = InsectParts.Common with
+    {
+        Body = "centipede",
+        Table = new BodyTable(
+            2.2,
+            3.0,
+            (0, -14, 50, 30, 30),   // nose
+            (30, -12, 92, 48, 46),  // muzzle, front
+            (40, -8, 116, 60, 52),  // muzzle
+            (40, -6, 126, 66, 56),  // stop
+            (50, -4, 124, 66, 56),  // brow
+            (50, 0, 108, 60, 52),   // cranium
+            (60, 0, 94, 54, 50),    // nape
+            (90, 0, 112, 60, 50),   // neck
+            (110, 0, 120, 64, 52),  // neck base
+            (150, 0, 124, 66, 54),  // shoulders
+            (150, 0, 126, 66, 54),  // ribs
+            (150, 0, 126, 66, 54),  // belly
+            (150, 0, 124, 64, 54),  // loin
+            (150, 0, 118, 62, 52),  // pelvis
+            (110, 0, 110, 58, 50),  // tail base
+            (110, 0, 100, 54, 46),  // tail, first third
+            (110, 0, 84, 46, 40),   // tail, second third
+            (100, 0, 30, 20, 20)),  // tail tip
+        Frequency = (0.12, 0, 0),
+        Dominance = (0.93, 0.98),
+        WalkingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.ManyLegged, 1) },
+        Eye = (8.8, 6.2), EyeSize = 0.30,
+        Annuli = new AnnuliBlueprint(17, 0.07),
+        Legs = new LegPreset { Sites = InsectParts.Row(12, 18, 3, 0.35, -0.45), Reach = (0.15, 0.18), Height = (0.05, 0.08), Thickness = 0.026, KneeRise = 0.7 },
+        Parts = new[]
+        {
+            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Jaw(0.15, 0.034, 0.1, 0, -0.5), 0.8, 1.2))),
+            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(3, 2.6, 0.75, 0.011, 0.42, 0.55, 0.75, -0.4, 0.2), 0.8, 1.15))),
+            new PartSlot(new PartChoice(1, InsectParts.Part(new FeatureBlueprint(FeatureKind.Antenna, 52, 5, 0.3, 0.012, 0.1, 0.1, -0.9, 0.35, 0.1, 0, 0.1, 0.3, 0.6), 0.8, 1.2))),
+        },
+        Colourings = new[]
+        {
+            new Colouring(new Tint(0.40, 0.13, 35)) { Kind = PatternKind.Plain, Limb = new Tint(0.66, 0.15, 60) },
+            new Colouring(new Tint(0.30, 0.06, 270)) { Kind = PatternKind.Plain, Limb = new Tint(0.7, 0.14, 80) },
+            new Colouring(new Tint(0.45, 0.08, 80)) { Pattern = new Tint(0.25, 0.03, 60), Kind = PatternKind.Bands },
+        },
+    };
+}

@@ -1,0 +1,42 @@
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+
+namespace CreatureGen.Species.Catalogue;
+
+/// <summary>Cats and their kin. A family: species start from it.</summary>
+internal static class Feline
+{
+    /// <summary>All that is known of it.</summary>
+    public static readonly SpeciesProfile Profile = new SpeciesProfile("feline")
+    {
+        Table = new BodyTable(
+            2.1,
+            2.2,
+            (0, -10, 45, 34, 36),      // nose
+            (25, -10, 72, 52, 56),     // muzzle, front
+            (40, -10, 86, 60, 68),     // muzzle
+            (45, -16, 104, 80, 80),    // stop
+            (45, -22, 136, 128, 90),   // brow
+            (80, -15, 152, 138, 102),  // cranium
+            (100, 10, 108, 100, 100),  // nape
+            (110, 56, 100, 105, 110),  // neck
+            (130, 52, 125, 130, 150),  // neck base
+            (130, 22, 155, 160, 190),  // shoulders
+            (260, 0, 162, 150, 200),   // ribs
+            (270, -2, 152, 148, 170),  // belly
+            (240, 0, 135, 148, 140),   // loin
+            (220, 3, 145, 150, 155),   // pelvis
+            (130, 22, 58, 60, 60),     // tail base
+            (280, 35, 42, 42, 42),     // tail, first third
+            (300, 5, 40, 40, 40),      // tail, second third
+            (260, -45, 28, 28, 28)),   // tail tip
+        Frequency = (0.75, 0.5, 0),
+        Partners = new[] { "canine", "reptile", "avian", "serpent" },
+        WalkingPlans = Weights.Of((BodyPlan.Digitigrade, 0.58), (BodyPlan.Plantigrade, 0.22), (BodyPlan.Upright, 0.17), (BodyPlan.Centaur, 0.03)),
+        SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
+        Eye = (9.6, 5.0), EyeSize = 0.375, EyeSink = 0.60, EyeForward = 0.75, LidDegrees = (56, 66), SlitPupils = 0.75, Bone = 0.9,
+        Swelling = (0.08, 0.13), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
+        HeadOrnament = (1, 0.12), Ears = Weights.Of((EarShape.Pointed, 0.6), (EarShape.Round, 0.4)), Teeth = 0.5,
+        Patterns = Weights.Of((PatternKind.Stripes, 1), (PatternKind.Spots, 0.8), (PatternKind.Plain, 0.6), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 1.3), (PatternKind.Giraffe, 0.3)),
+    };
+}

@@ -1,0 +1,105 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using CreatureGen.Species.Catalogue;
+
+namespace CreatureGen.Species;
+
+/// <summary>All species, the nine families first. The order decides which creature a seed is: a further species follows its family or stands at the end.</summary>
+internal static class SpeciesCatalogue
+{
+    private static readonly SpeciesProfile[] all =
+    {
+        Canine.Profile,
+        Bovine.Profile,
+        Feline.Profile,
+        Reptile.Profile,
+        Avian.Profile,
+        Fish.Profile,
+        Insect.Profile,
+        Serpent.Profile,
+        Amphibian.Profile,
+        Beetle.Profile,
+        Ant.Profile,
+        Wasp.Profile,
+        Mantis.Profile,
+        Hopper.Profile,
+        Spider.Profile,
+        Centipede.Profile,
+        Butterfly.Profile,
+        Dragonfly.Profile,
+        Bee.Profile,
+        Moth.Profile,
+        Shark.Profile,
+        Ray.Profile,
+        Angler.Profile,
+        Turtle.Profile,
+        Plesiosaur.Profile,
+        Crocodile.Profile,
+        Seal.Profile,
+        Newt.Profile,
+        Eel.Profile,
+        Dolphin.Profile,
+        Puffer.Profile,
+        Swordfish.Profile,
+        Duck.Profile,
+        Raptor.Profile,
+        Ostrich.Profile,
+        Parrot.Profile,
+        Heron.Profile,
+        Owl.Profile,
+        Penguin.Profile,
+        Toucan.Profile,
+        Frog.Profile,
+        Cobra.Profile,
+        Lion.Profile,
+        Hyena.Profile,
+        Boar.Profile,
+        Horse.Profile,
+        Bison.Profile,
+        Camel.Profile,
+        Bear.Profile,
+        Rhino.Profile,
+        Rabbit.Profile,
+        Bat.Profile,
+        Pterosaur.Profile,
+        Ceratops.Profile,
+        Lizard.Profile,
+    };
+
+    /// <summary>Every profile, in a fixed order.</summary>
+    public static IReadOnlyList<SpeciesProfile> All => all;
+
+    /// <summary>The families, in a fixed order.</summary>
+    public static IReadOnlyList<SpeciesProfile> Families { get; } = all.Where(profile => !profile.IsSpecies).ToArray();
+
+    /// <summary>Names of the other species of the same family that mix well with it.</summary>
+    public static string[] SiblingsOf(SpeciesProfile species)
+    {
+        var siblings = new List<string>();
+        foreach (SpeciesProfile other in all)
+        {
+            if (other.IsSpecies && other.Family == species.Family && other.Body != species.Body && other.Dominance.Least < 0.93)
+            {
+                siblings.Add(other.Body);
+            }
+        }
+
+        return siblings.ToArray();
+    }
+
+    /// <summary>The profile of a base body.</summary>
+    /// <exception cref="ArgumentException">There is none.</exception>
+    public static SpeciesProfile Find(string body)
+    {
+        foreach (SpeciesProfile species in all)
+        {
+            if (string.Equals(species.Body, body, StringComparison.Ordinal))
+            {
+                return species;
+            }
+        }
+
+        throw new ArgumentException($"base body \"{body}\"; expected one of " + string.Join(", ", all.Select(species => species.Body)), nameof(body));
+    }
+}

@@ -1,0 +1,198 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+
+namespace CreatureGen.Species;
+
+/// <summary>
+/// What the sampler knows of one base body as the dominant one: tendencies and parts, all as data. The nine families are profiles themselves; a species starts as its family's profile
+/// and says what is different.
+/// </summary>
+internal sealed record SpeciesProfile
+{
+    /// <summary>The profile of a family.</summary>
+    public SpeciesProfile(string family)
+    {
+        Body = family;
+        Family = family;
+    }
+
+    /// <summary>Name of the dominant base body.</summary>
+    public string Body { get; init; }
+
+    /// <summary>Name of the family that it belongs to.</summary>
+    public string Family { get; }
+
+    /// <summary>Whether it is one species and not a whole family.</summary>
+    public bool IsSpecies => Body != Family;
+
+    /// <summary>Its body.</summary>
+    public BodyTable Table { get; init; } = null!;
+
+    /// <summary>A species of this family before it says what is different: species keep more of their own table than families do.</summary>
+    public SpeciesProfile Tamed() => this with
+    {
+        Dominance = (0.86, 0.96),
+        Kinship = 0.6,
+        Variety = 0.65,
+        TiltVariety = 0.35,
+        LatticeSpread = 0.16,
+        HeadSize = (1.06, 0.7),
+        Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
+    };
+
+    /// <summary>Probability among walkers, fliers and swimmers, relative.</summary>
+    public (double Walking, double Flying, double Swimming) Frequency { get; init; }
+
+    /// <summary>Base bodies that mix well with it, best first.</summary>
+    public string[] Partners { get; init; } = Array.Empty<string>();
+
+    /// <summary>Share of the dominant body in the mix.</summary>
+    public (double Least, double Most) Dominance { get; init; } = (0.62, 0.88);
+
+    /// <summary>Probability that the second body is another species of the family.</summary>
+    public double Kinship { get; init; }
+
+    /// <summary>Exponent on the factors of neck, snout and tail: 1 lets them vary freely, 0 keeps the table's.</summary>
+    public double Variety { get; init; } = 1;
+
+    /// <summary>Factor on the random tilts of head, neck and tail.</summary>
+    public double TiltVariety { get; init; } = 1;
+
+    /// <summary>Largest change by a slice of the lattice.</summary>
+    public double LatticeSpread { get; init; } = 0.22;
+
+    /// <summary>Mean size of the head, and factor on its variation.</summary>
+    public (double Mean, double Variation) HeadSize { get; init; } = (1.26, 1);
+
+    /// <summary>What it may be exaggerated in; null for everything.</summary>
+    public Signature[]? Signatures { get; init; }
+
+    /// <summary>Plans of its walkers.</summary>
+    public Weighted<BodyPlan>[] WalkingPlans { get; init; } = Array.Empty<Weighted<BodyPlan>>();
+
+    /// <summary>Plans of its swimmers.</summary>
+    public Weighted<BodyPlan>[] SwimmingPlans { get; init; } = Array.Empty<Weighted<BodyPlan>>();
+
+    /// <summary>Plans of its fliers.</summary>
+    public Weighted<BodyPlan>[] FlyingPlans { get; init; } = { new(BodyPlan.Flapping, 0.94), new(BodyPlan.Buzzing, 0.06) };
+
+    /// <summary>Plans of a kind.</summary>
+    public Weighted<BodyPlan>[] PlansOf(LocomotionKind kind) => kind switch
+    {
+        LocomotionKind.Walking => WalkingPlans,
+        LocomotionKind.Flying => FlyingPlans,
+        _ => SwimmingPlans,
+    };
+
+    /// <summary>Height of its hip relative to the length of the torso where the rules of the plan place its legs; null for the plan's own.</summary>
+    public (double Least, double Most)? HipHeight { get; init; }
+
+    /// <summary>Factor on the girth of legs that the rules of the plan, or those for fliers, place.</summary>
+    public double LegGirth { get; init; } = 1;
+
+    /// <summary>Legs of its own, of walkers and fliers; null when the plan's rules place them.</summary>
+    public LegPreset? Legs { get; init; }
+
+    /// <summary>Legs of its swimmers; null for none.</summary>
+    public LegPreset? Paddles { get; init; }
+
+    /// <summary>Pairs of legs that its fliers have; null when the family decides.</summary>
+    public int? FlierLegPairs { get; init; }
+
+    /// <summary>Proportions of a bird's legs and wings; null for all others.</summary>
+    public BirdPreset? Bird { get; init; }
+
+    /// <summary>Its thin wings; null when the rules place those of a flier.</summary>
+    public ThinWings? Wings { get; init; }
+
+    /// <summary>Its own fins; null when the plan's rules place them.</summary>
+    public FinPreset? Fins { get; init; }
+
+    /// <summary>Parts of head, back and tail: from each slot one choice. Null for the ornaments of its family.</summary>
+    public PartSlot[]? Parts { get; init; }
+
+    /// <summary>Hard cover over the back.</summary>
+    public ShellBlueprint Shell { get; init; } = new(ShellStyle.None, 24, 20, 6, 0);
+
+    /// <summary>Rings of its abdomen.</summary>
+    public AnnuliBlueprint Annuli { get; init; } = new(41, 0);
+
+    /// <summary>How the edges of a wide body lie back, and between which limits they hang or rise.</summary>
+    public (double Sweep, double LeastCurl, double MostCurl) Disc { get; init; }
+
+    /// <summary>Ring and segment of the eye.</summary>
+    public (double Ring, double Segment) Eye { get; init; }
+
+    /// <summary>How the eye is made when it is neither slit nor round.</summary>
+    public EyeStyle EyeStyle { get; init; } = EyeStyle.Round;
+
+    /// <summary>Radius of the eye relative to the half width of the head.</summary>
+    public double EyeSize { get; init; }
+
+    /// <summary>Depth of the eye's centre below the skin, radii.</summary>
+    public double EyeSink { get; init; }
+
+    /// <summary>Share of the forward direction in the gaze.</summary>
+    public double EyeForward { get; init; }
+
+    /// <summary>Opening of the upper and lower lid, degrees.</summary>
+    public (double Upper, double Lower) LidDegrees { get; init; }
+
+    /// <summary>Probability of slit pupils.</summary>
+    public double SlitPupils { get; init; }
+
+    /// <summary>Probability of level bar pupils where they are not slits.</summary>
+    public double BarPupils { get; init; }
+
+    /// <summary>Strength of the bony face around the eye: socket, brow, cheekbone.</summary>
+    public double Bone { get; init; }
+
+    /// <summary>Heights of the brow and cheek swellings.</summary>
+    public (double Brow, double Cheek) Swelling { get; init; }
+
+    /// <summary>Ring of the lip corners; 0 without a mouth slit.</summary>
+    public int MouthCorner { get; init; }
+
+    /// <summary>Openings of the mouth and their weights, radians; null for those of the family.</summary>
+    public Weighted<double>[]? MouthOpenings { get; init; }
+
+    /// <summary>Form of the tongue, where there is a mouth.</summary>
+    public TongueStyle Tongue { get; init; } = TongueStyle.Rounded;
+
+    /// <summary>Colours of the tongue and their weights.</summary>
+    public Weighted<Tint>[] TongueTints { get; init; } = { new(new Tint(0.60, 0.115, 14), 1) };
+
+    /// <summary>Length of the teeth relative to the half width of the muzzle.</summary>
+    public double ToothLength { get; init; } = 0.14;
+
+    /// <summary>Exponent of the muzzle's section.</summary>
+    public double MuzzleSquareness { get; init; } = 2.2;
+
+    /// <summary>Radius of a nostril relative to the muzzle's half width.</summary>
+    public double Nostril { get; init; }
+
+    /// <summary>Mood added to the face: positive frowns.</summary>
+    public double Mood { get; init; }
+
+    /// <summary>Probability of ears and of horns.</summary>
+    public (double Ears, double Horns) HeadOrnament { get; init; }
+
+    /// <summary>Shapes of its ears.</summary>
+    public Weighted<EarShape>[] Ears { get; init; } = { new(EarShape.Pointed, 0.6), new(EarShape.Big, 0.4) };
+
+    /// <summary>Factor on the size of the ears.</summary>
+    public double EarSize { get; init; } = 1;
+
+    /// <summary>Probability that the wings of a flier are membranes instead of feathers; those of thin-winged species are neither.</summary>
+    public double WingMembrane { get; init; } = 0.72;
+
+    /// <summary>Probability of teeth when the mouth is open.</summary>
+    public double Teeth { get; init; }
+
+    /// <summary>Patterns of the coat.</summary>
+    public Weighted<PatternKind>[] Patterns { get; init; } = Array.Empty<Weighted<PatternKind>>();
+
+    /// <summary>Colourings that it is known by; the free palette serves where there are none, and for every third creature.</summary>
+    public Colouring[] Colourings { get; init; } = Array.Empty<Colouring>();
+}
