@@ -87,7 +87,7 @@ internal sealed class PoseScript
         LocomotionSettings settings = LocomotionSettings.Default;
         if (update is >= 100 and < 200)
         {
-            settings.Crawl = SlitherMode.Sidewinding;
+            settings.Crawl = SlitherGait.Sidewinding;
             settings.Stride = 0.8f;
             settings.Lift = 1.3f;
         }

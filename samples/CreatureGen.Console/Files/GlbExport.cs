@@ -34,7 +34,7 @@ internal static class GlbExport
         {
             Provenance = Provenance(root),
             Shading = IsFlat(root) ? Shading.Flat : Shading.Smooth,
-            Levels = Choice(extras, "levels", LevelChoice.Finest),
+            Lods = Choice(extras, "levels", LodChoice.Finest),
             Materials = Choice(extras, "materials", MaterialChoice.Two),
             TextureSize = extras.TryGetProperty("textureSize", out JsonElement size) && size.ValueKind == JsonValueKind.Number && size.TryGetInt32(out int texels) && IsTextureSize(texels) ? texels : 0,
         };

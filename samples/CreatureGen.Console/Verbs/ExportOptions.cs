@@ -32,7 +32,7 @@ internal static class ExportOptions
     public static GltfOptions Read(ParsedArguments arguments, GltfOptions otherwise) => otherwise with
     {
         Shading = arguments.Has(CommonOptions.Flat.Name) ? Shading.Flat : otherwise.Shading,
-        Levels = arguments.Choice(levels.Name, WordList<LevelChoice>.Instance, otherwise.Levels),
+        Lods = arguments.Choice(levels.Name, WordList<LodChoice>.Instance, otherwise.Lods),
         Materials = arguments.Choice(materials.Name, WordList<MaterialChoice>.Instance, otherwise.Materials),
         TextureSize = arguments.Value(textures.Name) is null ? otherwise.TextureSize : SizeOf(arguments),
     };

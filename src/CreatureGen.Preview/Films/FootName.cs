@@ -16,7 +16,7 @@ internal static class FootName
     /// <summary>Left and right of the one pair, <c>LF RF LH RH</c> of two pairs, numbered from the front of more.</summary>
     public static string Of(LeggedBody body, int foot)
     {
-        LegShape leg = body.Legs[foot];
+        LegRig leg = body.Legs[foot];
         string side = leg.Side == Side.Right ? "R" : "L";
         return body.Rows switch
         {
@@ -29,7 +29,7 @@ internal static class FootName
     /// <summary>Its colour.</summary>
     public static Pixel Colour(LeggedBody body, int foot)
     {
-        LegShape leg = body.Legs[foot];
+        LegRig leg = body.Legs[foot];
         int pair = (body.Rows - 1 - leg.Row) % lefts.Length;
         return leg.Side == Side.Right ? rights[pair] : lefts[pair];
     }

@@ -42,7 +42,7 @@ internal sealed class Take
     public Take(MotionProfile profile, Movement movement, GroundRelief relief)
     {
         this.profile = profile;
-        OnGround = movement.Gait != null || profile.Slither != null || movement.Course is MovementCourse.TakeOff or MovementCourse.Landing;
+        OnGround = movement.Gait != null || profile.Slither != null || movement.Kind is ClipKind.TakeOff or ClipKind.Landing;
         var level = new SteadyMotion(profile, movement, FlatGround.Level);
         level.Settle(SteadyMotion.SettleSeconds);
         float seconds = level.CycleSeconds();
@@ -160,7 +160,7 @@ internal sealed class Take
     /// <summary>Strokes from one repetition of the whole motion to the next.</summary>
     private static int StrokesIn(MotionProfile profile, Movement movement, ref float seconds)
     {
-        if (movement.Course != MovementCourse.Lasting || movement.Input.Medium != MotionMedium.Air || profile.Flight is null)
+        if (movement.Kind != ClipKind.Lasting || movement.Input.Medium != MotionMedium.Air || profile.Flight is null)
         {
             return 1;
         }

@@ -10,7 +10,7 @@ namespace CreatureGen.Preview.Rendering;
 /// Of equal depths the earlier triangle stays.
 /// </summary>
 /// <remarks>
-/// The samples of a pixel are the lanes of a vector; with fewer than eight the last are never covered. Lanes only add, multiply and compare, so that
+/// The samples of a pixel are the lanes of a vector; with fewer than eight the last are never covered. SimdKernels only add, multiply and compare, so that
 /// the result does not depend on what the processor offers.
 /// </remarks>
 internal sealed class Rasteriser
@@ -19,7 +19,7 @@ internal sealed class Rasteriser
     public const int TileSize = 32;
 
     /// <summary>Places for samples in each pixel, used or not.</summary>
-    public const int Lanes = 8;
+    public const int SimdKernels = 8;
 
     private const int SubPixel = ScreenProjection.SubPixel;
 
@@ -45,9 +45,9 @@ internal sealed class Rasteriser
     public Rasteriser(SamplePattern pattern)
     {
         this.pattern = pattern;
-        Span<int> x = stackalloc int[Lanes];
-        Span<int> y = stackalloc int[Lanes];
-        Span<int> never = stackalloc int[Lanes];
+        Span<int> x = stackalloc int[SimdKernels];
+        Span<int> y = stackalloc int[SimdKernels];
+        Span<int> never = stackalloc int[SimdKernels];
         x.Clear();
         y.Clear();
         never.Fill(-1);
@@ -163,7 +163,7 @@ internal sealed class Rasteriser
 
     private void DrawLarge(in ScreenTriangle t, int index)
     {
-        Span<float> offsets = stackalloc float[Lanes];
+        Span<float> offsets = stackalloc float[SimdKernels];
         DepthOffsets(in t).CopyTo(offsets);
         for (int y = Math.Max(top, t.MinY); y <= Math.Min(bottom - 1, t.MaxY); y++)
         {

@@ -11,8 +11,8 @@ namespace CreatureGen.Appearance;
 /// </remarks>
 internal sealed class RandomWaves
 {
-    private const int Lanes = 4;
-    private const int Count = 3 * Lanes;
+    private const int SimdKernels = 4;
+    private const int Count = 3 * SimdKernels;
 
     // Adding and subtracting it rounds a number below 2²² to the nearest integer.
     private const float Rounding = 12582912f;
@@ -51,7 +51,7 @@ internal sealed class RandomWaves
             phase[i] = LatticeHash.Unit(LatticeHash.Bits(i, 2, 0, salt));
         }
 
-        for (int i = 0; i < Count; i += Lanes)
+        for (int i = 0; i < Count; i += SimdKernels)
         {
             waves[i] = Four(x, i);
             waves[i + 1] = Four(y, i);
@@ -64,7 +64,7 @@ internal sealed class RandomWaves
     public float At(Vector3 point)
     {
         Vector4 sum = Vector4.Zero;
-        for (int i = 0; i < waves.Length; i += Lanes)
+        for (int i = 0; i < waves.Length; i += SimdKernels)
         {
             Vector4 turns = (waves[i] * point.X) + (waves[i + 1] * point.Y) + (waves[i + 2] * point.Z) + waves[i + 3];
 

@@ -29,7 +29,7 @@ public sealed class CreatureMesh
     private readonly SkinWeights[] weights;
     private readonly int[] triangles;
     private Vector4[] tangents = Array.Empty<Vector4>();
-    private CreatureLevels? levels;
+    private CreatureLods? levels;
 
     /// <summary>Takes ownership of the arrays.</summary>
     /// <exception cref="ArgumentException">Arrays differ in length, an index is out of range, or the parts do not cover the triangles.</exception>
@@ -100,16 +100,16 @@ public sealed class CreatureMesh
     public IReadOnlyList<MeshPart> Parts { get; }
 
     /// <summary>How much larger a viewer takes each vertex's piece for than it is; null when all are taken as they are.</summary>
-    internal float[]? Attention { get; init; }
+    internal float[]? SimplificationWeight { get; init; }
 
     /// <summary>Coarser triangles over the same vertices. Made when first asked for.</summary>
-    public CreatureLevels Levels
+    public CreatureLods Lods
     {
         get
         {
             // Threads that ask at the same time make the same levels; the first to finish is kept.
-            CreatureLevels? made = Volatile.Read(ref levels);
-            return made ?? Interlocked.CompareExchange(ref levels, CreatureLevels.Of(this), null) ?? levels;
+            CreatureLods? made = Volatile.Read(ref levels);
+            return made ?? Interlocked.CompareExchange(ref levels, CreatureLods.Of(this), null) ?? levels;
         }
     }
 
@@ -118,9 +118,9 @@ public sealed class CreatureMesh
     public CreatureMesh Textured() => TexturedMesh.Of(this);
 
     /// <summary>The same mesh with tangents, one for each vertex.</summary>
-    internal CreatureMesh With(Vector4[] otherTangents) => new(positions, normals, texcoords, colours, weights, triangles, Parts) { Attention = Attention, tangents = otherTangents };
+    internal CreatureMesh With(Vector4[] otherTangents) => new(positions, normals, texcoords, colours, weights, triangles, Parts) { SimplificationWeight = SimplificationWeight, tangents = otherTangents };
 
     /// <summary>Other triangles over the same vertices, which are shared.</summary>
     internal CreatureMesh With(int[] otherTriangles, IReadOnlyList<MeshPart> otherParts) =>
-        new(positions, normals, texcoords, colours, weights, otherTriangles, otherParts) { Attention = Attention, tangents = tangents };
+        new(positions, normals, texcoords, colours, weights, otherTriangles, otherParts) { SimplificationWeight = SimplificationWeight, tangents = tangents };
 }

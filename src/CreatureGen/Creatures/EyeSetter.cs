@@ -15,7 +15,7 @@ namespace CreatureGen.Creatures;
 internal static class EyeSetter
 {
     /// <summary>Eyes that look are looked at first; a face without them is none.</summary>
-    private const float EyeAttention = 3f;
+    private const float EyeSimplificationWeight = 3f;
 
     private const float LidShade = 0.8f;
 
@@ -77,7 +77,7 @@ internal static class EyeSetter
         }
 
         Piece ball = builder.ToPiece(MaterialKind.Skin);
-        ball.Attention = eye.Style == EyeStyle.Compound ? 1f : EyeAttention;
+        ball.SimplificationWeight = eye.Style == EyeStyle.Compound ? 1f : EyeSimplificationWeight;
         AddPair(pieces, ball, "Eye_L", "Eye_R");
         if (rim == Rim.Bare)
         {

@@ -24,7 +24,7 @@ internal sealed class FeatureSetter
     private const double BroadWing = 0.4;
 
     /// <summary>Hair is a mass of many locks, of which one more or less is not missed.</summary>
-    private const float HairAttention = 0.55f;
+    private const float HairSimplificationWeight = 0.55f;
 
     private readonly CreatureBlueprint blueprint;
     private readonly GrownSurface grown;
@@ -226,7 +226,7 @@ internal sealed class FeatureSetter
         ManeShape.Append(builder, mane, grown.Skin, palette.Accent, addresses);
         Piece piece = builder.ToPiece(MaterialKind.Skin);
         piece.Binding = PieceBinding.Skin;
-        piece.Attention = HairAttention;
+        piece.SimplificationWeight = HairSimplificationWeight;
         piece.SurfaceVertices = new int[addresses.Count];
         for (int v = 0; v < addresses.Count; v++)
         {

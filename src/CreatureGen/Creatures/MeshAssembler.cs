@@ -44,13 +44,13 @@ internal static class MeshAssembler
         }
 
         int first = sources.Count;
-        buffers.Attention.AsSpan(0, first).Fill(1f);
+        buffers.SimplificationWeight.AsSpan(0, first).Fill(1f);
         int nextSkin = surface.Triangles.Length;
         int nextMembrane = skinIndices;
         foreach (Piece piece in pieces)
         {
             SkinWeights[] followed = Follow(piece, weights, rig);
-            buffers.Attention.AsSpan(first, piece.Positions.Length).Fill(piece.Attention);
+            buffers.SimplificationWeight.AsSpan(first, piece.Positions.Length).Fill(piece.SimplificationWeight);
             buffers.Texcoords.AsSpan(first, piece.Positions.Length).Fill(ChartPacking.Swatch((int)piece.Finish));
             for (int v = 0; v < piece.Positions.Length; v++)
             {
@@ -80,7 +80,7 @@ internal static class MeshAssembler
             parts.Add(new MeshPart(MaterialKind.Membrane, skinIndices, membraneIndices));
         }
 
-        return new CreatureMesh(buffers.Positions, buffers.Normals, buffers.Texcoords, buffers.Colours, buffers.Weights, triangles, parts) { Attention = buffers.Attention };
+        return new CreatureMesh(buffers.Positions, buffers.Normals, buffers.Texcoords, buffers.Colours, buffers.Weights, triangles, parts) { SimplificationWeight = buffers.SimplificationWeight };
     }
 
     /// <summary>The weights of a piece: one for each of its vertices, or a single one for all.</summary>
@@ -163,7 +163,7 @@ internal static class MeshAssembler
             Texcoords = new Vector2[vertices];
             Colours = new Vector3[vertices];
             Weights = new SkinWeights[vertices];
-            Attention = new float[vertices];
+            SimplificationWeight = new float[vertices];
         }
 
         public Vector3[] Positions { get; }
@@ -176,6 +176,6 @@ internal static class MeshAssembler
 
         public SkinWeights[] Weights { get; }
 
-        public float[] Attention { get; }
+        public float[] SimplificationWeight { get; }
     }
 }

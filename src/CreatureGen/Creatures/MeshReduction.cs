@@ -115,7 +115,7 @@ internal sealed class MeshReduction
     }
 
     /// <summary>The mesh as it is now, over the same vertices.</summary>
-    public CreatureLevel ToLevel()
+    public CreatureLod ToLevel()
     {
         int[] triangles = new int[3 * surface.Triangles];
         var parts = new List<MeshPart>();
@@ -137,7 +137,7 @@ internal sealed class MeshReduction
             }
         }
 
-        return new CreatureLevel(mesh, triangles, parts, FinalRemap());
+        return new CreatureLod(mesh, triangles, parts, FinalRemap());
     }
 
     private static int[] Identity(int count)

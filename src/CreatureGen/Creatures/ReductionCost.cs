@@ -37,7 +37,7 @@ internal sealed class ReductionCost
     private readonly Vector3[] positions;
     private readonly Quadric[] quadrics;
     private readonly double[] areas;
-    private readonly double[] attention;
+    private readonly double[] simplificationWeight;
     private readonly SkinWeights[] weights;
     private readonly Vector3[] colours;
     private readonly double contrast;
@@ -68,13 +68,13 @@ internal sealed class ReductionCost
         }
 
         weights = new SkinWeights[positions.Length];
-        attention = new double[positions.Length];
+        simplificationWeight = new double[positions.Length];
         colours = new Vector3[pointOf.Length];
         for (int v = 0; v < pointOf.Length; v++)
         {
             weights[pointOf[v]] = mesh.Weights[v];
-            double seen = mesh.Attention is null ? 1 : mesh.Attention[v];
-            attention[pointOf[v]] = seen * seen * seen * seen;
+            double seen = mesh.SimplificationWeight is null ? 1 : mesh.SimplificationWeight[v];
+            simplificationWeight[pointOf[v]] = seen * seen * seen * seen;
 
             // The root is nearer to what the eye makes of brightness.
             Vector3 c = mesh.Colours[v];
@@ -104,18 +104,18 @@ internal sealed class ReductionCost
 
         double seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour / pairs.Count * contrast * contrast) + (torn ? tear * tear : 0);
         seeming += positions[from].Y == 0f && positions[to].Y != 0f ? lift * lift : 0;
-        return attention[from] * (quadrics[from].At(positions[to]) + (areas[from] * seeming));
+        return simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * seeming));
     }
 
     /// <summary>A cost that <see cref="Of"/> does not fall below.</summary>
     public double LeastOf(int from, int to) =>
-        attention[from] * (quadrics[from].At(positions[to]) + (areas[from] * Vec.LengthSquared(positions[from] - positions[to]) * Stretch * Stretch));
+        simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * Vec.LengthSquared(positions[from] - positions[to]) * Stretch * Stretch));
 
     /// <summary>The cost of the loss of a piece.</summary>
     /// <param name="point">One of its points.</param>
     /// <param name="area">Its area, square metres.</param>
     /// <param name="diagonal">Diagonal of its box, metres.</param>
-    public double OfLoss(int point, double area, double diagonal) => attention[point] * area * Loss * diagonal * Loss * diagonal;
+    public double OfLoss(int point, double area, double diagonal) => simplificationWeight[point] * area * Loss * diagonal * Loss * diagonal;
 
     /// <summary>Squared difference of two vertices' colours as the eye sees it.</summary>
     public double Difference(int vertex, int other) => Vec.LengthSquared(colours[vertex] - colours[other]);

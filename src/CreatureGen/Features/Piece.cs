@@ -38,7 +38,7 @@ internal sealed class Piece
     public SurfaceFinish Finish { get; set; }
 
     /// <summary>How much larger a viewer takes it for than it is: what is looked at keeps its detail longer.</summary>
-    public float Attention { get; set; } = 1f;
+    public float SimplificationWeight { get; set; } = 1f;
 
     public PieceBinding Binding { get; set; }
 

@@ -34,7 +34,7 @@ internal static class PieceMirror
             Triangles = triangles,
             Material = piece.Material,
             Finish = piece.Finish,
-            Attention = piece.Attention,
+            SimplificationWeight = piece.SimplificationWeight,
             Binding = piece.Binding,
             JointName = piece.JointName,
             SurfaceVertex = piece.SurfaceVertex,

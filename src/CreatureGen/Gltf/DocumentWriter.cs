@@ -25,7 +25,7 @@ internal static class DocumentWriter
     private const int ElementArrayBuffer = 34963;
 
     /// <summary>Writes the whole document.</summary>
-    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, LevelStack levels, MeshBuffers buffers, ClipBuffers clips, (Vector3 Min, Vector3 Max) box)
+    public static void Write(JsonWriter json, Creature creature, GltfOptions options, BufferPlan plan, LodStack levels, MeshBuffers buffers, ClipBuffers clips, (Vector3 Min, Vector3 Max) box)
     {
         List<MaterialKind> materials = Materials(levels.Mesh);
         json.BeginObject();
@@ -85,9 +85,9 @@ internal static class DocumentWriter
             json.Name("options").Text(options.Provenance);
         }
 
-        if (options.Levels != LevelChoice.Finest)
+        if (options.Lods != LodChoice.Finest)
         {
-            json.Name("levels").Text(options.Levels.ToString().ToLowerInvariant());
+            json.Name("levels").Text(options.Lods.ToString().ToLowerInvariant());
         }
 
         if (options.Materials != MaterialChoice.Two)
@@ -117,7 +117,7 @@ internal static class DocumentWriter
         }
     }
 
-    private static void WriteMesh(JsonWriter json, LevelStack levels, int level, MeshBuffers buffers, List<MaterialKind> materials)
+    private static void WriteMesh(JsonWriter json, LodStack levels, int level, MeshBuffers buffers, List<MaterialKind> materials)
     {
         json.BeginObject();
         json.Name("name").Text(NodeTree.NameOfLevel(level));

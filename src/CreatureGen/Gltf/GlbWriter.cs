@@ -17,7 +17,7 @@ namespace CreatureGen.Gltf;
 /// and on the asset <c>creaturegen</c> with the seed, the version of the algorithm, the options and the blueprint, which <see cref="GlbReader"/> reads back.
 /// </para>
 /// <para>
-/// With <see cref="LevelChoice.All"/> the node <c>Creature</c> has the extension <c>MSFT_lod</c>, which names the nodes <c>Creature_LOD1</c> to <c>Creature_LOD3</c>; these are in no scene,
+/// With <see cref="LodChoice.All"/> the node <c>Creature</c> has the extension <c>MSFT_lod</c>, which names the nodes <c>Creature_LOD1</c> to <c>Creature_LOD3</c>; these are in no scene,
 /// and their meshes share the vertices and the skin of the first.
 /// </para>
 /// <para>The bytes depend on nothing but the arguments. Safe to call from several threads at once, with different streams.</para>
@@ -43,7 +43,7 @@ public static class GlbWriter
         }
 
         ExportCheck.Require(creature);
-        LevelStack levels = LevelStack.Of(creature.Mesh, options);
+        LodStack levels = LodStack.Of(creature.Mesh, options);
         TextureImages? images = options.TextureSize == 0 ? null : TextureImages.Of(creature, options.TextureSize);
         levels = images == null ? levels : levels.Over(levels.Mesh.Textured());
         var plan = new BufferPlan();

@@ -13,8 +13,8 @@ public sealed record GltfOptions
     /// <summary>How light falls on the triangles.</summary>
     public Shading Shading { get; init; } = Shading.Smooth;
 
-    /// <summary>Which levels of detail are written. Default: <see cref="LevelChoice.Finest"/>.</summary>
-    public LevelChoice Levels { get; init; } = LevelChoice.Finest;
+    /// <summary>Which levels of detail are written. Default: <see cref="LodChoice.Finest"/>.</summary>
+    public LodChoice Lods { get; init; } = LodChoice.Finest;
 
     /// <summary>How many materials there are at most. Default: <see cref="MaterialChoice.Two"/>.</summary>
     public MaterialChoice Materials { get; init; } = MaterialChoice.Two;

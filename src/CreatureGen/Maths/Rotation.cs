@@ -19,15 +19,15 @@ public static class Rotation
 
     /// <summary><paramref name="v"/> turned by the unit quaternion <paramref name="q"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Rotate(Quaternion q, Vector3 v) => Lanes.Rotate(q, v);
+    public static Vector3 Rotate(Quaternion q, Vector3 v) => SimdKernels.Rotate(q, v);
 
     /// <summary>The rotation that applies <paramref name="b"/> first, then <paramref name="a"/> (Hamilton's product a·b). A joint's model rotation is Multiply(parent, local).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Multiply(Quaternion a, Quaternion b) => Lanes.Multiply(a, b);
+    public static Quaternion Multiply(Quaternion a, Quaternion b) => SimdKernels.Multiply(a, b);
 
     /// <summary>The rotation that undoes the unit quaternion <paramref name="q"/>: its conjugate.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Inverse(Quaternion q) => Lanes.Conjugate(q);
+    public static Quaternion Inverse(Quaternion q) => SimdKernels.Conjugate(q);
 
     /// <summary>The rotation seen in the mirror x = 0: mirrored vectors turned by it are the mirrored results.</summary>
     public static Quaternion Mirror(Quaternion q) => new(q.X, -q.Y, -q.Z, q.W);

@@ -23,7 +23,7 @@ public static class Vec
 
     /// <summary>Right-handed vector product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Cross(Vector3 a, Vector3 b) => Lanes.Cross(a, b);
+    public static Vector3 Cross(Vector3 a, Vector3 b) => SimdKernels.Cross(a, b);
 
     /// <summary>Squared Euclidean length.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

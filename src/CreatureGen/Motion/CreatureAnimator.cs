@@ -30,8 +30,8 @@ public sealed class CreatureAnimator
     private readonly Quaternion[] modelRotations;
     private readonly Vector3[] modelPositions;
     private readonly EventQueue events;
-    private readonly LeggedMotion? legs;
-    private readonly IBodyMotion? motion;
+    private readonly WalkingMode? legs;
+    private readonly ILocomotionMode? motion;
     private readonly SecondaryMotion secondary;
     private readonly HeadAttention? attention;
     private Vector3? lookAt;
@@ -57,14 +57,14 @@ public sealed class CreatureAnimator
         LocalPose.SetToRest(skeleton);
         ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
         int feet = profile.Legs?.Legs.Length ?? 0;
-        events = new EventQueue((2 * feet * LeggedMotion.MostSteps) + (profile.Flight != null ? FlightDrive.MostBeats : 0));
+        events = new EventQueue((2 * feet * WalkingMode.MostSteps) + (profile.Flight != null ? FlyingMode.MostBeats : 0));
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature);
-        legs = profile.Legs == null ? null : new LeggedMotion(profile.Legs, profile.Gaits!, events);
-        motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs, events)
-            : profile.Swim != null ? new SwimDrive(profile.Swim)
-            : profile.Slither != null ? new SlitherDrive(profile.Slither)
+        legs = profile.Legs == null ? null : new WalkingMode(profile.Legs, profile.Gaits!, events);
+        motion = profile.Flight != null ? new FlyingMode(profile.Flight, legs, events)
+            : profile.Swim != null ? new SwimmingMode(profile.Swim)
+            : profile.Slither != null ? new SlitheringMode(profile.Slither)
             : legs;
     }
 
@@ -118,13 +118,13 @@ public sealed class CreatureAnimator
     public int FootCount => legs?.FootCount ?? 0;
 
     /// <summary>Whether it goes on its feet at present: not in the air, in water or on the belly.</summary>
-    internal bool StandsOnFeet => motion is FlightDrive flight ? flight.Stands : legs != null && motion == legs;
+    internal bool StandsOnFeet => motion is FlyingMode flight ? flight.Stands : legs != null && motion == legs;
 
     /// <summary>Whether it is on its feet with its wings folded, or has none that fold.</summary>
-    internal bool IsAtRest => motion is not FlightDrive flight || flight.IsAtRest;
+    internal bool IsAtRest => motion is not FlyingMode flight || flight.IsAtRest;
 
     /// <summary>Whether a C-start is under way.</summary>
-    internal bool Escapes => motion is SwimDrive { Escapes: true };
+    internal bool Escapes => motion is SwimmingMode { Escapes: true };
 
     /// <summary>Metres per second ahead at present.</summary>
     public float Speed => (motion?.Speed ?? 0f) * Root.Scale;
@@ -145,7 +145,7 @@ public sealed class CreatureAnimator
         }
 
         FootReport report = legs.Report(foot);
-        return motion is FlightDrive { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
+        return motion is FlyingMode { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
     }
 
     /// <summary>Moves on: the creature goes as it is asked, over the ground.</summary>
@@ -159,7 +159,7 @@ public sealed class CreatureAnimator
         Check(ref dt, ground);
         Finite.Require(input.Speed, nameof(input.Speed));
         Finite.Require(input.Sideways, nameof(input.Sideways));
-        Finite.Require(input.TurnRate, nameof(input.TurnRate));
+        Finite.Require(input.YawRate, nameof(input.YawRate));
         Finite.Require(input.ClimbRate, nameof(input.ClimbRate));
         if (motion != null)
         {
@@ -248,7 +248,7 @@ public sealed class CreatureAnimator
             throw new ArgumentOutOfRangeException(nameof(dt), dt, "expected finite seconds, not negative");
         }
 
-        dt = Math.Min(dt, LeggedMotion.LongestUpdate);
+        dt = Math.Min(dt, WalkingMode.LongestUpdate);
         events.Clear();
     }
 
@@ -256,7 +256,7 @@ public sealed class CreatureAnimator
     {
         ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
         attention?.Update(lookAt, Root, motion?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
-        float height = motion is FlightDrive flight ? flight.Height : 0f;
+        float height = motion is FlyingMode flight ? flight.Height : 0f;
         secondary.Update(Root, Rotation.Rotate(Root.Rotation, Vector3.UnitY), height, dt, LocalPose, ModelPose);
     }
 }

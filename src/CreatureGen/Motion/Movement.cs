@@ -13,12 +13,12 @@ public sealed class Movement
     /// <summary>Part of the cruise of an undulating crawler that it makes straight on: waves of the belly are slow.</summary>
     private const float RectilinearSpeed = 0.3f;
 
-    private Movement(string name, MotionInput input, Gait? gait, MovementCourse course = MovementCourse.Lasting, SlitherMode crawl = SlitherMode.Undulating)
+    private Movement(string name, MotionInput input, Gait? gait, ClipKind kind = ClipKind.Lasting, SlitherGait crawl = SlitherGait.Undulating)
     {
         Name = name;
         Input = input;
         Gait = gait;
-        Course = course;
+        Kind = kind;
         Crawl = crawl;
     }
 
@@ -29,19 +29,19 @@ public sealed class Movement
     public MotionInput Input { get; }
 
     /// <summary>Whether it goes on and on or happens once.</summary>
-    public MovementCourse Course { get; }
+    public ClipKind Kind { get; }
 
     /// <summary>The gait it keeps to; null for none.</summary>
     public Gait? Gait { get; }
 
     /// <summary>How a creature without legs crawls; others take no notice.</summary>
-    public SlitherMode Crawl { get; }
+    public SlitherGait Crawl { get; }
 
     /// <summary>The name of its gait, such as <c>BipedWalk</c>; <see cref="Name"/> where there is no gait.</summary>
     public string GaitName => Gait?.Name ?? Name;
 
     /// <summary>Whether the motion repeats at the beat of a gait or a stroke; standing still has none.</summary>
-    public bool IsCyclic => Course == MovementCourse.Lasting && (Input.Speed != 0f || Input.Medium == MotionMedium.Air);
+    public bool IsCyclic => Kind == ClipKind.Lasting && (Input.Speed != 0f || Input.Medium == MotionMedium.Air);
 
     /// <summary>Everything a creature does by itself: Idle, each of its gaits at its most comfortable speed, flight, taking off and landing, swimming, the start of a startled fish to its left, all ways of crawling.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
@@ -71,8 +71,8 @@ public sealed class Movement
         {
             float speed = PassageSpeed * profile.Flight.CruiseSpeed;
             float climb = PassageClimb * profile.Flight.CruiseSpeed;
-            movements.Add(new Movement("TakeOff", new MotionInput(speed, ClimbRate: climb, Medium: MotionMedium.Air), null, MovementCourse.TakeOff));
-            movements.Add(new Movement("Land", new MotionInput(speed, ClimbRate: -climb), null, MovementCourse.Landing));
+            movements.Add(new Movement("TakeOff", new MotionInput(speed, ClimbRate: climb, Medium: MotionMedium.Air), null, ClipKind.TakeOff));
+            movements.Add(new Movement("Land", new MotionInput(speed, ClimbRate: -climb), null, ClipKind.Landing));
         }
 
         if (profile.Swim != null)
@@ -81,7 +81,7 @@ public sealed class Movement
             movements.Add(new Movement("Swim", new MotionInput(speed), null));
             if (profile.Swim.Style is SwimStyle.Carangiform or SwimStyle.Anguilliform)
             {
-                movements.Add(new Movement("CStart", new MotionInput(speed, Escape: EscapeTurn.Left), null, MovementCourse.Escape));
+                movements.Add(new Movement("CStart", new MotionInput(speed, Escape: EscapeTurn.Left), null, ClipKind.Escape));
             }
         }
 
@@ -89,8 +89,8 @@ public sealed class Movement
         {
             float speed = profile.Slither.CruiseSpeed;
             movements.Add(new Movement("Slither", new MotionInput(speed), null));
-            movements.Add(new Movement("Sidewind", new MotionInput(speed), null, crawl: SlitherMode.Sidewinding));
-            movements.Add(new Movement("Rectilinear", new MotionInput(RectilinearSpeed * speed), null, crawl: SlitherMode.Rectilinear));
+            movements.Add(new Movement("Sidewind", new MotionInput(speed), null, crawl: SlitherGait.Sidewinding));
+            movements.Add(new Movement("Rectilinear", new MotionInput(RectilinearSpeed * speed), null, crawl: SlitherGait.Rectilinear));
         }
 
         return movements;
@@ -102,7 +102,7 @@ public sealed class Movement
     public Movement At(float speed)
     {
         Maths.Finite.Require(speed, nameof(speed));
-        return new Movement(Name, Input with { Speed = speed }, Gait, Course, Crawl);
+        return new Movement(Name, Input with { Speed = speed }, Gait, Kind, Crawl);
     }
 
     /// <summary>An animator of a creature that stands at the origin and keeps to the movement's gait or way of crawling from its first step.</summary>

@@ -41,7 +41,7 @@ internal static class CrowdTable
         yield return ("four legs, walk", RequestedKind.Walking, Legs(2), p => Crowd.At(p, 0));
         yield return ("four legs, trot", RequestedKind.Walking, Legs(2), p => Crowd.At(p, 1));
         yield return ("four legs, fastest", RequestedKind.Walking, Legs(2), p => Crowd.At(p, 9));
-        yield return ("four legs, turn", RequestedKind.Walking, Legs(2), p => Crowd.At(p, 0) with { TurnRate = 0.5f });
+        yield return ("four legs, turn", RequestedKind.Walking, Legs(2), p => Crowd.At(p, 0) with { YawRate = 0.5f });
         yield return ("two legs, walk", RequestedKind.Walking, Legs(1), p => Crowd.At(p, 0));
         yield return ("six legs, walk", RequestedKind.Walking, Legs(3), p => Crowd.At(p, 0));
         yield return ("no legs, crawl", RequestedKind.Walking, p => p.Slither != null, p => new MotionInput(0.5f));

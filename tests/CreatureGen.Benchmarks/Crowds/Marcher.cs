@@ -25,7 +25,7 @@ internal sealed class Marcher
     private readonly Vector3[] modelPositions;
     private readonly Matrix4x4[] matrices;
     private readonly EventQueue events;
-    private readonly IBodyMotion motion;
+    private readonly ILocomotionMode motion;
     private readonly HeadAttention? attention;
     private readonly SecondaryMotion secondary;
     private RootPlace root;
@@ -41,10 +41,10 @@ internal sealed class Marcher
         modelPositions = new Vector3[count];
         matrices = new Matrix4x4[count];
         events = new EventQueue(256);
-        LeggedMotion? legs = profile.Legs == null ? null : new LeggedMotion(profile.Legs, profile.Gaits!, events);
-        motion = profile.Flight != null ? new FlightDrive(profile.Flight, legs, events)
-            : profile.Swim != null ? new SwimDrive(profile.Swim)
-            : profile.Slither != null ? new SlitherDrive(profile.Slither)
+        WalkingMode? legs = profile.Legs == null ? null : new WalkingMode(profile.Legs, profile.Gaits!, events);
+        motion = profile.Flight != null ? new FlyingMode(profile.Flight, legs, events)
+            : profile.Swim != null ? new SwimmingMode(profile.Swim)
+            : profile.Slither != null ? new SlitheringMode(profile.Slither)
             : legs!;
         attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, new Seed(1), profile.Creature);
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);

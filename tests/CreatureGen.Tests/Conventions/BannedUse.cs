@@ -152,8 +152,8 @@ internal static class BannedUse
             MethodInfo method => [method.DeclaringType!, method.ReturnType, .. method.GetParameters().Select(p => p.ParameterType), .. method.GetGenericArguments()],
             _ => [target.DeclaringType!],
         };
-        return mentioned.All(t => t.Namespace == "System.Runtime.Intrinsics" || t.Namespace == "System") && !mentioned.SelectMany(Lanes).Any(t => t == typeof(float) || t == typeof(double));
+        return mentioned.All(t => t.Namespace == "System.Runtime.Intrinsics" || t.Namespace == "System") && !mentioned.SelectMany(SimdKernels).Any(t => t == typeof(float) || t == typeof(double));
     }
 
-    private static IEnumerable<Type> Lanes(Type type) => type.IsByRef ? Lanes(type.GetElementType()!) : type.IsGenericType ? type.GetGenericArguments() : [type];
+    private static IEnumerable<Type> SimdKernels(Type type) => type.IsByRef ? SimdKernels(type.GetElementType()!) : type.IsGenericType ? type.GetGenericArguments() : [type];
 }

@@ -12,20 +12,20 @@ using Xunit;
 
 namespace CreatureGen.Tests.Gltf;
 
-public sealed class GlbLevelsTests
+public sealed class GlbLodTests
 {
-    private static readonly Creature Subject = LevelSubjects.Of(RequestedKind.Flying, 6);
+    private static readonly Creature Subject = LodSubjects.Of(RequestedKind.Flying, 6);
 
-    public static TheoryData<RequestedKind> Kinds => LevelSubjects.Kinds;
+    public static TheoryData<RequestedKind> Kinds => LodSubjects.Kinds;
 
     [Theory]
-    [InlineData(LevelChoice.Half, 1)]
-    [InlineData(LevelChoice.Quarter, 2)]
-    [InlineData(LevelChoice.Tenth, 3)]
-    public void A_file_of_one_level_holds_its_triangles_and_its_vertices_alone(LevelChoice choice, int level)
+    [InlineData(LodChoice.Half, 1)]
+    [InlineData(LodChoice.Quarter, 2)]
+    [InlineData(LodChoice.Tenth, 3)]
+    public void A_file_of_one_level_holds_its_triangles_and_its_vertices_alone(LodChoice choice, int level)
     {
-        GlbFile file = GlbFile.Of(Subject, new GltfOptions { Levels = choice });
-        CreatureMesh alone = Subject.Mesh.Levels[level].ToMesh();
+        GlbFile file = GlbFile.Of(Subject, new GltfOptions { Lods = choice });
+        CreatureMesh alone = Subject.Mesh.Lods[level].ToMesh();
         Assert.Equal(alone.Positions.Length, file.Accessor(file.Attribute("POSITION")).GetProperty("count").GetInt32());
         Assert.Equal(Triples(alone.Triangles.ToArray()), Triples(IndicesOf(file, 0)));
         Assert.Equal(1, file.Json.GetProperty("meshes").GetArrayLength());
@@ -36,8 +36,8 @@ public sealed class GlbLevelsTests
     [MemberData(nameof(Kinds))]
     public void A_file_of_all_levels_ties_them_together_over_one_set_of_vertices_and_one_skin(RequestedKind kind)
     {
-        Creature creature = LevelSubjects.Of(kind, 6);
-        GlbFile file = GlbFile.Of(creature, new GltfOptions { Levels = LevelChoice.All });
+        Creature creature = LodSubjects.Of(kind, 6);
+        GlbFile file = GlbFile.Of(creature, new GltfOptions { Lods = LodChoice.All });
         Assert.Equal(["MSFT_lod"], file.Json.GetProperty("extensionsUsed").EnumerateArray().Select(e => e.GetString()));
         Assert.False(file.Json.TryGetProperty("extensionsRequired", out _));
         JsonElement nodes = file.Json.GetProperty("nodes");
@@ -54,7 +54,7 @@ public sealed class GlbLevelsTests
             Assert.Equal(level == 0 ? "Creature" : "Creature_LOD" + level, node.GetProperty("name").GetString());
             Assert.Equal(0, node.GetProperty("skin").GetInt32());
             Assert.Equal(level, node.GetProperty("mesh").GetInt32());
-            Assert.Equal(Triples(creature.Mesh.Levels[level].Triangles.ToArray()), Triples(IndicesOf(file, level)));
+            Assert.Equal(Triples(creature.Mesh.Lods[level].Triangles.ToArray()), Triples(IndicesOf(file, level)));
             Assert.All(file.Json.GetProperty("meshes")[level].GetProperty("primitives").EnumerateArray(), p => Assert.Equal(attributes, p.GetProperty("attributes").GetRawText()));
         }
 
@@ -64,19 +64,19 @@ public sealed class GlbLevelsTests
     [Fact]
     public void Flat_levels_have_facets_of_their_own()
     {
-        GlbFile file = GlbFile.Of(Subject, new GltfOptions { Levels = LevelChoice.All, Shading = Shading.Flat });
-        int corners = Enumerable.Range(0, 4).Sum(i => Subject.Mesh.Levels[i].Triangles.Length);
+        GlbFile file = GlbFile.Of(Subject, new GltfOptions { Lods = LodChoice.All, Shading = Shading.Flat });
+        int corners = Enumerable.Range(0, 4).Sum(i => Subject.Mesh.Lods[i].Triangles.Length);
         Assert.Equal(corners, file.Accessor(file.Attribute("POSITION")).GetProperty("count").GetInt32());
         for (int level = 0; level < 4; level++)
         {
-            Assert.Equal(Subject.Mesh.Levels[level].Triangles.Length, IndicesOf(file, level).Length);
+            Assert.Equal(Subject.Mesh.Lods[level].Triangles.Length, IndicesOf(file, level).Length);
         }
     }
 
     [Fact]
     public void A_choice_that_there_is_not_is_refused_by_name()
     {
-        ArgumentException e = Assert.Throws<ArgumentException>(() => GlbFile.Write(Subject, new GltfOptions { Levels = (LevelChoice)9 }));
+        ArgumentException e = Assert.Throws<ArgumentException>(() => GlbFile.Write(Subject, new GltfOptions { Lods = (LodChoice)9 }));
         Assert.StartsWith("levels 9; expected Finest, Half, Quarter, Tenth or All", e.Message, StringComparison.Ordinal);
     }
 
@@ -85,11 +85,11 @@ public sealed class GlbLevelsTests
     {
         foreach (RequestedKind kind in new[] { RequestedKind.Walking, RequestedKind.Flying, RequestedKind.Swimming })
         {
-            Creature creature = LevelSubjects.Of(kind, 9);
-            GlbFile file = GlbFile.Of(creature, new GltfOptions { Levels = LevelChoice.All });
+            Creature creature = LodSubjects.Of(kind, 9);
+            GlbFile file = GlbFile.Of(creature, new GltfOptions { Lods = LodChoice.All });
             for (int level = 0; level < 4; level++)
             {
-                double before = MissesPerTriangle(creature.Mesh.Levels[level].Triangles.ToArray(), 16);
+                double before = MissesPerTriangle(creature.Mesh.Lods[level].Triangles.ToArray(), 16);
                 Assert.True(MissesPerTriangle(IndicesOf(file, level), 16) < (level == 0 ? 0.8 : 1) * before, FormattableString.Invariant($"{kind} level {level}"));
             }
         }
@@ -104,11 +104,11 @@ public sealed class GlbLevelsTests
             int count = 0;
             foreach (RequestedKind kind in new[] { RequestedKind.Walking, RequestedKind.Flying, RequestedKind.Swimming })
             {
-                foreach (LevelChoice choice in Enum.GetValues<LevelChoice>())
+                foreach (LodChoice choice in Enum.GetValues<LodChoice>())
                 {
                     foreach (Shading shading in Enum.GetValues<Shading>())
                     {
-                        File.WriteAllBytes(Path.Combine(folder, FormattableString.Invariant($"{count++}.glb")), GlbFile.Write(LevelSubjects.Of(kind, 30 + count), new GltfOptions { Levels = choice, Shading = shading }));
+                        File.WriteAllBytes(Path.Combine(folder, FormattableString.Invariant($"{count++}.glb")), GlbFile.Write(LodSubjects.Of(kind, 30 + count), new GltfOptions { Lods = choice, Shading = shading }));
                     }
                 }
             }

@@ -17,12 +17,12 @@ public sealed class GlbMaterialTests
     // With wings of skin: it has triangles of both materials at every level.
     private static readonly Creature Subject = Enumerable.Range(0, 40).Select(seed => CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying })).First(c => c.Mesh.Parts.Count == 2);
 
-    public static TheoryData<LevelChoice, Shading, int> Choices
+    public static TheoryData<LodChoice, Shading, int> Choices
     {
         get
         {
-            var data = new TheoryData<LevelChoice, Shading, int>();
-            foreach (LevelChoice levels in new[] { LevelChoice.Finest, LevelChoice.Quarter, LevelChoice.All })
+            var data = new TheoryData<LodChoice, Shading, int>();
+            foreach (LodChoice levels in new[] { LodChoice.Finest, LodChoice.Quarter, LodChoice.All })
             {
                 data.Add(levels, Shading.Smooth, 0);
                 data.Add(levels, Shading.Flat, 0);
@@ -35,9 +35,9 @@ public sealed class GlbMaterialTests
 
     [Theory]
     [MemberData(nameof(Choices))]
-    public void One_material_has_the_same_triangles_and_colours_as_two_in_one_primitive_for_each_level(LevelChoice levels, Shading shading, int textures)
+    public void One_material_has_the_same_triangles_and_colours_as_two_in_one_primitive_for_each_level(LodChoice levels, Shading shading, int textures)
     {
-        var options = new GltfOptions { Levels = levels, Shading = shading, TextureSize = textures };
+        var options = new GltfOptions { Lods = levels, Shading = shading, TextureSize = textures };
         GlbFile two = GlbFile.Of(Subject, options);
         GlbFile one = GlbFile.Of(Subject, options with { Materials = MaterialChoice.One });
         Assert.Equal(2, two.Json.GetProperty("materials").GetArrayLength());
@@ -57,7 +57,7 @@ public sealed class GlbMaterialTests
     [Fact]
     public void A_creature_without_membranes_gets_the_same_one_material()
     {
-        Creature solid = Enumerable.Range(0, 40).Select(seed => LevelSubjects.Of(RequestedKind.Walking, seed)).First(c => c.Mesh.Parts.Count == 1);
+        Creature solid = Enumerable.Range(0, 40).Select(seed => LodSubjects.Of(RequestedKind.Walking, seed)).First(c => c.Mesh.Parts.Count == 1);
         JsonElement material = GlbFile.Of(solid, new GltfOptions { Materials = MaterialChoice.One }).Json.GetProperty("materials").EnumerateArray().Single();
         Assert.Equal("Creature", material.GetProperty("name").GetString());
         Assert.True(material.GetProperty("doubleSided").GetBoolean());
@@ -79,12 +79,12 @@ public sealed class GlbMaterialTests
             int count = 0;
             foreach (RequestedKind kind in new[] { RequestedKind.Walking, RequestedKind.Flying, RequestedKind.Swimming })
             {
-                foreach (LevelChoice levels in new[] { LevelChoice.Finest, LevelChoice.All })
+                foreach (LodChoice levels in new[] { LodChoice.Finest, LodChoice.All })
                 {
                     foreach ((Shading shading, int textures) in new[] { (Shading.Smooth, 0), (Shading.Flat, 0), (Shading.Smooth, 256) })
                     {
-                        var options = new GltfOptions { Materials = MaterialChoice.One, Levels = levels, Shading = shading, TextureSize = textures };
-                        File.WriteAllBytes(Path.Combine(folder, FormattableString.Invariant($"{count++}.glb")), GlbFile.Write(LevelSubjects.Of(kind, 60 + count), options));
+                        var options = new GltfOptions { Materials = MaterialChoice.One, Lods = levels, Shading = shading, TextureSize = textures };
+                        File.WriteAllBytes(Path.Combine(folder, FormattableString.Invariant($"{count++}.glb")), GlbFile.Write(LodSubjects.Of(kind, 60 + count), options));
                     }
                 }
             }

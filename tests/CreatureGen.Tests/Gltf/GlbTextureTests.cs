@@ -113,12 +113,12 @@ public sealed class GlbTextureTests
             int count = 0;
             foreach (LocomotionKind kind in Enum.GetValues<LocomotionKind>())
             {
-                foreach (LevelChoice levels in new[] { LevelChoice.Finest, LevelChoice.Tenth, LevelChoice.All })
+                foreach (LodChoice levels in new[] { LodChoice.Finest, LodChoice.Tenth, LodChoice.All })
                 {
                     foreach (Shading shading in Enum.GetValues<Shading>())
                     {
                         Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample((ulong)count, kind));
-                        await File.WriteAllBytesAsync(Path.Combine(folder, $"{count++:000}.glb"), GlbFile.Write(creature, new GltfOptions { TextureSize = Size, Levels = levels, Shading = shading }), TestContext.Current.CancellationToken);
+                        await File.WriteAllBytesAsync(Path.Combine(folder, $"{count++:000}.glb"), GlbFile.Write(creature, new GltfOptions { TextureSize = Size, Lods = levels, Shading = shading }), TestContext.Current.CancellationToken);
                     }
                 }
             }

@@ -88,7 +88,7 @@ public sealed class IndependentReaderTests(CreatureFolder folder)
 
     private static void CompareMesh(CreatureFile file, JsonElement read)
     {
-        CreatureMesh mesh = LevelStack.Of(file.Creature.Mesh, file.Options).Mesh;
+        CreatureMesh mesh = LodStack.Of(file.Creature.Mesh, file.Options).Mesh;
         Assert.Equal(["COLOR_0", "JOINTS_0", "NORMAL", "POSITION", "TEXCOORD_0", "WEIGHTS_0"], Texts(read, "attributes"));
         Assert.Equal(mesh.Positions.Length, read.GetProperty("vertices").GetInt32());
         Vector3[] positions = mesh.Positions.ToArray();

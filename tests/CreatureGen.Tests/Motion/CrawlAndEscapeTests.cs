@@ -20,7 +20,7 @@ public sealed class CrawlAndEscapeTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless, 8))
         {
-            CreatureAnimator animator = Crawler(creature, SlitherMode.Sidewinding);
+            CreatureAnimator animator = Crawler(creature, SlitherGait.Sidewinding);
             SlitherProfile profile = animator.Profile.Slither!;
             var input = new MotionInput(profile.CruiseSpeed);
             Walkers.Run(animator, 6f, 60f, input, FlatGround.Level);
@@ -55,7 +55,7 @@ public sealed class CrawlAndEscapeTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless, 4))
         {
-            CreatureAnimator animator = Crawler(creature, SlitherMode.Rectilinear);
+            CreatureAnimator animator = Crawler(creature, SlitherGait.Rectilinear);
             SlitherProfile profile = animator.Profile.Slither!;
             var input = new MotionInput(0.3f * profile.CruiseSpeed);
             Walkers.Run(animator, 2f, 60f, input, FlatGround.Level);
@@ -87,21 +87,21 @@ public sealed class CrawlAndEscapeTests
         float coarse = FastestChange(creature, 60f);
         float fine = FastestChange(creature, 240f);
         Assert.True(fine < 0.4f * coarse, FormattableString.Invariant($"{coarse} rad in 1/60 s, {fine} in 1/240 s"));
-        CreatureAnimator animator = Crawler(creature, SlitherMode.Undulating);
+        CreatureAnimator animator = Crawler(creature, SlitherGait.Undulating);
         int updates = 0;
         Assert.Equal(0, MovingPose.Allocated(() =>
         {
             LocomotionSettings settings = animator.Settings;
-            settings.Crawl = (SlitherMode)(updates++ / 50 % 3);
+            settings.Crawl = (SlitherGait)(updates++ / 50 % 3);
             animator.Settings = settings;
             animator.Update(1f / 60f, new MotionInput(animator.Profile.Slither!.CruiseSpeed), FlatGround.Level);
         }, 300));
     }
 
     [Theory]
-    [InlineData(SlitherMode.Sidewinding)]
-    [InlineData(SlitherMode.Rectilinear)]
-    public void A_crawl_is_the_same_at_any_frame_rate(SlitherMode mode)
+    [InlineData(SlitherGait.Sidewinding)]
+    [InlineData(SlitherGait.Rectilinear)]
+    public void A_crawl_is_the_same_at_any_frame_rate(SlitherGait mode)
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
         CreatureAnimator? first = null;
@@ -121,7 +121,7 @@ public sealed class CrawlAndEscapeTests
     {
         var animator = new CreatureAnimator(StrokeSubject.Of(BodyPlan.Legless)[0]);
         LocomotionSettings settings = animator.Settings;
-        settings.Crawl = (SlitherMode)3;
+        settings.Crawl = (SlitherGait)3;
         Assert.Contains("Crawl", Assert.Throws<ArgumentOutOfRangeException>(() => animator.Settings = settings).Message, StringComparison.Ordinal);
     }
 
@@ -223,7 +223,7 @@ public sealed class CrawlAndEscapeTests
         var plain = new CreatureAnimator(creature);
         var startled = new CreatureAnimator(creature);
         LocomotionSettings settings = startled.Settings;
-        settings.Crawl = SlitherMode.Sidewinding;
+        settings.Crawl = SlitherGait.Sidewinding;
         startled.Settings = settings;
         Walkers.Run(plain, 1f, 60f, new MotionInput(1f), FlatGround.Level);
         Walkers.Run(startled, 1f, 60f, new MotionInput(1f, Escape: EscapeTurn.Left), FlatGround.Level);
@@ -238,7 +238,7 @@ public sealed class CrawlAndEscapeTests
         Assert.All(ClipBaker.Bake(serpent), clip => Assert.Equal(ClipEnd.Loops, clip.End));
         Creature fish = StrokeSubject.Of(BodyPlan.Fish)[0];
         Assert.Equal(new[] { "Idle", "Swim", "CStart" }, Movement.Of(new MotionProfile(fish)).Select(movement => movement.Name));
-        Assert.DoesNotContain(Movement.Of(new MotionProfile(StrokeSubject.Of(BodyPlan.Whale)[0])), movement => movement.Course == MovementCourse.Escape);
+        Assert.DoesNotContain(Movement.Of(new MotionProfile(StrokeSubject.Of(BodyPlan.Whale)[0])), movement => movement.Kind == ClipKind.Escape);
         Clip dart = ClipBaker.Bake(fish).Single(clip => clip.Name == "CStart");
         Assert.Equal(ClipEnd.Stays, dart.End);
 
@@ -249,7 +249,7 @@ public sealed class CrawlAndEscapeTests
         Assert.Equal(dart.RotationsAt(0)[0], dart.RotationsAt(dart.Frames - 1)[0]);
     }
 
-    private static CreatureAnimator Crawler(Creature creature, SlitherMode mode)
+    private static CreatureAnimator Crawler(Creature creature, SlitherGait mode)
     {
         var animator = new CreatureAnimator(creature);
         LocomotionSettings settings = animator.Settings;
@@ -269,7 +269,7 @@ public sealed class CrawlAndEscapeTests
 
     private static float FastestChange(Creature creature, float rate)
     {
-        CreatureAnimator animator = Crawler(creature, SlitherMode.Undulating);
+        CreatureAnimator animator = Crawler(creature, SlitherGait.Undulating);
         float speed = animator.Profile.Slither!.CruiseSpeed;
         Quaternion[] before = animator.LocalPose.Rotations.ToArray();
         float most = 0f;
@@ -278,7 +278,7 @@ public sealed class CrawlAndEscapeTests
         for (int i = 0; i < 12 * rate; i++)
         {
             LocomotionSettings settings = animator.Settings;
-            settings.Crawl = (SlitherMode)((int)(i / rate) / 2 % 3);
+            settings.Crawl = (SlitherGait)((int)(i / rate) / 2 % 3);
             animator.Settings = settings;
             animator.Update(1f / rate, new MotionInput(speed), FlatGround.Level);
             for (int j = 0; j < before.Length; j++)

@@ -87,7 +87,7 @@ public class CreatureAnimatorTests
         small.Teleport(new RootPlace(Vector3.Zero, Quaternion.Identity), FlatGround.Level);
         LocomotionSettings settings = LocomotionSettings.Default;
         settings.SpeedResponse /= root;
-        settings.TurnResponse /= root;
+        settings.YawResponse /= root;
         large.Settings = settings;
         for (int i = 0; i < 120; i++)
         {

@@ -87,7 +87,7 @@ internal sealed class RecordedCycle
                 continue;
             }
 
-            least = Math.Min(least, Math.Abs(Lanes.Dot(Rotations[i - Joints], Rotations[i])));
+            least = Math.Min(least, Math.Abs(SimdKernels.Dot(Rotations[i - Joints], Rotations[i])));
         }
 
         return 2f * (float)PortableMath.Acos(least);

@@ -39,7 +39,7 @@ internal sealed class SteadyMotion
     }
 
     /// <summary>Whether it begins anew after a time: all but what leads from one movement to another.</summary>
-    public bool Closes => movement.Course == MovementCourse.Lasting;
+    public bool Closes => movement.Kind == ClipKind.Lasting;
 
     /// <summary>What moves it.</summary>
     public CreatureAnimator Animator { get; }
@@ -47,11 +47,11 @@ internal sealed class SteadyMotion
     /// <summary>Goes on for a time: in the movement, or in what comes before one that happens once.</summary>
     public void Settle(float seconds)
     {
-        MotionInput before = movement.Course switch
+        MotionInput before = movement.Kind switch
         {
-            MovementCourse.TakeOff => default,
-            MovementCourse.Landing => movement.Input with { ClimbRate = -movement.Input.ClimbRate, Medium = MotionMedium.Air },
-            MovementCourse.Escape => movement.Input with { Escape = EscapeTurn.None },
+            ClipKind.TakeOff => default,
+            ClipKind.Landing => movement.Input with { ClimbRate = -movement.Input.ClimbRate, Medium = MotionMedium.Air },
+            ClipKind.Escape => movement.Input with { Escape = EscapeTurn.None },
             _ => movement.Input,
         };
         for (float time = 0f; time < seconds; time += 1f / 60f)
@@ -59,17 +59,17 @@ internal sealed class SteadyMotion
             Advance(1f / 60f, before);
         }
 
-        for (float time = 0f; movement.Course == MovementCourse.Landing && Height > PassageHeight && time < LongestPassage; time += 1f / 60f)
+        for (float time = 0f; movement.Kind == ClipKind.Landing && Height > PassageHeight && time < LongestPassage; time += 1f / 60f)
         {
             Advance(1f / 60f);
         }
     }
 
     /// <summary>Whether a movement happens once and is over.</summary>
-    private bool IsOver => movement.Course switch
+    private bool IsOver => movement.Kind switch
     {
-        MovementCourse.TakeOff => Height > PassageHeight,
-        MovementCourse.Escape => !Animator.Escapes,
+        ClipKind.TakeOff => Height > PassageHeight,
+        ClipKind.Escape => !Animator.Escapes,
         _ => Animator.IsAtRest,
     };
 
@@ -77,7 +77,7 @@ internal sealed class SteadyMotion
     private float Height => Animator.Root.Position.Y / Math.Max(Animator.Profile.LegLength, 1e-3f);
 
     /// <summary>Goes on by one update.</summary>
-    public void Advance(float step) => Advance(step, movement.Course == MovementCourse.Landing && Animator.StandsOnFeet ? default : movement.Input);
+    public void Advance(float step) => Advance(step, movement.Kind == ClipKind.Landing && Animator.StandsOnFeet ? default : movement.Input);
 
     private void Advance(float step, in MotionInput input)
     {

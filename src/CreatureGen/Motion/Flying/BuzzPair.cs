@@ -55,7 +55,7 @@ internal sealed class BuzzPair
         for (int k = 0; k < chain.Count; k++)
         {
             Quaternion beat = k == 0
-                ? Rotation.Multiply(AxisTurn.Pitch(-StrokePlane), chain.Stroke(0, raise, sweep, twist))
+                ? Rotation.Multiply(AxisRotation.Pitch(-StrokePlane), chain.Stroke(0, raise, sweep, twist))
                 : chain.Stroke(k, bend, 0, 0.3 * twist);
             chain.Write(local, side, k, open >= 1 ? beat : Rotation.Slerp(folded.Turn(k), beat, open));
         }

@@ -64,7 +64,7 @@ internal sealed class FlightAxis
         double share = (double)(chest - b) / chest;
         double stretch = b == 0 ? 0 : NeckStretch * stroke.Stream * risen[b];
         double pitch = stretch - (share * HeadPitchKept * stroke.Pitch);
-        return Rotation.Multiply(AxisTurn.Yaw(share * stroke.Look), Rotation.Multiply(AxisTurn.Pitch(pitch), AxisTurn.Roll(-share * HeadRollKept * stroke.Roll)));
+        return Rotation.Multiply(AxisRotation.Yaw(share * stroke.Look), Rotation.Multiply(AxisRotation.Pitch(pitch), AxisRotation.Roll(-share * HeadRollKept * stroke.Roll)));
     }
 
     private Quaternion Aft(int b, in AxisStroke stroke)
@@ -72,6 +72,6 @@ internal sealed class FlightAxis
         double share = (double)(b - pelvis) / (chain.Count - 1 - pelvis);
         double beat = TailBeat * stroke.Beat * share * PortableMath.Sin(2 * PortableMath.Pi * (stroke.Phase - 0.15 - (0.2 * share)));
         double pitch = (TailStream * stroke.Stream * risen[b]) + beat + (share * TailHover * stroke.Hover) - (share * 0.25 * stroke.Rise);
-        return Rotation.Multiply(AxisTurn.Yaw(-share * TailYaw * stroke.Steer), AxisTurn.Pitch(pitch));
+        return Rotation.Multiply(AxisRotation.Yaw(-share * TailYaw * stroke.Steer), AxisRotation.Pitch(pitch));
     }
 }

@@ -51,10 +51,10 @@ internal static class FlightControl
     /// <summary>Steps the state and says how the root moves.</summary>
     public static BodyVelocity Advance(FlightProfile profile, in FlightInput input, ref FlightState state, double dt)
     {
-        double speed = StrokeInput.Finite(input.Speed, "Speed");
-        double yaw = StrokeInput.Finite(input.TurnRate, "TurnRate");
-        double climb = StrokeInput.Finite(input.ClimbRate, "ClimbRate");
-        double height = Math.Max(StrokeInput.Finite(input.Height, "Height"), 0);
+        double speed = StepCheck.Finite(input.Speed, "Speed");
+        double yaw = StepCheck.Finite(input.YawRate, "YawRate");
+        double climb = StepCheck.Finite(input.ClimbRate, "ClimbRate");
+        double height = Math.Max(StepCheck.Finite(input.Height, "Height"), 0);
         double leg = profile.LegLength;
         double tempo = Math.Sqrt(Gravity / leg);
         Decide(profile, input.Intent, height / leg, dt * tempo, ref state);

@@ -13,7 +13,7 @@ internal enum FlightIntent
 /// <summary>What a flier is to do.</summary>
 /// <param name="Intent">On the ground or in the air.</param>
 /// <param name="Speed">Metres per second ahead; 0 hovers.</param>
-/// <param name="TurnRate">Radians per second; positive turns left.</param>
+/// <param name="YawRate">Radians per second; positive turns left.</param>
 /// <param name="ClimbRate">Metres per second up; negative descends.</param>
 /// <param name="Height">Metres from the ground up to the root.</param>
-internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float TurnRate = 0f, float ClimbRate = 0f, float Height = 100f);
+internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f);

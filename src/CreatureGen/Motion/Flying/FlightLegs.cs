@@ -63,9 +63,9 @@ internal sealed class FlightLegs
         double dangle = Dangle * stroke.Swing;
         turns[0] = Quaternion.Identity;
         turns[1] = Bend(posture.Hip + dangle);
-        turns[2] = lateral ? AxisTurn.Roll(posture.Knee) : AxisTurn.Pitch(posture.Knee);
-        turns[3] = lateral ? AxisTurn.Roll(-0.5 * posture.Ankle) : AxisTurn.Pitch(posture.Ankle + dangle);
-        turns[4] = lateral ? AxisTurn.Roll(-0.5 * posture.Ball) : AxisTurn.Pitch(posture.Ball);
+        turns[2] = lateral ? AxisRotation.Roll(posture.Knee) : AxisRotation.Pitch(posture.Knee);
+        turns[3] = lateral ? AxisRotation.Roll(-0.5 * posture.Ankle) : AxisRotation.Pitch(posture.Ankle + dangle);
+        turns[4] = lateral ? AxisRotation.Roll(-0.5 * posture.Ball) : AxisRotation.Pitch(posture.Ball);
         bool plants = Stands && stroke.Planted > LeastPlanted;
         if (plants)
         {
@@ -87,7 +87,7 @@ internal sealed class FlightLegs
         }
     }
 
-    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisTurn.Roll(-0.5 * Math.Abs(hip)), AxisTurn.Yaw(hip)) : AxisTurn.Pitch(hip);
+    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisRotation.Roll(-0.5 * Math.Abs(hip)), AxisRotation.Yaw(hip)) : AxisRotation.Pitch(hip);
 
     /// <summary>Two bones reach from the hip, wherever the body has taken it, to the ankle's place over the foothold; the foot stays level.</summary>
     private void Plant(Span<Quaternion> turns, in LegStroke stroke, Quaternion body, Vector3 bodyPivot, Vector3 bodyNow)

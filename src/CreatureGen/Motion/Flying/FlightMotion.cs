@@ -26,7 +26,7 @@ internal static class FlightMotion
         }
 
         local.Require(profile.Skeleton);
-        BodyVelocity root = FlightControl.Advance(profile, input, ref state, StrokeInput.Step(dt));
+        BodyVelocity root = FlightControl.Advance(profile, input, ref state, StepCheck.Step(dt));
         FlightPose.Write(profile, state, local);
         return root;
     }

@@ -84,7 +84,7 @@ internal static class FlightPose
         pitch += (profile.Buzzes ? 0.2 : 1) * BeatPitch * beating * PortableMath.Sin((2 * PortableMath.Pi * beats) + 0.6);
         pitch -= 0.12 * crouch;
         double roll = -air * state.Bank.Value;
-        Quaternion body = Rotation.Multiply(AxisTurn.Pitch(pitch), AxisTurn.Roll(roll));
+        Quaternion body = Rotation.Multiply(AxisRotation.Pitch(pitch), AxisRotation.Roll(roll));
         AxialChain chain = profile.Chain;
         Vector3 now = chain.BodyPivot + new Vector3(0f, (float)heave, (float)(raised * profile.Posture.Ahead)) + profile.Raise(raised * profile.Posture.Raised);
         local.Rotations[chain.Body] = Rotation.Normalize(Rotation.Multiply(body, profile.Skeleton.LocalRotations[chain.Body]));

@@ -133,7 +133,7 @@ internal sealed class FlightProfile
     internal Vector3 Raise(double angle)
     {
         Vector3 arm = Chain.BodyPivot - pelvis;
-        return Rotation.Rotate(AxisTurn.Pitch(-angle), arm) - arm;
+        return Rotation.Rotate(AxisRotation.Pitch(-angle), arm) - arm;
     }
 
     /// <summary>Works out how a creature flies.</summary>

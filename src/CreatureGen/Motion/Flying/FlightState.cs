@@ -12,20 +12,20 @@ internal struct FlightState
 
     internal double Cycle;
     internal double Age;
-    internal Smoothed Frequency;
-    internal Smoothed Amplitude;
-    internal Smoothed Effort;
-    internal Smoothed Spread;
-    internal Smoothed Flare;
-    internal Smoothed Speed;
-    internal Smoothed Bank;
-    internal Smoothed Steer;
-    internal Smoothed Path;
-    internal Smoothed Crouch;
-    internal Smoothed Air;
-    internal Smoothed Planted;
-    internal Smoothed Height;
-    internal Smoothed Upright;
+    internal CriticallyDampedSpring Frequency;
+    internal CriticallyDampedSpring Amplitude;
+    internal CriticallyDampedSpring Effort;
+    internal CriticallyDampedSpring Spread;
+    internal CriticallyDampedSpring Flare;
+    internal CriticallyDampedSpring Speed;
+    internal CriticallyDampedSpring Bank;
+    internal CriticallyDampedSpring Steer;
+    internal CriticallyDampedSpring Path;
+    internal CriticallyDampedSpring Crouch;
+    internal CriticallyDampedSpring Air;
+    internal CriticallyDampedSpring Planted;
+    internal CriticallyDampedSpring Height;
+    internal CriticallyDampedSpring Upright;
 
     /// <summary>Metres per second ahead at which it leaves the ground.</summary>
     internal double RunUp;
@@ -67,7 +67,7 @@ internal struct FlightState
     public readonly float WingSpread => (float)Spread.Value;
 
     /// <summary>A flier that stands, as if it had always stood.</summary>
-    internal static FlightState OnGround => new() { Planted = Smoothed.At(1), Upright = Smoothed.At(1), Raised = 1 };
+    internal static FlightState OnGround => new() { Planted = CriticallyDampedSpring.At(1), Upright = CriticallyDampedSpring.At(1), Raised = 1 };
 
     /// <summary>A flier in the air at cruise.</summary>
     /// <param name="profile">How the creature flies.</param>
@@ -82,13 +82,13 @@ internal struct FlightState
         return new FlightState
         {
             Phase = FlightPhase.Airborne,
-            Frequency = Smoothed.At(profile.BeatFrequency),
-            Amplitude = Smoothed.At(1),
-            Effort = Smoothed.At(1),
-            Spread = Smoothed.At(1),
-            Speed = Smoothed.At(1),
-            Air = Smoothed.At(1),
-            Height = Smoothed.At(HighEnough * profile.LegLength),
+            Frequency = CriticallyDampedSpring.At(profile.BeatFrequency),
+            Amplitude = CriticallyDampedSpring.At(1),
+            Effort = CriticallyDampedSpring.At(1),
+            Spread = CriticallyDampedSpring.At(1),
+            Speed = CriticallyDampedSpring.At(1),
+            Air = CriticallyDampedSpring.At(1),
+            Height = CriticallyDampedSpring.At(HighEnough * profile.LegLength),
         };
     }
 }

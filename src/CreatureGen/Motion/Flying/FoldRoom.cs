@@ -66,7 +66,7 @@ internal sealed class FoldRoom
         Vector3 pelvis = skeleton.ModelPositions[Math.Max(skeleton.IndexOf("Pelvis"), 0)];
 
         // Seen from a raised trunk the legs and the ground are turned the other way.
-        Quaternion lowered = AxisTurn.Pitch(posture.Raised);
+        Quaternion lowered = AxisRotation.Pitch(posture.Raised);
         up = Rotation.Rotate(lowered, Vector3.UnitY);
         floor = Vec.Dot(up, pelvis) - pelvis.Y;
         Height = pelvis.Y;
@@ -86,7 +86,7 @@ internal sealed class FoldRoom
                 for (int swing = -1; swing <= 1; swing++)
                 {
                     // Legs that stand out to the side swing about the vertical.
-                    Quaternion turn = reach.X > -Sprawl * reach.Y ? AxisTurn.Yaw(swing * LegSwing) : AxisTurn.Pitch(swing * LegSwing);
+                    Quaternion turn = reach.X > -Sprawl * reach.Y ? AxisRotation.Yaw(swing * LegSwing) : AxisRotation.Pitch(swing * LegSwing);
                     legs.Add(rod.Turned(hip, turn).Turned(pelvis, standing));
                 }
             }

@@ -69,7 +69,7 @@ internal sealed class WingPair
         {
             // On the way the shoulder is raised, so that the tip does not sweep over the ground.
             Quaternion way = Rotation.Slerp(folded.Turn(k), spread, open);
-            spread = k == 0 ? Rotation.Multiply(AxisTurn.Roll(4 * FoldLift * open * (1 - open)), way) : way;
+            spread = k == 0 ? Rotation.Multiply(AxisRotation.Roll(4 * FoldLift * open * (1 - open)), way) : way;
         }
 
         chain.Write(local, side, k, spread);

@@ -27,7 +27,7 @@ internal sealed class LegOverlap
         var owners = new List<int>();
         for (int i = 0; i < body.Legs.Length; i++)
         {
-            LegShape leg = body.Legs[i];
+            LegRig leg = body.Legs[i];
             foreach (CapsuleCollider capsule in body.Creature.Bones)
             {
                 if (capsule.Joint == leg.Hip || capsule.Joint == leg.Knee || capsule.Joint == leg.Ankle || capsule.Joint == leg.Ball)

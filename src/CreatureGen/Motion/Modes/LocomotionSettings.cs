@@ -13,7 +13,7 @@ public struct LocomotionSettings
         Up = Vector3.UnitY,
         Gravity = 9.81f,
         SpeedResponse = 4f,
-        TurnResponse = 4f,
+        YawResponse = 4f,
         Lift = 1f,
         Bounce = 1f,
         Sway = 1f,
@@ -35,7 +35,7 @@ public struct LocomotionSettings
     public float SpeedResponse { get; set; }
 
     /// <summary>How quickly turning follows what is asked, per second; 0.1..100.</summary>
-    public float TurnResponse { get; set; }
+    public float YawResponse { get; set; }
 
     /// <summary>Height of the swinging feet, a factor; 0..4.</summary>
     public float Lift { get; set; }
@@ -68,7 +68,7 @@ public struct LocomotionSettings
     public Gait? Gait { get; set; }
 
     /// <summary>How a creature without legs crawls. A change passes down its body as it moves on.</summary>
-    public SlitherMode Crawl { get; set; }
+    public SlitherGait Crawl { get; set; }
 
     /// <summary>Passes good settings.</summary>
     /// <exception cref="ArgumentException">A number is not finite or out of its range; the message says which.</exception>
@@ -82,7 +82,7 @@ public struct LocomotionSettings
 
         Finite.RequireWithin(Gravity, 0.1f, 1000f, nameof(Gravity));
         Finite.RequireWithin(SpeedResponse, 0.1f, 100f, nameof(SpeedResponse));
-        Finite.RequireWithin(TurnResponse, 0.1f, 100f, nameof(TurnResponse));
+        Finite.RequireWithin(YawResponse, 0.1f, 100f, nameof(YawResponse));
         Finite.RequireWithin(Lift, 0f, 4f, nameof(Lift));
         Finite.RequireWithin(Bounce, 0f, 4f, nameof(Bounce));
         Finite.RequireWithin(Sway, 0f, 4f, nameof(Sway));
@@ -93,7 +93,7 @@ public struct LocomotionSettings
         Finite.RequireWithin(Bank, 0f, 2f, nameof(Bank));
         Finite.RequireWithin(Stride, 0.3f, 1.5f, nameof(Stride));
         Gait?.ThrowIfInvalid();
-        if (Crawl is < SlitherMode.Undulating or > SlitherMode.Rectilinear)
+        if (Crawl is < SlitherGait.Undulating or > SlitherGait.Rectilinear)
         {
             throw new ArgumentOutOfRangeException(nameof(Crawl), Crawl, "expected Undulating, Sidewinding or Rectilinear");
         }

@@ -12,9 +12,9 @@ public enum MotionMedium
 
 /// <summary>What a creature is asked to do until the next update: in its own axes, SI units. The default stands still.</summary>
 /// <param name="Speed">Metres per second ahead; negative backs up.</param>
-/// <param name="TurnRate">Radians per second about up; positive turns left.</param>
+/// <param name="YawRate">Radians per second about up; positive turns left.</param>
 /// <param name="Sideways">Metres per second to its left.</param>
 /// <param name="ClimbRate">Metres per second up, for swimmers and fliers.</param>
 /// <param name="Medium">Where a flier is to be.</param>
 /// <param name="Escape">A change from <see cref="EscapeTurn.None"/> starts a C-start of a swimmer, which runs its course by itself; others take no notice.</param>
-public readonly record struct MotionInput(float Speed, float TurnRate = 0f, float Sideways = 0f, float ClimbRate = 0f, MotionMedium Medium = MotionMedium.Ground, EscapeTurn Escape = EscapeTurn.None);
+public readonly record struct MotionInput(float Speed, float YawRate = 0f, float Sideways = 0f, float ClimbRate = 0f, MotionMedium Medium = MotionMedium.Ground, EscapeTurn Escape = EscapeTurn.None);

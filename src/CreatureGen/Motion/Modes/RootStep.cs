@@ -13,7 +13,7 @@ internal static class RootStep
     public static RootPlace Advance(in RootPlace place, in BodyVelocity velocity, float dt)
     {
         // Half of the turn before the way, half after: the chord of the arc.
-        Quaternion half = AxisTurn.Yaw(0.5f * velocity.TurnRate * dt);
+        Quaternion half = AxisRotation.Yaw(0.5f * velocity.YawRate * dt);
         Quaternion middle = Rotation.Multiply(place.Rotation, half);
         Vector3 way = Rotation.Rotate(middle, velocity.Linear * place.Scale) * dt;
         return new RootPlace(place.Position + way, Rotation.Normalize(Rotation.Multiply(middle, half)), place.Scale);

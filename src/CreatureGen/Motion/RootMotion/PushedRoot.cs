@@ -13,11 +13,11 @@ public struct PushedRoot
     private Vector3 measured;
     private float measuredTurn;
     private Vector3 velocity;
-    private float turnRate;
+    private float yawRate;
     private bool started;
 
     /// <summary>The smoothed velocity, in the creature's axes at its size: model metres per second.</summary>
-    public readonly BodyVelocity Velocity => new(velocity, turnRate);
+    public readonly BodyVelocity Velocity => new(velocity, yawRate);
 
     /// <summary>Takes the creature's place after a step.</summary>
     /// <param name="place">Where the game has put it.</param>
@@ -41,7 +41,7 @@ public struct PushedRoot
             Vector3 now = Rotation.Rotate(Rotation.Inverse(middle), place.Position - last.Position) / (seconds * place.Scale);
             float turnNow = (float)(2 * PortableMath.Atan2(yaw.Y, yaw.W)) / seconds;
             velocity = Damping.Follow(velocity, measured, now, rate, seconds);
-            turnRate = Damping.Follow(turnRate, measuredTurn, turnNow, rate, seconds);
+            yawRate = Damping.Follow(yawRate, measuredTurn, turnNow, rate, seconds);
             measured = now;
             measuredTurn = turnNow;
         }

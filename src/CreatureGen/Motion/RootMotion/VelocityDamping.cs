@@ -22,55 +22,55 @@ public static class VelocityDamping
     /// <param name="velocity">At the beginning of the step, then at its end.</param>
     /// <param name="goal">What is asked during the step.</param>
     /// <param name="rate">s⁻¹ for the linear velocity, not negative; 5 is lively, 2 is heavy.</param>
-    /// <param name="turnRate">s⁻¹ for the turn rate, not negative.</param>
+    /// <param name="yawDamping">s⁻¹ for the turn rate, not negative.</param>
     /// <param name="seconds">Not negative.</param>
     /// <returns>How far the creature went.</returns>
     /// <exception cref="ArgumentException">A number is negative or not finite.</exception>
-    public static RootDelta Advance(ref BodyVelocity velocity, in BodyVelocity goal, float rate, float turnRate, float seconds)
+    public static RootDelta Advance(ref BodyVelocity velocity, in BodyVelocity goal, float rate, float yawDamping, float seconds)
     {
         Finite.RequireStep(seconds);
         Finite.RequireWithin(rate, 0f, 1e6f, nameof(rate));
-        Finite.RequireWithin(turnRate, 0f, 1e6f, nameof(turnRate));
+        Finite.RequireWithin(yawDamping, 0f, 1e6f, nameof(yawDamping));
         Finite.Require(velocity.Linear, nameof(velocity));
-        Finite.Require(velocity.TurnRate, nameof(velocity));
+        Finite.Require(velocity.YawRate, nameof(velocity));
         Finite.Require(goal.Linear, nameof(goal));
-        Finite.Require(goal.TurnRate, nameof(goal));
+        Finite.Require(goal.YawRate, nameof(goal));
         int pieces = Math.Max(1, (int)Math.Min(Math.Ceiling(seconds / (double)LongestPiece), 4096));
         float piece = seconds / pieces;
         Vector3 shift = Vector3.Zero;
         float turn = 0f;
         for (int i = 0; i < pieces; i++)
         {
-            Vector3 part = Path(velocity, goal, rate, turnRate, piece);
+            Vector3 part = Path(velocity, goal, rate, yawDamping, piece);
             shift += turn == 0f ? part : Rotation.Rotate(Rotation.FromAxisAngle(Vector3.UnitY, turn), part);
-            turn += Heading(velocity, goal, turnRate, piece);
+            turn += Heading(velocity, goal, yawDamping, piece);
             velocity = new BodyVelocity(
                 Damping.Approach(velocity.Linear, goal.Linear, rate, piece),
-                Damping.Approach(velocity.TurnRate, goal.TurnRate, turnRate, piece));
+                Damping.Approach(velocity.YawRate, goal.YawRate, yawDamping, piece));
         }
 
         return new RootDelta(shift, turn);
     }
 
-    private static float Heading(in BodyVelocity velocity, in BodyVelocity goal, float turnRate, float seconds) =>
-        (goal.TurnRate * seconds) + ((velocity.TurnRate - goal.TurnRate) * Damping.Integral(turnRate, seconds));
+    private static float Heading(in BodyVelocity velocity, in BodyVelocity goal, float yawDamping, float seconds) =>
+        (goal.YawRate * seconds) + ((velocity.YawRate - goal.YawRate) * Damping.Integral(yawDamping, seconds));
 
-    private static Vector3 Path(in BodyVelocity velocity, in BodyVelocity goal, float rate, float turnRate, float seconds)
+    private static Vector3 Path(in BodyVelocity velocity, in BodyVelocity goal, float rate, float yawDamping, float seconds)
     {
-        if (velocity.TurnRate == 0f && goal.TurnRate == 0f)
+        if (velocity.YawRate == 0f && goal.YawRate == 0f)
         {
             return (goal.Linear * seconds) + ((velocity.Linear - goal.Linear) * Damping.Integral(rate, seconds));
         }
 
-        Vector3 sum = At(velocity, goal, rate, turnRate, 0.5 * seconds) * (float)MiddleWeight;
-        sum += (At(velocity, goal, rate, turnRate, 0.5 * (1 - Inner) * seconds) + At(velocity, goal, rate, turnRate, 0.5 * (1 + Inner) * seconds)) * (float)InnerWeight;
-        sum += (At(velocity, goal, rate, turnRate, 0.5 * (1 - Outer) * seconds) + At(velocity, goal, rate, turnRate, 0.5 * (1 + Outer) * seconds)) * (float)OuterWeight;
+        Vector3 sum = At(velocity, goal, rate, yawDamping, 0.5 * seconds) * (float)MiddleWeight;
+        sum += (At(velocity, goal, rate, yawDamping, 0.5 * (1 - Inner) * seconds) + At(velocity, goal, rate, yawDamping, 0.5 * (1 + Inner) * seconds)) * (float)InnerWeight;
+        sum += (At(velocity, goal, rate, yawDamping, 0.5 * (1 - Outer) * seconds) + At(velocity, goal, rate, yawDamping, 0.5 * (1 + Outer) * seconds)) * (float)OuterWeight;
         return sum * seconds;
     }
 
-    private static Vector3 At(in BodyVelocity velocity, in BodyVelocity goal, float rate, float turnRate, double time)
+    private static Vector3 At(in BodyVelocity velocity, in BodyVelocity goal, float rate, float yawDamping, double time)
     {
         Vector3 v = Damping.Approach(velocity.Linear, goal.Linear, rate, (float)time);
-        return Rotation.Rotate(Rotation.FromAxisAngle(Vector3.UnitY, Heading(velocity, goal, turnRate, (float)time)), v);
+        return Rotation.Rotate(Rotation.FromAxisAngle(Vector3.UnitY, Heading(velocity, goal, yawDamping, (float)time)), v);
     }
 }

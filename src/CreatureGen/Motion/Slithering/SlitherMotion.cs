@@ -34,15 +34,15 @@ internal static class SlitherMotion
         }
 
         local.Require(profile.Skeleton);
-        double time = StrokeInput.Step(dt);
-        double speed = Math.Max(StrokeInput.Finite(input.Speed, "Speed"), 0);
-        double yaw = StrokeInput.Finite(input.TurnRate, "TurnRate");
+        double time = StepCheck.Step(dt);
+        double speed = Math.Max(StepCheck.Finite(input.Speed, "Speed"), 0);
+        double yaw = StepCheck.Finite(input.YawRate, "YawRate");
         input.Root.Require(nameof(input));
         var floor = new CrawlFloor(ground, input.Root.Scale, profile.BodyLength);
         Follow(profile, input, floor, state);
         Crawl(profile, input.Mode, speed, yaw, floor, state, time);
         SlitherPose.Write(profile, state, floor, local);
-        state.Root = new RootPlace(state.Middle * input.Root.Scale, AxisTurn.Yaw(state.Yaw), input.Root.Scale);
+        state.Root = new RootPlace(state.Middle * input.Root.Scale, AxisRotation.Yaw(state.Yaw), input.Root.Scale);
         return state.Root;
     }
 
@@ -63,8 +63,8 @@ internal static class SlitherMotion
         {
             state.Placed = true;
             state.Travel = yaw;
-            state.Winding = Smoothed.At(WindingOf(profile, input.Mode));
-            state.Sidewinding = Smoothed.At(SidewindingOf(input.Mode));
+            state.Winding = CriticallyDampedSpring.At(WindingOf(profile, input.Mode));
+            state.Sidewinding = CriticallyDampedSpring.At(SidewindingOf(input.Mode));
             PortableMath.SinCos(yaw, out double sine, out double cosine);
             double lead = SlitherPose.Lead(profile);
             state.Track.Lay(middle.X + (lead * sine), middle.Y, middle.Z + (lead * cosine), yaw, floor);
@@ -82,16 +82,16 @@ internal static class SlitherMotion
     }
 
     /// <summary>How far the track swings, radians.</summary>
-    private static double WindingOf(SlitherProfile profile, SlitherMode mode) => mode switch
+    private static double WindingOf(SlitherProfile profile, SlitherGait mode) => mode switch
     {
-        SlitherMode.Undulating => profile.Alpha,
-        SlitherMode.Sidewinding => profile.SidewindAlpha,
+        SlitherGait.Undulating => profile.Alpha,
+        SlitherGait.Sidewinding => profile.SidewindAlpha,
         _ => 0,
     };
 
-    private static double SidewindingOf(SlitherMode mode) => mode == SlitherMode.Sidewinding ? 1 : 0;
+    private static double SidewindingOf(SlitherGait mode) => mode == SlitherGait.Sidewinding ? 1 : 0;
 
-    private static void Crawl(SlitherProfile profile, SlitherMode mode, double speed, double yaw, in CrawlFloor floor, SlitherState state, double dt)
+    private static void Crawl(SlitherProfile profile, SlitherGait mode, double speed, double yaw, in CrawlFloor floor, SlitherState state, double dt)
     {
         double sharpness = Response / Math.Sqrt(profile.BodyLength);
         double sides = state.Sidewinding.Value;

@@ -121,7 +121,7 @@ internal static class SlitherPose
             weight += m;
         }
 
-        local.Rotations[chain.Body] = UnitTurn.Renormalize(Rotation.Multiply(there, profile.Skeleton.LocalRotations[chain.Body]));
+        local.Rotations[chain.Body] = UnitRotation.Renormalize(Rotation.Multiply(there, profile.Skeleton.LocalRotations[chain.Body]));
         local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + (shift / (float)weight) - chain.BodyPivot;
     }
 
@@ -179,8 +179,8 @@ internal static class SlitherPose
         turns[0] = Rotation.Slerp(along, turns[neck], HeadSwing);
         double idle = state.Idle.Value;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Breath, out double sine, out double cosine);
-        turns[0] = Rotation.Slerp(AxisTurn.Yaw(way), turns[0], HeadTilt);
-        turns[0] = Rotation.Multiply(turns[0], Rotation.Multiply(AxisTurn.Yaw(0.12 * idle * sine), AxisTurn.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
+        turns[0] = Rotation.Slerp(AxisRotation.Yaw(way), turns[0], HeadTilt);
+        turns[0] = Rotation.Multiply(turns[0], Rotation.Multiply(AxisRotation.Yaw(0.12 * idle * sine), AxisRotation.Pitch((-HeadLift * idle) - (0.02 * idle * cosine))));
     }
 
     /// <summary>By how much the head looks aside of the way: a sidewinder lies so far across it that not every neck bends back by all of it.</summary>

@@ -7,10 +7,10 @@ namespace CreatureGen.Motion.Slithering;
 /// <summary>Where a crawler is in its motion, with the track that its head has left behind. One for each creature on the scene; made once, nothing is allocated later.</summary>
 internal sealed class SlitherState
 {
-    internal Smoothed Speed;
-    internal Smoothed Sidewinding;
-    internal Smoothed Winding;
-    internal Smoothed Idle;
+    internal CriticallyDampedSpring Speed;
+    internal CriticallyDampedSpring Sidewinding;
+    internal CriticallyDampedSpring Winding;
+    internal CriticallyDampedSpring Idle;
     internal double Breath;
     internal double Travel;
     internal bool Placed;
@@ -34,7 +34,7 @@ internal sealed class SlitherState
         }
 
         Track = new SlitherTrack(profile.BodyLength, profile.Wavelength);
-        Idle = Smoothed.At(1);
+        Idle = CriticallyDampedSpring.At(1);
     }
 
     internal SlitherTrack Track { get; }

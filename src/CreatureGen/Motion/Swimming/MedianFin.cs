@@ -16,7 +16,7 @@ internal sealed class MedianFin
     private const double TurnSway = 0.12;
     private const double FastFold = 0.18;
 
-    private readonly JointTurn[] joints;
+    private readonly JointRotation[] joints;
     private readonly double along;
     private readonly double up;
 
@@ -24,10 +24,10 @@ internal sealed class MedianFin
     {
         this.along = along;
         up = limb.Kind == LimbKind.Dorsal ? 1 : -1;
-        joints = new JointTurn[limb.Joints.Count - 1];
+        joints = new JointRotation[limb.Joints.Count - 1];
         for (int k = 0; k < joints.Length; k++)
         {
-            joints[k] = new JointTurn(skeleton, limb.Joints[k]);
+            joints[k] = new JointRotation(skeleton, limb.Joints[k]);
         }
     }
 
@@ -43,7 +43,7 @@ internal sealed class MedianFin
             sway += IdleRipple * (k == 0 ? 0.5 : 1) * stroke.Hover * ripple;
             sway += TurnSway * stroke.Steer;
             double fold = k == 0 ? FastFold * stroke.Fast : 0;
-            joints[k].Write(local, Rotation.Multiply(AxisTurn.Roll(up * sway), AxisTurn.Pitch(-up * fold)));
+            joints[k].Write(local, Rotation.Multiply(AxisRotation.Roll(up * sway), AxisRotation.Pitch(-up * fold)));
         }
     }
 }

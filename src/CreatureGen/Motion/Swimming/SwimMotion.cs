@@ -55,7 +55,7 @@ internal static class SwimMotion
         }
 
         local.Require(profile.Skeleton);
-        BodyVelocity root = Advance(profile, input, ref state, StrokeInput.Step(dt));
+        BodyVelocity root = Advance(profile, input, ref state, StepCheck.Step(dt));
         Write(profile, state, local);
         return root;
     }
@@ -72,9 +72,9 @@ internal static class SwimMotion
 
     private static BodyVelocity Advance(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
     {
-        StrokeInput.Finite(input.Speed, "Speed");
-        StrokeInput.Finite(input.TurnRate, "TurnRate");
-        StrokeInput.Finite(input.ClimbRate, "ClimbRate");
+        StepCheck.Finite(input.Speed, "Speed");
+        StepCheck.Finite(input.YawRate, "YawRate");
+        StepCheck.Finite(input.ClimbRate, "ClimbRate");
         StartEscape(input.Escape, ref state);
         double stages = StagesPerSecond(profile) * dt;
         return state.EscapeSide == 0 || dt <= 0 ? Step(profile, input, ref state, dt) : Dart(profile, input, ref state, dt, Math.Min((int)Math.Ceiling(stages * StepsPerStage), MostSteps));
@@ -89,18 +89,18 @@ internal static class SwimMotion
         for (int k = 0; k < steps; k++)
         {
             BodyVelocity velocity = Step(profile, input, ref state, step);
-            double turned = velocity.TurnRate * step;
-            way += Rotation.Rotate(AxisTurn.Yaw(turn + (0.5 * turned)), velocity.Linear) * (float)step;
+            double turned = velocity.YawRate * step;
+            way += Rotation.Rotate(AxisRotation.Yaw(turn + (0.5 * turned)), velocity.Linear) * (float)step;
             turn += turned;
         }
 
-        return new BodyVelocity(Rotation.Rotate(AxisTurn.Yaw(-0.5 * turn), way) / (float)dt, (float)(turn / dt));
+        return new BodyVelocity(Rotation.Rotate(AxisRotation.Yaw(-0.5 * turn), way) / (float)dt, (float)(turn / dt));
     }
 
     private static BodyVelocity Step(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
     {
         double speed = input.Speed;
-        double yaw = input.TurnRate;
+        double yaw = input.YawRate;
         double climb = input.ClimbRate;
         double cruise = profile.CruiseSpeed;
         double cycle = profile.CruiseFrequency;
@@ -166,7 +166,7 @@ internal static class SwimMotion
             ref readonly AxialBone bone = ref chain.Bones[b];
             double heading = profile.Wave.Heading(b, amplitude, cosine, sine);
             double round = bend * (bone.Middle.Z - chain.Centre.Z) / chain.Length;
-            turns[b] = vertical ? Rotation.Multiply(AxisTurn.Yaw(round), AxisTurn.Pitch(-heading)) : AxisTurn.Yaw(round + heading);
+            turns[b] = vertical ? Rotation.Multiply(AxisRotation.Yaw(round), AxisRotation.Pitch(-heading)) : AxisRotation.Yaw(round + heading);
         }
 
         // The body's root lies as the axis does there, or the joints next to it would have to turn by all of it.
@@ -221,7 +221,7 @@ internal static class SwimMotion
 
         // Standing still it hangs in the water and floats up and down a little.
         heave += 0.008 * chain.Length * Hover(profile, state) * sine;
-        Quaternion body = Rotation.Multiply(Rotation.Multiply(AxisTurn.Pitch(pitch), AxisTurn.Roll(roll)), there);
+        Quaternion body = Rotation.Multiply(Rotation.Multiply(AxisRotation.Pitch(pitch), AxisRotation.Roll(roll)), there);
         Vector3 centre = chain.CentreOf(turns, pivots);
         Vector3 rest = chain.Centre - chain.BodyPivot;
         Vector3 sway = profile.Style == SwimStyle.Cetacean ? new Vector3(0f, (float)(heave + mean), 0f) : new Vector3((float)mean, (float)heave, 0f);

@@ -6,12 +6,12 @@ namespace CreatureGen.Motion.Swimming;
 internal struct SwimState
 {
     internal double Phase;
-    internal Smoothed Frequency;
-    internal Smoothed Amplitude;
-    internal Smoothed Speed;
-    internal Smoothed Bend;
-    internal Smoothed Climb;
-    internal Smoothed Brake;
+    internal CriticallyDampedSpring Frequency;
+    internal CriticallyDampedSpring Amplitude;
+    internal CriticallyDampedSpring Speed;
+    internal CriticallyDampedSpring Bend;
+    internal CriticallyDampedSpring Climb;
+    internal CriticallyDampedSpring Brake;
     internal double EscapeAge;
     internal double EscapeSide;
     internal EscapeTurn LastEscape;

@@ -23,7 +23,7 @@ internal sealed class GaitClock
     private readonly float[] lags;
     private readonly float quickest;
     private float frequencyRest;
-    private SteadyDecay shapeDecay;
+    private ExponentialDecay shapeDecay;
     private Gait? measured;
     private float measuredFroude;
     private float measuredGravity;
@@ -161,7 +161,7 @@ internal sealed class GaitClock
 
     private float WantedLag(int leg)
     {
-        LegShape shape = body.Legs[leg];
+        LegRig shape = body.Legs[leg];
         bool mirrored = Gait.Symmetry == GaitSymmetry.Leading && Lead == Lead.Right;
         Anatomy.Side side = mirrored == (shape.Side == Anatomy.Side.Left) ? Anatomy.Side.Right : Anatomy.Side.Left;
         float lag = Gait.Phases.Lag(shape.Row, body.Rows, side, Duty);

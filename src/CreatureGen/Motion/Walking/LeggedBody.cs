@@ -46,7 +46,7 @@ internal sealed class LeggedBody
         Rows = 1 + Max(rows);
         Trunk = ChainOf(creature.Skeleton, JointRole.Pelvis, JointRole.Spine, JointRole.Chest);
         SoleExtent[] soles = SoleExtent.Measure(creature, standing);
-        Legs = new LegShape[standing.Length];
+        Legs = new LegRig[standing.Length];
         float hind = 0f;
         float hips = 0f;
         float halfTrack = 0f;
@@ -54,7 +54,7 @@ internal sealed class LeggedBody
         for (int i = 0; i < standing.Length; i++)
         {
             int parent = Skeleton.Parents[standing[i].Joints[0]];
-            Legs[i] = new LegShape(Skeleton, standing[i], rows[i], Math.Max(Array.IndexOf(Trunk, parent), 0), soles[i], creature.Bones);
+            Legs[i] = new LegRig(Skeleton, standing[i], rows[i], Math.Max(Array.IndexOf(Trunk, parent), 0), soles[i], creature.Bones);
             halfTrack = Math.Max(halfTrack, Math.Abs(Legs[i].Home.X));
             if (rows[i] == 0)
             {
@@ -64,12 +64,12 @@ internal sealed class LeggedBody
             }
         }
 
-        GoingHomes = FootHomes.Of(Legs, Rows);
+        GoingHomes = NeutralFootholds.Of(Legs, Rows);
         LegLength = hind / rear;
         HipHeight = hips / rear;
         HalfTrack = halfTrack;
         ForeSlot = 0;
-        foreach (LegShape leg in Legs)
+        foreach (LegRig leg in Legs)
         {
             ForeSlot = Rows > 1 && leg.Row == Rows - 1 ? Math.Max(ForeSlot, leg.TrunkSlot) : ForeSlot;
         }
@@ -79,7 +79,7 @@ internal sealed class LeggedBody
             ForeSlot = Trunk.Length - 1;
         }
 
-        foreach (LegShape leg in Legs)
+        foreach (LegRig leg in Legs)
         {
             HindStoop = leg.IsHind(Rows) ? Math.Max(HindStoop, leg.Stoop) : HindStoop;
             ForeStoop = leg.IsHind(Rows) ? ForeStoop : Math.Max(ForeStoop, leg.Stoop);
@@ -111,7 +111,7 @@ internal sealed class LeggedBody
         MostSway = MostSwayOf(Legs);
         MostBendYaw = MostBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
         MostBendPitch = PitchBendShare * MostBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
-        Turns = new RestTurns(Skeleton);
+        Turns = new RestRotations(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
         Hops = Rows == 1 && creature.Blueprint.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
         Idle = IdleRhythm.Of(Mass);
@@ -125,7 +125,7 @@ internal sealed class LeggedBody
     /// <summary>Kilograms.</summary>
     public float Mass { get; }
 
-    public LegShape[] Legs { get; }
+    public LegRig[] Legs { get; }
 
     /// <summary>Where each foot belongs under a body that goes, model space.</summary>
     public Vector3[] GoingHomes { get; }
@@ -169,7 +169,7 @@ internal sealed class LeggedBody
     public ArmShape[] Arms { get; }
 
     /// <summary>Writes turns from rest into local poses.</summary>
-    public RestTurns Turns { get; }
+    public RestRotations Turns { get; }
 
     /// <summary>The joint that carries the trunk.</summary>
     public int Body { get; }
@@ -286,10 +286,10 @@ internal sealed class LeggedBody
         return most;
     }
 
-    private static float MostRollOf(LegShape[] legs)
+    private static float MostRollOf(LegRig[] legs)
     {
         float most = SteepestRoll;
-        foreach (LegShape leg in legs)
+        foreach (LegRig leg in legs)
         {
             most = leg.Lateral ? most : Math.Min(most, RollShare * leg.DrawsIn);
         }
@@ -297,10 +297,10 @@ internal sealed class LeggedBody
         return most;
     }
 
-    private static float MostSwayOf(LegShape[] legs)
+    private static float MostSwayOf(LegRig[] legs)
     {
         float most = float.MaxValue;
-        foreach (LegShape leg in legs)
+        foreach (LegRig leg in legs)
         {
             float outside = Math.Abs(leg.Home.X - leg.HipRest.X);
             float room = (leg.HipRest.Y * (float)PortableMath.Sin(leg.DrawsIn)) - ((1f - leg.LeastTrack) * Math.Abs(leg.Home.X));
@@ -356,7 +356,7 @@ internal sealed class LeggedBody
     private float SteadyShare()
     {
         float widest = 0f;
-        foreach (LegShape leg in Legs)
+        foreach (LegRig leg in Legs)
         {
             widest = Math.Max(widest, Math.Abs(leg.HipRest.X));
         }

@@ -5,10 +5,10 @@ namespace CreatureGen.Motion.Walking;
 /// <summary>What the feet are told in a step of time.</summary>
 internal readonly struct StepContext
 {
-    public StepContext(RootPlace frame, Travel travel, GaitClock clock, LocomotionSettings settings, IGround ground, float step, float left, float activity, bool moving, float slope)
+    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, LocomotionSettings settings, IGround ground, float step, float left, float activity, bool moving, float slope)
     {
         Frame = frame;
-        Travel = travel;
+        RootVelocity = velocity;
         Clock = clock;
         Settings = settings;
         Ground = ground;
@@ -22,7 +22,7 @@ internal readonly struct StepContext
     /// <summary>Where the creature is at the end of the step.</summary>
     public RootPlace Frame { get; }
 
-    public Travel Travel { get; }
+    public RootVelocity RootVelocity { get; }
 
     public GaitClock Clock { get; }
 

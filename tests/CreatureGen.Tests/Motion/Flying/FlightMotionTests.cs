@@ -272,7 +272,7 @@ public sealed class FlightMotionTests
             for (int i = 0; i < 6 * rate; i++)
             {
                 int second = i / rate;
-                FlightInput input = Level(profile) with { Speed = (second % 3) * 0.6f * profile.CruiseSpeed, TurnRate = second % 2 == 0 ? 0.5f : -0.4f, ClimbRate = second > 3 ? -0.3f * profile.CruiseSpeed : 0.2f * profile.CruiseSpeed };
+                FlightInput input = Level(profile) with { Speed = (second % 3) * 0.6f * profile.CruiseSpeed, YawRate = second % 2 == 0 ? 0.5f : -0.4f, ClimbRate = second > 3 ? -0.3f * profile.CruiseSpeed : 0.2f * profile.CruiseSpeed };
                 FlightMotion.Update(profile, input, ref state, 1f / rate, body.Local);
             }
 
@@ -316,7 +316,7 @@ public sealed class FlightMotionTests
         Creature creature = StrokeSubject.Of(BodyPlan.Flapping)[0];
         FlightProfile profile = FlightProfile.Of(creature);
         var body = new StrokeSubject(creature);
-        FlightInput input = Level(profile) with { TurnRate = 0.4f };
+        FlightInput input = Level(profile) with { YawRate = 0.4f };
         Steady(profile, input, body);
         body.ToModel();
         Vector3 left = Rotation.Rotate(body.ModelRotations[profile.Chain.Body], Vector3.UnitX);
@@ -416,7 +416,7 @@ public sealed class FlightMotionTests
         for (int i = 0; i < 6 * rate; i++)
         {
             int part = i / rate;
-            FlightInput input = Level(profile) with { Speed = (part % 3) * 0.6f * profile.CruiseSpeed, TurnRate = part % 2 == 0 ? 0.5f : -0.5f, ClimbRate = (part - 3) * 0.2f * profile.CruiseSpeed };
+            FlightInput input = Level(profile) with { Speed = (part % 3) * 0.6f * profile.CruiseSpeed, YawRate = part % 2 == 0 ? 0.5f : -0.5f, ClimbRate = (part - 3) * 0.2f * profile.CruiseSpeed };
             FlightMotion.Update(profile, input, ref state, dt, body.Local);
             body.Track(dt);
         }

@@ -31,7 +31,7 @@ public sealed class LegOverlapTests
         Assert.Equal((-1, -1), overlap.Worst);
 
         // The left foremost leg is moved over into the right one.
-        LegShape left = body.Legs.First(leg => leg.Side == CreatureGen.Anatomy.Side.Left);
+        LegRig left = body.Legs.First(leg => leg.Side == CreatureGen.Anatomy.Side.Left);
         int other = Array.FindIndex(body.Legs, leg => leg.Side != left.Side && leg.Row == left.Row);
         Vector3 way = body.Legs[other].Home - left.Home;
         foreach (int joint in new[] { left.Hip, left.Knee, left.Ankle, left.Ball })

@@ -71,12 +71,12 @@ public sealed class RootMotionTests
         float x = 0f, v = 0f, y = 0f, w = 0f;
         for (int i = 0; i < 100; i++)
         {
-            CriticalSpring.Advance(ref x, ref v, 1f, 8f, 0.01f);
+            CriticallyDampedSpring.Advance(ref x, ref v, 1f, 8f, 0.01f);
             Assert.InRange(x, 0f, 1f);
         }
 
-        CriticalSpring.Advance(ref y, ref w, 1f, 8f, 0.4f);
-        CriticalSpring.Advance(ref y, ref w, 1f, 8f, 0.6f);
+        CriticallyDampedSpring.Advance(ref y, ref w, 1f, 8f, 0.4f);
+        CriticallyDampedSpring.Advance(ref y, ref w, 1f, 8f, 0.6f);
         Assert.Equal(y, x, 1e-5f);
         Assert.Equal(1 - ((1 + 8) * Math.Exp(-8)), x, 1e-5);
     }
@@ -159,7 +159,7 @@ public sealed class RootMotionTests
             float distance = Vec.Length(new Vector3(left.X, 0f, left.Z));
             Assert.InRange(distance, 4.5f, 6f);
             Assert.True(Math.Abs(left.X) < 0.36f * distance && left.Z > 0f, $"{i}: {left}");
-            Assert.True(Vec.Length(velocity.Linear) < 0.05f && Math.Abs(velocity.TurnRate) < 0.05f);
+            Assert.True(Vec.Length(velocity.Linear) < 0.05f && Math.Abs(velocity.YawRate) < 0.05f);
             Assert.True(acts <= 3, $"{i}: {acts}");
         }
     }
@@ -169,7 +169,7 @@ public sealed class RootMotionTests
     {
         SeekState state = default;
         BodyVelocity away = Seek.Decide(ref state, SeekSettings.Default, Vector3.Zero);
-        Assert.True(away.Linear.Z < 0f && away.TurnRate == 0f);
+        Assert.True(away.Linear.Z < 0f && away.YawRate == 0f);
         Seek.Decide(ref state, SeekSettings.Default, new Vector3(0f, 100f, 0f));
         Assert.Equal(SeekAct.Retreat, state.Doing);
         Assert.Throws<ArgumentException>(() => Seek.Decide(ref state, SeekSettings.Default, new Vector3(float.NaN)));
@@ -194,7 +194,7 @@ public sealed class RootMotionTests
                 }
 
                 Assert.True(Vec.Distance(steady.Linear, pushed.Velocity.Linear) < 0.01f, $"{pushed.Velocity}");
-                Assert.Equal(1.2f, pushed.Velocity.TurnRate, 0.01f);
+                Assert.Equal(1.2f, pushed.Velocity.YawRate, 0.01f);
                 BodyVelocity before = pushed.Velocity;
                 Assert.Equal(before, pushed.Observe(new RootPlace(place.Position + (Vector3.One * 1000f), place.Rotation, scale), 15f, step));
                 Assert.Equal(before, pushed.Observe(place, 15f, 0f));

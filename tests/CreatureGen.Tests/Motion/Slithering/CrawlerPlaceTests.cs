@@ -22,7 +22,7 @@ public sealed class CrawlerPlaceTests
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless, 20))
         {
             var profile = new MotionProfile(creature);
-            Movement movement = Movement.Of(profile).Single(movement => movement.Crawl == SlitherMode.Sidewinding);
+            Movement movement = Movement.Of(profile).Single(movement => movement.Crawl == SlitherGait.Sidewinding);
             CreatureAnimator animator = movement.Begin(profile, FlatGround.Level);
             double least = double.MaxValue;
             double most = double.MinValue;

@@ -30,12 +30,12 @@ public sealed class SlitherMotionTests
             SlitherProfile profile = SlitherProfile.Of(creature);
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.004f * profile.BodyLength / profile.CruiseSpeed;
-            crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0, dt, 600);
+            crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0, dt, 600);
             int first = profile.Chain.Bones[profile.NeckBones - 1].Turn.Joint;
             var track = new List<Vector3>();
             for (int i = 0; i < 500; i++)
             {
-                crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, turn * profile.CruiseSpeed / profile.BodyLength, dt);
+                crawl.Step(SlitherGait.Undulating, profile.CruiseSpeed, turn * profile.CruiseSpeed / profile.BodyLength, dt);
                 track.Add(crawl.World(first));
             }
 
@@ -62,14 +62,14 @@ public sealed class SlitherMotionTests
             SlitherProfile profile = SlitherProfile.Of(creature);
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.002f * profile.BodyLength / profile.CruiseSpeed;
-            crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0, 10 * dt, 300);
+            crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0, 10 * dt, 300);
             double worst = 0;
             double sum = 0;
             int count = 0;
             for (int i = 0; i < 200; i++)
             {
                 Vector3[] before = crawl.Points();
-                crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, 0, dt);
+                crawl.Step(SlitherGait.Undulating, profile.CruiseSpeed, 0, dt);
                 Vector3[] after = crawl.Points();
                 for (int b = profile.NeckBones; b + 1 < before.Length; b++)
                 {
@@ -101,12 +101,12 @@ public sealed class SlitherMotionTests
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.01f * profile.BodyLength / profile.CruiseSpeed;
             float rate = turn * profile.CruiseSpeed / profile.BodyLength;
-            crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, rate, dt, 300);
+            crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, rate, dt, 300);
             double head = 0;
             double chest = 0;
             for (int i = 0; i < 300; i++)
             {
-                crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, rate, dt);
+                crawl.Step(SlitherGait.Undulating, profile.CruiseSpeed, rate, dt);
                 head = Math.Max(head, Math.Abs(crawl.Heading(0)));
                 chest = Math.Max(chest, Math.Abs(crawl.Heading(profile.NeckBones)));
             }
@@ -117,10 +117,10 @@ public sealed class SlitherMotionTests
     }
 
     [Theory]
-    [InlineData(SlitherMode.Undulating)]
-    [InlineData(SlitherMode.Sidewinding)]
-    [InlineData(SlitherMode.Rectilinear)]
-    public void It_gets_on_at_the_speed_asked_for_straight_ahead(SlitherMode mode)
+    [InlineData(SlitherGait.Undulating)]
+    [InlineData(SlitherGait.Sidewinding)]
+    [InlineData(SlitherGait.Rectilinear)]
+    public void It_gets_on_at_the_speed_asked_for_straight_ahead(SlitherGait mode)
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
@@ -140,10 +140,10 @@ public sealed class SlitherMotionTests
     }
 
     [Theory]
-    [InlineData(SlitherMode.Undulating)]
-    [InlineData(SlitherMode.Sidewinding)]
-    [InlineData(SlitherMode.Rectilinear)]
-    public void Every_joint_stays_within_its_limits(SlitherMode mode)
+    [InlineData(SlitherGait.Undulating)]
+    [InlineData(SlitherGait.Sidewinding)]
+    [InlineData(SlitherGait.Rectilinear)]
+    public void Every_joint_stays_within_its_limits(SlitherGait mode)
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
@@ -165,7 +165,7 @@ public sealed class SlitherMotionTests
             SlitherProfile profile = SlitherProfile.Of(creature);
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.004f * profile.BodyLength / profile.CruiseSpeed;
-            crawl.Run(SlitherMode.Sidewinding, profile.CruiseSpeed, 0, dt, 2500);
+            crawl.Run(SlitherGait.Sidewinding, profile.CruiseSpeed, 0, dt, 2500);
             double slide = 0;
             double carried = 0;
             double lift = 0;
@@ -173,7 +173,7 @@ public sealed class SlitherMotionTests
             for (int i = 0; i < 200; i++)
             {
                 Vector3[] before = crawl.Points();
-                crawl.Step(SlitherMode.Sidewinding, profile.CruiseSpeed, 0, dt);
+                crawl.Step(SlitherGait.Sidewinding, profile.CruiseSpeed, 0, dt);
                 Vector3[] after = crawl.Points();
 
                 // The middle of what rests, and the highest.
@@ -210,7 +210,7 @@ public sealed class SlitherMotionTests
             var slope = new FlatGround(Vector3.Zero, up);
             var crawl = new Crawl(profile, creature, slope);
             float dt = 0.02f * profile.BodyLength / profile.CruiseSpeed;
-            crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, dt, 300);
+            crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0.1f, dt, 300);
             crawl.Body.ToModel();
             for (int b = 1; b < profile.Chain.Count; b++)
             {
@@ -236,12 +236,12 @@ public sealed class SlitherMotionTests
         var field = new HeightFieldGround([-60f, 0f, 60f, -60f, 0f, 60f, -60f, 0f, 60f], 3, 200f, new Vector3(-200f, 0f, -200f));
         var mesh = new MeshGround([At(-200f, -200f), At(200f, -200f), At(200f, 200f), At(-200f, 200f)], [0, 2, 1, 0, 3, 2]);
         var plane = new Crawl(profile, creature, new FlatGround(Vector3.Zero, new Vector3(-slope, 1f, 0f))) { Root = new RootPlace(Vector3.Zero, Quaternion.Identity, scale) };
-        plane.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, dt, 200);
+        plane.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0.1f, dt, 200);
         Assert.True(Vec.Length(plane.Root.Position) > 0.5f * scale * profile.BodyLength);
         foreach (IGround ground in new IGround[] { field, mesh })
         {
             var crawl = new Crawl(profile, creature, ground) { Root = new RootPlace(Vector3.Zero, Quaternion.Identity, scale) };
-            crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, dt, 200);
+            crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0.1f, dt, 200);
             Assert.True(crawl.Body.Apart(plane.Body.Rotations) < 0.01, FormattableString.Invariant($"{ground.GetType().Name}: {crawl.Body.Apart(plane.Body.Rotations)}"));
             Assert.True(Vec.Distance(crawl.Root.Position, plane.Root.Position) < 2e-3f * scale * profile.BodyLength);
         }
@@ -255,7 +255,7 @@ public sealed class SlitherMotionTests
         float half = 0.5f * profile.BodyLength;
         var ledge = new MeshGround([new(-half, 0f, -9f), new(half, 0f, -9f), new(half, 0f, half), new(-half, 0f, half)], [0, 2, 1, 0, 3, 2]);
         var crawl = new Crawl(profile, creature, ledge);
-        crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0, 0.02f * profile.BodyLength / profile.CruiseSpeed, 200);
+        crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0, 0.02f * profile.BodyLength / profile.CruiseSpeed, 200);
         Assert.True(crawl.Root.Position.Z > 2 * half);
         Assert.Equal(0f, crawl.Root.Position.Y, 1e-4f);
         crawl.Body.AssertWithinLimits("beyond the edge");
@@ -270,10 +270,10 @@ public sealed class SlitherMotionTests
             var crawl = new Crawl(profile, creature, level);
             float speed = (float)(profile.CruiseSpeed * SlitherProfile.Progress(profile.Alpha));
             double period = profile.Wavelength / profile.CruiseSpeed;
-            crawl.Run(SlitherMode.Undulating, speed, 0, (float)(period / 60), 600);
+            crawl.Run(SlitherGait.Undulating, speed, 0, (float)(period / 60), 600);
             Quaternion[] first = (Quaternion[])crawl.Body.Rotations.Clone();
             Vector3 place = crawl.Body.Positions[profile.Chain.Body];
-            crawl.Run(SlitherMode.Undulating, speed, 0, (float)(period / 60), 60);
+            crawl.Run(SlitherGait.Undulating, speed, 0, (float)(period / 60), 60);
             Assert.True(crawl.Body.Apart(first) < 5e-3, FormattableString.Invariant($"{creature.Blueprint.Seed}: {crawl.Body.Apart(first)}"));
             Assert.True(Vec.Distance(place, crawl.Body.Positions[profile.Chain.Body]) < 2e-3f * profile.BodyLength);
         }
@@ -292,7 +292,7 @@ public sealed class SlitherMotionTests
             for (int i = 0; i < 8 * rate; i++)
             {
                 int second = i / rate;
-                crawl.Step(SlitherMode.Undulating, (1 + (second % 2)) * profile.CruiseSpeed, second % 3 == 0 ? 0.2f : -0.1f, 1f / rate);
+                crawl.Step(SlitherGait.Undulating, (1 + (second % 2)) * profile.CruiseSpeed, second % 3 == 0 ? 0.2f : -0.1f, 1f / rate);
             }
 
             place = reference == null ? crawl.Root.Position : place;
@@ -308,10 +308,10 @@ public sealed class SlitherMotionTests
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
         SlitherProfile profile = SlitherProfile.Of(creature);
         var crawl = new Crawl(profile, creature, level);
-        crawl.Run(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, 0.05f, 200);
+        crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0.1f, 0.05f, 200);
         Quaternion[] shape = (Quaternion[])crawl.Body.Rotations.Clone();
         crawl.Root = new RootPlace(crawl.Root.Position + new Vector3(30, 0, -50), Rotation.Multiply(crawl.Root.Rotation, Rotation.FromAxisAngle(Vector3.UnitY, 1)));
-        crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, 0);
+        crawl.Step(SlitherGait.Undulating, profile.CruiseSpeed, 0.1f, 0);
         Assert.True(crawl.Body.Apart(shape) < 2e-3, FormattableString.Invariant($"{crawl.Body.Apart(shape)}"));
     }
 
@@ -329,7 +329,7 @@ public sealed class SlitherMotionTests
             for (int i = 0; i < 12 * rate; i++)
             {
                 int part = i / rate;
-                crawl.Step((SlitherMode)(part / 3 % 3), (part % 3) * profile.CruiseSpeed, part % 2 == 0 ? 0.2f : -0.2f, dt);
+                crawl.Step((SlitherGait)(part / 3 % 3), (part % 3) * profile.CruiseSpeed, part % 2 == 0 ? 0.2f : -0.2f, dt);
                 most = i == 0 ? 0 : Math.Max(most, (float)crawl.Body.Apart(before));
                 before = (Quaternion[])crawl.Body.Rotations.Clone();
             }
@@ -350,10 +350,10 @@ public sealed class SlitherMotionTests
         SlitherProfile profile = SlitherProfile.Of(creature);
         var a = new Crawl(profile, creature, level);
         var b = new Crawl(profile, creature, level);
-        a.Run(SlitherMode.Sidewinding, 1, 0.1f, 0.02f, 210);
-        b.Run(SlitherMode.Sidewinding, 1, 0.1f, 0.02f, 210);
+        a.Run(SlitherGait.Sidewinding, 1, 0.1f, 0.02f, 210);
+        b.Run(SlitherGait.Sidewinding, 1, 0.1f, 0.02f, 210);
         Assert.Equal(a.Body.Rotations, b.Body.Rotations);
-        Assert.Equal(0, MovingPose.Allocated(() => a.Run(SlitherMode.Sidewinding, 1, 0.1f, 0.02f, 40), 5));
+        Assert.Equal(0, MovingPose.Allocated(() => a.Run(SlitherGait.Sidewinding, 1, 0.1f, 0.02f, 40), 5));
     }
 
     [Theory]
@@ -364,7 +364,7 @@ public sealed class SlitherMotionTests
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
         var crawl = new Crawl(SlitherProfile.Of(creature), creature, level);
-        Assert.ThrowsAny<ArgumentException>(() => crawl.Step(SlitherMode.Undulating, speed, yaw, dt));
+        Assert.ThrowsAny<ArgumentException>(() => crawl.Step(SlitherGait.Undulating, speed, yaw, dt));
     }
 
     [Theory]
@@ -377,7 +377,7 @@ public sealed class SlitherMotionTests
         var crawl = new Crawl(profile, creature, level);
         for (int i = 0; i < 100; i++)
         {
-            crawl.Step(SlitherMode.Undulating, profile.CruiseSpeed, 0.1f, 0.1f);
+            crawl.Step(SlitherGait.Undulating, profile.CruiseSpeed, 0.1f, 0.1f);
             crawl.Body.AssertWithinLimits(FormattableString.Invariant($"at {scale}"));
         }
     }
@@ -430,10 +430,10 @@ public sealed class SlitherMotionTests
 
         public RootPlace Root { get; set; }
 
-        public void Step(SlitherMode mode, float speed, float yaw, float dt) =>
+        public void Step(SlitherGait mode, float speed, float yaw, float dt) =>
             Root = SlitherMotion.Update(profile, new SlitherInput(mode, speed, yaw, Root), ground, state, dt, Body.Local);
 
-        public void Run(SlitherMode mode, float speed, float yaw, float dt, int steps)
+        public void Run(SlitherGait mode, float speed, float yaw, float dt, int steps)
         {
             for (int i = 0; i < steps; i++)
             {

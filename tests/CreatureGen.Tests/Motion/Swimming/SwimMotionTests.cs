@@ -255,7 +255,7 @@ public sealed class SwimMotionTests
             do
             {
                 var root = SwimMotion.Update(profile, new SwimInput(0, Escape: EscapeTurn.Left), ref state, dt, body.Local);
-                turned += root.TurnRate * dt;
+                turned += root.YawRate * dt;
                 fastest = Math.Max(fastest, root.Linear.Z);
                 body.ToModel();
                 Quaternion head = Rotation.Multiply(body.ModelRotations[nose], Rotation.Inverse(creature.Skeleton.ModelRotations[nose]));

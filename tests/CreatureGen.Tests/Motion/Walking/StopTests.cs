@@ -46,7 +46,7 @@ public sealed class StopTests
                 continue;
             }
 
-            foreach (LegShape leg in body.Legs)
+            foreach (LegRig leg in body.Legs)
             {
                 float aside = body.MostSway + ((1f - leg.LeastTrack) * Math.Abs(leg.Home.X));
                 Assert.True(leg.Lateral || MathF.Atan2(aside, leg.HipRest.Y) < leg.DrawsIn, $"{seed}: {aside} m");

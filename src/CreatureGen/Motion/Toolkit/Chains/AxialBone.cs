@@ -5,7 +5,7 @@ namespace CreatureGen.Motion.Toolkit.Chains;
 /// <summary>A bone of the body's axis in rest pose; points in model space, metres.</summary>
 internal readonly struct AxialBone
 {
-    public AxialBone(JointTurn turn, int parent, Vector3 pivot, Vector3 front, Vector3 rear, double mass)
+    public AxialBone(JointRotation turn, int parent, Vector3 pivot, Vector3 front, Vector3 rear, double mass)
     {
         Turn = turn;
         Parent = parent;
@@ -16,7 +16,7 @@ internal readonly struct AxialBone
     }
 
     /// <summary>Writes its joint.</summary>
-    public JointTurn Turn { get; }
+    public JointRotation Turn { get; }
 
     /// <summary>The bone that carries it, −1 for the body's root.</summary>
     public int Parent { get; }

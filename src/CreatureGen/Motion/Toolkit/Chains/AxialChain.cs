@@ -106,7 +106,7 @@ internal sealed class AxialChain
         for (int b = 0; b < bones.Length; b++)
         {
             int joint = joints[b];
-            bones[b] = new AxialBone(new JointTurn(skeleton, joint), joints.IndexOf(skeleton.Parents[joint]), skeleton.ModelPositions[joint], points[b], points[b + 1], masses[b]);
+            bones[b] = new AxialBone(new JointRotation(skeleton, joint), joints.IndexOf(skeleton.Parents[joint]), skeleton.ModelPositions[joint], points[b], points[b + 1], masses[b]);
         }
 
         int[] order = new int[bones.Length];
@@ -136,7 +136,7 @@ internal sealed class AxialChain
 
             Quaternion parent = turns[bone.Parent];
             Quaternion own = bone.Turn.Write(local, Rotation.Multiply(Rotation.Inverse(parent), turns[b]));
-            turns[b] = UnitTurn.Renormalize(Rotation.Multiply(parent, own));
+            turns[b] = UnitRotation.Renormalize(Rotation.Multiply(parent, own));
             pivots[b] = pivots[bone.Parent] + Rotation.Rotate(parent, bone.Pivot - bones[bone.Parent].Pivot);
         }
     }

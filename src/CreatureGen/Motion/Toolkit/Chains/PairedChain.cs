@@ -9,13 +9,13 @@ namespace CreatureGen.Motion.Toolkit.Chains;
 /// <summary>A limb and its mirror image, both described on the left.</summary>
 internal sealed class PairedChain
 {
-    private readonly JointTurn[] left;
-    private readonly JointTurn[] right;
+    private readonly JointRotation[] left;
+    private readonly JointRotation[] right;
     private readonly Vector3[] points;
     private readonly Vector3[] axes;
     private readonly Skeleton skeleton;
 
-    private PairedChain(Skeleton skeleton, LimbChain limb, JointTurn[] left, JointTurn[] right, Vector3[] points)
+    private PairedChain(Skeleton skeleton, LimbChain limb, JointRotation[] left, JointRotation[] right, Vector3[] points)
     {
         this.skeleton = skeleton;
         Limb = limb;
@@ -66,8 +66,8 @@ internal sealed class PairedChain
 
         Skeleton skeleton = creature.Skeleton;
         int count = limb.Joints.Count - 1;
-        var left = new JointTurn[count];
-        var right = new JointTurn[count];
+        var left = new JointRotation[count];
+        var right = new JointRotation[count];
         var points = new Vector3[count + 1];
         for (int k = 0; k <= count; k++)
         {
@@ -83,8 +83,8 @@ internal sealed class PairedChain
                 return null;
             }
 
-            left[k] = new JointTurn(skeleton, joint);
-            right[k] = new JointTurn(skeleton, skeleton.Mirrors[joint]);
+            left[k] = new JointRotation(skeleton, joint);
+            right[k] = new JointRotation(skeleton, skeleton.Mirrors[joint]);
         }
 
         return new PairedChain(skeleton, limb, left, right, points);
@@ -127,5 +127,5 @@ internal sealed class PairedChain
 
     /// <summary>A turn of a bone that lies out to the left: it is twisted about itself (positive: leading edge down), swept back, then raised.</summary>
     public Quaternion Stroke(int joint, double raise, double sweep, double twist) =>
-        Rotation.Multiply(AxisTurn.Roll(raise), Rotation.Multiply(AxisTurn.Yaw(sweep), Rotation.FromAxisAngle(axes[joint], twist)));
+        Rotation.Multiply(AxisRotation.Roll(raise), Rotation.Multiply(AxisRotation.Yaw(sweep), Rotation.FromAxisAngle(axes[joint], twist)));
 }

@@ -19,7 +19,7 @@ public static class AimAt
         Finite.Require(upModel, nameof(upModel));
         float length = Vec.Length(direction);
         return length > Tolerance.DirectionLength
-            ? UnitTurn.Frame(Rotation.Rotate(rotation, forward), Rotation.Rotate(rotation, up), direction / length, upModel)
+            ? UnitRotation.Frame(Rotation.Rotate(rotation, forward), Rotation.Rotate(rotation, up), direction / length, upModel)
             : Quaternion.Identity;
     }
 }

@@ -65,7 +65,7 @@ public static class Eyes
         Quaternion atRest = Rotation.Multiply(rig.HeadToModel, rig.Skeleton.ModelRotations[eye]);
         Quaternion turn = new LookAngles((float)y, (float)-x).Turn();
         Quaternion inHead = Rotation.Multiply(rig.HeadToModel, Rotation.Multiply(turn, Rotation.Inverse(rig.HeadToModel)));
-        local.Rotations[eye] = SwingTwistLimit.ClampLocal(UnitTurn.Renormalize(Rotation.Multiply(inHead, atRest)), joint);
+        local.Rotations[eye] = SwingTwistLimit.ClampLocal(UnitRotation.Renormalize(Rotation.Multiply(inHead, atRest)), joint);
         Subtree.LocalToModel(rig.Skeleton, eye, local, model);
     }
 }

@@ -103,8 +103,8 @@ public static class GazeSolver
 
         LookAngles bounded = Bounded(goal, state.Yaw, settings);
         double left = PortableMath.Exp(-(double)settings.Rate * seconds);
-        CriticalSpring.Advance(ref state.Yaw, ref state.YawVelocity, bounded.Yaw, settings.Rate, seconds, left);
-        CriticalSpring.Advance(ref state.Pitch, ref state.PitchVelocity, bounded.Pitch, settings.Rate, seconds, left);
+        CriticallyDampedSpring.Advance(ref state.Yaw, ref state.YawVelocity, bounded.Yaw, settings.Rate, seconds, left);
+        CriticallyDampedSpring.Advance(ref state.Pitch, ref state.PitchVelocity, bounded.Pitch, settings.Rate, seconds, left);
         state.Attention = state.Attention == attention ? attention : Damping.Approach(state.Attention, attention, settings.FadeRate, seconds);
         if (attention == 0f && state.Attention < LeastAttention)
         {
@@ -117,7 +117,7 @@ public static class GazeSolver
     }
 
     /// <summary>How far a pose holds the head up, seen from the trunk, radians.</summary>
-    internal static float PitchOf(GazeRig rig, in Pose model) => QuickAngle.OfSine(Ahead(rig, ToTrunk(rig, model), model).Y);
+    internal static float PitchOf(GazeRig rig, in Pose model) => FastTrigonometry.OfSine(Ahead(rig, ToTrunk(rig, model), model).Y);
 
     private static Quaternion ToTrunk(GazeRig rig, in Pose model) => Rotation.Inverse(Rotation.Multiply(model.Rotations[rig.Base], rig.BaseToModel));
 
@@ -145,7 +145,7 @@ public static class GazeSolver
         Skeleton skeleton = rig.Skeleton;
         Quaternion inTrunk = Rotation.Multiply(new LookAngles(state.Yaw, state.Pitch).Turn(), Rotation.Inverse(animated.Turn()));
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(toTrunk), Rotation.Multiply(inTrunk, toTrunk));
-        var shares = new TurnShares(turn);
+        var shares = new RotationFractions(turn);
         ReadOnlySpan<Joint> bones = skeleton.AllJoints;
         Quaternion carried = model.Rotations[rig.Base];
         for (int i = 0; i < joints.Length; i++)
@@ -153,7 +153,7 @@ public static class GazeSolver
             int joint = joints[i];
             carried = Rotation.Multiply(carried, motion[i]);
             Quaternion wanted = Rotation.Multiply(shares.At(rig.Taken[i] * state.Attention), carried);
-            Quaternion turned = UnitTurn.Renormalize(Rotation.Multiply(JointRelations.ParentInverse(skeleton, joint, model), wanted));
+            Quaternion turned = UnitRotation.Renormalize(Rotation.Multiply(JointRelations.ParentInverse(skeleton, joint, model), wanted));
 
             // A motion that is itself beyond the limits is not pulled back by looking at nothing.
             local.Rotations[joint] = state.Attention == 0f ? motion[i] : SwingTwistLimit.ClampLocal(turned, bones[joint]);

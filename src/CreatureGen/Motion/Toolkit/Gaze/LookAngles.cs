@@ -12,8 +12,8 @@ public readonly record struct LookAngles(float Yaw, float Pitch)
     /// <summary>Both angles' directions and their opposites make one turn: pitch first, then yaw. It never rolls.</summary>
     public Quaternion Turn()
     {
-        QuickAngle.SinCos(0.5f * Yaw, out float sy, out float cy);
-        QuickAngle.SinCos(-0.5f * Pitch, out float sp, out float cp);
+        FastTrigonometry.SinCos(0.5f * Yaw, out float sy, out float cy);
+        FastTrigonometry.SinCos(-0.5f * Pitch, out float sp, out float cp);
         return new Quaternion(cy * sp, sy * cp, -sy * sp, cy * cp);
     }
 
@@ -24,6 +24,6 @@ public readonly record struct LookAngles(float Yaw, float Pitch)
     {
         double across = Math.Sqrt(((double)direction.X * direction.X) + ((double)direction.Z * direction.Z));
         bool pole = across < 0.05 * Math.Abs((double)direction.Y) || across == 0;
-        return new LookAngles(pole ? yawAtPole : QuickAngle.Of(direction.X, direction.Z), QuickAngle.Of(direction.Y, (float)across));
+        return new LookAngles(pole ? yawAtPole : FastTrigonometry.Of(direction.X, direction.Z), FastTrigonometry.Of(direction.Y, (float)across));
     }
 }

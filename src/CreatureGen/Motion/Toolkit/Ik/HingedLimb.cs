@@ -58,7 +58,7 @@ internal static class HingedLimb
         Vector3 along = asked > 1e-6 * (lengthA + lengthB) ? target / (float)asked : Vec.Normalize(upper + lower, Vec.Normalize(upper));
         float chordLength = Vec.Length(chord);
         Vector3 chordAlong = chordLength > 1e-6f * (float)(lengthA + lengthB) ? chord / chordLength : Vec.Perpendicular(hinge);
-        upperTurn = UnitTurn.Frame(chordAlong, hinge, along, side);
+        upperTurn = UnitRotation.Frame(chordAlong, hinge, along, side);
         lowerTurn = Rotation.Multiply(upperTurn, bend);
         double residual = Math.Abs(asked - Math.Sqrt((taken * taken) + (offset * offset)));
         if (residual <= ReachedShare * (lengthA + lengthB))

@@ -51,7 +51,7 @@ public static class SwingTwistLimit
         }
 
         Quaternion swing = Swing(boundedX, boundedZ);
-        QuickAngle.SinCos((float)(0.5 * boundedTwist), out float s, out float c);
+        FastTrigonometry.SinCos((float)(0.5 * boundedTwist), out float s, out float c);
         return Rotation.Normalize(Rotation.Multiply(swing, new Quaternion(0f, s, 0f, c)));
     }
 
@@ -148,7 +148,7 @@ public static class SwingTwistLimit
             // The swing is turn · twist⁻¹; its w is the length of (y, w).
             double ty = sign * turn.Y / along;
             double tw = sign * turn.W / along;
-            twist = 2 * QuickAngle.Of((float)ty, (float)tw);
+            twist = 2 * FastTrigonometry.Of((float)ty, (float)tw);
             sx = sign * ((turn.X * tw) + (turn.Z * ty));
             sz = sign * ((turn.Z * tw) - (turn.X * ty));
         }
@@ -159,7 +159,7 @@ public static class SwingTwistLimit
         }
 
         double across = Math.Sqrt((sx * sx) + (sz * sz));
-        double scale = across > 1e-12 ? 2 * QuickAngle.Of((float)across, (float)along) / across : 2;
+        double scale = across > 1e-12 ? 2 * FastTrigonometry.Of((float)across, (float)along) / across : 2;
         x = sx * scale;
         z = sz * scale;
     }
@@ -168,7 +168,7 @@ public static class SwingTwistLimit
     internal static Quaternion Swing(double x, double z)
     {
         double angle = Math.Sqrt((x * x) + (z * z));
-        QuickAngle.SinCos((float)(0.5 * angle), out float s, out float c);
+        FastTrigonometry.SinCos((float)(0.5 * angle), out float s, out float c);
         double scale = angle > 1e-12 ? s / angle : 0.5;
         return new Quaternion((float)(x * scale), 0f, (float)(z * scale), c);
     }

@@ -110,7 +110,7 @@ public static class SpringBones
             bone.PastPosition = bone.NowPosition;
             bone.PastAlong = bone.NowAlong;
             Vector3 p = Rotation.Rotate(root.Rotation, model.Positions[joint]) * root.Scale;
-            Vector3 along = Rotation.Rotate(root.Rotation, UnitTurn.BoneAxis(model.Rotations[joint]));
+            Vector3 along = Rotation.Rotate(root.Rotation, UnitRotation.BoneAxis(model.Rotations[joint]));
             nought += ((along.X + along.Y + along.Z) + (p.X + p.Y + p.Z)) * 0f;
             bone.NowPosition = p;
             bone.NowAlong = along;
@@ -243,7 +243,7 @@ public static class SpringBones
             Vector3 animated = share >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, share), bone.NowAlong);
             moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, share);
             Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit, out float squared);
-            Vector3 along = Lanes.RotateByAny(carried, squared, animated);
+            Vector3 along = SimdKernels.RotateByAny(carried, squared, animated);
             Vector3 tail = along * length;
             Vector3 goal = moment.Place + tail;
             Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
@@ -270,7 +270,7 @@ public static class SpringBones
         ref Moment moment = ref moments[(index * stride) + stride - 1];
         moment.Animated = bone.NowPosition;
         Quaternion carried = Carried(ref moment, moments, (rig.Parents[index] * stride) + stride - 1, settings.Inherit, out float squared);
-        Vector3 along = Lanes.RotateByAny(carried, squared, bone.NowAlong);
+        Vector3 along = SimdKernels.RotateByAny(carried, squared, bone.NowAlong);
         Vector3 tail = along * length;
         bone.Shown = moment.Place + tail;
         float share = state.Debt / Substep;
@@ -289,7 +289,7 @@ public static class SpringBones
         Quaternion shown = settings.Weight < 1f ? Rotation.Slerp(Quaternion.Identity, deviation, settings.Weight) : deviation;
         int joint = rig.Joints[index];
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(root.Rotation), Rotation.Multiply(shown, root.Rotation));
-        Quaternion inModel = UnitTurn.Renormalize(Rotation.Multiply(turn, model.Rotations[joint]));
+        Quaternion inModel = UnitRotation.Renormalize(Rotation.Multiply(turn, model.Rotations[joint]));
         int parent = rig.Skeleton.Parents[joint];
         model.Rotations[joint] = inModel;
         if (parent < 0)
@@ -319,14 +319,14 @@ public static class SpringBones
 
         // Of a mix of the identity and a unit quaternion: their product is the w of that.
         squared = 1f - (2f * inherit * (1f - inherit) * (1f - Math.Abs(deviation.W)));
-        return Lanes.Mix(Quaternion.Identity, 1f - inherit, deviation, deviation.W < 0f ? -inherit : inherit);
+        return SimdKernels.Mix(Quaternion.Identity, 1f - inherit, deviation, deviation.W < 0f ? -inherit : inherit);
     }
 
     /// <summary>A turn of any length followed by the smallest one that takes one unit vector to another, brought to unit length.</summary>
     private static Quaternion Turned(Quaternion carried, float squared, Vector3 along, Vector3 direction)
     {
-        Quaternion turn = UnitTurn.Between(along, direction, out float square);
-        return Lanes.Scale(Rotation.Multiply(turn, carried), 1f / MathF.Sqrt(square * squared));
+        Quaternion turn = UnitRotation.Between(along, direction, out float square);
+        return SimdKernels.Scale(Rotation.Multiply(turn, carried), 1f / MathF.Sqrt(square * squared));
     }
 
     /// <summary>Velocity of a tip relative to its goal as a substep begins: no greater than that of a free swing of full width at its offset.</summary>

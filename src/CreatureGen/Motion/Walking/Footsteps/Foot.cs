@@ -9,10 +9,10 @@ internal struct Foot
     public FootPhase Phase;
 
     /// <summary>Where it is locked in stance, or comes from in a swing.</summary>
-    public FootPlace From;
+    public Foothold From;
 
     /// <summary>Where a swing goes.</summary>
-    public FootPlace To;
+    public Foothold To;
 
     /// <summary>Where a swing would go on level ground, followed smoothly: what is asked may change in mid step. World space.</summary>
     public Vector3 Wanted;

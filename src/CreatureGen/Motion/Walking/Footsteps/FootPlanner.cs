@@ -44,20 +44,20 @@ internal sealed class FootPlanner
 
     private readonly LeggedBody body;
     private readonly Foot[] feet;
-    private readonly SwingWay[] ways;
+    private readonly SwingClearance[] ways;
     private readonly EventQueue events;
     private readonly FootingSearch search;
-    private SteadyDecay aimDecay;
+    private ExponentialDecay aimDecay;
 
     public FootPlanner(LeggedBody body, EventQueue events)
     {
         this.body = body;
         this.events = events;
         feet = new Foot[body.Legs.Length];
-        ways = new SwingWay[feet.Length];
+        ways = new SwingClearance[feet.Length];
         for (int i = 0; i < ways.Length; i++)
         {
-            ways[i] = new SwingWay();
+            ways[i] = new SwingClearance();
         }
 
         search = new FootingSearch(body);
@@ -66,7 +66,7 @@ internal sealed class FootPlanner
     public Foot[] Feet => feet;
 
     /// <summary>What is in the way of each foot that swings.</summary>
-    public ReadOnlySpan<SwingWay> Ways => ways;
+    public ReadOnlySpan<SwingClearance> Ways => ways;
 
     /// <summary>Whether a foot is in the air or away from its home.</summary>
     public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
@@ -268,9 +268,9 @@ internal sealed class FootPlanner
     /// <summary>Whether a foot's next place is far enough from where it stands.</summary>
     private bool Wants(int leg, in StepContext step, float ahead)
     {
-        Vector3 there = step.Travel.Predict(ahead, out float yaw);
-        Quaternion turn = AxisTurn.Yaw(yaw);
-        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.Travel.Speed, step.Slope));
+        Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
+        Quaternion turn = AxisRotation.Yaw(yaw);
+        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
         Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
         away.Y = 0f;
         return Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(step.Frame, feet[leg].From.Heading) - yaw) > LeastTurn;
@@ -302,9 +302,9 @@ internal sealed class FootPlanner
         }
     }
 
-    private void Tell(MotionEventKind kind, int leg, in StepContext step, in FootPlace place, float ago)
+    private void Tell(MotionEventKind kind, int leg, in StepContext step, in Foothold place, float ago)
     {
-        float speed = (float)Math.Sqrt((step.Travel.Speed * step.Travel.Speed) + (step.Travel.Sideways * step.Travel.Sideways)) * step.Frame.Scale;
+        float speed = (float)Math.Sqrt((step.RootVelocity.Speed * step.RootVelocity.Speed) + (step.RootVelocity.Sideways * step.RootVelocity.Sideways)) * step.Frame.Scale;
         float strength = (float)PortableMath.Pi / (2f * feet.Length * step.Clock.Duty);
         strength = Scalar.Lerp(1f / feet.Length, strength, step.Activity);
         events.Add(new MotionEvent(kind, leg, body.Legs[leg].Ball, place.Position, place.Normal, place.Surface, speed, strength, step.Left + ago));
@@ -315,7 +315,7 @@ internal sealed class FootPlanner
     {
         for (int i = 0; i < feet.Length; i++)
         {
-            FootPlace place = feet[i].From;
+            Foothold place = feet[i].From;
             if (feet[i].Phase == FootPhase.Stance)
             {
                 events.Add(new MotionEvent(kind, i, body.Legs[i].Ball, place.Position, place.Normal, place.Surface, speed, strength, 0f));
@@ -327,14 +327,14 @@ internal sealed class FootPlanner
     private void Aim(int leg, in StepContext step, float ahead)
     {
         ref Foot foot = ref feet[leg];
-        Vector3 there = step.Travel.Predict(ahead, out float yaw);
-        Quaternion turn = AxisTurn.Yaw(yaw);
-        Vector3 home = Home(leg, step.Activity, step.Clock, step.Travel.Speed, step.Slope);
+        Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
+        Quaternion turn = AxisRotation.Yaw(yaw);
+        Vector3 home = Home(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
         Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, home));
-        Quaternion heading = UnitTurn.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
+        Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
         float share = foot.Swing > 0f && foot.Aimed ? aimDecay.Share(AimRate * step.Step) : 1f;
         foot.Wanted += (next - foot.Wanted) * share;
-        heading = share < 1f ? UnitTurn.Nlerp(foot.To.Heading, heading, share) : heading;
+        heading = share < 1f ? UnitRotation.Nlerp(foot.To.Heading, heading, share) : heading;
         foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), home, yaw, ref foot.Nudge, out foot.To);
         foot.To.Heading = heading;
         foot.To.Attach(step.Ground as IMovingGround);
@@ -345,14 +345,14 @@ internal sealed class FootPlanner
     /// <summary>Where a foot belongs under the body: its rest place, drawn in towards the middle and shifted ahead or back with the gait.</summary>
     private Vector3 Home(int leg, float activity, GaitClock clock, float speed, float slope)
     {
-        LegShape shape = body.Legs[leg];
+        LegRig shape = body.Legs[leg];
         Vector3 home = shape.Home + ((body.GoingHomes[leg] - shape.Home) * activity);
         float track = shape.Track(clock.Shape.Track, body.IsBiped ? clock.Shape.Lift : 0f);
         home.X *= 1f - ((1f - track) * activity);
         bool sprawls = shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2;
         float bias = sprawls ? 0f : body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
         home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
-        home.Z += FootHomes.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MostSlope, MostSlope)) * activity;
+        home.Z += NeutralFootholds.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MostSlope, MostSlope)) * activity;
         return home;
     }
 
@@ -365,7 +365,7 @@ internal sealed class FootPlanner
         }
 
         float s = Math.Min(foot.Stance, 1f);
-        QuickAngle.OfTurns(0.5f * s, out float sine, out _);
+        FastTrigonometry.OfTurns(0.5f * s, out float sine, out _);
 
         // sin 3x = 3 sin x − 4 sin³ x
         float dip = (3f * sine) - (4f * sine * sine * sine);

@@ -54,9 +54,9 @@ internal sealed class FootingSearch
     /// <param name="nudge">Shift along the foot that keeps it off an edge; carried on from update to update.</param>
     /// <param name="place">The place; its heading is not set.</param>
     /// <returns>Whether there is ground.</returns>
-    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, ref float nudge, out FootPlace place)
+    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, ref float nudge, out Foothold place)
     {
-        LegShape shape = body.Legs[leg];
+        LegRig shape = body.Legs[leg];
         Vector3 up = step.Settings.Up;
         PortableMath.SinCos(yaw, out double sine, out double cosine);
         var ahead = new Vector3((float)sine, 0f, (float)cosine);
@@ -74,11 +74,11 @@ internal sealed class FootingSearch
 
         if (!found)
         {
-            place = new FootPlace { Position = step.Frame.ToWorld(new Vector3(wanted.X, 0f, wanted.Z)), Normal = up };
+            place = new Foothold { Position = step.Frame.ToWorld(new Vector3(wanted.X, 0f, wanted.Z)), Normal = up };
             return false;
         }
 
-        place = new FootPlace { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
+        place = new Foothold { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
         if (!(step.Ground is FlatGround))
         {
             Sole sole = LaidOut(shape, home, ahead);
@@ -93,7 +93,7 @@ internal sealed class FootingSearch
     }
 
     /// <summary>Feels the ground along the way of a swing, all of it as the foot leaves the ground, and later on what is just ahead of it.</summary>
-    public void Survey(in StepContext step, int leg, in Foot foot, SwingWay way)
+    public void Survey(in StepContext step, int leg, in Foot foot, SwingClearance way)
     {
         if (!foot.Aimed)
         {
@@ -105,23 +105,23 @@ internal sealed class FootingSearch
             return;
         }
 
-        LegShape shape = body.Legs[leg];
+        LegRig shape = body.Legs[leg];
         Quaternion inverse = Rotation.Inverse(step.Frame.Rotation);
         Vector3 from = step.Frame.ToModel(foot.From.Position);
         Vector3 to = step.Frame.ToModel(foot.To.Position);
         Vector3 slopeFrom = Slope(Rotation.Rotate(inverse, foot.From.Normal));
         Vector3 slopeTo = Slope(Rotation.Rotate(inverse, foot.To.Normal));
         int first = 0;
-        int last = SwingWay.Knots;
+        int last = SwingClearance.Knots;
         if (foot.Aimed)
         {
-            first = SwingWay.After(FootPoser.Along(foot.Swing));
+            first = SwingClearance.After(FootPoser.Along(foot.Swing));
             last = Math.Min(first + 1, last);
         }
 
         for (int i = first; i < last; i++)
         {
-            float along = SwingWay.At(i);
+            float along = SwingClearance.At(i);
             if (Obstacle(step, shape, Vec.Lerp(from, to, along), Vec.Lerp(slopeFrom, slopeTo, along), out float height))
             {
                 way.Feel(i, height, foot.Aimed ? Renewal : 1f);
@@ -135,7 +135,7 @@ internal sealed class FootingSearch
     }
 
     /// <summary>How far the ground is above a foot on its straight way: under its place, and under the toes of a sole that spreads, of legs out to the side, which carry it level.</summary>
-    private bool Obstacle(in StepContext step, LegShape shape, Vector3 place, Vector3 slope, out float height)
+    private bool Obstacle(in StepContext step, LegRig shape, Vector3 place, Vector3 slope, out float height)
     {
         height = float.MinValue;
         if (Down(step, place, out GroundHit hit))
@@ -158,13 +158,13 @@ internal sealed class FootingSearch
     }
 
     /// <summary>Whether a sole is long and wide: its toes spread.</summary>
-    private static bool IsFan(LegShape shape) => Math.Min(shape.Toe, shape.HalfWidth) > LongSole * shape.Length;
+    private static bool IsFan(LegRig shape) => Math.Min(shape.Toe, shape.HalfWidth) > LongSole * shape.Length;
 
     /// <summary>Rise of a plane along each level axis.</summary>
     private static Vector3 Slope(Vector3 normal) => new Vector3(-normal.X, 0f, -normal.Z) / Math.Max(normal.Y, Steepest);
 
     /// <summary>Moves a foot back from an edge under its toes, or ahead from one under its heel, a little in each update.</summary>
-    private static void KeepOffEdges(LegShape shape, in Sole sole, ref float nudge)
+    private static void KeepOffEdges(LegRig shape, in Sole sole, ref float nudge)
     {
         float most = 0.5f * (shape.Toe + shape.Heel);
         if (sole.ToesHang != sole.HeelHangs)
@@ -174,13 +174,13 @@ internal sealed class FootingSearch
     }
 
     /// <summary>A sole as it will lie in the middle of its stance: turned with its leg on its middle.</summary>
-    private static Sole LaidOut(LegShape shape, Vector3 home, Vector3 ahead)
+    private static Sole LaidOut(LegRig shape, Vector3 home, Vector3 ahead)
     {
         Vector3 toes = shape.ToeDirection;
         Vector3 offset = Vector3.Zero;
         if (shape.FollowShare > 0f)
         {
-            Quaternion follow = UnitTurn.Nlerp(Quaternion.Identity, shape.Sweep(home), shape.FollowShare);
+            Quaternion follow = UnitRotation.Nlerp(Quaternion.Identity, shape.Sweep(home), shape.FollowShare);
             toes = Rotation.Rotate(follow, toes);
             offset = shape.SoleMiddle - Rotation.Rotate(follow, shape.SoleMiddle);
         }
@@ -191,7 +191,7 @@ internal sealed class FootingSearch
     private static Vector3 Yawed(Vector3 v, Vector3 ahead) => new((v.X * ahead.Z) + (v.Z * ahead.X), v.Y, (v.Z * ahead.Z) - (v.X * ahead.X));
 
     /// <summary>Feels the ground under a rigid sole and lays it there: along the chords from heel to toes and, where it is wide, from side to side, as high as the highest ground under it asks.</summary>
-    private void Feel(in StepContext step, LegShape shape, Vector3 target, in GroundHit hit, ref Sole sole)
+    private void Feel(in StepContext step, LegRig shape, Vector3 target, in GroundHit hit, ref Sole sole)
     {
         float end = EndShare * shape.Toe;
         float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.ToesHang);
@@ -223,7 +223,7 @@ internal sealed class FootingSearch
     }
 
     /// <summary>How much higher the ground is beside a foot's place than the plane of that place goes on, metres of the model; none where an edge or a wall is.</summary>
-    private float Rise(in StepContext step, LegShape shape, Vector3 target, Vector3 beside, in GroundHit under, out bool hangs)
+    private float Rise(in StepContext step, LegRig shape, Vector3 target, Vector3 beside, in GroundHit under, out bool hangs)
     {
         hangs = true;
         if (!Down(step, target + beside, out GroundHit hit))

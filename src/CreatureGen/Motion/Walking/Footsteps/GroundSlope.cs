@@ -15,7 +15,7 @@ internal struct GroundSlope
     /// <summary>Spread of the feet along the way, leg lengths, below which they say little: they stand side by side.</summary>
     private const float LeastSpread = 0.05f;
 
-    private SteadyDecay decay;
+    private ExponentialDecay decay;
     private float together;
     private float spread;
 

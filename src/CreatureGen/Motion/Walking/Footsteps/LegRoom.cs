@@ -49,7 +49,7 @@ internal static class LegRoom
         var fore = new Girdle(float.MaxValue);
         for (int i = 0; i < feet.Length; i++)
         {
-            LegShape leg = body.Legs[i];
+            LegRig leg = body.Legs[i];
             float arriving = Arrival(leg, feet[i]);
             float weight = Math.Max(arriving, Leaving(feet[i]));
             if (weight == 0f)
@@ -91,7 +91,7 @@ internal static class LegRoom
     private static float Leaving(in Foot foot) => foot.Phase == FootPhase.Stance ? 1f : 1f - Scalar.Smooth(foot.Swing / LettingGo);
 
     /// <summary>How much one counts that comes down, 0..1: more and more.</summary>
-    private static float Arrival(LegShape leg, in Foot foot)
+    private static float Arrival(LegRig leg, in Foot foot)
     {
         float from = leg.Lateral ? LateralArriving : Arriving;
         return foot.Phase == FootPhase.Stance || foot.Correcting ? 0f : Scalar.Smooth((foot.Swing - from) / (1f - from));

@@ -49,7 +49,7 @@ internal static class IdleLife
 
     private static double Wave(double turns)
     {
-        QuickAngle.OfTurns((float)(turns - Math.Floor(turns)), out float sine, out _);
+        FastTrigonometry.OfTurns((float)(turns - Math.Floor(turns)), out float sine, out _);
         return sine;
     }
 

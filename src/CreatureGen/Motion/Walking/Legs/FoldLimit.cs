@@ -21,10 +21,10 @@ internal readonly struct FoldLimit
     /// <summary>Brings an angle in −π..π, given by its cosine and sine, back towards the nearer end of the range if it is beyond.</summary>
     /// <param name="cosine">Of the angle.</param>
     /// <param name="sine">Of the angle.</param>
-    /// <param name="leeway">How far from that end it may stay, as the chord of the difference on the unit circle.</param>
+    /// <param name="tolerance">How far from that end it may stay, as the chord of the difference on the unit circle.</param>
     /// <param name="give">Share of that difference that it may stay beyond at least, 0..1.</param>
     /// <returns>The chord by which it was beyond; 0 for none.</returns>
-    public float Clamp(ref double cosine, ref double sine, float leeway, float give)
+    public float Clamp(ref double cosine, ref double sine, float tolerance, float give)
     {
         bool beyond = (sine < 0 && cosine < leastCosine) || (sine > 0 && cosine < mostCosine);
         if (!beyond)
@@ -37,12 +37,12 @@ internal readonly struct FoldLimit
         double c = cosine - endCosine;
         double s = sine - endSine;
         double chord = Math.Sqrt((c * c) + (s * s));
-        if (chord <= leeway)
+        if (chord <= tolerance)
         {
             return (float)chord;
         }
 
-        double share = Math.Max(leeway / chord, give);
+        double share = Math.Max(tolerance / chord, give);
         cosine = endCosine + (c * share);
         sine = endSine + (s * share);
         double length = Math.Sqrt((cosine * cosine) + (sine * sine));

@@ -35,7 +35,7 @@ internal static class FootPoser
     public static float Along(float swing) => Scalar.Smooth(swing * (0.93f + (0.07f * swing)));
 
     /// <summary>Poses a foot.</summary>
-    public static void Pose(LegShape leg, ref Foot foot, SwingWay way, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
+    public static void Pose(LegRig leg, ref Foot foot, SwingClearance way, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
     {
         Quaternion inverse = Rotation.Inverse(frame.Rotation);
         Vector3 from = frame.ToModel(foot.From.Position);
@@ -49,7 +49,7 @@ internal static class FootPoser
             Vector3 to = frame.ToModel(foot.To.Position);
             float r = Along(u);
             from += (to - from) * r;
-            heading = UnitTurn.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
+            heading = UnitRotation.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
             normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
             foot.Over = way.Rise(r);
             foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (LeastLift + ((1f - LeastLift) * gait.Activity))) + foot.Over;
@@ -60,7 +60,7 @@ internal static class FootPoser
         {
             // The foot turns with the leg on the middle of its sole.
             Vector3 shift = Rotation.Rotate(heading, leg.SoleMiddle);
-            heading = UnitTurn.Nlerp(heading, leg.Sweep(from), leg.FollowShare);
+            heading = UnitRotation.Nlerp(heading, leg.Sweep(from), leg.FollowShare);
             shift -= Rotation.Rotate(heading, leg.SoleMiddle);
             shift.Y = -((normal.X * shift.X) + (normal.Z * shift.Z)) / Math.Max(normal.Y, 0.3f);
             from += shift;
@@ -69,14 +69,14 @@ internal static class FootPoser
         foot.Heading = heading;
         foot.Normal = normal;
         float pitch = (FootRoll.Pitch(foot, leg, gait.Duty) * gait.Activity) + gait.RestPitch;
-        Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitTurn.FromTo(Vector3.UnitY, normal), heading) : heading;
-        pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisTurn.About(leg.RollAxis, pitch));
+        Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitRotation.FromTo(Vector3.UnitY, normal), heading) : heading;
+        pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisRotation.About(leg.RollAxis, pitch));
         Vector3 ball;
         if (leg.FlatFoot)
         {
             float toes = FootRoll.ToePitch(pitch);
             ball = FootRoll.BallAt(leg, foot, toes);
-            pose.Toes = toes == 0f ? ground : Rotation.Multiply(ground, AxisTurn.About(leg.RollAxis, toes));
+            pose.Toes = toes == 0f ? ground : Rotation.Multiply(ground, AxisRotation.About(leg.RollAxis, toes));
         }
         else
         {

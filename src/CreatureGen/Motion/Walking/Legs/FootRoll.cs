@@ -42,9 +42,9 @@ internal static class FootRoll
     /// <param name="foot">Its place in the cycle.</param>
     /// <param name="leg">Its build.</param>
     /// <param name="duty">Part of the cycle that it is down.</param>
-    public static float Pitch(in Foot foot, LegShape leg, float duty)
+    public static float Pitch(in Foot foot, LegRig leg, float duty)
     {
-        LegTraits traits = leg.Traits;
+        LegGaitParameters traits = leg.Traits;
         float off = traits.ToeOff * leg.RollShare;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
         if (foot.Phase == FootPhase.Stance)
@@ -69,7 +69,7 @@ internal static class FootRoll
     }
 
     /// <summary>Fold of the metatarsus beyond its link to the thigh, radians.</summary>
-    public static float Fold(in Foot foot, LegTraits traits)
+    public static float Fold(in Foot foot, LegGaitParameters traits)
     {
         if (foot.Phase == FootPhase.Stance)
         {
@@ -96,7 +96,7 @@ internal static class FootRoll
     /// <param name="leg">Gives the sole.</param>
     /// <param name="foot">In the swing the two pivots give way to one another gradually.</param>
     /// <param name="pitch">Radians.</param>
-    public static Vector3 BallAt(LegShape leg, in Foot foot, float pitch)
+    public static Vector3 BallAt(LegRig leg, in Foot foot, float pitch)
     {
         float blend = foot.Phase == FootPhase.Stance ? 0f : PivotBlend * Scalar.Smooth(foot.Swing / 0.15f) * Scalar.Smooth((1f - foot.Swing) / 0.15f);
         float root = (float)Math.Sqrt((pitch * pitch) + (blend * blend));
@@ -109,8 +109,8 @@ internal static class FootRoll
         float up = 0.5f * (pitch - root);
 
         // In the plane of toes and up: x along the toes, y up; toes down turns up towards the toes.
-        QuickAngle.SinCos(down, out float sd, out float cd);
-        QuickAngle.SinCos(up, out float su, out float cu);
+        FastTrigonometry.SinCos(down, out float sd, out float cd);
+        FastTrigonometry.SinCos(up, out float su, out float cu);
         float h = leg.BallHeight;
         float along = (leg.Toe - (leg.Toe * cd)) + (h * sd) + ((leg.Heel * cu) - leg.Heel) + (h * su);
         float above = ((leg.Toe * sd) + (h * cd)) + ((-leg.Heel * su) + (h * cu)) - h;

@@ -27,9 +27,9 @@ internal sealed class LegPoser
     private const float TrailedPitch = 0.9f;
 
     private readonly LeggedBody body;
-    private readonly RestTurns turns;
+    private readonly RestRotations turns;
 
-    public LegPoser(LeggedBody body, RestTurns turns)
+    public LegPoser(LeggedBody body, RestRotations turns)
     {
         this.body = body;
         this.turns = turns;
@@ -61,7 +61,7 @@ internal sealed class LegPoser
     /// <param name="local">The pose.</param>
     public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, float tuck, float trail, in Pose local)
     {
-        LegShape leg = body.Legs[index];
+        LegRig leg = body.Legs[index];
         Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
         Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
         turns.Slide(local, leg.Girdle, slide);
@@ -70,33 +70,33 @@ internal sealed class LegPoser
         if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
         {
             // Not before the toes are well off the ground.
-            Quaternion point = AxisTurn.About(leg.RollAxis, carried * carried * carried * TrailedPitch);
+            Quaternion point = AxisRotation.About(leg.RollAxis, carried * carried * carried * TrailedPitch);
             wanted.Foot = Rotation.Multiply(wanted.Foot, point);
             wanted.Toes = Rotation.Multiply(wanted.Toes, point);
         }
 
-        Solve(leg, carrier, hip, wanted, carried, ref foot, local, out LegTurns solved);
+        Solve(leg, carrier, hip, wanted, carried, ref foot, local, out LegRotations solved);
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
         float share = excess > 0f ? YieldShare(leg, foot, excess) : 0f;
         if (share > 0f)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
-            FootYield.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, share, ref wanted);
+            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, share, ref wanted);
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
             PoseFoot(leg, solved, wanted, local, out _);
         }
     }
 
     /// <summary>How far a leg in the air is where the body carries it instead of on its foot's way, 0..1.</summary>
-    private static float Carried(LegShape leg, in Foot foot, float tuck, float trail)
+    private static float Carried(LegRig leg, in Foot foot, float tuck, float trail)
     {
         float share = leg.Row > 0 ? tuck : trail;
-        return share == 0f || foot.Phase != FootPhase.Swing ? 0f : share * (leg.Row > 0 ? LegTraits.TuckCurve : LegTraits.TrailCurve).At(foot.Swing);
+        return share == 0f || foot.Phase != FootPhase.Swing ? 0f : share * (leg.Row > 0 ? LegGaitParameters.TuckCurve : LegGaitParameters.TrailCurve).At(foot.Swing);
     }
 
     /// <summary>Solves hip and knee and writes them.</summary>
-    private void Solve(LegShape leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegTurns solved)
+    private void Solve(LegRig leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegRotations solved)
     {
         Vector3 chord = pose.Target - hip;
         if (carried > 0f)
@@ -104,27 +104,27 @@ internal sealed class LegPoser
             chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Row > 0 ? leg.Tucked : leg.Trailed), carried);
         }
 
-        float slack = foot.Phase == FootPhase.Swing ? LegTraits.SlackCurve.At(foot.Swing) : 0f;
-        float leeway = Leeway(foot);
+        float slack = foot.Phase == FootPhase.Swing ? LegGaitParameters.SlackCurve.At(foot.Swing) : 0f;
+        float tolerance = Tolerance(foot);
         float give = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
-        LegParts folded = default;
-        scoped ref readonly LegParts parts = ref leg.Parts;
+        LegSegments folded = default;
+        scoped ref readonly LegSegments parts = ref leg.Parts;
         if (pose.Fold != 0f)
         {
-            folded = new LegParts(leg.Thigh + Rotation.Rotate(AxisTurn.About(leg.Hinge, pose.Fold), leg.Metatarsus), leg.Shank, leg.Hinge, leg.LeastBendCosine);
+            folded = new LegSegments(leg.Thigh + Rotation.Rotate(AxisRotation.About(leg.Hinge, pose.Fold), leg.Metatarsus), leg.Shank, leg.Hinge, leg.LeastBendCosine);
             parts = ref folded;
         }
 
-        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, leeway, give, out solved);
+        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, tolerance, give, out solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
         local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
         if (foot.Phase == FootPhase.Swing || foot.Stance > LateStance)
         {
-            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, leeway, give);
+            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, tolerance, give);
             foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : Math.Max(solved.Strain, hips);
-            if (hips > leeway)
+            if (hips > tolerance)
             {
                 // The foot keeps its own turn where the thigh cannot go.
                 solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
@@ -134,7 +134,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Where the hinge of the knee has to point.</summary>
-    private static Vector3 Side(LegShape leg, Quaternion carrier, Vector3 chord, Quaternion heading)
+    private static Vector3 Side(LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading)
     {
         Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
         if (!leg.Lateral)
@@ -150,12 +150,12 @@ internal sealed class LegPoser
 
     /// <summary>Writes ankle and ball, within their limits.</summary>
     /// <returns>The turn of the metatarsus from rest.</returns>
-    private Quaternion PoseFoot(LegShape leg, in LegTurns solved, in FootPose pose, in Pose local, out float excess)
+    private Quaternion PoseFoot(LegRig leg, in LegRotations solved, in FootPose pose, in Pose local, out float excess)
     {
         Quaternion metatarsus = pose.Foot;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
-            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, AxisTurn.About(leg.Hinge, FoldOf(leg, pose.Fold, solved.KneeTurn)));
+            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, AxisRotation.About(leg.Hinge, FoldOf(leg, pose.Fold, solved.KneeTurn)));
         }
 
         turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
@@ -175,7 +175,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
-    private static float YieldShare(LegShape leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
+    private static float YieldShare(LegRig leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
         ? 1f
         : Math.Max(Arriving(foot), Math.Min(foot.Yield / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
 
@@ -183,10 +183,10 @@ internal sealed class LegPoser
     private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));
 
     /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps; as it comes down it goes as far beyond them as it will stand.</summary>
-    private static float Leeway(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
+    private static float Tolerance(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
 
     /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
-    private static void FoldBack(LegShape leg, ref Quaternion ankle)
+    private static void FoldBack(LegRig leg, ref Quaternion ankle)
     {
         Quaternion folded = Rotation.Multiply(leg.AnkleJoint.LocalRotation, leg.AnkleFolded);
         Quaternion beyond = Rotation.Multiply(Rotation.Inverse(folded), ankle);
@@ -201,7 +201,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
-    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float leeway, float give)
+    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float tolerance, float give)
     {
         Quaternion turn = rotations[index];
         Quaternion bounded = SwingTwistLimit.ClampLocal(turn, joint);
@@ -211,10 +211,10 @@ internal sealed class LegPoser
         }
 
         float chord = Chord(turn, bounded);
-        float kept = Math.Max(leeway / chord, give);
+        float kept = Math.Max(tolerance / chord, give);
         if (kept < 1f)
         {
-            rotations[index] = kept > 0f ? UnitTurn.Nlerp(bounded, turn, kept) : bounded;
+            rotations[index] = kept > 0f ? UnitRotation.Nlerp(bounded, turn, kept) : bounded;
         }
 
         return chord;
@@ -223,7 +223,7 @@ internal sealed class LegPoser
     /// <summary>Difference of two turns, about half the angle in radians.</summary>
     private static float Chord(Quaternion a, Quaternion b)
     {
-        float sign = Lanes.Dot(a, b) < 0f ? -1f : 1f;
+        float sign = SimdKernels.Dot(a, b) < 0f ? -1f : 1f;
         float x = a.X - (sign * b.X);
         float y = a.Y - (sign * b.Y);
         float z = a.Z - (sign * b.Z);
@@ -232,7 +232,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Fold of the metatarsus that the ankle can follow. Bounded here, as an angle: folded by more than half a turn the ankle would seem to be bent the other way.</summary>
-    private static float FoldOf(LegShape leg, float fold, float knee)
+    private static float FoldOf(LegRig leg, float fold, float knee)
     {
         AngleRange range = leg.AnkleJoint.Limit.SwingX;
         return knee + Scalar.Clamp(fold - knee, range.Min, range.Max);

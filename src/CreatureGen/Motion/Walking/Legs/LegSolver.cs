@@ -5,7 +5,7 @@ using CreatureGen.Maths;
 namespace CreatureGen.Motion.Walking.Legs;
 
 /// <summary>Turns of a leg's bones away from rest, in model space; those of knee and metatarsus relative to their parents are about the hinge alone.</summary>
-internal struct LegTurns
+internal struct LegRotations
 {
     /// <summary>Turn of the thigh from rest.</summary>
     public Quaternion Thigh;
@@ -32,7 +32,7 @@ internal struct LegTurns
     public float Bend;
 
     /// <summary>Turn of the shank relative to the thigh about the hinge, radians.</summary>
-    public readonly float KneeTurn => 2f * QuickAngle.Of(KneeHalfSine, Knee.W);
+    public readonly float KneeTurn => 2f * FastTrigonometry.Of(KneeHalfSine, Knee.W);
 }
 
 /// <summary>
@@ -53,10 +53,10 @@ internal static class LegSolver
     /// <param name="target">Where the end has to be, from the hip.</param>
     /// <param name="side">Where the hinge has to point.</param>
     /// <param name="slack">0..1: how early the reach is eased.</param>
-    /// <param name="leeway">How far the knee may stay beyond its limits, about half the angle in radians: on the ground, where the foot keeps its place, as far as it likes.</param>
+    /// <param name="tolerance">How far the knee may stay beyond its limits, about half the angle in radians: on the ground, where the foot keeps its place, as far as it likes.</param>
     /// <param name="give">Share of what it is beyond its limits that it may keep at least, 0..1: as a foot comes down, more and more.</param>
     /// <param name="turns">The turns.</param>
-    public static void Solve(LegShape leg, in LegParts parts, Vector3 target, Vector3 side, float slack, float leeway, float give, out LegTurns turns)
+    public static void Solve(LegRig leg, in LegSegments parts, Vector3 target, Vector3 side, float slack, float tolerance, float give, out LegRotations turns)
     {
         Vector3 n = leg.Hinge;
         double most = parts.Most;
@@ -82,7 +82,7 @@ internal static class LegSolver
         double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
         double cosKnee = (cosThen * cosNow) + (sinThen * sinNow);
         double sinKnee = (sinThen * cosNow) - (cosThen * sinNow);
-        turns.Strain = 0.5f * leg.KneeFold.Clamp(ref cosKnee, ref sinKnee, 2f * leeway, give);
+        turns.Strain = 0.5f * leg.KneeFold.Clamp(ref cosKnee, ref sinKnee, 2f * tolerance, give);
 
         HalfAngle.Of(cosKnee, sinKnee, out double halfCosine, out double halfSine);
         turns.Bend = (float)cosThen;
@@ -90,8 +90,8 @@ internal static class LegSolver
         turns.Knee = new Quaternion(n * (float)halfSine, (float)halfCosine);
 
         Vector3 chord = parts.Upper + Rotation.Rotate(turns.Knee, leg.Shank);
-        Vector3 aim = leg.Lateral && turns.Strain > leeway ? Around(target, Vec.LengthSquared(chord)) : target;
-        turns.Thigh = UnitTurn.Frame(Vec.Normalize(chord, -Vector3.UnitY), n, Vec.Normalize(aim, -Vector3.UnitY), side);
+        Vector3 aim = leg.Lateral && turns.Strain > tolerance ? Around(target, Vec.LengthSquared(chord)) : target;
+        turns.Thigh = UnitRotation.Frame(Vec.Normalize(chord, -Vector3.UnitY), n, Vec.Normalize(aim, -Vector3.UnitY), side);
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
     }
 

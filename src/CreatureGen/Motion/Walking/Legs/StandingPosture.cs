@@ -42,8 +42,8 @@ internal sealed class StandingPosture
         ("duck", 20), ("raptor", 38), ("parrot", 40), ("heron", 32), ("owl", 48), ("toucan", 40), ("penguin", 62), ("ostrich", 15), ("bat", 26), ("pterosaur", 30),
     };
 
-    private const double BirdCarriage = 24;
-    private const double OtherCarriage = 20;
+    private const double BirdPosture = 24;
+    private const double OtherPosture = 20;
 
     /// <summary>Part of what a neck's joint can nod that keeps the head level; the rest is for looking down.</summary>
     private const float NodShare = 0.7f;
@@ -101,7 +101,7 @@ internal sealed class StandingPosture
             }
         }
 
-        return Scalar.Radians(BaseBodyNames.FamilyOf(body) == "avian" ? BirdCarriage : OtherCarriage);
+        return Scalar.Radians(BaseBodyNames.FamilyOf(body) == "avian" ? BirdPosture : OtherPosture);
     }
 
     /// <summary>What is weighed: trunk, neck with head, and tail, as capsules. Wings weigh little, and legs stay.</summary>
@@ -191,11 +191,11 @@ internal sealed class StandingPosture
         /// <summary>Where a point of a part goes as the trunk is raised.</summary>
         private Vector3 Moved(Vector3 point, JointRole part, double raised, double steadiness)
         {
-            Quaternion turn = AxisTurn.Pitch(-raised);
+            Quaternion turn = AxisRotation.Pitch(-raised);
             return part switch
             {
                 JointRole.Neck => Turned(neck, turn) + point - neck,
-                JointRole.Tail => Turned(tail, turn) + Rotation.Rotate(AxisTurn.Pitch(-raised * (1 - steadiness)), point - tail),
+                JointRole.Tail => Turned(tail, turn) + Rotation.Rotate(AxisRotation.Pitch(-raised * (1 - steadiness)), point - tail),
                 _ => Turned(point, turn),
             };
         }
@@ -207,16 +207,16 @@ internal sealed class StandingPosture
         {
             double lowest = double.MaxValue;
             double turned = -raised;
-            Vector3 place = Turned(tail, AxisTurn.Pitch(-raised));
+            Vector3 place = Turned(tail, AxisRotation.Pitch(-raised));
             foreach (CapsuleCollider bone in creature.Bones)
             {
                 if (skeleton.Joints[bone.Joint].Role == JointRole.Tail)
                 {
                     JointLimit limit = skeleton.Joints[bone.Joint].Limit;
-                    double most = TailCarriage.MostShare * Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+                    double most = TailPosture.MostShare * Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
                     turned += Math.Min(steadiness * raised / tailBones, most);
                     Vector3 along = Rotation.Rotate(skeleton.ModelRotations[bone.Joint], new Vector3(0f, skeleton.Joints[bone.Joint].Length, 0f));
-                    place += Rotation.Rotate(AxisTurn.Pitch(turned), along);
+                    place += Rotation.Rotate(AxisRotation.Pitch(turned), along);
                     lowest = Math.Min(lowest, place.Y - (TailThickness * bone.Radius));
                 }
             }

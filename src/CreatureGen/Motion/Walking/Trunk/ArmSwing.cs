@@ -14,7 +14,7 @@ internal static class ArmSwing
     private const float Wrist = 0.3f;
 
     /// <summary>Writes the arms.</summary>
-    public static void Pose(LeggedBody body, RestTurns turns, BodyPlacer placer, in BodyContext context, in Pose local)
+    public static void Pose(LeggedBody body, RestRotations turns, BodyPlacer placer, in BodyContext context, in Pose local)
     {
         foreach (ArmShape arm in body.Arms)
         {
@@ -22,9 +22,9 @@ internal static class ArmSwing
             float size = body.IsBiped ? SwingPerScissor : CarriedSwing;
             float swing = Scalar.Clamp(size * placer.Scissor * side, -0.7f, 0.7f) * context.Activity;
             float bend = (Forearm * (swing > 0f ? swing : 0f)) + (context.Clock.Shape.ElbowBend * 0.5f * context.Activity);
-            turns.Set(local, arm.Shoulder, AxisTurn.Pitch(-swing));
-            turns.Set(local, arm.Elbow, AxisTurn.Pitch(-bend));
-            turns.Set(local, arm.Wrist, AxisTurn.Pitch(Wrist * swing));
+            turns.Set(local, arm.Shoulder, AxisRotation.Pitch(-swing));
+            turns.Set(local, arm.Elbow, AxisRotation.Pitch(-bend));
+            turns.Set(local, arm.Wrist, AxisRotation.Pitch(Wrist * swing));
         }
     }
 }

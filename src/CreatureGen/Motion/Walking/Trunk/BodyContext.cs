@@ -5,10 +5,10 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>What the body goes by in an update.</summary>
 internal readonly struct BodyContext
 {
-    public BodyContext(GaitClock clock, Travel travel, LocomotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright)
+    public BodyContext(GaitClock clock, RootVelocity velocity, LocomotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright)
     {
         Clock = clock;
-        Travel = travel;
+        RootVelocity = velocity;
         Settings = settings;
         Step = step;
         Activity = activity;
@@ -19,7 +19,7 @@ internal readonly struct BodyContext
 
     public GaitClock Clock { get; }
 
-    public Travel Travel { get; }
+    public RootVelocity RootVelocity { get; }
 
     public LocomotionSettings Settings { get; }
 

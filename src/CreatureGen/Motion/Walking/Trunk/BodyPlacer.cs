@@ -29,15 +29,15 @@ internal sealed class BodyPlacer
 
     private readonly LeggedBody body;
     private readonly ForceResponse response = new();
-    private readonly PhaseSums hind = new();
-    private readonly PhaseSums fore = new();
-    private readonly PhaseSums track = new();
-    private readonly PhaseSums all = new();
+    private readonly FourierSums hind = new();
+    private readonly FourierSums fore = new();
+    private readonly FourierSums track = new();
+    private readonly FourierSums all = new();
     private readonly SteadyGait summed;
     private float slope;
     private GroundSlope way;
-    private SteadyDecay groundDecay;
-    private SteadyDecay slopeDecay;
+    private ExponentialDecay groundDecay;
+    private ExponentialDecay slopeDecay;
 
     public BodyPlacer(LeggedBody body)
     {
@@ -131,13 +131,13 @@ internal sealed class BodyPlacer
         float swing = act * settings.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
         float sway = Bounded((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MostSway);
-        float stance = context.Travel.Speed * clock.Duty / clock.Frequency;
+        float stance = context.RootVelocity.Speed * clock.Duty / clock.Frequency;
         float surge = response.Surge(all, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
 
         Spread(feet, out Girdle rear, out Girdle front);
         Scissor = rear.Left - rear.Right;
         float walking = (float)Math.Sqrt(0.12f * settings.Gravity * length);
-        float bend = Scalar.Clamp(context.Travel.Turn / Math.Max(Math.Abs(context.Travel.Speed), 0.35f * walking) * body.TrunkLength * 0.7f, -0.5f, 0.5f);
+        float bend = Scalar.Clamp(context.RootVelocity.Turn / Math.Max(Math.Abs(context.RootVelocity.Speed), 0.35f * walking) * body.TrunkLength * 0.7f, -0.5f, 0.5f);
         TurnBend = bend;
         float spine = settings.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
@@ -152,7 +152,7 @@ internal sealed class BodyPlacer
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * Together(hind, 2)));
         float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MostBendPitch, body.MostBendPitch);
         Flexion = flexion;
-        float bank = QuickAngle.Of(context.Travel.Speed * context.Travel.Turn, settings.Gravity) * traits.Bank * settings.Bank;
+        float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Bank;
 
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
@@ -166,7 +166,7 @@ internal sealed class BodyPlacer
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
-            Pelvis = new Vector3(rest.X + sway + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * FootHomes.Shortening(Climb))),
+            Pelvis = new Vector3(rest.X + sway + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * NeutralFootholds.Shortening(Climb))),
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,
@@ -195,7 +195,7 @@ internal sealed class BodyPlacer
     /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>
     public Vector3 HipOf(int leg, in Foot foot, out Vector3 slide)
     {
-        LegShape shape = body.Legs[leg];
+        LegRig shape = body.Legs[leg];
         bool front = body.Rows > 1 && shape.Row == body.Rows - 1;
         TrunkTraits traits = body.Traits;
         float z = Scalar.Clamp((foot.Base.Z - shape.Home.Z) / body.LegLength, -0.6f, 0.6f);
@@ -210,7 +210,7 @@ internal sealed class BodyPlacer
     /// <summary>The dip of a walk's force fades with speed.</summary>
     private static float DipShare(in BodyContext context, float length)
     {
-        float froude = context.Travel.Speed * context.Travel.Speed / (context.Settings.Gravity * length);
+        float froude = context.RootVelocity.Speed * context.RootVelocity.Speed / (context.Settings.Gravity * length);
         return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
     }
 
@@ -222,7 +222,7 @@ internal sealed class BodyPlacer
     }
 
     /// <summary>How much feet come down at once, 0..1: then the body is at its height as they do, and in the mean above it.</summary>
-    private static float Together(PhaseSums sums, int legs)
+    private static float Together(FourierSums sums, int legs)
     {
         float c = sums.Cosines[1];
         float s = sums.Sines[1];
@@ -241,8 +241,8 @@ internal sealed class BodyPlacer
             track.Clear();
             for (int i = 0; i < body.Legs.Length; i++)
             {
-                LegShape leg = body.Legs[i];
-                QuickAngle.OfTurns(-clock.Lags[i] - (0.5f * clock.Duty), out float s, out float c);
+                LegRig leg = body.Legs[i];
+                FastTrigonometry.OfTurns(-clock.Lags[i] - (0.5f * clock.Duty), out float s, out float c);
                 track.Add(s, c, leg.Home.X * clock.Shape.Track);
                 all.Add(s, c, 1f);
                 if (body.Rows == 2)
@@ -252,7 +252,7 @@ internal sealed class BodyPlacer
             }
         }
 
-        QuickAngle.OfTurns((float)clock.Phase, out float sine, out float cosine);
+        FastTrigonometry.OfTurns((float)clock.Phase, out float sine, out float cosine);
         track.Turn(sine, cosine);
         all.Turn(sine, cosine);
         if (body.Rows == 2)
@@ -269,7 +269,7 @@ internal sealed class BodyPlacer
         front = default;
         for (int i = 0; i < feet.Length; i++)
         {
-            LegShape leg = body.Legs[i];
+            LegRig leg = body.Legs[i];
             float z = (feet[i].Base.Z - leg.Home.Z) / body.LegLength;
             if (leg.Row == 0)
             {
@@ -309,7 +309,7 @@ internal sealed class BodyPlacer
         int leftCount = 0;
         for (int i = 0; i < feet.Length; i++)
         {
-            LegShape leg = body.Legs[i];
+            LegRig leg = body.Legs[i];
             float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f) - (Climb * (feet[i].Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
             if (leg.IsHind(body.Rows))
             {
@@ -356,19 +356,19 @@ internal sealed class BodyPlacer
         float pitch = plan.PelvisPitch - ((foreRise - foreDrop - (plan.Pelvis.Y - pelvisRest - hindDrop)) / Math.Max(body.TrunkLength, 1e-3f));
 
         // From pelvis to fore legs: rolled, then pitched as it comes to the wanted height, then yawed.
-        QuickAngle.SinCos(plan.PelvisRoll, out float sr, out float cr);
+        FastTrigonometry.SinCos(plan.PelvisRoll, out float sr, out float cr);
         float x = (between.X * cr) - (between.Y * sr);
         float y = (between.X * sr) + (between.Y * cr);
         float squared = (x * x) + (y * y) + (between.Z * between.Z);
         for (int i = 0; i < 2; i++)
         {
-            QuickAngle.SinCos(pitch, out float sp, out float cp);
+            FastTrigonometry.SinCos(pitch, out float sp, out float cp);
             float height = (y * cp) - (between.Z * sp);
             if (i == 0)
             {
                 // The trunk bends about its middle: half of what its front goes aside the rear takes back.
                 float ahead = (y * sp) + (between.Z * cp);
-                QuickAngle.SinCos(plan.PelvisYaw, out float sy, out float cy);
+                FastTrigonometry.SinCos(plan.PelvisYaw, out float sy, out float cy);
                 float aside = (x * cy) + (ahead * sy);
                 placed.Pelvis.X -= 0.5f * (aside - (Trunk.Rest[slot].X - Trunk.Rest[0].X));
             }

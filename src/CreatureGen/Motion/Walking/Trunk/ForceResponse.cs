@@ -68,7 +68,7 @@ internal sealed class ForceResponse
     /// <param name="scale">g/(2πf)², metres.</param>
     /// <param name="cap">Most that a harmonic may have as amplitude, metres.</param>
     /// <param name="nod">Angle of a sprung neck per metre of its length.</param>
-    public float Height(PhaseSums sums, int legs, float scale, float cap, out float nod)
+    public float Height(FourierSums sums, int legs, float scale, float cap, out float nod)
     {
         float most = 0f;
         float height = 0f;
@@ -92,7 +92,7 @@ internal sealed class ForceResponse
     /// <param name="sums">Σ x cos k m of the legs, x the place of the foot to the left.</param>
     /// <param name="legs">Number of legs.</param>
     /// <param name="pendulum">w²/(2πf)², w² = g/height of the hips: an inverted pendulum follows slow feet and not quick ones.</param>
-    public float Sway(PhaseSums sums, int legs, float pendulum)
+    public float Sway(FourierSums sums, int legs, float pendulum)
     {
         float sway = 0f;
         for (int k = 1; k <= 4; k++)
@@ -104,7 +104,7 @@ internal sealed class ForceResponse
     }
 
     /// <summary>Surge ahead as feet brake and push, for the same scale as the height and a stance of the given length over the hips' height.</summary>
-    public float Surge(PhaseSums sums, int legs, float scale, float stance, float cap)
+    public float Surge(FourierSums sums, int legs, float scale, float stance, float cap)
     {
         float surge = 0f;
         float most = 0f;

@@ -31,7 +31,7 @@ internal readonly struct SlopeStance
     }
 
     /// <summary>Measures the longest on level ground alone, metres.</summary>
-    public static float OnLevel(LeggedBody body, Gait gait) => Math.Min(Overreach.LongestStance(body, gait), Reaching(body, gait, 0f));
+    public static float OnLevel(LeggedBody body, Gait gait) => Math.Min(FootInterference.LongestStance(body, gait), Reaching(body, gait, 0f));
 
     /// <summary>The longest on a slope, metres.</summary>
     /// <param name="slope">Rise along the way.</param>
@@ -43,13 +43,13 @@ internal readonly struct SlopeStance
         float most = float.MaxValue;
         for (int i = 0; i < body.Legs.Length; i++)
         {
-            LegShape leg = body.Legs[i];
+            LegRig leg = body.Legs[i];
             bool front = body.Rows > 1 && leg.Row == body.Rows - 1;
             float bias = body.Rows == 2 ? (front ? gait.ForeBias : gait.HindBias) : body.IsBiped ? gait.HindBias : 0f;
             float along = body.IsBiped || leg.Lateral ? 0f : slope;
 
             // The hip hangs below the trunk, which lies along the slope.
-            float shift = FootHomes.Ahead(leg, body.Rows, 0f, along) - (along * (body.TrunkRest[leg.TrunkSlot].Y - leg.HipRest.Y));
+            float shift = NeutralFootholds.Ahead(leg, body.Rows, 0f, along) - (along * (body.TrunkRest[leg.TrunkSlot].Y - leg.HipRest.Y));
             TrunkTraits traits = body.Traits;
             most = Math.Min(most, leg.LongestStance(new LegSteps(body.GoingHomes[i], bias, gait.Crouch, front ? traits.ForeSlide : traits.HindSlide, body.IsBiped ? gait.Track : 1f, front ? traits.ChestYaw : traits.PelvisYaw, along, shift)));
         }

@@ -60,8 +60,8 @@ internal sealed class TrunkChain
     {
         int foreSlot = body.ForeSlot;
         float share = 1f / Math.Max(foreSlot, 1);
-        Bend = AxisTurn.YawPitchRoll(plan.BendYaw * share, plan.BendPitch * share, plan.BendRoll * share);
-        ChestTurn = plan.ChestPitch == 0f ? Quaternion.Identity : AxisTurn.Pitch(plan.ChestPitch);
+        Bend = AxisRotation.YawPitchRoll(plan.BendYaw * share, plan.BendPitch * share, plan.BendRoll * share);
+        ChestTurn = plan.ChestPitch == 0f ? Quaternion.Identity : AxisRotation.Pitch(plan.ChestPitch);
         Vector3[] rest = Rest;
         bends[0] = Quaternion.Identity;
         bent[0] = Vector3.Zero;
@@ -83,7 +83,7 @@ internal sealed class TrunkChain
     /// <summary>Places the bent chain.</summary>
     public void Apply(in TrunkPlan plan)
     {
-        Quaternion pelvis = AxisTurn.YawPitchRoll(plan.PelvisYaw, plan.PelvisPitch, plan.PelvisRoll);
+        Quaternion pelvis = AxisRotation.YawPitchRoll(plan.PelvisYaw, plan.PelvisPitch, plan.PelvisRoll);
         for (int i = 0; i < bends.Length; i++)
         {
             Turns[i] = Rotation.Multiply(pelvis, bends[i]);

@@ -37,7 +37,7 @@ internal readonly struct TrunkSpan
     /// <param name="pelvis">Place at rest, model space.</param>
     /// <param name="chest">Place of the joint of the foremost legs.</param>
     /// <param name="length">Of the trunk from the one to the other, metres.</param>
-    public static TrunkSpan Of(LegShape[] legs, Vector3[] homes, int rows, Vector3 pelvis, Vector3 chest, float length)
+    public static TrunkSpan Of(LegRig[] legs, Vector3[] homes, int rows, Vector3 pelvis, Vector3 chest, float length)
     {
         float rear = Middle(true, i => homes[i].Z);
         float front = Middle(false, i => homes[i].Z);

@@ -32,7 +32,7 @@ public sealed class FootRollTests
     [InlineData(BodyPlan.Unguligrade)]
     public void A_heel_begins_to_rise_earlier_the_shorter_the_stance_and_is_up_as_it_ends(BodyPlan plan)
     {
-        foreach (LegShape leg in new MotionProfile(StrokeSubject.Of(plan)[0]).Legs!.Legs)
+        foreach (LegRig leg in new MotionProfile(StrokeSubject.Of(plan)[0]).Legs!.Legs)
         {
             float first = 1f;
             float last = 0f;

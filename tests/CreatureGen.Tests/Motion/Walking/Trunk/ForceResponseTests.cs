@@ -46,7 +46,7 @@ public class ForceResponseTests
 
             var response = new ForceResponse();
             response.Tune(duty, dip);
-            var sums = new PhaseSums();
+            var sums = new FourierSums();
             foreach (float lag in lags)
             {
                 double m = 2 * Math.PI * (-lag - (duty / 2));

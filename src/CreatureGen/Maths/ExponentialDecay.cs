@@ -1,0 +1,20 @@
+namespace CreatureGen.Maths;
+
+/// <summary>The share 1 − e^(−x) of the way that something damped goes, remembered for as long as x is the same: steps of time seldom change.</summary>
+internal struct ExponentialDecay
+{
+    private float last;
+    private float share;
+
+    /// <summary>The share for a rate times a time.</summary>
+    public float Share(float x)
+    {
+        if (x != last)
+        {
+            last = x;
+            share = 1f - (float)PortableMath.Exp(-x);
+        }
+
+        return share;
+    }
+}

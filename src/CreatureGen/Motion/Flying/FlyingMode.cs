@@ -1,0 +1,199 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Flying;
+
+/// <summary>
+/// Drives a flier: on its legs while it has ground under its feet, on its wings else. Between the two it crouches and pushes off with its feet where they stand, and comes down onto feet that are
+/// set below it: the pose on the legs is mixed with that in the air by how much the feet are planted. Wings belong to the flight at all times.
+/// </summary>
+internal sealed class FlyingMode : ILocomotionMode
+{
+    /// <summary>How far down the ground is looked for, metres of the model.</summary>
+    private const float Lookout = 200f;
+
+    /// <summary>Leg lengths above the ground at which a flier that the game moves is in the air.</summary>
+    private const float AirborneHeight = 0.3f;
+
+    /// <summary>Force of all feet at a leap and at a touchdown, weights of the body.</summary>
+    private const float PushForce = 2.5f;
+
+    private readonly FlightProfile profile;
+    private readonly WalkingMode? legs;
+    private readonly StancePose stance;
+    private readonly EventQueue events;
+    private FlightState state = FlightState.OnGround;
+    private float turn;
+
+    public FlyingMode(FlightProfile profile, WalkingMode? legs, EventQueue events)
+    {
+        this.profile = profile;
+        this.legs = legs;
+        this.events = events;
+        stance = new StancePose(profile.Skeleton);
+    }
+
+    /// <summary>Most beats of wings in the longest update.</summary>
+    public const int MostBeats = 8;
+
+    public float Speed { get; private set; }
+
+    public float Phase => Stands ? legs!.Phase : (float)state.Cycle;
+
+    public float Frequency => Stands ? legs!.Frequency : state.BeatFrequency;
+
+    /// <summary>Whether it has ground under legs that walk.</summary>
+    public bool IsOnFeet => legs != null && state.IsOnFeet;
+
+    /// <summary>Whether it does so with all but its wings.</summary>
+    public bool Stands => IsOnFeet && StancePose.IsWhole(state.Planted.Value);
+
+    /// <summary>Height of its root above the ground, metres of the model, as far as that matters; 0 on its feet.</summary>
+    public float Height => IsOnFeet ? 0f : (float)state.Height.Value;
+
+    /// <summary>Whether it stands still with its wings folded.</summary>
+    public bool IsAtRest => Stands && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
+
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        bool before = IsOnFeet;
+        BodyVelocity velocity = Fly(place, dt, input, settings, ground, local);
+        if (IsOnFeet)
+        {
+            TouchDown(before, place, settings, ground);
+            place = legs!.Drive(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
+            Speed = legs.Speed;
+        }
+        else
+        {
+            LiftOff(before, place.Scale);
+            Speed = velocity.Linear.Z;
+            turn = velocity.YawRate;
+            place = RootStep.Advance(place, velocity, dt);
+            Reach(place, settings, ground);
+        }
+
+        Mix(local);
+        return place;
+    }
+
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        bool before = IsOnFeet;
+        float height = HeightOf(goal, settings, ground);
+        MotionMedium medium = height > AirborneHeight * profile.LegLength ? MotionMedium.Air : MotionMedium.Ground;
+        BodyVelocity velocity = Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
+        if (IsOnFeet)
+        {
+            TouchDown(before, goal, settings, ground);
+            legs!.Follow(place, dt, goal, settings, ground, stance.Cleared());
+            Speed = legs.Speed;
+        }
+        else
+        {
+            LiftOff(before, goal.Scale);
+            Speed = velocity.Linear.Z;
+            turn = velocity.YawRate;
+            Reach(goal, settings, ground);
+        }
+
+        Mix(local);
+    }
+
+    public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        state = FlightState.OnGround;
+        Speed = 0f;
+        Fly(place, 0f, default, settings, ground, local);
+        if (legs != null)
+        {
+            legs.Sink = 0f;
+            legs.Stand(place, settings, ground, stance.Cleared());
+        }
+
+        Mix(local);
+    }
+
+    public void Rebase(Vector3 offset) => legs?.Rebase(offset);
+
+    /// <summary>What is asked of the legs: a flier that makes ready to leap keeps its run, one that has come down runs out.</summary>
+    private MotionInput OnFoot(in MotionInput input, float scale)
+    {
+        legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
+        state.RunUp = legs.Speed;
+        return state.Phase switch
+        {
+            FlightPhase.Grounded => input,
+            FlightPhase.Crouching => new MotionInput(Math.Min(input.Speed, legs.Speed * scale)),
+            _ => new MotionInput(Math.Min(input.Speed, Math.Max(legs.Speed, 0f) * scale), input.YawRate),
+        };
+    }
+
+    /// <summary>Lets the legs take over, at the speed at which it came down.</summary>
+    private void TouchDown(bool before, in RootPlace place, in LocomotionSettings settings, IGround ground)
+    {
+        if (!before)
+        {
+            legs!.Sink = 0f;
+            legs.Arrive(place, Speed, turn, settings, ground, stance.Cleared());
+            legs.Tell(MotionEventKind.FootDown, Speed * place.Scale, PushForce);
+        }
+    }
+
+    private void LiftOff(bool before, float scale)
+    {
+        if (before)
+        {
+            legs!.Tell(MotionEventKind.FootUp, (float)state.RunUp * scale, PushForce);
+        }
+    }
+
+    /// <summary>Sets the feet of a flier that comes down where they will stand.</summary>
+    private void Reach(in RootPlace place, in LocomotionSettings settings, IGround ground)
+    {
+        if (legs != null && state.Phase == FlightPhase.Landing && state.Planted.Value > 0)
+        {
+            legs.Sink = 0f;
+            legs.Arrive(place, Speed, turn, settings, ground, stance.Cleared());
+        }
+    }
+
+    private void Mix(in Pose local)
+    {
+        if (legs != null)
+        {
+            stance.Mix(state.Planted.Value, local);
+        }
+    }
+
+    private BodyVelocity Fly(in RootPlace place, float dt, in MotionInput input, in LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        FlightIntent intent = input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
+        float scale = place.Scale;
+        state.RunOut = legs?.RunOut ?? 0f;
+        state.Raised = legs?.Raised ?? 0f;
+        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground));
+        BodyVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
+        for (int k = state.BeatsBegun - 1; k >= 0; k--)
+        {
+            float ago = state.SecondsSinceBeat + (k / state.BeatFrequency);
+            events.Add(new MotionEvent(MotionEventKind.WingBeat, -1, profile.Shoulder, place.Position, Rotation.Rotate(place.Rotation, Vector3.UnitY), 0, velocity.Linear.Z * scale, state.BeatWidth, ago));
+        }
+
+        return velocity;
+    }
+
+    /// <summary>Height of the root above the ground, metres of the model.</summary>
+    private static float HeightOf(in RootPlace place, in LocomotionSettings settings, IGround ground)
+    {
+        float above = place.Scale;
+        return ground.Cast(place.Position + (settings.Up * above), -settings.Up, (Lookout * place.Scale) + above, out GroundHit hit)
+            ? Vec.Dot(place.Position - hit.Point, settings.Up) / place.Scale
+            : Lookout;
+    }
+}

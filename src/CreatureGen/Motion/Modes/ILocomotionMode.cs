@@ -1,0 +1,42 @@
+using System.Numerics;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Modes;
+
+/// <summary>A way to move a body that the animator calls: on legs, on wings, in water, on the belly. One instance for each creature on the scene.</summary>
+internal interface ILocomotionMode
+{
+    /// <summary>Metres per second ahead at present, model space.</summary>
+    float Speed { get; }
+
+    /// <summary>Place in the cycle, 0..1.</summary>
+    float Phase { get; }
+
+    /// <summary>Cycles per second.</summary>
+    float Frequency { get; }
+
+    /// <summary>Moves on as asked and writes the pose.</summary>
+    /// <param name="place">Where the creature is.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="input">What it is to do; finite.</param>
+    /// <param name="settings">How it goes.</param>
+    /// <param name="ground">What it goes on, or over.</param>
+    /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
+    /// <returns>Where it is then.</returns>
+    RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local);
+
+    /// <summary>Moves on as the game moved it and writes the pose.</summary>
+    /// <param name="place">Where the creature was.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="goal">Where it is now.</param>
+    /// <param name="settings">How it goes.</param>
+    /// <param name="ground">What it goes on, or over.</param>
+    /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
+    void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local);
+
+    /// <summary>Stands, floats or lies at a place as if it had always been there, and writes the pose.</summary>
+    void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local);
+
+    /// <summary>Moves the origin of the world.</summary>
+    void Rebase(Vector3 offset);
+}

@@ -1,0 +1,69 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Trunk;
+
+/// <summary>Neck and head: they take back most of the chest's turns, so that the gaze stays level, nod with the chest's rise, look into the turn, and bob in walking birds.</summary>
+internal static class HeadPosture
+{
+    private const float TurnLook = 0.18f;
+    private const float BobHold = 0.55f;
+
+    /// <summary>Writes neck and head.</summary>
+    public static void Pose(LeggedBody body, RestRotations turns, BodyPlacer placer, in BodyContext context, in Pose local)
+    {
+        int count = body.Neck.Length;
+        if (count == 0)
+        {
+            return;
+        }
+
+        Quaternion chest = placer.Trunk.Turns[placer.Trunk.Turns.Length - 1];
+        Rotation.ToBasis(chest, out Vector3 x, out Vector3 y, out Vector3 z);
+        float steady = body.Traits.HeadSteadiness * context.Settings.HeadSteadiness;
+        float yaw = (-FastTrigonometry.Of(z.X, z.Z) * steady) + (TurnLook * Scalar.Clamp(context.RootVelocity.Turn, -1.5f, 1.5f));
+        float pitch = (FastTrigonometry.OfSine(z.Y) - (body.Posture.Raised * context.Upright)) * steady;
+        float roll = -FastTrigonometry.Of(x.Y, y.Y) * steady;
+        float share = 1f / count;
+        float nod = placer.Nod;
+        float bob = Bob(body, context);
+        float last = float.NaN;
+        Quaternion turn = Quaternion.Identity;
+        for (int i = 0; i < count; i++)
+        {
+            bool head = i == count - 1;
+            float tilt = (pitch * share) + (head ? -0.9f * 1.3f * nod * (count - 1) * share : 1.3f * nod * share);
+            if (bob != 0f && count >= 2)
+            {
+                tilt += i == 0 ? bob : i == count - 2 ? -0.35f * bob : head ? -0.65f * bob : 0f;
+            }
+
+            tilt = Scalar.Clamp(tilt, -body.NeckLimits[i], body.NeckLimits[i]) + (context.Upright * body.Posture.Nod(i));
+            if (tilt != last)
+            {
+                last = tilt;
+                turn = AxisRotation.YawPitchRoll(yaw * share, tilt, roll * share);
+            }
+
+            turns.Set(local, body.Neck[i], turn);
+        }
+    }
+
+    /// <summary>The head stays in place while the body goes on under it, then thrusts ahead: twice in a cycle.</summary>
+    private static float Bob(LeggedBody body, in BodyContext context)
+    {
+        float size = body.Traits.HeadBob;
+        if (size == 0f || context.Clock.Gait.Symmetry == GaitSymmetry.Leading || context.Clock.Duty < 0.5f)
+        {
+            return 0f;
+        }
+
+        double twice = 2 * context.Clock.Phase;
+        float x = (float)(twice - Math.Floor(twice));
+        float at = x < BobHold ? (x / BobHold) - 0.5f : 0.5f - Scalar.Smooth((x - BobHold) / (1f - BobHold));
+        return -size * at * context.Activity;
+    }
+}

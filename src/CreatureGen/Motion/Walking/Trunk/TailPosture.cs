@@ -1,0 +1,52 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Trunk;
+
+/// <summary>The tail: it swings against the pelvis, bends into the turn, and keeps its pitch as the pelvis tips.</summary>
+internal static class TailPosture
+{
+    private const float TurnShare = -1.3f;
+
+    /// <summary>Part of the pelvis's roll that the tail takes back.</summary>
+    private const float Steadiness = 0.5f;
+
+    /// <summary>Part of a joint's limit that is used; the rest is for its swing.</summary>
+    public const float MostShare = 0.4f;
+
+    /// <summary>Writes the tail.</summary>
+    public static void Pose(LeggedBody body, RestRotations turns, BodyPlacer placer, in BodyContext context, in Pose local)
+    {
+        int count = body.Tail.Length;
+        if (count == 0)
+        {
+            return;
+        }
+
+        float factor = context.Settings.TailMotion;
+        Rotation.ToBasis(placer.Trunk.Turns[0], out Vector3 x, out Vector3 y, out Vector3 z);
+        float pitch = (FastTrigonometry.OfSine(z.Y) * body.Posture.TailSteadiness) + (factor * body.Traits.TailLift * placer.Flexion);
+        float roll = -FastTrigonometry.Of(x.Y, y.Y) * Steadiness;
+        float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnShare * placer.TurnBend) + context.Idle.TailSway);
+        float share = 1f / count;
+        float lastYaw = float.NaN;
+        float lastPitch = float.NaN;
+        Quaternion turn = Quaternion.Identity;
+        for (int i = 0; i < count; i++)
+        {
+            float most = MostShare * body.TailLimits[i];
+            float ownYaw = Scalar.Clamp(yaw * share, -most, most);
+            float ownPitch = Scalar.Clamp(pitch * share, -most, most);
+            if (ownYaw != lastYaw || ownPitch != lastPitch)
+            {
+                lastYaw = ownYaw;
+                lastPitch = ownPitch;
+                turn = AxisRotation.YawPitchRoll(ownYaw, ownPitch, roll * share);
+            }
+
+            turns.Set(local, body.Tail[i], turn);
+        }
+    }
+}

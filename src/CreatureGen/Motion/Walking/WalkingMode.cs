@@ -1,0 +1,395 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Idle;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Trunk;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking;
+
+/// <summary>Motion on legs: sequences the stages (travel, gait, feet, body, legs, head, arms and tail) and nothing else.</summary>
+internal sealed class WalkingMode : ILocomotionMode
+{
+    /// <summary>Seconds that an update counts at most.</summary>
+    public const float LongestUpdate = 0.25f;
+
+    /// <summary>Seconds of a step within an update at most.</summary>
+    public const float LongestStep = 1f / 30f;
+
+    /// <summary>Steps in an update at most.</summary>
+    public const int MostSteps = 8;
+
+    private const float ActivityRate = 5f;
+
+    /// <summary>What is left of activity, and of the trunk's way up, where it counts as still.</summary>
+    private const float LeastActivity = 0.02f;
+
+    /// <summary>How quickly the trunk comes down from how it stands, and up to it again, per second.</summary>
+    private const float LowerRate = 8f;
+    private const float RaiseRate = 1.2f;
+
+    /// <summary>Seconds ahead of which the speed decides the gait.</summary>
+    private const float Foresight = 0.2f;
+
+    /// <summary>Height by which the root follows the ground under the body, per second.</summary>
+    private const float RootRate = 6f;
+
+    /// <summary>Part of its reach at which a standing leg gives up its place.</summary>
+    private const float BreakStretch = 1.12f;
+
+    /// <summary>Part of a slow walk below which a creature that comes down does so on the spot.</summary>
+    private const float ArrivalSpeed = 0.3f;
+
+    /// <summary>How far apart its feet are as it comes down, relative to where they stand at rest.</summary>
+    private const float ArrivalTrack = 0.85f;
+
+    /// <summary>Part of its top speed at which it can come down.</summary>
+    private const float RunOutShare = 0.45f;
+
+    private readonly LeggedBody body;
+    private readonly GaitSet gaits;
+    private readonly GaitClock clock;
+    private readonly FootPlanner planner;
+    private readonly BodyPlacer placer;
+    private readonly RestRotations turns;
+    private readonly LegPoser poser;
+    private readonly FootPose[] poses;
+    private RootVelocity velocity;
+    private int gait;
+    private float activity;
+    private float acceleration;
+    private double seconds;
+    private bool standing;
+    private bool arrived;
+    private ExponentialDecay activityDecay;
+    private ExponentialDecay accelerationDecay;
+    private ExponentialDecay rootDecay;
+    private ExponentialDecay raiseDecay;
+    private ExponentialDecay foresightDecay;
+
+    public WalkingMode(LeggedBody body, GaitSet gaits, EventQueue events)
+    {
+        this.body = body;
+        this.gaits = gaits;
+        clock = new GaitClock(body, gaits.Steps[0].Gait);
+        planner = new FootPlanner(body, events);
+        placer = new BodyPlacer(body);
+        turns = body.Turns;
+        poser = new LegPoser(body, turns);
+        poses = new FootPose[body.Legs.Length];
+    }
+
+    public Gait Gait => clock.Gait;
+
+    public int FootCount => body.Legs.Length;
+
+    public float Speed => velocity.Speed;
+
+    public float Phase => (float)clock.Phase;
+
+    public float Frequency => clock.Frequency;
+
+    /// <summary>How far the body is let down into its legs, metres of the model.</summary>
+    public float Sink { get; set; }
+
+    /// <summary>How much of its posture for standing it is in, 0..1.</summary>
+    public float Raised { get; private set; }
+
+    /// <summary>Whether it has come to rest: all feet stand, and the trunk is up.</summary>
+    public bool IsStill
+    {
+        get
+        {
+            bool stands = true;
+            foreach (ref readonly Foot foot in planner.Feet.AsSpan())
+            {
+                stands &= foot.Phase == FootPhase.Stance;
+            }
+
+            return stands && activity < LeastActivity && Raised > 1f - LeastActivity;
+        }
+    }
+
+    /// <summary>Fastest speed ahead at which it can come down, metres per second of the model.</summary>
+    public float RunOut => RunOutShare * gaits.TopSpeed;
+
+    /// <summary>How a foot is.</summary>
+    public FootReport Report(int leg)
+    {
+        ref readonly Foot foot = ref planner.Feet[leg];
+        bool down = foot.Phase == FootPhase.Stance;
+        Foothold place = down ? foot.From : foot.To;
+        return new FootReport(foot.Phase, body.Legs[leg].Ball, place.Position, place.Normal, down ? foot.Stance : foot.Swing, foot.Load, foot.Stretch, foot.Residual);
+    }
+
+    /// <inheritdoc/>
+    public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        Stand(place, settings, ground);
+        Pose(place, 0f, settings, local);
+    }
+
+    /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
+    /// <param name="place">Where the root is.</param>
+    /// <param name="speed">Metres per second ahead, of the model.</param>
+    /// <param name="turn">Radians per second.</param>
+    /// <param name="settings">What can be set.</param>
+    /// <param name="ground">Where feet find footing.</param>
+    /// <param name="local">Receives the pose.</param>
+    public void Arrive(in RootPlace place, float speed, float turn, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        LocomotionSettings own = settings;
+        own.Gravity /= place.Scale;
+        float unit = own.Gravity * body.LegLength;
+        float walking = (float)Math.Sqrt(0.06f * unit);
+        int before = gait;
+        Stand(place, own, ground);
+        if (speed > ArrivalSpeed * walking)
+        {
+            float froude = speed * speed / unit;
+            velocity.Speed = velocity.GoalSpeed = speed;
+            velocity.Turn = velocity.GoalTurn = turn;
+            activity = Math.Min((speed / walking) + (0.35f * Math.Abs(turn)), 1f);
+            gait = gaits.Choose(before, froude);
+            clock.Restart(settings.Gait ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
+            clock.Shape.Track = Math.Max(clock.Shape.Track, ArrivalTrack);
+            clock.Phase = 0;
+            clock.Slide(0f, froude, own.Gravity, turn, Math.Min(speed / walking, 1f), 0f, own.Stride);
+            planner.PlaceInStride(new StepContext(place, velocity, clock, own, ground, 0f, 0f, activity, true, 0f));
+            PoseFeet(place, 0f, own);
+            placer.Reset(planner.Feet);
+        }
+
+        Pose(place, 0f, settings, local);
+    }
+
+    /// <summary>Puts all feet down at home.</summary>
+    private void Stand(in RootPlace placement, in LocomotionSettings settings, IGround ground)
+    {
+        velocity = default;
+        activity = 0f;
+        acceleration = 0f;
+        gait = 0;
+        clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
+        clock.Slide(0f, 0f, settings.Gravity, 0f, 0f, 0f);
+        var step = new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, false, 0f);
+        planner.PlaceAll(step);
+        PoseFeet(placement, 0f, settings);
+        placer.Reset(planner.Feet);
+        standing = true;
+        arrived = true;
+    }
+
+    /// <summary>Tells that all feet that stand come down or leave the ground together.</summary>
+    /// <param name="kind">Down or up.</param>
+    /// <param name="speed">Metres per second of the body.</param>
+    /// <param name="force">Of all feet together, weights of the body.</param>
+    public void Tell(MotionEventKind kind, float speed, float force) => planner.TellAll(kind, speed, force / FootCount);
+
+    /// <summary>Moves the origin of the world.</summary>
+    public void Rebase(Vector3 offset)
+    {
+        for (int i = 0; i < planner.Feet.Length; i++)
+        {
+            planner.Feet[i].From.Position += offset;
+            planner.Feet[i].To.Position += offset;
+            planner.Feet[i].Wanted += offset;
+        }
+    }
+
+    /// <inheritdoc/>
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        RootPlace next = Drive(place, dt, input, settings, ground);
+        Pose(next, dt, settings, local);
+        return next;
+    }
+
+    /// <inheritdoc/>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local)
+    {
+        Follow(place, dt, goal, settings, ground);
+        Pose(goal, dt, settings, local);
+    }
+
+    private RootPlace Drive(RootPlace placement, float dt, in MotionInput input, LocomotionSettings settings, IGround ground)
+    {
+        // From here on in metres of the model.
+        float scale = placement.Scale;
+        settings.Gravity /= scale;
+        Begin(placement, settings, ground);
+        float top = settings.Gait == null ? gaits.TopSpeed : (float)Math.Sqrt(settings.Gait.Fastest * settings.Gravity * body.LegLength);
+        float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
+        velocity.GoalSpeed = clock.OnSlope(Scalar.Clamp(input.Speed / scale, -back, top), settings.Gravity);
+        velocity.GoalSideways = Scalar.Clamp(input.Sideways / scale, -back, back);
+        velocity.GoalTurn = input.YawRate;
+        velocity.Rate = settings.SpeedResponse;
+        placement = PlatformRide.Carry(planner.Feet, placement, ground, settings.Up);
+        int steps = dt > 0f ? Math.Max(1, (int)Math.Ceiling((dt / LongestStep) - 1e-3f)) : 0;
+        float h = steps > 0 ? dt / steps : 0f;
+        float before = velocity.Speed;
+        for (int i = 0; i < steps; i++)
+        {
+            Vector3 way = velocity.Advance(h, out float yaw);
+            Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisRotation.Yaw(yaw));
+            placement = new RootPlace(placement.ToWorld(way), Upright(rotation, settings.Up), scale);
+            placement = FollowGround(placement, h, settings);
+            Step(placement, h, Math.Max(dt - ((i + 1) * h), 0f), settings, ground);
+        }
+
+        acceleration = dt > 0f ? acceleration + ((((velocity.Speed - before) / dt) - acceleration) * accelerationDecay.Share(10f * dt)) : acceleration;
+        return placement;
+    }
+
+    private void Follow(in RootPlace placement, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground)
+    {
+        settings.Gravity /= goal.Scale;
+        settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
+        Begin(goal, settings, ground);
+        PlatformRide.Carry(planner.Feet, goal, ground, settings.Up);
+        if (dt > 0f)
+        {
+            Vector3 way = placement.ToModel(goal.Position) / dt;
+            Quaternion turn = Rotation.Multiply(Rotation.Inverse(placement.Rotation), goal.Rotation);
+            float yaw = 2f * (turn.W < 0f ? -turn.Y : turn.Y) / dt;
+            float share = 1f - (float)PortableMath.Exp(-20f * dt);
+            float before = velocity.Speed;
+            velocity.Rate = 0f;
+            velocity.Speed += (way.Z - velocity.Speed) * share;
+            velocity.Sideways += (way.X - velocity.Sideways) * share;
+            velocity.Turn += (yaw - velocity.Turn) * share;
+            (velocity.GoalSpeed, velocity.GoalSideways, velocity.GoalTurn) = (velocity.Speed, velocity.Sideways, velocity.Turn);
+            acceleration += (((velocity.Speed - before) / dt) - acceleration) * share;
+            placer.RootRaised((way.Y - (placer.Climb * velocity.Speed)) * dt);
+            Step(goal, Math.Min(dt, LongestStep), 0f, settings, ground);
+        }
+    }
+
+    /// <summary>Writes the pose.</summary>
+    private void Pose(in RootPlace placement, float dt, LocomotionSettings settings, in Pose local)
+    {
+        settings.Gravity /= placement.Scale;
+        seconds += dt;
+        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle);
+        PoseFeet(placement, dt, settings);
+        idle = idle with { Breath = idle.Breath - Sink };
+        Raise(dt, settings.Gravity);
+        var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised);
+        placer.Place(context, planner.Feet, poses);
+        poser.PoseTrunk(placer, local);
+        for (int i = 0; i < poses.Length; i++)
+        {
+            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], clock.Shape.Tuck * activity, clock.Shape.Trail * activity, local);
+        }
+
+        HeadPosture.Pose(body, turns, placer, context, local);
+        ArmSwing.Pose(body, turns, placer, context, local);
+        FlipperPosture.Pose(body, turns, placer, context, local);
+        TailPosture.Pose(body, turns, placer, context, local);
+    }
+
+    /// <summary>Brings the trunk into its posture: down at once, up after the last step.</summary>
+    private void Raise(float dt, float gravity)
+    {
+        float froude = velocity.Speed * velocity.Speed / (gravity * body.LegLength);
+        float wanted = StandingPosture.Share(activity, froude, Sink / body.LegLength);
+        Raised = arrived ? wanted : Raised + ((wanted - Raised) * raiseDecay.Share((wanted < Raised ? LowerRate : RaiseRate) * dt));
+        arrived = false;
+    }
+
+    private void Begin(in RootPlace placement, in LocomotionSettings settings, IGround ground)
+    {
+        if (!standing)
+        {
+            Stand(placement, settings, ground);
+        }
+    }
+
+    private void Step(in RootPlace placement, float h, float left, in LocomotionSettings settings, IGround ground)
+    {
+        float unit = settings.Gravity * body.LegLength;
+        float speed = (float)Math.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways));
+        float froude = speed * speed / unit;
+        float walking = (float)Math.Sqrt(0.06f * unit);
+        bool moving = speed > 0.05f * walking || Math.Abs(velocity.Turn) > 0.03f;
+        bool going = moving || planner.IsUnsettled(placement, activity, clock);
+        ChooseGait(froude, going, settings);
+        float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(velocity.Turn)), 1f) : 0f;
+        activity += (wanted - activity) * activityDecay.Share(ActivityRate * h);
+        float frequency = clock.Frequency;
+        clock.Slide(h, froude, settings.Gravity, velocity.Turn, Math.Min(speed / walking, 1f), placer.Climb, settings.Stride);
+        if (going)
+        {
+            double phase = clock.Phase + (0.5f * (frequency + clock.Frequency) * h);
+            clock.Phase = phase - Math.Floor(phase);
+        }
+
+        var step = new StepContext(placement, velocity, clock, settings, ground, h, left, activity, moving, placer.Climb);
+        planner.Advance(step);
+        for (int i = 0; i < planner.Feet.Length; i++)
+        {
+            // As last posed: a foot that was pulled away, by a push or a platform, steps at once. One of a pair at a time.
+            ref readonly Foot foot = ref planner.Feet[i];
+            if (foot.Phase == FootPhase.Stance && foot.Stretch > BreakStretch && foot.Stance < 0.8f)
+            {
+                planner.Release(i, step);
+            }
+        }
+    }
+
+    private void ChooseGait(float froude, bool going, in LocomotionSettings settings)
+    {
+        float ahead = velocity.Speed + ((velocity.GoalSpeed - velocity.Speed) * foresightDecay.Share(velocity.Rate * Foresight));
+        float unit = settings.Gravity * body.LegLength;
+        gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / unit) : 0f);
+        Gait wanted = settings.Gait ?? gaits.Steps[gait].Gait;
+        if (ReferenceEquals(wanted, clock.Gait))
+        {
+            return;
+        }
+
+        Lead lead = velocity.Turn < 0f ? Lead.Right : Lead.Left;
+        if (!going)
+        {
+            clock.Restart(wanted, froude, lead);
+        }
+        else
+        {
+            clock.Change(wanted, froude, settings.Gravity, lead);
+        }
+    }
+
+    private void PoseFeet(in RootPlace placement, float dt, in LocomotionSettings settings)
+    {
+        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Lift, activity, 0f, dt);
+        for (int i = 0; i < poses.Length; i++)
+        {
+            FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);
+        }
+    }
+
+    /// <summary>Keeps the root on the ground under the feet: up and down a slope as it goes, and the trunk with it, and after what else that ground does.</summary>
+    private RootPlace FollowGround(in RootPlace placement, float h, in LocomotionSettings settings)
+    {
+        float height = 0.5f * (placer.HindGround + placer.ForeGround) * rootDecay.Share(RootRate * h);
+        float climb = placer.Climb * velocity.Speed * h;
+        if (height == 0f && climb == 0f)
+        {
+            return placement;
+        }
+
+        placer.RootRaised(height);
+        return new RootPlace(placement.Position + (settings.Up * ((height + climb) * placement.Scale)), placement.Rotation, placement.Scale);
+    }
+
+    /// <summary>Brings the body's up onto that of the world.</summary>
+    private static Quaternion Upright(Quaternion rotation, Vector3 up)
+    {
+        Vector3 own = Rotation.Rotate(rotation, Vector3.UnitY);
+        return UnitRotation.Renormalize(Rotation.Multiply(UnitRotation.FromTo(own, up), rotation));
+    }
+}
