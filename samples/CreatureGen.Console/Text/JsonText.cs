@@ -16,6 +16,19 @@ internal static class JsonText
     public static string Document(Action<Utf8JsonWriter> write) =>
         Of(write, new JsonWriterOptions { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping, Indented = true, NewLine = "\n" }) + "\n";
 
+    /// <summary>Writes a number, or null where there is none.</summary>
+    public static void WriteNumber(Utf8JsonWriter json, string name, float? value)
+    {
+        if (value is float number)
+        {
+            json.WriteNumber(name, number);
+        }
+        else
+        {
+            json.WriteNull(name);
+        }
+    }
+
     private static string Of(Action<Utf8JsonWriter> write, JsonWriterOptions options)
     {
         var bytes = new MemoryStream();

@@ -17,6 +17,15 @@ internal static class Units
     /// <summary>A part of a whole.</summary>
     public static string Percent(double part) => (part * 100).ToString("0", CultureInfo.InvariantCulture) + "%";
 
+    /// <summary>A number without decimals.</summary>
+    public static string Whole(float number) => number.ToString("0", CultureInfo.InvariantCulture);
+
+    /// <summary>A number with one decimal.</summary>
+    public static string Tenths(float number) => number.ToString("0.0", CultureInfo.InvariantCulture);
+
+    /// <summary>A length of 1 as 100, with two decimals.</summary>
+    public static string Hundredths(float length) => (length * 100f).ToString("0.00", CultureInfo.InvariantCulture);
+
     /// <summary>A short time.</summary>
     public static string Milliseconds(double milliseconds) => milliseconds.ToString(milliseconds < 9.95 ? "0.0" : "#,0", CultureInfo.InvariantCulture) + " ms";
 

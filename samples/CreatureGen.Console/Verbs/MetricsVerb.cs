@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Text;
@@ -9,6 +10,8 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Measures how the creatures of many seeds move.</summary>
 internal sealed class MetricsVerb : IVerb
 {
+    private static readonly OptionSyntax course = new("--course", null, "measure what a player can do instead: random speeds and turns on flat, hilly, stepped and moving ground, at even and uneven rates");
+
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
         "metrics",
@@ -17,22 +20,38 @@ internal sealed class MetricsVerb : IVerb
         [
             new("metrics --seeds 1-20", "slip, sinking, clearance, joint limits, reach, jumps and feet down, gait by gait"),
             new("metrics --seeds 0-299 --kind walking --threads 8 --json > motion.json", "every run of 300 walkers, for a script"),
+            new("metrics --course --seeds 1-20", "joint limits and speeds, slip, lag and acceleration in starts, stops and turns"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Json]);
+        [SeedOptions.Seed, SeedOptions.Seeds, .. CreatureArguments.Syntax, course, CommonOptions.Threads, CommonOptions.Json]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
+    {
+        if (arguments.Has(course.Name))
+        {
+            Measure(arguments, surroundings, MeasuredCourse.AllOf);
+        }
+        else
+        {
+            Measure(arguments, surroundings, MeasuredRun.AllOf);
+        }
+
+        return ExitCode.Done;
+    }
+
+    private static void Measure<TRun>(ParsedArguments arguments, Surroundings surroundings, Func<ulong, CreatureOptions, IReadOnlyList<TRun>> measure)
+        where TRun : IMeasuredRun<TRun>
     {
         SeedList seeds = SeedOptions.Read(arguments);
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
         int threads = CommonOptions.ReadThreads(arguments);
         using var progress = new ProgressLine(surroundings, "creatures measured", seeds.Count, surroundings.OutIsTerminal && arguments.Has(CommonOptions.Json.Name) ? ProgressKind.Hidden : ProgressKind.Shown);
-        using IMotionReport report = arguments.Has(CommonOptions.Json.Name)
-            ? new MotionJson(surroundings.Out)
-            : new MotionTable(surroundings.Out, Ink.For(surroundings, surroundings.OutIsTerminal));
-        OrderedWork<ulong, IReadOnlyList<MeasuredRun>>.Run(seeds, threads, seed => MeasuredRun.AllOf(seed, options), runs =>
+        using IRunReport<TRun> report = arguments.Has(CommonOptions.Json.Name)
+            ? new RunJson<TRun>(surroundings.Out)
+            : new RunTable<TRun>(surroundings.Out, Ink.For(surroundings, surroundings.OutIsTerminal));
+        OrderedWork<ulong, IReadOnlyList<TRun>>.Run(seeds, threads, seed => measure(seed, options), runs =>
         {
-            foreach (MeasuredRun run in runs)
+            foreach (TRun run in runs)
             {
                 report.Add(run);
             }
@@ -41,6 +60,5 @@ internal sealed class MetricsVerb : IVerb
         }, surroundings.Cancellation);
         progress.Dispose();
         report.End();
-        return ExitCode.Done;
     }
 }

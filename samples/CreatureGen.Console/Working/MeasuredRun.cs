@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.Text.Json;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Text;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Sampling;
@@ -23,8 +25,17 @@ internal sealed record RunName(LocomotionKind Kind, ulong Seed, string Gait, Gro
 /// <param name="LegLength">Metres; null for a creature without legs to stand on.</param>
 /// <param name="WorstJoint">The joint that is farthest beyond its limits; null for none.</param>
 /// <param name="Report">The figures.</param>
-internal sealed record MeasuredRun(RunName Name, BodyPlan Plan, float Speed, float? LegLength, string? WorstJoint, MotionReport Report)
+internal sealed record MeasuredRun(RunName Name, BodyPlan Plan, float Speed, float? LegLength, string? WorstJoint, MotionReport Report) : IMeasuredRun<MeasuredRun>
 {
+    /// <inheritdoc/>
+    public static IReadOnlyList<Measure<MeasuredRun>> Measures => MotionMeasure.All;
+
+    /// <inheritdoc/>
+    public static IReadOnlyList<MeasureColumn<MeasuredRun>> Columns => MotionMeasure.Columns;
+
+    /// <inheritdoc/>
+    public MeasureRow Row => new(Name.Kind, Name.Gait, WordList<GroundRelief>.Instance[Name.Ground]);
+
     /// <summary>Measures all that a creature does.</summary>
     /// <exception cref="InvalidOperationException">Its motion failed.</exception>
     public static IReadOnlyList<MeasuredRun> AllOf(ulong seed, CreatureOptions options)
@@ -40,6 +51,30 @@ internal sealed record MeasuredRun(RunName Name, BodyPlan Plan, float Speed, flo
 
         return runs;
     }
+
+    /// <inheritdoc/>
+    public void WriteName(Utf8JsonWriter json)
+    {
+        json.WriteString("kind", WordList<LocomotionKind>.Instance[Name.Kind]);
+        json.WriteString("seed", SeedText.Of(Name.Seed));
+        json.WriteString("gait", Name.Gait);
+        json.WriteString("ground", WordList<GroundRelief>.Instance[Name.Ground]);
+        json.WriteNumber("hertz", Name.Hertz);
+    }
+
+    /// <inheritdoc/>
+    public void WriteFacts(Utf8JsonWriter json)
+    {
+        json.WriteString("plan", WordList<BodyPlan>.Instance[Plan]);
+        json.WriteNumber("speedMetresPerSecond", Speed);
+        JsonText.WriteNumber(json, "legLengthMetres", LegLength);
+        json.WriteString("limitExcessMaxJoint", WorstJoint);
+        json.WriteNumber("frames", Report.Frames);
+        json.WriteNumber("seconds", Report.Seconds);
+    }
+
+    /// <inheritdoc/>
+    public override string ToString() => Name.ToString();
 
     private static MeasuredRun Of(MotionTrial trial, MotionProfile profile)
     {

@@ -1,40 +1,28 @@
 using System;
 using System.Collections.Generic;
+using CreatureGen.Console.Text;
 
 namespace CreatureGen.Console.Working;
 
-/// <summary>Which of two figures is the worse.</summary>
-internal enum WorseFigure
-{
-    /// <summary>The greater.</summary>
-    Greater,
-
-    /// <summary>The smaller.</summary>
-    Smaller,
-}
-
-/// <summary>A figure that every run has, or has not where it does not apply.</summary>
-/// <param name="Name">In JSON. These names are a contract.</param>
-/// <param name="Worse">Which of two is the worse.</param>
-/// <param name="Value">Of a run; null where it does not apply.</param>
-internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<MeasuredRun, float?> Value)
+/// <summary>The figures of <see cref="MeasuredRun"/>.</summary>
+internal static class MotionMeasure
 {
     private const float DegreesPerRadian = 57.29578f;
 
-    public static readonly MotionMeasure Slip = Of("slipMaxLegLengths", WorseFigure.Greater, run => run.Report.Slip);
-    public static readonly MotionMeasure Penetration = Of("penetrationMaxLegLengths", WorseFigure.Greater, run => run.Report.Penetration);
-    public static readonly MotionMeasure Clearance = Of("clearanceMinLegLengths", WorseFigure.Smaller, run => run.Report.Clearance);
-    public static readonly MotionMeasure LimitViolations = Of("limitViolations", WorseFigure.Greater, run => run.Report.LimitViolations);
-    public static readonly MotionMeasure LimitExcess = Of("limitExcessMaxDegrees", WorseFigure.Greater, run => run.Report.LimitExcess * DegreesPerRadian);
-    public static readonly MotionMeasure Residual = Of("reachResidualMaxLegLengths", WorseFigure.Greater, run => run.Report.StanceResidual);
-    public static readonly MotionMeasure SwingResidual = Of("swingResidualMaxLegLengths", WorseFigure.Greater, run => run.Report.SwingResidual);
-    public static readonly MotionMeasure PoseJump = Of("poseJumpMax", WorseFigure.Greater, run => run.Report.PoseJump);
-    public static readonly MotionMeasure LegOverlap = Of("legOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.LegOverlap);
-    public static readonly MotionMeasure BellyOverlap = Of("bellyOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.BellyOverlap);
-    public static readonly MotionMeasure Support = Of("supportMin", WorseFigure.Smaller, run => run.Report.LeastSupport);
+    public static readonly Measure<MeasuredRun> Slip = Of("slipMaxLegLengths", WorseFigure.Greater, run => run.Report.Slip);
+    public static readonly Measure<MeasuredRun> Penetration = Of("penetrationMaxLegLengths", WorseFigure.Greater, run => run.Report.Penetration);
+    public static readonly Measure<MeasuredRun> Clearance = Of("clearanceMinLegLengths", WorseFigure.Smaller, run => run.Report.Clearance);
+    public static readonly Measure<MeasuredRun> LimitViolations = Of("limitViolations", WorseFigure.Greater, run => run.Report.LimitViolations);
+    public static readonly Measure<MeasuredRun> LimitExcess = Of("limitExcessMaxDegrees", WorseFigure.Greater, run => run.Report.LimitExcess * DegreesPerRadian);
+    public static readonly Measure<MeasuredRun> Residual = Of("reachResidualMaxLegLengths", WorseFigure.Greater, run => run.Report.StanceResidual);
+    public static readonly Measure<MeasuredRun> SwingResidual = Of("swingResidualMaxLegLengths", WorseFigure.Greater, run => run.Report.SwingResidual);
+    public static readonly Measure<MeasuredRun> PoseJump = Of("poseJumpMax", WorseFigure.Greater, run => run.Report.PoseJump);
+    public static readonly Measure<MeasuredRun> LegOverlap = Of("legOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.LegOverlap);
+    public static readonly Measure<MeasuredRun> BellyOverlap = Of("bellyOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.BellyOverlap);
+    public static readonly Measure<MeasuredRun> Support = Of("supportMin", WorseFigure.Smaller, run => run.Report.LeastSupport);
 
     /// <summary>All, in the order of the JSON.</summary>
-    public static IReadOnlyList<MotionMeasure> All { get; } =
+    public static IReadOnlyList<Measure<MeasuredRun>> All { get; } =
     [
         Metres("slipMaxMetres", Slip),
         Metres("penetrationMaxMetres", Penetration),
@@ -64,10 +52,20 @@ internal sealed record MotionMeasure(string Name, WorseFigure Worse, Func<Measur
         Of("jointSpeedMaxRadiansPerSecond", WorseFigure.Greater, run => run.Report.FastestJoint),
     ];
 
-    /// <summary>Whether a figure is worse than another.</summary>
-    public bool IsWorse(float value, float than) => Worse == WorseFigure.Greater ? value > than : value < than;
+    /// <summary>Those that a table shows.</summary>
+    public static IReadOnlyList<MeasureColumn<MeasuredRun>> Columns { get; } =
+    [
+        new("slip", Slip, Units.Hundredths),
+        new("sinks", Penetration, Units.Hundredths),
+        new("clears", Clearance, Units.Hundredths),
+        new("short", Residual, Units.Hundredths),
+        new("beyond", LimitExcess, Units.Tenths),
+        new("limits", LimitViolations, Units.Whole),
+        new("jump", PoseJump, Units.Tenths),
+        new("feet", Support, Units.Whole),
+    ];
 
-    private static MotionMeasure Of(string name, WorseFigure worse, Func<MeasuredRun, float?> value) => new(name, worse, value);
+    private static Measure<MeasuredRun> Of(string name, WorseFigure worse, Func<MeasuredRun, float?> value) => new(name, worse, value);
 
-    private static MotionMeasure Metres(string name, MotionMeasure legLengths) => new(name, legLengths.Worse, run => legLengths.Value(run) * run.LegLength);
+    private static Measure<MeasuredRun> Metres(string name, Measure<MeasuredRun> legLengths) => new(name, legLengths.Worse, run => legLengths.Value(run) * run.LegLength);
 }

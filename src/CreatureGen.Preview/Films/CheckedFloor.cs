@@ -12,7 +12,14 @@ internal sealed class CheckedFloor
     private static readonly Vector3 light = new(0.60f, 0.58f, 0.54f);
     private static readonly Vector3 dark = new(0.30f, 0.30f, 0.31f);
 
+    // Part of a patch by which its corners are within it.
+    private const float Inset = 1e-3f;
+
+    // How dark the faces of steps are beside floors.
+    private const float StepShade = 0.75f;
+
     private readonly IGround ground;
+    private readonly Func<RootPlace> present;
     private readonly float check;
     private readonly float patch;
     private readonly float halfWidth;
@@ -26,9 +33,11 @@ internal sealed class CheckedFloor
     /// <param name="halfWidth">To the left and right of the camera's way, metres.</param>
     /// <param name="rear">Its edge behind the camera, metres along +Z, negative.</param>
     /// <param name="front">Its edge ahead.</param>
-    public CheckedFloor(IGround ground, float check, int patches, float halfWidth, float rear, float front)
+    /// <param name="present">The frame that the ground is in whenever it is asked; that of the world where it stands still.</param>
+    public CheckedFloor(IGround ground, float check, int patches, float halfWidth, float rear, float front, Func<RootPlace>? present = null)
     {
         this.ground = ground;
+        this.present = present ?? (() => RootPlace.Identity);
         this.check = check;
         patch = check / patches;
         this.halfWidth = halfWidth;
@@ -36,39 +45,54 @@ internal sealed class CheckedFloor
         this.front = front;
     }
 
-    /// <summary>The floor as a camera sees it.</summary>
+    /// <summary>The floor as a camera sees it, in its axes.</summary>
     /// <param name="camera">Where that is, world space.</param>
-    public RenderMesh At(Vector3 camera)
+    /// <param name="frame">The axes that the checks stay in: those of the world, or of a platform.</param>
+    public RenderMesh At(in RootPlace camera, in RootPlace frame)
     {
-        float[] xs = Edges(camera.X - halfWidth, camera.X + halfWidth);
-        float[] zs = Edges(camera.Z + rear, camera.Z + front);
-        var positions = new List<Vector3>();
-        var normals = new List<Vector3>();
-        var colours = new List<Vector3>();
-        var triangles = new List<int>();
+        Vector3 middle = frame.ToModel(camera.Position);
+        float[] xs = Edges(middle.X - halfWidth, middle.X + halfWidth);
+        float[] zs = Edges(middle.Z + rear, middle.Z + front);
+        var floor = new FloorMesh(camera, frame);
+        var before = new Vector3?[]?[xs.Length];
         for (int k = 0; k + 1 < zs.Length; k++)
         {
+            Vector3?[]? left = null;
             for (int i = 0; i + 1 < xs.Length; i++)
             {
+                // Corners a hair within the patch, so that those beside a step are on their own side of it.
+                float x = Inset * (xs[i + 1] - xs[i]);
+                float z = Inset * (zs[k + 1] - zs[k]);
+                Vector3?[] corners = [At(xs[i] + x, zs[k] + z), At(xs[i] + x, zs[k + 1] - z), At(xs[i + 1] - x, zs[k + 1] - z), At(xs[i + 1] - x, zs[k] + z)];
                 double column = Math.Floor(0.5 * (xs[i] + xs[i + 1]) / check);
                 double row = Math.Floor(0.5 * (zs[k] + zs[k + 1]) / check);
                 Vector3 colour = (((long)column + (long)row) & 1) == 0 ? light : dark;
-                int first = positions.Count;
-                foreach ((float x, float z) in new[] { (xs[i], zs[k]), (xs[i], zs[k + 1]), (xs[i + 1], zs[k + 1]), (xs[i + 1], zs[k]) })
+                floor.Add(corners[0], corners[1], corners[2], corners[3], colour);
+                if (before[i] is { } behind)
                 {
-                    // From above the highest hill.
-                    Vector3 from = new(x, 1e3f, z);
-                    bool found = ground.Cast(from, -Vector3.UnitY, 2e3f, out GroundHit hit);
-                    positions.Add((found ? hit.Point : new Vector3(x, 0f, z)) - camera);
-                    normals.Add(found ? hit.Normal : Vector3.UnitY);
-                    colours.Add(colour);
+                    floor.Add(behind[1], corners[0], corners[3], behind[2], colour * StepShade);
                 }
 
-                triangles.AddRange([first, first + 1, first + 2, first, first + 2, first + 3]);
+                if (left != null)
+                {
+                    floor.Add(left[3], left[2], corners[1], corners[0], colour * StepShade);
+                }
+
+                before[i] = corners;
+                left = corners;
             }
         }
 
-        return new RenderMesh([.. positions], [.. normals], [.. colours], [.. triangles], [new RenderPart(new SurfaceMaterial(Facing.Front, 0f, 0f), 0, triangles.Count)]);
+        return floor.ToMesh();
+    }
+
+    /// <summary>The ground at a place of the frame in which it is at present; null where there is none.</summary>
+    private Vector3? At(float x, float z)
+    {
+        // From above the highest hill.
+        RootPlace now = present();
+        Vector3 from = now.ToWorld(new Vector3(x, 1e3f, z));
+        return ground.Cast(from, -Vector3.UnitY, 2e3f, out GroundHit hit) ? now.ToModel(hit.Point) : null;
     }
 
     /// <summary>Edges of patches from one end to the other, those of checks among them.</summary>

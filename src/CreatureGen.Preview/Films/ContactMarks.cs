@@ -7,6 +7,26 @@ using CreatureGen.Preview.Scenes;
 
 namespace CreatureGen.Preview.Films;
 
+/// <summary>A place on the ground, in a camera's axes.</summary>
+/// <param name="Point">Metres.</param>
+/// <param name="Stands">Whether the foot stands there, or swings above it.</param>
+internal readonly record struct ContactMark(Vector3 Point, bool Stands)
+{
+    /// <summary>The marks of feet.</summary>
+    /// <param name="feet">How they are.</param>
+    /// <param name="joints">Where all joints are, world space.</param>
+    /// <param name="ground">What they are above.</param>
+    /// <param name="camera">Where the camera is.</param>
+    public static ContactMark[] Of(FootReport[] feet, Vector3[] joints, IGround ground, RootPlace camera) => Array.ConvertAll(feet, foot =>
+    {
+        bool stands = foot.Phase == FootPhase.Stance;
+        return new ContactMark(camera.ToModel(stands ? foot.Place : Below(joints[foot.Joint], ground)), stands);
+    });
+
+    private static Vector3 Below(Vector3 point, IGround ground) =>
+        ground.Cast(point with { Y = 1e3f }, -Vector3.UnitY, 2e3f, out GroundHit hit) ? hit.Point : point;
+}
+
 /// <summary>Marks on the ground of a picture: filled where a foot stands, an empty ring below one that swings.</summary>
 internal static class ContactMarks
 {
@@ -18,31 +38,17 @@ internal static class ContactMarks
 
     private static readonly Pixel outline = new(20, 22, 26);
 
-    /// <summary>Draws the marks of all feet at a moment.</summary>
-    public static void Draw(Picture picture, Film film, int moment, Camera camera)
+    /// <summary>Draws the marks of all feet.</summary>
+    public static void Draw(Picture picture, LeggedBody? body, ReadOnlySpan<ContactMark> marks, Camera camera)
     {
-        LeggedBody? body = film.Profile.Legs;
-        Take take = film.Take;
-        if (body is null || take.Feet == 0)
+        for (int foot = 0; foot < marks.Length && body != null; foot++)
         {
-            return;
-        }
-
-        Vector3[] joints = take.JointsAt(moment);
-        Vector3 offset = take.CameraAt(moment);
-        for (int foot = 0; foot < take.Feet; foot++)
-        {
-            FootReport report = take.FootAt(moment, foot);
-            bool stands = report.Phase == FootPhase.Stance;
-            Vector3 below = stands ? report.Place : Below(joints[report.Joint] + offset, take.Ground);
-            Vector3 pixel = camera.Project(below - offset, picture.Width, picture.Height);
-            float radius = camera.Project(below - offset + (camera.Right * (LegShare * body.Legs[foot].Length)), picture.Width, picture.Height).X - pixel.X;
-            Ellipse(picture, pixel.X, pixel.Y, Math.Clamp(radius, LeastRadius, picture.Width / 28f), FootName.Colour(body, foot), stands ? 235 : 0);
+            Vector3 point = marks[foot].Point;
+            Vector3 pixel = camera.Project(point, picture.Width, picture.Height);
+            float radius = camera.Project(point + (camera.Right * (LegShare * body.Legs[foot].Length)), picture.Width, picture.Height).X - pixel.X;
+            Ellipse(picture, pixel.X, pixel.Y, Math.Clamp(radius, LeastRadius, picture.Width / 28f), FootName.Colour(body, foot), marks[foot].Stands ? 235 : 0);
         }
     }
-
-    private static Vector3 Below(Vector3 point, IGround ground) =>
-        ground.Cast(point with { Y = 1e3f }, -Vector3.UnitY, 2e3f, out GroundHit hit) ? hit.Point : point;
 
     private static void Ellipse(Picture picture, float x, float y, float radius, Pixel colour, int fill)
     {

@@ -110,7 +110,7 @@ public sealed class Film
     internal Camera CameraFor(View view, int width, int height) => Camera.Fit(Views.Angle(view), room, width / (float)height);
 
     /// <summary>The floor as the camera sees it; null where there is none.</summary>
-    internal RenderMesh? FloorAt(int moment) => floor?.At(Take.CameraAt(moment));
+    internal RenderMesh? FloorAt(int moment) => floor?.At(new RootPlace(Take.CameraAt(moment), Quaternion.Identity), RootPlace.Identity);
 
     /// <summary>The creature on its floor.</summary>
     internal Picture Draw(int moment, Camera camera, int width, int height)

@@ -58,7 +58,7 @@ internal static class FilmStrip
             cancellation.ThrowIfCancellationRequested();
             int moment = i * film.Take.StrokeMoments / Take.StripFrames;
             Picture cell = film.Draw(moment, camera, CellWidth - Gap, height);
-            ContactMarks.Draw(cell, film, moment, camera);
+            ContactMarks.Draw(cell, film.Profile.Legs, film.Take.MarksAt(moment), camera);
             Label.Draw(cell, FormattableString.Invariant($"{i + 1}"), Gap, Gap, LabelSize.Small, ink);
             strip.Blit(cell, Margin + (i * CellWidth) + (Gap / 2), top);
         });

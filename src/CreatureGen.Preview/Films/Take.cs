@@ -1,12 +1,10 @@
 using System;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Clips;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;
-using CreatureGen.Skinning;
 
 namespace CreatureGen.Preview.Films;
 
@@ -125,36 +123,25 @@ internal sealed class Take
     /// <summary>Where the joints are as the camera sees them, metres.</summary>
     public Vector3[] JointsAt(int moment)
     {
-        var matrices = new Matrix4x4[cycle.Joints];
-        Quaternion[] rotations = new Quaternion[cycle.Joints];
-        Vector3[] positions = new Vector3[cycle.Joints];
-        Model(moment, new Pose(rotations, positions), matrices);
-        for (int i = 0; i < positions.Length; i++)
-        {
-            positions[i] = cycle.PlaceAt(moment).ToWorld(positions[i]) - CameraAt(moment);
-        }
-
-        return positions;
+        Vector3 camera = CameraAt(moment);
+        return Array.ConvertAll(MovedSkin.Joints(profile.Creature.Skeleton, cycle.PlaceAt(moment), LocalAt(moment)), joint => joint - camera);
     }
 
     /// <summary>Skin and normals as the camera sees them, metres.</summary>
-    public (Vector3[] Positions, Vector3[] Normals) SkinAt(int moment)
+    public (Vector3[] Positions, Vector3[] Normals) SkinAt(int moment) =>
+        MovedSkin.Of(profile.Creature, cycle.PlaceAt(moment), LocalAt(moment), new RootPlace(CameraAt(moment), Quaternion.Identity));
+
+    /// <summary>Where the feet stand, and above which places they swing, as the camera sees them.</summary>
+    public ContactMark[] MarksAt(int moment)
     {
-        var matrices = new Matrix4x4[cycle.Joints];
-        Model(moment, new Pose(new Quaternion[cycle.Joints], new Vector3[cycle.Joints]), matrices);
-        CreatureMesh mesh = profile.Creature.Mesh;
-        var positions = new Vector3[mesh.Positions.Length];
-        var normals = new Vector3[mesh.Positions.Length];
-        CpuSkinning.Skin(matrices, mesh.Weights, mesh.Positions, mesh.Normals, positions, normals);
-        RootPlace place = cycle.PlaceAt(moment);
-        Vector3 camera = CameraAt(moment);
-        for (int i = 0; i < positions.Length; i++)
+        var feet = new FootReport[Feet];
+        for (int i = 0; i < feet.Length; i++)
         {
-            positions[i] = place.ToWorld(positions[i]) - camera;
-            normals[i] = Rotation.Rotate(place.Rotation, normals[i]);
+            feet[i] = FootAt(moment, i);
         }
 
-        return (positions, normals);
+        Vector3 camera = CameraAt(moment);
+        return ContactMark.Of(feet, Array.ConvertAll(JointsAt(moment), joint => joint + camera), Ground, new RootPlace(camera, Quaternion.Identity));
     }
 
     /// <summary>Strokes from one repetition of the whole motion to the next.</summary>
@@ -175,12 +162,9 @@ internal sealed class Take
         return 1;
     }
 
-    private void Model(int moment, in Pose model, Matrix4x4[] matrices)
+    private Pose LocalAt(int moment)
     {
-        Skeleton skeleton = profile.Creature.Skeleton;
         int first = moment * cycle.Joints;
-        var local = new Pose(cycle.Rotations.AsSpan(first, cycle.Joints), cycle.Positions.AsSpan(first, cycle.Joints));
-        ForwardKinematics.LocalToModel(skeleton, local, model);
-        SkinMatrices.Fill(skeleton, model, matrices);
+        return new Pose(cycle.Rotations.AsSpan(first, cycle.Joints), cycle.Positions.AsSpan(first, cycle.Joints));
     }
 }

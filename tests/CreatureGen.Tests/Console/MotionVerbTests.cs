@@ -53,7 +53,7 @@ public sealed class MotionVerbTests
         using var run = new ConsoleRun();
         Assert.Equal(ExitCode.Done, run.Run("metrics", "--seeds", "41-42", "--kind", "walking", "--json"));
         JsonElement[] runs = run.Json().GetProperty("runs").EnumerateArray().ToArray();
-        foreach (MotionMeasure measure in MotionMeasure.All)
+        foreach (Measure<MeasuredRun> measure in MotionMeasure.All)
         {
             JsonElement worst = run.Json().GetProperty("worst").GetProperty(measure.Name);
             float[] values = runs.Select(told => told.GetProperty(measure.Name)).Where(value => value.ValueKind == JsonValueKind.Number).Select(value => value.GetSingle()).ToArray();

@@ -1,0 +1,52 @@
+using System.Collections.Generic;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Motion.Metrics.Courses;
+
+/// <summary>Drives an animator along a course, from standing at the origin.</summary>
+internal sealed class CourseDrive
+{
+    private readonly CourseScript script;
+    private readonly IEnumerable<double> steps;
+
+    public CourseDrive(MotionProfile profile, MotionCourse course)
+    {
+        script = course.Script;
+        steps = course.Rate.Steps(new Seed(profile.Creature.Blueprint.Seed).Child("courses"));
+        Surface = CourseSurfaces.Lay(course.Ground, profile, script);
+        Animator = new CreatureAnimator(profile);
+        Animator.Teleport(Animator.Root, Surface.Ground);
+    }
+
+    /// <summary>Who goes.</summary>
+    public CreatureAnimator Animator { get; }
+
+    /// <summary>What it goes over, as it is at present.</summary>
+    public CourseSurface Surface { get; }
+
+    /// <summary>Index of the command that the last update obeyed.</summary>
+    public int Command { get; private set; }
+
+    /// <summary>Updates one by one until the script is over; gives the seconds of each when it is done.</summary>
+    public IEnumerable<float> Updates()
+    {
+        double time = 0;
+        foreach (double step in steps)
+        {
+            if (script.IsOver(time))
+            {
+                yield break;
+            }
+
+            Command = script.IndexAt(time);
+            CourseCommand command = script.Commands[Command];
+            LocomotionSettings settings = Animator.Settings;
+            settings.Gait = command.Gait;
+            Animator.Settings = settings;
+            Surface.Advance(step);
+            Animator.Update((float)step, command.Input, Surface.Ground);
+            time += step;
+            yield return (float)step;
+        }
+    }
+}

@@ -1,0 +1,80 @@
+using System;
+using System.Numerics;
+using CreatureGen.Seeding;
+
+namespace CreatureGen.Motion.Metrics.Courses;
+
+/// <summary>Lays the grounds of courses for a creature and what it is asked to do.</summary>
+internal static class CourseSurfaces
+{
+    // All in leg lengths.
+    private const float Tread = 0.55f;
+    private const float Rise = 0.2f;
+    private const int StepsOfFlight = 30;
+    private const int TreadsOfLanding = 6;
+    private const float RampLength = 8f;
+    private const float TangentOfRamp = 0.36397f;
+    private const float GapLength = 0.4f;
+    private const float GapEvery = 2.2f;
+    private const float BlockLength = 4f;
+    private const float BlockHeight = 0.35f;
+
+    /// <summary>Leg lengths of level ground on all sides of who stands there.</summary>
+    private const float Room = 4f;
+
+    /// <summary>How much farther than asked anybody gets.</summary>
+    private const float Overshoot = 1.25f;
+
+    /// <summary>Lays a ground.</summary>
+    /// <param name="ground">Which.</param>
+    /// <param name="profile">Whose legs it is measured by.</param>
+    /// <param name="script">Says how far the ground must go.</param>
+    public static CourseSurface Lay(CourseGround ground, MotionProfile profile, CourseScript script)
+    {
+        float length = GroundLength(profile);
+        return ground switch
+        {
+            CourseGround.Flat => new CourseSurface(FlatGround.Level),
+            CourseGround.Rough => new CourseSurface(new EndlessHills(new Seed(profile.Creature.Blueprint.Seed), length)),
+            CourseGround.Lift => new LiftSurface(length),
+            _ => new CourseSurface(Across(profile, script, length, Piece(ground, length))),
+        };
+    }
+
+    /// <summary>Length that grounds are measured by, metres.</summary>
+    public static float GroundLength(MotionProfile profile) => profile.Legs != null ? profile.LegLength : MotionTrial.HillLength(profile, Movement.Of(profile)[0]);
+
+    /// <summary>What repeats of a ground that is the same all across.</summary>
+    private static Action<GroundProfile> Piece(CourseGround ground, float length) => ground switch
+    {
+        CourseGround.Stairs => line => line
+            .Flight(StepsOfFlight, Tread * length, Rise * length).Floor(TreadsOfLanding * Tread * length)
+            .Flight(StepsOfFlight, Tread * length, -Rise * length).Floor(TreadsOfLanding * Tread * length),
+        CourseGround.Slope => line => line
+            .Ramp(RampLength * length, TangentOfRamp * RampLength * length).Floor(RampLength * length)
+            .Ramp(RampLength * length, -TangentOfRamp * RampLength * length).Floor(RampLength * length),
+        CourseGround.Gap => line => line.Gap(GapLength * length).Floor((GapEvery - GapLength) * length),
+        CourseGround.Platform => line => line.Riser(BlockHeight * length).Floor(BlockLength * length).Riser(-BlockHeight * length).Floor(BlockLength * length),
+        _ => throw new ArgumentOutOfRangeException(nameof(ground), ground, "expected a ground of courses"),
+    };
+
+    /// <summary>A ground across the Z axis, as long and wide as the script may take the creature, that begins to repeat a piece ahead of it.</summary>
+    private static MeshGround Across(MotionProfile profile, CourseScript script, float length, Action<GroundProfile> piece)
+    {
+        (Vector3 least, Vector3 most) = MotionTrial.Extent(profile.Creature);
+        float room = (Room * length) + most.Z - least.Z;
+        float ahead = 0f;
+        bool turns = false;
+        foreach (CourseCommand command in script.Commands)
+        {
+            ahead += Overshoot * command.Seconds * (Math.Abs(command.Input.Speed) + Math.Abs(command.Input.Sideways));
+            turns |= command.Input.YawRate != 0f || command.Input.Sideways != 0f;
+        }
+
+        // Whoever turns for a moment may go astray for the rest.
+        float aside = turns ? ahead : 0f;
+        float foot = (float)Math.Ceiling((most.Z + (0.5f * length)) / (Tread * length)) * Tread * length;
+        float start = foot - ((float)Math.Ceiling((foot + room + ahead) / (Tread * length)) * Tread * length);
+        return new GroundProfile(room + most.X + aside, start).Floor(foot - start).Until(room + ahead, piece).Floor(room).ToGround();
+    }
+}

@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Motion;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Metrics.Courses;
+
+/// <summary>How bad the worst of some creatures is on their courses. The bounds are what is measured, rounded up: whoever mends a cause lowers them, nobody raises them.</summary>
+public sealed class CourseBoundsTests
+{
+    private const float DegreesPerRadian = 57.29578f;
+    private const float StandardGravity = 9.81f;
+
+    [Fact]
+    public void Walkers_are_no_worse_than_they_were() => Hold(RequestedKind.Walking, [1, 2, 4, 5], new Bounds(Degrees: 54.3f, RadiansPerSecond: 467f, Gs: 13.2f, Slip: 0.447f, Lag: 6.26f, Lost: 1, Spread: 0.0183f));
+
+    [Fact]
+    public void Fliers_are_no_worse_than_they_were() => Hold(RequestedKind.Flying, [1, 7], new Bounds(Degrees: 20.4f, RadiansPerSecond: 223f, Gs: 89.6f, Slip: 0.0517f, Lag: 23.8f, Lost: 2, Spread: 1.13f));
+
+    [Fact]
+    public void Swimmers_are_no_worse_than_they_were() => Hold(RequestedKind.Swimming, [1, 6], new Bounds(Degrees: 0.001f, RadiansPerSecond: 3.81f, Gs: 7.40f, Slip: 0f, Lag: 0f, Lost: 0, Spread: 0f));
+
+    private static void Hold(RequestedKind kind, ulong[] seeds, Bounds bounds)
+    {
+        var broken = new List<string>();
+        foreach (ulong seed in seeds)
+        {
+            var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+            foreach (CourseRun run in MotionCourse.RunAll(profile))
+            {
+                CourseReport report = run.Report;
+                string name = FormattableString.Invariant($"{kind} {seed} {run.Course.Script} {run.Course.Ground} {run.Course.Rate}");
+                Check(name, "degrees beyond limits", report.LimitExcess * DegreesPerRadian, bounds.Degrees);
+                Check(name, "rad/s of a joint", report.JointSpeed, bounds.RadiansPerSecond);
+                Check(name, "g", report.LinearAcceleration / StandardGravity, bounds.Gs);
+                Check(name, "legs of slip", report.StanceSlip, bounds.Slip);
+                Check(name, "legs of lag", report.RootLag, bounds.Lag);
+                Check(name, "times without ground", report.LostGround, bounds.Lost);
+                Check(name, "legs from rate to rate", report.RestingFootSpread, bounds.Spread);
+            }
+        }
+
+        Assert.True(broken.Count == 0, string.Join(Environment.NewLine, broken));
+
+        void Check(string name, string what, float? value, float bound)
+        {
+            if (value > bound)
+            {
+                broken.Add(FormattableString.Invariant($"{name}: {value} {what}, at most {bound} before"));
+            }
+        }
+    }
+
+    private readonly record struct Bounds(float Degrees, float RadiansPerSecond, float Gs, float Slip, float Lag, int Lost, float Spread);
+}
