@@ -6,19 +6,6 @@ using CreatureGen.Bodies;
 
 namespace CreatureGen.Appearance;
 
-/// <summary>What covers the front of the head.</summary>
-internal enum SnoutCoat
-{
-    /// <summary>The same skin as the rest of the head.</summary>
-    Bare,
-
-    /// <summary>A soft muzzle with a dark nose.</summary>
-    Leather,
-
-    /// <summary>A beak.</summary>
-    Beak,
-}
-
 /// <summary>What a coat has to know of the body that wears it.</summary>
 internal sealed class CoatSubject
 {
@@ -27,7 +14,7 @@ internal sealed class CoatSubject
     /// <summary>Sections of the body in rest pose, metres at scale 1.</summary>
     public BodyShape Body { get; }
 
-    public SnoutCoat Snout { get; set; }
+    public SnoutKind Snout { get; set; }
 
     /// <summary>Marking of the head; <see cref="HeadMarks.FromSeed"/> chooses one.</summary>
     public HeadMark Mark { get; set; }

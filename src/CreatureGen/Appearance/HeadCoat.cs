@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
@@ -46,7 +47,7 @@ internal sealed class HeadCoat
         colour = Vec.Lerp(colour, markColour, 0.9f * HeadMarks.At(subject.Mark, place.Ring, place.Around));
         colour = EyeRing(colour, place);
         colour = Snout(colour, place);
-        return place.Region == SurfaceRegion.Lip ? colour * (subject.Snout == SnoutCoat.Beak ? 0.8f : 0.55f) : colour;
+        return place.Region == SurfaceRegion.Lip ? colour * (subject.Snout == SnoutKind.Beak ? 0.8f : 0.55f) : colour;
     }
 
     private Vector3 EyeRing(Vector3 colour, in SkinPlace place)
@@ -65,7 +66,7 @@ internal sealed class HeadCoat
     private Vector3 Snout(Vector3 colour, in SkinPlace place)
     {
         double[] arc = subject.Body.Arc;
-        if (subject.Snout == SnoutCoat.Beak)
+        if (subject.Snout == SnoutKind.Beak)
         {
             // Paler towards its root, where it meets the feathers with a soft edge, and dark at the tip.
             float beak = Scalar.Smooth((float)((arc[6] - place.Arc) / (0.5 * arc[2])));
@@ -73,7 +74,7 @@ internal sealed class HeadCoat
             return Vec.Lerp(colour, palette.Muzzle * shade, beak);
         }
 
-        if (subject.Snout == SnoutCoat.Bare)
+        if (subject.Snout == SnoutKind.Bare)
         {
             return colour;
         }

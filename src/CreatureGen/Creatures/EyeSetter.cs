@@ -19,19 +19,6 @@ internal static class EyeSetter
 
     private const float LidShade = 0.8f;
 
-    /// <summary>What surrounds an eye.</summary>
-    private enum Rim
-    {
-        /// <summary>Nothing: eyes of insects.</summary>
-        Bare,
-
-        /// <summary>A rim of skin that never moves: eyes of fish and snakes.</summary>
-        Still,
-
-        /// <summary>Lids that shut.</summary>
-        Lids,
-    }
-
     /// <summary>The eye of a creature's left side.</summary>
     public static EyeFrame EyeOf(CreatureBlueprint blueprint, GrownSurface grown)
     {
@@ -45,7 +32,7 @@ internal static class EyeSetter
         EyeBlueprint eye = blueprint.Head.Eyes;
         return new EyeSocket(frame.Centre, frame.Gaze, frame.Radius)
         {
-            Lids = RimOf(blueprint) != Rim.Lids ? null : new LidHinge(
+            Lids = RimOf(blueprint) != EyeRim.Lids ? null : new LidHinge(
                 LidShape.Hinge(frame, eye),
                 LidShape.RimDirection(frame, eye, LidPart.Upper),
                 LidShape.RimDirection(frame, eye, LidPart.Lower),
@@ -64,10 +51,10 @@ internal static class EyeSetter
     {
         EyeBlueprint eye = blueprint.Head.Eyes;
         EyeFrame frame = EyeOf(blueprint, grown);
-        Rim rim = RimOf(blueprint);
+        EyeRim rim = RimOf(blueprint);
         Vector3 skin = SkinAround(blueprint.Head.Eyes, frame, coat);
         builder.Clear(SurfaceFinish.Eye);
-        if (rim == Rim.Bare)
+        if (rim == EyeRim.Bare)
         {
             EyeShape.Append(builder, frame, eye.Style, coat.Palette.Iris);
         }
@@ -79,7 +66,7 @@ internal static class EyeSetter
         Piece ball = builder.ToPiece(MaterialKind.Skin);
         ball.SimplificationWeight = eye.Style == EyeStyle.Compound ? 1f : EyeSimplificationWeight;
         AddPair(pieces, ball, "Eye_L", "Eye_R");
-        if (rim == Rim.Bare)
+        if (rim == EyeRim.Bare)
         {
             return;
         }
@@ -91,25 +78,13 @@ internal static class EyeSetter
         {
             builder.Clear();
             LidShape.Append(builder, frame, eye, part, skin);
-            bool moves = rim == Rim.Lids;
+            bool moves = rim == EyeRim.Lids;
             AddPair(pieces, builder.ToPiece(MaterialKind.Skin), moves ? joint + "L" : "Head", moves ? joint + "R" : "Head");
         }
     }
 
-    private static Rim RimOf(CreatureBlueprint blueprint)
-    {
-        if (blueprint.Head.Eyes.Style is EyeStyle.Compound or EyeStyle.Bead)
-        {
-            return Rim.Bare;
-        }
-
-        return SpeciesCatalogue.Find(blueprint.Body.Blend.First).Family switch
-        {
-            "insect" => Rim.Bare,
-            "fish" or "serpent" => Rim.Still,
-            _ => Rim.Lids,
-        };
-    }
+    private static EyeRim RimOf(CreatureBlueprint blueprint) =>
+        blueprint.Head.Eyes.Style is EyeStyle.Compound or EyeStyle.Bead ? EyeRim.Bare : SpeciesCatalogue.Find(blueprint.Body.Blend.First).EyeRim;
 
     /// <summary>Lids wear the coat of the skin above the eye, a little darker.</summary>
     private static Vector3 SkinAround(EyeBlueprint eye, in EyeFrame frame, CoatPainter coat)

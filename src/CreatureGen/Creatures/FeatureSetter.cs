@@ -34,7 +34,7 @@ internal sealed class FeatureSetter
     private readonly List<Piece> pieces = new();
     private readonly List<Appendage> appendages;
     private readonly PieceBuilder builder = new();
-    private readonly string family;
+    private readonly SpeciesProfile face;
 
     private FeatureSetter(CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, Vector3[] normals)
     {
@@ -43,7 +43,7 @@ internal sealed class FeatureSetter
         this.coat = coat;
         palette = coat.Palette;
         this.normals = normals;
-        family = SpeciesCatalogue.Find(blueprint.Body.Blend.First).Family;
+        face = SpeciesCatalogue.Find(blueprint.Body.Blend.First);
         appendages = new List<Appendage>(grown.Appendages);
     }
 
@@ -89,7 +89,7 @@ internal sealed class FeatureSetter
 
         BodyShape shape = grown.Skin.Shape;
         bool leather = blueprint.Head.MuzzleSquareness > 2.5;
-        SurfacePoint at = grown.Skin.At(leather ? 0.25 : family == "avian" ? 3.5 : 1.2, leather ? 5.4 : 4.6);
+        SurfacePoint at = grown.Skin.At(leather ? 0.25 : face.Snout == SnoutKind.Beak ? 3.5 : 1.2, leather ? 5.4 : 4.6);
         if (leather)
         {
             // On the front of the nose, not on its bridge.

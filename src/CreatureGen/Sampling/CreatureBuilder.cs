@@ -36,7 +36,7 @@ internal sealed class CreatureBuilder
     /// <summary>Normal: cute and round when positive, lean when negative. Head, eyes, feet and stoutness follow it together.</summary>
     public double Style { get; set; }
 
-    public BodyBlend Blend { get; set; } = new("canine", "canine", "canine", 0, 0);
+    public BodyBlend Blend { get; set; } = BodyFields.Blend.Neutral;
 
     public BodyProportions Proportions { get; set; } = new(1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1);
 

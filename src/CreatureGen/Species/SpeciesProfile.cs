@@ -29,6 +29,24 @@ internal sealed record SpeciesProfile
     /// <summary>Its body.</summary>
     public BodyTable Table { get; init; } = null!;
 
+    /// <summary>The group that it belongs to.</summary>
+    public AnimalClass Class { get; init; }
+
+    /// <summary>What its skin is covered with.</summary>
+    public SkinCover Cover { get; init; }
+
+    /// <summary>Size of one hair, feather, scale or plate, metres.</summary>
+    public float CoverSize { get; init; } = 0.05f;
+
+    /// <summary>What its snout wears.</summary>
+    public SnoutKind Snout { get; init; }
+
+    /// <summary>What surrounds its eyes.</summary>
+    public EyeRim EyeRim { get; init; } = EyeRim.Lids;
+
+    /// <summary>How it carries itself and goes.</summary>
+    public MotionTraits Motion { get; init; } = new();
+
     /// <summary>A species of this family before it says what is different: species keep more of their own table than families do.</summary>
     public SpeciesProfile Tamed() => this with
     {
@@ -88,6 +106,12 @@ internal sealed record SpeciesProfile
     /// <summary>Height of its hip relative to the length of the torso where the rules of the plan place its legs; null for the plan's own.</summary>
     public (double Least, double Most)? HipHeight { get; init; }
 
+    /// <summary>The same of one that goes on two legs with its trunk level.</summary>
+    public (double Least, double Most) BipedHipHeight { get; init; } = (0.78, 1.08);
+
+    /// <summary>Whether its legs end in hooves wherever the plan leaves a choice.</summary>
+    public bool IsHoofed { get; init; }
+
     /// <summary>Factor on the girth of legs that the rules of the plan, or those for fliers, place.</summary>
     public double LegGirth { get; init; } = 1;
 
@@ -97,8 +121,14 @@ internal sealed record SpeciesProfile
     /// <summary>Legs of its swimmers; null for none.</summary>
     public LegPreset? Paddles { get; init; }
 
-    /// <summary>Pairs of legs that its fliers have; null when the family decides.</summary>
-    public int? FlierLegPairs { get; init; }
+    /// <summary>Pairs of legs that its fliers have.</summary>
+    public Weighted<int>[] FlierLegPairs { get; init; } = Weights.Of((1, 0.36), (2, 0.48), (0, 0.12), (3, 0.04));
+
+    /// <summary>Tilt of the head of its swimmers, degrees; null for a random one.</summary>
+    public double? SwimmingHead { get; init; }
+
+    /// <summary>How far its swimmers lower their neck, degrees.</summary>
+    public double SwimmingNeckDrop { get; init; }
 
     /// <summary>Proportions of a bird's legs and wings; null for all others.</summary>
     public BirdPreset? Bird { get; init; }
@@ -123,6 +153,12 @@ internal sealed record SpeciesProfile
 
     /// <summary>Ring and segment of the eye.</summary>
     public (double Ring, double Segment) Eye { get; init; }
+
+    /// <summary>Largest radius of an eye relative to half the head.</summary>
+    public double LargestEye { get; init; } = 0.46;
+
+    /// <summary>Probability of compound eyes.</summary>
+    public double CompoundEyes { get; init; }
 
     /// <summary>How the eye is made when it is neither slit nor round.</summary>
     public EyeStyle EyeStyle { get; init; } = EyeStyle.Round;
@@ -151,6 +187,12 @@ internal sealed record SpeciesProfile
     /// <summary>Heights of the brow and cheek swellings.</summary>
     public (double Brow, double Cheek) Swelling { get; init; }
 
+    /// <summary>The rest of its skull.</summary>
+    public SkullShape Skull { get; init; } = new();
+
+    /// <summary>How far its mouth opens at most at rest, radians.</summary>
+    public double WidestMouth { get; init; } = double.PositiveInfinity;
+
     /// <summary>Ring of the lip corners; 0 without a mouth slit.</summary>
     public int MouthCorner { get; init; }
 
@@ -177,6 +219,39 @@ internal sealed record SpeciesProfile
 
     /// <summary>Probability of ears and of horns.</summary>
     public (double Ears, double Horns) HeadOrnament { get; init; }
+
+    /// <summary>Whether horns grow beside ears.</summary>
+    public bool HornsBesideEars { get; init; }
+
+    /// <summary>Whether its horns may be antlers.</summary>
+    public bool Antlered { get; init; }
+
+    /// <summary>Whether it may have tusks.</summary>
+    public bool Tusked { get; init; }
+
+    /// <summary>Probability of a crest of feathers.</summary>
+    public double Crest { get; init; }
+
+    /// <summary>Probability of hair along the neck, and of a ruff instead of bristles.</summary>
+    public (double Chance, double Ruff) Hair { get; init; } = (0, 0.15);
+
+    /// <summary>Probability of a falling mane on those that go on hooves.</summary>
+    public double FallingMane { get; init; }
+
+    /// <summary>Probability of a collar.</summary>
+    public double Collar { get; init; }
+
+    /// <summary>Probability of something along the back.</summary>
+    public double BackRow { get; init; } = 0.14;
+
+    /// <summary>Whether what is along the back may be plates or a sail.</summary>
+    public bool Plated { get; init; }
+
+    /// <summary>Whether it may carry a shell.</summary>
+    public bool Shelled { get; init; }
+
+    /// <summary>Whether its tail may end in a club or spikes.</summary>
+    public bool ArmedTail { get; init; }
 
     /// <summary>Shapes of its ears.</summary>
     public Weighted<EarShape>[] Ears { get; init; } = { new(EarShape.Pointed, 0.6), new(EarShape.Big, 0.4) };

@@ -61,7 +61,7 @@ public sealed class CoatPainterTests
         SurfaceBuilder surface = Tube(out Vector3[] normals);
         foreach (PatternKind kind in Enum.GetValues<PatternKind>())
         {
-            foreach (SnoutCoat snout in Enum.GetValues<SnoutCoat>())
+            foreach (SnoutKind snout in Enum.GetValues<SnoutKind>())
             {
                 CoatSubject subject = Subject();
                 subject.Snout = snout;
@@ -122,16 +122,16 @@ public sealed class CoatPainterTests
     public void A_nose_is_dark_a_beak_has_its_colour_and_lips_are_darker_than_their_skin()
     {
         CoatSubject subject = Subject();
-        subject.Snout = SnoutCoat.Leather;
+        subject.Snout = SnoutKind.Leather;
         var front = new Vector3(0.02f, 1.02f, 1.2f);
         Vector3 nose = new CoatPainter(tabby, subject).At(Address(SurfaceRegion.Nose, 0, 4), front, Vector3.UnitZ);
         Assert.True(Distance(nose, OklchColour.ToLinearRgb(tabby.Muzzle)) < 0.06f);
-        subject.Snout = SnoutCoat.Beak;
+        subject.Snout = SnoutKind.Beak;
         CoatBlueprint bird = tabby with { Muzzle = new(0.72, 0.15, 1.1) };
         Vector3 beak = new CoatPainter(bird, subject).At(Address(SurfaceRegion.Body, 2, 6), front, Vector3.UnitZ);
         Vector3 orange = OklchColour.ToLinearRgb(bird.Muzzle);
         Assert.True(Distance(beak / beak.X, orange / orange.X) < 0.1f);
-        subject.Snout = SnoutCoat.Bare;
+        subject.Snout = SnoutKind.Bare;
         var bare = new CoatPainter(tabby, subject);
         Assert.True(bare.At(Address(SurfaceRegion.Lip, 5, 10), front, Vector3.UnitX).Y < 0.6f * bare.At(Address(SurfaceRegion.Body, 5, 10), front, Vector3.UnitX).Y);
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Appearance.Textures;
 using Xunit;
 

@@ -1,27 +1,9 @@
 using System;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Appearance.Textures;
-
-/// <summary>What a skin is covered with.</summary>
-internal enum SkinCover
-{
-    /// <summary>Naked skin with fine wrinkles.</summary>
-    Wrinkles,
-
-    /// <summary>Short hair.</summary>
-    Fur,
-
-    /// <summary>Overlapping scales.</summary>
-    Scales,
-
-    /// <summary>Overlapping feathers with a shaft.</summary>
-    Feathers,
-
-    /// <summary>Plates with seams between them.</summary>
-    Plates,
-}
 
 /// <summary>The fine relief of a skin as a height over its texture chart. Everything in metres at scale 1. Each thread needs its own.</summary>
 /// <remarks>Rows of scales and feathers run around the chart (along u) and overlap along v, from head to tail or from root to tip.</remarks>

@@ -9,6 +9,7 @@ using CreatureGen.Motion.Walking.Idle;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Motion.Walking.Trunk;
 using CreatureGen.Rigging;
+using CreatureGen.Species;
 
 namespace CreatureGen.Motion.Walking;
 
@@ -86,7 +87,7 @@ internal sealed class LeggedBody
         }
 
         float steady = SteadyShare();
-        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, creature.Blueprint.Body.Blend.First, Mass);
+        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.First).Motion, Mass);
         Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         Posture = StandingPosture.Of(creature);
@@ -211,7 +212,7 @@ internal sealed class LeggedBody
     public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype is LimbArchetype.Jumper or LimbArchetype.FrogHind);
 
     /// <summary>Whether it rolls from side to side on short legs under an upright body: penguins.</summary>
-    public bool Waddles => IsBiped && Creature.Blueprint.Body.Blend.First == "penguin";
+    public bool Waddles => IsBiped && SpeciesCatalogue.Find(Creature.Blueprint.Body.Blend.First).Motion.Waddles;
 
     /// <summary>The times of what it does while it stands.</summary>
     public IdleRhythm Idle { get; }

@@ -67,7 +67,7 @@ internal static class CoatSampler
         ColourBlueprint claw = random.Chance(0.6) ? Colour(0.27, 0.02, 60) : Colour(0.82, 0.04, 85);
         ColourBlueprint horn = Colour(random.Uniform(0.35, 0.82), 0.035, 75);
         ColourBlueprint iris = Colour(random.Uniform(0.62, 0.80), random.Uniform(0.10, 0.17), Pick(random, irisHues));
-        ColourBlueprint muzzle = builder.Species.Family == "avian"
+        ColourBlueprint muzzle = builder.Species.Snout == SnoutKind.Beak
             ? random.Chance(0.65) ? Colour(0.70, 0.13, CreatureBuilder.Choose(random, (60.0, 1), (75.0, 1), (45.0, 1))) : Colour(0.3, 0.02, 60)
             : Colour(0.25, 0.03, 30);
         if (mood != PaletteMood.Vivid && builder.Manes.Count > 0)

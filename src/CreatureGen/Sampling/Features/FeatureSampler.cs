@@ -27,7 +27,7 @@ internal static class FeatureSampler
             return;
         }
 
-        if (builder.Species.Family == "insect")
+        if (builder.Species.Class == AnimalClass.Arthropod)
         {
             InsectHead(builder, builder.Stream("insect head"));
             return;
@@ -107,7 +107,7 @@ internal static class FeatureSampler
         double chance = builder.Species.HeadOrnament.Horns * plenty;
         chance *= builder.Signature == Signature.BigEyes ? 0.4 : 1;
         chance *= builder.Kind == LocomotionKind.Swimming ? 0.25 : 1;
-        bool eared = builder.Ears.Count > 0 && builder.Species.Family != "bovine";
+        bool eared = builder.Ears.Count > 0 && !builder.Species.HornsBesideEars;
         bool nose = builder.Plan is BodyPlan.Columnar or BodyPlan.Plantigrade or BodyPlan.Unguligrade;
         if (eared || !random.Chance(chance))
         {
@@ -116,7 +116,7 @@ internal static class FeatureSampler
 
         double length = head * random.Uniform(0.9, 2.0);
         double radius = head * random.Uniform(0.16, 0.25);
-        bool deer = builder.Plan is BodyPlan.Unguligrade or BodyPlan.Digitigrade && builder.Species.Family is "bovine" or "canine";
+        bool deer = builder.Plan is BodyPlan.Unguligrade or BodyPlan.Digitigrade && builder.Species.Antlered;
         int style = random.Weighted(stackalloc double[] { 1, 1, 0.7, nose ? 0.35 : 0, deer ? 1.1 : 0 });
         builder.Features.Add(style switch
         {
@@ -132,7 +132,7 @@ internal static class FeatureSampler
     /// <summary>A bird's crest.</summary>
     private static void Tuft(CreatureBuilder builder, double head, bool horned, double plenty, RandomStream random)
     {
-        if (builder.Kind == LocomotionKind.Swimming || horned || builder.Species.Family != "avian" || !random.Chance(0.45 * plenty))
+        if (builder.Kind == LocomotionKind.Swimming || horned || !random.Chance(builder.Species.Crest * plenty))
         {
             return;
         }
@@ -149,14 +149,12 @@ internal static class FeatureSampler
     /// <summary>One thing along the back: spikes, plates, a sail or a shell.</summary>
     private static void Back(CreatureBuilder builder, bool horned, double plenty, RandomStream random)
     {
-        string family = builder.Species.Family;
-        bool plain = builder.Kind == LocomotionKind.Swimming || family is "avian" or "fish";
-        bool furred = family is "canine" or "feline";
-        bool scaled = family is "reptile" or "amphibian" or "serpent";
+        bool plain = builder.Kind == LocomotionKind.Swimming;
+        bool plated = builder.Species.Plated;
         bool grounded = builder.Kind == LocomotionKind.Walking;
-        double chance = (plain ? 0 : furred ? 0.1 : scaled ? 0.5 : 0.14) * plenty;
-        bool shelled = grounded && family is "reptile" or "amphibian" or "bovine" && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar;
-        int style = random.Weighted(stackalloc double[] { 1, scaled ? 0.8 : 0, grounded && scaled ? 0.9 : 0, shelled ? 0.6 : 0 });
+        double chance = (plain ? 0 : builder.Species.BackRow) * plenty;
+        bool shelled = grounded && builder.Species.Shelled && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar;
+        int style = random.Weighted(stackalloc double[] { 1, plated ? 0.8 : 0, grounded && plated ? 0.9 : 0, shelled ? 0.6 : 0 });
         int count = random.Integer(7, 13);
         double height = random.Uniform(0.06, 0.13);
         double sail = random.Uniform(0.12, 0.26);
@@ -209,7 +207,7 @@ internal static class FeatureSampler
     private static void TailEnd(CreatureBuilder builder, double plenty, RandomStream random)
     {
         bool strong = builder.Kind == LocomotionKind.Walking
-            && builder.Species.Family is "reptile" or "amphibian"
+            && builder.Species.ArmedTail
             && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Theropod;
         bool club = random.Chance(0.5);
         if (!random.Chance(0.25 * plenty) || !strong)
@@ -265,7 +263,7 @@ internal static class FeatureSampler
     {
         bool fits = builder.Kind == LocomotionKind.Walking
             && builder.Plan is BodyPlan.Columnar or BodyPlan.Plantigrade or BodyPlan.Unguligrade or BodyPlan.Upright
-            && builder.Species.Family is "canine" or "bovine" or "reptile";
+            && builder.Species.Tusked;
         double length = head * random.Uniform(0.5, 1.1);
         if (random.Chance(0.25 * plenty) && fits)
         {

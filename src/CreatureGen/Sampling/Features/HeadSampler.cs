@@ -23,7 +23,7 @@ internal static class HeadSampler
     public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[10] + (0.5 * (shape.Top[10] + shape.Bottom[10])));
 
     /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
-    public static double LargestEye(CreatureBuilder builder) => (builder.Species.Family == "insect" ? 0.85 : 0.46) * HalfHeight(builder.Shape);
+    public static double LargestEye(CreatureBuilder builder) => builder.Species.LargestEye * HalfHeight(builder.Shape);
 
     /// <summary>The face of the creature.</summary>
     public static HeadBlueprint Sample(CreatureBuilder builder)
@@ -67,16 +67,14 @@ internal static class HeadSampler
     {
         SpeciesProfile species = builder.Species;
         RandomStream random = builder.Stream("skull");
-        bool mammal = species.Family is "canine" or "feline" or "bovine";
-        bool insect = species.Family == "insect";
         var bumps = new List<HeadBump>();
         Add(9.2, 4.2, 1.6, 1.3, Vary(species.Swelling.Brow));
         Add(8.4, 1.0, 1.5, 1.6, -Vary(0.05));
         Add(12.8, 9.2, 2.2, 2.0, Vary(species.Swelling.Cheek));
-        Add(13.2, 12.5, 1.8, 1.8, species.Family == "fish" || insect ? 0 : Vary(0.08));
-        Add(1.2, 7.0, 1.6, 2.2, mammal ? Vary(0.14) : 0);
-        Add(7.5, 7.5, 1.4, 2.2, insect ? 0 : -Vary(0.07));
-        Add(2.5, 15.5, 2.0, 2.5, insect || species.Family == "avian" ? 0 : Vary(0.12));
+        Add(13.2, 12.5, 1.8, 1.8, IfAny(species.Skull.Jowl));
+        Add(1.2, 7.0, 1.6, 2.2, IfAny(species.Skull.Lips));
+        Add(7.5, 7.5, 1.4, 2.2, -IfAny(species.Skull.Stop));
+        Add(2.5, 15.5, 2.0, 2.5, IfAny(species.Skull.Chin));
         if (species.Bone > 0)
         {
             (double ring, double segment) = species.Eye;
@@ -86,20 +84,10 @@ internal static class HeadSampler
             Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * species.Bone);
         }
 
-        if (species.Family is "canine" or "feline")
-        {
-            Add(2.6, 7.2, 2.0, 2.0, 0.12);
-            Add(5.6, 7.0, 1.3, 2.6, -0.10);
-            Add(6.6, 0.5, 1.1, 2.5, -0.10);
-            Add(0.6, 2.0, 1.0, 3.0, 0.10);
-        }
-        else if (species.Family == "bovine")
-        {
-            Add(1.4, 6.5, 1.6, 3.0, 0.10);
-            Add(5.5, 6.0, 1.8, 2.5, -0.08);
-        }
-
+        bumps.AddRange(species.Skull.Muzzle);
         return new ValueList<HeadBump>(bumps);
+
+        double IfAny(double amount) => amount == 0 ? 0 : Vary(amount);
 
         double Vary(double amount) => amount * Scalar.Clamp(random.Normal(1, 0.45), 0.2, 2);
 
@@ -119,12 +107,11 @@ internal static class HeadSampler
         BodyShape s = builder.Shape;
         double half = HalfHeight(s);
         double radius = species.EyeSize * half * Scalar.Clamp(1 + (0.14 * builder.Style) + random.Normal(0, 0.06), 0.75, 1.5) * (builder.Signature == Signature.BigEyes ? 1.36 : 1);
-        bool insect = species.Family == "insect";
         radius = Math.Min(radius, LargestEye(builder));
-        bool faceted = random.Chance(0.85);
+        bool faceted = random.Chance(species.CompoundEyes);
         bool slit = random.Chance(species.SlitPupils);
         bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
-        EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : insect && faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : bar ? EyeStyle.Bar : EyeStyle.Round;
+        EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : bar ? EyeStyle.Bar : EyeStyle.Round;
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
         return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, species.EyeSink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
@@ -136,7 +123,7 @@ internal static class HeadSampler
         double opening = CreatureBuilder.Choose(random, (0.0, 0.4), (0.10, 0.2), (0.2, 0.2), (0.32, 0.2));
         double beak = CreatureBuilder.Choose(random, (0.0, 1), (0.06, 1), (0.2, 1));
         bool toothed = random.Chance(species.Teeth);
-        opening = species.Family switch { "bovine" => 0, "fish" => Math.Min(opening, 0.12), "avian" => beak, _ => opening };
+        opening = species.Snout == SnoutKind.Beak ? beak : Math.Min(opening, species.WidestMouth);
         if (species.MouthOpenings is Weighted<double>[] own)
         {
             opening = CreatureBuilder.Choose(random, own);

@@ -27,10 +27,10 @@ internal static class NeckSampler
     /// <summary>The hair that furred families wear now and then; whether there is any.</summary>
     public static bool Hair(CreatureBuilder builder, double plenty, RandomStream random)
     {
-        bool hoofed = builder.Species.Family == "bovine" && builder.Plan is BodyPlan.Unguligrade or BodyPlan.Centaur;
-        double chance = builder.Kind == LocomotionKind.Swimming ? 0 : builder.Species.Family switch { "canine" => 0.22, "feline" => 0.22, "bovine" when hoofed => 0.3, _ => 0 };
+        bool hoofed = builder.Species.FallingMane > 0 && builder.Plan is BodyPlan.Unguligrade or BodyPlan.Centaur;
+        double chance = builder.Kind == LocomotionKind.Swimming ? 0 : hoofed ? builder.Species.FallingMane : builder.Species.Hair.Chance;
         double size = random.Uniform();
-        bool ruffed = random.Chance(builder.Species.Family == "feline" ? 0.4 : 0.15);
+        bool ruffed = random.Chance(builder.Species.Hair.Ruff);
         if (!random.Chance(chance * plenty))
         {
             return false;
@@ -43,10 +43,10 @@ internal static class NeckSampler
     /// <summary>The collar that lizards wear now and then; whether there is one.</summary>
     public static bool Collar(CreatureBuilder builder, double plenty, RandomStream random)
     {
-        bool fits = builder.Species.Family == "reptile" && builder.Kind == LocomotionKind.Walking && builder.Ears.Count == 0;
+        bool fits = builder.Kind == LocomotionKind.Walking && builder.Ears.Count == 0;
         bool bony = random.Chance(builder.Plan is BodyPlan.Plantigrade ? 0.6 : 0.25);
         double size = random.Uniform();
-        if (!random.Chance(0.14 * plenty) || !fits)
+        if (!random.Chance(builder.Species.Collar * plenty) || !fits)
         {
             return false;
         }

@@ -58,7 +58,7 @@ internal sealed class IndividualBody
         BodyProportions p = type.Body.Proportions;
         BodyPosture posture = ofType.Drawn;
         double tilt = ofType.Kind == LocomotionKind.Swimming || ofType.Plan == BodyPlan.Legless ? 0 : strength * ofType.Species.TiltVariety;
-        double largest = Math.Max(p.Head, ofType.Species.Family == "insect" ? LargestInsectHead : LargestHead);
+        double largest = Math.Max(p.Head, ofType.Species.Class == AnimalClass.Arthropod ? LargestInsectHead : LargestHead);
         var builder = new CreatureBuilder(ofType.Seed, ofType.Kind, ofType.Species, ofType.Plan)
         {
             Blend = ofType.Blend,

@@ -18,7 +18,7 @@ internal static class FinSampler
         {
             Swim(builder);
         }
-        else if (builder.Species.Family == "fish")
+        else if (builder.Species.Class == AnimalClass.Fish)
         {
             Crest(builder, builder.Stream("fins"));
         }

@@ -43,9 +43,9 @@ internal static class FlierLegs
             return;
         }
 
-        bool insect = builder.Species.Family == "insect";
+        bool insect = builder.Species.Class == AnimalClass.Arthropod;
         RandomStream random = builder.Stream("flier legs");
-        int pairs = PairsOf(builder, random);
+        int pairs = CreatureBuilder.Choose(random, builder.Species.FlierLegPairs);
         LegArrangement arrangement = insect && random.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread;
         FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : FlierLegAnatomy.Dragon;
         if (insect && pairs <= 4)
@@ -74,15 +74,6 @@ internal static class FlierLegs
             Stand(builder, style, placement, anatomy);
         }
     }
-
-    private static int PairsOf(CreatureBuilder builder, RandomStream random) => builder.Species.FlierLegPairs ?? builder.Species.Family switch
-    {
-        "insect" => CreatureBuilder.Choose(random, (3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02)),
-        "avian" => 1,
-        "canine" or "feline" or "bovine" => 2,
-        "fish" => CreatureBuilder.Choose(random, (0, 0.66), (1, 0.28), (2, 0.06)),
-        _ => CreatureBuilder.Choose(random, (1, 0.36), (2, 0.48), (0, 0.12), (3, 0.04)),
-    };
 
     /// <summary>An insect stands with spread wings as it does with folded ones.</summary>
     private static void AddOwn(CreatureBuilder builder, LegStyle style, LegPreset preset)

@@ -90,7 +90,7 @@ internal static class LegSampler
             WingSampler.AddThin(builder, wings.Folded);
         }
 
-        if (builder.Species.Family == "avian" && builder.Plan == BodyPlan.Theropod && placement.Arms is null)
+        if (builder.Species.Class == AnimalClass.Bird && builder.Plan == BodyPlan.Theropod && placement.Arms is null)
         {
             WingSampler.AddFolded(builder);
         }
@@ -181,10 +181,10 @@ internal static class LegSampler
 
     private static SocketSet SetOf(CreatureBuilder builder)
     {
-        bool bird = builder.Species.Family == "avian";
+        bool bird = builder.Species.Class == AnimalClass.Bird;
         SocketSet set = builder.Plan switch
         {
-            BodyPlan.Centaur => SocketSets.Centaur(builder.Species.Family == "bovine" ? BodyPlan.Unguligrade : BodyPlan.Digitigrade),
+            BodyPlan.Centaur => SocketSets.Centaur(builder.Species.IsHoofed ? BodyPlan.Unguligrade : BodyPlan.Digitigrade),
             BodyPlan.Upright => SocketSets.Upright(builder.Stream("upright legs").Chance(0.6) ? LimbArchetype.PlantigradeHind : LimbArchetype.DigitigradeHind),
             BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar => SocketSets.Quadruped(builder.Plan) with { Arms = null },
             _ => SocketSets.Of(builder.Plan),
@@ -238,7 +238,7 @@ internal sealed record LegStyle
         Stoutness = CreatureBuilder.Around(random, 1 + (0.05 * builder.Style), 0.08, 0.85, 1.25);
         FootSize = CreatureBuilder.Around(random, 1.25 + (0.1 * builder.Style), 0.1, 1, builder.Plan == BodyPlan.Columnar ? 1.12 : 1.65);
         Slimness = CreatureBuilder.Around(random, builder.Plan == BodyPlan.Unguligrade ? 1.02 : 1.12, 0.1, 0.85, 1.35);
-        Toes = builder.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || builder.Species.Family == "avian" ? 3 : random.Integer(3, 5);
+        Toes = builder.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || builder.Species.Class == AnimalClass.Bird ? 3 : random.Integer(3, 5);
         Reach = random.Uniform(0.85, 1.15);
         bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
         ClawLength = soft ? CreatureBuilder.Choose(random, (0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;

@@ -66,7 +66,7 @@ internal static class WingSampler
             }
             else
             {
-                ThinWing thin = (builder.Species.Family == "insect" ? insectWings : fairyWings)[builder.InsectWings.Count == 0 ? 0 : 1];
+                ThinWing thin = (builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings)[builder.InsectWings.Count == 0 ? 0 : 1];
                 double elevation = Scalar.Radians(thin.Elevation * wing.Scale.Y);
                 builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.6, thin.Length * wing.Scale.X, thin.Width * wing.Scale.Z, Scalar.Radians(thin.Azimuth), elevation));
             }

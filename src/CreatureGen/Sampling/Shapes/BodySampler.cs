@@ -78,7 +78,7 @@ internal static class BodySampler
         }
 
         bool unfit = (builder.Kind == LocomotionKind.Swimming && signature is Signature.LongNeck or Signature.Hump or Signature.Hulk)
-            || (builder.Species.Family == "amphibian" && signature is Signature.LongNeck or Signature.LongSnout)
+            || (builder.Species.Class == AnimalClass.Amphibian && signature is Signature.LongNeck or Signature.LongSnout)
             || (builder.Plan == BodyPlan.Legless && signature is Signature.Hump or Signature.Rump or Signature.Hulk);
         return unfit ? (random.Chance(0.5) ? Signature.BigEyes : Signature.None) : signature;
     }
@@ -86,7 +86,7 @@ internal static class BodySampler
     private static BodyProportions Proportions(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("proportions");
-        string family = builder.Species.Family;
+        AnimalClass group = builder.Species.Class;
         double head = Scalar.Clamp(1.26 + (0.14 * builder.Style) + random.Normal(0, 0.05), 0.9, 1.55);
         double neck = random.LogNormal(0.22, 0.65, 1.7);
         double tail = random.LogNormal(0.25, 0.55, 1.7);
@@ -105,12 +105,12 @@ internal static class BodySampler
         }
 
         double neckGirth = 1, chest = 1, hump = 1, rump = 1, tailGirth = 1, width = 1;
-        if (family == "amphibian")
+        if (group == AnimalClass.Amphibian)
         {
             neck = Math.Min(neck, 0.95);
         }
 
-        if (family == "insect")
+        if (group == AnimalClass.Arthropod)
         {
             girth = species.IsSpecies ? girth : wide;
             head = Math.Min(head, 1.22);
@@ -147,7 +147,7 @@ internal static class BodySampler
                 break;
         }
 
-        if (builder.Plan == BodyPlan.Theropod && family != "avian")
+        if (builder.Plan == BodyPlan.Theropod && group != AnimalClass.Bird)
         {
             girth *= 1.14;
             tailGirth = Math.Max(tailGirth, 1.25);
@@ -161,7 +161,7 @@ internal static class BodySampler
         if (builder.Kind == LocomotionKind.Swimming)
         {
             neck = Math.Min(neck, 1.1);
-            if (family == "fish" && !species.IsSpecies)
+            if (group == AnimalClass.Fish && !species.IsSpecies)
             {
                 head *= 0.74;
                 snout *= 0.8;
@@ -169,7 +169,7 @@ internal static class BodySampler
             }
         }
 
-        depth = family == "fish" && !species.IsSpecies && builder.Kind == LocomotionKind.Swimming ? depth : 1;
+        depth = group == AnimalClass.Fish && !species.IsSpecies && builder.Kind == LocomotionKind.Swimming ? depth : 1;
         if (neck > 1.25)
         {
             head *= 0.92;
@@ -189,7 +189,7 @@ internal static class BodySampler
         double trunk = 0;
         double upright = random.Uniform(48, 66);
         double uprightNeck = random.Uniform(-2, 10);
-        double lean = builder.Species.Bird != null ? 0 : builder.Species.Family == "avian" ? random.Uniform(0, 14) : random.Uniform(6, 22);
+        double lean = builder.Species.Bird != null ? 0 : builder.Species.Class == AnimalClass.Bird ? random.Uniform(0, 14) : random.Uniform(6, 22);
 
         // S1.5: one angle for the neck and one for the tail, in [0, 200° / bones]; here a moderate share of it, either way.
         double neckBend = tilt * random.Uniform(-2, 5);
@@ -197,16 +197,16 @@ internal static class BodySampler
         switch (builder.Plan)
         {
             case BodyPlan.Upright:
-                torso = upright - (builder.Species.Family == "amphibian" ? 12 : 0);
-                neck = uprightNeck - (builder.Species.Family == "amphibian" ? 12 : 0);
+                torso = upright - (builder.Species.Class == AnimalClass.Amphibian ? 12 : 0);
+                neck = uprightNeck - (builder.Species.Class == AnimalClass.Amphibian ? 12 : 0);
                 tail += 18;
                 neckBend = 0;
                 break;
             case BodyPlan.Theropod:
                 tail *= 0.4;
                 trunk = lean;
-                neck += builder.Species.Family == "avian" ? 0 : 22;
-                tail -= builder.Species.Family == "avian" ? 0 : 6;
+                neck += builder.Species.Class == AnimalClass.Bird ? 0 : 22;
+                tail -= builder.Species.Class == AnimalClass.Bird ? 0 : 6;
                 tailBend = Math.Min(tailBend, 2);
                 break;
             case BodyPlan.Centaur:
@@ -237,8 +237,8 @@ internal static class BodySampler
             tail /= 5;
             neckBend = 0;
             tailBend = 0;
-            neck -= builder.Species.Family == "serpent" ? 20 : 0;
-            head = builder.Species.Family == "canine" ? 4 : head;
+            neck -= builder.Species.SwimmingNeckDrop;
+            head = builder.Species.SwimmingHead ?? head;
         }
 
         return new BodyPosture(Scalar.Radians(head), Scalar.Radians(neck), Scalar.Radians(torso), Scalar.Radians(tail), Scalar.Radians(trunk), Scalar.Radians(neckBend), Scalar.Radians(tailBend));
@@ -283,10 +283,10 @@ internal static class BodySampler
             return bird.Fan == 0 ? new TailBlueprint(TailStyle.Plain, 0, 0) : new TailBlueprint(TailStyle.Feathers, fan, 0);
         }
 
-        return builder.Species.Family switch
+        return builder.Species.Class switch
         {
-            "avian" when feathered => new TailBlueprint(TailStyle.Feathers, feathers, 0),
-            "fish" when builder.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),
+            AnimalClass.Bird when feathered => new TailBlueprint(TailStyle.Feathers, feathers, 0),
+            AnimalClass.Fish when builder.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),
             _ => new TailBlueprint(TailStyle.Plain, 0, 0),
         };
     }

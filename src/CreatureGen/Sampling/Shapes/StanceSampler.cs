@@ -105,7 +105,7 @@ internal static class StanceSampler
             BodyPlan.Plantigrade => (0.50, 0.70),
             BodyPlan.Columnar => (0.58, 0.85),
             BodyPlan.Upright => (0.46, 0.68),
-            BodyPlan.Theropod => builder.Species.Family == "avian" ? (0.95, 1.4) : (0.78, 1.08),
+            BodyPlan.Theropod => builder.Species.BipedHipHeight,
             _ => (0.0, 0.0),
         };
         if (builder.Species.Bird is BirdPreset bird)

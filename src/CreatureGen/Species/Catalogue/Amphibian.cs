@@ -30,6 +30,8 @@ internal static class Amphibian
             (120, 0, 55, 50, 45),      // tail, first third
             (120, 0, 34, 30, 30),      // tail, second third
             (80, 0, 12, 12, 12)),      // tail tip
+        Class = AnimalClass.Amphibian, Cover = SkinCover.Wrinkles, CoverSize = 0.05f,
+        BackRow = 0.5, Plated = true, Shelled = true, ArmedTail = true,
         Frequency = (0.4, 0, 0.15),
         Partners = new[] { "reptile", "fish", "bovine", "feline" },
         WalkingPlans = Weights.Of((BodyPlan.Sprawling, 0.86), (BodyPlan.Plantigrade, 0.14)),

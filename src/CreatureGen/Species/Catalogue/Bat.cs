@@ -31,13 +31,14 @@ internal static class Bat
             (50, 10, 30, 30, 30),      // tail, first third
             (50, 10, 22, 22, 22),      // tail, second third
             (40, 10, 10, 10, 10)),     // tail tip
+        Motion = new MotionTraits { StandingPitch = 26 },
         Frequency = (0, 0.42, 0),
         Dominance = (0.92, 0.97),
         Kinship = 0,
         Eye = (9.4, 5.4), EyeSize = 0.24,
         HeadOrnament = (1, 0), Ears = Weights.Of((EarShape.Big, 1), (EarShape.Pointed, 0.4)),
         FlyingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Flapping, 1) },
-        WingMembrane = 1, FlierLegPairs = 1, LegGirth = 0.62,
+        WingMembrane = 1, FlierLegPairs = Weights.Of((1, 1)), LegGirth = 0.62,
         Variety = 0.25,
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
         Parts = System.Array.Empty<PartSlot>(),

@@ -31,6 +31,7 @@ internal static class Dolphin
             (140, -1, 36, 48, 46),     // tail, first third
             (130, 0, 24, 32, 30),      // tail, second third
             (60, 0, 14, 16, 16)),      // tail tip
+        Cover = SkinCover.Wrinkles, CoverSize = 0.022f,
         Frequency = (0, 0, 0.34),
         Dominance = (0.93, 0.98),
         Eye = (8.6, 8.2), EyeSize = 0.17,

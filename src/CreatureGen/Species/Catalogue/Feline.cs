@@ -30,6 +30,10 @@ internal static class Feline
             (280, 35, 42, 42, 42),     // tail, first third
             (300, 5, 40, 40, 40),      // tail, second third
             (260, -45, 28, 28, 28)),   // tail tip
+        Class = AnimalClass.Mammal, Cover = SkinCover.Fur, CoverSize = 0.022f, Snout = SnoutKind.Leather,
+        Motion = new MotionTraits { IsSupple = true },
+        Skull = new SkullShape { Lips = 0.14, Muzzle = new[] { new HeadBump(2.6, 7.2, 2.0, 2.0, 0.12), new HeadBump(5.6, 7.0, 1.3, 2.6, -0.10), new HeadBump(6.6, 0.5, 1.1, 2.5, -0.10), new HeadBump(0.6, 2.0, 1.0, 3.0, 0.10) } },
+        Hair = (0.22, 0.4), BackRow = 0.1, FlierLegPairs = Weights.Of((2, 1)),
         Frequency = (0.75, 0.5, 0),
         Partners = new[] { "canine", "reptile", "avian", "serpent" },
         WalkingPlans = Weights.Of((BodyPlan.Digitigrade, 0.58), (BodyPlan.Plantigrade, 0.22), (BodyPlan.Upright, 0.17), (BodyPlan.Centaur, 0.03)),

@@ -30,6 +30,9 @@ internal static class Insect
             (180, 16, 135, 125, 120),  // tail, first third
             (140, 24, 78, 72, 70),     // tail, second third
             (100, 30, 16, 16, 16)),    // tail tip
+        Class = AnimalClass.Arthropod, Cover = SkinCover.Plates, CoverSize = 0.09f, EyeRim = EyeRim.Bare,
+        Skull = new SkullShape { Jowl = 0, Stop = 0, Chin = 0 }, LargestEye = 0.85, CompoundEyes = 0.85,
+        FlierLegPairs = Weights.Of((3, 0.78), (2, 0.06), (4, 0.07), (5, 0.03), (6, 0.02), (8, 0.02), (0, 0.02)),
         Frequency = (0.06, 0.08, 0),
         Partners = new[] { "amphibian", "reptile", "avian", "fish" },
         WalkingPlans = Weights.Of((BodyPlan.Hexapod, 1)),

@@ -31,6 +31,7 @@ internal static class Ostrich
             (100, -15, 112, 62, 62),    // tail, first third
             (90, -10, 92, 36, 40),      // tail, second third
             (60, -5, 30, 12, 12)),      // tail tip
+        Motion = new MotionTraits { StandingPitch = 15, BobsHead = true },
         Frequency = (0.19, 0, 0),
         Eye = (10.0, 6.0), EyeSize = 0.44,
         Bird = new BirdPreset { HipHeight = (1.07, 1.3), Thigh = (0.56, 0.66), Toes = 2, FoldRing = 43, Fan = 0.12 },

@@ -31,13 +31,15 @@ internal static class Pterosaur
             (60, 4, 26, 26, 26),       // tail, first third
             (50, 2, 16, 16, 16),       // tail, second third
             (40, 0, 8, 8, 8)),         // tail tip
+        Cover = SkinCover.Wrinkles, CoverSize = 0.05f,
+        Motion = new MotionTraits { StandingPitch = 30 },
         Frequency = (0, 0.42, 0),
         Dominance = (0.92, 0.97),
         Kinship = 0,
         Eye = (10, 5.6), EyeSize = 0.44,
         HeadOrnament = (0, 0),
         FlyingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Flapping, 1) },
-        WingMembrane = 1, FlierLegPairs = 1, LegGirth = 0.66,
+        WingMembrane = 1, FlierLegPairs = Weights.Of((1, 1)), LegGirth = 0.66,
         Parts = new[]
         {
             new PartSlot(

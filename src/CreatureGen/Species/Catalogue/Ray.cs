@@ -31,6 +31,7 @@ internal static class Ray
             (300, 0, 24, 22, 22),    // tail, first third
             (400, 0, 14, 14, 14),    // tail, second third
             (350, 0, 5, 5, 5)),      // tail tip
+        Cover = SkinCover.Wrinkles, CoverSize = 0.022f,
         Frequency = (0, 0, 0.38),
         Dominance = (0.93, 0.98),
         Kinship = 0,

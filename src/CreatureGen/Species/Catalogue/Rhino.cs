@@ -31,6 +31,7 @@ internal static class Rhino
             (100, 78, 32, 36, 36),     // tail, first third
             (110, 82, 22, 24, 24),     // tail, second third
             (100, 84, 24, 28, 28)),    // tail tip
+        Cover = SkinCover.Wrinkles, CoverSize = 0.05f,
         Frequency = (0.22, 0, 0),
         Kinship = 0,
         HipHeight = (0.58, 0.70), LegGirth = 0.84,

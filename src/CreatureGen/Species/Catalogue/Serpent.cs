@@ -30,6 +30,8 @@ internal static class Serpent
             (350, 2, 70, 70, 65),      // tail, first third
             (350, 2, 45, 45, 42),      // tail, second third
             (300, -4, 12, 12, 12)),    // tail tip
+        Class = AnimalClass.Reptile, Cover = SkinCover.Scales, CoverSize = 0.034f, EyeRim = EyeRim.Still,
+        BackRow = 0.5, Plated = true, SwimmingNeckDrop = 20,
         Frequency = (0.38, 0.22, 0.2),
         Partners = new[] { "reptile", "fish", "feline", "amphibian" },
         WalkingPlans = Weights.Of((BodyPlan.ManyLegged, 0.42), (BodyPlan.Legless, 0.34), (BodyPlan.Sprawling, 0.24)),

@@ -6,6 +6,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Trunk;
 using CreatureGen.Rigging;
+using CreatureGen.Species;
 
 namespace CreatureGen.Motion.Walking.Legs;
 
@@ -35,15 +36,6 @@ internal sealed class StandingPosture
     /// <summary>Most that a trunk is raised, radians, and by how much less at a time where its tail would touch the ground.</summary>
     private const double MostRaised = 0.75;
     private const double RaiseStep = 0.05;
-
-    // Degrees of the line from pelvis to shoulders above level.
-    private static readonly (string Body, double Degrees)[] carriages =
-    {
-        ("duck", 20), ("raptor", 38), ("parrot", 40), ("heron", 32), ("owl", 48), ("toucan", 40), ("penguin", 62), ("ostrich", 15), ("bat", 26), ("pterosaur", 30),
-    };
-
-    private const double BirdPosture = 24;
-    private const double OtherPosture = 20;
 
     /// <summary>Part of what a neck's joint can nod that keeps the head level; the rest is for looking down.</summary>
     private const float NodShare = 0.7f;
@@ -81,7 +73,7 @@ internal sealed class StandingPosture
             legs += limb.Kind == LimbKind.Leg && limb.Stands ? 1 : 0;
         }
 
-        return creature.Blueprint.Plan == BodyPlan.Flapping && legs == 2 ? new Carriage(creature).Stand(Wanted(creature.Blueprint.Body.Blend.First)) : asBuilt;
+        return creature.Blueprint.Plan == BodyPlan.Flapping && legs == 2 ? new Carriage(creature).Stand(Scalar.Radians(SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.First).Motion.StandingPitch)) : asBuilt;
     }
 
     /// <summary>How much of the posture it keeps, 0..1: it comes down to walk, farther to run, and to crouch.</summary>
@@ -90,19 +82,6 @@ internal sealed class StandingPosture
     /// <param name="sunk">How far the body is let down into its legs, leg lengths.</param>
     public static float Share(float activity, float froude, float sunk) =>
         (1f - (LoweredToWalk * Scalar.Smooth(activity)) - (LoweredToRun * Scalar.Smooth(froude))) * (1f - (LoweredToCrouch * Scalar.Smooth(sunk / DeepCrouch)));
-
-    private static double Wanted(string body)
-    {
-        foreach ((string name, double degrees) in carriages)
-        {
-            if (name == body)
-            {
-                return Scalar.Radians(degrees);
-            }
-        }
-
-        return Scalar.Radians(BaseBodyNames.FamilyOf(body) == "avian" ? BirdPosture : OtherPosture);
-    }
 
     /// <summary>What is weighed: trunk, neck with head, and tail, as capsules. Wings weigh little, and legs stay.</summary>
     private sealed class Carriage

@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Species;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
@@ -54,24 +55,23 @@ internal sealed record TrunkTraits
 
     /// <summary>The traits of a plan.</summary>
     /// <param name="plan">How the creature carries its body.</param>
-    /// <param name="body">Name of its leading base body; cats are suppler than dogs, and penguins waddle.</param>
+    /// <param name="species">What its species adds: cats are suppler than dogs, and penguins waddle.</param>
     /// <param name="mass">Kilograms.</param>
-    public static TrunkTraits Of(BodyPlan plan, string body, float mass)
+    public static TrunkTraits Of(BodyPlan plan, MotionTraits species, float mass)
     {
-        string family = BaseBodyNames.FamilyOf(body);
-        bool feline = family == "feline";
+        bool supple = species.IsSupple;
         return plan switch
         {
-            BodyPlan.Digitigrade => quadruped with { ChestYaw = 0.10f, PelvisRoll = 0.055f, ChestRoll = 0.05f, Flexion = feline ? 0.44f : 0.38f, TailLift = 0.8f, ForeSlide = feline ? 0.32f : 0.28f, ForeRise = feline ? 0.05f : 0.03f },
+            BodyPlan.Digitigrade => quadruped with { ChestYaw = 0.10f, PelvisRoll = 0.055f, ChestRoll = 0.05f, Flexion = supple ? 0.44f : 0.38f, TailLift = 0.8f, ForeSlide = supple ? 0.32f : 0.28f, ForeRise = supple ? 0.05f : 0.03f },
             BodyPlan.Unguligrade or BodyPlan.Centaur => quadruped with { PelvisYaw = 0.10f, ChestYaw = 0.06f, PelvisRoll = 0.03f, ChestRoll = 0.02f, Flexion = 0.16f, TailLift = 0.5f, ForeSlide = 0.24f, Nod = 1.3f },
             BodyPlan.Plantigrade => quadruped with { PelvisYaw = 0.15f, PelvisRoll = 0.07f, ChestRoll = 0.07f, Flexion = 0.33f, TailLift = 0.8f, ForeRise = 0.045f, Nod = 1.2f },
             BodyPlan.Columnar => quadruped with { PelvisYaw = 0.08f, ChestYaw = 0.06f, ChestRoll = 0.035f, Flexion = 0.03f, ForeSlide = 0.20f, ForeRise = 0.02f, Nod = 1f },
             BodyPlan.Sprawling => quadruped with { PelvisYaw = 0.70f, ChestYaw = 0.55f, PelvisRoll = 0.06f, ChestRoll = 0.06f, Flexion = 0f, ForeSlide = 0.03f, ForeRise = 0f, HeadSteadiness = 0.85f, TailYaw = 1.6f },
             BodyPlan.ManyLegged => quadruped with { PelvisYaw = 0.08f, ChestYaw = 0.08f, PelvisRoll = 0.02f, ChestRoll = 0.02f, Flexion = 0f, ForeSlide = 0f, ForeRise = 0f, Bank = 0.2f },
             BodyPlan.Hexapod or BodyPlan.Buzzing => quadruped with { PelvisYaw = 0.02f, ChestYaw = 0.02f, PelvisRoll = 0.008f, ChestRoll = 0.008f, Flexion = 0f, ForeSlide = 0f, ForeRise = 0f, HeadSteadiness = 0.9f, Nod = 0.3f, Bank = 0.2f },
-            BodyPlan.Theropod or BodyPlan.Flapping when body == "penguin" => quadruped with { PelvisYaw = 0.30f, ChestYaw = -0.20f, PelvisRoll = -0.13f, ChestRoll = -0.13f, Lean = 0.02f, HeadSteadiness = 0.6f, TailYaw = 0.8f },
+            BodyPlan.Theropod or BodyPlan.Flapping when species.Waddles => quadruped with { PelvisYaw = 0.30f, ChestYaw = -0.20f, PelvisRoll = -0.13f, ChestRoll = -0.13f, Lean = 0.02f, HeadSteadiness = 0.6f, TailYaw = 0.8f },
             BodyPlan.Upright => quadruped with { PelvisYaw = 0.14f, PelvisRoll = 0.06f, ChestRoll = -0.036f, Lean = 0.05f, HeadSteadiness = 0.85f },
-            BodyPlan.Theropod or BodyPlan.Flapping => quadruped with { PelvisYaw = 0.15f, ChestYaw = 0.07f, PelvisRoll = 0.06f, ChestRoll = -0.036f, Lean = 0.03f, HeadSteadiness = 0.85f, TailYaw = 1.4f, HeadBob = family == "avian" && mass < 20f ? 0.30f : 0f },
+            BodyPlan.Theropod or BodyPlan.Flapping => quadruped with { PelvisYaw = 0.15f, ChestYaw = 0.07f, PelvisRoll = 0.06f, ChestRoll = -0.036f, Lean = 0.03f, HeadSteadiness = 0.85f, TailYaw = 1.4f, HeadBob = species.BobsHead && mass < 20f ? 0.30f : 0f },
             _ => quadruped,
         };
     }
