@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Gltf;

@@ -1,5 +1,6 @@
 using CreatureGen.Json;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Gltf;
 
@@ -51,6 +52,7 @@ internal static class ClipWriter
         json.Name("extras").BeginObject();
         json.Name("loop").Boolean(clip.End == ClipEnd.Loops);
         json.Name("speed").Number(clip.Speed);
+        Models.EventExtras.Write(json, clip.Events);
         json.EndObject();
         json.EndObject();
     }

@@ -65,6 +65,48 @@ internal static class GlbContainer
         return json;
     }
 
+    /// <summary>Reads the binary chunk that follows the JSON; empty if the file ends there. Null if it is broken, with the reason in <paramref name="problem"/>.</summary>
+    /// <param name="source">Read from where <see cref="ReadJson"/> has left it.</param>
+    /// <param name="maximumBytes">A longer chunk is a problem.</param>
+    /// <param name="problem">Why there are no bytes; null if there are.</param>
+    public static byte[]? ReadBinary(Stream source, int maximumBytes, out Problem? problem)
+    {
+        problem = null;
+        byte[] head = ReadUpTo(source, ChunkHeaderLength);
+        if (head.Length == 0)
+        {
+            return head;
+        }
+
+        if (head.Length < ChunkHeaderLength)
+        {
+            problem = new Problem("binary chunk", Bytes(head.Length), "the " + Bytes(ChunkHeaderLength) + " of its header");
+            return null;
+        }
+
+        uint length = LittleEndian.ReadUInt32(head, 0);
+        if (LittleEndian.ReadUInt32(head, 4) != BinaryChunk)
+        {
+            problem = new Problem("second chunk", "type " + Hexadecimal(head.AsSpan(4, 4)), "42 49 4E 00 (\"BIN\")");
+            return null;
+        }
+
+        if (length > (uint)maximumBytes)
+        {
+            problem = new Problem("binary chunk", Bytes(length), "at most " + Bytes(maximumBytes));
+            return null;
+        }
+
+        byte[] binary = ReadUpTo(source, (int)length);
+        if (binary.Length < length)
+        {
+            problem = new Problem("binary chunk", Bytes(binary.Length) + " before the file ends", Bytes(length) + ", as its header says");
+            return null;
+        }
+
+        return binary;
+    }
+
     private static Problem? FindProblem(byte[] head, int maximumBytes)
     {
         if (head.Length < 4 || LittleEndian.ReadUInt32(head, 0) != Magic)

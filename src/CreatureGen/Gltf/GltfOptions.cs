@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Gltf;
 

@@ -29,6 +29,21 @@ internal ref struct InfluenceList
         count = 0;
     }
 
+    /// <summary>Sum of all weights so far.</summary>
+    public readonly float Total
+    {
+        get
+        {
+            float total = 0f;
+            for (int i = 0; i < count; i++)
+            {
+                total += weights[i];
+            }
+
+            return total;
+        }
+    }
+
     /// <summary>Forgets everything.</summary>
     public void Clear() => count = 0;
 

@@ -15,14 +15,28 @@ public static class SkinMatrices
     public static void Fill(Skeleton skeleton, in Pose model, Span<Matrix4x4> matrices)
     {
         model.Require(skeleton);
-        int count = skeleton.Count;
+        Fill(skeleton.ModelRotations, skeleton.ModelPositions, model, matrices);
+    }
+
+    /// <summary>The same for skin that was bound in another pose than the skeleton's rest pose.</summary>
+    /// <param name="bindRotations">Rotation of each joint in the space in which the skin was bound, unit.</param>
+    /// <param name="bindPositions">Position of each joint there, metres.</param>
+    /// <param name="model">The pose in model space.</param>
+    /// <param name="matrices">Receives one matrix per joint, for row vectors.</param>
+    /// <exception cref="ArgumentException">Spans differ in length.</exception>
+    public static void Fill(ReadOnlySpan<Quaternion> bindRotations, ReadOnlySpan<Vector3> bindPositions, in Pose model, Span<Matrix4x4> matrices)
+    {
+        int count = model.Rotations.Length;
         if (matrices.Length != count)
         {
             throw new ArgumentException(FormattableString.Invariant($"{matrices.Length} matrices; expected one for each of the {count} joints"), nameof(matrices));
         }
 
-        ReadOnlySpan<Quaternion> bindRotations = skeleton.ModelRotations;
-        ReadOnlySpan<Vector3> bindPositions = skeleton.ModelPositions;
+        if (bindRotations.Length != count || bindPositions.Length != count)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{bindRotations.Length} rotations and {bindPositions.Length} positions of bound joints; expected one of each for the {count} joints"), nameof(bindRotations));
+        }
+
         ReadOnlySpan<Quaternion> rotations = model.Rotations;
         ReadOnlySpan<Vector3> positions = model.Positions;
         for (int i = 0; i < count; i++)

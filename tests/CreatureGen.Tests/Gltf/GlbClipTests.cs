@@ -10,6 +10,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Sampling;
 using Xunit;

@@ -8,6 +8,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Slithering;
 using CreatureGen.Motion.Swimming;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 using Xunit;
 

@@ -4,6 +4,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;

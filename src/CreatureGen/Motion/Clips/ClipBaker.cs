@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Clips;
+using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Motion;
 

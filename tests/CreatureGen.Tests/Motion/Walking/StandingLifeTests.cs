@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Clips;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Toolkit.Gaze;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Idle;

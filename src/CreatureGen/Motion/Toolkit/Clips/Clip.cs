@@ -1,7 +1,10 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Toolkit;
 
 /// <summary>What becomes of a clip at its end.</summary>
 public enum ClipEnd
@@ -17,7 +20,7 @@ public enum ClipEnd
 /// A piece of motion as poses of all joints in their parents' space, at a fixed rate and in place: the root joint does not travel. Immutable.
 /// </summary>
 /// <remarks>Frames follow one another; each holds one entry per joint in the order of the skeleton. Rotations are unit quaternions that never jump to the other sign from frame to frame; positions are metres.</remarks>
-public sealed class Clip
+public sealed class Clip : IClip
 {
     /// <summary>Frames per second of a clip whose joints turn slowly enough; quick wings take more.</summary>
     public const int UsualRate = 30;
@@ -81,29 +84,68 @@ public sealed class Clip
         }
     }
 
-    /// <summary>Unique among the clips of a creature.</summary>
+    /// <inheritdoc/>
     public string Name { get; }
 
-    /// <summary>What becomes of it at its end.</summary>
+    /// <inheritdoc/>
     public ClipEnd End { get; }
+
+    /// <inheritdoc/>
+    public IReadOnlyList<ClipEvent> Events { get; private init; } = Array.Empty<ClipEvent>();
 
     /// <summary>Frames per second.</summary>
     public int Rate { get; }
 
-    /// <summary>Metres per second ahead at which the creature has to be moved for its feet not to slide.</summary>
+    /// <inheritdoc/>
     public float Speed { get; }
 
-    /// <summary>Number of joints.</summary>
+    /// <inheritdoc/>
     public int Joints { get; }
 
     /// <summary>Number of frames, the last included.</summary>
     public int Frames => rotations.Length / Joints;
 
-    /// <summary>Seconds from the first to the last frame.</summary>
+    /// <inheritdoc/>
     public float Duration => TimeOf(Frames - 1);
 
     /// <summary>Seconds from the first to another frame.</summary>
     public float TimeOf(int frame) => frame / (float)Rate;
+
+    /// <inheritdoc/>
+    public void Sample(float time, in Pose local)
+    {
+        float at = ClipTime.Within(time, Duration, End) * Rate;
+        if (local.Rotations.Length != Joints)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"a pose of {local.Rotations.Length} joints; expected the {Joints} of clip {Name}"), nameof(local));
+        }
+
+        int frame = Math.Min((int)at, Frames - 2);
+        float share = at - frame;
+        ReadOnlySpan<Quaternion> turnsBefore = RotationsAt(frame);
+        ReadOnlySpan<Quaternion> turnsAfter = RotationsAt(frame + 1);
+        ReadOnlySpan<Vector3> placesBefore = PositionsAt(frame);
+        ReadOnlySpan<Vector3> placesAfter = PositionsAt(frame + 1);
+        if (share <= 0f || share >= 1f)
+        {
+            (share <= 0f ? turnsBefore : turnsAfter).CopyTo(local.Rotations);
+            (share <= 0f ? placesBefore : placesAfter).CopyTo(local.Positions);
+            return;
+        }
+
+        for (int i = 0; i < Joints; i++)
+        {
+            local.Rotations[i] = Rotation.Slerp(turnsBefore[i], turnsAfter[i], share);
+            local.Positions[i] = Vec.Lerp(placesBefore[i], placesAfter[i], share);
+        }
+    }
+
+    /// <summary>The same motion with other events.</summary>
+    /// <exception cref="ArgumentException">An event lies outside the clip.</exception>
+    public Clip WithEvents(IReadOnlyList<ClipEvent> events) => new(Name, End, Rate, Speed, Joints, rotations, positions)
+    {
+        Events = ClipTime.Ordered(events ?? throw new ArgumentNullException(nameof(events)), Duration, Name),
+    };
 
     /// <summary>The rotations of a frame, one per joint.</summary>
     public ReadOnlySpan<Quaternion> RotationsAt(int frame) => rotations.AsSpan(frame * Joints, Joints);
