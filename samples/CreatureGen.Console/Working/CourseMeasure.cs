@@ -35,7 +35,7 @@ internal static class CourseMeasure
         RootLag,
         LostGround,
         Of("lostGroundSeconds", run => run.Report.LostGroundSeconds),
-        new("supportMin", WorseFigure.Smaller, run => run.Report.LeastSupport),
+        new("supportMin", WorseFigure.Smaller, run => run.Report.MinSupport),
         new("supportMean", WorseFigure.Smaller, run => run.Report.MeanSupport),
         Of("flightMaxSeconds", run => run.Report.LongestFlight),
         RestingFootSpread,

@@ -19,7 +19,7 @@ internal static class MotionMeasure
     public static readonly Measure<MeasuredRun> PoseJump = Of("poseJumpMax", WorseFigure.Greater, run => run.Report.PoseJump);
     public static readonly Measure<MeasuredRun> LegOverlap = Of("legOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.LegOverlap);
     public static readonly Measure<MeasuredRun> BellyOverlap = Of("bellyOverlapMaxLegLengths", WorseFigure.Greater, run => run.Report.BellyOverlap);
-    public static readonly Measure<MeasuredRun> Support = Of("supportMin", WorseFigure.Smaller, run => run.Report.LeastSupport);
+    public static readonly Measure<MeasuredRun> Support = Of("supportMin", WorseFigure.Smaller, run => run.Report.MinSupport);
 
     /// <summary>All, in the order of the JSON.</summary>
     public static IReadOnlyList<Measure<MeasuredRun>> All { get; } =
@@ -41,8 +41,8 @@ internal static class MotionMeasure
         Metres("penetrationMeanMetres", Of("", WorseFigure.Greater, run => run.Report.MeanPenetration)),
         Metres("floatMaxMetres", Of("", WorseFigure.Greater, run => run.Report.Float)),
         Metres("lockDriftMaxMetres", Of("", WorseFigure.Greater, run => run.Report.LockDrift)),
-        Of("skatingShare", WorseFigure.Greater, run => run.Report.SkatingShare),
-        Of("stretchedShare", WorseFigure.Greater, run => run.Report.StretchedShare),
+        Of("skatingShare", WorseFigure.Greater, run => run.Report.SkatingFraction),
+        Of("stretchedShare", WorseFigure.Greater, run => run.Report.StretchedFraction),
         Of("supportMean", WorseFigure.Smaller, run => run.Report.MeanSupport),
         Metres("bobMetres", Of("", WorseFigure.Greater, run => run.Report.Bob)),
         Metres("legOverlapMaxMetres", LegOverlap),

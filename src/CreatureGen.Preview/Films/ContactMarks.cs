@@ -33,8 +33,8 @@ internal static class ContactMarks
     private const float Flatness = 0.42f;
 
     // Radius of a mark, part of the leg's length, and at least, pixels.
-    private const float LegShare = 0.1f;
-    private const float LeastRadius = 3f;
+    private const float LegFraction = 0.1f;
+    private const float MinRadius = 3f;
 
     private static readonly Pixel outline = new(20, 22, 26);
 
@@ -45,8 +45,8 @@ internal static class ContactMarks
         {
             Vector3 point = marks[foot].Point;
             Vector3 pixel = camera.Project(point, picture.Width, picture.Height);
-            float radius = camera.Project(point + (camera.Right * (LegShare * body.Legs[foot].Length)), picture.Width, picture.Height).X - pixel.X;
-            Ellipse(picture, pixel.X, pixel.Y, Math.Clamp(radius, LeastRadius, picture.Width / 28f), FootName.Colour(body, foot), marks[foot].Stands ? 235 : 0);
+            float radius = camera.Project(point + (camera.Right * (LegFraction * body.Legs[foot].Length)), picture.Width, picture.Height).X - pixel.X;
+            Ellipse(picture, pixel.X, pixel.Y, Math.Clamp(radius, MinRadius, picture.Width / 28f), FootName.Colour(body, foot), marks[foot].Stands ? 235 : 0);
         }
     }
 

@@ -83,15 +83,15 @@ internal static class CycleDiagram
     private static void DrawCurve(Picture picture, Film film, int left, int top, int width)
     {
         (string name, float[] values, bool up) = Stroke(film);
-        float least = values.Min();
-        float range = Math.Max(values.Max() - least, 1e-6f);
+        float min = values.Min();
+        float range = Math.Max(values.Max() - min, 1e-6f);
         Label.Draw(picture, name, LabelLeft, top, LabelSize.Small, ink);
         Label.Draw(picture, up ? "up" : "left", LabelLeft, top + Label.LineHeight(LabelSize.Small), LabelSize.Small, ink);
         Label.Draw(picture, FormattableString.Invariant($"{range:0.00} m"), LabelLeft, top + (2 * Label.LineHeight(LabelSize.Small)), LabelSize.Small, ink);
         int before = -1;
         for (int x = 0; x < width; x++)
         {
-            int y = top + (int)((1f - ((values[MomentAt(film, x, width)] - least) / range)) * (CurveHeight - (2 * TickHeight)));
+            int y = top + (int)((1f - ((values[MomentAt(film, x, width)] - min) / range)) * (CurveHeight - (2 * TickHeight)));
             int from = before < 0 ? y : Math.Min(y, before);
             int to = before < 0 ? y : Math.Max(y, before);
             picture.Fill(new Pixel(38, 112, 201), left + x, from, 1, to - from + 2);
@@ -103,20 +103,20 @@ internal static class CycleDiagram
     private static (string Name, float[] Values, bool Up) Stroke(Film film)
     {
         Vector3[][] moments = Enumerable.Range(0, film.Take.StrokeMoments).Select(film.Take.JointsAt).ToArray();
-        (string Name, float[] Values, bool Up) most = ("", [0f], true);
+        (string Name, float[] Values, bool Up) max = ("", [0f], true);
         foreach ((string name, int tip) in Tips(film))
         {
             foreach (bool up in new[] { true, false })
             {
                 float[] values = Array.ConvertAll(moments, joints => up ? joints[tip].Y : joints[tip].X);
-                if (values.Max() - values.Min() > most.Values.Max() - most.Values.Min())
+                if (values.Max() - values.Min() > max.Values.Max() - max.Values.Min())
                 {
-                    most = (name, values, up);
+                    max = (name, values, up);
                 }
             }
         }
 
-        return most;
+        return max;
     }
 
     private static IEnumerable<(string Name, int Joint)> Tips(Film film)

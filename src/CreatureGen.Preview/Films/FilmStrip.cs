@@ -16,8 +16,8 @@ internal static class FilmStrip
     private const int Margin = 60;
     private const int TitleHeight = 30;
     private const int Gap = 6;
-    private const int LeastHeight = 110;
-    private const int MostHeight = 300;
+    private const int MinHeight = 110;
+    private const int MaxHeight = 300;
 
     // Room in a cell around what is seen.
     private const float Room = 1.3f;
@@ -40,7 +40,7 @@ internal static class FilmStrip
         return strip;
     }
 
-    private static int CellHeight(float heightByWidth) => (int)Scalar.Clamp(CellWidth * heightByWidth * Room, LeastHeight, MostHeight);
+    private static int CellHeight(float heightByWidth) => (int)Scalar.Clamp(CellWidth * heightByWidth * Room, MinHeight, MaxHeight);
 
     private static string Title(Film film)
     {

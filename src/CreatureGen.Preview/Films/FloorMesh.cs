@@ -10,7 +10,7 @@ namespace CreatureGen.Preview.Films;
 internal sealed class FloorMesh
 {
     // Pieces thinner than this, metres squared, are not drawn.
-    private const float LeastArea = 1e-8f;
+    private const float MinArea = 1e-8f;
 
     private readonly RootPlace camera;
     private readonly RootPlace frame;
@@ -44,7 +44,7 @@ internal sealed class FloorMesh
         }
 
         Vector3 across = Vec.Cross(positions[start + 2] - positions[start], positions[start + 3] - positions[start + 1]);
-        if (Vec.Length(across) < LeastArea)
+        if (Vec.Length(across) < MinArea)
         {
             positions.RemoveRange(start, 4);
             colours.RemoveRange(start, 4);

@@ -19,17 +19,17 @@ internal sealed class Take
     public const int StripFrames = 8;
 
     private const float FrameRate = 30f;
-    private const int MostFrames = 120;
+    private const int MaxFrames = 120;
 
     // Moments of a stroke at least, for the diagram.
-    private const int LeastMoments = 240;
+    private const int MinMoments = 240;
 
     // Hills are not shorter than this, leg lengths.
     private const float ShortestPeriod = 4f;
 
     // Way of the whole film at least, body lengths, for checks that can be seen: many-legged creatures take small steps.
     private const float ShortestWay = 0.16f;
-    private const float MostCycles = 8f;
+    private const float MaxCycles = 8f;
 
     private readonly MotionProfile profile;
     private readonly RecordedCycle cycle;
@@ -46,9 +46,9 @@ internal sealed class Take
         float seconds = level.CycleSeconds();
         int strokes = StrokesIn(profile, movement, ref seconds);
         float way = Math.Max(level.Animator.Speed, 0f) * seconds;
-        (Vector3 least, Vector3 most) = MotionTrial.Extent(profile.Creature);
-        float body = most.Z - least.Z;
-        int cycles = OnGround && way > 0f && level.Closes ? (int)Scalar.Clamp((float)Math.Ceiling(ShortestWay * body / way), 1f, MostCycles) : 1;
+        (Vector3 min, Vector3 max) = MotionTrial.Extent(profile.Creature);
+        float body = max.Z - min.Z;
+        int cycles = OnGround && way > 0f && level.Closes ? (int)Scalar.Clamp((float)Math.Ceiling(ShortestWay * body / way), 1f, MaxCycles) : 1;
         SteadyMotion motion = level;
         Ground = FlatGround.Level;
         if (relief == GroundRelief.Rough && OnGround && way > 0f && level.Closes)
@@ -63,8 +63,8 @@ internal sealed class Take
         }
 
         // Of fliers that glide between their beats a stroke is a part of what repeats.
-        int framesPerCycle = StripFrames * Math.Max(2, (int)Math.Round(Math.Min(seconds * FrameRate, MostFrames) / StripFrames));
-        MomentsPerFrame = ((LeastMoments * strokes) + framesPerCycle - 1) / framesPerCycle;
+        int framesPerCycle = StripFrames * Math.Max(2, (int)Math.Round(Math.Min(seconds * FrameRate, MaxFrames) / StripFrames));
+        MomentsPerFrame = ((MinMoments * strokes) + framesPerCycle - 1) / framesPerCycle;
         Frames = framesPerCycle * cycles;
         StrokeMoments = framesPerCycle * MomentsPerFrame / strokes;
         StrokeSeconds = seconds / strokes;

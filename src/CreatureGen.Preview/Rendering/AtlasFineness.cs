@@ -10,7 +10,7 @@ namespace CreatureGen.Preview.Rendering;
 internal static class AtlasFineness
 {
     // Fewer texels than pixels by this much are not seen: texels are filtered, and most of the skin is seen aslant.
-    private const double LeastTexelsPerPixel = 0.75;
+    private const double MinTexelsPerPixel = 0.75;
 
     private const int Finest = 2048;
 
@@ -21,7 +21,7 @@ internal static class AtlasFineness
     public static int SizeFor(RenderMesh mesh, Camera camera, int height)
     {
         double pixelsPerMetre = camera.PixelsPerTangent(height) / Vec.Distance(camera.Eye, camera.Target);
-        double wanted = LeastTexelsPerPixel * pixelsPerMetre / SidesPerMetre(mesh);
+        double wanted = MinTexelsPerPixel * pixelsPerMetre / SidesPerMetre(mesh);
         int size = CreatureTextures.SmallestSize;
         while (size < wanted && size < Finest)
         {

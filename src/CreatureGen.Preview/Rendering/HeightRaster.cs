@@ -104,8 +104,8 @@ internal sealed class HeightRaster
         }
 
         float slopeX = (((b.Z - a.Z) * (c.Y - a.Y)) - ((c.Z - a.Z) * (b.Y - a.Y))) / area;
-        float least = Math.Min(a.Z, Math.Min(b.Z, c.Z));
-        float most = Math.Max(a.Z, Math.Max(b.Z, c.Z));
+        float min = Math.Min(a.Z, Math.Min(b.Z, c.Z));
+        float max = Math.Max(a.Z, Math.Max(b.Z, c.Z));
         for (int y = first; y <= last; y++)
         {
             float at = y + 0.5f;
@@ -124,7 +124,7 @@ internal sealed class HeightRaster
             int row = y * Size;
             for (int x = x0; x <= x1; x++)
             {
-                float z = Math.Clamp(longZ + (slopeX * (x + 0.5f - longX)), least, most);
+                float z = Math.Clamp(longZ + (slopeX * (x + 0.5f - longX)), min, max);
                 ref float lowest = ref Lowest[row + x];
                 if (z < lowest)
                 {

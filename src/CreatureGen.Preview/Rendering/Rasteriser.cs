@@ -119,8 +119,8 @@ internal sealed class Rasteriser
         stepX0 = Vector256.ConditionalSelect(unused, Vector256<int>.Zero, stepX0);
         stepY0 = Vector256.ConditionalSelect(unused, Vector256<int>.Zero, stepY0);
         Vector256<float> depthOffsets = DepthOffsets(in t);
-        Vector256<float> least = Vector256.Create(t.DepthMin);
-        Vector256<float> most = Vector256.Create(t.DepthMax);
+        Vector256<float> min = Vector256.Create(t.DepthMin);
+        Vector256<float> max = Vector256.Create(t.DepthMax);
         Vector256<int> name = Vector256.Create(index);
         for (int y = minY; y <= maxY; y++)
         {
@@ -137,7 +137,7 @@ internal sealed class Rasteriser
                 if (outside != Vector256<int>.AllBitsSet)
                 {
                     Vector256<float> d = Vector256.Create(rowDepth + (t.DepthX * (x + minX - t.MinX))) + depthOffsets;
-                    d = Vector256.Min(Vector256.Max(d, least), most);
+                    d = Vector256.Min(Vector256.Max(d, min), max);
                     ref Vector256<float> depth = ref depthRow[x];
                     Vector256<float> nearer = Vector256.AndNot(Vector256.GreaterThan(d, depth), outside.AsSingle());
                     depth = Vector256.ConditionalSelect(nearer, d, depth);

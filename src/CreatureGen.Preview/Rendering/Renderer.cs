@@ -42,11 +42,11 @@ public static class Renderer
         }
     }
 
-    private static void CheckRange(int value, int least, int most, string name)
+    private static void CheckRange(int value, int min, int max, string name)
     {
-        if (value < least || value > most)
+        if (value < min || value > max)
         {
-            throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"expected {least}..{most}"));
+            throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"expected {min}..{max}"));
         }
     }
 

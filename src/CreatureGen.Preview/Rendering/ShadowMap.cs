@@ -18,7 +18,7 @@ internal sealed class ShadowMap
     private const float SearchPart = 0.25f;
 
     // Cosine of the steepest slope to the light whose plane is followed.
-    private const float LeastCosine = 0.2f;
+    private const float MinCosine = 0.2f;
 
     private static readonly SunflowerPattern SearchPattern = new(6);
     private static readonly SunflowerPattern AveragePattern = new(8);
@@ -48,7 +48,7 @@ internal sealed class ShadowMap
         Vector3 lifted = point + (normal * raster.TexelSize);
         raster.Locate(lifted, out float u, out float v);
         float height = Vec.Dot(lifted, raster.Direction) + bias;
-        float slope = -raster.TexelSize / Math.Max(LeastCosine, cosine);
+        float slope = -raster.TexelSize / Math.Max(MinCosine, cosine);
         float slopeU = slope * Vec.Dot(normal, raster.AxisU);
         float slopeV = slope * Vec.Dot(normal, raster.AxisV);
 

@@ -55,7 +55,7 @@ internal sealed class SurfaceLight
     {
         int x = pixel % width;
         int y = pixel / width;
-        float least = float.PositiveInfinity;
+        float min = float.PositiveInfinity;
         Vector2 result = smooth[pixel];
         for (int sy = Math.Max(0, y - 1); sy <= Math.Min(height - 1, y + 1); sy++)
         {
@@ -63,9 +63,9 @@ internal sealed class SurfaceLight
             {
                 int at = (sy * width) + sx;
                 float difference = Math.Abs(surface.Depths[at] - depth);
-                if (surface.Depths[at] > 0f && difference < least)
+                if (surface.Depths[at] > 0f && difference < min)
                 {
-                    least = difference;
+                    min = difference;
                     result = smooth[at];
                 }
             }

@@ -12,14 +12,14 @@ namespace CreatureGen.Creatures;
 /// </remarks>
 public sealed class CreatureLods
 {
-    private static readonly double[] shares = { 1, 0.5, 0.25, 0.1 };
+    private static readonly double[] fractions = { 1, 0.5, 0.25, 0.1 };
 
     private readonly CreatureLod[] levels;
 
     private CreatureLods(CreatureLod[] levels) => this.levels = levels;
 
     /// <summary>Part of the triangles that each level keeps, finest first: 1, 0.5, 0.25, 0.1.</summary>
-    public static IReadOnlyList<double> Shares => shares;
+    public static IReadOnlyList<double> Fractions => fractions;
 
     /// <summary>Number of levels: 4.</summary>
     public int Count => levels.Length;
@@ -50,10 +50,10 @@ public sealed class CreatureLods
         _ = mesh ?? throw new ArgumentNullException(nameof(mesh));
         var reduction = new MeshReduction(mesh);
         int triangles = reduction.Triangles;
-        var levels = new CreatureLod[shares.Length];
+        var levels = new CreatureLod[fractions.Length];
         for (int i = 0; i < levels.Length; i++)
         {
-            reduction.ReduceTo((int)(triangles * shares[i]));
+            reduction.ReduceTo((int)(triangles * fractions[i]));
             levels[i] = reduction.ToLevel();
         }
 

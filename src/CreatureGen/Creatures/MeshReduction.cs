@@ -172,14 +172,14 @@ internal sealed class MeshReduction
         }
 
         surface.Neighbours(point, around);
-        double least = double.PositiveInfinity;
+        double min = double.PositiveInfinity;
         foreach (int n in around)
         {
-            least = Math.Min(least, cost.LeastOf(point, n));
+            min = Math.Min(min, cost.MinOf(point, n));
         }
 
         queued[point] = true;
-        queue.Add(point, least);
+        queue.Add(point, min);
     }
 
     /// <summary>Pulls a point onto the neighbour for which that costs least; puts it back when that costs more than was known, and sets it aside when no neighbour will do.</summary>
@@ -285,14 +285,14 @@ internal sealed class MeshReduction
         for (int i = 0; i < found.Count; i++)
         {
             (int vertex, int other) = found[i];
-            found[i] = (vertex, other >= 0 ? other : MostAlike(vertex, to));
+            found[i] = (vertex, other >= 0 ? other : MaxAlike(vertex, to));
         }
 
         return false;
     }
 
     /// <summary>The vertex of a point that looks most like another vertex.</summary>
-    private int MostAlike(int vertex, int point)
+    private int MaxAlike(int vertex, int point)
     {
         surface.VerticesOf(point, around);
         int best = around[0];
@@ -353,7 +353,7 @@ internal sealed class MeshReduction
 
             // The last triangle of a vertex may have gone while its point stayed with others.
             int at = End(v, remap);
-            final[v] = used[at] ? at : MostAlike(v, point);
+            final[v] = used[at] ? at : MaxAlike(v, point);
         }
 
         return final;

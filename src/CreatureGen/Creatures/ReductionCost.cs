@@ -108,7 +108,7 @@ internal sealed class ReductionCost
     }
 
     /// <summary>A cost that <see cref="Of"/> does not fall below.</summary>
-    public double LeastOf(int from, int to) =>
+    public double MinOf(int from, int to) =>
         simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * Vec.LengthSquared(positions[from] - positions[to]) * Stretch * Stretch));
 
     /// <summary>The cost of the loss of a piece.</summary>

@@ -154,22 +154,22 @@ public sealed class EngineMesh
         int rest = byte.MaxValue;
         for (int k = 0; k < 4; k++)
         {
-            float share = lost[k] * byte.MaxValue;
-            packed[k] = (byte)Math.Min((int)share, rest);
-            lost[k] = share - packed[k];
+            float fraction = lost[k] * byte.MaxValue;
+            packed[k] = (byte)Math.Min((int)fraction, rest);
+            lost[k] = fraction - packed[k];
             rest -= packed[k];
         }
 
         for (; rest > 0; rest--)
         {
-            int most = 0;
+            int max = 0;
             for (int k = 1; k < 4; k++)
             {
-                most = lost[k] > lost[most] ? k : most;
+                max = lost[k] > lost[max] ? k : max;
             }
 
-            packed[most]++;
-            lost[most] -= 1f;
+            packed[max]++;
+            lost[max] -= 1f;
         }
     }
 

@@ -16,10 +16,10 @@ namespace CreatureGen.Geometry;
 internal sealed class CollapsingMesh
 {
     /// <summary>Cosine of the largest turn of a triangle in one step: about 70°.</summary>
-    private const double LeastTurn = 0.35;
+    private const double MinTurn = 0.35;
 
     /// <summary>Twice the area of a triangle relative to the square of its longest edge: thinner ones are only made of those that are as thin.</summary>
-    private const double LeastShape = 0.06;
+    private const double MinShape = 0.06;
 
     private readonly Vector3[] positions;
     private readonly Vector3[] normals;
@@ -369,10 +369,10 @@ internal sealed class CollapsingMesh
             Vector3 turned = Vec.Cross(a - after, b - after);
             double oldLength = Vec.Length(old);
             double newLength = Vec.Length(turned);
-            double shape = Math.Min(LeastShape, 0.9 * oldLength / Longest(before, a, b));
+            double shape = Math.Min(MinShape, 0.9 * oldLength / Longest(before, a, b));
             Vector3 facing = normals[i] + normals[j];
             bool turnsAway = Vec.Dot(turned, facing + normals[to]) <= 0f && Vec.Dot(old, facing + normals[from]) > 0f;
-            if (turnsAway || !(newLength > shape * Longest(after, a, b)) || !(Vec.Dot(old, turned) > LeastTurn * oldLength * newLength))
+            if (turnsAway || !(newLength > shape * Longest(after, a, b)) || !(Vec.Dot(old, turned) > MinTurn * oldLength * newLength))
             {
                 return true;
             }

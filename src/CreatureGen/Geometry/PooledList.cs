@@ -84,9 +84,9 @@ internal sealed class PooledList<T> : IDisposable
         }
     }
 
-    private void Grow(int least)
+    private void Grow(int min)
     {
-        T[] larger = ArrayPool<T>.Shared.Rent(Math.Max(least, 2 * items.Length));
+        T[] larger = ArrayPool<T>.Shared.Rent(Math.Max(min, 2 * items.Length));
         Items.CopyTo(larger);
         ArrayPool<T>.Shared.Return(items);
         items = larger;

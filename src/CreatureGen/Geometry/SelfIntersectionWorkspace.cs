@@ -146,13 +146,13 @@ public sealed class SelfIntersectionWorkspace
             ulong pair = pairs[p];
             ReadOnlySpan<int> other = corners.Slice(3 * Second(pair), 3);
             pairs[kept] = pair;
-            bool shares = false;
+            bool fractions = false;
             foreach (int corner in corners.Slice(3 * First(pair), 3))
             {
-                shares |= corner == other[0] || corner == other[1] || corner == other[2];
+                fractions |= corner == other[0] || corner == other[1] || corner == other[2];
             }
 
-            kept += shares ? 0 : 1;
+            kept += fractions ? 0 : 1;
         }
 
         return kept;

@@ -30,14 +30,14 @@ public static class SurfaceNormals
         TriangleList.RequireFinite(positions);
         RequireLength(normals.Length, positions.Length, "vertex");
         double twice = 2 * Tolerance.DegenerateAreaPerDiagonalSquared * PointBounds.Of(positions).DiagonalSquared;
-        double least = twice * twice;
+        double min = twice * twice;
         double[] buffer = ArrayPool<double>.Shared.Rent(3 * positions.Length);
         Span<double> sums = buffer.AsSpan(0, 3 * positions.Length);
         sums.Clear();
         for (int t = 0; t + 2 < triangles.Length; t += 3)
         {
             int i = triangles[t], j = triangles[t + 1], k = triangles[t + 2];
-            Add(sums, i, j, k, positions[i], positions[j], positions[k], least);
+            Add(sums, i, j, k, positions[i], positions[j], positions[k], min);
         }
 
         for (int v = 0; v < normals.Length; v++)
@@ -68,7 +68,7 @@ public static class SurfaceNormals
     }
 
     /// <summary>Adds a triangle at its three corners. Each corner takes the product of its own two edges, so that no corner is the first.</summary>
-    private static void Add(Span<double> sums, int i, int j, int k, Vector3 a, Vector3 b, Vector3 c, double leastSquared)
+    private static void Add(Span<double> sums, int i, int j, int k, Vector3 a, Vector3 b, Vector3 c, double minSquared)
     {
         double ux = (double)b.X - a.X, uy = (double)b.Y - a.Y, uz = (double)b.Z - a.Z;
         double vx = (double)c.X - b.X, vy = (double)c.Y - b.Y, vz = (double)c.Z - b.Z;
@@ -77,7 +77,7 @@ public static class SurfaceNormals
         double bx = (uy * vz) - (uz * vy), by = (uz * vx) - (ux * vz), bz = (ux * vy) - (uy * vx);
         double cx = (vy * wz) - (vz * wy), cy = (vz * wx) - (vx * wz), cz = (vx * wy) - (vy * wx);
         double squared = Math.Max((ax * ax) + (ay * ay) + (az * az), Math.Max((bx * bx) + (by * by) + (bz * bz), (cx * cx) + (cy * cy) + (cz * cz)));
-        if (!(squared > 0 && squared >= leastSquared))
+        if (!(squared > 0 && squared >= minSquared))
         {
             return;
         }

@@ -199,7 +199,7 @@ internal static class TopologySurvey
     private static int CountDegenerate(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles)
     {
         double twice = 2 * Tolerance.DegenerateAreaPerDiagonalSquared * PointBounds.Of(positions).DiagonalSquared;
-        double least = twice * twice;
+        double min = twice * twice;
         int degenerate = 0;
         for (int t = 0; t < triangles.Length; t += 3)
         {
@@ -208,7 +208,7 @@ internal static class TopologySurvey
             double vx = (double)c.X - a.X, vy = (double)c.Y - a.Y, vz = (double)c.Z - a.Z;
             double x = (uy * vz) - (uz * vy), y = (uz * vx) - (ux * vz), z = (ux * vy) - (uy * vx);
             double squared = (x * x) + (y * y) + (z * z);
-            degenerate += squared > 0 && squared >= least ? 0 : 1;
+            degenerate += squared > 0 && squared >= min ? 0 : 1;
         }
 
         return degenerate;

@@ -49,7 +49,7 @@ internal static class ExportCheck
     private static void RequireAttachmentPoints(Creature creature)
     {
         var names = new HashSet<string>(StringComparer.Ordinal);
-        for (int level = 0; level < CreatureLods.Shares.Count; level++)
+        for (int level = 0; level < CreatureLods.Fractions.Count; level++)
         {
             names.Add(NodeTree.NameOfLevel(level));
         }

@@ -19,7 +19,7 @@ internal static class AngleReduction
 
     // 2^20 · π/2 is the end of the exact products; what is left of a smaller angle must keep 2^−30 for its rest to have all its bits.
     private const double PartsEnd = 1.6e6;
-    private const double PartsLeast = 1.0 / (1 << 30);
+    private const double PartsMin = 1.0 / (1 << 30);
 
     /// <summary>64 zero bits, then the first 1216 binary digits of 2/π.</summary>
     private static readonly ulong[] TwoOverPiDigits =
@@ -43,7 +43,7 @@ internal static class AngleReduction
         {
             double n = ((x * TwoOverPi) + RoundingShift) - RoundingShift;
             double high = ErrorFree.Sum(x - (n * HalfPi1), -(n * HalfPi2), out double low);
-            if (Math.Abs(high) >= PartsLeast)
+            if (Math.Abs(high) >= PartsMin)
             {
                 left = ErrorFree.OrderedSum(high, -(n * HalfPi3), out rest);
                 rest += low;

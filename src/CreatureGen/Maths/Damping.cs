@@ -36,8 +36,8 @@ public static class Damping
     public static float Integral(float rate, float seconds)
     {
         double x = (double)rate * seconds;
-        double share = x < Small ? 1 - (x * (0.5 - (x * (1.0 / 6)))) : (1 - PortableMath.Exp(-x)) / x;
-        return (float)(share * seconds);
+        double fraction = x < Small ? 1 - (x * (0.5 - (x * (1.0 / 6)))) : (1 - PortableMath.Exp(-x)) / x;
+        return (float)(fraction * seconds);
     }
 
     /// <summary>Follows a goal that moved in a straight line during the step, where <see cref="Approach(float, float, float, float)"/> supposes that it was at its end all along.</summary>

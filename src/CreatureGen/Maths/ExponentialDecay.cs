@@ -4,17 +4,17 @@ namespace CreatureGen.Maths;
 internal struct ExponentialDecay
 {
     private float last;
-    private float share;
+    private float fraction;
 
     /// <summary>The share for a rate times a time.</summary>
-    public float Share(float x)
+    public float Fraction(float x)
     {
         if (x != last)
         {
             last = x;
-            share = 1f - (float)PortableMath.Exp(-x);
+            fraction = 1f - (float)PortableMath.Exp(-x);
         }
 
-        return share;
+        return fraction;
     }
 }

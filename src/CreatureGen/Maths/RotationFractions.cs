@@ -6,7 +6,7 @@ namespace CreatureGen.Maths;
 /// <summary>Shares of one turn, the shorter way: as <see cref="Rotation.Slerp"/> from the identity, with what concerns the whole turn worked out once.</summary>
 internal readonly struct RotationFractions
 {
-    private const double LeastSine = 1e-9;
+    private const double MinSine = 1e-9;
 
     private readonly Vector3 axis;
     private readonly float half;
@@ -19,7 +19,7 @@ internal readonly struct RotationFractions
         double y = turn.Y;
         double z = turn.Z;
         double sine = Math.Sqrt((x * x) + (y * y) + (z * z));
-        if (sine < LeastSine)
+        if (sine < MinSine)
         {
             axis = Vector3.Zero;
             half = 0;
@@ -32,9 +32,9 @@ internal readonly struct RotationFractions
     }
 
     /// <summary>The turn by a share of its angle.</summary>
-    public Quaternion At(float share)
+    public Quaternion At(float fraction)
     {
-        FastTrigonometry.SinCos(share * half, out float sine, out float cosine);
+        FastTrigonometry.SinCos(fraction * half, out float sine, out float cosine);
         return new Quaternion(axis * sine, cosine);
     }
 }

@@ -7,11 +7,11 @@ internal static class Selection
 {
     /// <summary>The value below which the given share of the values lies. Reorders the span.</summary>
     /// <param name="values">At least one number, none NaN.</param>
-    /// <param name="share">0 for the least value, 1 for the greatest.</param>
+    /// <param name="fraction">0 for the least value, 1 for the greatest.</param>
     /// <remarks>Based on: C. A. R. Hoare, "Algorithm 65: Find" (1961), with the median of three as pivot.</remarks>
-    public static float Percentile(Span<float> values, double share)
+    public static float Percentile(Span<float> values, double fraction)
     {
-        int n = (int)((share * (values.Length - 1)) + 0.5);
+        int n = (int)((fraction * (values.Length - 1)) + 0.5);
         int low = 0;
         int high = values.Length - 1;
         while (low < high)

@@ -7,7 +7,7 @@ namespace CreatureGen.Maths;
 /// <summary>Rotations between unit vectors in single precision, for code that runs for every joint of every frame. <see cref="Rotation"/> has the same in double precision and for vectors of any length.</summary>
 internal static class UnitRotation
 {
-    private const double LeastSine = 1e-4;
+    private const double MinSine = 1e-4;
     private const float NearlyOpposite = 0.01f;
 
     /// <summary>The smallest rotation that takes one unit vector to another: (from × to, 1 + from · to) brought to unit length.</summary>
@@ -48,7 +48,7 @@ internal static class UnitRotation
         Vector3 wanted = Vec.Reject(toSide, to);
         float nowSquared = Vec.LengthSquared(now);
         float wantedSquared = Vec.LengthSquared(wanted);
-        if (!(wantedSquared > LeastSine * LeastSine * Vec.LengthSquared(toSide)) || !(nowSquared > LeastSine * LeastSine * Vec.LengthSquared(fromSide)))
+        if (!(wantedSquared > MinSine * MinSine * Vec.LengthSquared(toSide)) || !(nowSquared > MinSine * MinSine * Vec.LengthSquared(fromSide)))
         {
             return SimdKernels.Scale(swing, 1f / MathF.Sqrt(squared));
         }
@@ -104,6 +104,6 @@ internal static class UnitRotation
     {
         Vector3 across = Vec.Reject(v, axis);
         float squared = Vec.LengthSquared(across);
-        return squared > (float)(LeastSine * LeastSine) * Vec.LengthSquared(v) ? across / (float)Math.Sqrt(squared) : fallback;
+        return squared > (float)(MinSine * MinSine) * Vec.LengthSquared(v) ? across / (float)Math.Sqrt(squared) : fallback;
     }
 }

@@ -57,7 +57,7 @@ public sealed class CreatureAnimator
         LocalPose.SetToRest(skeleton);
         ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
         int feet = profile.Legs?.Legs.Length ?? 0;
-        events = new EventQueue((2 * feet * WalkingMode.MostSteps) + (profile.Flight != null ? FlyingMode.MostBeats : 0));
+        events = new EventQueue((2 * feet * WalkingMode.MaxSteps) + (profile.Flight != null ? FlyingMode.MaxBeats : 0));
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature);

@@ -13,7 +13,7 @@ internal sealed class SecondaryMotion
     private const float Thickness = 0.03f;
 
     /// <summary>Part of a joint's limit that its spring may take up.</summary>
-    private const float SwingShare = 0.38f;
+    private const float SwingFraction = 0.38f;
 
     private readonly SpringRig[] rigs;
     private readonly SpringSettings[] settings;
@@ -119,14 +119,14 @@ internal sealed class SecondaryMotion
     /// <summary>Settings whose swing leaves room for the motion within the narrowest joint's limits.</summary>
     private static SpringSettings Within(in SpringSettings settings, SpringRig rig)
     {
-        float most = settings.MostSwing;
+        float max = settings.MaxSwing;
         foreach (int joint in rig.Joints)
         {
             JointLimit limit = rig.Skeleton.Joints[joint].Limit;
-            float least = Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
-            most = Math.Min(most, Math.Max(SwingShare * least, 0.02f));
+            float min = Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+            max = Math.Min(max, Math.Max(SwingFraction * min, 0.02f));
         }
 
-        return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, most, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle, settings.MostSpeed);
+        return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, max, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle, settings.MaxSpeed);
     }
 }

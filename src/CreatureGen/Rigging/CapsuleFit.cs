@@ -12,10 +12,10 @@ namespace CreatureGen.Rigging;
 internal readonly struct CapsuleFit
 {
     /// <summary>Share of the points that lie within the radius: as much of the skin stands out of the capsule as lies in it where a section is not round.</summary>
-    private const double RadiusShare = 0.7;
+    private const double RadiusFraction = 0.7;
 
     /// <summary>Share of the points at each end that the capsule may leave out.</summary>
-    private const double EndShare = 0.03;
+    private const double EndFraction = 0.03;
 
     private CapsuleFit(Vector3 start, Vector3 end, float radius)
     {
@@ -57,9 +57,9 @@ internal readonly struct CapsuleFit
             away[i] = Vec.Length(d - (direction * along[i]));
         }
 
-        float radius = Selection.Percentile(away, RadiusShare);
-        float first = Selection.Percentile(along, EndShare);
-        float last = Selection.Percentile(along, 1 - EndShare);
+        float radius = Selection.Percentile(away, RadiusFraction);
+        float first = Selection.Percentile(along, EndFraction);
+        float last = Selection.Percentile(along, 1 - EndFraction);
         float middle = (first + last) / 2f;
         float half = Math.Max(((last - first) / 2f) - radius, 0f);
         return new CapsuleFit(axis + (direction * (middle - half)), axis + (direction * (middle + half)), radius);

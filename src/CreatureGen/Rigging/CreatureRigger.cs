@@ -149,7 +149,7 @@ internal static class CreatureRigger
 
         bool shoulder = appendage.Pair == 1 && appendage.Kind is LimbKind.Arm or LimbKind.Wing;
         int nearest = forward[0];
-        double least = double.MaxValue;
+        double min = double.MaxValue;
         for (int k = 0; k < forward.Length; k++)
         {
             JointRole role = layout.Forward[k].Role;
@@ -159,9 +159,9 @@ internal static class CreatureRigger
             }
 
             double distance = Math.Abs(line.ArcAt(layout.Forward[k].Ring) - arc);
-            if (distance < least)
+            if (distance < min)
             {
-                least = distance;
+                min = distance;
                 nearest = forward[k];
             }
         }

@@ -14,7 +14,7 @@ namespace CreatureGen.Rigging;
 internal static class JointFrame
 {
     /// <summary>Below this share of its length, an axis left over across the bone gives no stable roll.</summary>
-    private const float LeastAcross = 0.2f;
+    private const float MinAcross = 0.2f;
 
     /// <summary>A bone in the sagittal plane: local +X is exactly the model's +X.</summary>
     /// <param name="direction">Of the bone, any length; its x is ignored.</param>
@@ -31,7 +31,7 @@ internal static class JointFrame
     {
         Vector3 along = Vec.Normalize(direction, -Vector3.UnitY);
         Vector3 across = Vec.Reject(hinge, along);
-        if (Vec.Length(across) < LeastAcross)
+        if (Vec.Length(across) < MinAcross)
         {
             across = Vec.Reject(along.X * along.X > 0.5f ? Vector3.UnitZ : Vector3.UnitX, along);
         }
@@ -47,7 +47,7 @@ internal static class JointFrame
     {
         Vector3 along = Vec.Normalize(direction, Vector3.UnitX);
         Vector3 over = Vec.Reject(up, along);
-        if (Vec.Length(over) < LeastAcross)
+        if (Vec.Length(over) < MinAcross)
         {
             over = Vec.Reject(-Vector3.UnitZ, along);
         }

@@ -24,7 +24,7 @@ internal static class JointLimits
 {
     private const double BendPerChain = 200;
     private const double BendPerUndulatingChain = 480;
-    private const double MostPerBone = 60;
+    private const double MaxPerBone = 60;
     private const double SkinStretch = 0.64;
 
     // Archetype: hip, knee, ankle, ball; each X least and most, Z least and most, twist least and most.
@@ -100,14 +100,14 @@ internal static class JointLimits
     /// <summary>Limits of a joint of a neck, a tail or the body of a swimmer: a chain of so many bones.</summary>
     public static JointLimit Chain(int bones)
     {
-        float bend = (float)Scalar.Radians(Math.Min(BendPerChain / Math.Max(bones, 1), MostPerBone));
+        float bend = (float)Scalar.Radians(Math.Min(BendPerChain / Math.Max(bones, 1), MaxPerBone));
         return new JointLimit(bend, bend, bend / 2);
     }
 
     /// <summary>Limits of a joint of a body that moves by waves (swimmers, snakes), a chain of so many bones: it bends to both sides at once, so that its sum stays small where each bone bends far.</summary>
     public static JointLimit Undulating(int bones)
     {
-        float bend = (float)Scalar.Radians(Math.Min(BendPerUndulatingChain / Math.Max(bones, 1), MostPerBone));
+        float bend = (float)Scalar.Radians(Math.Min(BendPerUndulatingChain / Math.Max(bones, 1), MaxPerBone));
         return new JointLimit(bend, bend, bend / 4);
     }
 
@@ -125,9 +125,9 @@ internal static class JointLimits
         float up = Bend(shape.Top);
         float down = Bend(shape.Bottom);
         float side = Bend(shape.Width);
-        float most = Math.Min(up, down);
+        float max = Math.Min(up, down);
         return new JointLimit(
-            new AngleRange(Math.Max(limit.SwingX.Min, -most), Math.Min(limit.SwingX.Max, most)),
+            new AngleRange(Math.Max(limit.SwingX.Min, -max), Math.Min(limit.SwingX.Max, max)),
             new AngleRange(Math.Max(limit.SwingZ.Min, -side), Math.Min(limit.SwingZ.Max, side)),
             limit.Twist);
     }

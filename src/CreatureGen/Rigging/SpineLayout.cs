@@ -43,7 +43,7 @@ internal sealed class SpineLayout
     /// <summary>Length of the tail's bones of a legless body over that of its trunk's, and their greatest number.</summary>
     private const double LeglessTailSpacing = 1.1;
 
-    private const int MostLeglessTailBones = 12;
+    private const int MaxLeglessTailBones = 12;
 
     /// <summary>Rings per bone at least: a bone between two rings would hold no skin.</summary>
     private const double RingsPerBone = 1.2;
@@ -111,7 +111,7 @@ internal sealed class SpineLayout
         var forward = new List<SpineNode> { new("Pelvis", JointRole.Pelvis, pelvis) };
         double trunk = (line.ArcAt(pelvis) - line.ArcAt(chest)) * scale;
         int bones = plan == BodyPlan.Legless ? 6 + StepsBelow(leglessSteps, trunk) : 2 + StepsBelow(trunkSteps, trunk);
-        bones = Math.Min(bones, MostBones(pelvis - chest) - 1);
+        bones = Math.Min(bones, MaxBones(pelvis - chest) - 1);
         AddEvenly(forward, line, "Spine_", JointRole.Spine, pelvis, chest, bones);
         forward.Add(new SpineNode("Chest", JointRole.Chest, chest));
         AddNeck(forward, line, Math.Min(chest, 26), scale);
@@ -125,10 +125,10 @@ internal sealed class SpineLayout
         if (plan == BodyPlan.Legless)
         {
             // A body that bends as a whole bends as far in its tail as in its trunk.
-            tailBones = Math.Max(tailBones, Math.Min((int)(tail / (LeglessTailSpacing * spacing)), MostLeglessTailBones));
+            tailBones = Math.Max(tailBones, Math.Min((int)(tail / (LeglessTailSpacing * spacing)), MaxLeglessTailBones));
         }
 
-        tailBones = Math.Min(tailBones, MostBones(last - first));
+        tailBones = Math.Min(tailBones, MaxBones(last - first));
         var backward = new List<SpineNode>();
         AddThrough(backward, line, "Tail_", JointRole.Tail, first, last, tailBones);
         double root = line.RingAt((line.ArcAt(pelvis) + line.ArcAt(chest)) / 2);
@@ -154,7 +154,7 @@ internal sealed class SpineLayout
         double length = (line.Length - line.ArcAt(SwimmerRootRing)) * scale;
         if (plan == BodyPlan.Eel)
         {
-            AddThrough(backward, line, "Spine_", JointRole.Spine, SwimmerRootRing, 53, Math.Min(18 + (2 * StepsBelow(eelSteps, length)), MostBones(53 - SwimmerRootRing)));
+            AddThrough(backward, line, "Spine_", JointRole.Spine, SwimmerRootRing, 53, Math.Min(18 + (2 * StepsBelow(eelSteps, length)), MaxBones(53 - SwimmerRootRing)));
         }
         else
         {
@@ -209,7 +209,7 @@ internal sealed class SpineLayout
         if (bones > 3)
         {
             double first = from > neckRings[0] + 2 ? neckRings[0] : from - 1;
-            AddThrough(nodes, line, "Neck_", JointRole.Neck, first, HeadRing + 1.4, Math.Min(bones, MostBones(first - HeadRing - 1.4)));
+            AddThrough(nodes, line, "Neck_", JointRole.Neck, first, HeadRing + 1.4, Math.Min(bones, MaxBones(first - HeadRing - 1.4)));
             return;
         }
 
@@ -245,7 +245,7 @@ internal sealed class SpineLayout
         }
     }
 
-    private static int MostBones(double rings) => 1 + (int)Math.Max(rings / RingsPerBone, 0);
+    private static int MaxBones(double rings) => 1 + (int)Math.Max(rings / RingsPerBone, 0);
 
     private static int StepsBelow(double[] steps, double value)
     {

@@ -45,7 +45,7 @@ internal sealed class SpineLine
         }
 
         double step = shape.Arc[i] - shape.Arc[i - 1];
-        double share = step > 0 ? (arc - shape.Arc[i - 1]) / step : 0;
-        return i - 1 + Math.Min(Math.Max(share, 0), 1);
+        double fraction = step > 0 ? (arc - shape.Arc[i - 1]) / step : 0;
+        return i - 1 + Math.Min(Math.Max(fraction, 0), 1);
     }
 }

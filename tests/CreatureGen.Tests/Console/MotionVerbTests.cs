@@ -80,7 +80,7 @@ public sealed class MotionVerbTests
             Assert.Equal(report.Penetration, runs[i].GetProperty("penetrationMaxLegLengths").GetSingle());
             Assert.Equal(report.StanceResidual * profile.LegLength, runs[i].GetProperty("reachResidualMaxMetres").GetSingle());
             Assert.Equal(report.SwingResidual * profile.LegLength, runs[i].GetProperty("swingResidualMaxMetres").GetSingle());
-            Assert.Equal(report.LeastSupport, runs[i].GetProperty("supportMin").GetInt32());
+            Assert.Equal(report.MinSupport, runs[i].GetProperty("supportMin").GetInt32());
         }
     }
 

@@ -29,15 +29,15 @@ public sealed class OrderedWorkTests
     {
         int taken = 0;
         int done = 0;
-        int most = 0;
+        int max = 0;
         OrderedWork<int, int>.Run(Enumerable.Range(0, 5000).Select(i =>
         {
             taken++;
-            most = Math.Max(most, taken - done);
+            max = Math.Max(max, taken - done);
             return i;
         }), 4, i => i, _ => done++, TestContext.Current.CancellationToken);
         Assert.Equal(5000, done);
-        Assert.InRange(most, 1, (4 * 16) + 1);
+        Assert.InRange(max, 1, (4 * 16) + 1);
     }
 
     [Theory]

@@ -30,7 +30,7 @@ public sealed class CreatureLodsTests
                 int triangles = level.Triangles.Length / 3;
 
                 // A step takes two mirrored pairs of triangles; the loss of a piece what is left of it.
-                Assert.InRange(triangles, (all * CreatureLods.Shares[i]) - 120, all * CreatureLods.Shares[i]);
+                Assert.InRange(triangles, (all * CreatureLods.Fractions[i]) - 120, all * CreatureLods.Fractions[i]);
                 CreatureMesh alone = level.ToMesh();
                 VertexWelding welding = VertexWelding.Weld(alone.Positions);
                 SurfaceTopology topology = SurfaceTopology.Of(welding.Positions, welding.Apply(alone.Triangles));

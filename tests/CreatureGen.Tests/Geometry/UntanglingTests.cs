@@ -40,10 +40,10 @@ public sealed class UntanglingTests
         {
             Surface surface = GrownSurface.Grow(BlueprintSampler.Sample(seed, kind)).Surface;
             int[] mirror = surface.Mirror;
-            var triangles = surface.Triangles.Chunk(3).Select(t => FromLeast(t[0], t[1], t[2])).ToHashSet();
+            var triangles = surface.Triangles.Chunk(3).Select(t => FromMin(t[0], t[1], t[2])).ToHashSet();
             foreach (int[] t in surface.Triangles.Chunk(3))
             {
-                Assert.Contains(FromLeast(mirror[t[0]], mirror[t[2]], mirror[t[1]]), triangles);
+                Assert.Contains(FromMin(mirror[t[0]], mirror[t[2]], mirror[t[1]]), triangles);
                 float[] x = Array.ConvertAll(t, v => surface.Positions[v].X);
                 Assert.True(x.Min() >= 0f != x.Max() <= 0f, FormattableString.Invariant($"{kind} {seed}: a triangle from x = {x.Min()} to {x.Max()}"));
             }
@@ -84,5 +84,5 @@ public sealed class UntanglingTests
         return SelfIntersection.Find(positions, triangles, new List<(int, int)>());
     }
 
-    private static (int, int, int) FromLeast(int a, int b, int c) => a < b && a < c ? (a, b, c) : b < c ? (b, c, a) : (c, a, b);
+    private static (int, int, int) FromMin(int a, int b, int c) => a < b && a < c ? (a, b, c) : b < c ? (b, c, a) : (c, a, b);
 }

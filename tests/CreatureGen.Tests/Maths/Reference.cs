@@ -70,8 +70,8 @@ internal readonly struct Reference
     {
         Split(y, out BigInteger ys, out int yp);
         Split(x, out BigInteger xs, out int xp);
-        int least = Math.Min(yp, xp);
-        return new Reference(AngleOf(ys << (yp - least), xs << (xp - least), Math.Atan2(y, x)), -Places);
+        int min = Math.Min(yp, xp);
+        return new Reference(AngleOf(ys << (yp - min), xs << (xp - min), Math.Atan2(y, x)), -Places);
     }
 
     public static Reference Asin(double x)

@@ -17,10 +17,10 @@ public sealed class RotationFractionsTests
         {
             Quaternion any = MovingPose.AnyRotation(random);
             Quaternion turn = i % 3 == 0 ? Rotation.Nlerp(Quaternion.Identity, any, 1e-3) : i % 3 == 1 ? new Quaternion(-any.X, -any.Y, -any.Z, -any.W) : any;
-            var shares = new RotationFractions(turn);
+            var fractions = new RotationFractions(turn);
             for (int k = 0; k <= 4; k++)
             {
-                Assert.True(MovingPose.Between(Rotation.Slerp(Quaternion.Identity, turn, 0.25 * k), shares.At(0.25f * k)) < 2e-6);
+                Assert.True(MovingPose.Between(Rotation.Slerp(Quaternion.Identity, turn, 0.25 * k), fractions.At(0.25f * k)) < 2e-6);
             }
         }
     }

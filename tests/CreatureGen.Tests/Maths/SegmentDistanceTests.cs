@@ -33,17 +33,17 @@ public sealed class SegmentDistanceTests
         for (int round = 0; round < 200; round++)
         {
             (Vector3 a, Vector3 b, Vector3 c, Vector3 d) = (Any(), Any(), Any(), Any());
-            float least = float.MaxValue;
+            float min = float.MaxValue;
             for (int i = 0; i <= 60; i++)
             {
                 for (int k = 0; k <= 60; k++)
                 {
-                    least = Math.Min(least, (a + ((b - a) * (i / 60f)) - c - ((d - c) * (k / 60f))).Length());
+                    min = Math.Min(min, (a + ((b - a) * (i / 60f)) - c - ((d - c) * (k / 60f))).Length());
                 }
             }
 
             float distance = MathF.Sqrt(SegmentDistance.Squared(a, b, c, d));
-            Assert.InRange(distance, least - 0.03f, least + 1e-5f);
+            Assert.InRange(distance, min - 0.03f, min + 1e-5f);
             Assert.Equal(distance, MathF.Sqrt(SegmentDistance.Squared(d, c, b, a)), 1e-4f);
         }
     }

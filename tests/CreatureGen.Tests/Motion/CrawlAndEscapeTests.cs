@@ -62,8 +62,8 @@ public sealed class CrawlAndEscapeTests
             Walkers.Run(animator, 2f, 60f, input, FlatGround.Level);
             Vector3 from = animator.Root.Position;
             int middle = profile.Chain.Bones[profile.Chain.Count / 2].Turn.Joint;
-            float least = float.MaxValue;
-            float most = float.MinValue;
+            float min = float.MaxValue;
+            float max = float.MinValue;
             for (int i = 0; i < 300; i++)
             {
                 animator.Update(1f / 60f, input, FlatGround.Level);
@@ -72,12 +72,12 @@ public sealed class CrawlAndEscapeTests
                     Assert.True(Math.Abs(point.Model.X) < 1e-3f * profile.BodyLength, FormattableString.Invariant($"{creature.Blueprint.Seed} {point.Name}: {point.Model.X}"));
                 }
 
-                least = Math.Min(least, animator.ModelPose.Positions[middle].Y);
-                most = Math.Max(most, animator.ModelPose.Positions[middle].Y);
+                min = Math.Min(min, animator.ModelPose.Positions[middle].Y);
+                max = Math.Max(max, animator.ModelPose.Positions[middle].Y);
             }
 
             Assert.Equal(5f * input.Speed, animator.Root.Position.Z - from.Z, 0.02f * input.Speed);
-            Assert.InRange((most - least) / profile.Wavelength, 0.002f, 0.02f);
+            Assert.InRange((max - min) / profile.Wavelength, 0.002f, 0.02f);
         }
     }
 
@@ -113,7 +113,7 @@ public sealed class CrawlAndEscapeTests
             Walkers.Run(animator, 8f, rate, new MotionInput(0.6f * profile.CruiseSpeed, 0.05f), FlatGround.Level);
             first ??= animator;
             Assert.True(Vec.Distance(first.Root.Position, animator.Root.Position) < 5e-3f * profile.BodyLength, FormattableString.Invariant($"{rate} Hz: {first.Root.Position} and {animator.Root.Position}"));
-            Assert.True(MostApart(first, animator) < 0.03, FormattableString.Invariant($"{rate} Hz: {MostApart(first, animator)} rad"));
+            Assert.True(MaxApart(first, animator) < 0.03, FormattableString.Invariant($"{rate} Hz: {MaxApart(first, animator)} rad"));
         }
     }
 
@@ -178,7 +178,7 @@ public sealed class CrawlAndEscapeTests
                 CreatureAnimator animator = Darted(creature, rate, EscapeTurn.Left);
                 Assert.True(Vec.Distance(fine.Root.Position, animator.Root.Position) < 0.01f * length, FormattableString.Invariant($"{plan} {rate} Hz: {Vec.Distance(fine.Root.Position, animator.Root.Position) / length} L"));
                 Assert.True(Rotation.Angle(Rotation.Multiply(Rotation.Inverse(fine.Root.Rotation), animator.Root.Rotation)) < 1e-3);
-                Assert.True(MostApart(fine, animator) < 0.06, FormattableString.Invariant($"{plan} {rate} Hz: {MostApart(fine, animator)} rad"));
+                Assert.True(MaxApart(fine, animator) < 0.06, FormattableString.Invariant($"{plan} {rate} Hz: {MaxApart(fine, animator)} rad"));
             }
 
             CreatureAnimator right = Darted(creature, 960f, EscapeTurn.Right);
@@ -273,7 +273,7 @@ public sealed class CrawlAndEscapeTests
         CreatureAnimator animator = Crawler(creature, SlitherGait.Undulating);
         float speed = animator.Profile.Slither!.CruiseSpeed;
         Quaternion[] before = animator.LocalPose.Rotations.ToArray();
-        float most = 0f;
+        float max = 0f;
         Walkers.Run(animator, 1f, rate, new MotionInput(speed), FlatGround.Level);
         animator.LocalPose.Rotations.CopyTo(before);
         for (int i = 0; i < 12 * rate; i++)
@@ -285,26 +285,26 @@ public sealed class CrawlAndEscapeTests
             for (int j = 0; j < before.Length; j++)
             {
                 bool lid = creature.Skeleton.Joints[j].Role == JointRole.Lid;
-                most = lid ? most : Math.Max(most, (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), animator.LocalPose.Rotations[j])));
+                max = lid ? max : Math.Max(max, (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), animator.LocalPose.Rotations[j])));
             }
 
             animator.LocalPose.Rotations.CopyTo(before);
         }
 
-        return most;
+        return max;
     }
 
-    private static double MostApart(CreatureAnimator a, CreatureAnimator b)
+    private static double MaxApart(CreatureAnimator a, CreatureAnimator b)
     {
-        double most = 0;
+        double max = 0;
         Skeleton skeleton = a.Profile.Creature.Skeleton;
         for (int j = 0; j < skeleton.Count; j++)
         {
             bool eyes = skeleton.Joints[j].Role is JointRole.Lid or JointRole.Eye;
-            most = eyes ? most : Math.Max(most, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(a.LocalPose.Rotations[j]), b.LocalPose.Rotations[j])));
+            max = eyes ? max : Math.Max(max, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(a.LocalPose.Rotations[j]), b.LocalPose.Rotations[j])));
         }
 
-        return most;
+        return max;
     }
 
     /// <summary>How far the head heads to the left of the tail, radians.</summary>

@@ -55,7 +55,7 @@ public sealed class FlierStanceTests
             flight.Drop();
             MotionReport report = flight.Report();
             Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
-            Assert.Equal(0f, report.SkatingShare);
+            Assert.Equal(0f, report.SkatingFraction);
             Assert.True(report.MeanPenetration <= 0.001f, $"{name}: sunk {report.MeanPenetration}");
             Assert.True(report.Penetration <= 0.02f, $"{name}: sunk {report.Penetration}");
             Assert.True(report.LimitExcess <= 0.05f, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} {report.LimitExcess} rad beyond its limits");
@@ -75,7 +75,7 @@ public sealed class FlierStanceTests
                 MotionReport report = trial.Run(profile);
                 string run = $"{name} {trial.Movement.GaitName}";
                 Assert.True(report.Slip <= 0.001f, $"{run}: slip {report.Slip}");
-                Assert.Equal(0f, report.SkatingShare);
+                Assert.Equal(0f, report.SkatingFraction);
                 Assert.True(report.MeanPenetration <= 0.001f, $"{run}: sunk {report.MeanPenetration}");
                 Assert.True(report.Penetration <= 0.02f, $"{run}: sunk {report.Penetration}");
                 Assert.True(report.Clearance >= 0.02f, $"{run}: clearance {report.Clearance}");
@@ -134,14 +134,14 @@ public sealed class FlierStanceTests
             var flight = new Flight(profile, 60f);
             float speed = profile.Gaits!.Speeds[0].Comfortable;
             flight.Go(3f, new MotionInput(speed));
-            float least = flight.Animator.Speed;
+            float min = flight.Animator.Speed;
             for (int i = 0; i < 120; i++)
             {
                 flight.Go(1f / 60f, new MotionInput(Math.Max(speed, profile.Flight!.CruiseSpeed), ClimbRate: 1f, Medium: MotionMedium.Air));
-                least = Math.Min(least, flight.Animator.Speed);
+                min = Math.Min(min, flight.Animator.Speed);
             }
 
-            Assert.True(least > 0.8f * speed, $"{name}: {least} of {speed} m/s");
+            Assert.True(min > 0.8f * speed, $"{name}: {min} of {speed} m/s");
         }
     }
 
@@ -164,8 +164,8 @@ public sealed class FlierStanceTests
             {
                 // Braking in the air takes the way down, that on the ground the usual response of 4 per second.
                 float now = flight.Animator.Speed;
-                float most = 1.02f * MathF.Max(4f * before, 3f * unit * unit / length) / rate;
-                Assert.True(Math.Abs(now - before) <= most, $"{name}: from {before} to {now} m/s at once, {flight.Height / length} leg lengths up");
+                float max = 1.02f * MathF.Max(4f * before, 3f * unit * unit / length) / rate;
+                Assert.True(Math.Abs(now - before) <= max, $"{name}: from {before} to {now} m/s at once, {flight.Height / length} leg lengths up");
                 touched = float.IsNaN(touched) && flight.Animator.StandsOnFeet ? now : touched;
                 before = now;
             };
@@ -173,7 +173,7 @@ public sealed class FlierStanceTests
             flight.Land();
             MotionReport report = flight.Report();
             Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
-            Assert.Equal(0f, report.SkatingShare);
+            Assert.Equal(0f, report.SkatingFraction);
 
             // Walkers that stop from such a run go as far beyond the limits of their feet.
             Assert.True(report.LimitExcess <= 0.13f, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} {report.LimitExcess} rad beyond its limits");
@@ -275,7 +275,7 @@ public sealed class FlierStanceTests
         flight.Go(0.5f, default);
         Skeleton skeleton = profile.Creature.Skeleton;
         Quaternion[] before = flight.Animator.LocalPose.Rotations.ToArray();
-        float most = 0f;
+        float max = 0f;
         flight.EachFrame = () =>
         {
             ReadOnlySpan<Quaternion> now = flight.Animator.LocalPose.Rotations;
@@ -283,7 +283,7 @@ public sealed class FlierStanceTests
             {
                 if (skeleton.Joints[j].Role is not (JointRole.Wing or JointRole.Lid or JointRole.Tail or JointRole.Ear or JointRole.Antenna))
                 {
-                    most = Math.Max(most, (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), now[j])));
+                    max = Math.Max(max, (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), now[j])));
                 }
             }
 
@@ -291,7 +291,7 @@ public sealed class FlierStanceTests
         };
         flight.TakeOff();
         flight.Land();
-        return most;
+        return max;
     }
 
     /// <summary>An animator that is sent up and down.</summary>

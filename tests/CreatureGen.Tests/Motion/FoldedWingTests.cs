@@ -79,9 +79,9 @@ public sealed class FoldedWingTests
         foreach (StandingFlier flier in fliers)
         {
             flier.Stand(FlatGround.Level);
-            double share = SideView.BodyThroughWing(flier);
-            Assert.True(share < 0.04, $"{flier.Name}: {share} of the wing has the body in front of it");
-            sum += share;
+            double fraction = SideView.BodyThroughWing(flier);
+            Assert.True(fraction < 0.04, $"{flier.Name}: {fraction} of the wing has the body in front of it");
+            sum += fraction;
         }
 
         Assert.True(sum / fliers.Length < 0.008, $"{sum / fliers.Length} in the mean");
@@ -97,8 +97,8 @@ public sealed class FoldedWingTests
             for (int i = 0; i < 8; i++)
             {
                 flier.Go(0.05f, flier.Profile.Gaits!.Speeds[^1].Comfortable, FlatGround.Level);
-                double share = SideView.BodyThroughWing(flier);
-                Assert.True(share < 0.10, $"{flier.Name}: {share} of the wing has the body in front of it");
+                double fraction = SideView.BodyThroughWing(flier);
+                Assert.True(fraction < 0.10, $"{flier.Name}: {fraction} of the wing has the body in front of it");
                 Assert.True(flier.InLegs() < 0.10, $"{flier.Name}: {flier.InLegs()} leg lengths in its legs");
                 double height = flier.Wings().Min(point => point.Y) / flier.Profile.LegLength;
                 Assert.True(height > 0.15, $"{flier.Name}: wings {height} leg lengths above the ground");

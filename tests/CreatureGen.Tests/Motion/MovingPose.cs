@@ -48,12 +48,12 @@ internal sealed class MovingPose
     }
 
     /// <summary>Turns every joint somehow, the same for the same number.</summary>
-    public MovingPose Shaken(ulong seed, double most = 0.7)
+    public MovingPose Shaken(ulong seed, double max = 0.7)
     {
         RandomStream random = new Seed(seed).Stream();
         for (int i = 0; i < LocalRotations.Length; i++)
         {
-            LocalRotations[i] = Rotation.Normalize(Rotation.Multiply(LocalRotations[i], Rotation.FromAxisAngle(Direction(random), random.Uniform(-most, most))));
+            LocalRotations[i] = Rotation.Normalize(Rotation.Multiply(LocalRotations[i], Rotation.FromAxisAngle(Direction(random), random.Uniform(-max, max))));
         }
 
         Chained();
@@ -90,8 +90,8 @@ internal sealed class MovingPose
     {
         action();
         action();
-        long least = long.MaxValue;
-        for (int round = 0; round < 5 && least > 0; round++)
+        long min = long.MaxValue;
+        for (int round = 0; round < 5 && min > 0; round++)
         {
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int i = 0; i < calls; i++)
@@ -99,9 +99,9 @@ internal sealed class MovingPose
                 action();
             }
 
-            least = Math.Min(least, GC.GetAllocatedBytesForCurrentThread() - before);
+            min = Math.Min(min, GC.GetAllocatedBytesForCurrentThread() - before);
         }
 
-        return least;
+        return min;
     }
 }

@@ -70,17 +70,17 @@ internal static class SideView
     private static Kind KindOf(StandingFlier flier, int vertex)
     {
         SkinWeights weights = flier.Creature.Mesh.Weights[vertex];
-        Span<(int Joint, float Share)> influences =
+        Span<(int Joint, float Fraction)> influences =
         [
             (weights.Joint0, weights.Weights.X), (weights.Joint1, weights.Weights.Y), (weights.Joint2, weights.Weights.Z), (weights.Joint3, weights.Weights.W),
         ];
         float wing = 0f;
         float trunk = 0f;
-        foreach ((int joint, float share) in influences)
+        foreach ((int joint, float fraction) in influences)
         {
             JointRole role = flier.Creature.Skeleton.Joints[joint].Role;
-            wing += role == JointRole.Wing ? share : 0f;
-            trunk += role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Tail ? share : 0f;
+            wing += role == JointRole.Wing ? fraction : 0f;
+            trunk += role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Tail ? fraction : 0f;
         }
 
         return wing > 0.5f ? Kind.Wing : trunk > 0.98f ? Kind.Trunk : Kind.Other;

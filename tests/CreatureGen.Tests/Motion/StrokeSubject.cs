@@ -62,10 +62,10 @@ internal sealed class StrokeSubject
     public static Creature[] Of(BodyPlan plan, int count = 4) => found.GetOrAdd((plan, count), key => new Lazy<Creature[]>(() => Find(key.Item1, key.Item2, 0.5, 2))).Value;
 
     /// <summary>Creatures of a plan within a range of sizes.</summary>
-    public static Creature[] Find(BodyPlan plan, int count, double least, double most)
+    public static Creature[] Find(BodyPlan plan, int count, double min, double max)
     {
         RequestedKind kind = plan is BodyPlan.Flapping or BodyPlan.Buzzing ? RequestedKind.Flying : plan >= BodyPlan.Fish ? RequestedKind.Swimming : RequestedKind.Walking;
-        CreatureOptions options = CreatureOptions.Default with { Kind = kind, BodyPlans = BodyPlanWeight.Only(plan), MinScale = least, MaxScale = most };
+        CreatureOptions options = CreatureOptions.Default with { Kind = kind, BodyPlans = BodyPlanWeight.Only(plan), MinScale = min, MaxScale = max };
         return Enumerable.Range(1, count).Select(seed => CreatureGenerator.Generate((ulong)seed, options)).ToArray();
     }
 
@@ -124,25 +124,25 @@ internal sealed class StrokeSubject
     /// <summary>Largest angle between this pose and another of the same skeleton, radians.</summary>
     public double Apart(ReadOnlySpan<Quaternion> other)
     {
-        double most = 0;
+        double max = 0;
         for (int j = 0; j < rotations.Length; j++)
         {
-            most = Math.Max(most, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(rotations[j]), other[j])));
+            max = Math.Max(max, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(rotations[j]), other[j])));
         }
 
-        return most;
+        return max;
     }
 
     /// <summary>Largest angle between this pose and the mirror image of another, radians.</summary>
     public double ApartFromMirror(ReadOnlySpan<Quaternion> other)
     {
-        double most = 0;
+        double max = 0;
         for (int j = 0; j < rotations.Length; j++)
         {
             Quaternion mirrored = Rotation.Mirror(other[Skeleton.Mirrors[j]]);
-            most = Math.Max(most, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(rotations[j]), mirrored)));
+            max = Math.Max(max, Rotation.Angle(Rotation.Multiply(Rotation.Inverse(rotations[j]), mirrored)));
         }
 
-        return most;
+        return max;
     }
 }

@@ -51,10 +51,10 @@ internal sealed class Hills : IGround
     private readonly float length;
     private readonly float height;
 
-    public Hills(float legLength, float share)
+    public Hills(float legLength, float fraction)
     {
         length = legLength;
-        height = share * legLength;
+        height = fraction * legLength;
     }
 
     public float At(float x, float z) => height * 0.4f * (MathF.Sin((x / length * 2.1f) + 1f) + MathF.Sin(z / length * 3.3f) + MathF.Sin(((x * 1.3f) + (z * 2.2f)) / length));

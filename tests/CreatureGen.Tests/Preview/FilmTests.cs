@@ -111,8 +111,8 @@ public sealed class FilmTests
         {
             Pixel colour = FootName.Colour(film.Profile.Legs!, foot);
             double standing = Enumerable.Range(0, moments).Count(moment => film.Take.FootAt(moment, foot).Phase == FootPhase.Stance) / (double)moments;
-            int most = Enumerable.Range(strip.Height - CycleDiagram.Height(film), CycleDiagram.Height(film) - 2).Max(y => Enumerable.Range(0, strip.Width).Count(x => strip[x, y] == colour));
-            Assert.Equal(standing, most / (double)(strip.Width - 66), 0.02);
+            int max = Enumerable.Range(strip.Height - CycleDiagram.Height(film), CycleDiagram.Height(film) - 2).Max(y => Enumerable.Range(0, strip.Width).Count(x => strip[x, y] == colour));
+            Assert.Equal(standing, max / (double)(strip.Width - 66), 0.02);
         }
     }
 

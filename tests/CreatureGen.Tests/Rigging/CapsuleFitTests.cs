@@ -53,9 +53,9 @@ public sealed class CapsuleFitTests
 
             float[] sorted = (float[])values.Clone();
             Array.Sort(sorted);
-            foreach (double share in new[] { 0, 0.03, 0.25, 0.5, 0.7, 0.97, 1 })
+            foreach (double fraction in new[] { 0, 0.03, 0.25, 0.5, 0.7, 0.97, 1 })
             {
-                Assert.Equal(sorted[(int)((share * (n - 1)) + 0.5)], Selection.Percentile((float[])values.Clone(), share));
+                Assert.Equal(sorted[(int)((fraction * (n - 1)) + 0.5)], Selection.Percentile((float[])values.Clone(), fraction));
             }
         }
     }

@@ -327,16 +327,16 @@ public sealed class CreatureRiggerTests
     private static double ArcOf(RigSubject subject, Vector3 p)
     {
         double best = 0;
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         for (int i = 0; i < BodyGrid.Rings - 1; i++)
         {
             Vector3 a = subject.Rig.Line.At(i);
             Vector3 d = subject.Rig.Line.At(i + 1) - a;
             float t = Scalar.Clamp(Vec.Dot(p - a, d) / Vec.LengthSquared(d), 0f, 1f);
             float distance = Vec.Distance(p, a + (d * t));
-            if (distance < least)
+            if (distance < min)
             {
-                least = distance;
+                min = distance;
                 best = subject.Rig.Line.ArcAt(i + (double)t);
             }
         }

@@ -194,8 +194,8 @@ public sealed class RandomStreamTests
         Assert.Equal(3, fourths / Draws, 4 * Math.Sqrt(96.0 / Draws));
 
         // Probabilities of below −3, −3..−2, −2..−1, −1..0 and their mirror images.
-        double[] shares = { 0.001349898, 0.021400234, 0.135905122, 0.341344746, 0.341344746, 0.135905122, 0.021400234, 0.001349898 };
-        Assert.InRange(ChiSquare(counts, i => Draws * shares[i]), 0, 26);
+        double[] fractions = { 0.001349898, 0.021400234, 0.135905122, 0.341344746, 0.341344746, 0.135905122, 0.021400234, 0.001349898 };
+        Assert.InRange(ChiSquare(counts, i => Draws * fractions[i]), 0, 26);
     }
 
     [Fact]

@@ -9,7 +9,7 @@ namespace CreatureGen.Gltf.Models;
 internal readonly struct AccessorReader
 {
     /// <summary>Most numbers that one accessor may hold: more than any character needs, and too few to exhaust memory.</summary>
-    private const int MostNumbers = 1 << 25;
+    private const int MaxNumbers = 1 << 25;
 
     private readonly ModelDocument document;
 
@@ -82,7 +82,7 @@ internal readonly struct AccessorReader
         }
 
         width = type switch { "SCALAR" => 1, "VEC2" => 2, "VEC3" => 3, "VEC4" => 4, _ => 16 };
-        count = ModelDocument.Whole(ModelDocument.Need(accessor, "count", "a number of elements"), MostNumbers / width);
+        count = ModelDocument.Whole(ModelDocument.Need(accessor, "count", "a number of elements"), MaxNumbers / width);
         return accessor;
     }
 

@@ -11,7 +11,7 @@ namespace CreatureGen.Gltf.Models;
 internal sealed class ModelClips
 {
     /// <summary>Most keys of one track.</summary>
-    private const int MostKeys = 1 << 22;
+    private const int MaxKeys = 1 << 22;
 
     /// <summary>Most by which animated scale may leave the scale at rest, as a part of it: what exporters lose in rounding.</summary>
     private const float ScaleSlack = 2e-3f;
@@ -134,9 +134,9 @@ internal sealed class ModelClips
         if (!times.TryGetValue(accessor, out float[]? at))
         {
             at = accessors.Floats(index, "SCALAR");
-            if (at.Length is 0 or > MostKeys)
+            if (at.Length is 0 or > MaxKeys)
             {
-                throw new ModelFault(index.Path, FormattableString.Invariant($"{at.Length} times"), FormattableString.Invariant($"1 to {MostKeys}"));
+                throw new ModelFault(index.Path, FormattableString.Invariant($"{at.Length} times"), FormattableString.Invariant($"1 to {MaxKeys}"));
             }
 
             times.Add(accessor, at);

@@ -46,12 +46,12 @@ internal sealed class ModelDocument
     }
 
     /// <summary>A whole number from 0 to a bound.</summary>
-    public static int Whole(JsonValue value, int most)
+    public static int Whole(JsonValue value, int max)
     {
         double number = value.Number;
-        return value.Kind == JsonKind.Number && number >= 0 && number <= most && number == System.Math.Floor(number)
+        return value.Kind == JsonKind.Number && number >= 0 && number <= max && number == System.Math.Floor(number)
             ? (int)number
-            : throw ModelFault.At(value, "a whole number of 0 to " + ModelFault.Text(most));
+            : throw ModelFault.At(value, "a whole number of 0 to " + ModelFault.Text(max));
     }
 
     /// <summary>A whole number that may be missing.</summary>

@@ -11,7 +11,7 @@ namespace CreatureGen.Gltf.Models;
 internal sealed class ModelJoints
 {
     /// <summary>Most nodes of a document.</summary>
-    private const int MostNodes = 1 << 16;
+    private const int MaxNodes = 1 << 16;
 
     private readonly int[] jointOf;
 
@@ -46,9 +46,9 @@ internal sealed class ModelJoints
     public static ModelJoints Of(ModelDocument document)
     {
         IReadOnlyList<JsonValue> nodes = document.All("nodes");
-        if (nodes.Count > MostNodes)
+        if (nodes.Count > MaxNodes)
         {
-            throw new ModelFault("nodes", ModelFault.Text(nodes.Count), "at most " + ModelFault.Text(MostNodes));
+            throw new ModelFault("nodes", ModelFault.Text(nodes.Count), "at most " + ModelFault.Text(MaxNodes));
         }
 
         int[] parents = ParentsOf(nodes);

@@ -15,7 +15,7 @@ namespace CreatureGen.Gltf.Models;
 public static class ModelReader
 {
     /// <summary>Most bytes of the binary chunk: 512 MiB.</summary>
-    private const int MostBinary = 1 << 29;
+    private const int MaxBinary = 1 << 29;
 
     /// <summary>Reads a model. Whatever the bytes are, the answer is a model or a report.</summary>
     /// <param name="source">A GLB file, read from the stream's position on; need not be able to seek, is not closed.</param>
@@ -31,7 +31,7 @@ public static class ModelReader
         }
 
         byte[]? text = GlbContainer.ReadJson(source, JsonLimits.Bulk.MaximumBytes, out Problem? problem);
-        byte[]? binary = text is null ? null : GlbContainer.ReadBinary(source, MostBinary, out problem);
+        byte[]? binary = text is null ? null : GlbContainer.ReadBinary(source, MaxBinary, out problem);
         if (binary is null)
         {
             return new ModelReading(null, problem);

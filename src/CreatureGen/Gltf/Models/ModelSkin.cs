@@ -12,7 +12,7 @@ namespace CreatureGen.Gltf.Models;
 internal sealed class ModelSkin
 {
     /// <summary>Most vertices of a model.</summary>
-    private const int MostVertices = 1 << 22;
+    private const int MaxVertices = 1 << 22;
 
     /// <summary>Most by which two skins may bind a joint apart: rounding. Metres and parts of a unit quaternion.</summary>
     private const float Apart = 1e-3f;
@@ -138,9 +138,9 @@ internal sealed class ModelSkin
         float[] points = accessors.Floats(ModelDocument.Need(attributes, "POSITION", "positions"), "VEC3");
         int count = points.Length / 3;
         int first = positions.Count;
-        if (first + count > MostVertices)
+        if (first + count > MaxVertices)
         {
-            throw new ModelFault(primitive.Path, FormattableString.Invariant($"{first + count} vertices so far"), FormattableString.Invariant($"at most {MostVertices}"));
+            throw new ModelFault(primitive.Path, FormattableString.Invariant($"{first + count} vertices so far"), FormattableString.Invariant($"at most {MaxVertices}"));
         }
 
         int[] corners = ModelDocument.Find(primitive, "indices") is { } indices ? accessors.Integers(indices, "SCALAR") : Row(count);
@@ -191,11 +191,11 @@ internal sealed class ModelSkin
         var sets = new List<(int[] Joints, float[] Weights)>();
         for (int set = 0; set < 4 && ModelDocument.Find(attributes, "JOINTS_" + ModelFault.Text(set)) is { } index; set++)
         {
-            JsonValue shares = ModelDocument.Need(attributes, "WEIGHTS_" + ModelFault.Text(set), "weights");
+            JsonValue fractions = ModelDocument.Need(attributes, "WEIGHTS_" + ModelFault.Text(set), "weights");
             int[] of = accessors.Integers(index, "VEC4");
-            float[] by = accessors.Floats(shares, "VEC4");
+            float[] by = accessors.Floats(fractions, "VEC4");
             Require(index, of.Length / 4, count);
-            Require(shares, by.Length / 4, count);
+            Require(fractions, by.Length / 4, count);
             sets.Add((of, by));
         }
 

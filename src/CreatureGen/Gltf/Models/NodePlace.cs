@@ -67,9 +67,9 @@ internal readonly record struct NodePlace(Quaternion Rotation, Vector3 Position,
     /// <summary>One factor for three that are nearly equal.</summary>
     public static float Uniform(float x, float y, float z, string where)
     {
-        float least = Math.Min(x, Math.Min(y, z));
-        float most = Math.Max(x, Math.Max(y, z));
-        return least > 0f && most <= least * (1f + Slack)
+        float min = Math.Min(x, Math.Min(y, z));
+        float max = Math.Max(x, Math.Max(y, z));
+        return min > 0f && max <= min * (1f + Slack)
             ? (x + y + z) / 3f
             : throw new ModelFault(where, FormattableString.Invariant($"scale ({x}, {y}, {z})"), "the same scale along all axes, above 0");
     }

@@ -79,7 +79,7 @@ internal sealed class RecordedCycle
     /// <summary>The farthest that any joint turns from one frame to the next, radians. A blink is a matter of a frame or two and does not count.</summary>
     public float FarthestTurn()
     {
-        float least = 1f;
+        float min = 1f;
         for (int i = Joints; i < Rotations.Length; i++)
         {
             if (skeleton.Joints[i % Joints].Role == JointRole.Lid)
@@ -87,10 +87,10 @@ internal sealed class RecordedCycle
                 continue;
             }
 
-            least = Math.Min(least, Math.Abs(SimdKernels.Dot(Rotations[i - Joints], Rotations[i])));
+            min = Math.Min(min, Math.Abs(SimdKernels.Dot(Rotations[i - Joints], Rotations[i])));
         }
 
-        return 2f * (float)PortableMath.Acos(least);
+        return 2f * (float)PortableMath.Acos(min);
     }
 
     /// <summary>Where the root was.</summary>
@@ -109,9 +109,9 @@ internal sealed class RecordedCycle
         for (int frame = 1; frame < Frames; frame++)
         {
             int at = (frame * Joints) + joint;
-            float share = frame / (float)Frames;
-            Rotations[at] = Rotation.Normalize(Rotation.Multiply(Rotation.Slerp(Quaternion.Identity, missing, share), Rotations[at]));
-            Positions[at] += gap * share;
+            float fraction = frame / (float)Frames;
+            Rotations[at] = Rotation.Normalize(Rotation.Multiply(Rotation.Slerp(Quaternion.Identity, missing, fraction), Rotations[at]));
+            Positions[at] += gap * fraction;
         }
 
         Rotations[last] = first;

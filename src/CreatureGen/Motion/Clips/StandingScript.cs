@@ -36,13 +36,13 @@ internal static class StandingScript
         EarFlicks.Once(seconds - (RightEarAt * whole)));
 
     /// <summary>Where the head looks.</summary>
-    /// <param name="share">Part of the recording, 0..1.</param>
-    public static LookAngles LookAt(double share)
+    /// <param name="fraction">Part of the recording, 0..1.</param>
+    public static LookAngles LookAt(double fraction)
     {
         LookAngles look = default;
         foreach ((double at, LookAngles next) in glances)
         {
-            double t = Scalar.Smooth(Scalar.Clamp((share - at) / Turning, 0, 1));
+            double t = Scalar.Smooth(Scalar.Clamp((fraction - at) / Turning, 0, 1));
             look = new LookAngles((float)Scalar.Lerp(look.Yaw, next.Yaw, t), (float)Scalar.Lerp(look.Pitch, next.Pitch, t));
         }
 

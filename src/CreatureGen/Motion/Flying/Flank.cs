@@ -13,7 +13,7 @@ internal sealed class Flank
     private const int Columns = 80;
 
     /// <summary>Most of a corner that wings move for its skin to be the body's.</summary>
-    private const float MostShare = 0.02f;
+    private const float MaxFraction = 0.02f;
 
     private readonly float[] outward;
     private readonly int rows;
@@ -28,22 +28,22 @@ internal sealed class Flank
         ReadOnlySpan<Vector3> positions = mesh.Positions;
         bool[] trunk = TrunkJoints(creature.Skeleton);
         bool[] body = new bool[positions.Length];
-        var least = new Vector3(float.MaxValue);
-        var most = new Vector3(float.MinValue);
+        var min = new Vector3(float.MaxValue);
+        var max = new Vector3(float.MinValue);
         for (int v = 0; v < body.Length; v++)
         {
             body[v] = IsBody(trunk, mesh.Weights[v]);
             if (body[v])
             {
-                least = Vec.Min(least, positions[v]);
-                most = Vec.Max(most, positions[v]);
+                min = Vec.Min(min, positions[v]);
+                max = Vec.Max(max, positions[v]);
             }
         }
 
-        bottom = least.Y;
-        back = least.Z;
-        cell = Math.Max((most.Z - back) / Columns, 1e-6f);
-        rows = Math.Max(1, (int)Math.Ceiling((most.Y - bottom) / cell));
+        bottom = min.Y;
+        back = min.Z;
+        cell = Math.Max((max.Z - back) / Columns, 1e-6f);
+        rows = Math.Max(1, (int)Math.Ceiling((max.Y - bottom) / cell));
         outward = new float[rows * Columns];
         ReadOnlySpan<int> triangles = mesh.Triangles;
         for (int t = 0; t < triangles.Length; t += 3)
@@ -80,7 +80,7 @@ internal sealed class Flank
 
     private static bool IsBody(bool[] trunk, in SkinWeights weights) =>
         (trunk[weights.Joint0] ? 0f : weights.Weights.X) + (trunk[weights.Joint1] ? 0f : weights.Weights.Y)
-        + (trunk[weights.Joint2] ? 0f : weights.Weights.Z) + (trunk[weights.Joint3] ? 0f : weights.Weights.W) < MostShare;
+        + (trunk[weights.Joint2] ? 0f : weights.Weights.Z) + (trunk[weights.Joint3] ? 0f : weights.Weights.W) < MaxFraction;
 
     private float At(int row, int column) => (uint)row < (uint)rows && (uint)column < Columns ? outward[(row * Columns) + column] : 0f;
 
@@ -93,11 +93,11 @@ internal sealed class Flank
             return;
         }
 
-        Vector3 least = Vec.Min(a, Vec.Min(b, c));
-        Vector3 most = Vec.Max(a, Vec.Max(b, c));
-        for (int row = Cell(least.Y - bottom, rows); row <= Cell(most.Y - bottom, rows); row++)
+        Vector3 min = Vec.Min(a, Vec.Min(b, c));
+        Vector3 max = Vec.Max(a, Vec.Max(b, c));
+        for (int row = Cell(min.Y - bottom, rows); row <= Cell(max.Y - bottom, rows); row++)
         {
-            for (int column = Cell(least.Z - back, Columns); column <= Cell(most.Z - back, Columns); column++)
+            for (int column = Cell(min.Z - back, Columns); column <= Cell(max.Z - back, Columns); column++)
             {
                 float y = bottom + ((row + 0.5f) * cell);
                 float z = back + ((column + 0.5f) * cell);

@@ -61,17 +61,17 @@ internal sealed class FlightAxis
 
     private Quaternion Fore(int b, in AxisStroke stroke)
     {
-        double share = (double)(chest - b) / chest;
+        double fraction = (double)(chest - b) / chest;
         double stretch = b == 0 ? 0 : NeckStretch * stroke.Stream * risen[b];
-        double pitch = stretch - (share * HeadPitchKept * stroke.Pitch);
-        return Rotation.Multiply(AxisRotation.Yaw(share * stroke.Look), Rotation.Multiply(AxisRotation.Pitch(pitch), AxisRotation.Roll(-share * HeadRollKept * stroke.Roll)));
+        double pitch = stretch - (fraction * HeadPitchKept * stroke.Pitch);
+        return Rotation.Multiply(AxisRotation.Yaw(fraction * stroke.Look), Rotation.Multiply(AxisRotation.Pitch(pitch), AxisRotation.Roll(-fraction * HeadRollKept * stroke.Roll)));
     }
 
     private Quaternion Aft(int b, in AxisStroke stroke)
     {
-        double share = (double)(b - pelvis) / (chain.Count - 1 - pelvis);
-        double beat = TailBeat * stroke.Beat * share * PortableMath.Sin(2 * PortableMath.Pi * (stroke.Phase - 0.15 - (0.2 * share)));
-        double pitch = (TailStream * stroke.Stream * risen[b]) + beat + (share * TailHover * stroke.Hover) - (share * 0.25 * stroke.Rise);
-        return Rotation.Multiply(AxisRotation.Yaw(-share * TailYaw * stroke.Steer), AxisRotation.Pitch(pitch));
+        double fraction = (double)(b - pelvis) / (chain.Count - 1 - pelvis);
+        double beat = TailBeat * stroke.Beat * fraction * PortableMath.Sin(2 * PortableMath.Pi * (stroke.Phase - 0.15 - (0.2 * fraction)));
+        double pitch = (TailStream * stroke.Stream * risen[b]) + beat + (fraction * TailHover * stroke.Hover) - (fraction * 0.25 * stroke.Rise);
+        return Rotation.Multiply(AxisRotation.Yaw(-fraction * TailYaw * stroke.Steer), AxisRotation.Pitch(pitch));
     }
 }

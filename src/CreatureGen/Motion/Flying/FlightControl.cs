@@ -11,7 +11,7 @@ internal static class FlightControl
     private const double Gravity = 9.81;
 
     /// <summary>Shares of the speed of cruise below which a flier hovers more than it flies.</summary>
-    private const double HoverShare = 0.45;
+    private const double HoverFraction = 0.45;
 
     private const double SteepestPath = 1.2;
     private const double SteepestBank = 1.05;
@@ -46,7 +46,7 @@ internal static class FlightControl
     private const double SpreadForBeat = 0.3;
 
     /// <summary>How much it hovers, 0..1, at so many times the speed of cruise.</summary>
-    public static double Hover(double cruises) => 1 - Scalar.Smooth(Math.Abs(cruises) / HoverShare);
+    public static double Hover(double cruises) => 1 - Scalar.Smooth(Math.Abs(cruises) / HoverFraction);
 
     /// <summary>Steps the state and says how the root moves.</summary>
     public static BodyVelocity Advance(FlightProfile profile, in FlightInput input, ref FlightState state, double dt)

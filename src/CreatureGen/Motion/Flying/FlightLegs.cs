@@ -16,7 +16,7 @@ internal sealed class FlightLegs
     private const double Dangle = 0.05;
 
     /// <summary>Share below which a leg is in the air alone.</summary>
-    private const double LeastPlanted = 1e-5;
+    private const double MinPlanted = 1e-5;
 
     private readonly PairedChain chain;
     private readonly LegPosture tucked;
@@ -66,7 +66,7 @@ internal sealed class FlightLegs
         turns[2] = lateral ? AxisRotation.Roll(posture.Knee) : AxisRotation.Pitch(posture.Knee);
         turns[3] = lateral ? AxisRotation.Roll(-0.5 * posture.Ankle) : AxisRotation.Pitch(posture.Ankle + dangle);
         turns[4] = lateral ? AxisRotation.Roll(-0.5 * posture.Ball) : AxisRotation.Pitch(posture.Ball);
-        bool plants = Stands && stroke.Planted > LeastPlanted;
+        bool plants = Stands && stroke.Planted > MinPlanted;
         if (plants)
         {
             Plant(turns, stroke, body, bodyPivot, bodyNow);
@@ -109,11 +109,11 @@ internal sealed class FlightLegs
         Vector3 knee = (line * (float)along) + (bow * (float)bowed);
         Quaternion upper = Aim(thigh, knee, across);
         Quaternion lower = Aim(shank, (line * (float)d) - knee, across);
-        double share = stroke.Planted;
-        turns[1] = Rotation.Slerp(turns[1], Rotation.Multiply(Rotation.Inverse(body), upper), share);
-        turns[2] = Rotation.Slerp(turns[2], Rotation.Multiply(Rotation.Inverse(upper), lower), share);
-        turns[3] = Rotation.Slerp(turns[3], Rotation.Inverse(lower), share);
-        turns[4] = Rotation.Slerp(turns[4], Quaternion.Identity, share);
+        double fraction = stroke.Planted;
+        turns[1] = Rotation.Slerp(turns[1], Rotation.Multiply(Rotation.Inverse(body), upper), fraction);
+        turns[2] = Rotation.Slerp(turns[2], Rotation.Multiply(Rotation.Inverse(upper), lower), fraction);
+        turns[3] = Rotation.Slerp(turns[3], Rotation.Inverse(lower), fraction);
+        turns[4] = Rotation.Slerp(turns[4], Quaternion.Identity, fraction);
     }
 
     /// <summary>The turn that takes a bone of the rest pose to a direction, with the plane of the leg's bend staying one.</summary>

@@ -13,7 +13,7 @@ internal static class FlightPose
     private const double BuzzPitch = 0.22;
     private const double FlarePitch = 0.45;
     private const double BeatPitch = 0.035;
-    private const double MostHeave = 0.05;
+    private const double MaxHeave = 0.05;
     private const double HoverBob = 0.03;
     private const double GlideEdge = 0.7;
 
@@ -65,8 +65,8 @@ internal static class FlightPose
         double beats = state.Cycle * profile.BeatsPerCycle;
         double beating = state.Amplitude.Value * (1 - glide) * air;
         double frequency = Math.Max(state.Frequency.Value, 0.25 * profile.BeatFrequency);
-        double most = MostHeave * profile.WingSpan;
-        double size = Math.Min(1 / (frequency * frequency), most / profile.Force.Reach);
+        double max = MaxHeave * profile.WingSpan;
+        double size = Math.Min(1 / (frequency * frequency), max / profile.Force.Reach);
         double heave = beating * (profile.Buzzes ? 0.2 : 1) * size * profile.Force.At(beats);
         heave += HoverBob * profile.LegLength * hover * air * slow;
         double crouch = state.CrouchDepth;

@@ -39,7 +39,7 @@ internal sealed class FlyingMode : ILocomotionMode
     }
 
     /// <summary>Most beats of wings in the longest update.</summary>
-    public const int MostBeats = 8;
+    public const int MaxBeats = 8;
 
     public float Speed { get; private set; }
 

@@ -2,12 +2,12 @@ namespace CreatureGen.Motion.Flying;
 
 /// <summary>The ways of folding that a kind of wing has: where the search for the one that fits a body begins, and its bounds.</summary>
 /// <param name="Usual">Where it begins.</param>
-/// <param name="Least">Lower bounds.</param>
-/// <param name="Most">Upper bounds.</param>
+/// <param name="Min">Lower bounds.</param>
+/// <param name="Max">Upper bounds.</param>
 /// <param name="Closeness">How much it matters that it lies on the body, 0..1: thin wings lie flat above it.</param>
 /// <param name="Trailing">Where it is to end: 0 where the tail begins, 1 where it ends.</param>
 /// <param name="AboveLegs">Whether no leg is to be above it.</param>
-internal sealed record FoldRange(WingFold Usual, WingFold Least, WingFold Most, double Closeness, float Trailing, bool AboveLegs)
+internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, double Closeness, float Trailing, bool AboveLegs)
 {
     /// <summary>Along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its forearm forward again as birds do: its surface would turn
     /// over at the elbow. It is drawn together instead.</summary>

@@ -50,7 +50,7 @@ internal sealed class FoldedWing
     private WingFold Search(FoldRange range, FoldRoom room)
     {
         WingFold best = range.Usual;
-        double least = Try(best, range, room);
+        double min = Try(best, range, room);
         double step = FirstStep;
         for (int round = 0; round < Rounds; round++, step *= Shrink)
         {
@@ -58,9 +58,9 @@ internal sealed class FoldedWing
             {
                 for (int sign = -1; sign <= 1; sign += 2)
                 {
-                    WingFold other = best.With(number, sign * step, range.Least, range.Most);
-                    double cost = other == best ? least : Try(other, range, room);
-                    (best, least) = cost < least ? (other, cost) : (best, least);
+                    WingFold other = best.With(number, sign * step, range.Min, range.Max);
+                    double cost = other == best ? min : Try(other, range, room);
+                    (best, min) = cost < min ? (other, cost) : (best, min);
                 }
             }
         }

@@ -64,9 +64,9 @@ internal readonly struct LegPosture
     };
 
     /// <summary>So much of one posture and the rest of another.</summary>
-    public static LegPosture Between(LegPosture a, LegPosture b, double share) => new(
-        a.Hip + ((b.Hip - a.Hip) * share),
-        a.Knee + ((b.Knee - a.Knee) * share),
-        a.Ankle + ((b.Ankle - a.Ankle) * share),
-        a.Ball + ((b.Ball - a.Ball) * share));
+    public static LegPosture Between(LegPosture a, LegPosture b, double fraction) => new(
+        a.Hip + ((b.Hip - a.Hip) * fraction),
+        a.Knee + ((b.Knee - a.Knee) * fraction),
+        a.Ankle + ((b.Ankle - a.Ankle) * fraction),
+        a.Ball + ((b.Ball - a.Ball) * fraction));
 }

@@ -36,7 +36,7 @@ internal sealed class StancePose
     public Pose Local => new(rotations, positions);
 
     /// <summary>Whether a share is all of the pose.</summary>
-    public static bool IsWhole(double share) => share >= Whole;
+    public static bool IsWhole(double fraction) => fraction >= Whole;
 
     /// <summary>The pose, at rest, to be written anew.</summary>
     public Pose Cleared()
@@ -46,18 +46,18 @@ internal sealed class StancePose
     }
 
     /// <summary>Mixes the pose into another.</summary>
-    /// <param name="share">0 leaves the other as it is, 1 all but its wings is replaced.</param>
+    /// <param name="fraction">0 leaves the other as it is, 1 all but its wings is replaced.</param>
     /// <param name="local">The other.</param>
-    public void Mix(double share, in Pose local)
+    public void Mix(double fraction, in Pose local)
     {
-        if (share <= 0)
+        if (fraction <= 0)
         {
             return;
         }
 
-        if (!IsWhole(share))
+        if (!IsWhole(fraction))
         {
-            PoseBlend.Mix(local, Local, (float)share, mask, local);
+            PoseBlend.Mix(local, Local, (float)fraction, mask, local);
             return;
         }
 

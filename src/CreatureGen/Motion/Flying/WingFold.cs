@@ -19,17 +19,17 @@ internal readonly record struct WingFold(double Drop, double Spread, double Rise
     public const int Count = 9;
 
     /// <summary>The same with one number changed, within its bounds.</summary>
-    public WingFold With(int number, double change, in WingFold least, in WingFold most) => number switch
+    public WingFold With(int number, double change, in WingFold min, in WingFold max) => number switch
     {
-        0 => this with { Drop = Scalar.Clamp(Drop + change, least.Drop, most.Drop) },
-        1 => this with { Spread = Scalar.Clamp(Spread + change, least.Spread, most.Spread) },
-        2 => this with { Rise = Scalar.Clamp(Rise + change, least.Rise, most.Rise) },
-        3 => this with { Converge = Scalar.Clamp(Converge + change, least.Converge, most.Converge) },
-        4 => this with { Curl = Scalar.Clamp(Curl + change, least.Curl, most.Curl) },
-        5 => this with { Lift = Scalar.Clamp(Lift + change, least.Lift, most.Lift) },
-        6 => this with { Lean = Scalar.Clamp(Lean + change, least.Lean, most.Lean) },
-        7 => this with { Wrap = Scalar.Clamp(Wrap + change, least.Wrap, most.Wrap) },
-        _ => this with { Length = Scalar.Clamp(Length + change, least.Length, most.Length) },
+        0 => this with { Drop = Scalar.Clamp(Drop + change, min.Drop, max.Drop) },
+        1 => this with { Spread = Scalar.Clamp(Spread + change, min.Spread, max.Spread) },
+        2 => this with { Rise = Scalar.Clamp(Rise + change, min.Rise, max.Rise) },
+        3 => this with { Converge = Scalar.Clamp(Converge + change, min.Converge, max.Converge) },
+        4 => this with { Curl = Scalar.Clamp(Curl + change, min.Curl, max.Curl) },
+        5 => this with { Lift = Scalar.Clamp(Lift + change, min.Lift, max.Lift) },
+        6 => this with { Lean = Scalar.Clamp(Lean + change, min.Lean, max.Lean) },
+        7 => this with { Wrap = Scalar.Clamp(Wrap + change, min.Wrap, max.Wrap) },
+        _ => this with { Length = Scalar.Clamp(Length + change, min.Length, max.Length) },
     };
 
     /// <summary>Direction of a bone, unit.</summary>

@@ -12,17 +12,17 @@ namespace CreatureGen.Motion.Flying;
 /// <summary>Some of the skin of a left wing, evenly chosen: places all over it, and triangles in its creases, where it goes over from bone to bone.</summary>
 internal sealed class WingSkin
 {
-    private const int MostPlaces = 80;
-    private const int MostCreases = 60;
+    private const int MaxPlaces = 80;
+    private const int MaxCreases = 60;
 
     /// <summary>How far apart places are at most on the large triangles of thin wings, lengths of the wing: knees are no wider.</summary>
     private const double Spacing = 0.1;
 
     /// <summary>Share of the wing's joints from which on skin belongs to the wing.</summary>
-    private const float LeastShare = 0.6f;
+    private const float MinFraction = 0.6f;
 
     /// <summary>Share of one joint, or of the body, from which on skin lies in no crease.</summary>
-    private const float MostOfOne = 0.9f;
+    private const float MaxOfOne = 0.9f;
 
     /// <summary>Part of its area below which a triangle is crowded: somewhat before it shrinks to a quarter.</summary>
     private const double Crowded = 0.4;
@@ -47,7 +47,7 @@ internal sealed class WingSkin
         for (int v = 0; v < places.Length; v++)
         {
             places[v] = PlaceOf(chain, mesh.Positions[v], mesh.Weights[v]);
-            if (places[v].Still < 1f - LeastShare)
+            if (places[v].Still < 1f - MinFraction)
             {
                 found.Add(places[v]);
             }
@@ -60,18 +60,18 @@ internal sealed class WingSkin
         for (int t = 0; t < triangles.Length; t += 3)
         {
             (int a, int b, int c) = (triangles[t], triangles[t + 1], triangles[t + 2]);
-            if (places[a].Bends && places[b].Still < MostOfOne && places[c].Still < MostOfOne)
+            if (places[a].Bends && places[b].Still < MaxOfOne && places[c].Still < MaxOfOne)
             {
                 bent.Add(new Crease(places[a], places[b], places[c], Area(places[a].Rest, places[b].Rest, places[c].Rest)));
             }
 
-            if (thin && places[a].Still < 1f - LeastShare)
+            if (thin && places[a].Still < 1f - MinFraction)
             {
                 Fill(found, places[a], places[b], places[c], spacing);
             }
         }
 
-        return new WingSkin(chain, Some(found, thin ? 2 * MostPlaces : MostPlaces), Some(bent, MostCreases));
+        return new WingSkin(chain, Some(found, thin ? 2 * MaxPlaces : MaxPlaces), Some(bent, MaxCreases));
     }
 
     /// <summary>What it costs the places of the wing to be where they are, in the mean.</summary>
@@ -107,11 +107,11 @@ internal sealed class WingSkin
     private Vector3 At(in Place place, ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns)
     {
         Vector3 at = place.Rest * place.Still;
-        for (int k = 0; k < place.Shares.Length; k++)
+        for (int k = 0; k < place.Fractions.Length; k++)
         {
-            if (place.Shares[k] > 0f)
+            if (place.Fractions[k] > 0f)
             {
-                at += (joints[k] + Rotation.Rotate(turns[k], place.Rest - chain.Points[k])) * place.Shares[k];
+                at += (joints[k] + Rotation.Rotate(turns[k], place.Rest - chain.Points[k])) * place.Fractions[k];
             }
         }
 
@@ -136,9 +136,9 @@ internal sealed class WingSkin
 
     private static double Area(Vector3 a, Vector3 b, Vector3 c) => Vec.Length(Vec.Cross(b - a, c - a));
 
-    private static T[] Some<T>(List<T> all, int most)
+    private static T[] Some<T>(List<T> all, int max)
     {
-        int stride = Math.Max(1, all.Count / most);
+        int stride = Math.Max(1, all.Count / max);
         var chosen = new List<T>();
         for (int i = 0; i < all.Count; i += stride)
         {
@@ -150,39 +150,39 @@ internal sealed class WingSkin
 
     private static Place PlaceOf(PairedChain chain, Vector3 rest, in SkinWeights weights)
     {
-        float[] shares = new float[chain.Count];
+        float[] fractions = new float[chain.Count];
         float sum = 0f;
-        float most = 0f;
-        for (int k = 0; k < shares.Length; k++)
+        float max = 0f;
+        for (int k = 0; k < fractions.Length; k++)
         {
-            shares[k] = ShareOf(chain.Limb.Joints[k], weights);
-            sum += shares[k];
-            most = Math.Max(most, shares[k]);
+            fractions[k] = ShareOf(chain.Limb.Joints[k], weights);
+            sum += fractions[k];
+            max = Math.Max(max, fractions[k]);
         }
 
         // A stitched wing grows out of the body, where its upper arm moves it.
         float still = 1f - sum;
-        return new Place(rest, shares, still, most, chain.Limb.Kind == LimbKind.Wing ? sum - shares[0] : 1f);
+        return new Place(rest, fractions, still, max, chain.Limb.Kind == LimbKind.Wing ? sum - fractions[0] : 1f);
     }
 
     private static float ShareOf(int joint, in SkinWeights weights) =>
         (weights.Joint0 == joint ? weights.Weights.X : 0f) + (weights.Joint1 == joint ? weights.Weights.Y : 0f) + (weights.Joint2 == joint ? weights.Weights.Z : 0f) + (weights.Joint3 == joint ? weights.Weights.W : 0f);
 
     /// <summary>A place on the skin at rest, how much each joint of the wing, and the body, moves it, the most of the former, and how far it is to keep off the body, 0..1.</summary>
-    private readonly record struct Place(Vector3 Rest, float[] Shares, float Still, float Most, float Clear)
+    private readonly record struct Place(Vector3 Rest, float[] Fractions, float Still, float Max, float Clear)
     {
-        public bool Bends => Math.Max(Still, Most) < MostOfOne;
+        public bool Bends => Math.Max(Still, Max) < MaxOfOne;
 
         public static Place Between(in Place a, in Place b, in Place c, float u, float v)
         {
             float w = 1f - u - v;
-            float[] shares = new float[a.Shares.Length];
-            for (int k = 0; k < shares.Length; k++)
+            float[] fractions = new float[a.Fractions.Length];
+            for (int k = 0; k < fractions.Length; k++)
             {
-                shares[k] = (a.Shares[k] * w) + (b.Shares[k] * u) + (c.Shares[k] * v);
+                fractions[k] = (a.Fractions[k] * w) + (b.Fractions[k] * u) + (c.Fractions[k] * v);
             }
 
-            return a with { Rest = (a.Rest * w) + (b.Rest * u) + (c.Rest * v), Shares = shares, Still = (a.Still * w) + (b.Still * u) + (c.Still * v) };
+            return a with { Rest = (a.Rest * w) + (b.Rest * u) + (c.Rest * v), Fractions = fractions, Still = (a.Still * w) + (b.Still * u) + (c.Still * v) };
         }
     }
 

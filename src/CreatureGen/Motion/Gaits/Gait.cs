@@ -12,10 +12,10 @@ namespace CreatureGen.Motion;
 public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw Stride)
 {
     /// <summary>Least number of pairs of legs that it is for. Default: 1.</summary>
-    public int LeastRows { get; init; } = 1;
+    public int MinRows { get; init; } = 1;
 
     /// <summary>Greatest number of pairs of legs that it is for. Default: any.</summary>
-    public int MostRows { get; init; } = int.MaxValue;
+    public int MaxRows { get; init; } = int.MaxValue;
 
     /// <summary>Froude number of its most comfortable speed.</summary>
     public float Comfortable { get; init; } = 0.1f;
@@ -74,8 +74,8 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
             throw new ArgumentException("a gait has no name or no phases; expected both");
         }
 
-        Finite.RequireWithin(Duty.Least, 0.05f, 0.95f, Name + ".Duty.Least");
-        Finite.RequireWithin(Duty.Most, Duty.Least, 0.95f, Name + ".Duty.Most");
+        Finite.RequireWithin(Duty.Min, 0.05f, 0.95f, Name + ".Duty.Least");
+        Finite.RequireWithin(Duty.Max, Duty.Min, 0.95f, Name + ".Duty.Most");
         Finite.Require(Duty.Intercept, Name + ".Duty.Intercept");
         Finite.Require(Duty.Slope, Name + ".Duty.Slope");
         Finite.RequireWithin(Stride.Factor, 0.1f, 20f, Name + ".Stride.Factor");

@@ -10,7 +10,7 @@ public static class GaitLibrary
     /// <summary>Four-beat walk: left hind, left fore, right hind, right fore.</summary>
     public static Gait Walk { get; } = new("Walk", new ListedPhases(0f, 0.5f, 0.25f, 0.75f), walking, StrideLaw.Symmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 0.12f, Fastest = 0.6f, Lift = 0.85f, Track = 0.88f, ForceDip = 0.5f, BounceCap = 0.022f, Emphasis = 1.3f,
+        MinRows = 2, MaxRows = 2, Comfortable = 0.12f, Fastest = 0.6f, Lift = 0.85f, Track = 0.88f, ForceDip = 0.5f, BounceCap = 0.022f, Emphasis = 1.3f,
     };
 
     /// <summary>Four-beat walk of primates: left hind, right fore, right hind, left fore.</summary>
@@ -22,13 +22,13 @@ public static class GaitLibrary
     /// <summary>Walk of sprawlers: diagonal feet nearly together, the fore foot a little later.</summary>
     public static Gait Crawl { get; } = new("Crawl", new ListedPhases(0f, 0.5f, 0.42f, 0.92f), walking, StrideLaw.Symmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 0.12f, Fastest = 0.5f, Crouch = 0.01f, ForceDip = 0.1f, BounceCap = 0.022f, Emphasis = 1.15f, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, MaxRows = 2, Comfortable = 0.12f, Fastest = 0.5f, Crouch = 0.01f, ForceDip = 0.1f, BounceCap = 0.022f, Emphasis = 1.15f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Diagonal feet together.</summary>
     public static Gait Trot { get; } = new("Trot", new ListedPhases(0f, 0.5f, 0.5f, 0f), running, StrideLaw.Symmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 0.8f, Fastest = 2.5f, Lift = 1.15f, Track = 0.78f, Crouch = 0.03f, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, MaxRows = 2, Comfortable = 0.8f, Fastest = 2.5f, Lift = 1.15f, Track = 0.78f, Crouch = 0.03f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Trot of sprawlers: feet stay longer on the ground.</summary>
@@ -37,19 +37,19 @@ public static class GaitLibrary
     /// <summary>Feet of one side together.</summary>
     public static Gait Pace { get; } = new("Pace", new ListedPhases(0f, 0.5f, 0.04f, 0.54f), running, StrideLaw.Symmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 0.8f, Fastest = 2.2f, Lift = 0.95f, Track = 0.72f, Crouch = 0.025f, ForceDip = 0.1f, BounceCap = 0.03f, Emphasis = 1.1f,
+        MinRows = 2, MaxRows = 2, Comfortable = 0.8f, Fastest = 2.2f, Lift = 0.95f, Track = 0.72f, Crouch = 0.025f, ForceDip = 0.1f, BounceCap = 0.03f, Emphasis = 1.1f,
     };
 
     /// <summary>Three-beat canter: right hind, then left hind with right fore, then left fore.</summary>
     public static Gait Canter { get; } = new("Canter", new ListedPhases(0.30f, 0f, 0.66f, 0.34f), new DutyLaw(0.50f, 0.10f, 0.34f, 0.42f), StrideLaw.Asymmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 1.6f, Fastest = 3.5f, Lift = 1.35f, Track = 0.78f, Crouch = 0.045f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, MaxRows = 2, Comfortable = 1.6f, Fastest = 3.5f, Lift = 1.35f, Track = 0.78f, Crouch = 0.045f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Gallop in which hind and fore feet follow in the same order: horses.</summary>
     public static Gait TransverseGallop { get; } = new("TransverseGallop", new ListedPhases(0.12f, 0f, 0.60f, 0.47f), galloping, StrideLaw.Asymmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 3f, Fastest = 14f, Lift = 1.55f, Track = 0.72f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, MaxRows = 2, Comfortable = 3f, Fastest = 14f, Lift = 1.55f, Track = 0.72f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Gallop in which the feet follow round the body: dogs and cats.</summary>
@@ -58,25 +58,25 @@ public static class GaitLibrary
     /// <summary>Hind feet together, then fore feet together.</summary>
     public static Gait Bound { get; } = new("Bound", new ListedPhases(0.03f, 0f, 0.50f, 0.46f), galloping, StrideLaw.Asymmetric)
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 2.2f, Fastest = 10f, Lift = 1.6f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, MaxRows = 2, Comfortable = 2.2f, Fastest = 10f, Lift = 1.6f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>All four feet together: gazelles.</summary>
     public static Gait Pronk { get; } = new("Pronk", new ListedPhases(0f, 0f, 0f, 0f), new DutyLaw(0.42f, 0.07f, 0.25f, 0.38f), new StrideLaw(1.6f, 0.40f))
     {
-        LeastRows = 2, MostRows = 2, Comfortable = 1.2f, Fastest = 5f, Lift = 1.3f, Track = 0.95f, Crouch = 0.05f, BounceCap = 0.20f, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, MaxRows = 2, Comfortable = 1.2f, Fastest = 5f, Lift = 1.3f, Track = 0.95f, Crouch = 0.05f, BounceCap = 0.20f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Walk on two legs.</summary>
     public static Gait BipedWalk { get; } = new("BipedWalk", new ListedPhases(0f, 0.5f), walking, StrideLaw.Symmetric)
     {
-        MostRows = 1, Comfortable = 0.15f, Fastest = 0.6f, Lift = 0.9f, Track = 0.62f, Crouch = 0.02f, ForceDip = 0.4f, BounceCap = 0.022f, Emphasis = 1.3f, HindBias = 0f,
+        MaxRows = 1, Comfortable = 0.15f, Fastest = 0.6f, Lift = 0.9f, Track = 0.62f, Crouch = 0.02f, ForceDip = 0.4f, BounceCap = 0.022f, Emphasis = 1.3f, HindBias = 0f,
     };
 
     /// <summary>Run on two legs.</summary>
     public static Gait BipedRun { get; } = new("BipedRun", new ListedPhases(0f, 0.5f), running, StrideLaw.Symmetric)
     {
-        MostRows = 1, Comfortable = 1f, Fastest = 10f, Lift = 1.4f, Track = 0.45f, Crouch = 0.05f, HindBias = -0.07f, Lean = 3f, ElbowBend = 0.5f,
+        MaxRows = 1, Comfortable = 1f, Fastest = 10f, Lift = 1.4f, Track = 0.45f, Crouch = 0.05f, HindBias = -0.07f, Lean = 3f, ElbowBend = 0.5f,
     };
 
     /// <summary>Short steps on short legs, the body rolled over the foot that carries it: penguins.</summary>
@@ -88,19 +88,19 @@ public static class GaitLibrary
     /// <summary>Both feet together: kangaroos. The tail counters the legs.</summary>
     public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.40f, 0.07f, 0.21f, 0.36f), new StrideLaw(2.3f, 0.40f))
     {
-        MostRows = 1, Comfortable = 1.4f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.045f, Bounce = 0.85f, BounceCap = 0.34f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f, Trail = 0.6f,
+        MaxRows = 1, Comfortable = 1.4f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.045f, Bounce = 0.85f, BounceCap = 0.34f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f, Trail = 0.6f,
     };
 
     /// <summary>The hind pair pushes, all other legs catch: grasshoppers and frogs.</summary>
     public static Gait Leap { get; } = new("Leap", new LeapPhases(), new DutyLaw(0.32f, 0.06f, 0.20f, 0.30f), new StrideLaw(2.6f, 0.40f))
     {
-        LeastRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, Bounce = 0.75f, BounceCap = 0.35f, ForeBias = 0f, HindBias = 0f, Tuck = 0.8f, Trail = 1f,
+        MinRows = 2, Comfortable = 0.6f, Fastest = 4f, Lift = 1.2f, Track = 0.95f, Crouch = 0.02f, Bounce = 0.75f, BounceCap = 0.35f, ForeBias = 0f, HindBias = 0f, Tuck = 0.8f, Trail = 1f,
     };
 
     /// <summary>Steps run along the body from the rear, each leg a swing later than the one behind it: one leg after the other when slow, tetrapod, tripod when fast. For any number of legs.</summary>
     public static Gait Wave { get; } = new("Wave", new WavePhases(WaveDirection.Forward), new DutyLaw(0.74f, 0.30f, 0.50f, 0.75f), StrideLaw.Symmetric)
     {
-        LeastRows = 3, Comfortable = 0.12f, Fastest = 1.2f, Crouch = 0f, Bounce = 0.6f, BounceCap = 0.022f, ForeBias = 0f, HindBias = 0f,
+        MinRows = 3, Comfortable = 0.12f, Fastest = 1.2f, Crouch = 0f, Bounce = 0.6f, BounceCap = 0.022f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Two sets of alternate legs: insects in a hurry.</summary>

@@ -15,10 +15,10 @@ public sealed class GaitSet
     private const double QuickestExponent = -0.14;
 
     /// <summary>Part of a gait's comfortable Froude number below which steps get shorter instead of slower.</summary>
-    private const float SlowestShare = 0.25f;
+    private const float SlowestFraction = 0.25f;
 
     /// <summary>Strides are not shortened for short legs below this part of what the gait asks for.</summary>
-    private const float ShortestShare = 0.2f;
+    private const float ShortestFraction = 0.2f;
 
     private readonly GaitStep[] steps;
     private readonly GaitSpeed[] speeds;
@@ -60,15 +60,15 @@ public sealed class GaitSet
         for (int i = 0; i < speeds.Length; i++)
         {
             Gait gait = this.steps[i].Gait;
-            float most = Math.Min(gait.Fastest, QuickestFroude(gait, legLength, mass, gravity, longestStance == null ? float.MaxValue : longestStance(gait)));
+            float max = Math.Min(gait.Fastest, QuickestFroude(gait, legLength, mass, gravity, longestStance == null ? float.MaxValue : longestStance(gait)));
             if (i + 1 < speeds.Length)
             {
-                most = Math.Min(most, this.steps[i + 1].Enter);
+                max = Math.Min(max, this.steps[i + 1].Enter);
             }
 
-            float least = i == 0 ? 0f : this.steps[i].Leave;
-            float comfortable = Math.Min(Math.Max(gait.Comfortable, least), most);
-            speeds[i] = new GaitSpeed(gait, Speed(least), Speed(comfortable), Speed(Math.Max(most, least)));
+            float min = i == 0 ? 0f : this.steps[i].Leave;
+            float comfortable = Math.Min(Math.Max(gait.Comfortable, min), max);
+            speeds[i] = new GaitSpeed(gait, Speed(min), Speed(comfortable), Speed(Math.Max(max, min)));
         }
 
         TopSpeed = 0f;
@@ -112,9 +112,9 @@ public sealed class GaitSet
     /// <summary>Cycles per second of a gait on legs that reach no further than a stance allows.</summary>
     internal static float FrequencyOf(Gait gait, float froude, float legLength, float gravity, float longestStance)
     {
-        float fr = Math.Max(froude, SlowestShare * gait.Comfortable);
+        float fr = Math.Max(froude, SlowestFraction * gait.Comfortable);
         float stride = legLength * gait.Stride.At(fr);
-        stride = Math.Max(Math.Min(stride, longestStance / gait.Duty.At(froude)), ShortestShare * stride);
+        stride = Math.Max(Math.Min(stride, longestStance / gait.Duty.At(froude)), ShortestFraction * stride);
         return (float)Math.Sqrt(fr * gravity * legLength) / stride;
     }
 
@@ -126,26 +126,26 @@ public sealed class GaitSet
     private static float QuickestFroude(Gait gait, float legLength, float mass, float gravity, float longestStance)
     {
         float quickest = QuickestOf(mass);
-        float least = 0.25f * gait.Comfortable;
-        float most = gait.Fastest;
-        if (FrequencyOf(gait, most, legLength, gravity, longestStance) <= quickest)
+        float min = 0.25f * gait.Comfortable;
+        float max = gait.Fastest;
+        if (FrequencyOf(gait, max, legLength, gravity, longestStance) <= quickest)
         {
-            return most;
+            return max;
         }
 
         for (int i = 0; i < 24; i++)
         {
-            float middle = 0.5f * (least + most);
+            float middle = 0.5f * (min + max);
             if (FrequencyOf(gait, middle, legLength, gravity, longestStance) <= quickest)
             {
-                least = middle;
+                min = middle;
             }
             else
             {
-                most = middle;
+                max = middle;
             }
         }
 
-        return least;
+        return min;
     }
 }

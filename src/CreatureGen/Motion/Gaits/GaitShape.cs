@@ -35,20 +35,20 @@ internal struct GaitShape
     };
 
     /// <summary>Goes a share of the way to those of a gait.</summary>
-    public void Approach(Gait gait, float share)
+    public void Approach(Gait gait, float fraction)
     {
-        Lift += (gait.Lift - Lift) * share;
-        Track += (gait.Track - Track) * share;
-        Crouch += (gait.Crouch - Crouch) * share;
-        ForceDip += (gait.ForceDip - ForceDip) * share;
-        Bounce += (gait.Bounce - Bounce) * share;
-        BounceCap += (gait.BounceCap - BounceCap) * share;
-        Emphasis += (gait.Emphasis - Emphasis) * share;
-        ForeBias += (gait.ForeBias - ForeBias) * share;
-        HindBias += (gait.HindBias - HindBias) * share;
-        Lean += (gait.Lean - Lean) * share;
-        ElbowBend += (gait.ElbowBend - ElbowBend) * share;
-        Tuck += (gait.Tuck - Tuck) * share;
-        Trail += (gait.Trail - Trail) * share;
+        Lift += (gait.Lift - Lift) * fraction;
+        Track += (gait.Track - Track) * fraction;
+        Crouch += (gait.Crouch - Crouch) * fraction;
+        ForceDip += (gait.ForceDip - ForceDip) * fraction;
+        Bounce += (gait.Bounce - Bounce) * fraction;
+        BounceCap += (gait.BounceCap - BounceCap) * fraction;
+        Emphasis += (gait.Emphasis - Emphasis) * fraction;
+        ForeBias += (gait.ForeBias - ForeBias) * fraction;
+        HindBias += (gait.HindBias - HindBias) * fraction;
+        Lean += (gait.Lean - Lean) * fraction;
+        ElbowBend += (gait.ElbowBend - ElbowBend) * fraction;
+        Tuck += (gait.Tuck - Tuck) * fraction;
+        Trail += (gait.Trail - Trail) * fraction;
     }
 }

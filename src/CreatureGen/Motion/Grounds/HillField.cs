@@ -9,9 +9,9 @@ namespace CreatureGen.Motion;
 /// <remarks>Heights are a <see cref="HeightFieldGround"/> of cells of 0.08 leg lengths. They are a function of place and seed alone, not of the extent of the field.</remarks>
 public sealed class HillField
 {
-    private const float CellShare = 0.08f;
-    private const float HeightShare = 0.048f;
-    private const float MostRows = 60000f;
+    private const float CellFraction = 0.08f;
+    private const float HeightFraction = 0.048f;
+    private const float MaxRows = 60000f;
 
     // Wave numbers across and along, per leg length.
     private static readonly Vector2[] waves = { new(2.1f, 0f), new(0f, 3.3f), new(1.3f, 2.2f) };
@@ -60,9 +60,9 @@ public sealed class HillField
     /// <exception cref="ArgumentException">A number is not finite, there is no extent, or it is more than 60,000 cells long.</exception>
     public HeightFieldGround Around(float halfWidth, float from, float to)
     {
-        float cell = CellShare * length;
-        Finite.RequireWithin(halfWidth, cell, MostRows * cell, nameof(halfWidth));
-        Finite.RequireWithin(to - from, cell, MostRows * cell, nameof(to));
+        float cell = CellFraction * length;
+        Finite.RequireWithin(halfWidth, cell, MaxRows * cell, nameof(halfWidth));
+        Finite.RequireWithin(to - from, cell, MaxRows * cell, nameof(to));
         int columns = 2 + (int)Math.Ceiling(2f * halfWidth / cell);
         int rows = 2 + (int)Math.Ceiling((to - from) / cell);
         var corner = new Vector3(-halfWidth, 0f, from);
@@ -82,7 +82,7 @@ public sealed class HillField
                 PortableMath.SinCos(along[wave] * (corner.Z + (k * (double)cell)), out double sine, out double cosine);
                 for (int i = 0; i < columns; i++)
                 {
-                    heights[(k * columns) + i] += (float)(HeightShare * length * ((sines[i] * cosine) + (cosines[i] * sine)));
+                    heights[(k * columns) + i] += (float)(HeightFraction * length * ((sines[i] * cosine) + (cosines[i] * sine)));
                 }
             }
         }

@@ -136,31 +136,31 @@ public sealed class MeshGround : IGround
     private int Build(int start, int count)
     {
         int index = nodeCount++;
-        var least = new Vector3(float.MaxValue);
-        var most = new Vector3(float.MinValue);
-        var leastCentre = new Vector3(float.MaxValue);
-        var mostCentre = new Vector3(float.MinValue);
+        var min = new Vector3(float.MaxValue);
+        var max = new Vector3(float.MinValue);
+        var minCentre = new Vector3(float.MaxValue);
+        var maxCentre = new Vector3(float.MinValue);
         for (int i = start; i < start + count; i++)
         {
             for (int k = 0; k < 3; k++)
             {
                 Vector3 p = positions[triangles[(3 * order[i]) + k]];
-                least = Vec.Min(least, p);
-                most = Vec.Max(most, p);
+                min = Vec.Min(min, p);
+                max = Vec.Max(max, p);
             }
 
             Vector3 centre = Centre(order[i]);
-            leastCentre = Vec.Min(leastCentre, centre);
-            mostCentre = Vec.Max(mostCentre, centre);
+            minCentre = Vec.Min(minCentre, centre);
+            maxCentre = Vec.Max(maxCentre, centre);
         }
 
         if (count <= LeafSize)
         {
-            nodes[index] = new Node(least, most, start, 0, count);
+            nodes[index] = new Node(min, max, start, 0, count);
             return index;
         }
 
-        Vector3 size = mostCentre - leastCentre;
+        Vector3 size = maxCentre - minCentre;
         int axis = size.X >= size.Y && size.X >= size.Z ? 0 : size.Y >= size.Z ? 1 : 2;
         float[] keys = new float[count];
         for (int i = 0; i < count; i++)
@@ -173,7 +173,7 @@ public sealed class MeshGround : IGround
         int half = count / 2;
         int first = Build(start, half);
         int second = Build(start + half, count - half);
-        nodes[index] = new Node(least, most, first, second, 0);
+        nodes[index] = new Node(min, max, first, second, 0);
         return index;
     }
 
@@ -191,13 +191,13 @@ public sealed class MeshGround : IGround
     /// <summary>A box with two children, or with triangles.</summary>
     private readonly struct Node
     {
-        private readonly Vector3 least;
-        private readonly Vector3 most;
+        private readonly Vector3 min;
+        private readonly Vector3 max;
 
-        public Node(Vector3 least, Vector3 most, int first, int second, int count)
+        public Node(Vector3 min, Vector3 max, int first, int second, int count)
         {
-            this.least = least;
-            this.most = most;
+            this.min = min;
+            this.max = max;
             First = first;
             Second = second;
             Count = count;
@@ -215,20 +215,20 @@ public sealed class MeshGround : IGround
         {
             float enter = 0f;
             float leave = distance;
-            return Slab(origin.X, direction.X, least.X, most.X, ref enter, ref leave)
-                && Slab(origin.Y, direction.Y, least.Y, most.Y, ref enter, ref leave)
-                && Slab(origin.Z, direction.Z, least.Z, most.Z, ref enter, ref leave);
+            return Slab(origin.X, direction.X, min.X, max.X, ref enter, ref leave)
+                && Slab(origin.Y, direction.Y, min.Y, max.Y, ref enter, ref leave)
+                && Slab(origin.Z, direction.Z, min.Z, max.Z, ref enter, ref leave);
         }
 
-        private static bool Slab(float origin, float direction, float least, float most, ref float enter, ref float leave)
+        private static bool Slab(float origin, float direction, float min, float max, ref float enter, ref float leave)
         {
             if (Math.Abs(direction) < 1e-12f)
             {
-                return origin >= least && origin <= most;
+                return origin >= min && origin <= max;
             }
 
-            float a = (least - origin) / direction;
-            float b = (most - origin) / direction;
+            float a = (min - origin) / direction;
+            float b = (max - origin) / direction;
             enter = Math.Max(enter, Math.Min(a, b));
             leave = Math.Min(leave, Math.Max(a, b));
             return enter <= leave * 1.000001f + 1e-6f;

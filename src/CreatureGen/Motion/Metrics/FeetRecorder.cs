@@ -12,7 +12,7 @@ internal sealed class FeetRecorder
 {
     private const float FlatFrom = 0.17f;
     private const float FlatTo = 0.58f;
-    private const float SkatingShareOfSpeed = 0.1f;
+    private const float SkatingFractionOfSpeed = 0.1f;
 
     private readonly CreatureAnimator animator;
     private readonly LeggedBody body;
@@ -34,7 +34,7 @@ internal sealed class FeetRecorder
     private int stanceFrames;
     private int skinnedStanceFrames;
     private int stretched;
-    private int leastSupport = int.MaxValue;
+    private int minSupport = int.MaxValue;
     private long support;
     private float lowest = float.MaxValue;
     private float highest = float.MinValue;
@@ -77,7 +77,7 @@ internal sealed class FeetRecorder
 
         overlap.Measure(model);
         frames++;
-        leastSupport = Math.Min(leastSupport, down);
+        minSupport = Math.Min(minSupport, down);
         support += down;
         float pelvis = animator.Root.ToWorld(model.Positions[body.Trunk[0]]).Y / animator.Root.Scale;
         lowest = Math.Min(lowest, pelvis);
@@ -102,15 +102,15 @@ internal sealed class FeetRecorder
         {
             Slip = skinned ? slip / length : null,
             LockDrift = skinned ? lockDrift / length : null,
-            SkatingShare = skinned ? skating / (float)Math.Max(flatFrames, 1) : null,
+            SkatingFraction = skinned ? skating / (float)Math.Max(flatFrames, 1) : null,
             Penetration = skinned ? penetration / length : null,
             MeanPenetration = skinned ? (float)(penetrationSum / skinnedStanceFrames / length) : null,
             Float = skinned ? floating / length : null,
             Clearance = clearance / length,
             StanceResidual = stanceResidual / length,
             SwingResidual = swingResidual / length,
-            StretchedShare = stanceFrames == 0 ? null : stretched / (float)stanceFrames,
-            LeastSupport = leastSupport,
+            StretchedFraction = stanceFrames == 0 ? null : stretched / (float)stanceFrames,
+            MinSupport = minSupport,
             MeanSupport = support / (float)frames,
             Bob = (highest - lowest) / length,
             LegOverlap = overlap.Deepest / length,
@@ -127,11 +127,11 @@ internal sealed class FeetRecorder
             return;
         }
 
-        float least = LeastHeight(skins[index], ground, matrices);
-        penetration = Math.Max(penetration, -least);
+        float min = MinHeight(skins[index], ground, matrices);
+        penetration = Math.Max(penetration, -min);
         if (foot.Progress > 0.3f && foot.Progress < 0.75f)
         {
-            clearance = clearance is float known ? Math.Min(known, least) : least;
+            clearance = clearance is float known ? Math.Min(known, min) : min;
         }
     }
 
@@ -147,23 +147,23 @@ internal sealed class FeetRecorder
             return;
         }
 
-        float least = LeastHeight(skin, ground, matrices);
+        float min = MinHeight(skin, ground, matrices);
         skinnedStanceFrames++;
-        penetration = Math.Max(penetration, -least);
-        penetrationSum += Math.Max(-least, 0f);
+        penetration = Math.Max(penetration, -min);
+        penetrationSum += Math.Max(-min, 0f);
         if (foot.Progress < FlatFrom || foot.Progress > FlatTo)
         {
             flatAt[index] = null;
             return;
         }
 
-        floating = Math.Max(floating, least);
+        floating = Math.Max(floating, min);
         Vector3 middle = root.ToWorld(skin.Middle(matrices)) / root.Scale;
         if (flatAt[index] is Vector3 at)
         {
             slip = Math.Max(slip, Vec.Length(Level(middle - at)));
             flatFrames++;
-            skating += Vec.Length(Level(middle - lastMiddle[index])) > SkatingShareOfSpeed * Math.Max(Math.Abs(animator.Speed / root.Scale), 0.3f * body.LegLength) * dt ? 1 : 0;
+            skating += Vec.Length(Level(middle - lastMiddle[index])) > SkatingFractionOfSpeed * Math.Max(Math.Abs(animator.Speed / root.Scale), 0.3f * body.LegLength) * dt ? 1 : 0;
         }
         else
         {
@@ -172,25 +172,25 @@ internal sealed class FeetRecorder
 
         Vector3 ball = root.ToWorld(animator.ModelPose.Positions[body.Legs[index].Ball]) / root.Scale;
         Vector3 off = Level(ball - (foot.Place / root.Scale));
-        lockDrift = Math.Max(lockDrift, foot.Normal.Y > 0.999f && body.Legs[index].FollowShare == 0f ? Vec.Length(off) : 0f);
+        lockDrift = Math.Max(lockDrift, foot.Normal.Y > 0.999f && body.Legs[index].FollowFraction == 0f ? Vec.Length(off) : 0f);
         lastMiddle[index] = middle;
     }
 
-    private float LeastHeight(FootSkin skin, IGround ground, ReadOnlySpan<Matrix4x4> matrices)
+    private float MinHeight(FootSkin skin, IGround ground, ReadOnlySpan<Matrix4x4> matrices)
     {
         RootPlace root = animator.Root;
         Vector3 up = Rotation.Rotate(root.Rotation, Vector3.UnitY);
         float reach = body.LegLength * root.Scale;
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         for (int i = 0; i < skin.Count; i++)
         {
             // Height over the ground along the creature's up, negative inside it.
             Vector3 point = root.ToWorld(skin.At(i, matrices));
             float height = ground.Cast(point + (up * reach), -up, 3f * reach, out GroundHit hit) ? Vec.Dot(point - hit.Point, up) : reach;
-            least = Math.Min(least, height / root.Scale);
+            min = Math.Min(min, height / root.Scale);
         }
 
-        return least;
+        return min;
     }
 
     private Vector3 Level(Vector3 v) => Vec.Reject(v, Rotation.Rotate(animator.Root.Rotation, Vector3.UnitY));

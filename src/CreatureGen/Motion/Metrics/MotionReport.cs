@@ -19,7 +19,7 @@ public sealed record MotionReport(int Frames, float Seconds, float LimitExcess, 
     public float? LockDrift { get; init; }
 
     /// <summary>Share of frames of standing feet, flat on the ground, that move faster than a tenth of the body's own speed.</summary>
-    public float? SkatingShare { get; init; }
+    public float? SkatingFraction { get; init; }
 
     /// <summary>Deepest that any part of a foot was in the ground.</summary>
     public float? Penetration { get; init; }
@@ -40,10 +40,10 @@ public sealed record MotionReport(int Frames, float Seconds, float LimitExcess, 
     public float? SwingResidual { get; init; }
 
     /// <summary>Share of frames of standing legs that were eased at the end of their reach.</summary>
-    public float? StretchedShare { get; init; }
+    public float? StretchedFraction { get; init; }
 
     /// <summary>Least number of feet down.</summary>
-    public int? LeastSupport { get; init; }
+    public int? MinSupport { get; init; }
 
     /// <summary>Mean number of feet down.</summary>
     public float? MeanSupport { get; init; }

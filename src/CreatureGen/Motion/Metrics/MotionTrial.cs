@@ -19,8 +19,8 @@ public sealed record MotionTrial(Movement Movement, GroundRelief Relief, float H
     /// <summary>Cycles that are measured.</summary>
     public const int Cycles = 3;
 
-    private const float LeastSeconds = 0.5f;
-    private const float MostSeconds = 6f;
+    private const float MinSeconds = 0.5f;
+    private const float MaxSeconds = 6f;
 
     /// <summary>Part of its length that the hills take for the leg of a creature without legs.</summary>
     private const float LegOfLegless = 0.16f;
@@ -71,7 +71,7 @@ public sealed record MotionTrial(Movement Movement, GroundRelief Relief, float H
 
         // Fliers beat their wings and glide in turn: a cycle is both.
         int beats = Movement.Input.Medium == MotionMedium.Air && profile.Flight != null ? profile.Flight.BeatsPerCycle : 1;
-        float seconds = animator.Frequency > 0f ? Scalar.Clamp(Cycles * beats / animator.Frequency, LeastSeconds, MostSeconds) : MostSeconds;
+        float seconds = animator.Frequency > 0f ? Scalar.Clamp(Cycles * beats / animator.Frequency, MinSeconds, MaxSeconds) : MaxSeconds;
         int frames = 2 + (int)(seconds * Hertz);
         for (int i = 0; i < frames; i++)
         {
@@ -85,32 +85,32 @@ public sealed record MotionTrial(Movement Movement, GroundRelief Relief, float H
     /// <summary>Length that hills are measured by, metres: of the legs, or a part of the body's for what is not done on legs.</summary>
     internal static float HillLength(MotionProfile profile, Movement movement)
     {
-        (Vector3 least, Vector3 most) = Extent(profile.Creature);
-        return movement.Gait != null ? profile.LegLength : LegOfLegless * (most.Z - least.Z);
+        (Vector3 min, Vector3 max) = Extent(profile.Creature);
+        return movement.Gait != null ? profile.LegLength : LegOfLegless * (max.Z - min.Z);
     }
 
     /// <summary>Corners of the box around the joints at rest.</summary>
-    internal static (Vector3 Least, Vector3 Most) Extent(Creature creature)
+    internal static (Vector3 Min, Vector3 Max) Extent(Creature creature)
     {
-        Vector3 least = creature.Skeleton.ModelPositions[0];
-        Vector3 most = least;
+        Vector3 min = creature.Skeleton.ModelPositions[0];
+        Vector3 max = min;
         foreach (Vector3 joint in creature.Skeleton.ModelPositions)
         {
-            least = Vec.Min(least, joint);
-            most = Vec.Max(most, joint);
+            min = Vec.Min(min, joint);
+            max = Vec.Max(max, joint);
         }
 
-        return (least, most);
+        return (min, max);
     }
 
     private HeightFieldGround Hills(MotionProfile profile)
     {
         float length = HillLength(profile, Movement);
-        (Vector3 least, Vector3 most) = Extent(profile.Creature);
-        float way = Math.Abs(Movement.Input.Speed) * (SettleSeconds + MostSeconds + 1f);
+        (Vector3 min, Vector3 max) = Extent(profile.Creature);
+        float way = Math.Abs(Movement.Input.Speed) * (SettleSeconds + MaxSeconds + 1f);
 
         // Creatures without legs wind: some of them lie across their way.
-        float room = Movement.Gait != null ? 3f * length : Math.Max(3f * length, most.Z - least.Z);
-        return new HillField(new Seed(profile.Creature.Blueprint.Seed), length).Around(most.X + room, least.Z - room - (0.2f * way), most.Z + room + way);
+        float room = Movement.Gait != null ? 3f * length : Math.Max(3f * length, max.Z - min.Z);
+        return new HillField(new Seed(profile.Creature.Blueprint.Seed), length).Around(max.X + room, min.Z - room - (0.2f * way), max.Z + room + way);
     }
 }

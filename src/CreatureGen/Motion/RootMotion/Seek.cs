@@ -41,7 +41,7 @@ public static class Seek
         float ahead = state.Act switch
         {
             SeekAct.Approach => Math.Min(settings.Speed, Math.Max(nearer, 0f) * Easing) * aim,
-            SeekAct.Retreat => -Math.Min(settings.Speed * settings.RetreatShare, Math.Max(farther, 0f) * Easing) * aim,
+            SeekAct.Retreat => -Math.Min(settings.Speed * settings.RetreatFraction, Math.Max(farther, 0f) * Easing) * aim,
             _ => 0f,
         };
         return new BodyVelocity(new Vector3(0f, 0f, ahead), turn);

@@ -14,9 +14,9 @@ public readonly struct SeekSettings
     /// <param name="turnBeyond">Radians off ahead at which turning begins.</param>
     /// <param name="facing">Radians off ahead at which turning ends; below <paramref name="turnBeyond"/>.</param>
     /// <param name="moveWithin">Radians off ahead within which it walks; beyond, it turns on the spot first.</param>
-    /// <param name="retreatShare">Speed backwards, share of that ahead.</param>
+    /// <param name="retreatFraction">Speed backwards, share of that ahead.</param>
     /// <exception cref="ArgumentException">A number is outside its range or not a number.</exception>
-    public SeekSettings(float speed, float turnSpeed = 1.745f, float near = 4.5f, float far = 6f, float turnBeyond = 0.35f, float facing = 0.05f, float moveWithin = 1.5708f, float retreatShare = 0.66f)
+    public SeekSettings(float speed, float turnSpeed = 1.745f, float near = 4.5f, float far = 6f, float turnBeyond = 0.35f, float facing = 0.05f, float moveWithin = 1.5708f, float retreatFraction = 0.66f)
     {
         Finite.RequireWithin(speed, 0f, 1e6f, nameof(speed));
         Finite.RequireWithin(turnSpeed, 0f, 1e3f, nameof(turnSpeed));
@@ -25,7 +25,7 @@ public readonly struct SeekSettings
         Finite.RequireWithin(turnBeyond, 1e-4f, 3.1416f, nameof(turnBeyond));
         Finite.RequireWithin(facing, 0f, turnBeyond, nameof(facing));
         Finite.RequireWithin(moveWithin, 1e-3f, 3.1416f, nameof(moveWithin));
-        Finite.RequireWithin(retreatShare, 0f, 1f, nameof(retreatShare));
+        Finite.RequireWithin(retreatFraction, 0f, 1f, nameof(retreatFraction));
         Speed = speed;
         TurnSpeed = turnSpeed;
         Near = near;
@@ -33,7 +33,7 @@ public readonly struct SeekSettings
         TurnBeyond = turnBeyond;
         Facing = facing;
         MoveWithin = moveWithin;
-        RetreatShare = retreatShare;
+        RetreatFraction = retreatFraction;
     }
 
     /// <summary>2 m/s, 100°/s, between 4.5 and 6 m.</summary>
@@ -61,5 +61,5 @@ public readonly struct SeekSettings
     public float MoveWithin { get; }
 
     /// <summary>Share of the speed.</summary>
-    public float RetreatShare { get; }
+    public float RetreatFraction { get; }
 }

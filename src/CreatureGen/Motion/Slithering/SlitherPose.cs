@@ -34,7 +34,7 @@ internal static class SlitherPose
     private const double Near = 1e-5;
 
     /// <summary>Share of the belly's waves below which there are none.</summary>
-    private const double LeastWave = 1e-5;
+    private const double MinWave = 1e-5;
 
     /// <summary>From the root forward to the joint of the head, which leads the track, metres.</summary>
     public static double Lead(SlitherProfile profile) => profile.Chain.Bones[0].Rear.Z;
@@ -143,7 +143,7 @@ internal static class SlitherPose
         }
 
         double straight = 1 - Math.Min(1, state.Winding.Value / Math.Max(profile.Alpha, 1e-3));
-        if (straight > LeastWave)
+        if (straight > MinWave)
         {
             height += straight * BellyWave * profile.Wavelength * (1 - PortableMath.Cos(8 * PortableMath.Pi * arc / state.Track.Wavelength)) * (1 - state.Idle.Value);
         }
@@ -173,7 +173,7 @@ internal static class SlitherPose
         double kept = HeadSwing * HeadTilt;
         for (int b = 1; b < neck; b++)
         {
-            turns[b] = Rotation.Slerp(along, turns[neck], 1 - ((1 - kept) * profile.NeckShares[b]));
+            turns[b] = Rotation.Slerp(along, turns[neck], 1 - ((1 - kept) * profile.NeckFractions[b]));
         }
 
         turns[0] = Rotation.Slerp(along, turns[neck], HeadSwing);

@@ -20,19 +20,19 @@ internal sealed class SlitherProfile
     /// <summary>How much more than a serpenoid curve the track of sidewinding bends at most, see <see cref="TrackSteering.Swing"/>.</summary>
     private const double SidewindBend = 1.46;
 
-    private const double LeastWinding = 0.25;
+    private const double MinWinding = 0.25;
     private const double WavesPerBody = 1.5;
-    private const double LimitShare = 0.84;
+    private const double LimitFraction = 0.84;
 
     /// <summary>Of the widest winding that the joints allow, how much undulation takes: bones bent less follow the track more closely.</summary>
-    private const double WindingShare = 0.88;
+    private const double WindingFraction = 0.88;
 
     private const double TurnPerBody = 2.2;
     private const double CruiseLengths = 0.35;
 
     private readonly double[] lengths;
     private readonly double[] heights;
-    private readonly double[] neckShares;
+    private readonly double[] neckFractions;
 
     private SlitherProfile(Creature creature)
     {
@@ -53,23 +53,23 @@ internal sealed class SlitherProfile
             NeckBones++;
         }
 
-        neckShares = new double[NeckBones];
+        neckFractions = new double[NeckBones];
         for (int b = NeckBones - 1; b >= 0; b--)
         {
             JointLimit limit = Skeleton.Joints[Chain.Bones[b].Turn.Joint].Limit;
             NeckReach += Math.Min(limit.SwingZ.Max, -limit.SwingZ.Min);
-            neckShares[b] = NeckReach;
+            neckFractions[b] = NeckReach;
         }
 
         for (int b = 0; b < NeckBones; b++)
         {
-            neckShares[b] = NeckReach > 0 ? neckShares[b] / NeckReach : (double)(NeckBones - b) / NeckBones;
+            neckFractions[b] = NeckReach > 0 ? neckFractions[b] / NeckReach : (double)(NeckBones - b) / NeckBones;
         }
 
         BodyLength = (float)Chain.Length;
         Wavelength = (float)(Chain.Length / WavesPerBody);
         double room = Room();
-        Alpha = Math.Min(Winding, WindingShare * room);
+        Alpha = Math.Min(Winding, WindingFraction * room);
         SidewindAlpha = Math.Min(SidewindWinding, room / SidewindBend);
         TightestTurn = TurnPerBody / Chain.Length;
         CruiseSpeed = (float)(CruiseLengths * Chain.Length);
@@ -92,7 +92,7 @@ internal sealed class SlitherProfile
     internal int NeckBones { get; }
 
     /// <summary>Share of a bend of the whole neck that is made behind each bone of it: by what their joints can turn aside.</summary>
-    internal ReadOnlySpan<double> NeckShares => neckShares;
+    internal ReadOnlySpan<double> NeckFractions => neckFractions;
 
     /// <summary>How far the joints of head and neck turn aside together, radians.</summary>
     internal double NeckReach { get; }
@@ -140,11 +140,11 @@ internal sealed class SlitherProfile
             ReadOnlySpan<AxialBone> bones = Chain.Bones;
             int child = bones[b + 1].Parent == b ? b + 1 : b;
             JointLimit limit = Skeleton.Joints[bones[child].Turn.Joint].Limit;
-            double most = LimitShare * Math.Min(limit.SwingZ.Max, -limit.SwingZ.Min);
+            double max = LimitFraction * Math.Min(limit.SwingZ.Max, -limit.SwingZ.Min);
             double turn = PortableMath.Pi * (lengths[b] + lengths[b + 1]) / Wavelength;
-            alpha = Math.Min(alpha, most / turn);
+            alpha = Math.Min(alpha, max / turn);
         }
 
-        return Math.Max(alpha, LeastWinding);
+        return Math.Max(alpha, MinWinding);
     }
 }

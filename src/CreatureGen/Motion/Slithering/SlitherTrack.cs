@@ -78,8 +78,8 @@ internal sealed class SlitherTrack
             long next = (long)Math.Floor((Head / Step) + 1e-9) + 1;
             double to = Math.Min(end, next * Step);
             double length = to - Head;
-            double share = (done + (0.5 * length)) / way;
-            head = Go(head, length, steer.HeadingAt(0.5 * (Head + to), share, Wavelength), floor);
+            double fraction = (done + (0.5 * length)) / way;
+            head = Go(head, length, steer.HeadingAt(0.5 * (Head + to), fraction, Wavelength), floor);
             done += length;
             Head = to;
             if (to >= (next * Step) - (1e-9 * Step))

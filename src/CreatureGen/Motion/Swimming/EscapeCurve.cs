@@ -12,7 +12,7 @@ namespace CreatureGen.Motion.Swimming;
 internal static class EscapeCurve
 {
     /// <summary>Length of the first stage, in cycles at cruise.</summary>
-    public const double StageShare = 0.18;
+    public const double StageFraction = 0.18;
 
     /// <summary>Length of the whole, in stages.</summary>
     public const double Duration = 4.5;

@@ -12,7 +12,7 @@ namespace CreatureGen.Motion.Swimming;
 internal sealed class LegFold
 {
     /// <summary>Least and widest angle between the direction that a folded leg is turned to and straight back, and the steps in which it is sought, radians. The least leaves hips room to follow the flank both ways.</summary>
-    private const double LeastSplay = 0.3;
+    private const double MinSplay = 0.3;
     private const double WidestSplay = 0.9;
     private const double SplayStep = 0.06;
 
@@ -45,15 +45,15 @@ internal sealed class LegFold
     public static LegFold Of(PairedChain chain, Creature creature, IReadOnlyList<FoldedBone> beside, double droop)
     {
         LegFold? best = null;
-        float least = float.MaxValue;
-        for (double splay = LeastSplay; splay <= WidestSplay && least > 0f; splay += SplayStep)
+        float min = float.MaxValue;
+        for (double splay = MinSplay; splay <= WidestSplay && min > 0f; splay += SplayStep)
         {
             PortableMath.SinCos(splay, out double sine, out double cosine);
             LegFold fold = Towards(chain, creature, new Vector3((float)sine, -(float)droop, -(float)cosine));
             float depth = fold.DepthIn(beside);
-            if (depth < least)
+            if (depth < min)
             {
-                least = depth;
+                min = depth;
                 best = fold;
             }
         }

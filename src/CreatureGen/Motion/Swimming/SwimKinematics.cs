@@ -15,9 +15,9 @@ namespace CreatureGen.Motion.Swimming;
 /// <param name="TailSweep">Tail beat from peak to peak, body lengths.</param>
 /// <param name="Strouhal">Number at cruise.</param>
 /// <param name="Tempo">Factor on the frequency of cruise.</param>
-/// <param name="HeadShare">Share of its own heading that the head keeps.</param>
+/// <param name="HeadFraction">Share of its own heading that the head keeps.</param>
 /// <param name="Banking">Roll per radian of bend in a turn.</param>
-internal sealed record SwimKinematics(double Wavelength, double TailSweep, double Strouhal, double Tempo, double HeadShare, double Banking)
+internal sealed record SwimKinematics(double Wavelength, double TailSweep, double Strouhal, double Tempo, double HeadFraction, double Banking)
 {
     /// <summary>Frequency at cruise of a body of one metre, Hz.</summary>
     private const double UnitFrequency = 1.2;

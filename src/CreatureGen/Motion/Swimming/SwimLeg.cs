@@ -143,8 +143,8 @@ internal sealed class SwimLeg
         double way = Paddle * (1 - (Calm * stroke.Hover)) * (1 - stroke.Trail) * (1 - flare);
         for (int k = Hip; k < chain.Count; k++)
         {
-            double share = middle + (way * PortableMath.Cos(phase - (backing * Lag * (k - Hip))));
-            Quaternion turn = Rotation.Nlerp(Quaternion.Identity, fold.Turns[k], share);
+            double fraction = middle + (way * PortableMath.Cos(phase - (backing * Lag * (k - Hip))));
+            Quaternion turn = Rotation.Nlerp(Quaternion.Identity, fold.Turns[k], fraction);
             chain.Write(local, side, k, k == Hip ? Rotation.Multiply(flank, turn) : turn);
         }
     }

@@ -37,7 +37,7 @@ internal static class SwimMotion
 
     /// <summary>Steps for each stage of a C-start, and most in one update.</summary>
     private const int StepsPerStage = 8;
-    private const int MostSteps = 64;
+    private const int MaxSteps = 64;
 
     /// <summary>Moves on and writes the body's root, the axis of the body, the legs and the fins of a local pose; other joints are left alone.</summary>
     /// <param name="profile">How the creature swims.</param>
@@ -77,7 +77,7 @@ internal static class SwimMotion
         StepCheck.Finite(input.ClimbRate, "ClimbRate");
         StartEscape(input.Escape, ref state);
         double stages = StagesPerSecond(profile) * dt;
-        return state.EscapeSide == 0 || dt <= 0 ? Step(profile, input, ref state, dt) : Dart(profile, input, ref state, dt, Math.Min((int)Math.Ceiling(stages * StepsPerStage), MostSteps));
+        return state.EscapeSide == 0 || dt <= 0 ? Step(profile, input, ref state, dt) : Dart(profile, input, ref state, dt, Math.Min((int)Math.Ceiling(stages * StepsPerStage), MaxSteps));
     }
 
     /// <summary>A C-start is over in a few frames, turning and darting at once: it is stepped finely, and the velocity is that which leads along the chord.</summary>
@@ -137,7 +137,7 @@ internal static class SwimMotion
         return new BodyVelocity(new Vector3(0f, (float)climb, (float)speed), (float)yaw);
     }
 
-    private static double StagesPerSecond(SwimProfile profile) => profile.CruiseFrequency / EscapeCurve.StageShare;
+    private static double StagesPerSecond(SwimProfile profile) => profile.CruiseFrequency / EscapeCurve.StageFraction;
 
     private static void StartEscape(EscapeTurn asked, ref SwimState state)
     {

@@ -13,7 +13,7 @@ namespace CreatureGen.Motion.Swimming;
 internal sealed class SwimProfile
 {
     /// <summary>Share of a joint's range that the wave at its widest may take; the rest is for turns.</summary>
-    private const double LimitShare = 0.84;
+    private const double LimitFraction = 0.84;
 
     /// <summary>Bones behind the chest from which on a body undulates as a whole: the rig gives such bodies more.</summary>
     private const int WavingBones = 18;
@@ -165,13 +165,13 @@ internal sealed class SwimProfile
             int child = bones[b + 1].Parent == b ? b + 1 : b;
             JointLimit limit = skeleton.Joints[bones[child].Turn.Joint].Limit;
             AngleRange range = style == SwimStyle.Cetacean ? limit.SwingX : limit.SwingZ;
-            double most = Math.Min(range.Max, -range.Min);
+            double max = Math.Min(range.Max, -range.Min);
 
             // The bend grows faster than the width: a few steps of the rule of three settle it.
             for (int pass = 0; pass < 4; pass++)
             {
                 double bend = wave.Bend(b, factor * SwimMotion.WidestBeat);
-                factor *= Math.Min(1, LimitShare * most / Math.Max(bend, 1e-9));
+                factor *= Math.Min(1, LimitFraction * max / Math.Max(bend, 1e-9));
             }
         }
 
@@ -186,17 +186,17 @@ internal sealed class SwimProfile
     /// <summary>Deepest bend from nose to tail, spread evenly, that leaves all joints within their limits.</summary>
     private static double RoomForCurl(Skeleton skeleton, AxialChain chain)
     {
-        double most = EscapeCurve.Curl;
+        double max = EscapeCurve.Curl;
         for (int b = 0; b + 1 < chain.Count; b++)
         {
             ReadOnlySpan<AxialBone> bones = chain.Bones;
             int child = bones[b + 1].Parent == b ? b + 1 : b;
             AngleRange range = skeleton.Joints[bones[child].Turn.Joint].Limit.SwingZ;
-            double share = (bones[b].Middle.Z - bones[b + 1].Middle.Z) / chain.Length;
-            most = Math.Min(most, LimitShare * Math.Min(range.Max, -range.Min) / Math.Max(share, 1e-6));
+            double fraction = (bones[b].Middle.Z - bones[b + 1].Middle.Z) / chain.Length;
+            max = Math.Min(max, LimitFraction * Math.Min(range.Max, -range.Min) / Math.Max(fraction, 1e-6));
         }
 
-        return most;
+        return max;
     }
 
     private void Fitting(Creature creature, out SwimFin[] paired, out MedianFin[] median)

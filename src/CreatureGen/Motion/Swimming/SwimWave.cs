@@ -15,7 +15,7 @@ internal sealed class SwimWave
     private const double FinLag = 0.06;
 
     /// <summary>Share of that in the last bone.</summary>
-    private const double FinShare = 0.65;
+    private const double FinFraction = 0.65;
 
     /// <summary>Steepest heading of the tail fin at cruise, as a sine.</summary>
     private const double SteepestFin = 0.62;
@@ -56,8 +56,8 @@ internal sealed class SwimWave
         LagTail(style, kinematics.Wavelength, along);
 
         // The head is stiff and steadied; the neck of those that have one shares in it.
-        cosines[0] = cosines[1] + (kinematics.HeadShare * (cosines[0] - cosines[1]));
-        sines[0] = sines[1] + (kinematics.HeadShare * (sines[0] - sines[1]));
+        cosines[0] = cosines[1] + (kinematics.HeadFraction * (cosines[0] - cosines[1]));
+        sines[0] = sines[1] + (kinematics.HeadFraction * (sines[0] - sines[1]));
         SpreadTail(count, kinematics.TailSweep * length / 2, style == SwimStyle.Anguilliform ? SteepestTail : SteepestFin);
         for (int b = 0; b < count; b++)
         {
@@ -101,15 +101,15 @@ internal sealed class SwimWave
     public double Bend(int bone, double amplitude)
     {
         const int Samples = 32;
-        double most = 0;
+        double max = 0;
         for (int i = 0; i < Samples; i++)
         {
             // Half a cycle: the other half is its mirror image.
             PortableMath.SinCos(PortableMath.Pi * i / Samples, out double sine, out double cosine);
-            most = Math.Max(most, Math.Abs(Heading(bone, amplitude, cosine, sine) - Heading(bone + 1, amplitude, cosine, sine)));
+            max = Math.Max(max, Math.Abs(Heading(bone, amplitude, cosine, sine) - Heading(bone + 1, amplitude, cosine, sine)));
         }
 
-        return most;
+        return max;
     }
 
     /// <summary>Makes the wave so many times as wide.</summary>
@@ -169,8 +169,8 @@ internal sealed class SwimWave
         double[] c = new double[tip + 1];
         double[] s = new double[tip + 1];
         Fill(style, wavelength, along, FinLag, c, s);
-        double share = (along[tip] - along[tip - 1]) / (along[tip] - along[tip - 2]);
-        cosines[tip] = cosines[tip - 1] + ((1 - FinShare) * (cosines[tip] - cosines[tip - 1])) + (FinShare * share * (c[tip] - c[tip - 2]));
-        sines[tip] = sines[tip - 1] + ((1 - FinShare) * (sines[tip] - sines[tip - 1])) + (FinShare * share * (s[tip] - s[tip - 2]));
+        double fraction = (along[tip] - along[tip - 1]) / (along[tip] - along[tip - 2]);
+        cosines[tip] = cosines[tip - 1] + ((1 - FinFraction) * (cosines[tip] - cosines[tip - 1])) + (FinFraction * fraction * (c[tip] - c[tip - 2]));
+        sines[tip] = sines[tip - 1] + ((1 - FinFraction) * (sines[tip] - sines[tip - 1])) + (FinFraction * fraction * (s[tip] - s[tip - 2]));
     }
 }

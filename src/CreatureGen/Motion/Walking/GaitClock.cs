@@ -103,20 +103,20 @@ internal sealed class GaitClock
     public void Slide(float dt, float froude, float gravity, float turn, float pace, float rise, float stride = 1f)
     {
         slope = rise;
-        float share = shapeDecay.Share(ShapeRate * dt);
-        Shape.Approach(Gait, share);
-        frequencyRest -= frequencyRest * share;
+        float fraction = shapeDecay.Fraction(ShapeRate * dt);
+        Shape.Approach(Gait, fraction);
+        frequencyRest -= frequencyRest * fraction;
         float spot = Math.Abs(turn) / YawPerCycle * (1f - (0.5f * pace));
         Frequency = Math.Max((FrequencyOf(Gait, froude, gravity) + frequencyRest) / stride, spot);
         float cycle = Frequency * dt;
         float duty = Gait.Duty.At(froude);
         Duty += Scalar.Clamp(duty - Duty, -DutyPerCycle * cycle, DutyPerCycle * cycle);
-        float most = LagPerCycle * cycle;
+        float max = LagPerCycle * cycle;
         for (int i = 0; i < lags.Length; i++)
         {
             float d = WantedLag(i) - lags[i] + 0.5f;
             d -= (float)Math.Floor(d) + 0.5f;
-            float lag = lags[i] + Scalar.Clamp(d, -most, most);
+            float lag = lags[i] + Scalar.Clamp(d, -max, max);
             lags[i] = lag - (float)Math.Floor(lag);
         }
     }

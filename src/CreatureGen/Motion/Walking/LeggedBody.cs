@@ -17,10 +17,10 @@ namespace CreatureGen.Motion.Walking;
 internal sealed class LeggedBody
 {
     /// <summary>Part of the joints' limits that bends to a side take up: the rest is for pitch and roll.</summary>
-    private const float BendShare = 0.95f;
+    private const float BendFraction = 0.95f;
 
     /// <summary>Part of these that bends up and down take up: the rest is for the bends to a side that go with them.</summary>
-    private const float PitchBendShare = 0.75f;
+    private const float PitchBendFraction = 0.75f;
 
     /// <summary>Distance of the hips from the middle, leg lengths, beyond which the body yaws less.</summary>
     private const float WideHips = 0.55f;
@@ -29,14 +29,14 @@ internal sealed class LeggedBody
     private const float SteepestRoll = 0.5f;
 
     /// <summary>Share of the way that a hip draws its leg in which the roll of the body takes up: the rest is for its steps.</summary>
-    private const float RollShare = 0.15f;
+    private const float RollFraction = 0.15f;
 
     /// <summary>Share of the room to the inner end of a standing hip that the sway of the body takes up: the rest is for its roll and its steps.</summary>
-    private const float SwayShare = 0.6f;
+    private const float SwayFraction = 0.6f;
 
     /// <summary>How far a body sways at most whose legs stand out to the side, leg lengths, and part of how far the foot is outside its hip.</summary>
     private const float LateralSway = 0.14f;
-    private const float LateralSwayShare = 0.45f;
+    private const float LateralSwayFraction = 0.45f;
 
     private LeggedBody(Creature creature, LimbChain[] standing)
     {
@@ -86,14 +86,14 @@ internal sealed class LeggedBody
             ForeStoop = leg.IsHind(Rows) ? ForeStoop : Math.Max(ForeStoop, leg.Stoop);
         }
 
-        float steady = SteadyShare();
+        float steady = SteadyFraction();
         TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.First).Motion, Mass);
         Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         Posture = StandingPosture.Of(creature);
         Span = TrunkSpan.Of(Legs, GoingHomes, Rows, Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]], TrunkLength);
         Neck = ChainOf(Skeleton, JointRole.Neck, JointRole.Head);
-        NeckLimits = Array.ConvertAll(Neck, joint => BendShare * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
+        NeckLimits = Array.ConvertAll(Neck, joint => BendFraction * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
         Tail = ChainOf(Skeleton, JointRole.Tail);
         TailLimits = new float[Tail.Length];
         for (int i = 0; i < Tail.Length; i++)
@@ -108,10 +108,10 @@ internal sealed class LeggedBody
         BellyHeight = BellyOf(creature);
         Arms = ArmsOf(creature);
         Body = Skeleton.IndexOf("Body");
-        MostRoll = IsBiped ? 0f : MostRollOf(Legs);
-        MostSway = MostSwayOf(Legs);
-        MostBendYaw = MostBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
-        MostBendPitch = PitchBendShare * MostBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
+        MaxRoll = IsBiped ? 0f : MaxRollOf(Legs);
+        MaxSway = MaxSwayOf(Legs);
+        MaxBendYaw = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
+        MaxBendPitch = PitchBendFraction * MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
         Turns = new RestRotations(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
         Hops = Rows == 1 && creature.Blueprint.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
@@ -144,16 +144,16 @@ internal sealed class LeggedBody
     public int ForeSlot { get; }
 
     /// <summary>How far the trunk bends to a side from the pelvis to the fore legs' joint, radians.</summary>
-    public float MostBendYaw { get; }
+    public float MaxBendYaw { get; }
 
     /// <summary>How far the trunk rounds or hollows its back from the pelvis to the fore legs' joint, radians.</summary>
-    public float MostBendPitch { get; }
+    public float MaxBendPitch { get; }
 
     /// <summary>How far it rolls with the ground to a side, radians: less on hips that do not draw their legs in far, and not at all on two legs.</summary>
-    public float MostRoll { get; }
+    public float MaxRoll { get; }
 
     /// <summary>How far it sways to a side at most, metres: what its hips draw their legs in beyond the narrowest track.</summary>
-    public float MostSway { get; }
+    public float MaxSway { get; }
 
     /// <summary>Neck joints and the head, which is the last.</summary>
     public int[] Neck { get; }
@@ -278,50 +278,50 @@ internal sealed class LeggedBody
 
     private static int Max(int[] values)
     {
-        int most = 0;
+        int max = 0;
         foreach (int value in values)
         {
-            most = Math.Max(most, value);
+            max = Math.Max(max, value);
         }
 
-        return most;
+        return max;
     }
 
-    private static float MostRollOf(LegRig[] legs)
+    private static float MaxRollOf(LegRig[] legs)
     {
-        float most = SteepestRoll;
+        float max = SteepestRoll;
         foreach (LegRig leg in legs)
         {
-            most = leg.Lateral ? most : Math.Min(most, RollShare * leg.DrawsIn);
+            max = leg.Lateral ? max : Math.Min(max, RollFraction * leg.DrawsIn);
         }
 
-        return most;
+        return max;
     }
 
-    private static float MostSwayOf(LegRig[] legs)
+    private static float MaxSwayOf(LegRig[] legs)
     {
-        float most = float.MaxValue;
+        float max = float.MaxValue;
         foreach (LegRig leg in legs)
         {
             float outside = Math.Abs(leg.Home.X - leg.HipRest.X);
-            float room = (leg.HipRest.Y * (float)PortableMath.Sin(leg.DrawsIn)) - ((1f - leg.LeastTrack) * Math.Abs(leg.Home.X));
-            most = Math.Min(most, leg.Lateral ? Math.Min(LateralSway * leg.Length, LateralSwayShare * outside) : SwayShare * Math.Max(room, 0f));
+            float room = (leg.HipRest.Y * (float)PortableMath.Sin(leg.DrawsIn)) - ((1f - leg.MinTrack) * Math.Abs(leg.Home.X));
+            max = Math.Min(max, leg.Lateral ? Math.Min(LateralSway * leg.Length, LateralSwayFraction * outside) : SwayFraction * Math.Max(room, 0f));
         }
 
-        return most;
+        return max;
     }
 
     /// <summary>The stiffest joint decides: all bend alike.</summary>
-    private static float MostBend(Skeleton skeleton, int[] trunk, int foreSlot, Func<JointLimit, AngleRange> axis)
+    private static float MaxBend(Skeleton skeleton, int[] trunk, int foreSlot, Func<JointLimit, AngleRange> axis)
     {
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         for (int i = 1; i <= foreSlot && i < trunk.Length; i++)
         {
             AngleRange side = axis(skeleton.Joints[trunk[i]].Limit);
-            least = Math.Min(least, Math.Min(-side.Min, side.Max));
+            min = Math.Min(min, Math.Min(-side.Min, side.Max));
         }
 
-        return least == float.MaxValue ? 0f : BendShare * least * foreSlot;
+        return min == float.MaxValue ? 0f : BendFraction * min * foreSlot;
     }
 
     /// <summary>The joints of some roles, in the skeleton's order.</summary>
@@ -354,7 +354,7 @@ internal sealed class LeggedBody
     }
 
     /// <summary>Share of its yaw with the feet that a body has: on hips far from the middle a turn takes the feet farther than the legs step.</summary>
-    private float SteadyShare()
+    private float SteadyFraction()
     {
         float widest = 0f;
         foreach (LegRig leg in Legs)

@@ -21,12 +21,12 @@ internal sealed class WalkingMode : ILocomotionMode
     public const float LongestStep = 1f / 30f;
 
     /// <summary>Steps in an update at most.</summary>
-    public const int MostSteps = 8;
+    public const int MaxSteps = 8;
 
     private const float ActivityRate = 5f;
 
     /// <summary>What is left of activity, and of the trunk's way up, where it counts as still.</summary>
-    private const float LeastActivity = 0.02f;
+    private const float MinActivity = 0.02f;
 
     /// <summary>How quickly the trunk comes down from how it stands, and up to it again, per second.</summary>
     private const float LowerRate = 8f;
@@ -48,7 +48,7 @@ internal sealed class WalkingMode : ILocomotionMode
     private const float ArrivalTrack = 0.85f;
 
     /// <summary>Part of its top speed at which it can come down.</summary>
-    private const float RunOutShare = 0.45f;
+    private const float RunOutFraction = 0.45f;
 
     private readonly LeggedBody body;
     private readonly GaitSet gaits;
@@ -110,12 +110,12 @@ internal sealed class WalkingMode : ILocomotionMode
                 stands &= foot.Phase == FootPhase.Stance;
             }
 
-            return stands && activity < LeastActivity && Raised > 1f - LeastActivity;
+            return stands && activity < MinActivity && Raised > 1f - MinActivity;
         }
     }
 
     /// <summary>Fastest speed ahead at which it can come down, metres per second of the model.</summary>
-    public float RunOut => RunOutShare * gaits.TopSpeed;
+    public float RunOut => RunOutFraction * gaits.TopSpeed;
 
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg)
@@ -241,7 +241,7 @@ internal sealed class WalkingMode : ILocomotionMode
             Step(placement, h, Math.Max(dt - ((i + 1) * h), 0f), settings, ground);
         }
 
-        acceleration = dt > 0f ? acceleration + ((((velocity.Speed - before) / dt) - acceleration) * accelerationDecay.Share(10f * dt)) : acceleration;
+        acceleration = dt > 0f ? acceleration + ((((velocity.Speed - before) / dt) - acceleration) * accelerationDecay.Fraction(10f * dt)) : acceleration;
         return placement;
     }
 
@@ -256,14 +256,14 @@ internal sealed class WalkingMode : ILocomotionMode
             Vector3 way = placement.ToModel(goal.Position) / dt;
             Quaternion turn = Rotation.Multiply(Rotation.Inverse(placement.Rotation), goal.Rotation);
             float yaw = 2f * (turn.W < 0f ? -turn.Y : turn.Y) / dt;
-            float share = 1f - (float)PortableMath.Exp(-20f * dt);
+            float fraction = 1f - (float)PortableMath.Exp(-20f * dt);
             float before = velocity.Speed;
             velocity.Rate = 0f;
-            velocity.Speed += (way.Z - velocity.Speed) * share;
-            velocity.Sideways += (way.X - velocity.Sideways) * share;
-            velocity.Turn += (yaw - velocity.Turn) * share;
+            velocity.Speed += (way.Z - velocity.Speed) * fraction;
+            velocity.Sideways += (way.X - velocity.Sideways) * fraction;
+            velocity.Turn += (yaw - velocity.Turn) * fraction;
             (velocity.GoalSpeed, velocity.GoalSideways, velocity.GoalTurn) = (velocity.Speed, velocity.Sideways, velocity.Turn);
-            acceleration += (((velocity.Speed - before) / dt) - acceleration) * share;
+            acceleration += (((velocity.Speed - before) / dt) - acceleration) * fraction;
             placer.RootRaised((way.Y - (placer.Climb * velocity.Speed)) * dt);
             Step(goal, Math.Min(dt, LongestStep), 0f, settings, ground);
         }
@@ -296,8 +296,8 @@ internal sealed class WalkingMode : ILocomotionMode
     private void Raise(float dt, float gravity)
     {
         float froude = velocity.Speed * velocity.Speed / (gravity * body.LegLength);
-        float wanted = StandingPosture.Share(activity, froude, Sink / body.LegLength);
-        Raised = arrived ? wanted : Raised + ((wanted - Raised) * raiseDecay.Share((wanted < Raised ? LowerRate : RaiseRate) * dt));
+        float wanted = StandingPosture.Fraction(activity, froude, Sink / body.LegLength);
+        Raised = arrived ? wanted : Raised + ((wanted - Raised) * raiseDecay.Fraction((wanted < Raised ? LowerRate : RaiseRate) * dt));
         arrived = false;
     }
 
@@ -319,7 +319,7 @@ internal sealed class WalkingMode : ILocomotionMode
         bool going = moving || planner.IsUnsettled(placement, activity, clock);
         ChooseGait(froude, going, settings);
         float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(velocity.Turn)), 1f) : 0f;
-        activity += (wanted - activity) * activityDecay.Share(ActivityRate * h);
+        activity += (wanted - activity) * activityDecay.Fraction(ActivityRate * h);
         float frequency = clock.Frequency;
         clock.Slide(h, froude, settings.Gravity, velocity.Turn, Math.Min(speed / walking, 1f), placer.Climb, settings.Stride);
         if (going)
@@ -343,7 +343,7 @@ internal sealed class WalkingMode : ILocomotionMode
 
     private void ChooseGait(float froude, bool going, in LocomotionSettings settings)
     {
-        float ahead = velocity.Speed + ((velocity.GoalSpeed - velocity.Speed) * foresightDecay.Share(velocity.Rate * Foresight));
+        float ahead = velocity.Speed + ((velocity.GoalSpeed - velocity.Speed) * foresightDecay.Fraction(velocity.Rate * Foresight));
         float unit = settings.Gravity * body.LegLength;
         gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / unit) : 0f);
         Gait wanted = settings.Gait ?? gaits.Steps[gait].Gait;
@@ -375,7 +375,7 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Keeps the root on the ground under the feet: up and down a slope as it goes, and the trunk with it, and after what else that ground does.</summary>
     private RootPlace FollowGround(in RootPlace placement, float h, in LocomotionSettings settings)
     {
-        float height = 0.5f * (placer.HindGround + placer.ForeGround) * rootDecay.Share(RootRate * h);
+        float height = 0.5f * (placer.HindGround + placer.ForeGround) * rootDecay.Fraction(RootRate * h);
         float climb = placer.Climb * velocity.Speed * h;
         if (height == 0f && climb == 0f)
         {

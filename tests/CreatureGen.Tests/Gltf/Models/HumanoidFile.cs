@@ -36,7 +36,7 @@ internal sealed class HumanoidFile
         int count = 60;
         float[] positions = new float[3 * count];
         byte[] bones = new byte[4 * count];
-        byte[] shares = new byte[4 * count];
+        byte[] fractions = new byte[4 * count];
         for (int i = 0; i < count; i++)
         {
             for (int k = 0; k < 3; k++)
@@ -46,8 +46,8 @@ internal sealed class HumanoidFile
 
             bones[4 * i] = (byte)random.Next(6);
             bones[(4 * i) + 1] = (byte)((bones[4 * i] + 1 + random.Next(5)) % 6);
-            shares[4 * i] = (byte)random.Next(128, 256);
-            shares[(4 * i) + 1] = (byte)(255 - shares[4 * i]);
+            fractions[4 * i] = (byte)random.Next(128, 256);
+            fractions[(4 * i) + 1] = (byte)(255 - fractions[4 * i]);
         }
 
         float[] inverses = new float[16 * joints.Length];
@@ -73,7 +73,7 @@ internal sealed class HumanoidFile
                     {
                         ["POSITION"] = Add(Bytes(positions), count, "VEC3", 5126),
                         ["JOINTS_0"] = Add(bones, count, "VEC4", 5121),
-                        ["WEIGHTS_0"] = Add(shares, count, "VEC4", 5121, normalised: true),
+                        ["WEIGHTS_0"] = Add(fractions, count, "VEC4", 5121, normalised: true),
                     },
                     ["material"] = 0,
                 }),
@@ -195,10 +195,10 @@ internal sealed class HumanoidFile
             accessor["normalized"] = true;
         }
 
-        if (bounds is var (least, most) && bounds != null)
+        if (bounds is var (min, max) && bounds != null)
         {
-            accessor["min"] = Numbers(least);
-            accessor["max"] = Numbers(most);
+            accessor["min"] = Numbers(min);
+            accessor["max"] = Numbers(max);
         }
 
         accessors.Add(accessor);

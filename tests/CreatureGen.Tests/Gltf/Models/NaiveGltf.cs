@@ -21,14 +21,14 @@ internal sealed class NaiveGltf(byte[] file)
         JsonElement attributes = json.GetProperty("meshes")[0].GetProperty("primitives")[0].GetProperty("attributes");
         double[] points = Numbers(attributes.GetProperty("POSITION").GetInt32());
         double[] bones = Numbers(attributes.GetProperty("JOINTS_0").GetInt32());
-        double[] shares = Numbers(attributes.GetProperty("WEIGHTS_0").GetInt32());
+        double[] fractions = Numbers(attributes.GetProperty("WEIGHTS_0").GetInt32());
         var vertices = new Vector3[points.Length / 3];
         for (int i = 0; i < vertices.Length; i++)
         {
             var p = new Vector3((float)points[3 * i], (float)points[(3 * i) + 1], (float)points[(3 * i) + 2]);
             for (int k = 4 * i; k < (4 * i) + 4; k++)
             {
-                vertices[i] += Vector3.Transform(p, carry[(int)bones[k]]) * (float)(shares[k] / 255);
+                vertices[i] += Vector3.Transform(p, carry[(int)bones[k]]) * (float)(fractions[k] / 255);
             }
         }
 

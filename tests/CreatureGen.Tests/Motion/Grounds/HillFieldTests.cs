@@ -47,14 +47,14 @@ public sealed class HillFieldTests
         const float Period = 3.7f;
         HeightFieldGround repeating = new HillField(new Seed(3), 0.7f, Period).Around(2f, -1f, 9f);
         HeightFieldGround endless = new HillField(new Seed(3), 0.7f).Around(2f, -1f, 9f);
-        float most = 0f;
+        float max = 0f;
         for (float z = 0f; z < Period; z += 0.13f)
         {
             Assert.Equal(At(repeating, 0.4f, z), At(repeating, 0.4f, z + Period), 2e-3f);
-            most = Math.Max(most, Math.Abs(At(endless, 0.4f, z) - At(endless, 0.4f, z + Period)));
+            max = Math.Max(max, Math.Abs(At(endless, 0.4f, z) - At(endless, 0.4f, z + Period)));
         }
 
-        Assert.True(most > 0.02f);
+        Assert.True(max > 0.02f);
     }
 
     [Fact]

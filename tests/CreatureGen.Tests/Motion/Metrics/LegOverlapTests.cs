@@ -114,12 +114,12 @@ public sealed class LegOverlapTests
     [InlineData(113, "WaddleRun", 0.06f)]
     [InlineData(2023, "WaddleRun", 0.02f)]
     [InlineData(7298, "WaddleRun", 0.08f)]
-    public void Penguins_lift_their_feet_off_the_ground_and_not_into_their_rumps(int seed, string gait, float most)
+    public void Penguins_lift_their_feet_off_the_ground_and_not_into_their_rumps(int seed, string gait, float max)
     {
         var profile = new MotionProfile(Walkers.Any((ulong)seed));
         Movement movement = Movement.Of(profile).Single(movement => movement.GaitName == gait);
         MotionReport report = new MotionTrial(movement, GroundRelief.Flat, 60f).Run(profile);
-        Assert.InRange(report.BellyOverlap!.Value, 0f, most);
+        Assert.InRange(report.BellyOverlap!.Value, 0f, max);
         Assert.True(report.Clearance > 0.05f, $"{report.Clearance}");
     }
 
@@ -151,7 +151,7 @@ public sealed class LegOverlapTests
     [InlineData(BodyPlan.ManyLegged, 0.1f)]
     [InlineData(BodyPlan.Hexapod, 0.02f)]
     [InlineData(BodyPlan.Theropod, 0.03f)]
-    public void Neighbouring_legs_and_the_feet_of_bipeds_keep_apart(BodyPlan plan, float most)
+    public void Neighbouring_legs_and_the_feet_of_bipeds_keep_apart(BodyPlan plan, float max)
     {
         int found = 0;
         for (ulong seed = 9000; seed < 9016; seed++)
@@ -160,7 +160,7 @@ public sealed class LegOverlapTests
             foreach (MotionTrial trial in MotionTrial.Of(profile).Where(trial => trial.Movement.Gait != null && trial.Hertz == 60f && trial.Relief == GroundRelief.Flat))
             {
                 float overlap = trial.Run(profile).LegOverlap!.Value;
-                Assert.True(overlap < most, $"{seed} {trial.Movement.GaitName}: legs {overlap} leg lengths into one another");
+                Assert.True(overlap < max, $"{seed} {trial.Movement.GaitName}: legs {overlap} leg lengths into one another");
                 found++;
             }
         }

@@ -22,7 +22,7 @@ public class MotionQualityTests
             // Targets of docs/motion.md, in leg lengths.
             Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
             Assert.True(report.LockDrift <= 0.002f, $"{name}: foot off its place by {report.LockDrift}");
-            Assert.Equal(0f, report.SkatingShare);
+            Assert.Equal(0f, report.SkatingFraction);
             Assert.True(report.MeanPenetration <= 0.001f, $"{name}: sunk {report.MeanPenetration}");
             Assert.True(report.Penetration <= 0.02f, $"{name}: sunk {report.Penetration}");
             Assert.True(report.Float <= 0.005f, $"{name}: floats {report.Float}");
@@ -41,8 +41,8 @@ public class MotionQualityTests
         foreach ((MotionReport report, string name) in Record(5000, 40, 60f, GroundRelief.Flat))
         {
             string gait = name.Split(' ')[1];
-            int least = gait switch { "Walk" or "Crawl" or "Amble" => 2, "BipedWalk" => 1, "Wave" or "Tripod" => 3, _ => 0 };
-            Assert.True(report.LeastSupport >= least, $"{name}: {report.LeastSupport} feet down");
+            int min = gait switch { "Walk" or "Crawl" or "Amble" => 2, "BipedWalk" => 1, "Wave" or "Tripod" => 3, _ => 0 };
+            Assert.True(report.MinSupport >= min, $"{name}: {report.MinSupport} feet down");
         }
     }
 

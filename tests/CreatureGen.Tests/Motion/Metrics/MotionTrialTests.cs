@@ -43,7 +43,7 @@ public sealed class MotionTrialTests
             Assert.True(report.Frames > 10);
             Assert.True(report.FastestJoint > 0f && float.IsFinite(report.PoseJump));
             Assert.Equal([null, null, null, null, null], new[] { report.Slip, report.Penetration, report.Clearance, report.StanceResidual, report.Bob });
-            Assert.Null(report.LeastSupport);
+            Assert.Null(report.MinSupport);
         }
     }
 

@@ -24,25 +24,25 @@ public sealed class CrawlerPlaceTests
             var profile = new MotionProfile(creature);
             Movement movement = Movement.Of(profile).Single(movement => movement.Crawl == SlitherGait.Sidewinding);
             CreatureAnimator animator = movement.Begin(profile, FlatGround.Level);
-            double least = double.MaxValue;
-            double most = double.MinValue;
+            double min = double.MaxValue;
+            double max = double.MinValue;
             for (int i = 0; i < 480; i++)
             {
                 animator.Update(Step, movement.Input, FlatGround.Level);
                 if (i >= 240)
                 {
                     double heading = Heading(animator, creature.Skeleton.IndexOf("Head"));
-                    least = Math.Min(least, heading);
-                    most = Math.Max(most, heading);
+                    min = Math.Min(min, heading);
+                    max = Math.Max(max, heading);
                 }
             }
 
-            string name = FormattableString.Invariant($"{creature.Blueprint.Seed}: {least} to {most}");
-            Assert.True(most - least < 0.12, name);
+            string name = FormattableString.Invariant($"{creature.Blueprint.Seed}: {min} to {max}");
+            Assert.True(max - min < 0.12, name);
 
             // The chest lies up to 2.1 rad across the way.
             double aside = Math.Max(0, 2.1 - (0.9 * profile.Slither!.NeckReach));
-            Assert.True(least > -0.15 && most < aside + 0.15, name);
+            Assert.True(min > -0.15 && max < aside + 0.15, name);
         }
     }
 

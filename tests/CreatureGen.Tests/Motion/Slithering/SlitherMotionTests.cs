@@ -320,26 +320,26 @@ public sealed class SlitherMotionTests
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
         SlitherProfile profile = SlitherProfile.Of(creature);
-        float Most(int rate)
+        float Max(int rate)
         {
             var crawl = new Crawl(profile, creature, level);
             float dt = profile.BodyLength / profile.CruiseSpeed / rate;
-            float most = 0;
+            float max = 0;
             Quaternion[] before = (Quaternion[])crawl.Body.Rotations.Clone();
             for (int i = 0; i < 12 * rate; i++)
             {
                 int part = i / rate;
                 crawl.Step((SlitherGait)(part / 3 % 3), (part % 3) * profile.CruiseSpeed, part % 2 == 0 ? 0.2f : -0.2f, dt);
-                most = i == 0 ? 0 : Math.Max(most, (float)crawl.Body.Apart(before));
+                max = i == 0 ? 0 : Math.Max(max, (float)crawl.Body.Apart(before));
                 before = (Quaternion[])crawl.Body.Rotations.Clone();
             }
 
-            return most;
+            return max;
         }
 
         // A jump would be as large at any rate.
-        float coarse = Most(100);
-        float fine = Most(400);
+        float coarse = Max(100);
+        float fine = Max(400);
         Assert.True(fine < 0.4f * coarse, FormattableString.Invariant($"{coarse} at 100, {fine} at 400"));
     }
 

@@ -26,10 +26,10 @@ public sealed class GaitCharacterTests
     [InlineData(5011, "TransverseGallop", 8, 20)]
     [InlineData(5014, "TransverseGallop", 8, 20)]
     [InlineData(5029, "TransverseGallop", 10, 22)]
-    public void The_backs_of_carnivores_flex_far_as_they_gallop_and_those_of_hoofed_animals_little(int seed, string gait, float least, float most)
+    public void The_backs_of_carnivores_flex_far_as_they_gallop_and_those_of_hoofed_animals_little(int seed, string gait, float min, float max)
     {
         var cycle = new GaitCycle((ulong)seed, Of(gait));
-        Assert.InRange(cycle.Range(cycle.Flexion) * 180f / MathF.PI, least, most);
+        Assert.InRange(cycle.Range(cycle.Flexion) * 180f / MathF.PI, min, max);
     }
 
     [Theory]
@@ -81,7 +81,7 @@ public sealed class GaitCharacterTests
         int pelvis = cycle.Joint(JointRole.Pelvis);
         int chest = cycle.Joint(JointRole.Chest);
         float before = float.MaxValue;
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         float range = cycle.Range(() =>
         {
             Vector3 trunk = cycle.Animator.ModelPose.Positions[chest] - cycle.Animator.ModelPose.Positions[pelvis];
@@ -89,11 +89,11 @@ public sealed class GaitCharacterTests
             bool flies = Feet(cycle.Animator).All(foot => foot.Phase == FootPhase.Swing);
             before = flies ? Math.Min(pitch, before) : float.MaxValue;
             Assert.False(flies && pitch > before + 2f, $"its nose comes up in the air, from {before} to {pitch} degrees");
-            least = Math.Min(least, pitch);
+            min = Math.Min(min, pitch);
             return pitch;
         });
         Assert.InRange(range, 8f, 18f);
-        Assert.True(least > 0f, $"{least} degrees");
+        Assert.True(min > 0f, $"{min} degrees");
     }
 
     [Theory]
@@ -128,7 +128,7 @@ public sealed class GaitCharacterTests
         var cycle = new GaitCycle((ulong)seed, GaitLibrary.Waddle);
         Assert.True(cycle.Speed / cycle.Animator.Frequency < cycle.Profile.LegLength);
         double together = 0;
-        double most = 0;
+        double max = 0;
         float away = 0f;
         LimbChain wing = cycle.Creature.Limbs.First(limb => limb.Kind == LimbKind.Wing && limb.Side == Anatomy.Side.Left);
         cycle.Watch(() =>
@@ -136,13 +136,13 @@ public sealed class GaitCharacterTests
             Vector3 up = Vector3.Transform(Vector3.UnitY, cycle.TurnOf(JointRole.Chest));
             float load = Feet(cycle.Animator).Sum(foot => foot.Load * (Side(cycle.Creature, foot.Joint) == Anatomy.Side.Left ? 1f : -1f));
             together += up.X * load;
-            most = Math.Max(most, Math.Abs(Math.Asin(up.X)));
+            max = Math.Max(max, Math.Abs(Math.Asin(up.X)));
             int root = wing.Joints[0];
             Quaternion rest = cycle.Creature.Skeleton.LocalRotations[root];
             away = Math.Max(away, 2f * MathF.Acos(Math.Min(1f, Math.Abs(Quaternion.Dot(rest, cycle.Animator.LocalPose.Rotations[root])))));
         });
         Assert.True(together > 0);
-        Assert.InRange(most * 180 / Math.PI, 5, 15);
+        Assert.InRange(max * 180 / Math.PI, 5, 15);
         Assert.InRange(away, 0.2f, 0.5f);
     }
 

@@ -46,27 +46,27 @@ internal sealed class GaitCycle
     /// <summary>Greatest less least of a number over two cycles.</summary>
     public float Range(Func<float> number)
     {
-        float least = float.MaxValue;
-        float most = float.MinValue;
+        float min = float.MaxValue;
+        float max = float.MinValue;
         Watch(() =>
         {
-            least = Math.Min(least, number());
-            most = Math.Max(most, number());
+            min = Math.Min(min, number());
+            max = Math.Max(max, number());
         });
-        return most - least;
+        return max - min;
     }
 
     /// <summary>Fastest turn of a joint relative to its parent over two cycles, radians per second.</summary>
     public float Fastest(int joint)
     {
-        float most = 0f;
+        float max = 0f;
         Quaternion before = Animator.LocalPose.Rotations[joint];
         Watch(() =>
         {
-            most = Math.Max(most, Rate * (float)MovingPose.Between(before, Animator.LocalPose.Rotations[joint]));
+            max = Math.Max(max, Rate * (float)MovingPose.Between(before, Animator.LocalPose.Rotations[joint]));
             before = Animator.LocalPose.Rotations[joint];
         });
-        return most;
+        return max;
     }
 
     /// <summary>The first joint of a role.</summary>

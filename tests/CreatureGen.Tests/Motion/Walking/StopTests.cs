@@ -48,7 +48,7 @@ public sealed class StopTests
 
             foreach (LegRig leg in body.Legs)
             {
-                float aside = body.MostSway + ((1f - leg.LeastTrack) * Math.Abs(leg.Home.X));
+                float aside = body.MaxSway + ((1f - leg.MinTrack) * Math.Abs(leg.Home.X));
                 Assert.True(leg.Lateral || MathF.Atan2(aside, leg.HipRest.Y) < leg.DrawsIn, $"{seed}: {aside} m");
             }
         }

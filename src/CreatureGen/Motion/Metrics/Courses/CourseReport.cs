@@ -37,7 +37,7 @@ public sealed record CourseReport(int Frames, float Seconds, float LimitExcess, 
     public float? LostGroundSeconds { get; init; }
 
     /// <summary>Least number of feet down.</summary>
-    public int? LeastSupport { get; init; }
+    public int? MinSupport { get; init; }
 
     /// <summary>Mean number of feet down.</summary>
     public float? MeanSupport { get; init; }

@@ -13,14 +13,14 @@ public static class CourseScripts
     /// <summary>Seconds at the end of random scripts for which the creature is asked to stand.</summary>
     public const float RestSeconds = 3f;
 
-    private const int SixthsAtLeast = 2;
-    private const int SixthsAtMost = 17;
+    private const int SixthsAtMin = 2;
+    private const int SixthsAtMax = 17;
 
     /// <summary>What creatures without gaits are asked for at most, in cruising speeds.</summary>
-    private const float CruisesAtMost = 1.5f;
+    private const float CruisesAtMax = 1.5f;
 
     /// <summary>Speeds of climbing and sinking at most, in speeds ahead.</summary>
-    private const float ClimbShare = 0.3f;
+    private const float ClimbFraction = 0.3f;
 
     private const float SpinRate = 1.5f;
     private const double AirChance = 0.75;
@@ -99,7 +99,7 @@ public static class CourseScripts
         int sixths = (int)Math.Ceiling(6f * seconds);
         while (sixths > 0)
         {
-            int time = Math.Min(random.Integer(SixthsAtLeast, SixthsAtMost + 1), sixths);
+            int time = Math.Min(random.Integer(SixthsAtMin, SixthsAtMax + 1), sixths);
             bool airborne = random.Chance(AirChance) && profile.Flight != null;
             commands.Add(draw(random, airborne ? MotionMedium.Air : MotionMedium.Ground) with { Seconds = time / 6f });
             sixths -= time;
@@ -117,11 +117,11 @@ public static class CourseScripts
         }
     }
 
-    private static MotionInput Ahead(MotionProfile profile, RandomStream random, MotionMedium medium, float least)
+    private static MotionInput Ahead(MotionProfile profile, RandomStream random, MotionMedium medium, float min)
     {
-        float top = profile.Gaits != null && medium == MotionMedium.Ground ? profile.Gaits.TopSpeed : CruisesAtMost * Cruise(profile);
-        float speed = top * (float)random.Uniform(least, 1);
-        float climb = ClimbShare * speed * (float)random.Uniform(-1, 1);
+        float top = profile.Gaits != null && medium == MotionMedium.Ground ? profile.Gaits.TopSpeed : CruisesAtMax * Cruise(profile);
+        float speed = top * (float)random.Uniform(min, 1);
+        float climb = ClimbFraction * speed * (float)random.Uniform(-1, 1);
         bool climbs = profile.Swim != null || medium == MotionMedium.Air;
         return new MotionInput(speed, ClimbRate: climbs ? climb : 0f, Medium: medium);
     }

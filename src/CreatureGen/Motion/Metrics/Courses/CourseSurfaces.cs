@@ -61,8 +61,8 @@ internal static class CourseSurfaces
     /// <summary>A ground across the Z axis, as long and wide as the script may take the creature, that begins to repeat a piece ahead of it.</summary>
     private static MeshGround Across(MotionProfile profile, CourseScript script, float length, Action<GroundProfile> piece)
     {
-        (Vector3 least, Vector3 most) = MotionTrial.Extent(profile.Creature);
-        float room = (Room * length) + most.Z - least.Z;
+        (Vector3 min, Vector3 max) = MotionTrial.Extent(profile.Creature);
+        float room = (Room * length) + max.Z - min.Z;
         float ahead = 0f;
         bool turns = false;
         foreach (CourseCommand command in script.Commands)
@@ -73,8 +73,8 @@ internal static class CourseSurfaces
 
         // Whoever turns for a moment may go astray for the rest.
         float aside = turns ? ahead : 0f;
-        float foot = (float)Math.Ceiling((most.Z + (0.5f * length)) / (Tread * length)) * Tread * length;
+        float foot = (float)Math.Ceiling((max.Z + (0.5f * length)) / (Tread * length)) * Tread * length;
         float start = foot - ((float)Math.Ceiling((foot + room + ahead) / (Tread * length)) * Tread * length);
-        return new GroundProfile(room + most.X + aside, start).Floor(foot - start).Until(room + ahead, piece).Floor(room).ToGround();
+        return new GroundProfile(room + max.X + aside, start).Floor(foot - start).Until(room + ahead, piece).Floor(room).ToGround();
     }
 }

@@ -8,7 +8,7 @@ namespace CreatureGen.Motion.Metrics.Courses;
 /// <summary>Smooth seeded hills without end: three waves of 1.9, 2.4 and 3 leg lengths in different directions, each 0.048 leg lengths high; solid below.</summary>
 internal sealed class EndlessHills : IGround
 {
-    private const float HeightShare = 0.048f;
+    private const float HeightFraction = 0.048f;
 
     /// <summary>Leg lengths from probe to probe along rays that do not fall straight.</summary>
     private const float Stride = 0.1f;
@@ -84,9 +84,9 @@ internal sealed class EndlessHills : IGround
         for (int i = 0; i < waves.Length; i++)
         {
             PortableMath.SinCos((((waves[i].X * (double)point.X) + (waves[i].Y * (double)point.Z)) / legLength) + phases[i], out double sine, out double cosine);
-            height += HeightShare * legLength * sine;
-            alongX += HeightShare * waves[i].X * cosine;
-            alongZ += HeightShare * waves[i].Y * cosine;
+            height += HeightFraction * legLength * sine;
+            alongX += HeightFraction * waves[i].X * cosine;
+            alongZ += HeightFraction * waves[i].Y * cosine;
         }
 
         return new GroundHit(point with { Y = (float)height }, Vec.Normalize(new Vector3((float)-alongX, 1f, (float)-alongZ)));

@@ -11,7 +11,7 @@ namespace CreatureGen.Motion.Metrics.Courses;
 internal sealed class FootingWatch
 {
     /// <summary>Vertices of a foot that are looked at, at most.</summary>
-    private const int MostVertices = 60;
+    private const int MaxVertices = 60;
 
     /// <summary>How far above and below the ground is looked for, leg lengths.</summary>
     private const float Lookout = 40f;
@@ -26,8 +26,8 @@ internal sealed class FootingWatch
     private readonly FootSkin[] skins;
     private readonly StanceWatch[] stances;
     private readonly Matrix4x4[] matrices;
-    private readonly Vector3[] points = new Vector3[MostVertices];
-    private readonly float[] heights = new float[MostVertices];
+    private readonly Vector3[] points = new Vector3[MaxVertices];
+    private readonly float[] heights = new float[MaxVertices];
     private readonly List<float> slips = new();
     private int frames;
     private float penetration;
@@ -36,7 +36,7 @@ internal sealed class FootingWatch
     private bool isLost;
     private int lost;
     private float lostSeconds;
-    private int leastSupport = int.MaxValue;
+    private int minSupport = int.MaxValue;
     private long support;
     private float flight;
     private float longestFlight;
@@ -74,7 +74,7 @@ internal sealed class FootingWatch
 
         frames++;
         support += down;
-        leastSupport = Math.Min(leastSupport, down);
+        minSupport = Math.Min(minSupport, down);
         flight = down > 0 ? 0f : flight + dt;
         longestFlight = Math.Max(longestFlight, flight);
         WatchRoot(dt);
@@ -117,13 +117,13 @@ internal sealed class FootingWatch
             RootLag = lag / legLength,
             LostGround = lost,
             LostGroundSeconds = lostSeconds,
-            LeastSupport = leastSupport,
+            MinSupport = minSupport,
             MeanSupport = support / (float)frames,
             LongestFlight = longestFlight,
         };
     }
 
-    private static int Sampled(FootSkin skin) => Math.Min(skin.Count, MostVertices);
+    private static int Sampled(FootSkin skin) => Math.Min(skin.Count, MaxVertices);
 
     private void Lift(int foot)
     {

@@ -14,13 +14,13 @@ internal sealed record RestingPlace(Vector3 Root, IReadOnlyList<Vector3> Feet, f
     /// <summary>How far a foot is from where it is in another at most, leg lengths; null without feet in both.</summary>
     public float? FootSpread(RestingPlace other)
     {
-        float most = 0f;
+        float max = 0f;
         for (int i = 0; i < Math.Min(Feet.Count, other.Feet.Count); i++)
         {
-            most = Math.Max(most, Vec.Distance(Feet[i], other.Feet[i]));
+            max = Math.Max(max, Vec.Distance(Feet[i], other.Feet[i]));
         }
 
-        return Feet.Count > 0 && Feet.Count == other.Feet.Count ? most / LegLength : null;
+        return Feet.Count > 0 && Feet.Count == other.Feet.Count ? max / LegLength : null;
     }
 
     /// <summary>How far the root is from where it is in another, leg lengths; null without legs.</summary>

@@ -33,21 +33,21 @@ internal sealed class StanceWatch
     /// <param name="lowest">The least of these.</param>
     public void Stand(ReadOnlySpan<Vector3> points, ReadOnlySpan<float> heights, float lowest)
     {
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         for (int i = 0; i < points.Length; i++)
         {
             bool touches = heights[i] <= Math.Max(lowest, 0f) + touch;
             if (stands && touches && touched[i])
             {
                 Vector3 moved = points[i] - last[i];
-                least = Math.Min(least, Vec.Length(new Vector3(moved.X, 0f, moved.Z)));
+                min = Math.Min(min, Vec.Length(new Vector3(moved.X, 0f, moved.Z)));
             }
 
             last[i] = points[i];
             touched[i] = touches;
         }
 
-        way += least < float.MaxValue ? least : 0f;
+        way += min < float.MaxValue ? min : 0f;
         stands = true;
         updates++;
     }

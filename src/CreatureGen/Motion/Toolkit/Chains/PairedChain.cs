@@ -113,13 +113,13 @@ internal sealed class PairedChain
     /// <summary>Draws a joint of both sides towards the one before it.</summary>
     /// <param name="local">Receives its place.</param>
     /// <param name="joint">Place in the chain.</param>
-    /// <param name="share">Of the bone's length that is left.</param>
-    public void Draw(in Pose local, int joint, float share)
+    /// <param name="fraction">Of the bone's length that is left.</param>
+    public void Draw(in Pose local, int joint, float fraction)
     {
         int near = left[joint].Joint;
         int far = right[joint].Joint;
-        local.Positions[near] = skeleton.LocalPositions[near] * share;
-        local.Positions[far] = skeleton.LocalPositions[far] * share;
+        local.Positions[near] = skeleton.LocalPositions[near] * fraction;
+        local.Positions[far] = skeleton.LocalPositions[far] * fraction;
     }
 
     /// <summary>The turn that the limits leave of a turn of the left limb.</summary>

@@ -16,7 +16,7 @@ internal readonly struct SoftLimit
     private const double Free = 0.85;
 
     /// <summary>Radians; a range that is less counts as so much where ranges are compared.</summary>
-    private const double LeastRange = 1e-6;
+    private const double MinRange = 1e-6;
 
     private readonly JointLimit limit;
 
@@ -53,15 +53,15 @@ internal readonly struct SoftLimit
             return q;
         }
 
-        double share = swung > Free ? Soft(swung, AngleRange.Both(1f)) / swung : 1;
-        return Turn(x * share, st, z * share);
+        double fraction = swung > Free ? Soft(swung, AngleRange.Both(1f)) / swung : 1;
+        return Turn(x * fraction, st, z * fraction);
     }
 
     /// <summary>How far a swing goes, 1 on the ellipse of the four ends.</summary>
     private double Swung(double x, double z)
     {
-        double across = x / Math.Max(x < 0 ? -limit.SwingX.Min : limit.SwingX.Max, LeastRange);
-        double aside = z / Math.Max(z < 0 ? -limit.SwingZ.Min : limit.SwingZ.Max, LeastRange);
+        double across = x / Math.Max(x < 0 ? -limit.SwingX.Min : limit.SwingX.Max, MinRange);
+        double aside = z / Math.Max(z < 0 ? -limit.SwingZ.Min : limit.SwingZ.Max, MinRange);
         return Math.Sqrt((across * across) + (aside * aside));
     }
 
@@ -69,22 +69,22 @@ internal readonly struct SoftLimit
     {
         double angle = Math.Sqrt((x * x) + (z * z));
         PortableMath.SinCos(angle / 2, out double sine, out double cosine);
-        double share = angle < 1e-9 ? 0.5 : sine / angle;
-        var swing = new Quaternion((float)(x * share), 0f, (float)(z * share), (float)cosine);
+        double fraction = angle < 1e-9 ? 0.5 : sine / angle;
+        var swing = new Quaternion((float)(x * fraction), 0f, (float)(z * fraction), (float)cosine);
         return Rotation.Multiply(swing, Rotation.FromAxisAngle(Vector3.UnitY, twist));
     }
 
     private static double Soft(double a, AngleRange range)
     {
-        double most = a < 0 ? -range.Min : range.Max;
+        double max = a < 0 ? -range.Min : range.Max;
         double size = Math.Abs(a);
-        double free = Free * most;
+        double free = Free * max;
         if (size <= free)
         {
             return a;
         }
 
-        double room = most - free;
+        double room = max - free;
         double kept = room > 0 ? free + (room * (1 - PortableMath.Exp((free - size) / room))) : 0;
         return a < 0 ? -kept : kept;
     }

@@ -121,22 +121,22 @@ public sealed class Clip : IClip
         }
 
         int frame = Math.Min((int)at, Frames - 2);
-        float share = at - frame;
+        float fraction = at - frame;
         ReadOnlySpan<Quaternion> turnsBefore = RotationsAt(frame);
         ReadOnlySpan<Quaternion> turnsAfter = RotationsAt(frame + 1);
         ReadOnlySpan<Vector3> placesBefore = PositionsAt(frame);
         ReadOnlySpan<Vector3> placesAfter = PositionsAt(frame + 1);
-        if (share <= 0f || share >= 1f)
+        if (fraction <= 0f || fraction >= 1f)
         {
-            (share <= 0f ? turnsBefore : turnsAfter).CopyTo(local.Rotations);
-            (share <= 0f ? placesBefore : placesAfter).CopyTo(local.Positions);
+            (fraction <= 0f ? turnsBefore : turnsAfter).CopyTo(local.Rotations);
+            (fraction <= 0f ? placesBefore : placesAfter).CopyTo(local.Positions);
             return;
         }
 
         for (int i = 0; i < Joints; i++)
         {
-            local.Rotations[i] = Rotation.Slerp(turnsBefore[i], turnsAfter[i], share);
-            local.Positions[i] = Vec.Lerp(placesBefore[i], placesAfter[i], share);
+            local.Rotations[i] = Rotation.Slerp(turnsBefore[i], turnsAfter[i], fraction);
+            local.Positions[i] = Vec.Lerp(placesBefore[i], placesAfter[i], fraction);
         }
     }
 

@@ -122,30 +122,30 @@ public sealed class KeyTrack
     /// <summary>The rotation at a time.</summary>
     internal Quaternion RotationAt(float time, int key)
     {
-        if (IsHeld(time, key, out float share, out float seconds))
+        if (IsHeld(time, key, out float fraction, out float seconds))
         {
             return ToQuaternion(Value(key));
         }
 
         if (Interpolation == KeyInterpolation.Linear)
         {
-            return Rotation.Slerp(ToQuaternion(values[key]), ToQuaternion(values[key + 1]), share);
+            return Rotation.Slerp(ToQuaternion(values[key]), ToQuaternion(values[key + 1]), fraction);
         }
 
-        return Rotation.Normalize(ToQuaternion(Curve(key, share, seconds)));
+        return Rotation.Normalize(ToQuaternion(Curve(key, fraction, seconds)));
     }
 
     /// <summary>The position at a time.</summary>
     internal Vector3 PositionAt(float time, int key)
     {
-        if (IsHeld(time, key, out float share, out float seconds))
+        if (IsHeld(time, key, out float fraction, out float seconds))
         {
             return ToVector(Value(key));
         }
 
         return Interpolation == KeyInterpolation.Linear
-            ? Vec.Lerp(ToVector(values[key]), ToVector(values[key + 1]), share)
-            : ToVector(Curve(key, share, seconds));
+            ? Vec.Lerp(ToVector(values[key]), ToVector(values[key + 1]), fraction)
+            : ToVector(Curve(key, fraction, seconds));
     }
 
     private static Quaternion ToQuaternion(Vector4 v) => new(v.X, v.Y, v.Z, v.W);
@@ -155,16 +155,16 @@ public sealed class KeyTrack
     private Vector4 Value(int key) => values[Interpolation == KeyInterpolation.Cubic ? (3 * key) + 1 : key];
 
     /// <summary>Whether the value at a time is that of a key; otherwise how far it is towards the next key.</summary>
-    private bool IsHeld(float time, int key, out float share, out float seconds)
+    private bool IsHeld(float time, int key, out float fraction, out float seconds)
     {
-        share = seconds = 0f;
+        fraction = seconds = 0f;
         if (key + 1 >= times.Length || time <= times[key] || Interpolation == KeyInterpolation.Step)
         {
             return true;
         }
 
         seconds = times[key + 1] - times[key];
-        share = (time - times[key]) / seconds;
+        fraction = (time - times[key]) / seconds;
         return false;
     }
 

@@ -11,7 +11,7 @@ namespace CreatureGen.Motion.Toolkit;
 public sealed class GazeRig
 {
     // A head with a neck takes this much of a turn, the neck's bones the rest in equal parts: looks are led by the head.
-    private const float HeadShare = 0.45f;
+    private const float HeadFraction = 0.45f;
 
     private readonly int[] joints;
     private readonly float[] taken;
@@ -19,13 +19,13 @@ public sealed class GazeRig
     /// <summary>Chooses the joints.</summary>
     /// <param name="skeleton">In rest pose.</param>
     /// <param name="joints">From the lowest that turns to the head; each the parent of the next. The parent of the first gives "ahead" and "up".</param>
-    /// <param name="shares">How much of the turn each takes; at least 0, with a positive sum.</param>
+    /// <param name="fractions">How much of the turn each takes; at least 0, with a positive sum.</param>
     /// <exception cref="ArgumentException">The joints are not a chain below a parent, or the shares are not as many or not as they should be.</exception>
-    public GazeRig(Skeleton skeleton, ReadOnlySpan<int> joints, ReadOnlySpan<float> shares)
+    public GazeRig(Skeleton skeleton, ReadOnlySpan<int> joints, ReadOnlySpan<float> fractions)
     {
-        if (joints.Length == 0 || shares.Length != joints.Length)
+        if (joints.Length == 0 || fractions.Length != joints.Length)
         {
-            throw new ArgumentException(FormattableString.Invariant($"{joints.Length} joints and {shares.Length} shares; expected one share for each of at least one joint"), nameof(shares));
+            throw new ArgumentException(FormattableString.Invariant($"{joints.Length} joints and {fractions.Length} shares; expected one share for each of at least one joint"), nameof(fractions));
         }
 
         Skeleton = skeleton;
@@ -39,14 +39,14 @@ public sealed class GazeRig
                 throw new ArgumentException(FormattableString.Invariant($"joints[{i}] = {joints[i]}; expected a chain of joints below a parent, lowest first"), nameof(joints));
             }
 
-            Finite.RequireWithin(shares[i], 0f, 1e6f, nameof(shares));
-            sum += shares[i];
+            Finite.RequireWithin(fractions[i], 0f, 1e6f, nameof(fractions));
+            sum += fractions[i];
             taken[i] = sum;
         }
 
         if (!(sum > 0f))
         {
-            throw new ArgumentException("shares add up to 0; expected a positive sum", nameof(shares));
+            throw new ArgumentException("shares add up to 0; expected a positive sum", nameof(fractions));
         }
 
         for (int i = 0; i < taken.Length; i++)
@@ -119,13 +119,13 @@ public sealed class GazeRig
             chain.Insert(0, joint);
         }
 
-        float[] shares = new float[chain.Count];
-        for (int i = 0; i < shares.Length; i++)
+        float[] fractions = new float[chain.Count];
+        for (int i = 0; i < fractions.Length; i++)
         {
-            shares[i] = i < shares.Length - 1 ? (1f - HeadShare) / (shares.Length - 1) : HeadShare;
+            fractions[i] = i < fractions.Length - 1 ? (1f - HeadFraction) / (fractions.Length - 1) : HeadFraction;
         }
 
-        return new GazeRig(skeleton, chain.ToArray(), shares);
+        return new GazeRig(skeleton, chain.ToArray(), fractions);
     }
 
     private int EyeOn(Side side)

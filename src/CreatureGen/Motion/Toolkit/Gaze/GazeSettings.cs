@@ -8,26 +8,26 @@ public readonly struct GazeSettings
 {
     /// <summary>Sets how the head moves.</summary>
     /// <param name="rate">s⁻¹ of the critically damped approach; the head is nearly there after 4/rate. 10 is a cat, 4 a cow.</param>
-    /// <param name="mostYaw">Radians to either side, 0..π.</param>
-    /// <param name="mostUp">Radians above the horizontal, 0..π/2.</param>
-    /// <param name="mostDown">Radians below it, 0..π/2.</param>
+    /// <param name="maxYaw">Radians to either side, 0..π.</param>
+    /// <param name="maxUp">Radians above the horizontal, 0..π/2.</param>
+    /// <param name="maxDown">Radians below it, 0..π/2.</param>
     /// <param name="fadeRate">s⁻¹ at which attention comes and goes.</param>
     /// <param name="backMargin">Radians to either side of straight behind in which the head stays on the side where it is, 0..π/2.</param>
     /// <param name="loseBeyond">Radians round from straight ahead beyond which a target is given up; π for never.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is outside its range or not a number.</exception>
-    public GazeSettings(float rate, float mostYaw = 1.22f, float mostUp = 0.7f, float mostDown = 0.8f, float fadeRate = 6f, float backMargin = 0.5f, float loseBeyond = 3.1416f)
+    public GazeSettings(float rate, float maxYaw = 1.22f, float maxUp = 0.7f, float maxDown = 0.8f, float fadeRate = 6f, float backMargin = 0.5f, float loseBeyond = 3.1416f)
     {
         Finite.RequireWithin(rate, 0f, 1e4f, nameof(rate));
-        Finite.RequireWithin(mostYaw, 0f, 3.1416f, nameof(mostYaw));
-        Finite.RequireWithin(mostUp, 0f, 1.5708f, nameof(mostUp));
-        Finite.RequireWithin(mostDown, 0f, 1.5708f, nameof(mostDown));
+        Finite.RequireWithin(maxYaw, 0f, 3.1416f, nameof(maxYaw));
+        Finite.RequireWithin(maxUp, 0f, 1.5708f, nameof(maxUp));
+        Finite.RequireWithin(maxDown, 0f, 1.5708f, nameof(maxDown));
         Finite.RequireWithin(fadeRate, 0f, 1e4f, nameof(fadeRate));
         Finite.RequireWithin(backMargin, 0f, 1.5708f, nameof(backMargin));
         Finite.RequireWithin(loseBeyond, 0f, 3.1416f, nameof(loseBeyond));
         Rate = rate;
-        MostYaw = mostYaw;
-        MostUp = mostUp;
-        MostDown = mostDown;
+        MaxYaw = maxYaw;
+        MaxUp = maxUp;
+        MaxDown = maxDown;
         FadeRate = fadeRate;
         BackMargin = backMargin;
         LoseBeyond = loseBeyond;
@@ -40,13 +40,13 @@ public readonly struct GazeSettings
     public float Rate { get; }
 
     /// <summary>Radians to either side.</summary>
-    public float MostYaw { get; }
+    public float MaxYaw { get; }
 
     /// <summary>Radians above the horizontal.</summary>
-    public float MostUp { get; }
+    public float MaxUp { get; }
 
     /// <summary>Radians below it.</summary>
-    public float MostDown { get; }
+    public float MaxDown { get; }
 
     /// <summary>s⁻¹ at which attention comes and goes.</summary>
     public float FadeRate { get; }

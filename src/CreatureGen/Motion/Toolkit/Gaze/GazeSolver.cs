@@ -17,8 +17,8 @@ namespace CreatureGen.Motion.Toolkit;
 /// </remarks>
 public static class GazeSolver
 {
-    private const float LeastAttention = 1e-3f;
-    private const int MostJoints = 64;
+    private const float MinAttention = 1e-3f;
+    private const int MaxJoints = 64;
 
     /// <summary>Lets time pass and poses head and neck.</summary>
     /// <param name="rig">The joints.</param>
@@ -49,9 +49,9 @@ public static class GazeSolver
         model.Require(rig.Skeleton);
         Finite.RequireStep(seconds);
         ReadOnlySpan<int> joints = rig.Joints;
-        if (joints.Length > MostJoints)
+        if (joints.Length > MaxJoints)
         {
-            throw new ArgumentException(FormattableString.Invariant($"{joints.Length} joints; expected at most {MostJoints}"), nameof(rig));
+            throw new ArgumentException(FormattableString.Invariant($"{joints.Length} joints; expected at most {MaxJoints}"), nameof(rig));
         }
 
         Span<Quaternion> motion = stackalloc Quaternion[joints.Length];
@@ -106,7 +106,7 @@ public static class GazeSolver
         CriticallyDampedSpring.Advance(ref state.Yaw, ref state.YawVelocity, bounded.Yaw, settings.Rate, seconds, left);
         CriticallyDampedSpring.Advance(ref state.Pitch, ref state.PitchVelocity, bounded.Pitch, settings.Rate, seconds, left);
         state.Attention = state.Attention == attention ? attention : Damping.Approach(state.Attention, attention, settings.FadeRate, seconds);
-        if (attention == 0f && state.Attention < LeastAttention)
+        if (attention == 0f && state.Attention < MinAttention)
         {
             state.Attention = 0f;
         }
@@ -135,7 +135,7 @@ public static class GazeSolver
             yaw = -yaw;
         }
 
-        return new LookAngles(Scalar.Clamp(yaw, -settings.MostYaw, settings.MostYaw), Scalar.Clamp(goal.Pitch, -settings.MostDown, settings.MostUp));
+        return new LookAngles(Scalar.Clamp(yaw, -settings.MaxYaw, settings.MaxYaw), Scalar.Clamp(goal.Pitch, -settings.MaxDown, settings.MaxUp));
     }
 
     /// <summary>Poses the chain from its motion and the state.</summary>
@@ -145,14 +145,14 @@ public static class GazeSolver
         Skeleton skeleton = rig.Skeleton;
         Quaternion inTrunk = Rotation.Multiply(new LookAngles(state.Yaw, state.Pitch).Turn(), Rotation.Inverse(animated.Turn()));
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(toTrunk), Rotation.Multiply(inTrunk, toTrunk));
-        var shares = new RotationFractions(turn);
+        var fractions = new RotationFractions(turn);
         ReadOnlySpan<Joint> bones = skeleton.AllJoints;
         Quaternion carried = model.Rotations[rig.Base];
         for (int i = 0; i < joints.Length; i++)
         {
             int joint = joints[i];
             carried = Rotation.Multiply(carried, motion[i]);
-            Quaternion wanted = Rotation.Multiply(shares.At(rig.Taken[i] * state.Attention), carried);
+            Quaternion wanted = Rotation.Multiply(fractions.At(rig.Taken[i] * state.Attention), carried);
             Quaternion turned = UnitRotation.Renormalize(Rotation.Multiply(JointRelations.ParentInverse(skeleton, joint, model), wanted));
 
             // A motion that is itself beyond the limits is not pulled back by looking at nothing.

@@ -49,7 +49,7 @@ public static class CcdIk
         {
             for (int k = chain.Length - 2; k >= 0; k--)
             {
-                Turn(skeleton, chain, k, target, settings.MostTurn, local, model);
+                Turn(skeleton, chain, k, target, settings.MaxTurn, local, model);
             }
 
             float now = Vec.Distance(model.Positions[end], target);
@@ -87,7 +87,7 @@ public static class CcdIk
     }
 
     /// <summary>Turns one joint of the chain and carries along what follows it.</summary>
-    private static void Turn(Skeleton skeleton, ReadOnlySpan<int> chain, int k, Vector3 target, float mostTurn, in Pose local, in Pose model)
+    private static void Turn(Skeleton skeleton, ReadOnlySpan<int> chain, int k, Vector3 target, float maxTurn, in Pose local, in Pose model)
     {
         int joint = chain[k];
         Joint about = skeleton.Joints[joint];
@@ -107,7 +107,7 @@ public static class CcdIk
             return;
         }
 
-        Quaternion turn = Bounded(Rotation.FromTo(from, to), mostTurn);
+        Quaternion turn = Bounded(Rotation.FromTo(from, to), maxTurn);
         Quaternion turned = Rotation.Normalize(Rotation.Multiply(local.Rotations[joint], turn));
         local.Rotations[joint] = SwingTwistLimit.ClampLocal(turned, about);
         for (int i = k; i < chain.Length; i++)
@@ -118,16 +118,16 @@ public static class CcdIk
 
     private static float Width(AngleRange range) => range.Max - range.Min;
 
-    private static Quaternion Bounded(Quaternion turn, float most)
+    private static Quaternion Bounded(Quaternion turn, float max)
     {
         float sine = Vec.Length(new Vector3(turn.X, turn.Y, turn.Z));
-        PortableMath.SinCos(0.5 * most, out double mostSine, out double mostCosine);
-        if (turn.W >= mostCosine || sine <= 0f)
+        PortableMath.SinCos(0.5 * max, out double maxSine, out double maxCosine);
+        if (turn.W >= maxCosine || sine <= 0f)
         {
             return turn;
         }
 
-        float scale = (float)(mostSine / sine);
-        return new Quaternion(turn.X * scale, turn.Y * scale, turn.Z * scale, (float)mostCosine);
+        float scale = (float)(maxSine / sine);
+        return new Quaternion(turn.X * scale, turn.Y * scale, turn.Z * scale, (float)maxCosine);
     }
 }

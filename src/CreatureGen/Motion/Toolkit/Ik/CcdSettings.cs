@@ -9,9 +9,9 @@ public readonly struct CcdSettings
     /// <summary>Sets the effort.</summary>
     /// <param name="rounds">Most passes over the chain, at least 1.</param>
     /// <param name="tolerance">Share of the chain's length within which the target counts as reached; above 0.</param>
-    /// <param name="mostTurn">Radians that a joint turns in one pass at most, above 0; small turns spread the bend over the chain.</param>
+    /// <param name="maxTurn">Radians that a joint turns in one pass at most, above 0; small turns spread the bend over the chain.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is outside its range or not a number.</exception>
-    public CcdSettings(int rounds, float tolerance = 1e-3f, float mostTurn = 0.6f)
+    public CcdSettings(int rounds, float tolerance = 1e-3f, float maxTurn = 0.6f)
     {
         if (rounds < 1)
         {
@@ -19,10 +19,10 @@ public readonly struct CcdSettings
         }
 
         Finite.RequireWithin(tolerance, 1e-7f, 1f, nameof(tolerance));
-        Finite.RequireWithin(mostTurn, 1e-4f, (float)PortableMath.Pi, nameof(mostTurn));
+        Finite.RequireWithin(maxTurn, 1e-4f, (float)PortableMath.Pi, nameof(maxTurn));
         Rounds = rounds;
         Tolerance = tolerance;
-        MostTurn = mostTurn;
+        MaxTurn = maxTurn;
     }
 
     /// <summary>16 passes, 0.1 % of the length, 0.6 rad at a time.</summary>
@@ -35,5 +35,5 @@ public readonly struct CcdSettings
     public float Tolerance { get; }
 
     /// <summary>Radians that a joint turns in one pass at most.</summary>
-    public float MostTurn { get; }
+    public float MaxTurn { get; }
 }

@@ -9,10 +9,10 @@ public static class HingeAxis
     /// <summary>Unit axis in the joint's own space; a turn about it by a positive angle folds the joint.</summary>
     public static Vector3 Of(JointLimit limit)
     {
-        float least = -limit.SwingX.Min;
-        float most = limit.SwingX.Max;
-        Vector3 axis = most >= least ? Vector3.UnitX : -Vector3.UnitX;
-        float widest = most >= least ? most : least;
+        float min = -limit.SwingX.Min;
+        float max = limit.SwingX.Max;
+        Vector3 axis = max >= min ? Vector3.UnitX : -Vector3.UnitX;
+        float widest = max >= min ? max : min;
         if (-limit.SwingZ.Min > widest)
         {
             axis = -Vector3.UnitZ;

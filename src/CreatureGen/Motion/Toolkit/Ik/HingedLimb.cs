@@ -14,7 +14,7 @@ namespace CreatureGen.Motion.Toolkit.Ik;
 /// </remarks>
 internal static class HingedLimb
 {
-    private const double ReachedShare = 1e-4;
+    private const double ReachedFraction = 1e-4;
 
     /// <summary>Solves for the turns that take each part from where it is to where it has to be.</summary>
     /// <param name="upper">First part, from the root to the hinge, metres.</param>
@@ -61,7 +61,7 @@ internal static class HingedLimb
         upperTurn = UnitRotation.Frame(chordAlong, hinge, along, side);
         lowerTurn = Rotation.Multiply(upperTurn, bend);
         double residual = Math.Abs(asked - Math.Sqrt((taken * taken) + (offset * offset)));
-        if (residual <= ReachedShare * (lengthA + lengthB))
+        if (residual <= ReachedFraction * (lengthA + lengthB))
         {
             status = IkStatus.Reached;
         }

@@ -12,22 +12,22 @@ namespace CreatureGen.Motion.Toolkit;
 public readonly struct Reach
 {
     // Stored so that the default value of the structure is Hard.
-    private readonly double leastVersine;
-    private readonly double mostBelowFlat;
+    private readonly double minVersine;
+    private readonly double maxBelowFlat;
     private readonly float easing;
 
     /// <summary>Sets the ends of the reach.</summary>
-    /// <param name="leastBend">Radians at the middle joint that are always left; 0..π. 0.2 (12°) leaves 0.5 % of the length.</param>
-    /// <param name="mostBend">Radians that the middle joint folds at most; more than the least, at most π.</param>
+    /// <param name="minBend">Radians at the middle joint that are always left; 0..π. 0.2 (12°) leaves 0.5 % of the length.</param>
+    /// <param name="maxBend">Radians that the middle joint folds at most; more than the least, at most π.</param>
     /// <param name="easeFrom">Share of the greatest distance at which easing begins, 0..1; 1 for a hard end.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is outside its range or not a number.</exception>
-    public Reach(float leastBend, float mostBend = 2.618f, float easeFrom = 0.968f)
+    public Reach(float minBend, float maxBend = 2.618f, float easeFrom = 0.968f)
     {
-        Finite.RequireWithin(leastBend, 0f, (float)PortableMath.Pi, nameof(leastBend));
-        Finite.RequireWithin(mostBend, leastBend, 3.1415928f, nameof(mostBend));
+        Finite.RequireWithin(minBend, 0f, (float)PortableMath.Pi, nameof(minBend));
+        Finite.RequireWithin(maxBend, minBend, 3.1415928f, nameof(maxBend));
         Finite.RequireWithin(easeFrom, 0f, 1f, nameof(easeFrom));
-        leastVersine = 1 - PortableMath.Cos(leastBend);
-        mostBelowFlat = 1 + PortableMath.Cos(mostBend);
+        minVersine = 1 - PortableMath.Cos(minBend);
+        maxBelowFlat = 1 + PortableMath.Cos(maxBend);
         easing = 1f - easeFrom;
     }
 
@@ -47,17 +47,17 @@ public readonly struct Reach
     {
         double squares = (upper * upper) + (lower * lower);
         double product = 2 * upper * lower;
-        double most = Math.Sqrt(Math.Max(0, squares + (product * (1 - leastVersine))));
-        double least = Math.Sqrt(Math.Max(0, squares + (product * (mostBelowFlat - 1))));
-        double from = Math.Max(most * (1 - easing), least);
+        double max = Math.Sqrt(Math.Max(0, squares + (product * (1 - minVersine))));
+        double min = Math.Sqrt(Math.Max(0, squares + (product * (maxBelowFlat - 1))));
+        double from = Math.Max(max * (1 - easing), min);
         if (distance <= from)
         {
-            status = distance < least ? IkStatus.TooNear : IkStatus.Reached;
-            return Math.Max(distance, least);
+            status = distance < min ? IkStatus.TooNear : IkStatus.Reached;
+            return Math.Max(distance, min);
         }
 
-        status = distance > most ? IkStatus.TooFar : IkStatus.Softened;
-        double width = most - from;
-        return width > most * 1e-9 ? from + (width * (1 - PortableMath.Exp(-(distance - from) / width))) : Math.Min(distance, most);
+        status = distance > max ? IkStatus.TooFar : IkStatus.Softened;
+        double width = max - from;
+        return width > max * 1e-9 ? from + (width * (1 - PortableMath.Exp(-(distance - from) / width))) : Math.Min(distance, max);
     }
 }

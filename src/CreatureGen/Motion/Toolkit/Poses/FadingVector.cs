@@ -18,20 +18,20 @@ internal readonly struct FadingVector
     /// <param name="value">At time 0.</param>
     /// <param name="velocity">At time 0, per second.</param>
     /// <param name="duration">Seconds.</param>
-    /// <param name="least">A value or a velocity per second that is shorter has no direction.</param>
-    public FadingVector(Vector3 value, Vector3 velocity, float duration, float least)
+    /// <param name="min">A value or a velocity per second that is shorter has no direction.</param>
+    public FadingVector(Vector3 value, Vector3 velocity, float duration, float min)
     {
         float length = Vec.Length(value);
         float speed = Vec.Length(velocity);
-        if ((length <= least && speed <= least) || duration <= 0f)
+        if ((length <= min && speed <= min) || duration <= 0f)
         {
             this = default;
             return;
         }
 
-        direction = length > least ? value / length : velocity / speed;
+        direction = length > min ? value / length : velocity / speed;
         float outward = Vec.Dot(velocity, direction);
-        along = new DecayCurve(length > least ? length : 0f, outward, duration);
+        along = new DecayCurve(length > min ? length : 0f, outward, duration);
         across = (velocity - (direction * outward)) * duration;
         this.duration = duration;
     }

@@ -17,8 +17,8 @@ namespace CreatureGen.Motion.Toolkit;
 /// </remarks>
 public static class Inertialisation
 {
-    private const float LeastAngle = 1e-5f;
-    private const float LeastShift = 1e-7f;
+    private const float MinAngle = 1e-5f;
+    private const float MinShift = 1e-7f;
 
     /// <summary>Notes what has to die away.</summary>
     /// <param name="shown">The local pose shown last, transitions included.</param>
@@ -47,8 +47,8 @@ public static class Inertialisation
             Vector3 shiftBefore = shownBefore.Positions[i] - nextBefore.Positions[i];
             nought += (Vec.Dot(turn, turnBefore) + Vec.Dot(shift, shiftBefore)) * 0f;
             offsets[i] = new InertialOffset(
-                new FadingVector(turn, (turn - turnBefore) * perSecond, duration, LeastAngle),
-                new FadingVector(shift, (shift - shiftBefore) * perSecond, duration, LeastShift));
+                new FadingVector(turn, (turn - turnBefore) * perSecond, duration, MinAngle),
+                new FadingVector(shift, (shift - shiftBefore) * perSecond, duration, MinShift));
         }
 
         if (nought != 0f)

@@ -18,7 +18,7 @@ namespace CreatureGen.Motion.Toolkit;
 public readonly ref struct PoseMixer
 {
     /// <summary>Where the weights of a joint add up to less than this, the fallback makes up for the rest, so that layers fade in and out without a jump.</summary>
-    public const float LeastTotal = 0.1f;
+    public const float MinTotal = 0.1f;
 
     private readonly Pose result;
     private readonly Span<float> totals;
@@ -90,7 +90,7 @@ public readonly ref struct PoseMixer
     }
 
     /// <summary>Divides by the weights; the result is a pose now.</summary>
-    /// <param name="fallback">For joints whose weights add up to less than <see cref="LeastTotal"/>; usually the rest pose.</param>
+    /// <param name="fallback">For joints whose weights add up to less than <see cref="MinTotal"/>; usually the rest pose.</param>
     /// <exception cref="ArgumentException">The fallback is of another length, or a pose had a number that is not finite.</exception>
     public void Finish(in Pose fallback)
     {
@@ -101,14 +101,14 @@ public readonly ref struct PoseMixer
             float total = totals[i];
             Quaternion q = result.Rotations[i];
             Vector3 p = result.Positions[i];
-            if (total < LeastTotal)
+            if (total < MinTotal)
             {
                 Quaternion f = fallback.Rotations[i];
-                float rest = LeastTotal - total;
+                float rest = MinTotal - total;
                 float s = (q.X * f.X) + (q.Y * f.Y) + (q.Z * f.Z) + (q.W * f.W) < 0f ? -rest : rest;
                 q = new Quaternion(q.X + (f.X * s), q.Y + (f.Y * s), q.Z + (f.Z * s), q.W + (f.W * s));
                 p += fallback.Positions[i] * rest;
-                total = LeastTotal;
+                total = MinTotal;
             }
 
             float scale = 1f / (float)Math.Sqrt((q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W));

@@ -9,8 +9,8 @@ namespace CreatureGen.Motion.Toolkit.Ragdolls;
 internal struct PartMass
 {
     private Vector3 moment;
-    private Vector3 least;
-    private Vector3 most;
+    private Vector3 min;
+    private Vector3 max;
 
     /// <summary>Cubic model metres.</summary>
     public float Volume { get; private set; }
@@ -28,8 +28,8 @@ internal struct PartMass
         Vector3 low = Min(capsule.Start, capsule.End) - radius;
         Vector3 high = Max(capsule.Start, capsule.End) + radius;
         bool first = Volume == 0f;
-        least = first ? low : Min(least, low);
-        most = first ? high : Max(most, high);
+        min = first ? low : Min(min, low);
+        max = first ? high : Max(max, high);
         moment += (capsule.Start + capsule.End) * (0.5f * volume);
         Volume += volume;
     }
@@ -37,12 +37,12 @@ internal struct PartMass
     /// <summary>Moments of inertia of an ellipsoid of the same extent, none thinner than a share of the longest axis.</summary>
     /// <param name="stoutness">Least axis over longest.</param>
     /// <param name="mass">Of the part.</param>
-    /// <param name="leastHalfAxis">No half axis is shorter.</param>
-    public readonly Vector3 Inertia(float stoutness, float mass, float leastHalfAxis)
+    /// <param name="minHalfAxis">No half axis is shorter.</param>
+    public readonly Vector3 Inertia(float stoutness, float mass, float minHalfAxis)
     {
-        Vector3 half = (most - least) * 0.5f;
+        Vector3 half = (max - min) * 0.5f;
         float longest = Math.Max(half.X, Math.Max(half.Y, half.Z));
-        half = Max(half, new Vector3(Math.Max(longest * stoutness, leastHalfAxis)));
+        half = Max(half, new Vector3(Math.Max(longest * stoutness, minHalfAxis)));
         Vector3 squares = half * half * (mass / 5f);
         return new Vector3(squares.Y + squares.Z, squares.X + squares.Z, squares.X + squares.Y);
     }

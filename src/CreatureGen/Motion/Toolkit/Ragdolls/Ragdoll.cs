@@ -26,9 +26,9 @@ public static class Ragdoll
     private const int Rounds = 2;
     private const float AllowanceRate = 2f;
     private const float CalmSeconds = 0.5f;
-    private const float CalmShare = 0.012f;
+    private const float CalmFraction = 0.012f;
     private const float TurningArm = 0.1f;
-    private const float TiredShare = 4f;
+    private const float TiredFraction = 4f;
     private const float TiredDamping = 3f;
 
     /// <summary>Takes over from a motion.</summary>
@@ -244,11 +244,11 @@ public static class Ragdoll
 
     /// <summary>Below this speed a creature has all but come to rest.</summary>
     private static float CalmSpeed(RagdollRig rig, RagdollState state, in RagdollSettings settings) =>
-        CalmShare * (float)Math.Sqrt(rig.Size * state.Scale * Vec.Length(settings.Gravity));
+        CalmFraction * (float)Math.Sqrt(rig.Size * state.Scale * Vec.Length(settings.Gravity));
 
     /// <summary>Slow motion dies faster than fast motion: flesh rolls and rocks badly.</summary>
     private static RagdollSettings Tired(RagdollRig rig, RagdollState state, in RagdollSettings settings) =>
-        state.Speed > TiredShare * CalmSpeed(rig, state, settings) ? settings : settings.Slowed(TiredDamping);
+        state.Speed > TiredFraction * CalmSpeed(rig, state, settings) ? settings : settings.Slowed(TiredDamping);
 
     private static bool Rests(RagdollRig rig, RagdollState state, in RagdollSettings settings)
     {

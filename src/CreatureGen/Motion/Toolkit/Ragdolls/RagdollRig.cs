@@ -16,9 +16,9 @@ namespace CreatureGen.Motion.Toolkit;
 /// </remarks>
 public sealed class RagdollRig
 {
-    private const float LeastMassShare = 0.004f;
-    private const float LeastStoutness = 0.35f;
-    private const float LeastArmShare = 1.2f;
+    private const float MinMassFraction = 0.004f;
+    private const float MinStoutness = 0.35f;
+    private const float MinArmFraction = 1.2f;
     private readonly RagdollPart[] parts;
     private readonly RagdollContact[] contacts;
     private readonly int[] partOfJoint;
@@ -145,9 +145,9 @@ public sealed class RagdollRig
     private RagdollPart Part(Skeleton skeleton, List<int> owners, PartMass[] masses, int i, int parent, float total)
     {
         int joint = owners[i];
-        float mass = Math.Max(masses[i].Volume / total, LeastMassShare);
+        float mass = Math.Max(masses[i].Volume / total, MinMassFraction);
         Vector3 centre = masses[i].Centre;
-        Vector3 inertia = masses[i].Inertia(LeastStoutness, mass, LeastArmShare * Arm(skeleton, owners, centre, i));
+        Vector3 inertia = masses[i].Inertia(MinStoutness, mass, MinArmFraction * Arm(skeleton, owners, centre, i));
         if (parent < 0)
         {
             return new RagdollPart(joint, -1, centre, mass, inertia, Vector3.Zero, Quaternion.Identity, JointLimit.Free);

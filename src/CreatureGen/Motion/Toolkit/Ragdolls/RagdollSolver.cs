@@ -13,8 +13,8 @@ namespace CreatureGen.Motion.Toolkit.Ragdolls;
 internal static class RagdollSolver
 {
     // Radians and shares of the size per substep; faster parts would pass through their joints' other side.
-    private const float MostTurn = 0.5f;
-    private const float MostShift = 0.5f;
+    private const float MaxTurn = 0.5f;
+    private const float MaxShift = 0.5f;
 
     // Muscles reach the speed they want so many times faster than they reach their pose, so that they do not swing through.
     private const float FirmnessPerTone = 4f;
@@ -26,15 +26,15 @@ internal static class RagdollSolver
         ReadOnlySpan<RagdollPart> parts = state.Rig.Parts;
         float air = Damping.Left(settings.AirDamping, h);
         Vector3 up = Vec.Normalize(-settings.Gravity, Vector3.UnitY);
-        float mostShift = MostShift * state.Rig.Size * state.Scale;
+        float maxShift = MaxShift * state.Rig.Size * state.Scale;
         for (int i = 0; i < parts.Length; i++)
         {
             Vector3 v = (state.Velocities[i] + (settings.Gravity * h)) * air;
             Vector3 w = state.Spins[i] * air;
             state.PastPositions[i] = state.Positions[i];
             state.PastRotations[i] = state.Rotations[i];
-            state.Positions[i] += Shortened(v * h, mostShift);
-            state.Rotations[i] = Turned(state.Rotations[i], Shortened(w * h, MostTurn));
+            state.Positions[i] += Shortened(v * h, maxShift);
+            state.Rotations[i] = Turned(state.Rotations[i], Shortened(w * h, MaxTurn));
         }
 
         for (int round = 0; round < rounds; round++)
@@ -197,9 +197,9 @@ internal static class RagdollSolver
     }
 
     /// <summary>Brings the turning of neighbouring parts against each other some way to that which muscles want: none at all, or towards their pose.</summary>
-    private static void Rub(RagdollState state, ReadOnlySpan<RagdollPart> parts, float tone, float share)
+    private static void Rub(RagdollState state, ReadOnlySpan<RagdollPart> parts, float tone, float fraction)
     {
-        if (share <= 0f)
+        if (fraction <= 0f)
         {
             return;
         }
@@ -217,8 +217,8 @@ internal static class RagdollSolver
 
             float own = Sum(child.InverseInertia);
             float other = Sum(parts[child.Parent].InverseInertia);
-            state.Spins[i] -= against * (share * own / (own + other));
-            state.Spins[child.Parent] += against * (share * other / (own + other));
+            state.Spins[i] -= against * (fraction * own / (own + other));
+            state.Spins[child.Parent] += against * (fraction * other / (own + other));
         }
     }
 
@@ -251,9 +251,9 @@ internal static class RagdollSolver
         return angle > 1e-9f ? Rotation.Normalize(Rotation.Multiply(Rotation.FromAxisAngle(turn / angle, angle), rotation)) : rotation;
     }
 
-    private static Vector3 Shortened(Vector3 v, float most)
+    private static Vector3 Shortened(Vector3 v, float max)
     {
         float length = Vec.Length(v);
-        return length > most ? v * (most / length) : v;
+        return length > max ? v * (max / length) : v;
     }
 }

@@ -36,20 +36,20 @@ public static class DampedChain
     /// <param name="skeleton">Gives the parents.</param>
     /// <param name="joints">The chain, parents first.</param>
     /// <param name="rate">s⁻¹, from the first to the last joint; the lag of each is about 1/rate seconds.</param>
-    /// <param name="most">Radians that a joint may be behind, 0..π.</param>
+    /// <param name="max">Radians that a joint may be behind, 0..π.</param>
     /// <param name="root">Where the creature is now.</param>
     /// <param name="seconds">Time since the last call.</param>
     /// <param name="remembered">One world rotation per joint, from <see cref="Reset"/> or the last call.</param>
     /// <param name="local">The animated pose in the parents' space; the joints are turned.</param>
     /// <param name="model">The same in model space; brought up to date from the first joint outwards.</param>
     /// <exception cref="ArgumentException">A pose is not as long as the skeleton, there are not as many rotations as joints, or a number is not finite.</exception>
-    public static void Update(Skeleton skeleton, ReadOnlySpan<int> joints, ChainCurve rate, float most, in RootPlace root, float seconds, Span<Quaternion> remembered, in Pose local, in Pose model)
+    public static void Update(Skeleton skeleton, ReadOnlySpan<int> joints, ChainCurve rate, float max, in RootPlace root, float seconds, Span<Quaternion> remembered, in Pose local, in Pose model)
     {
         local.Require(skeleton);
         model.Require(skeleton);
         root.Require(nameof(root));
         Finite.RequireStep(seconds);
-        Finite.RequireWithin(most, 0f, 3.1416f, nameof(most));
+        Finite.RequireWithin(max, 0f, 3.1416f, nameof(max));
         Require(joints, remembered.Length);
         if (joints.Length == 0)
         {
@@ -75,7 +75,7 @@ public static class DampedChain
 
             Quaternion now = Damping.Approach(remembered[i], goal, Math.Max(rate.At(along), 0f), seconds);
             double behind = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(goal), now));
-            remembered[i] = behind > most ? Rotation.Slerp(goal, now, most / behind) : now;
+            remembered[i] = behind > max ? Rotation.Slerp(goal, now, max / behind) : now;
             local.Rotations[joint] = Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(parent), Rotation.Multiply(toModel, remembered[i])));
             Subtree.Place(skeleton.Parents[joint], joint, local, model);
         }

@@ -28,10 +28,10 @@ public static class SpringBones
     private const int CollisionRounds = 2;
 
     /// <summary>Part of a substep below which a goal's velocity cannot be told from what it has gone.</summary>
-    private const float LeastShare = 1e-3f;
+    private const float MinFraction = 1e-3f;
 
     /// <summary>Substeps that are made of one bone before the next, and the moment of the frame.</summary>
-    private const int MostMoments = 5;
+    private const int MaxMoments = 5;
 
     /// <summary>Lets time pass and poses the joints.</summary>
     /// <param name="rig">The joints.</param>
@@ -177,17 +177,17 @@ public static class SpringBones
         float debt = state.Debt + seconds;
         int steps = (int)(debt / Substep);
         state.Tune(settings);
-        int stride = Math.Min(steps, MostMoments - 1) + 1;
+        int stride = Math.Min(steps, MaxMoments - 1) + 1;
         Span<Moment> moments = stackalloc Moment[rig.Joints.Length * stride];
-        Span<float> shares = stackalloc float[MostMoments];
+        Span<float> fractions = stackalloc float[MaxMoments];
         float left = Math.Max(debt - (steps * Substep), 0f);
         int done = 0;
         do
         {
-            int count = Math.Min(steps - done, MostMoments - 1);
+            int count = Math.Min(steps - done, MaxMoments - 1);
             for (int k = 0; k < count; k++)
             {
-                shares[k] = seconds > 0f ? Math.Min((((done + k + 1) * Substep) - state.Debt) / seconds, 1f) : 1f;
+                fractions[k] = seconds > 0f ? Math.Min((((done + k + 1) * Substep) - state.Debt) / seconds, 1f) : 1f;
             }
 
             done += count;
@@ -195,7 +195,7 @@ public static class SpringBones
             {
                 for (int i = 0; i < rig.Joints.Length; i++)
                 {
-                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments, stride);
+                    Advance(rig, state, settings, root.Scale, colliders, i, fractions.Slice(0, count), moments, stride);
                 }
             }
             else
@@ -206,7 +206,7 @@ public static class SpringBones
                 int shown = between ? stride - 1 : count - 1;
                 for (int i = 0; i < rig.Joints.Length; i++)
                 {
-                    Advance(rig, state, settings, root.Scale, colliders, i, shares.Slice(0, count), moments, stride);
+                    Advance(rig, state, settings, root.Scale, colliders, i, fractions.Slice(0, count), moments, stride);
                     if (between)
                     {
                         Foresee(rig, state, settings, root.Scale, colliders, i, moments, stride);
@@ -226,7 +226,7 @@ public static class SpringBones
     }
 
     /// <summary>Some substeps of one bone; its parent has made them already. One bone after the other, not one step after the other: a step waits for little of the one before, but a bone for all of its parent.</summary>
-    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> shares, Span<Moment> moments, int stride)
+    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> fractions, Span<Moment> moments, int stride)
     {
         const float PerSecond = 1f / Substep;
         int parent = rig.Parents[index];
@@ -236,12 +236,12 @@ public static class SpringBones
         float width = length * state.Width;
         ref SpringBone bone = ref state.Bones[index];
         DampedSpring step = bone.Step;
-        for (int k = 0; k < shares.Length; k++)
+        for (int k = 0; k < fractions.Length; k++)
         {
-            float share = shares[k];
+            float fraction = fractions[k];
             ref Moment moment = ref moments[(index * stride) + k];
-            Vector3 animated = share >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, share), bone.NowAlong);
-            moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, share);
+            Vector3 animated = fraction >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, fraction), bone.NowAlong);
+            moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, fraction);
             Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit, out float squared);
             Vector3 along = SimdKernels.RotateByAny(carried, squared, animated);
             Vector3 tail = along * length;
@@ -273,10 +273,10 @@ public static class SpringBones
         Vector3 along = SimdKernels.RotateByAny(carried, squared, bone.NowAlong);
         Vector3 tail = along * length;
         bone.Shown = moment.Place + tail;
-        float share = state.Debt / Substep;
-        Vector3 goalVelocity = share > LeastShare ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
+        float fraction = state.Debt / Substep;
+        Vector3 goalVelocity = fraction > MinFraction ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
         Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * Substep, length * state.Width);
-        Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), share);
+        Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), fraction);
         Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
         direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale);
         bone.OffsetShown = (direction * length) - tail;
@@ -342,9 +342,9 @@ public static class SpringBones
             return velocity;
         }
 
-        float most = bone.Liveliness * Math.Max((width * width) - Vec.LengthSquared(bone.Offset), 0f);
+        float max = bone.Liveliness * Math.Max((width * width) - Vec.LengthSquared(bone.Offset), 0f);
         float squared = Vec.LengthSquared(velocity);
-        return squared > most ? velocity * MathF.Sqrt(most / squared) : velocity;
+        return squared > max ? velocity * MathF.Sqrt(max / squared) : velocity;
     }
 
     /// <summary>A direction no farther from another than the cone allows.</summary>

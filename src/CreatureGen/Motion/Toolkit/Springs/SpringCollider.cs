@@ -78,14 +78,14 @@ public readonly struct SpringCollider
         if (Kind == SpringColliderKind.Plane)
         {
             float rise = Vec.Dot(bone, End);
-            float least = System.Math.Min(radius - Vec.Dot(place - Start, End), length);
-            if (rise >= least)
+            float min = System.Math.Min(radius - Vec.Dot(place - Start, End), length);
+            if (rise >= min)
             {
                 return bone;
             }
 
             Vector3 along = Vec.Normalize(Vec.Reject(bone, End), Vec.Perpendicular(End));
-            return (End * least) + (along * (float)System.Math.Sqrt(System.Math.Max(0f, (length * length) - (least * least))));
+            return (End * min) + (along * (float)System.Math.Sqrt(System.Math.Max(0f, (length * length) - (min * min))));
         }
 
         for (int round = 0; round < Rounds; round++)
@@ -111,8 +111,8 @@ public readonly struct SpringCollider
         Vector3 nearest = Start + (axis * t);
         Vector3 away = point - nearest;
         float distance = Vec.Length(away);
-        float least = Radius + radius;
-        return distance >= least ? point : nearest + (Vec.Normalize(away, Vec.Perpendicular(axis)) * least);
+        float min = Radius + radius;
+        return distance >= min ? point : nearest + (Vec.Normalize(away, Vec.Perpendicular(axis)) * min);
     }
 
     /// <summary>The same with its points where they are in another space.</summary>

@@ -14,46 +14,46 @@ public readonly struct SpringSettings
     /// <param name="dampingRatio">Below 1 it swings through, from 1 on it does not; along the chain.</param>
     /// <param name="radius">Model metres that it keeps from colliders, along the chain.</param>
     /// <param name="gravity">Acceleration in world space, m/s², on top of what the animated pose already shows; none by default.</param>
-    /// <param name="mostSwing">Radians that a bone may leave its goal, above 0 to π.</param>
+    /// <param name="maxSwing">Radians that a bone may leave its goal, above 0 to π.</param>
     /// <param name="inherit">How far a bone goes along when its parent leaves the animated pose: 0 keeps its own animated direction, 1 that relative to its parent.</param>
     /// <param name="inertia">How much of the movement of the whole creature the bones feel: 1 all of it (world space), 0 none (space of the creature).</param>
     /// <param name="weight">0 the animated pose, 1 the springs.</param>
     /// <param name="teleportDistance">World metres in one step beyond which the creature is taken to have been put elsewhere, not to have moved.</param>
     /// <param name="teleportAngle">Radians of turn in one step beyond which likewise.</param>
-    /// <param name="mostSpeed">How fast a bone may swing, in parts of what it would swinging free over its full width: slower towards the ends of it, where it comes to rest. Not limited by default; of no effect where the frequency is 0.</param>
+    /// <param name="maxSpeed">How fast a bone may swing, in parts of what it would swinging free over its full width: slower towards the ends of it, where it comes to rest. Not limited by default; of no effect where the frequency is 0.</param>
     /// <exception cref="ArgumentException">A number is outside its range or not finite.</exception>
     public SpringSettings(
         ChainCurve frequency,
         ChainCurve dampingRatio,
         ChainCurve radius = default,
         Vector3 gravity = default,
-        float mostSwing = 0.55f,
+        float maxSwing = 0.55f,
         float inherit = 0.5f,
         float inertia = 1f,
         float weight = 1f,
         float teleportDistance = 5f,
         float teleportAngle = 2.4f,
-        float mostSpeed = float.MaxValue)
+        float maxSpeed = float.MaxValue)
     {
         Finite.Require(gravity, nameof(gravity));
-        Finite.RequireWithin(mostSwing, 1e-3f, 3.1416f, nameof(mostSwing));
+        Finite.RequireWithin(maxSwing, 1e-3f, 3.1416f, nameof(maxSwing));
         Finite.RequireWithin(inherit, 0f, 1f, nameof(inherit));
         Finite.RequireWithin(inertia, 0f, 1f, nameof(inertia));
         Finite.RequireWithin(weight, 0f, 1f, nameof(weight));
         Finite.RequireWithin(teleportDistance, 0f, float.MaxValue, nameof(teleportDistance));
         Finite.RequireWithin(teleportAngle, 0f, 4f, nameof(teleportAngle));
-        Finite.RequireWithin(mostSpeed, 0.01f, float.MaxValue, nameof(mostSpeed));
+        Finite.RequireWithin(maxSpeed, 0.01f, float.MaxValue, nameof(maxSpeed));
         Frequency = frequency;
         DampingRatio = dampingRatio;
         Radius = radius;
         Gravity = gravity;
-        MostSwing = mostSwing;
+        MaxSwing = maxSwing;
         Inherit = inherit;
         Inertia = inertia;
         Weight = weight;
         TeleportDistance = teleportDistance;
         TeleportAngle = teleportAngle;
-        MostSpeed = mostSpeed;
+        MaxSpeed = maxSpeed;
     }
 
     /// <summary>Hz along the chain.</summary>
@@ -69,7 +69,7 @@ public readonly struct SpringSettings
     public Vector3 Gravity { get; }
 
     /// <summary>Radians that a bone may leave its goal.</summary>
-    public float MostSwing { get; }
+    public float MaxSwing { get; }
 
     /// <summary>How far a bone goes along with its parent, 0..1.</summary>
     public float Inherit { get; }
@@ -87,7 +87,7 @@ public readonly struct SpringSettings
     public float TeleportAngle { get; }
 
     /// <summary>Parts of the speed of a free swing over the full width.</summary>
-    public float MostSpeed { get; }
+    public float MaxSpeed { get; }
 
     /// <summary>A tail: slow, and damped so much that it trails and never pumps up in a gallop.</summary>
     /// <param name="length">Of the whole chain in the world, metres.</param>
@@ -106,6 +106,6 @@ public readonly struct SpringSettings
     {
         Finite.RequireWithin(length, 1e-6f, 1e6f, nameof(length));
         float tip = (float)(factor * Math.Sqrt(1.5 * Gravity9 / length) / PortableMath.Tau);
-        return new SpringSettings(new ChainCurve(1.9f * tip, tip), new ChainCurve(dampingRatio), mostSpeed: 0.8f);
+        return new SpringSettings(new ChainCurve(1.9f * tip, tip), new ChainCurve(dampingRatio), maxSpeed: 0.8f);
     }
 }

@@ -78,7 +78,7 @@ public sealed class SpringState
     /// <summary>Works out the springs anew if the settings are not those they were worked out for.</summary>
     internal void Tune(in SpringSettings settings)
     {
-        if (tuned && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MostSwing && speed == settings.MostSpeed)
+        if (tuned && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MaxSwing && speed == settings.MaxSpeed)
         {
             return;
         }
@@ -86,8 +86,8 @@ public sealed class SpringState
         tuned = true;
         frequency = settings.Frequency;
         ratio = settings.DampingRatio;
-        swing = settings.MostSwing;
-        speed = settings.MostSpeed;
+        swing = settings.MaxSwing;
+        speed = settings.MaxSpeed;
         PortableMath.SinCos(swing, out double sine, out double cosine);
         SwingSine = (float)sine;
         SwingCosine = (float)cosine;

@@ -14,21 +14,21 @@ internal static class FootInterference
     private const int Samples = 48;
 
     /// <summary>Part of the length of two feet below the body by which they keep apart: one of them is in the air, with its toes down.</summary>
-    private const float FootShare = 0.8f;
+    private const float FootFraction = 0.8f;
 
     /// <summary>Part of the breadths of two legs out to the side by which they keep apart.</summary>
-    private const float BreadthShare = 0.9f;
+    private const float BreadthFraction = 0.9f;
 
     /// <summary>Room that legs out to the side have in any case, leg lengths: shorter steps would be a patter.</summary>
-    private const float LeastRoom = 0.3f;
+    private const float MinRoom = 0.3f;
 
     /// <summary>The longest stance, metres; without end for bodies whose feet go past each other side by side, and in gaits that tuck them up.</summary>
     public static float LongestStance(LeggedBody body, Gait gait)
     {
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         if (body.IsBiped || gait.Tuck > 0f)
         {
-            return least;
+            return min;
         }
 
         float duty = gait.Duty.At(gait.Comfortable);
@@ -41,17 +41,17 @@ internal static class FootInterference
                 if (fore.Row == hind.Row + 1 && hind.Side == fore.Side && (hind.Lateral || fore.Lateral || InOneTrack(hind, fore)))
                 {
                     float room = Room(hind, fore, body.GoingHomes[k].Z - body.GoingHomes[i].Z);
-                    least = Math.Min(least, room / Nearest(gait, hind, fore, body.Rows, duty));
+                    min = Math.Min(min, room / Nearest(gait, hind, fore, body.Rows, duty));
                 }
             }
         }
 
-        return least;
+        return min;
     }
 
     private static float Room(LegRig hind, LegRig fore, float distance) => hind.Lateral || fore.Lateral
-        ? Math.Max(distance - KneeAhead(hind) - (BreadthShare * (hind.Breadth + fore.Breadth)), LeastRoom * hind.Length)
-        : Math.Max(distance - (FootShare * (hind.Toe + fore.Heel)), 0f);
+        ? Math.Max(distance - KneeAhead(hind) - (BreadthFraction * (hind.Breadth + fore.Breadth)), MinRoom * hind.Length)
+        : Math.Max(distance - (FootFraction * (hind.Toe + fore.Heel)), 0f);
 
     /// <summary>The knees of frogs' hind legs are beside their fore feet, ahead of their own.</summary>
     private static float KneeAhead(LegRig hind) =>
@@ -65,14 +65,14 @@ internal static class FootInterference
         float hindLag = gait.Phases.Lag(hind.Row, rows, hind.Side, duty);
         float foreLag = gait.Phases.Lag(fore.Row, rows, fore.Side, duty);
         float bias = rows == 2 ? gait.HindBias - gait.ForeBias : 0f;
-        float most = 0.1f;
+        float max = 0.1f;
         for (int i = 0; i < Samples; i++)
         {
             float phase = i / (float)Samples;
-            most = Math.Max(most, Along(phase - hindLag, duty) - Along(phase - foreLag, duty) + bias);
+            max = Math.Max(max, Along(phase - hindLag, duty) - Along(phase - foreLag, duty) + bias);
         }
 
-        return most;
+        return max;
     }
 
     /// <summary>Where a foot is ahead of the middle of its stance under a body that goes on steadily, stance lengths.</summary>

@@ -14,10 +14,10 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 internal sealed class FootPlanner
 {
     /// <summary>Part of the leg's length that a foot has to be from its next place before it steps.</summary>
-    private const float LeastStep = 0.03f;
+    private const float MinStep = 0.03f;
 
     /// <summary>Radians that a foot has to be turned from its next heading before it steps.</summary>
-    private const float LeastTurn = 0.05f;
+    private const float MinTurn = 0.05f;
 
     /// <summary>Part of the swing after which a foot that stayed down stays for this cycle.</summary>
     private const float LatestLift = 0.35f;
@@ -37,7 +37,7 @@ internal sealed class FootPlanner
     /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
     private const float AimRate = 15f;
 
-    private const float MostSlope = 0.5f;
+    private const float MaxSlope = 0.5f;
 
     /// <summary>Seconds of a swing out of step.</summary>
     private const float CorrectionTime = 0.22f;
@@ -80,7 +80,7 @@ internal sealed class FootPlanner
 
             Vector3 away = frame.ToModel(feet[i].From.Position) - Home(i, activity, clock, 0f, 0f);
             away.Y = 0f;
-            if (Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(frame, feet[i].From.Heading)) > 2f * LeastTurn)
+            if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(YawOf(frame, feet[i].From.Heading)) > 2f * MinTurn)
             {
                 return true;
             }
@@ -249,8 +249,8 @@ internal sealed class FootPlanner
     {
         if (foot.Held && stance < 0.5f)
         {
-            float most = MidstanceRate * step.Step;
-            foot.Stance += Scalar.Clamp(0.5f - foot.Stance, -most, most);
+            float max = MidstanceRate * step.Step;
+            foot.Stance += Scalar.Clamp(0.5f - foot.Stance, -max, max);
             return;
         }
 
@@ -273,7 +273,7 @@ internal sealed class FootPlanner
         Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
         Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
         away.Y = 0f;
-        return Vec.LengthSquared(away) > Square(LeastStep * body.LegLength) || Math.Abs(YawOf(step.Frame, feet[leg].From.Heading) - yaw) > LeastTurn;
+        return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(YawOf(step.Frame, feet[leg].From.Heading) - yaw) > MinTurn;
     }
 
     private void Lift(int leg, in StepContext step, float at)
@@ -332,9 +332,9 @@ internal sealed class FootPlanner
         Vector3 home = Home(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
         Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, home));
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
-        float share = foot.Swing > 0f && foot.Aimed ? aimDecay.Share(AimRate * step.Step) : 1f;
-        foot.Wanted += (next - foot.Wanted) * share;
-        heading = share < 1f ? UnitRotation.Nlerp(foot.To.Heading, heading, share) : heading;
+        float fraction = foot.Swing > 0f && foot.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
+        foot.Wanted += (next - foot.Wanted) * fraction;
+        heading = fraction < 1f ? UnitRotation.Nlerp(foot.To.Heading, heading, fraction) : heading;
         foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), home, yaw, ref foot.Nudge, out foot.To);
         foot.To.Heading = heading;
         foot.To.Attach(step.Ground as IMovingGround);
@@ -352,7 +352,7 @@ internal sealed class FootPlanner
         bool sprawls = shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2;
         float bias = sprawls ? 0f : body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
         home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
-        home.Z += NeutralFootholds.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MostSlope, MostSlope)) * activity;
+        home.Z += NeutralFootholds.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MaxSlope, MaxSlope)) * activity;
         return home;
     }
 

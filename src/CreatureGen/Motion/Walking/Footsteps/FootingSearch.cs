@@ -22,7 +22,7 @@ internal sealed class FootingSearch
     private const float EdgeDrop = 0.12f;
 
     /// <summary>Part of the sole's extent at which the ground under its ends is felt.</summary>
-    private const float EndShare = 0.95f;
+    private const float EndFraction = 0.95f;
 
     /// <summary>Part of the leg's length from which on a sole is long or wide.</summary>
     private const float LongSole = 0.15f;
@@ -39,7 +39,7 @@ internal sealed class FootingSearch
     private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
 
     /// <summary>Where a sole of spread toes may stand on something, of the length of its toes and half its width.</summary>
-    private static readonly (float Along, float Across)[] fan = { (1f, 0.52f), (1f, -0.52f), (0.75f, EndShare), (0.75f, -EndShare) };
+    private static readonly (float Along, float Across)[] fan = { (1f, 0.52f), (1f, -0.52f), (0.75f, EndFraction), (0.75f, -EndFraction) };
 
     private readonly LeggedBody body;
 
@@ -166,10 +166,10 @@ internal sealed class FootingSearch
     /// <summary>Moves a foot back from an edge under its toes, or ahead from one under its heel, a little in each update.</summary>
     private static void KeepOffEdges(LegRig shape, in Sole sole, ref float nudge)
     {
-        float most = 0.5f * (shape.Toe + shape.Heel);
+        float max = 0.5f * (shape.Toe + shape.Heel);
         if (sole.ToesHang != sole.HeelHangs)
         {
-            nudge = Scalar.Clamp(nudge + (sole.ToesHang ? -0.25f * most : 0.25f * most), -1.5f * most, 1.5f * most);
+            nudge = Scalar.Clamp(nudge + (sole.ToesHang ? -0.25f * max : 0.25f * max), -1.5f * max, 1.5f * max);
         }
     }
 
@@ -178,9 +178,9 @@ internal sealed class FootingSearch
     {
         Vector3 toes = shape.ToeDirection;
         Vector3 offset = Vector3.Zero;
-        if (shape.FollowShare > 0f)
+        if (shape.FollowFraction > 0f)
         {
-            Quaternion follow = UnitRotation.Nlerp(Quaternion.Identity, shape.Sweep(home), shape.FollowShare);
+            Quaternion follow = UnitRotation.Nlerp(Quaternion.Identity, shape.Sweep(home), shape.FollowFraction);
             toes = Rotation.Rotate(follow, toes);
             offset = shape.SoleMiddle - Rotation.Rotate(follow, shape.SoleMiddle);
         }
@@ -193,10 +193,10 @@ internal sealed class FootingSearch
     /// <summary>Feels the ground under a rigid sole and lays it there: along the chords from heel to toes and, where it is wide, from side to side, as high as the highest ground under it asks.</summary>
     private void Feel(in StepContext step, LegRig shape, Vector3 target, in GroundHit hit, ref Sole sole)
     {
-        float end = EndShare * shape.Toe;
+        float end = EndFraction * shape.Toe;
         float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.ToesHang);
-        float heel = Rise(step, shape, target, sole.At(-EndShare * shape.Heel, 0f), hit, out sole.HeelHangs);
-        sole.Slope = (toe - heel) / (EndShare * (shape.Toe + shape.Heel));
+        float heel = Rise(step, shape, target, sole.At(-EndFraction * shape.Heel, 0f), hit, out sole.HeelHangs);
+        sole.Slope = (toe - heel) / (EndFraction * (shape.Toe + shape.Heel));
         sole.StandOn(toe, end, 0f);
         if (shape.Toe > LongSole * shape.Length)
         {
@@ -209,7 +209,7 @@ internal sealed class FootingSearch
         }
 
         float middle = Vec.Dot(shape.SoleMiddle, shape.ToeDirection);
-        float side = EndShare * shape.HalfWidth;
+        float side = EndFraction * shape.HalfWidth;
         float left = Rise(step, shape, target, sole.At(middle, side), hit, out _);
         float right = Rise(step, shape, target, sole.At(middle, -side), hit, out _);
         sole.Tilt = (left - right) / (2f * side);

@@ -13,7 +13,7 @@ internal struct GroundSlope
     private const float Steepest = 0.6f;
 
     /// <summary>Spread of the feet along the way, leg lengths, below which they say little: they stand side by side.</summary>
-    private const float LeastSpread = 0.05f;
+    private const float MinSpread = 0.05f;
 
     private ExponentialDecay decay;
     private float together;
@@ -28,10 +28,10 @@ internal struct GroundSlope
     /// <param name="dt">Seconds since the last time.</param>
     public void Feel(ReadOnlySpan<Foot> feet, float legLength, float dt)
     {
-        float share = decay.Share(Rate * dt);
+        float fraction = decay.Fraction(Rate * dt);
         Measure(feet, out float nowTogether, out float nowSpread);
-        together += (nowTogether - together) * share;
-        spread += (nowSpread - spread) * share;
+        together += (nowTogether - together) * fraction;
+        spread += (nowSpread - spread) * fraction;
         Settle(legLength);
     }
 
@@ -44,8 +44,8 @@ internal struct GroundSlope
 
     private void Settle(float legLength)
     {
-        float least = LeastSpread * legLength;
-        Rise = Scalar.Clamp(together / (spread + (least * least)), -Steepest, Steepest);
+        float min = MinSpread * legLength;
+        Rise = Scalar.Clamp(together / (spread + (min * min)), -Steepest, Steepest);
     }
 
     /// <summary>Mean product of the feet's distances from their middle, ahead and up, and mean square of those ahead.</summary>
@@ -65,8 +65,8 @@ internal struct GroundSlope
             zz += ahead * ahead;
         }
 
-        float share = 1f / feet.Length;
-        together = (zy - (z * y * share)) * share;
-        spread = (zz - (z * z * share)) * share;
+        float fraction = 1f / feet.Length;
+        together = (zy - (z * y * fraction)) * fraction;
+        spread = (zz - (z * z * fraction)) * fraction;
     }
 }

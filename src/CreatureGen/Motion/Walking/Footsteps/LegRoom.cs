@@ -10,7 +10,7 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 internal static class LegRoom
 {
     /// <summary>Part of its reach beyond which a standing leg draws the body down.</summary>
-    private const float MostStretch = 0.972f;
+    private const float MaxStretch = 0.972f;
 
     /// <summary>Part of its reach beyond which a leg that leaves the ground lets itself be stretched where another is folded up; one that stands is stretched to its end.</summary>
     private const float Spare = 0.1f;
@@ -21,7 +21,7 @@ internal static class LegRoom
     private const float FoldedWidth = 0.02f;
 
     /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
-    private const float MostDrop = 0.35f;
+    private const float MaxDrop = 0.35f;
 
     private const float LateralDrop = 0.025f;
 
@@ -60,9 +60,9 @@ internal static class LegRoom
             Vector3 chord = poses[i].Target - placer.HipOf(i, feet[i], out _);
             float distance = Vec.Length(chord);
             float steep = Math.Max(-chord.Y / Math.Max(distance, 1e-6f), 0.35f);
-            float most = (leg.Lateral ? LateralDrop : MostDrop) * leg.Length;
-            float drop = weight * Math.Min(Beyond(distance - (MostStretch * leg.Reach), Width * leg.Reach) / steep, most);
-            float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MostDrop * leg.Length);
+            float max = (leg.Lateral ? LateralDrop : MaxDrop) * leg.Length;
+            float drop = weight * Math.Min(Beyond(distance - (MaxStretch * leg.Reach), Width * leg.Reach) / steep, max);
+            float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxDrop * leg.Length);
             float holds = feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i]);
             float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);
 
@@ -78,7 +78,7 @@ internal static class LegRoom
             }
         }
 
-        float level = Math.Max(0f, 1f - body.Span.Share);
+        float level = Math.Max(0f, 1f - body.Span.Fraction);
         float hindest = Math.Max(hind.Drop, level * fore.Drop);
         hindDrop = Net(hindest, hind.Rise);
         foreDrop = Net(Math.Max(fore.Drop, level * hindest), fore.Rise);

@@ -19,7 +19,7 @@ internal static class NeutralFootholds
     private const float FrogShift = 0.1f;
 
     /// <summary>How far a foot is moved for its neighbours' sake at most, leg lengths.</summary>
-    private const float MostShift = 0.12f;
+    private const float MaxShift = 0.12f;
 
     /// <summary>How far feet are set ahead of the hips on a way uphill, and back downhill: part of what the ground rises over the height of the hip. 1 is where a trunk that lies along the slope has them.</summary>
     private const float SlopeBias = 0.6f;
@@ -59,7 +59,7 @@ internal static class NeutralFootholds
             else if (leg.Traits.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl && Beside(legs, leg, -1) is LegRig hind && Beside(legs, leg, 1) is LegRig fore)
             {
                 float shift = (0.5f * (hind.Gathered.Z + fore.Gathered.Z)) - leg.Gathered.Z;
-                homes[i].Z += Scalar.Clamp(shift, -MostShift * leg.Length, MostShift * leg.Length);
+                homes[i].Z += Scalar.Clamp(shift, -MaxShift * leg.Length, MaxShift * leg.Length);
             }
         }
 

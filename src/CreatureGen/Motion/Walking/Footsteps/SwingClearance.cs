@@ -35,8 +35,8 @@ internal sealed class SwingClearance
     /// <summary>Tells how far the ground is above the straight line.</summary>
     /// <param name="knot">Where.</param>
     /// <param name="height">Metres.</param>
-    /// <param name="share">Share of the change that is taken up, 0..1.</param>
-    public void Feel(int knot, float height, float share) => heights[knot + 1] += (height - heights[knot + 1]) * share;
+    /// <param name="fraction">Share of the change that is taken up, 0..1.</param>
+    public void Feel(int knot, float height, float fraction) => heights[knot + 1] += (height - heights[knot + 1]) * fraction;
 
     /// <summary>Lays the arc over what was felt.</summary>
     /// <param name="length">Of the way, metres.</param>

@@ -8,7 +8,7 @@ namespace CreatureGen.Motion.Walking.Idle;
 internal static class IdleLife
 {
     private const float BreathHeight = 0.009f;
-    private const float ShiftShare = 0.38f;
+    private const float ShiftFraction = 0.38f;
     private const float ShiftRoll = 0.055f;
 
     /// <summary>Yaw of the pelvis to the side that carries the weight; chest and head stay.</summary>
@@ -44,7 +44,7 @@ internal static class IdleLife
         double spread = body.Rows > 2 ? ManyLegs : body.Legs[0].Lateral ? WideLegs : 1;
         double sway = Wave(place * body.Idle.TailSwings) * TailSwing * (1 - (TailCalm * 0.5 * (1 - side))) * still;
         double shift = side * spread * still;
-        return new IdlePose((float)breath, (float)(ShiftShare * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway);
+        return new IdlePose((float)breath, (float)(ShiftFraction * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway);
     }
 
     private static double Wave(double turns)

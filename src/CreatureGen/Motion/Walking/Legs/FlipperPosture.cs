@@ -13,7 +13,7 @@ internal static class FlipperPosture
     /// <summary>Radians for each leg length of difference between the feet.</summary>
     private const float Balance = 0.25f;
 
-    private const float MostBalance = 0.15f;
+    private const float MaxBalance = 0.15f;
 
     /// <summary>Writes the roots of the wings.</summary>
     public static void Pose(LeggedBody body, RestRotations turns, BodyPlacer placer, in BodyContext context, in Pose local)
@@ -21,7 +21,7 @@ internal static class FlipperPosture
         foreach (LimbChain wing in body.Flippers)
         {
             float side = wing.Side == Side.Left ? 1f : -1f;
-            float balance = Scalar.Clamp(Balance * placer.Scissor * side, -MostBalance, MostBalance);
+            float balance = Scalar.Clamp(Balance * placer.Scissor * side, -MaxBalance, MaxBalance);
             turns.Set(local, wing.Joints[0], AxisRotation.Roll(side * (Away + balance) * context.Activity));
         }
     }

@@ -7,15 +7,15 @@ namespace CreatureGen.Motion.Walking.Legs;
 /// <summary>How far a hinge turns either way from rest, as cosines and sines: angles are bounded without an inverse function.</summary>
 internal readonly struct FoldLimit
 {
-    private readonly double leastCosine;
-    private readonly double leastSine;
-    private readonly double mostCosine;
-    private readonly double mostSine;
+    private readonly double minCosine;
+    private readonly double minSine;
+    private readonly double maxCosine;
+    private readonly double maxSine;
 
     public FoldLimit(AngleRange range)
     {
-        PortableMath.SinCos(range.Min, out leastSine, out leastCosine);
-        PortableMath.SinCos(range.Max, out mostSine, out mostCosine);
+        PortableMath.SinCos(range.Min, out minSine, out minCosine);
+        PortableMath.SinCos(range.Max, out maxSine, out maxCosine);
     }
 
     /// <summary>Brings an angle in −π..π, given by its cosine and sine, back towards the nearer end of the range if it is beyond.</summary>
@@ -26,14 +26,14 @@ internal readonly struct FoldLimit
     /// <returns>The chord by which it was beyond; 0 for none.</returns>
     public float Clamp(ref double cosine, ref double sine, float tolerance, float give)
     {
-        bool beyond = (sine < 0 && cosine < leastCosine) || (sine > 0 && cosine < mostCosine);
+        bool beyond = (sine < 0 && cosine < minCosine) || (sine > 0 && cosine < maxCosine);
         if (!beyond)
         {
             return 0f;
         }
 
-        double endCosine = sine < 0 ? leastCosine : mostCosine;
-        double endSine = sine < 0 ? leastSine : mostSine;
+        double endCosine = sine < 0 ? minCosine : maxCosine;
+        double endSine = sine < 0 ? minSine : maxSine;
         double c = cosine - endCosine;
         double s = sine - endSine;
         double chord = Math.Sqrt((c * c) + (s * s));
@@ -42,11 +42,11 @@ internal readonly struct FoldLimit
             return (float)chord;
         }
 
-        double share = Math.Max(tolerance / chord, give);
-        cosine = endCosine + (c * share);
-        sine = endSine + (s * share);
+        double fraction = Math.Max(tolerance / chord, give);
+        cosine = endCosine + (c * fraction);
+        sine = endSine + (s * fraction);
         double length = Math.Sqrt((cosine * cosine) + (sine * sine));
-        if (share > 0 && length > 1e-6)
+        if (fraction > 0 && length > 1e-6)
         {
             cosine /= length;
             sine /= length;

@@ -28,7 +28,7 @@ internal struct FootPose
 internal static class FootPoser
 {
     /// <summary>Share of a swing's height that is left when the creature hardly moves.</summary>
-    private const float LeastLift = 0.35f;
+    private const float MinLift = 0.35f;
 
     /// <summary>Share of its way over the ground that a swinging foot has gone.</summary>
     /// <param name="swing">Progress of the swing, 0..1.</param>
@@ -52,15 +52,15 @@ internal static class FootPoser
             heading = UnitRotation.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
             normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
             foot.Over = way.Rise(r);
-            foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (LeastLift + ((1f - LeastLift) * gait.Activity))) + foot.Over;
+            foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (MinLift + ((1f - MinLift) * gait.Activity))) + foot.Over;
         }
 
         foot.Base = from;
-        if (leg.FollowShare > 0f)
+        if (leg.FollowFraction > 0f)
         {
             // The foot turns with the leg on the middle of its sole.
             Vector3 shift = Rotation.Rotate(heading, leg.SoleMiddle);
-            heading = UnitRotation.Nlerp(heading, leg.Sweep(from), leg.FollowShare);
+            heading = UnitRotation.Nlerp(heading, leg.Sweep(from), leg.FollowFraction);
             shift -= Rotation.Rotate(heading, leg.SoleMiddle);
             shift.Y = -((normal.X * shift.X) + (normal.Z * shift.Z)) / Math.Max(normal.Y, 0.3f);
             from += shift;

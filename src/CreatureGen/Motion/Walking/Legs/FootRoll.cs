@@ -36,7 +36,7 @@ internal static class FootRoll
     private const float ToeEasing = 0.5236f;
 
     /// <summary>Part of the pitch that toes off the ground make.</summary>
-    private const float ToeShare = 0.8f;
+    private const float ToeFraction = 0.8f;
 
     /// <summary>Pitch of a foot, radians, toes down.</summary>
     /// <param name="foot">Its place in the cycle.</param>
@@ -45,7 +45,7 @@ internal static class FootRoll
     public static float Pitch(in Foot foot, LegRig leg, float duty)
     {
         LegGaitParameters traits = leg.Traits;
-        float off = traits.ToeOff * leg.RollShare;
+        float off = traits.ToeOff * leg.RollFraction;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
         if (foot.Phase == FootPhase.Stance)
         {
@@ -54,7 +54,7 @@ internal static class FootRoll
         }
 
         float u = foot.Swing;
-        float peak = traits.SwingPitch * leg.RollShare;
+        float peak = traits.SwingPitch * leg.RollFraction;
         if (u >= PeakAt)
         {
             return peak + ((traits.Strike - peak) * Scalar.Smooth((u - PeakAt) / 0.58f));
@@ -89,7 +89,7 @@ internal static class FootRoll
         }
 
         float beyond = Math.Max(pitch - ToeBreak, 0f);
-        return ToeShare * (beyond < ToeEasing ? beyond * beyond / (2f * ToeEasing) : beyond - (0.5f * ToeEasing));
+        return ToeFraction * (beyond < ToeEasing ? beyond * beyond / (2f * ToeEasing) : beyond - (0.5f * ToeEasing));
     }
 
     /// <summary>Place of the ball's joint from the point under the ball, in the foot's own axes, when the foot turns by a pitch about the tip of its toes (down) or its heel (up).</summary>

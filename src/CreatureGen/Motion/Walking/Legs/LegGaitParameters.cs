@@ -98,7 +98,7 @@ internal sealed class LegGaitParameters
     public LegLinkage Linkage { get; }
 
     /// <summary>How far the leg is drawn in towards the middle at most, part of the height of its hip: as far as its foot gives way to a side.</summary>
-    public float MostAdduction => Archetype switch
+    public float MaxAdduction => Archetype switch
     {
         LimbArchetype.Column => 0.03f,
         LimbArchetype.PlantigradeFore => 0.10f,

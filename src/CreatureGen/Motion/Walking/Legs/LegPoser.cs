@@ -12,7 +12,7 @@ namespace CreatureGen.Motion.Walking.Legs;
 internal sealed class LegPoser
 {
     /// <summary>Share of the body's own axis in the plane of a leg out to the side.</summary>
-    private const float BodyShare = 0.3f;
+    private const float BodyFraction = 0.3f;
 
     /// <summary>Part of a stance after which it is seen whether the leg stands beyond its limits.</summary>
     private const float LateStance = 0.7f;
@@ -78,11 +78,11 @@ internal sealed class LegPoser
         Solve(leg, carrier, hip, wanted, carried, ref foot, local, out LegRotations solved);
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
-        float share = excess > 0f ? YieldShare(leg, foot, excess) : 0f;
-        if (share > 0f)
+        float fraction = excess > 0f ? YieldFraction(leg, foot, excess) : 0f;
+        if (fraction > 0f)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
-            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, share, ref wanted);
+            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, fraction, ref wanted);
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
             PoseFoot(leg, solved, wanted, local, out _);
         }
@@ -91,8 +91,8 @@ internal sealed class LegPoser
     /// <summary>How far a leg in the air is where the body carries it instead of on its foot's way, 0..1.</summary>
     private static float Carried(LegRig leg, in Foot foot, float tuck, float trail)
     {
-        float share = leg.Row > 0 ? tuck : trail;
-        return share == 0f || foot.Phase != FootPhase.Swing ? 0f : share * (leg.Row > 0 ? LegGaitParameters.TuckCurve : LegGaitParameters.TrailCurve).At(foot.Swing);
+        float fraction = leg.Row > 0 ? tuck : trail;
+        return fraction == 0f || foot.Phase != FootPhase.Swing ? 0f : fraction * (leg.Row > 0 ? LegGaitParameters.TuckCurve : LegGaitParameters.TrailCurve).At(foot.Swing);
     }
 
     /// <summary>Solves hip and knee and writes them.</summary>
@@ -111,7 +111,7 @@ internal sealed class LegPoser
         scoped ref readonly LegSegments parts = ref leg.Parts;
         if (pose.Fold != 0f)
         {
-            folded = new LegSegments(leg.Thigh + Rotation.Rotate(AxisRotation.About(leg.Hinge, pose.Fold), leg.Metatarsus), leg.Shank, leg.Hinge, leg.LeastBendCosine);
+            folded = new LegSegments(leg.Thigh + Rotation.Rotate(AxisRotation.About(leg.Hinge, pose.Fold), leg.Metatarsus), leg.Shank, leg.Hinge, leg.MinBendCosine);
             parts = ref folded;
         }
 
@@ -145,7 +145,7 @@ internal sealed class LegPoser
 
         // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
         Vector3 across = Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)) * (leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
-        return across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyShare);
+        return across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyFraction);
     }
 
     /// <summary>Writes ankle and ball, within their limits.</summary>
@@ -175,7 +175,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
-    private static float YieldShare(LegRig leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
+    private static float YieldFraction(LegRig leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
         ? 1f
         : Math.Max(Arriving(foot), Math.Min(foot.Yield / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
 

@@ -13,8 +13,8 @@ internal sealed class LegRig
 {
     private readonly LegSegments parts;
 
-    private const double LeastBend = 0.2094;
-    private const double MostBend = 2.618;
+    private const double MinBend = 0.2094;
+    private const double MaxBend = 2.618;
 
     /// <summary>Part of the reach that a step may take up.</summary>
     private const float Stretch = 0.97f;
@@ -22,7 +22,7 @@ internal sealed class LegRig
     private const float LateralStretch = 0.94f;
 
     /// <summary>Lowering of the body beyond its crouch that long steps may cost, leg lengths.</summary>
-    private const float MostDrop = 0.05f;
+    private const float MaxDrop = 0.05f;
 
     /// <summary>Slope on which they may cost none, and beyond which the legs keep room to spare: what one girdle comes down there pitches the trunk farther.</summary>
     private const float SteepestDrop = 0.25f;
@@ -42,7 +42,7 @@ internal sealed class LegRig
     private const float GoingStretch = 0.88f;
 
     /// <summary>Part of its distance from the hip, level, to which a foot is drawn in at most.</summary>
-    private const float MostGathering = 0.6f;
+    private const float MaxGathering = 0.6f;
 
     /// <summary>Height of a foot's middle as it goes past the other, part of the height to which its ball is lifted: its toes hang.</summary>
     private const float PassingHeight = 1.3f;
@@ -51,13 +51,13 @@ internal sealed class LegRig
     private const float LateralTrack = 0.9f;
 
     /// <summary>Part of its chord at rest to which a leg is tucked.</summary>
-    private const float TuckedShare = 0.6f;
+    private const float TuckedFraction = 0.6f;
 
     /// <summary>How far back a tucked leg is laid, leg lengths.</summary>
     private const float TuckedBack = 0.25f;
 
     /// <summary>Part of its reach to which a leg is stretched that trails behind.</summary>
-    private const float TrailedShare = 0.96f;
+    private const float TrailedFraction = 0.96f;
 
     /// <summary>How far aside and down a leg out to the side trails, parts of how far behind.</summary>
     private const float TrailedAside = 0.30f;
@@ -109,9 +109,9 @@ internal sealed class LegRig
         HalfWidth = sole.HalfWidth;
         Breadth = WidestOf(bones);
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
-        RollShare = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
+        RollFraction = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
-        FollowShare = Traits.Archetype == LimbArchetype.Insect ? 1f : Traits.Archetype == LimbArchetype.Sprawl ? SprawlFollow : 0f;
+        FollowFraction = Traits.Archetype == LimbArchetype.Insect ? 1f : Traits.Archetype == LimbArchetype.Sprawl ? SprawlFollow : 0f;
         Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
         Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
         Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
@@ -132,37 +132,37 @@ internal sealed class LegRig
         BendSign = straight || Traits.Linkage == LegLinkage.Pantograph ? (fold.Max >= -fold.Min ? 1 : -1) : turn >= 0f ? 1 : -1;
         double bend = BendSign * PortableMath.Atan2(turn, Vec.Dot(a, b));
         double straightens = BendSign > 0 ? -fold.Min : fold.Max;
-        LeastBendCosine = PortableMath.Cos(Math.Max(LeastBend, bend - straightens));
-        parts = new LegSegments(upper, Shank, Hinge, LeastBendCosine);
+        MinBendCosine = PortableMath.Cos(Math.Max(MinBend, bend - straightens));
+        parts = new LegSegments(upper, Shank, Hinge, MinBendCosine);
         double la = Vec.Length(a);
         double lb = Vec.Length(b);
-        Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * LeastBendCosine));
+        Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * MinBendCosine));
         double folds = BendSign > 0 ? fold.Max : -fold.Min;
-        FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(MostBend, bend + folds)))));
+        FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(MaxBend, bend + folds)))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
         Stoop = stoop;
-        LeastTrack = Math.Max(NarrowestTrack(), ThighTrack(skeleton, bones));
-        Tucked = ((upper + Shank) * TuckedShare) - new Vector3(0f, 0f, TuckedBack * Length);
+        MinTrack = Math.Max(NarrowestTrack(), ThighTrack(skeleton, bones));
+        Tucked = ((upper + Shank) * TuckedFraction) - new Vector3(0f, 0f, TuckedBack * Length);
         Vector3 behind = Lateral ? new Vector3(Side == Side.Left ? TrailedAside : -TrailedAside, TrailedDown, -1f) : TrailedUpright;
-        Trailed = Vec.Normalize(behind, -Vector3.UnitZ) * (TrailedShare * Reach);
+        Trailed = Vec.Normalize(behind, -Vector3.UnitZ) * (TrailedFraction * Reach);
     }
 
     private float WidestOf(IReadOnlyList<CapsuleCollider> bones)
     {
-        float most = 0f;
+        float max = 0f;
         foreach (CapsuleCollider bone in bones)
         {
-            most = bone.Joint == Knee || bone.Joint == Ankle || bone.Joint == Ball ? Math.Max(most, bone.Radius) : most;
+            max = bone.Joint == Knee || bone.Joint == Ankle || bone.Joint == Ball ? Math.Max(max, bone.Radius) : max;
         }
 
-        return most;
+        return max;
     }
 
     /// <summary>Legs out to the side stay there, and the hip draws in a foot only so far.</summary>
     private float NarrowestTrack()
     {
-        float least = 1f - (Traits.MostAdduction * HipRest.Y / Math.Max(Math.Abs(Gathered.X), 1e-4f));
-        return Lateral ? Math.Max(least, LateralTrack) : least;
+        float min = 1f - (Traits.MaxAdduction * HipRest.Y / Math.Max(Math.Abs(Gathered.X), 1e-4f));
+        return Lateral ? Math.Max(min, LateralTrack) : min;
     }
 
     /// <summary>Thick thighs come no nearer to the middle than lets them go past each other: a foot that is drawn in takes its knee along.</summary>
@@ -196,11 +196,11 @@ internal sealed class LegRig
         float reach = GoingStretch * Reach;
         float level = (float)Math.Sqrt((chord.X * chord.X) + (chord.Z * chord.Z));
         float height = -chord.Y;
-        float most = (float)Math.Sqrt(Math.Max((reach * reach) - (height * height), 0f));
-        float share = Scalar.Clamp(most / Math.Max(level, 1e-6f), MostGathering, 1f);
-        float aside = share * level;
-        stoop = share > MostGathering ? 0f : Math.Max(0f, height - (float)Math.Sqrt(Math.Max((reach * reach) - (aside * aside), 0f)));
-        return new Vector3(Home.X - ((1f - share) * chord.X), 0f, Home.Z - ((1f - share) * chord.Z));
+        float max = (float)Math.Sqrt(Math.Max((reach * reach) - (height * height), 0f));
+        float fraction = Scalar.Clamp(max / Math.Max(level, 1e-6f), MaxGathering, 1f);
+        float aside = fraction * level;
+        stoop = fraction > MaxGathering ? 0f : Math.Max(0f, height - (float)Math.Sqrt(Math.Max((reach * reach) - (aside * aside), 0f)));
+        return new Vector3(Home.X - ((1f - fraction) * chord.X), 0f, Home.Z - ((1f - fraction) * chord.Z));
     }
 
     /// <summary>Factor on the distance of its track from the middle: no less than the hip allows, and than lets left and right feet go past each other.</summary>
@@ -212,7 +212,7 @@ internal sealed class LegRig
         float apart = Math.Min(Breadth, aside);
         float over = 0.5f * PassingHeight * Traits.Lift * lift * Length;
         float beside = (float)Math.Sqrt(Math.Max((apart * apart) - (over * over), 0f));
-        return Math.Max(asked, Math.Max(LeastTrack, beside / aside));
+        return Math.Max(asked, Math.Max(MinTrack, beside / aside));
     }
 
     /// <summary>The longest way that the foot can go along the ground in a stance before the leg reaches too far, metres.</summary>
@@ -221,12 +221,12 @@ internal sealed class LegRig
     {
         bool pantograph = Traits.Linkage == LegLinkage.Pantograph;
         Vector3 rest = Thigh + Shank + (pantograph ? Metatarsus : Vector3.Zero);
-        float drop = ((steps.Crouch + (Lateral ? 0.012f : MostDrop * (1f - (Math.Abs(steps.Slope) / SteepestDrop)))) * Length) + Stoop;
+        float drop = ((steps.Crouch + (Lateral ? 0.012f : MaxDrop * (1f - (Math.Abs(steps.Slope) / SteepestDrop)))) * Length) + Stoop;
         rest += steps.Home - Home;
         float height = Math.Max(-rest.Y - drop, 0.2f * Length);
         float aside = Lateral ? rest.X : rest.X + ((steps.Track - 1f) * Home.X);
-        float share = Lateral ? LateralStretch : Stretch;
-        float room = Math.Max((share * share * Reach * Reach) - (height * height) - (aside * aside), 0.01f * Length * Length);
+        float fraction = Lateral ? LateralStretch : Stretch;
+        float room = Math.Max((fraction * fraction * Reach * Reach) - (height * height) - (aside * aside), 0.01f * Length * Length);
 
         // The foot of a sprawler is set down ahead of its hip, not of its home.
         float middle = (Traits.Archetype == LimbArchetype.Sprawl ? 0.06f * Length : rest.Z) + steps.Shift;
@@ -234,14 +234,14 @@ internal sealed class LegRig
         float ahead = (Level(room, height, steps.Slope) - middle) / Math.Max((0.5f + steps.Bias) * goes, 0.05f);
         float rear = Traits.Archetype == LimbArchetype.Insect ? 0.5f : RearEnd;
         float behind = (Level(room, height, -steps.Slope) + middle) / Math.Max((rear - steps.Bias) * goes, 0.05f);
-        float most = Math.Min(ahead, behind);
+        float max = Math.Min(ahead, behind);
         if (Lateral)
         {
             float away = (float)Math.Sqrt(((steps.Home.X - HipRest.X) * (steps.Home.X - HipRest.X)) + ((steps.Home.Z - HipRest.Z) * (steps.Home.Z - HipRest.Z)));
-            most = Math.Min(most, 2f * SweepTangent * away / Math.Max(1f - (2f * steps.Yaw), 0.4f));
+            max = Math.Min(max, 2f * SweepTangent * away / Math.Max(1f - (2f * steps.Yaw), 0.4f));
         }
 
-        return Math.Max(most, 0.1f * Length);
+        return Math.Max(max, 0.1f * Length);
     }
 
     /// <summary>How far from below the hip the leg reaches the ground that rises there by a slope: d² + (h − sd)² = h² + room.</summary>
@@ -329,7 +329,7 @@ internal sealed class LegRig
     public float Toe { get; }
 
     /// <summary>Share of the roll over its toes that the foot makes: less on long toes.</summary>
-    public float RollShare { get; }
+    public float RollFraction { get; }
 
     /// <summary>From the ball back to the heel, level.</summary>
     public float Heel { get; }
@@ -341,7 +341,7 @@ internal sealed class LegRig
     public float Breadth { get; }
 
     /// <summary>Least factor on the distance of its track from the middle that the hip allows.</summary>
-    public float LeastTrack { get; }
+    public float MinTrack { get; }
 
     /// <summary>How far the hip draws the leg in towards the middle, radians.</summary>
     public float DrawsIn => Side == Side.Left ? HipJoint.Limit.SwingZ.Max : -HipJoint.Limit.SwingZ.Min;
@@ -350,7 +350,7 @@ internal sealed class LegRig
     public Vector3 SoleMiddle { get; }
 
     /// <summary>Share of the leg's sweep that its foot turns along, on the middle of its sole: all of it for claws.</summary>
-    public float FollowShare { get; }
+    public float FollowFraction { get; }
 
     /// <summary>How far the leg is swept about the vertical with its foot at a place, from rest.</summary>
     /// <param name="place">Model space; its height does not count.</param>
@@ -388,7 +388,7 @@ internal sealed class LegRig
     public int BendSign { get; }
 
     /// <summary>Cosine of the knee's bend at its straightest: nearly straight, or where its limit ends.</summary>
-    public double LeastBendCosine { get; }
+    public double MinBendCosine { get; }
 
     /// <summary>Greatest distance that the two solved parts span, the knee at its straightest.</summary>
     public float Reach { get; }

@@ -7,14 +7,14 @@ namespace CreatureGen.Motion.Walking.Legs;
 /// <summary>The two parts of a leg that are solved for, at rest, with all that follows from their lengths and from how they stand to the hinge between them.</summary>
 internal readonly struct LegSegments
 {
-    private static readonly double mostBendCosine = PortableMath.Cos(2.618);
+    private static readonly double maxBendCosine = PortableMath.Cos(2.618);
 
     /// <summary>Measures the parts.</summary>
     /// <param name="upper">From the hip to the hinge, or, with the metatarsus folded, their sum; metres.</param>
     /// <param name="lower">From the hinge to the end, metres.</param>
     /// <param name="hinge">Unit.</param>
-    /// <param name="leastBendCosine">Cosine of the bend at its straightest.</param>
-    public LegSegments(Vector3 upper, Vector3 lower, Vector3 hinge, double leastBendCosine)
+    /// <param name="minBendCosine">Cosine of the bend at its straightest.</param>
+    public LegSegments(Vector3 upper, Vector3 lower, Vector3 hinge, double minBendCosine)
     {
         Upper = upper;
         float alongUpper = Vec.Dot(upper, hinge);
@@ -28,8 +28,8 @@ internal readonly struct LegSegments
         OffsetSquared = offset * offset;
         Squares = aa + bb;
         Product = 2 * product;
-        Most = Math.Sqrt(Squares + (Product * leastBendCosine));
-        Least = Math.Sqrt(Math.Max(Squares + (Product * mostBendCosine), 0));
+        Max = Math.Sqrt(Squares + (Product * minBendCosine));
+        Min = Math.Sqrt(Math.Max(Squares + (Product * maxBendCosine), 0));
         double inverse = 1 / product;
         Cosine = Vec.Dot(a, b) * inverse;
         Sine = Vec.Dot(Vec.Cross(a, b), hinge) * inverse;
@@ -48,10 +48,10 @@ internal readonly struct LegSegments
     public double Product { get; }
 
     /// <summary>Greatest distance that they span across the hinge.</summary>
-    public double Most { get; }
+    public double Max { get; }
 
     /// <summary>Least distance.</summary>
-    public double Least { get; }
+    public double Min { get; }
 
     /// <summary>Cosine of their bend at rest.</summary>
     public double Cosine { get; }

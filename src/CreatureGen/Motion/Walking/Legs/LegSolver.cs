@@ -59,22 +59,22 @@ internal static class LegSolver
     public static void Solve(LegRig leg, in LegSegments parts, Vector3 target, Vector3 side, float slack, float tolerance, float give, out LegRotations turns)
     {
         Vector3 n = leg.Hinge;
-        double most = parts.Most;
-        double least = parts.Least;
+        double max = parts.Max;
+        double min = parts.Min;
         double asked = Math.Sqrt(Math.Max(Vec.LengthSquared(target) - parts.OffsetSquared, 1e-12));
-        double from = (EaseFrom - (SwingSlack * slack)) * most;
+        double from = (EaseFrom - (SwingSlack * slack)) * max;
         double taken = asked;
         if (asked > from)
         {
-            double width = most - from;
+            double width = max - from;
             taken = from + (width * (1 - PortableMath.Exp(-(asked - from) / width)));
         }
-        else if (asked < least)
+        else if (asked < min)
         {
-            taken = least;
+            taken = min;
         }
 
-        turns.Stretch = (float)(asked / most);
+        turns.Stretch = (float)(asked / max);
         turns.Residual = (float)Math.Abs(asked - taken);
         double cosNow = parts.Cosine;
         double sinNow = parts.Sine;
@@ -105,7 +105,7 @@ internal static class LegSolver
             return target;
         }
 
-        float share = (float)Math.Sqrt(wanted / level);
-        return new Vector3(target.X * share, target.Y, target.Z * share);
+        float fraction = (float)Math.Sqrt(wanted / level);
+        return new Vector3(target.X * fraction, target.Y, target.Z * fraction);
     }
 }

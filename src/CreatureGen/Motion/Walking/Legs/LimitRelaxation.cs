@@ -8,26 +8,26 @@ namespace CreatureGen.Motion.Walking.Legs;
 /// <summary>A foot that the joints of its leg do not let lie on the ground as it should: it stands on an edge of its sole, whose middle stays where it is.</summary>
 internal static class LimitRelaxation
 {
-    private const float LeastRise = 0.3f;
+    private const float MinRise = 0.3f;
 
     /// <summary>Turns a foot as far as its joints let it.</summary>
     /// <param name="leg">Gives the sole.</param>
     /// <param name="normal">Of the ground under it, unit, model space.</param>
     /// <param name="foot">Turn of the foot from rest that the ankle allows.</param>
     /// <param name="toes">Turn of the toes from rest that the ball allows.</param>
-    /// <param name="share">Share of all this, 0..1: none in the middle of a swing.</param>
+    /// <param name="fraction">Share of all this, 0..1: none in the middle of a swing.</param>
     /// <param name="pose">Where the leg has to bring the foot.</param>
-    public static void Turn(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, float share, ref FootPose pose)
+    public static void Turn(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, float fraction, ref FootPose pose)
     {
         Vector3 middle = leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f);
         Vector3 before = Rotation.Rotate(pose.Toes, middle);
         Vector3 after = Rotation.Rotate(toes, middle);
         float sunk = Lowest(leg, normal, pose.Foot, pose.Toes) - Vec.Dot(normal, before) - Lowest(leg, normal, foot, toes) + Vec.Dot(normal, after);
         Vector3 way = before - after;
-        way.Y += sunk / Math.Max(normal.Y, LeastRise);
-        pose.Ball += way * share;
-        pose.Foot = UnitRotation.Nlerp(pose.Foot, foot, share);
-        pose.Toes = UnitRotation.Nlerp(pose.Toes, toes, share);
+        way.Y += sunk / Math.Max(normal.Y, MinRise);
+        pose.Ball += way * fraction;
+        pose.Foot = UnitRotation.Nlerp(pose.Foot, foot, fraction);
+        pose.Toes = UnitRotation.Nlerp(pose.Toes, toes, fraction);
         pose.Target = leg.Traits.Linkage == LegLinkage.Pantograph ? pose.Ball : pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
     }
 

@@ -11,10 +11,10 @@ namespace CreatureGen.Motion.Walking.Legs;
 internal readonly struct SoleExtent
 {
     /// <summary>Height below which skin is sole, part of the ball's height.</summary>
-    private const float SoleShare = 0.55f;
+    private const float SoleFraction = 0.55f;
 
     /// <summary>Layer above its lowest point that counts as the sole's surface, part of the leg's length.</summary>
-    private const float LayerShare = 0.02f;
+    private const float LayerFraction = 0.02f;
 
     /// <summary>Weight from which on a vertex is of the foot alone.</summary>
     private const float Firm = 0.9f;
@@ -73,7 +73,7 @@ internal readonly struct SoleExtent
             }
 
             Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
-            if (positions[v].Y > SoleShare * ball.Y)
+            if (positions[v].Y > SoleFraction * ball.Y)
             {
                 continue;
             }
@@ -95,7 +95,7 @@ internal readonly struct SoleExtent
             {
                 Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
                 Vector3 hip = skeleton.ModelPositions[legs[leg].Joints[1]];
-                if (positions[v].Y < surface[leg] + (LayerShare * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z))))
+                if (positions[v].Y < surface[leg] + (LayerFraction * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z))))
                 {
                     sum[leg] += positions[v] - ball;
                     count[leg]++;

@@ -34,11 +34,11 @@ internal sealed class StandingPosture
     private const double TailThickness = 0.3;
 
     /// <summary>Most that a trunk is raised, radians, and by how much less at a time where its tail would touch the ground.</summary>
-    private const double MostRaised = 0.75;
+    private const double MaxRaised = 0.75;
     private const double RaiseStep = 0.05;
 
     /// <summary>Part of what a neck's joint can nod that keeps the head level; the rest is for looking down.</summary>
-    private const float NodShare = 0.7f;
+    private const float NodFraction = 0.7f;
 
     private static readonly StandingPosture asBuilt = new(0, 0, TailFollows, Array.Empty<float>());
 
@@ -80,7 +80,7 @@ internal sealed class StandingPosture
     /// <param name="activity">0 stands, 1 walks.</param>
     /// <param name="froude">v²/(gℓ).</param>
     /// <param name="sunk">How far the body is let down into its legs, leg lengths.</param>
-    public static float Share(float activity, float froude, float sunk) =>
+    public static float Fraction(float activity, float froude, float sunk) =>
         (1f - (LoweredToWalk * Scalar.Smooth(activity)) - (LoweredToRun * Scalar.Smooth(froude))) * (1f - (LoweredToCrouch * Scalar.Smooth(sunk / DeepCrouch)));
 
     /// <summary>What is weighed: trunk, neck with head, and tail, as capsules. Wings weigh little, and legs stay.</summary>
@@ -115,10 +115,10 @@ internal sealed class StandingPosture
         public StandingPosture Stand(double wanted)
         {
             Vector3 back = First(JointRole.Chest) - pelvis;
-            double raised = Scalar.Clamp(wanted - PortableMath.Atan2(back.Y, back.Z), 0, MostRaised);
-            double least = Math.Min(Lowest(0, 0), TailClearance * pelvis.Y);
+            double raised = Scalar.Clamp(wanted - PortableMath.Atan2(back.Y, back.Z), 0, MaxRaised);
+            double min = Math.Min(Lowest(0, 0), TailClearance * pelvis.Y);
             double steadiness = TailFollows;
-            for (; Lowest(raised, steadiness) < least; steadiness += TailStep)
+            for (; Lowest(raised, steadiness) < min; steadiness += TailStep)
             {
                 if (steadiness > TailRises)
                 {
@@ -143,7 +143,7 @@ internal sealed class StandingPosture
             {
                 if (joint.Role is JointRole.Neck or JointRole.Head)
                 {
-                    room.Add(NodShare * joint.Limit.SwingX.Max);
+                    room.Add(NodFraction * joint.Limit.SwingX.Max);
                 }
             }
 
@@ -192,8 +192,8 @@ internal sealed class StandingPosture
                 if (skeleton.Joints[bone.Joint].Role == JointRole.Tail)
                 {
                     JointLimit limit = skeleton.Joints[bone.Joint].Limit;
-                    double most = TailPosture.MostShare * Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
-                    turned += Math.Min(steadiness * raised / tailBones, most);
+                    double max = TailPosture.MaxFraction * Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
+                    turned += Math.Min(steadiness * raised / tailBones, max);
                     Vector3 along = Rotation.Rotate(skeleton.ModelRotations[bone.Joint], new Vector3(0f, skeleton.Joints[bone.Joint].Length, 0f));
                     place += Rotation.Rotate(AxisRotation.Pitch(turned), along);
                     lowest = Math.Min(lowest, place.Y - (TailThickness * bone.Radius));

@@ -16,8 +16,8 @@ internal sealed class BodyPlacer
     private const float GroundRate = 9f;
 
     private const float SlopeRate = 6f;
-    private const float SlopeShare = 0.8f;
-    private const float LateralSlopeShare = 1f;
+    private const float SlopeFraction = 0.8f;
+    private const float LateralSlopeFraction = 1f;
 
     private const float SurgeCap = 0.04f;
 
@@ -98,7 +98,7 @@ internal sealed class BodyPlacer
         float length = body.LegLength;
         float act = context.Activity;
         Sum(clock);
-        response.Tune(clock.Duty, clock.Shape.ForceDip * DipShare(context, length));
+        response.Tune(clock.Duty, clock.Shape.ForceDip * DipFraction(context, length));
         float omega = (float)PortableMath.Tau * Math.Max(clock.Frequency, 0.05f);
         float scale = settings.Gravity / (omega * omega);
         float cap = clock.Shape.BounceCap * length;
@@ -130,7 +130,7 @@ internal sealed class BodyPlacer
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
-        float sway = Bounded((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MostSway);
+        float sway = Bounded((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MaxSway);
         float stance = context.RootVelocity.Speed * clock.Duty / clock.Frequency;
         float surge = response.Surge(all, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
 
@@ -150,7 +150,7 @@ internal sealed class BodyPlacer
         chestYaw += (body.IsBiped ? 0.35f : 0.5f) * bend;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * Together(hind, 2)));
-        float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MostBendPitch, body.MostBendPitch);
+        float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
         float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Bank;
 
@@ -170,7 +170,7 @@ internal sealed class BodyPlacer
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,
-            BendYaw = Scalar.Clamp(chestYaw - pelvisYaw, -body.MostBendYaw, body.MostBendYaw),
+            BendYaw = Scalar.Clamp(chestYaw - pelvisYaw, -body.MaxBendYaw, body.MaxBendYaw),
             BendPitch = flexion,
             BendRoll = chestRoll - pelvisRoll,
             ChestPitch = -0.3f * lean,
@@ -199,25 +199,25 @@ internal sealed class BodyPlacer
         bool front = body.Rows > 1 && shape.Row == body.Rows - 1;
         TrunkTraits traits = body.Traits;
         float z = Scalar.Clamp((foot.Base.Z - shape.Home.Z) / body.LegLength, -0.6f, 0.6f);
-        slide = new Vector3(0f, front ? traits.ForeRise * shape.Length * (foot.Load - 0.45f) * SlideShare : 0f, (front ? traits.ForeSlide : traits.HindSlide) * shape.Length * z);
+        slide = new Vector3(0f, front ? traits.ForeRise * shape.Length * (foot.Load - 0.45f) * SlideFraction : 0f, (front ? traits.ForeSlide : traits.HindSlide) * shape.Length * z);
         int slot = shape.TrunkSlot;
         return Trunk.Positions[slot] + Rotation.Rotate(Trunk.Turns[slot], (shape.HipRest - Trunk.Rest[slot]) + slide);
     }
 
     /// <summary>Share of the girdles' rise: none while the creature stands.</summary>
-    private float SlideShare { get; set; }
+    private float SlideFraction { get; set; }
 
     /// <summary>The dip of a walk's force fades with speed.</summary>
-    private static float DipShare(in BodyContext context, float length)
+    private static float DipFraction(in BodyContext context, float length)
     {
         float froude = context.RootVelocity.Speed * context.RootVelocity.Speed / (context.Settings.Gravity * length);
         return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
     }
 
     /// <summary>A number that comes ever slower to a most on both sides.</summary>
-    private static float Bounded(float x, float most)
+    private static float Bounded(float x, float max)
     {
-        float part = x * x / Math.Max(most * most, 1e-12f);
+        float part = x * x / Math.Max(max * max, 1e-12f);
         return x / (float)Math.Sqrt(Math.Sqrt(1f + (part * part)));
     }
 
@@ -287,20 +287,20 @@ internal sealed class BodyPlacer
     private void Follow(in BodyContext context, ReadOnlySpan<Foot> feet)
     {
         Grounds(feet, out float hindGround, out float foreGround, out float across);
-        float share = groundDecay.Share(GroundRate * context.Step);
-        HindGround += (hindGround - HindGround) * share;
-        ForeGround += (foreGround - ForeGround) * share;
+        float fraction = groundDecay.Fraction(GroundRate * context.Step);
+        HindGround += (hindGround - HindGround) * fraction;
+        ForeGround += (foreGround - ForeGround) * fraction;
         way.Feel(feet, body.LegLength, context.Step);
-        float wanted = Scalar.Clamp(0.5f * (body.Legs[0].Lateral ? LateralSlopeShare : SlopeShare) * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MostRoll, body.MostRoll);
-        slope += (wanted - slope) * slopeDecay.Share(SlopeRate * context.Step);
-        SlideShare = context.Activity;
+        float wanted = Scalar.Clamp(0.5f * (body.Legs[0].Lateral ? LateralSlopeFraction : SlopeFraction) * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MaxRoll, body.MaxRoll);
+        slope += (wanted - slope) * slopeDecay.Fraction(SlopeRate * context.Step);
+        SlideFraction = context.Activity;
     }
 
     /// <summary>Ground under hind and fore feet, seen along the slope from the middle of where they belong: half way between their lowest and their mean; and how much higher it is on the left than on the right.</summary>
     private void Grounds(ReadOnlySpan<Foot> feet, out float hindGround, out float foreGround, out float across)
     {
-        float hindLeast = float.MaxValue;
-        float foreLeast = float.MaxValue;
+        float hindMin = float.MaxValue;
+        float foreMin = float.MaxValue;
         float hindSum = 0f;
         float foreSum = 0f;
         float left = 0f;
@@ -313,13 +313,13 @@ internal sealed class BodyPlacer
             float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f) - (Climb * (feet[i].Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
             if (leg.IsHind(body.Rows))
             {
-                hindLeast = Math.Min(hindLeast, y);
+                hindMin = Math.Min(hindMin, y);
                 hindSum += y;
                 hindCount++;
             }
             else
             {
-                foreLeast = Math.Min(foreLeast, y);
+                foreMin = Math.Min(foreMin, y);
                 foreSum += y;
             }
 
@@ -335,8 +335,8 @@ internal sealed class BodyPlacer
         }
 
         int foreCount = feet.Length - hindCount;
-        hindGround = 0.5f * (hindLeast + (hindSum / hindCount));
-        foreGround = foreCount == 0 ? hindGround : 0.5f * (foreLeast + (foreSum / foreCount));
+        hindGround = 0.5f * (hindMin + (hindSum / hindCount));
+        foreGround = foreCount == 0 ? hindGround : 0.5f * (foreMin + (foreSum / foreCount));
         across = (left / Math.Max(leftCount, 1)) - (right / Math.Max(feet.Length - leftCount, 1));
     }
 

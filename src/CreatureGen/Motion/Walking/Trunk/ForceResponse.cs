@@ -70,7 +70,7 @@ internal sealed class ForceResponse
     /// <param name="nod">Angle of a sprung neck per metre of its length.</param>
     public float Height(FourierSums sums, int legs, float scale, float cap, out float nod)
     {
-        float most = 0f;
+        float max = 0f;
         float height = 0f;
         float unit = 2f * scale / legs;
         nod = 0f;
@@ -78,14 +78,14 @@ internal sealed class ForceResponse
         {
             float y = -unit * heights[k];
             float c = sums.Cosines[k];
-            most = Math.Max(most, Math.Abs(y) * sums.Amplitudes[k]);
+            max = Math.Max(max, Math.Abs(y) * sums.Amplitudes[k]);
             height += y * c;
             nod -= y * ((NodResponses[k].InStep * c) + (NodResponses[k].Behind * sums.Sines[k]));
         }
 
-        float share = most > cap ? cap / most : 1f;
-        nod *= share;
-        return height * share;
+        float fraction = max > cap ? cap / max : 1f;
+        nod *= fraction;
+        return height * fraction;
     }
 
     /// <summary>Sway towards the loaded feet.</summary>
@@ -107,16 +107,16 @@ internal sealed class ForceResponse
     public float Surge(FourierSums sums, int legs, float scale, float stance, float cap)
     {
         float surge = 0f;
-        float most = 0f;
+        float max = 0f;
         float unit = scale * stance / legs;
         for (int k = 1; k <= Harmonics; k++)
         {
             float z = -unit * surges[k];
-            most = Math.Max(most, Math.Abs(z) * sums.Amplitudes[k]);
+            max = Math.Max(max, Math.Abs(z) * sums.Amplitudes[k]);
             surge += z * sums.Sines[k];
         }
 
-        return most > cap ? surge * cap / most : surge;
+        return max > cap ? surge * cap / max : surge;
     }
 
     private static (float InStep, float Behind)[] NodsOf()

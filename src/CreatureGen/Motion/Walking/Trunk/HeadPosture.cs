@@ -27,7 +27,7 @@ internal static class HeadPosture
         float yaw = (-FastTrigonometry.Of(z.X, z.Z) * steady) + (TurnLook * Scalar.Clamp(context.RootVelocity.Turn, -1.5f, 1.5f));
         float pitch = (FastTrigonometry.OfSine(z.Y) - (body.Posture.Raised * context.Upright)) * steady;
         float roll = -FastTrigonometry.Of(x.Y, y.Y) * steady;
-        float share = 1f / count;
+        float fraction = 1f / count;
         float nod = placer.Nod;
         float bob = Bob(body, context);
         float last = float.NaN;
@@ -35,7 +35,7 @@ internal static class HeadPosture
         for (int i = 0; i < count; i++)
         {
             bool head = i == count - 1;
-            float tilt = (pitch * share) + (head ? -0.9f * 1.3f * nod * (count - 1) * share : 1.3f * nod * share);
+            float tilt = (pitch * fraction) + (head ? -0.9f * 1.3f * nod * (count - 1) * fraction : 1.3f * nod * fraction);
             if (bob != 0f && count >= 2)
             {
                 tilt += i == 0 ? bob : i == count - 2 ? -0.35f * bob : head ? -0.65f * bob : 0f;
@@ -45,7 +45,7 @@ internal static class HeadPosture
             if (tilt != last)
             {
                 last = tilt;
-                turn = AxisRotation.YawPitchRoll(yaw * share, tilt, roll * share);
+                turn = AxisRotation.YawPitchRoll(yaw * fraction, tilt, roll * fraction);
             }
 
             turns.Set(local, body.Neck[i], turn);

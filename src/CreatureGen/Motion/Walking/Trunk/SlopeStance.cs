@@ -40,7 +40,7 @@ internal readonly struct SlopeStance
     /// <summary>The longest that all legs reach.</summary>
     private static float Reaching(LeggedBody body, Gait gait, float slope)
     {
-        float most = float.MaxValue;
+        float max = float.MaxValue;
         for (int i = 0; i < body.Legs.Length; i++)
         {
             LegRig leg = body.Legs[i];
@@ -51,9 +51,9 @@ internal readonly struct SlopeStance
             // The hip hangs below the trunk, which lies along the slope.
             float shift = NeutralFootholds.Ahead(leg, body.Rows, 0f, along) - (along * (body.TrunkRest[leg.TrunkSlot].Y - leg.HipRest.Y));
             TrunkTraits traits = body.Traits;
-            most = Math.Min(most, leg.LongestStance(new LegSteps(body.GoingHomes[i], bias, gait.Crouch, front ? traits.ForeSlide : traits.HindSlide, body.IsBiped ? gait.Track : 1f, front ? traits.ChestYaw : traits.PelvisYaw, along, shift)));
+            max = Math.Min(max, leg.LongestStance(new LegSteps(body.GoingHomes[i], bias, gait.Crouch, front ? traits.ForeSlide : traits.HindSlide, body.IsBiped ? gait.Track : 1f, front ? traits.ChestYaw : traits.PelvisYaw, along, shift)));
         }
 
-        return most;
+        return max;
     }
 }

@@ -8,13 +8,13 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>The tail: it swings against the pelvis, bends into the turn, and keeps its pitch as the pelvis tips.</summary>
 internal static class TailPosture
 {
-    private const float TurnShare = -1.3f;
+    private const float TurnFraction = -1.3f;
 
     /// <summary>Part of the pelvis's roll that the tail takes back.</summary>
     private const float Steadiness = 0.5f;
 
     /// <summary>Part of a joint's limit that is used; the rest is for its swing.</summary>
-    public const float MostShare = 0.4f;
+    public const float MaxFraction = 0.4f;
 
     /// <summary>Writes the tail.</summary>
     public static void Pose(LeggedBody body, RestRotations turns, BodyPlacer placer, in BodyContext context, in Pose local)
@@ -29,21 +29,21 @@ internal static class TailPosture
         Rotation.ToBasis(placer.Trunk.Turns[0], out Vector3 x, out Vector3 y, out Vector3 z);
         float pitch = (FastTrigonometry.OfSine(z.Y) * body.Posture.TailSteadiness) + (factor * body.Traits.TailLift * placer.Flexion);
         float roll = -FastTrigonometry.Of(x.Y, y.Y) * Steadiness;
-        float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnShare * placer.TurnBend) + context.Idle.TailSway);
-        float share = 1f / count;
+        float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnFraction * placer.TurnBend) + context.Idle.TailSway);
+        float fraction = 1f / count;
         float lastYaw = float.NaN;
         float lastPitch = float.NaN;
         Quaternion turn = Quaternion.Identity;
         for (int i = 0; i < count; i++)
         {
-            float most = MostShare * body.TailLimits[i];
-            float ownYaw = Scalar.Clamp(yaw * share, -most, most);
-            float ownPitch = Scalar.Clamp(pitch * share, -most, most);
+            float max = MaxFraction * body.TailLimits[i];
+            float ownYaw = Scalar.Clamp(yaw * fraction, -max, max);
+            float ownPitch = Scalar.Clamp(pitch * fraction, -max, max);
             if (ownYaw != lastYaw || ownPitch != lastPitch)
             {
                 lastYaw = ownYaw;
                 lastPitch = ownPitch;
-                turn = AxisRotation.YawPitchRoll(ownYaw, ownPitch, roll * share);
+                turn = AxisRotation.YawPitchRoll(ownYaw, ownPitch, roll * fraction);
             }
 
             turns.Set(local, body.Tail[i], turn);

@@ -59,8 +59,8 @@ internal sealed class TrunkChain
     public Vector3 Flex(in TrunkPlan plan)
     {
         int foreSlot = body.ForeSlot;
-        float share = 1f / Math.Max(foreSlot, 1);
-        Bend = AxisRotation.YawPitchRoll(plan.BendYaw * share, plan.BendPitch * share, plan.BendRoll * share);
+        float fraction = 1f / Math.Max(foreSlot, 1);
+        Bend = AxisRotation.YawPitchRoll(plan.BendYaw * fraction, plan.BendPitch * fraction, plan.BendRoll * fraction);
         ChestTurn = plan.ChestPitch == 0f ? Quaternion.Identity : AxisRotation.Pitch(plan.ChestPitch);
         Vector3[] rest = Rest;
         bends[0] = Quaternion.Identity;

@@ -28,7 +28,7 @@ internal readonly struct TrunkSpan
     public float Fore { get; }
 
     /// <summary>Share of a difference in height between hind and fore feet that the joints take up.</summary>
-    public float Share => Fore - Hind;
+    public float Fraction => Fore - Hind;
 
     /// <summary>The span of a trunk.</summary>
     /// <param name="legs">That carry it.</param>
@@ -49,8 +49,8 @@ internal readonly struct TrunkSpan
 
         // Of two rows, whose feet may be farther apart than the joints, each has its own half.
         float wheelbase = rows == 2 ? Middle(false, i => legs[i].Home.Z) - Middle(true, i => legs[i].Home.Z) : 0f;
-        float share = Math.Min(1f, length / Math.Max(wheelbase, 1e-3f));
-        return new TrunkSpan(rear, front, 0.5f * (1f - share), 0.5f * (1f + share));
+        float fraction = Math.Min(1f, length / Math.Max(wheelbase, 1e-3f));
+        return new TrunkSpan(rear, front, 0.5f * (1f - fraction), 0.5f * (1f + fraction));
 
         float Middle(bool hind, Func<int, float> place)
         {

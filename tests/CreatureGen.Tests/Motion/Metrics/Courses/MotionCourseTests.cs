@@ -32,7 +32,7 @@ public sealed class MotionCourseTests
         Assert.Equal(2f, report.Seconds, 1e-4f);
         Assert.Equal(0f, report.LimitExcess, 1e-4f);
         Assert.Equal(4, report.Stances);
-        Assert.Equal([4f, 4f, 0f], new[] { report.LeastSupport!.Value, report.MeanSupport!.Value, report.LongestFlight!.Value });
+        Assert.Equal([4f, 4f, 0f], new[] { report.MinSupport!.Value, report.MeanSupport!.Value, report.LongestFlight!.Value });
         Assert.InRange(report.StanceSlip!.Value, 0f, 1e-3f);
         Assert.Equal([0f, 0f, 0f], new[] { report.LinearAcceleration, report.RootLag!.Value, report.LostGround!.Value });
         Assert.InRange(report.JointSpeed, 0f, 5f);

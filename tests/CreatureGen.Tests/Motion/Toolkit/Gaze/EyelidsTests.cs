@@ -115,14 +115,14 @@ public sealed class EyelidsTests
         int upper = creature.Skeleton.IndexOf("UpperLid_L");
         foreach (Clip clip in ClipBaker.Bake(creature))
         {
-            float most = 0f;
+            float max = 0f;
             for (int frame = 0; frame < clip.Frames; frame++)
             {
-                most = Math.Max(most, Turn(creature.Skeleton.Joints[upper], clip.RotationsAt(frame)[upper]));
+                max = Math.Max(max, Turn(creature.Skeleton.Joints[upper], clip.RotationsAt(frame)[upper]));
             }
 
-            Assert.Equal(clip.Name == "Idle", most > 0.8f * creature.Skeleton.Joints[upper].Limit.SwingX.Max);
-            Assert.True(clip.Name == "Idle" || most < 1e-3f);
+            Assert.Equal(clip.Name == "Idle", max > 0.8f * creature.Skeleton.Joints[upper].Limit.SwingX.Max);
+            Assert.True(clip.Name == "Idle" || max < 1e-3f);
         }
     }
 

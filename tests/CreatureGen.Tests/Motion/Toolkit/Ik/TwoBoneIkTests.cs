@@ -64,13 +64,13 @@ public sealed class TwoBoneIkTests
     [Fact]
     public void Towards_its_end_the_reach_eases_without_overshoot_and_without_a_kink()
     {
-        double most = Math.Sqrt(2 + (2 * PortableMath.Cos(0.2094)));
+        double max = Math.Sqrt(2 + (2 * PortableMath.Cos(0.2094)));
         double last = 0;
         double slope = 1;
         for (double d = 1.5; d < 2.4; d += 0.001)
         {
             double taken = Reach.Default.Limit(d, 1, 1, out IkStatus status);
-            Assert.True(taken <= most && taken <= d + 1e-12 && taken > last);
+            Assert.True(taken <= max && taken <= d + 1e-12 && taken > last);
             if (last > 0)
             {
                 double now = (taken - last) / 0.001;
@@ -79,7 +79,7 @@ public sealed class TwoBoneIkTests
             }
 
             last = taken;
-            Assert.Equal(d > most ? IkStatus.TooFar : d > (1 - (1f - 0.968f)) * most ? IkStatus.Softened : IkStatus.Reached, status);
+            Assert.Equal(d > max ? IkStatus.TooFar : d > (1 - (1f - 0.968f)) * max ? IkStatus.Softened : IkStatus.Reached, status);
         }
     }
 

@@ -52,8 +52,8 @@ public sealed class FoldedWingRagdollTests
             }
 
             // Nothing falls faster than freely for 0.2 s, but for what whips round a joint.
-            double most = 3 * ((9.81 * 12 * Frame) + (2 * flier.Length));
-            Assert.True(fastest < most, $"{flier.Name}: {fastest} m/s, expected below {most}");
+            double max = 3 * ((9.81 * 12 * Frame) + (2 * flier.Length));
+            Assert.True(fastest < max, $"{flier.Name}: {fastest} m/s, expected below {max}");
             for (int frame = 0; frame < 600 && !state.IsAsleep; frame++)
             {
                 Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
@@ -81,16 +81,16 @@ public sealed class FoldedWingRagdollTests
     /// <summary>The least share of its length that the bone before a joint of the wings has, the shoulder apart.</summary>
     private static float Shortest(Skeleton skeleton, in Pose local)
     {
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         for (int j = 0; j < skeleton.Count; j++)
         {
             int parent = skeleton.Parents[j];
             if (skeleton.Joints[j].Role == JointRole.Wing && skeleton.Joints[parent].Role == JointRole.Wing)
             {
-                least = Math.Min(least, Vec.Length(local.Positions[j]) / Vec.Length(skeleton.LocalPositions[j]));
+                min = Math.Min(min, Vec.Length(local.Positions[j]) / Vec.Length(skeleton.LocalPositions[j]));
             }
         }
 
-        return least;
+        return min;
     }
 }

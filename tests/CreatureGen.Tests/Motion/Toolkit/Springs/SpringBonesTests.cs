@@ -38,21 +38,21 @@ public sealed class SpringBonesTests
     {
         var state = new SpringState(rig);
         MovingPose pose = Step(state, soft, RootPlace.Identity, 1f / 60f);
-        float least = 0f;
-        float most = 0f;
+        float min = 0f;
+        float max = 0f;
         for (int i = 0; i < 400; i++)
         {
             float x = Math.Min(i / 30f, 1f);
             pose = Step(state, soft, new RootPlace(new Vector3(x, 0f, 0f), Quaternion.Identity), 1f / 60f);
-            least = Math.Min(least, pose.ModelPositions[^1].X);
-            most = Math.Max(most, pose.ModelPositions[^1].X);
+            min = Math.Min(min, pose.ModelPositions[^1].X);
+            max = Math.Max(max, pose.ModelPositions[^1].X);
             for (int k = 1; k < skeleton.Count; k++)
             {
                 Assert.Equal(0.2f, Vec.Distance(pose.ModelPositions[k], pose.ModelPositions[k - 1]), 1e-6f);
             }
         }
 
-        Assert.True(least < -0.02f && most > 0.01f, $"{least} {most}");
+        Assert.True(min < -0.02f && max > 0.01f, $"{min} {max}");
         Assert.True(Math.Abs(pose.ModelPositions[^1].X) < 1e-3f);
     }
 
@@ -266,22 +266,22 @@ public sealed class SpringBonesTests
     [Fact]
     public void Settings_may_change_from_frame_to_frame_without_a_jump()
     {
-        Assert.InRange(MostStep(true), 0.5f * MostStep(false), 1.5f * MostStep(false));
+        Assert.InRange(MaxStep(true), 0.5f * MaxStep(false), 1.5f * MaxStep(false));
 
-        static float MostStep(bool changes)
+        static float MaxStep(bool changes)
         {
             SpringState state = new(rig);
             MovingPose last = Step(state, soft, Running(0f), 0f);
-            float most = 0f;
+            float max = 0f;
             for (int i = 1; i < 240; i++)
             {
                 SpringSettings settings = changes && (i / 20) % 2 == 1 ? new SpringSettings(new ChainCurve(4f, 2f), new ChainCurve(0.9f)) : soft;
                 MovingPose now = Step(state, settings, Running(i / 60f), 1f / 60f);
-                most = Math.Max(most, Vec.Distance(now.ModelPositions[^1], last.ModelPositions[^1]));
+                max = Math.Max(max, Vec.Distance(now.ModelPositions[^1], last.ModelPositions[^1]));
                 last = now;
             }
 
-            return most;
+            return max;
         }
     }
 

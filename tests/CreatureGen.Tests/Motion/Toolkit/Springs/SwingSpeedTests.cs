@@ -19,12 +19,12 @@ public sealed class SwingSpeedTests
     [InlineData(1f, 1.2f)]
     [InlineData(0.5f, 0.4f)]
     [InlineData(2f, 0.4f)]
-    public void A_jolt_swings_a_bone_to_its_end_no_faster_than_a_free_swing(float mostSpeed, float damping)
+    public void A_jolt_swings_a_bone_to_its_end_no_faster_than_a_free_swing(float maxSpeed, float damping)
     {
-        (double widest, double fastest) = Jolted(damping, mostSpeed, out double left);
-        double free = mostSpeed * PortableMath.Tau * Frequency * Width;
+        (double widest, double fastest) = Jolted(damping, maxSpeed, out double left);
+        double free = maxSpeed * PortableMath.Tau * Frequency * Width;
         Assert.InRange(fastest, 0.5 * free, 1.03 * free);
-        Assert.InRange(widest, 0.25 * mostSpeed * Width, 1.001 * Width);
+        Assert.InRange(widest, 0.25 * maxSpeed * Width, 1.001 * Width);
         Assert.True(left < 1e-3, $"{left} rad are left");
     }
 
@@ -44,24 +44,24 @@ public sealed class SwingSpeedTests
 
     [Fact]
     public void Tails_ears_and_feelers_go_no_faster_than_they_would_by_themselves() =>
-        Assert.All(new[] { SpringSettings.Tail(1f), SpringSettings.Ear(0.2f), SpringSettings.Antenna(0.3f) }, settings => Assert.InRange(settings.MostSpeed, 0.5f, 1f));
+        Assert.All(new[] { SpringSettings.Tail(1f), SpringSettings.Ear(0.2f), SpringSettings.Antenna(0.3f) }, settings => Assert.InRange(settings.MaxSpeed, 0.5f, 1f));
 
     [Theory]
     [InlineData(0f)]
     [InlineData(-1f)]
     [InlineData(float.NaN)]
     [InlineData(float.PositiveInfinity)]
-    public void A_bound_that_is_none_is_refused(float mostSpeed) =>
-        Assert.ThrowsAny<ArgumentException>(() => new SpringSettings(new ChainCurve(1f), new ChainCurve(1f), mostSpeed: mostSpeed));
+    public void A_bound_that_is_none_is_refused(float maxSpeed) =>
+        Assert.ThrowsAny<ArgumentException>(() => new SpringSettings(new ChainCurve(1f), new ChainCurve(1f), maxSpeed: maxSpeed));
 
     /// <summary>A bone whose root is pulled away at 4 m/s from one moment to the next: how far it swings, and how fast at most, radians.</summary>
-    private static (double Widest, double Fastest) Jolted(float damping, float mostSpeed, out double left)
+    private static (double Widest, double Fastest) Jolted(float damping, float maxSpeed, out double left)
     {
         const float Step = 1f / 120f;
         Skeleton one = MovingPose.Chain(2, Length, JointLimit.Free);
         var rig = new SpringRig(one, new[] { 1 });
         var state = new SpringState(rig);
-        var settings = new SpringSettings(new ChainCurve(Frequency), new ChainCurve(damping), mostSwing: Width, mostSpeed: mostSpeed);
+        var settings = new SpringSettings(new ChainCurve(Frequency), new ChainCurve(damping), maxSwing: Width, maxSpeed: maxSpeed);
         double widest = 0;
         double fastest = 0;
         double last = 0;
@@ -80,12 +80,12 @@ public sealed class SwingSpeedTests
         return (widest, fastest);
     }
 
-    private static double Fallen(float mostSpeed)
+    private static double Fallen(float maxSpeed)
     {
         Skeleton one = MovingPose.Chain(2, Length, JointLimit.Free);
         var rig = new SpringRig(one, new[] { 1 });
         var state = new SpringState(rig);
-        var settings = new SpringSettings(new ChainCurve(0f), new ChainCurve(2f), gravity: new Vector3(9.81f, 0f, 0f), mostSwing: 3.14f, mostSpeed: mostSpeed);
+        var settings = new SpringSettings(new ChainCurve(0f), new ChainCurve(2f), gravity: new Vector3(9.81f, 0f, 0f), maxSwing: 3.14f, maxSpeed: maxSpeed);
         double angle = 0;
         for (int i = 0; i < 120; i++)
         {

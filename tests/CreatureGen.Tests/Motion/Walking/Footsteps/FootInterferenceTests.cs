@@ -87,7 +87,7 @@ public sealed class FootInterferenceTests
             Assert.True(leg.Track(0f, 0f) * aside >= Math.Min(leg.Breadth, aside) - 1e-6f);
             Assert.True(leg.Track(0f, 0f) <= 1f + 1e-6f);
             Assert.True(leg.Track(0f, 1.4f) <= leg.Track(0f, 0.9f));
-            Assert.True(leg.Track(0f, 100f) == leg.LeastTrack || leg.LeastTrack < 0f);
+            Assert.True(leg.Track(0f, 100f) == leg.MinTrack || leg.MinTrack < 0f);
             Assert.Equal(1.2f, leg.Track(1.2f, 1f));
         }
     }

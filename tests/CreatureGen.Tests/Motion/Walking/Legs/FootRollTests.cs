@@ -46,7 +46,7 @@ public sealed class FootRollTests
 
                 Assert.True(begins >= last, $"duty {duty}: {begins} after {last}");
                 Assert.InRange(begins, 0.495f, 0.63f);
-                Assert.Equal(leg.Traits.ToeOff * leg.RollShare, FootRoll.Pitch(Standing(1f), leg, duty), 1e-5f);
+                Assert.Equal(leg.Traits.ToeOff * leg.RollFraction, FootRoll.Pitch(Standing(1f), leg, duty), 1e-5f);
                 first = Math.Min(first, begins);
                 last = begins;
             }

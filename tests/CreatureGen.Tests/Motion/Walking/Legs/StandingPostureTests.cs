@@ -101,9 +101,9 @@ public sealed class StandingPostureTests
         flier.Go(3f, flier.Profile.Gaits.Speeds[1].Fastest, FlatGround.Level);
         double runs = Degrees(flier);
         Assert.True(stands > walks + 5 && walks > runs + 3, $"{flier.Name}: stands {stands}, walks {walks}, runs {runs} degrees");
-        Assert.Equal(1f, StandingPosture.Share(0f, 0f, 0f));
-        Assert.InRange(StandingPosture.Share(1f, 4f, 0f), 0.1f, 0.3f);
-        Assert.InRange(StandingPosture.Share(0f, 0f, 0.3f), 0.2f, 0.4f);
+        Assert.Equal(1f, StandingPosture.Fraction(0f, 0f, 0f));
+        Assert.InRange(StandingPosture.Fraction(1f, 4f, 0f), 0.1f, 0.3f);
+        Assert.InRange(StandingPosture.Fraction(0f, 0f, 0.3f), 0.2f, 0.4f);
     }
 
     private static double Degrees(StandingFlier flier)
