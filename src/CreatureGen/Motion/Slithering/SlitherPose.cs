@@ -39,12 +39,15 @@ internal static class SlitherPose
     /// <summary>From the root forward to the joint of the head, which leads the track, metres.</summary>
     public static double Lead(SlitherProfile profile) => profile.Chain.Bones[0].Rear.Z;
 
-    /// <summary>The middle of the body: the mean of the track over one wave, so that its swings cancel.</summary>
+    /// <summary>The middle of the body: the mean of the track over one wave, so that its swings cancel. Where less than half a wave of it leads up to the head, it is that of the wave behind the head, taken
+    /// on along the way: there is no track yet ahead of a head.</summary>
     public static void FindMiddle(SlitherProfile profile, SlitherState state, in CrawlFloor floor)
     {
         SlitherTrack track = state.Track;
-        double middle = track.Head - Lead(profile);
         double half = 0.5 * track.Wavelength;
+        double lead = Lead(profile);
+        double ahead = Math.Max(half - lead, 0);
+        double middle = track.Head - Math.Max(half, lead);
         double x = 0;
         double z = 0;
         double yaw = 0;
@@ -57,6 +60,14 @@ internal static class SlitherPose
             z += point.Z / RootSamples;
             near += point.Y / RootSamples;
             yaw += track.TravelAt(arc) / RootSamples;
+        }
+
+        if (ahead > 0)
+        {
+            PortableMath.SinCos(yaw, out double sine, out double cosine);
+            double way = ahead * state.Progress;
+            x += way * sine;
+            z += way * cosine;
         }
 
         state.Middle = new Vector3((float)x, (float)floor.HeightAt(x, near, z, out _), (float)z);

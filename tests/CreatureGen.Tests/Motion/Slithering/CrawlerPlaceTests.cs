@@ -46,6 +46,29 @@ public sealed class CrawlerPlaceTests
         }
     }
 
+    /// <summary>Many heads have less than half a wave of the body behind them up to the root: their root jumped by up to 16 g.</summary>
+    [Fact]
+    public void The_root_of_a_crawler_goes_evenly_wherever_its_head_begins()
+    {
+        const float Fine = 1f / 120f;
+        foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless, 12))
+        {
+            var animator = new CreatureAnimator(creature);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            Vector3 place = default;
+            Vector3 velocity = default;
+            for (int i = 0; i < 480; i++)
+            {
+                animator.Update(Fine, new MotionInput(creature.DefaultSpeed), FlatGround.Level);
+                Vector3 now = (animator.Root.Position - place) / Fine;
+                float hard = Vec.Distance(now, velocity) / Fine / 9.81f;
+                Assert.True(i < 240 || hard < 0.5f, $"{creature.Blueprint.Seed}: {hard} g at a steady crawl");
+                place = animator.Root.Position;
+                velocity = now;
+            }
+        }
+    }
+
     [Theory]
     [InlineData(0.04f)]
     [InlineData(-0.04f)]
