@@ -1,3 +1,5 @@
+using CreatureGen.Maths;
+
 namespace CreatureGen.Motion.Flying;
 
 /// <summary>Where a flier wants to be.</summary>
@@ -16,4 +18,5 @@ internal enum FlightIntent
 /// <param name="YawRate">Radians per second; positive turns left.</param>
 /// <param name="ClimbRate">Metres per second up; negative descends.</param>
 /// <param name="Height">Metres from the ground up to the root.</param>
-internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f);
+/// <param name="Gravity">Metres per second squared; 0.05..10000. In the space of the model: that of the world over the creature's scale.</param>
+internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f, float Gravity = StandardGravity.Acceleration);

@@ -16,7 +16,7 @@ internal static class FlightMotion
     /// <param name="state">Where it is in its motion.</param>
     /// <param name="dt">Seconds, not negative; longer steps than 0.25 s count as that.</param>
     /// <param name="local">Pose in the parents' space, one entry per joint of the creature's skeleton.</param>
-    /// <returns>How the root moves: as asked in the air, by the motion itself while it takes off or lands.</returns>
+    /// <returns>How the root moves in the mean of the step: in the air towards what is asked, as fast as its build lets it get faster, slower and round; by the motion itself while it takes off or lands.</returns>
     /// <exception cref="ArgumentException">The pose does not fit, or a number is not finite.</exception>
     public static BodyVelocity Update(FlightProfile profile, in FlightInput input, ref FlightState state, float dt, in Pose local)
     {
@@ -27,7 +27,7 @@ internal static class FlightMotion
 
         local.Require(profile.Skeleton);
         BodyVelocity root = FlightControl.Advance(profile, input, ref state, StepCheck.Step(dt));
-        FlightPose.Write(profile, state, local);
+        FlightPose.Write(profile, state, input.Gravity, local);
         return root;
     }
 }

@@ -16,15 +16,16 @@ internal static class FlightPose
     private const double MaxHeave = 0.05;
     private const double HoverBob = 0.03;
     private const double GlideEdge = 0.7;
+    private const double GlideRounding = 0.5;
 
     /// <summary>Writes what the state says.</summary>
-    public static void Write(FlightProfile profile, in FlightState state, in Pose local)
+    public static void Write(FlightProfile profile, in FlightState state, double gravity, in Pose local)
     {
-        double hover = FlightControl.Hover(state.Speed.Value);
+        double hover = FlightControl.Hover(state.Cruises);
         double beats = state.Cycle * profile.BeatsPerCycle;
         double glide = Glide(profile, state);
         double amplitude = state.Amplitude.Value;
-        double steer = Scalar.Clamp(state.Steer.Value, -1, 1);
+        double steer = state.Steer;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Cycle, out double slow, out _);
         var wings = new WingStroke
         {
@@ -46,7 +47,7 @@ internal static class FlightPose
             wing.Write(local, wings);
         }
 
-        Body(profile, state, hover, glide, slow, local);
+        Body(profile, state, hover, glide, slow, gravity, local);
     }
 
     /// <summary>How much the wings are held still: all the time in a descent, part of the slow cycle at level flight, never in a climb.</summary>
@@ -56,17 +57,21 @@ internal static class FlightPose
         double half = (1 - Scalar.Clamp(state.Effort.Value, 0, 1)) * (0.5 + edge);
         double away = Math.Abs(state.Cycle - 0.6);
         away = Math.Min(away, 1 - away);
+
+        // Rounded: a glide that only just begins has no peak.
+        double round = GlideRounding * edge;
+        away = Math.Sqrt((away * away) + (round * round)) - round;
         return Scalar.Smooth((half - away) / edge);
     }
 
-    private static void Body(FlightProfile profile, in FlightState state, double hover, double glide, double slow, in Pose local)
+    private static void Body(FlightProfile profile, in FlightState state, double hover, double glide, double slow, double gravity, in Pose local)
     {
         double air = Scalar.Clamp(state.Air.Value, 0, 1);
         double beats = state.Cycle * profile.BeatsPerCycle;
         double beating = state.Amplitude.Value * (1 - glide) * air;
-        double frequency = Math.Max(state.Frequency.Value, 0.25 * profile.BeatFrequency);
+        double frequency = Math.Max(state.Frequency.Value, 0.25 * profile.BeatsIn(gravity));
         double max = MaxHeave * profile.WingSpan;
-        double size = Math.Min(1 / (frequency * frequency), max / profile.Force.Reach);
+        double size = Math.Min(gravity / (frequency * frequency), max / profile.Force.Reach);
         double heave = beating * (profile.Buzzes ? 0.2 : 1) * size * profile.Force.At(beats);
         heave += HoverBob * profile.LegLength * hover * air * slow;
         double crouch = state.CrouchDepth;
@@ -83,15 +88,15 @@ internal static class FlightPose
         double pitch = (free * (posture - (0.75 * state.Path.Value) - (FlarePitch * Scalar.Clamp(state.Flare.Value, 0, 1)))) - (raised * profile.Posture.Raised);
         pitch += (profile.Buzzes ? 0.2 : 1) * BeatPitch * beating * PortableMath.Sin((2 * PortableMath.Pi * beats) + 0.6);
         pitch -= 0.12 * crouch;
-        double roll = -air * state.Bank.Value;
+        double roll = -air * state.Bank;
         Quaternion body = Rotation.Multiply(AxisRotation.Pitch(pitch), AxisRotation.Roll(roll));
         AxialChain chain = profile.Chain;
         Vector3 now = chain.BodyPivot + new Vector3(0f, (float)heave, (float)(raised * profile.Posture.Ahead)) + profile.Raise(raised * profile.Posture.Raised);
         local.Rotations[chain.Body] = Rotation.Normalize(Rotation.Multiply(body, profile.Skeleton.LocalRotations[chain.Body]));
         local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + (now - chain.BodyPivot);
 
-        double steer = Scalar.Clamp(state.Steer.Value, -1, 1);
-        double stream = air * Scalar.Smooth(Math.Abs(state.Speed.Value) / 0.8);
+        double steer = state.Steer;
+        double stream = air * Scalar.Smooth(Math.Abs(state.Cruises) / 0.8);
         profile.Axis.Write(local, new AxisStroke
         {
             Pitch = pitch,
@@ -108,7 +113,7 @@ internal static class FlightPose
         var legs = new LegStroke
         {
             Hanging = hover,
-            Reaching = Scalar.Clamp(state.Flare.Value, 0, 1),
+            Reaching = Scalar.Clamp(state.Reach.Value, 0, 1),
             Planted = Scalar.Clamp(state.Planted.Value, 0, 1),
             Height = state.Height.Value,
             Swing = beating * PortableMath.Sin((2 * PortableMath.Pi * beats) - 1.2),

@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
@@ -14,7 +15,8 @@ namespace CreatureGen.Motion.Flying;
 /// <summary>How a creature flies, worked out once from its build: its wings, their tempo, its legs, neck and tail. Immutable, and safe to share between threads.</summary>
 internal sealed class FlightProfile
 {
-    private const double Gravity = 9.81;
+    /// <summary>That which its tempo and speeds are given for.</summary>
+    private const double Gravity = StandardGravity.Acceleration;
     private const double AirDensity = 1.225;
 
     /// <summary>Mass of a flier over that of a solid body of the same shape: feathers, air sacs and thin bones.</summary>
@@ -32,6 +34,24 @@ internal sealed class FlightProfile
 
     /// <summary>Length of the cycle of hovering up and down, and of beating and gliding, in √(span/g).</summary>
     private const double SlowCycle = 5;
+
+    /// <summary>Thrust over weight for each beat in the time √(span/g), and its bounds; that of insects.</summary>
+    private const double PowerPerBeat = 0.3;
+    private const double MinThrust = 0.3;
+    private const double MaxThrust = 0.7;
+    private const double BuzzingThrust = 0.8;
+
+    /// <summary>Braking by wings against the air, in parts of thrust.</summary>
+    private const double BrakingFraction = 1.2;
+
+    /// <summary>What lift is left over weight to climb faster or to end a fall, in parts of gravity.</summary>
+    private const double Lift = 0.6;
+
+    /// <summary>Lift over drag in a glide at cruise.</summary>
+    private const double GlideRatio = 8;
+
+    /// <summary>Beats in which thrust comes up.</summary>
+    private const double ThrustRise = 0.5;
 
     private readonly WingPair[] wings;
     private readonly BuzzPair[] buzzers;
@@ -75,6 +95,9 @@ internal sealed class FlightProfile
         SoleHeight = Stands ? SoleHeight : 0;
         LegLength = (float)(Stands ? length : 0.3 * Chain.Length);
         Response = 4 / Math.Sqrt(Math.Max(Chain.Length, 1e-3));
+        double power = PowerPerBeat * frequency * Math.Sqrt(span / Gravity);
+        Thrust = Buzzes ? BuzzingThrust : Scalar.Clamp(power, MinThrust, MaxThrust);
+        Braking = BrakingFraction * Thrust;
     }
 
     /// <summary>From tip to tip of the spread wings, metres.</summary>
@@ -83,13 +106,13 @@ internal sealed class FlightProfile
     /// <summary>Area of all wings, square metres.</summary>
     public float WingSurface { get; }
 
-    /// <summary>Beats per second at cruise.</summary>
+    /// <summary>Beats per second at cruise in standard gravity.</summary>
     public float BeatFrequency { get; }
 
     /// <summary>Beats after which the motion repeats exactly under steady input: a flier that hovers rises and sinks once in them, and one that glides between beats glides once.</summary>
     public int BeatsPerCycle { get; }
 
-    /// <summary>Metres per second at cruise.</summary>
+    /// <summary>Metres per second at cruise in standard gravity.</summary>
     public float CruiseSpeed { get; }
 
     internal Skeleton Skeleton { get; }
@@ -120,8 +143,34 @@ internal sealed class FlightProfile
     /// <summary>Height of the lowest sole at rest, metres: 0 but for legs that hang free; to stand on these the body comes down by so much.</summary>
     internal double SoleHeight { get; }
 
-    /// <summary>Sharpness with which the motion follows its input, 1/s.</summary>
+    /// <summary>Sharpness with which the motion follows its input in standard gravity, 1/s.</summary>
     internal double Response { get; }
+
+    /// <summary>Greatest acceleration ahead, in parts of gravity: more the more often its wings beat while it would fall its span.</summary>
+    internal double Thrust { get; }
+
+    /// <summary>Greatest deceleration by flared wings, in parts of gravity.</summary>
+    internal double Braking { get; }
+
+    /// <summary>How much faster all goes than in standard gravity: tempo and speed alike.</summary>
+    internal static double Tempo(double gravity) => Math.Sqrt(gravity / Gravity);
+
+    /// <summary>Beats per second at cruise in a gravity.</summary>
+    internal double BeatsIn(double gravity) => Math.Min(BeatFrequency * Tempo(gravity), FastestBeat);
+
+    /// <summary>Metres per second at cruise in a gravity.</summary>
+    internal double CruiseIn(double gravity) => CruiseSpeed * Tempo(gravity);
+
+    /// <summary>What bounds how it gets faster and slower ahead in a gravity.</summary>
+    internal MomentumLimits MomentumIn(double gravity)
+    {
+        double cruise = CruiseIn(gravity);
+        double thrust = Thrust * gravity;
+        return new MomentumLimits(thrust, Braking * gravity, gravity / (GlideRatio * cruise * cruise), thrust * BeatsIn(gravity) / ThrustRise);
+    }
+
+    /// <summary>What bounds how it comes to climb and to sink in a gravity.</summary>
+    internal MomentumLimits LiftIn(double gravity) => new(Lift * gravity, Lift * gravity, 0, Lift * gravity * BeatsIn(gravity) / ThrustRise);
 
     internal ReadOnlySpan<WingPair> Wings => wings;
 

@@ -1,4 +1,5 @@
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 
 namespace CreatureGen.Motion.Flying;
 
@@ -17,9 +18,10 @@ internal struct FlightState
     internal CriticallyDampedSpring Effort;
     internal CriticallyDampedSpring Spread;
     internal CriticallyDampedSpring Flare;
-    internal CriticallyDampedSpring Speed;
-    internal CriticallyDampedSpring Bank;
-    internal CriticallyDampedSpring Steer;
+    internal CriticallyDampedSpring Reach;
+    internal Momentum Ahead;
+    internal Momentum Rise;
+    internal CriticallyDampedSpring Turn;
     internal CriticallyDampedSpring Path;
     internal CriticallyDampedSpring Crouch;
     internal CriticallyDampedSpring Air;
@@ -27,8 +29,14 @@ internal struct FlightState
     internal CriticallyDampedSpring Height;
     internal CriticallyDampedSpring Upright;
 
-    /// <summary>Metres per second ahead at which it leaves the ground.</summary>
-    internal double RunUp;
+    /// <summary>Speed ahead in those of cruise.</summary>
+    internal double Cruises;
+
+    /// <summary>Roll into its turn, radians, positive to the left.</summary>
+    internal double Bank;
+
+    /// <summary>−1..1, positive in a turn to the left.</summary>
+    internal double Steer;
 
     /// <summary>Fastest speed ahead at which its legs can take over from its wings, metres per second; 0 where it comes to a stop as it lands.</summary>
     internal double RunOut;
@@ -54,6 +62,12 @@ internal struct FlightState
     /// <summary>How long before the end of the last update the latest of those began, seconds; 0 when none did.</summary>
     public float SecondsSinceBeat { get; internal set; }
 
+    /// <summary>Metres of the model per second ahead at present.</summary>
+    public readonly float Speed => (float)Ahead.Speed;
+
+    /// <summary>Metres of the model per second up at present.</summary>
+    public readonly float ClimbRate => (float)Rise.Speed;
+
     /// <summary>Beats per second at present.</summary>
     public readonly float BeatFrequency => (float)Frequency.Value;
 
@@ -69,7 +83,7 @@ internal struct FlightState
     /// <summary>A flier that stands, as if it had always stood.</summary>
     internal static FlightState OnGround => new() { Planted = CriticallyDampedSpring.At(1), Upright = CriticallyDampedSpring.At(1), Raised = 1 };
 
-    /// <summary>A flier in the air at cruise.</summary>
+    /// <summary>A flier in the air at cruise in standard gravity.</summary>
     /// <param name="profile">How the creature flies.</param>
     /// <exception cref="System.ArgumentNullException">There is no profile.</exception>
     public static FlightState InAir(FlightProfile profile)
@@ -86,7 +100,8 @@ internal struct FlightState
             Amplitude = CriticallyDampedSpring.At(1),
             Effort = CriticallyDampedSpring.At(1),
             Spread = CriticallyDampedSpring.At(1),
-            Speed = CriticallyDampedSpring.At(1),
+            Ahead = Momentum.At(profile.CruiseSpeed),
+            Cruises = 1,
             Air = CriticallyDampedSpring.At(1),
             Height = CriticallyDampedSpring.At(HighEnough * profile.LegLength),
         };

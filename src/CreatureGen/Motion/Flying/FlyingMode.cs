@@ -72,8 +72,8 @@ internal sealed class FlyingMode : ILocomotionMode
         else
         {
             LiftOff(before, place.Scale);
-            Speed = velocity.Linear.Z;
-            turn = velocity.YawRate;
+            Speed = state.Speed;
+            turn = (float)state.Turn.Value;
             place = RootStep.Advance(place, velocity, dt);
             Reach(place, settings, ground);
         }
@@ -97,8 +97,8 @@ internal sealed class FlyingMode : ILocomotionMode
         else
         {
             LiftOff(before, goal.Scale);
-            Speed = velocity.Linear.Z;
-            turn = velocity.YawRate;
+            Speed = state.Speed;
+            turn = (float)state.Turn.Value;
             Reach(goal, settings, ground);
         }
 
@@ -125,7 +125,6 @@ internal sealed class FlyingMode : ILocomotionMode
     private MotionInput OnFoot(in MotionInput input, float scale)
     {
         legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
-        state.RunUp = legs.Speed;
         return state.Phase switch
         {
             FlightPhase.Grounded => input,
@@ -149,7 +148,7 @@ internal sealed class FlyingMode : ILocomotionMode
     {
         if (before)
         {
-            legs!.Tell(MotionEventKind.FootUp, (float)state.RunUp * scale, PushForce);
+            legs!.Tell(MotionEventKind.FootUp, state.Speed * scale, PushForce);
         }
     }
 
@@ -175,9 +174,14 @@ internal sealed class FlyingMode : ILocomotionMode
     {
         FlightIntent intent = input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
+        if (IsOnFeet)
+        {
+            state.Ahead = Momentum.At(legs!.Speed);
+        }
+
         state.RunOut = legs?.RunOut ?? 0f;
         state.Raised = legs?.Raised ?? 0f;
-        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground));
+        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale);
         BodyVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
         for (int k = state.BeatsBegun - 1; k >= 0; k--)
         {

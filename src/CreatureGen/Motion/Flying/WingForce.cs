@@ -5,13 +5,12 @@ namespace CreatureGen.Motion.Flying;
 
 /// <summary>
 /// What the beat of wings does to the body: the wings push in the downstroke and little in the upstroke, and the body falls in between. The force F over a cycle, scaled to a mean of one
-/// weight, is integrated twice per harmonic: y″ = g(F/F̄ − 1) gives Yₖ = −g·Fₖ/(F̄·(2πkf)²).
+/// weight, is integrated twice per harmonic: y″ = g(F/F̄ − 1) gives Yₖ = −g·Fₖ/(F̄·(2πkf)²); here for a gravity of 1 m/s² and one beat per second.
 /// </summary>
 internal sealed class WingForce
 {
     private const int Harmonics = 4;
     private const int Samples = 128;
-    private const double Gravity = 9.81;
     private const double UpstrokeForce = 0.12;
 
     private readonly double[] cosines = new double[Harmonics];
@@ -38,8 +37,8 @@ internal sealed class WingForce
         for (int k = 0; k < Harmonics; k++)
         {
             double w = 2 * PortableMath.Pi * (k + 1);
-            cosines[k] *= -Gravity / (mean * w * w);
-            sines[k] *= -Gravity / (mean * w * w);
+            cosines[k] *= -1 / (mean * w * w);
+            sines[k] *= -1 / (mean * w * w);
         }
 
         for (int i = 0; i < Samples; i++)
@@ -48,10 +47,10 @@ internal sealed class WingForce
         }
     }
 
-    /// <summary>Largest displacement at one beat per second, metres.</summary>
+    /// <summary>Largest displacement at one beat per second and a gravity of 1 m/s², metres.</summary>
     public double Reach { get; }
 
-    /// <summary>Displacement of the body at one beat per second, metres; it falls with the square of the frequency.</summary>
+    /// <summary>Displacement of the body at one beat per second and a gravity of 1 m/s², metres; it falls with the square of the frequency and grows with gravity.</summary>
     public double At(double phase)
     {
         double y = 0;

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
 
@@ -27,6 +28,17 @@ internal static class SwimMotion
     private const double SlowestTrail = 0.1;
     private const double FullTrail = 0.85;
 
+    /// <summary>Width of the beat of a body that glides at speed, 1 at cruise.</summary>
+    private const double GlideAmplitude = 0.06;
+
+    /// <summary>Cruises that are missing at which it works its hardest to get faster, and how much harder that is, cruises; and cruises too many at which it only glides.</summary>
+    private const double PushingGap = 0.5;
+    private const double PushEffort = 0.8;
+    private const double GlidingGap = 0.3;
+
+    /// <summary>Sharpness with which it comes to turn, in cycles at cruise: the body bends first.</summary>
+    private const double YawResponse = 3.5;
+
     /// <summary>Most that a steady turn bends the body from nose to tail, radians.</summary>
     private const double DeepestTurn = 1.25;
 
@@ -45,7 +57,7 @@ internal static class SwimMotion
     /// <param name="state">Where it is in its motion.</param>
     /// <param name="dt">Seconds, not negative; longer steps than 0.25 s count as that.</param>
     /// <param name="local">Pose in the parents' space, one entry per joint of the creature's skeleton.</param>
-    /// <returns>How the root moves: as asked, and faster and round in a C-start.</returns>
+    /// <returns>How the root moves in the mean of the step: towards what is asked, as fast as its build lets it get faster, slower and round; faster and round in a C-start.</returns>
     /// <exception cref="ArgumentException">The pose does not fit, or a number is not finite.</exception>
     public static BodyVelocity Update(SwimProfile profile, in SwimInput input, ref SwimState state, float dt, in Pose local)
     {
@@ -60,14 +72,25 @@ internal static class SwimMotion
         return root;
     }
 
-    /// <summary>The speed's share of tempo and width.</summary>
-    internal static void Effort(double cruises, out double tempo, out double width)
+    /// <summary>Tempo and width of the beat.</summary>
+    /// <param name="effort">How hard it works, as the speed that it would keep up by that, cruises.</param>
+    /// <param name="cruises">How fast it goes.</param>
+    /// <param name="tempo">Receives the tempo, 1 at cruise.</param>
+    /// <param name="width">Receives the width, 1 at cruise.</param>
+    internal static void Beat(double effort, double cruises, out double tempo, out double width)
+    {
+        double quarter = Math.Sqrt(Math.Sqrt(effort));
+        tempo = Math.Min(Math.Max(quarter * quarter * quarter, IdleTempo), FastestTempo);
+        double idle = Scalar.Lerp(IdleAmplitude, GlideAmplitude, Scalar.Smooth(2 * Math.Abs(cruises)));
+        width = Scalar.Lerp(idle, Math.Min(quarter, WidestBeat), Scalar.Smooth(effort / 0.25));
+    }
+
+    /// <summary>How hard it works, cruises: as hard as its speed asks, harder while it gets faster, not at all while it glides.</summary>
+    private static double Effort(double cruises, double goal)
     {
         double u = Math.Abs(cruises);
-        double quarter = Math.Sqrt(Math.Sqrt(u));
-        double moving = Scalar.Smooth(u / 0.25);
-        tempo = Math.Min(Math.Max(quarter * quarter * quarter, IdleTempo), FastestTempo);
-        width = Scalar.Lerp(IdleAmplitude, Math.Min(quarter, WidestBeat), moving);
+        double missing = Math.Abs(goal) - u;
+        return missing > 0 ? u + (PushEffort * Scalar.Smooth(missing / PushingGap)) : u * (1 - Scalar.Smooth(-missing / GlidingGap));
     }
 
     private static BodyVelocity Advance(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
@@ -99,12 +122,16 @@ internal static class SwimMotion
 
     private static BodyVelocity Step(SwimProfile profile, in SwimInput input, ref SwimState state, double dt)
     {
-        double speed = input.Speed;
-        double yaw = input.YawRate;
-        double climb = input.ClimbRate;
         double cruise = profile.CruiseSpeed;
         double cycle = profile.CruiseFrequency;
         double sharpness = Response * cycle;
+        double goal = Math.Max(input.Speed, -cruise);
+        double way = state.Ahead.Step(goal, profile.Momentum, dt);
+        double climbed = state.Rise.Step(input.ClimbRate, profile.Momentum, dt);
+        double speed = state.Ahead.Speed;
+        double climb = state.Rise.Speed;
+        double yaw = Curve.Bounded(input.YawRate, profile.FastestTurn(speed));
+        double turned = state.Turn.Step(yaw, YawResponse * cycle, dt);
         double side = state.EscapeSide;
         double before = state.EscapeAge;
         double age = side == 0 ? 0 : Math.Min(before + (dt * StagesPerSecond(profile)), EscapeCurve.Duration);
@@ -113,10 +140,12 @@ internal static class SwimMotion
         state.EscapeAge = over ? 0 : age;
         state.EscapeSide = over ? 0 : side;
 
-        Effort(speed / cruise, out double tempo, out double width);
+        // What is integrated goes by the mean of the step, so that frame rates agree.
+        double cruises = (dt > 0 ? way / dt : speed) / cruise;
+        Beat(Effort(cruises, goal / cruise), cruises, out double tempo, out double width);
         tempo += 1.2 * drive;
         width = Math.Min(width + (0.5 * drive), WidestBeat);
-        bool backwards = speed < 0 && profile.Style == SwimStyle.Anguilliform;
+        bool backwards = goal < 0 && profile.Style == SwimStyle.Anguilliform;
         state.Phase += state.Frequency.Step(backwards ? -tempo * cycle : tempo * cycle, sharpness, dt);
         state.Phase -= Math.Floor(state.Phase);
         state.Amplitude.Step(width, sharpness, dt);
@@ -125,16 +154,22 @@ internal static class SwimMotion
         double arc = yaw * profile.BodyLength / Math.Max(Math.Abs(speed), 0.4 * cruise);
         state.Bend.Step(Curve.Bounded(arc, DeepestTurn), sharpness, dt);
         state.Climb.Step(Curve.Bounded(PortableMath.Atan2(climb, Math.Max(Math.Abs(speed), 0.35 * cruise)), SteepestPitch), 0.7 * sharpness, dt);
-        double brake = Scalar.Clamp((Math.Abs(state.Speed.Value) - Math.Abs(speed)) / (0.5 * cruise), 0, 1);
+        double brake = Scalar.Clamp((Math.Abs(speed) - Math.Abs(goal)) / (0.5 * cruise), 0, 1);
         state.Brake.Step(brake, 2 * sharpness, dt);
-        state.Speed.Step(speed, 0.8 * sharpness, dt);
-        if (side != 0 && dt > 0)
+        if (dt <= 0)
         {
-            yaw += side * EscapeCurve.TurnAngle * (EscapeCurve.Turned(age) - EscapeCurve.Turned(before)) / dt;
-            speed += DartCruises * cruise * (EscapeCurve.Driven(age) - EscapeCurve.Driven(before)) / (dt * StagesPerSecond(profile));
+            return default;
         }
 
-        return new BodyVelocity(new Vector3(0f, (float)climb, (float)speed), (float)yaw);
+        double turn = turned / dt;
+        double ahead = way / dt;
+        if (side != 0)
+        {
+            turn += side * EscapeCurve.TurnAngle * (EscapeCurve.Turned(age) - EscapeCurve.Turned(before)) / dt;
+            ahead += DartCruises * cruise * (EscapeCurve.Driven(age) - EscapeCurve.Driven(before)) / (dt * StagesPerSecond(profile));
+        }
+
+        return new BodyVelocity(new Vector3(0f, (float)(climbed / dt), (float)ahead), (float)turn);
     }
 
     private static double StagesPerSecond(SwimProfile profile) => profile.CruiseFrequency / EscapeCurve.StageFraction;
@@ -229,11 +264,11 @@ internal static class SwimMotion
         local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + rest - Rotation.Rotate(body, centre) + sway;
     }
 
-    private static double Hover(SwimProfile profile, in SwimState state) => 1 - Scalar.Smooth(Math.Abs(state.Speed.Value) / (0.5 * profile.CruiseSpeed));
+    private static double Hover(SwimProfile profile, in SwimState state) => 1 - Scalar.Smooth(Math.Abs(state.Ahead.Speed) / (0.5 * profile.CruiseSpeed));
 
     private static SwimStroke StrokeOf(SwimProfile profile, in SwimState state, double amplitude, double calm)
     {
-        double u = state.Speed.Value / profile.CruiseSpeed;
+        double u = state.Ahead.Speed / profile.CruiseSpeed;
         return new SwimStroke
         {
             Phase = state.Phase,

@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
 
@@ -24,6 +25,23 @@ internal sealed class SwimProfile
     /// <summary>Heights of the tail's end above which it is a fluke if it is so wide, and its least width in body lengths.</summary>
     private const double FlukeFlatness = 1.6;
     private const double FlukeWidth = 0.15;
+
+    /// <summary>Cruises by which one beat at cruise makes it faster from rest, and by how much of that its fins brake.</summary>
+    private const double PushOff = 1.2;
+    private const double BrakingFraction = 0.45;
+
+    /// <summary>Beats at cruise in which thrust comes up.</summary>
+    private const double PushRise = 0.25;
+
+    /// <summary>Friction of the water on the skin: some five times that of a stiff plate, for bodies that bend.</summary>
+    private const double SkinFriction = 0.02;
+
+    /// <summary>Volume over that of the box around the body's round section: a spindle's.</summary>
+    private const double Spindle = 0.47;
+
+    /// <summary>Fastest turn on the spot, radians for each beat at cruise, and on the way, radians for each body length.</summary>
+    private const double StandingTurn = 1.5;
+    private const double TurnPerLength = 2.5;
 
     private readonly SwimFin[] fins;
     private readonly SwimLeg[] legs;
@@ -54,6 +72,7 @@ internal sealed class SwimProfile
         }
 
         CruiseSpeed = (float)(frequency * TailBeat / Kinematics.Strouhal);
+        Momentum = MomentumOf(creature.Mass.Volume);
     }
 
     /// <summary>What drives it.</summary>
@@ -70,6 +89,9 @@ internal sealed class SwimProfile
 
     /// <summary>From side to side of the tail's tip (of a flipper's, for swimmers that row) at cruise, metres.</summary>
     public float TailBeat { get; }
+
+    /// <summary>What bounds how it gets faster and slower.</summary>
+    internal MomentumLimits Momentum { get; }
 
     internal Skeleton Skeleton { get; }
 
@@ -100,6 +122,9 @@ internal sealed class SwimProfile
         AxialChain chain = AxialChain.Of(creature);
         return new SwimProfile(creature, chain, StyleOf(creature, chain));
     }
+
+    /// <summary>Fastest turn at a speed, rad/s: about its own middle by its fins, and the tighter the faster the arc that its body bends to.</summary>
+    internal double FastestTurn(double speed) => (StandingTurn * CruiseFrequency) + (TurnPerLength * Math.Abs(speed) / BodyLength);
 
     /// <summary>A level fluke beats up and down; two and more pairs of flippers without a fin on back or tail row; a body of many bones, or one without limbs, undulates as a whole; all others beat their tails.</summary>
     private static SwimStyle StyleOf(Creature creature, AxialChain chain)
@@ -197,6 +222,19 @@ internal sealed class SwimProfile
         }
 
         return max;
+    }
+
+    /// <summary>
+    /// Thrust is what a beat gives a body of that tempo and cruise. Drag is that of a spindle of its length and volume: ½·C·S/V with C = 0.02·(1 + 1.5 r^1.5 + 7 r³), r its thickness over its length
+    /// (Hoerner 1965), S = ¾πdL its skin and V = 0.47 d²L: thick bodies glide far.
+    /// </summary>
+    private MomentumLimits MomentumOf(double volume)
+    {
+        double thickness = Math.Sqrt(Math.Max(volume, 1e-12) / (Spindle * BodyLength));
+        double ratio = Math.Min(thickness / BodyLength, 1);
+        double friction = SkinFriction * (1 + (1.5 * ratio * Math.Sqrt(ratio)) + (7 * ratio * ratio * ratio));
+        double thrust = PushOff * CruiseSpeed * CruiseFrequency;
+        return new MomentumLimits(thrust, BrakingFraction * thrust, 0.5 * friction * 0.75 * PortableMath.Pi / (Spindle * thickness), thrust * CruiseFrequency / PushRise);
     }
 
     private void Fitting(Creature creature, out SwimFin[] paired, out MedianFin[] median)

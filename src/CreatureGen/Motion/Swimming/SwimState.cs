@@ -1,4 +1,5 @@
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 
 namespace CreatureGen.Motion.Swimming;
 
@@ -8,7 +9,9 @@ internal struct SwimState
     internal double Phase;
     internal CriticallyDampedSpring Frequency;
     internal CriticallyDampedSpring Amplitude;
-    internal CriticallyDampedSpring Speed;
+    internal Momentum Ahead;
+    internal Momentum Rise;
+    internal CriticallyDampedSpring Turn;
     internal CriticallyDampedSpring Bend;
     internal CriticallyDampedSpring Climb;
     internal CriticallyDampedSpring Brake;
@@ -24,6 +27,9 @@ internal struct SwimState
 
     /// <summary>Width of the beat at present, 1 at cruise.</summary>
     public readonly float BeatAmplitude => (float)Amplitude.Value;
+
+    /// <summary>Metres of the model per second ahead at present, without what a C-start adds; negative backs up.</summary>
+    public readonly float Speed => (float)Ahead.Speed;
 
     /// <summary>Whether a C-start is under way, as its progress: 0 none, then rising to 1 at its end.</summary>
     public readonly float EscapeProgress => EscapeSide == 0 ? 0f : (float)System.Math.Min(EscapeAge / EscapeCurve.Duration, 1);

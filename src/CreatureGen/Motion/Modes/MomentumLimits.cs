@@ -1,0 +1,12 @@
+namespace CreatureGen.Motion.Modes;
+
+/// <summary>What bounds how a body gains and loses speed.</summary>
+/// <param name="Thrust">Greatest acceleration from rest, m/s²; drag leaves the less of it the faster it goes.</param>
+/// <param name="Braking">Deceleration by brakes, on top of drag, m/s²; 0 glides out.</param>
+/// <param name="Drag">Deceleration by drag for each square of the speed, 1/m: a body that only glides loses half of its speed on 0.69 / Drag metres.</param>
+/// <param name="Jerk">Greatest change of the acceleration, m/s³, above 0.</param>
+internal readonly record struct MomentumLimits(double Thrust, double Braking, double Drag, double Jerk)
+{
+    /// <summary>The same in a world where lengths are other ones and time runs alike: all but the drag grow with them.</summary>
+    public MomentumLimits Scaled(double factor) => new(Thrust * factor, Braking * factor, Drag / factor, Jerk * factor);
+}
