@@ -124,18 +124,12 @@ internal static class Application
         {
             surroundings.Out.Flush();
         }
-        catch (IOException)
+        catch (Exception problem) when (problem is IOException or WriteFailure)
         {
             // What went wrong before is told below; a closed output can be told nothing.
         }
 
-        Ink ink = Ink.For(surroundings, surroundings.ErrorIsTerminal);
-        surroundings.Error.WriteLine(ink.Bad(Name + ":") + " " + lines[0]);
-        foreach (string line in lines.Skip(1))
-        {
-            surroundings.Error.WriteLine("  " + line);
-        }
-
+        Complaint.Tell(surroundings, lines);
         return code;
     }
 }

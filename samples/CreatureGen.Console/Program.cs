@@ -3,6 +3,7 @@ using System.IO;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading;
+using CreatureGen.Console.Files;
 
 namespace CreatureGen.Console;
 
@@ -13,11 +14,14 @@ internal static class Program
         using var stop = new CancellationTokenSource();
         using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
         using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
-        var output = new StreamWriter(System.Console.OpenStandardOutput(), new UTF8Encoding(false), 1 << 14);
-        var error = new StreamWriter(System.Console.OpenStandardError(), new UTF8Encoding(false)) { AutoFlush = true };
+        Stream data = StandardStreams.Output();
+        var output = new StreamWriter(data, new UTF8Encoding(false), 1 << 14);
+        var error = new StreamWriter(StandardStreams.Error(), new UTF8Encoding(false)) { AutoFlush = true };
         bool plain = !string.IsNullOrEmpty(Environment.GetEnvironmentVariable("NO_COLOR")) || Environment.GetEnvironmentVariable("TERM") == "dumb";
         return Application.Run(arguments, new Surroundings(output, error)
         {
+            Data = data,
+            Input = StandardStreams.Input,
             OutIsTerminal = !System.Console.IsOutputRedirected,
             ErrorIsTerminal = !System.Console.IsErrorRedirected,
             AllowsColour = !plain,

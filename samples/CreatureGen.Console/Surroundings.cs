@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Threading;
+using CreatureGen.Console.Files;
 
 namespace CreatureGen.Console;
 
@@ -9,6 +10,18 @@ namespace CreatureGen.Console;
 /// <param name="Error">Takes complaints and progress.</param>
 internal sealed record Surroundings(TextWriter Out, TextWriter Error)
 {
+    /// <summary>What a path is called that means the standard input or output.</summary>
+    public const string Standard = "-";
+
+    /// <summary>Takes files that go to the standard output.</summary>
+    public Stream Data { get; init; } = Stream.Null;
+
+    /// <summary>Opens the standard input.</summary>
+    public Func<Stream> Input { get; init; } = () => Stream.Null;
+
+    /// <summary>Where files are written.</summary>
+    public IDisk Disk { get; init; } = new LocalDisk();
+
     /// <summary>Where relative paths start.</summary>
     public string Folder { get; init; } = Directory.GetCurrentDirectory();
 
@@ -27,6 +40,9 @@ internal sealed record Surroundings(TextWriter Out, TextWriter Error)
     /// <summary>What creatures are checked with.</summary>
     public CreatureChecks Checks { get; init; } = CreatureChecks.OfLibrary;
 
-    /// <summary>The absolute form of a path that somebody typed.</summary>
-    public string Locate(string path) => Path.GetFullPath(path, Folder);
+    /// <summary>The absolute form of a path that somebody typed; the standard input or output stays what it is.</summary>
+    public string Locate(string path) => path == Standard ? path : Path.GetFullPath(path, Folder);
+
+    /// <summary>Where to tell of a file that was written to a path: not among the data.</summary>
+    public TextWriter Telling(string path) => path == Standard ? Error : Out;
 }

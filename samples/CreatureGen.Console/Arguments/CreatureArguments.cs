@@ -40,7 +40,7 @@ internal static class CreatureArguments
     /// <exception cref="UsageError">They cannot be read, or contradict one another.</exception>
     public static CreatureOptions Read(ParsedArguments arguments, Surroundings surroundings)
     {
-        CreatureOptions options = arguments.Value(File.Name) is string path ? ReadFile(surroundings.Locate(path)) : CreatureOptions.Default;
+        CreatureOptions options = arguments.Value(File.Name) is string path ? ReadFile(surroundings.Locate(path), surroundings) : CreatureOptions.Default;
         options = options with
         {
             Kind = arguments.Choice("--kind", kinds, options.Kind),
@@ -74,10 +74,10 @@ internal static class CreatureArguments
         return options;
     }
 
-    private static CreatureOptions ReadFile(string path)
+    private static CreatureOptions ReadFile(string path, Surroundings surroundings)
     {
         OptionsReading reading;
-        using (Stream stream = SourceFile.Open(path, "options as JSON"))
+        using (Stream stream = SourceFile.Open(path, "options as JSON", surroundings))
         {
             reading = OptionsJson.Read(stream);
         }

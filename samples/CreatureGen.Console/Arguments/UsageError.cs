@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace CreatureGen.Console.Arguments;
 
 /// <summary>Arguments or input that cannot be used.</summary>
-internal sealed class UsageError : Exception
+internal class UsageError : Exception
 {
     /// <summary>One line: what was wrong, where, what was expected.</summary>
     public UsageError(string message)

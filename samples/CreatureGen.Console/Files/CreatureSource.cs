@@ -31,14 +31,21 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
 {
     private const string Expectation = "a blueprint (.json) or a creature (.glb) written by creaturegen";
 
+    /// <summary>What was read, if it cannot be read again.</summary>
+    private byte[]? Content { get; init; }
+
     /// <summary>Reads a file, whatever its name, by what it begins with.</summary>
+    /// <param name="operand">What somebody typed: a path, or <c>-</c> for the standard input.</param>
+    /// <param name="surroundings">Where paths start, and the standard input.</param>
     /// <exception cref="UsageError">It cannot be read; the message tells all that is wrong with it.</exception>
-    public static CreatureSource Read(string path)
+    public static CreatureSource Read(string operand, Surroundings surroundings)
     {
+        string path = surroundings.Locate(operand);
         try
         {
-            using FileStream stream = SourceFile.Open(path, Expectation);
-            return IsGlb(stream) || path.EndsWith(".glb", StringComparison.OrdinalIgnoreCase) ? ReadGlb(path, stream) : ReadBlueprint(path, stream);
+            using Stream stream = SourceFile.Open(path, Expectation, surroundings);
+            CreatureSource source = IsGlb(stream) || path.EndsWith(".glb", StringComparison.OrdinalIgnoreCase) ? ReadGlb(path, stream) : ReadBlueprint(path, stream);
+            return stream is MemoryStream memory ? source with { Content = memory.ToArray() } : source;
         }
         catch (Exception problem) when (Reason.IsOfFiles(problem))
         {
@@ -50,10 +57,10 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
     public bool IsWhatWouldBeWritten(Creature creature)
     {
         byte[] expected = CreatureFiles.Glb(creature, Export, Clips);
-        return expected.Length == Bytes && File.ReadAllBytes(Path).AsSpan().SequenceEqual(expected);
+        return expected.Length == Bytes && (Content ?? File.ReadAllBytes(Path)).AsSpan().SequenceEqual(expected);
     }
 
-    private static bool IsGlb(FileStream stream)
+    private static bool IsGlb(Stream stream)
     {
         Span<byte> start = stackalloc byte[4];
         int read = stream.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
@@ -61,7 +68,7 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
         return start[..read].SequenceEqual("glTF"u8);
     }
 
-    private static CreatureSource ReadGlb(string path, FileStream stream)
+    private static CreatureSource ReadGlb(string path, Stream stream)
     {
         CreatureBlueprint blueprint = Require(path, "creature", GlbReader.ReadBlueprint(stream));
         stream.Position = 0;
@@ -69,7 +76,7 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
         return new CreatureSource(path, SourceForm.Glb, stream.Length, blueprint, export, clips);
     }
 
-    private static CreatureSource ReadBlueprint(string path, FileStream stream) =>
+    private static CreatureSource ReadBlueprint(string path, Stream stream) =>
         new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream)), GltfOptions.Default, ClipChoice.None);
 
     private static CreatureBlueprint Require(string path, string what, BlueprintReading reading) =>

@@ -1,33 +1,34 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Threading;
 
 namespace CreatureGen.Console.Files;
 
 /// <summary>
-/// Files that appear whole or not at all: each is written under another name in the folder where it will be, and all get their names when all are written.
-/// What was not given its name goes when the set is disposed of.
+/// Files that appear whole or not at all: each is written under another name in the folder where it will be, and all get their names when all are written and on the disk.
+/// What was not given its name goes when the set is disposed of. The path <c>-</c> is the standard output, which gets everything at the end too.
 /// </summary>
-internal sealed class FileSet : IDisposable
+internal sealed class FileSet(Surroundings surroundings) : IDisposable
 {
     // Where Unix keeps devices. Some can seek, so that they look like files, and none must be replaced by one.
     private const string Devices = "/dev/";
 
-    private readonly List<(string Temporary, string Target, string Path)> staged = [];
+    private readonly IDisk disk = surroundings.Disk;
+    private readonly List<Staged> staged = [];
 
     /// <summary>Writes one file, whole.</summary>
     /// <exception cref="WriteFailure">It cannot be written.</exception>
-    public static void Write(string path, Action<Stream> content, CancellationToken cancellation)
+    /// <exception cref="OperationCanceledException">The work was stopped; nothing has changed.</exception>
+    public static void Write(string path, Action<Stream> content, Surroundings surroundings)
     {
-        using var files = new FileSet();
+        using var files = new FileSet(surroundings);
         files.Stage(path, content);
-        files.Commit(cancellation);
+        files.Commit();
     }
 
-    /// <summary>Makes a folder and those that it is in.</summary>
+    /// <summary>Makes a folder and those that it is in, and removes from it what killed runs left unfinished.</summary>
     /// <exception cref="WriteFailure">It cannot be made.</exception>
-    public static void MakeFolder(string path)
+    public static void MakeFolder(string path, Surroundings surroundings)
     {
         try
         {
@@ -36,34 +37,53 @@ internal sealed class FileSet : IDisposable
                 throw WriteFailure.At(path, "there is a file of that name; expected a folder");
             }
 
-            Directory.CreateDirectory(path);
+            surroundings.Disk.MakeFolder(path);
         }
         catch (Exception problem) when (Reason.IsOfFiles(problem))
         {
             throw new WriteFailure($"cannot make the folder '{path}': {Reason.Of(problem)}", problem);
         }
+
+        TemporaryFile.RemoveStale(path, surroundings.Disk);
     }
 
-    /// <summary>Throws if a file could not be written to a place, as far as can be told before work begins.</summary>
+    /// <summary>Throws if a file could not be written to a place, as far as can be told before work begins. Removes from its folder what killed runs left unfinished.</summary>
     /// <exception cref="WriteFailure">It could not.</exception>
-    public static void RequireWritable(string path)
+    public static void RequireWritable(string path, Surroundings surroundings)
     {
-        using var files = new FileSet();
+        using var files = new FileSet(surroundings);
         files.Stage(path, _ => { });
+        if (path != Surroundings.Standard)
+        {
+            TemporaryFile.RemoveStale(Path.GetDirectoryName(path)!, surroundings.Disk);
+        }
     }
 
     /// <summary>Writes a file under another name.</summary>
     /// <exception cref="WriteFailure">It cannot be written.</exception>
     public void Stage(string path, Action<Stream> content)
     {
+        if (path == Surroundings.Standard)
+        {
+            var data = new MemoryStream();
+            content(data);
+            staged.Add(new Staged("", path, path, data));
+            return;
+        }
+
         try
         {
             string target = Target(path);
             string folder = Path.GetDirectoryName(target) ?? throw WriteFailure.At(path, "it is the root of a disk; expected a file");
-            string temporary = Path.Combine(folder, $".creaturegen-{Guid.NewGuid():N}.tmp");
-            using var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None);
-            staged.Add((temporary, target, path));
+            string temporary = TemporaryFile.In(folder);
+            staged.Add(new Staged(temporary, target, path, null));
+            using Stream stream = disk.Create(temporary);
             content(stream);
+            disk.Keep(stream);
+            if (File.Exists(target))
+            {
+                disk.CopyPermissions(target, temporary);
+            }
         }
         catch (FileNotFoundException problem)
         {
@@ -78,19 +98,27 @@ internal sealed class FileSet : IDisposable
     /// <summary>Gives all files their names; those that had them before are replaced.</summary>
     /// <exception cref="WriteFailure">One cannot be put in its place.</exception>
     /// <exception cref="OperationCanceledException">The work was stopped; nothing has changed.</exception>
-    public void Commit(CancellationToken cancellation)
+    public void Commit()
     {
-        cancellation.ThrowIfCancellationRequested();
+        surroundings.Cancellation.ThrowIfCancellationRequested();
         while (staged.Count > 0)
         {
-            (string temporary, string target, string path) = staged[0];
+            Staged file = staged[0];
             try
             {
-                File.Move(temporary, target, overwrite: true);
+                if (file.Data != null)
+                {
+                    file.Data.WriteTo(surroundings.Data);
+                    surroundings.Data.Flush();
+                }
+                else
+                {
+                    disk.Rename(file.Temporary, file.Target);
+                }
             }
             catch (Exception problem) when (Reason.IsOfFiles(problem))
             {
-                throw WriteFailure.At(path, Reason.Of(problem), problem);
+                throw WriteFailure.At(file.Path, Reason.Of(problem), problem);
             }
 
             staged.RemoveAt(0);
@@ -100,15 +128,18 @@ internal sealed class FileSet : IDisposable
     /// <summary>Removes what was not given its name.</summary>
     public void Dispose()
     {
-        foreach ((string temporary, _, _) in staged)
+        foreach (Staged file in staged)
         {
             try
             {
-                File.Delete(temporary);
+                if (file.Data == null)
+                {
+                    disk.Delete(file.Temporary);
+                }
             }
             catch (Exception problem) when (Reason.IsOfFiles(problem))
             {
-                // The failure that led here says more than this one.
+                // The failure that led here says more than this one; a later run removes the file.
             }
         }
 
@@ -142,4 +173,11 @@ internal sealed class FileSet : IDisposable
         using var stream = new FileStream(target, FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete);
         return stream.CanSeek && !target.StartsWith(Devices, StringComparison.Ordinal) ? target : throw WriteFailure.At(path, "it is a device; expected a file");
     }
+
+    /// <summary>A file that waits for its name.</summary>
+    /// <param name="Temporary">The name that it has.</param>
+    /// <param name="Target">The name that it will have.</param>
+    /// <param name="Path">What somebody typed.</param>
+    /// <param name="Data">What goes to the standard output instead.</param>
+    private sealed record Staged(string Temporary, string Target, string Path, MemoryStream? Data);
 }

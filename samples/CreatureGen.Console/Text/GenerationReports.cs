@@ -1,6 +1,8 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
+using System.Linq;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Working;
 
@@ -9,8 +11,8 @@ namespace CreatureGen.Console.Text;
 /// <summary>Tells of creatures as they come.</summary>
 internal interface IGenerationReport : IDisposable
 {
-    /// <summary>The next creature.</summary>
-    void Add(GeneratedCreature creature);
+    /// <summary>The next creature, or that there is none.</summary>
+    void Add(GenerationResult result);
 
     /// <summary>That was all. Not called when the work failed.</summary>
     void End();
@@ -20,7 +22,11 @@ internal interface IGenerationReport : IDisposable
 internal sealed class GenerationSummary(TextWriter output) : IGenerationReport
 {
     /// <inheritdoc/>
-    public void Add(GeneratedCreature creature) => CreatureText.Write(output, creature.Facts, creature.Files, creature.Times);
+    public void Add(GenerationResult result)
+    {
+        var creature = (GeneratedCreature)result;
+        CreatureText.Write(output, creature.Facts, creature.Files, creature.Times);
+    }
 
     /// <inheritdoc/>
     public void End()
@@ -33,29 +39,39 @@ internal sealed class GenerationSummary(TextWriter output) : IGenerationReport
     }
 }
 
-/// <summary>A line for each creature.</summary>
-/// <param name="output">Takes the lines.</param>
-/// <param name="live">Whether somebody watches them come.</param>
-internal sealed class GenerationList(TextWriter output, bool live) : IGenerationReport
+/// <summary>A line for each creature, and a complaint for each that is missing.</summary>
+internal sealed class GenerationList(Surroundings surroundings) : IGenerationReport
 {
     private readonly long start = Stopwatch.GetTimestamp();
     private long count;
+    private long missing;
 
     /// <inheritdoc/>
-    public void Add(GeneratedCreature creature)
+    public void Add(GenerationResult result)
     {
+        if (result is not GeneratedCreature creature)
+        {
+            Complaint.Tell(surroundings, ((MissingCreature)result).Reason);
+            missing++;
+            return;
+        }
+
         CreatureFacts facts = creature.Facts;
         string name = "creature-" + facts.Specimen.Name;
-        output.WriteLine($"{name,-16} {CreatureText.Kind(facts),-8} {CreatureText.Plan(facts),-12} {Units.Count(facts.Joints),3} joints {Units.Count(facts.Triangles),7} triangles {Units.Kilograms(facts.Mass),9}  {CreatureText.Body(facts)}");
+        surroundings.Out.WriteLine($"{name,-16} {CreatureText.Kind(facts),-8} {CreatureText.Plan(facts),-12} {Units.Count(facts.Joints),3} joints {Units.Count(facts.Triangles),7} triangles {Units.Kilograms(facts.Mass),9}  {CreatureText.Body(facts)}");
         count++;
-        if (live)
+        if (surroundings.OutIsTerminal)
         {
-            output.Flush();
+            surroundings.Out.Flush();
         }
     }
 
     /// <inheritdoc/>
-    public void End() => output.WriteLine($"{Units.Count(count)} creatures in {Units.Milliseconds(Stopwatch.GetElapsedTime(start).TotalMilliseconds)}");
+    public void End()
+    {
+        string without = missing == 0 ? "" : $", {Units.Count(missing)} missing";
+        surroundings.Out.WriteLine($"{Units.Count(count)} creatures in {Units.Milliseconds(Stopwatch.GetElapsedTime(start).TotalMilliseconds)}{without}");
+    }
 
     /// <inheritdoc/>
     public void Dispose()
@@ -63,10 +79,11 @@ internal sealed class GenerationList(TextWriter output, bool live) : IGeneration
     }
 }
 
-/// <summary>One JSON object with a line for each creature. It is closed even when the work fails, so that what was done can be read.</summary>
+/// <summary>One JSON object with a line for each creature and, if some are missing, one for each of those. It is closed even when the work fails, so that what was done can be read.</summary>
 internal sealed class GenerationJson : IGenerationReport
 {
     private readonly TextWriter output;
+    private readonly List<MissingCreature> missing = [];
     private bool any;
 
     /// <summary>Begins the object.</summary>
@@ -77,8 +94,14 @@ internal sealed class GenerationJson : IGenerationReport
     }
 
     /// <inheritdoc/>
-    public void Add(GeneratedCreature creature)
+    public void Add(GenerationResult result)
     {
+        if (result is not GeneratedCreature creature)
+        {
+            missing.Add((MissingCreature)result);
+            return;
+        }
+
         output.Write(any ? ",\n" : "\n");
         any = true;
         output.Write(JsonText.Line(json =>
@@ -102,5 +125,22 @@ internal sealed class GenerationJson : IGenerationReport
     }
 
     /// <inheritdoc/>
-    public void Dispose() => output.Write(any ? "\n]}\n" : "]}\n");
+    public void Dispose()
+    {
+        output.Write(any ? "\n]" : "]");
+        if (missing.Count > 0)
+        {
+            output.Write(",\"missing\":[\n" + string.Join(",\n", missing.Select(Line)) + "\n]");
+        }
+
+        output.Write("}\n");
+    }
+
+    private static string Line(MissingCreature creature) => JsonText.Line(json =>
+    {
+        json.WriteStartObject();
+        json.WriteString("creature", creature.Specimen.Name);
+        json.WriteString("reason", creature.Reason);
+        json.WriteEndObject();
+    });
 }

@@ -43,6 +43,11 @@ internal sealed class AnimateVerb : IVerb
     public int Run(ParsedArguments arguments, Surroundings surroundings)
     {
         string path = surroundings.Locate(arguments.Required(CommonOptions.OutFile.Name));
+        if (path == Surroundings.Standard)
+        {
+            throw arguments.Wrong(CommonOptions.OutFile.Name, path, "a file, for the film strip is written beside it");
+        }
+
         string stripPath = Path.Combine(Path.GetDirectoryName(path) ?? "", Path.GetFileNameWithoutExtension(path) + "-strip" + Path.GetExtension(path));
         ulong seed = SeedOptions.ReadOne(arguments);
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
@@ -60,11 +65,11 @@ internal sealed class AnimateVerb : IVerb
         };
         var profile = new MotionProfile(CreatureAssembler.Assemble(Growing.Sample(seed, options)));
         Movement movement = MovementArguments.Read(arguments, profile);
-        FileSet.RequireWritable(path);
-        FileSet.RequireWritable(stripPath);
+        FileSet.RequireWritable(path, surroundings);
+        FileSet.RequireWritable(stripPath, surroundings);
         surroundings.Cancellation.ThrowIfCancellationRequested();
         var film = new Film(profile, movement, filmOptions);
-        using var files = new FileSet();
+        using var files = new FileSet(surroundings);
         long bytes = 0;
         using (var progress = new ProgressLine(surroundings, "frames", (UInt128)film.FrameCount, ProgressKind.Shown))
         {
@@ -83,7 +88,7 @@ internal sealed class AnimateVerb : IVerb
         Picture strip = film.Strip(surroundings.Cancellation);
         byte[] png = PngWriter.ToBytes(strip);
         files.Stage(stripPath, stream => stream.Write(png));
-        files.Commit(surroundings.Cancellation);
+        files.Commit();
         string pace = film.Slowness > 1.05f ? FormattableString.Invariant($", {film.Slowness:0.0} times slower than life") : "";
         surroundings.Out.WriteLine(FormattableString.Invariant(
             $"{path}: {SeedText.Of(seed)} {movement.GaitName} at {film.Speed:0.00} m/s, cycle of {film.CycleSeconds:0.00} s, {film.FrameCount} frames{pace}, {width} x {filmOptions.Height} pixels, {Units.Bytes(bytes)}"));

@@ -16,6 +16,7 @@ namespace CreatureGen.Console.Verbs;
 internal sealed class GenerateVerb : IVerb
 {
     private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing (default: the current one)");
+    private static readonly OptionSyntax failFast = new("--fail-fast", null, "end at the first seed that gives no creature (default: tell, go on, and exit with 1)");
     private static readonly OptionSyntax noPicture = new("--no-picture", null, "write no PNG");
 
     /// <inheritdoc/>
@@ -32,7 +33,7 @@ internal sealed class GenerateVerb : IVerb
             new("generate --seed 101 --individuals 1-12 --out herd", "twelve individuals of one species, young and old"),
             new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, noPicture, CommonOptions.Threads, CommonOptions.Json]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, noPicture, failFast, CommonOptions.Threads, CommonOptions.Json]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -49,20 +50,40 @@ internal sealed class GenerateVerb : IVerb
             ExportOptions.ReadClips(arguments, ClipChoice.None),
             arguments.Has(noPicture.Name) ? PictureChoice.None : PictureChoice.Portrait,
             one ? threads : 1);
-        FileSet.MakeFolder(task.Folder);
+        FileSet.MakeFolder(task.Folder, surroundings);
 
         // On a terminal the report itself shows how far the work is.
         using var progress = new ProgressLine(surroundings, "creatures", specimens.Count, surroundings.OutIsTerminal ? ProgressKind.Hidden : ProgressKind.Shown);
         using IGenerationReport report = arguments.Has(CommonOptions.Json.Name) ? new GenerationJson(surroundings.Out)
-            : one ? new GenerationSummary(surroundings.Out) : new GenerationList(surroundings.Out, surroundings.OutIsTerminal);
-        OrderedWork<Specimen, GeneratedCreature>.Run(specimens, one ? 1 : threads, specimen => Generate(specimen, task, surroundings), creature =>
+            : one ? new GenerationSummary(surroundings.Out) : new GenerationList(surroundings);
+        bool goesOn = !one && !arguments.Has(failFast.Name);
+        int missing = 0;
+        OrderedWork<Specimen, GenerationResult>.Run(specimens, one ? 1 : threads, specimen => goesOn ? Try(specimen, task, surroundings) : Generate(specimen, task, surroundings), result =>
         {
-            report.Add(creature);
+            missing += result is MissingCreature ? 1 : 0;
+            report.Add(result);
             progress.Step();
         }, surroundings.Cancellation);
         progress.Dispose();
         report.End();
-        return ExitCode.Done;
+        return missing == 0 ? ExitCode.Done : ExitCode.CheckFailed;
+    }
+
+    private static GenerationResult Try(Specimen specimen, Task task, Surroundings surroundings)
+    {
+        try
+        {
+            return Generate(specimen, task, surroundings);
+        }
+        catch (ImpossibleSeed problem)
+        {
+            return new MissingCreature(specimen, problem.Message);
+        }
+        catch (InvalidOperationException defect)
+        {
+            // The library refuses to finish or to write a creature that is not whole.
+            return new MissingCreature(specimen, "a defect of CreatureGen: " + defect.Message);
+        }
     }
 
     private static GeneratedCreature Generate(Specimen specimen, Task task, Surroundings surroundings)
@@ -81,7 +102,7 @@ internal sealed class GenerateVerb : IVerb
         }
 
         contents.Add(("json", CreatureFiles.Json(blueprint)));
-        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(task.Folder, specimen, contents, surroundings.Cancellation);
+        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(task.Folder, specimen, contents, surroundings);
         times.Finished("files");
         return new GeneratedCreature(CreatureFacts.Of(creature, specimen), files, times);
     }

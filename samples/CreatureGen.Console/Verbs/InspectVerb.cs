@@ -23,7 +23,7 @@ internal sealed class InspectVerb : IVerb
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
     {
-        CreatureSource source = CreatureSource.Read(surroundings.Locate(arguments.Operand));
+        CreatureSource source = CreatureSource.Read(arguments.Operand, surroundings);
         Creature creature = CreatureAssembler.Assemble(source.Blueprint);
         CheckResult result = CheckResult.Of(creature, surroundings.Checks);
         FileState state = source.Form != SourceForm.Glb ? FileState.Blueprint : source.IsWhatWouldBeWritten(creature) ? FileState.AsWritten : FileState.Altered;

@@ -60,7 +60,7 @@ internal sealed class SheetVerb : IVerb
             LabelSize = width >= 2 * DefaultSize ? LabelSize.Medium : LabelSize.Small,
         };
         RequireRoom(arguments, specimens.Count, layout);
-        FileSet.RequireWritable(path);
+        FileSet.RequireWritable(path, surroundings);
         bool alone = specimens.Count == 1;
         var style = new Style(
             CommonOptions.ReadView(arguments),
@@ -71,8 +71,8 @@ internal sealed class SheetVerb : IVerb
         Picture sheet = ContactSheet.Render(cells, layout, surroundings.Cancellation);
         byte[] png = PngWriter.ToBytes(sheet);
         progress.Dispose();
-        FileSet.Write(path, stream => stream.Write(png), surroundings.Cancellation);
-        surroundings.Out.WriteLine(FormattableString.Invariant($"{path}: {cells.Length} {(alone ? "creature" : "creatures")}, {sheet.Width} x {sheet.Height} pixels, {Units.Bytes(png.Length)}"));
+        FileSet.Write(path, stream => stream.Write(png), surroundings);
+        surroundings.Telling(path).WriteLine(FormattableString.Invariant($"{path}: {cells.Length} {(alone ? "creature" : "creatures")}, {sheet.Width} x {sheet.Height} pixels, {Units.Bytes(png.Length)}"));
         return ExitCode.Done;
     }
 

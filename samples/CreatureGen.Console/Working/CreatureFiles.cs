@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using System.Threading;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Files;
@@ -65,10 +64,10 @@ internal static class CreatureFiles
 
     /// <summary>Puts files of a creature into a folder, all or none.</summary>
     /// <exception cref="WriteFailure">One cannot be written.</exception>
-    public static IReadOnlyList<CreatureFile> Write(string folder, Specimen specimen, IEnumerable<(string Form, byte[] Content)> contents, CancellationToken cancellation)
+    public static IReadOnlyList<CreatureFile> Write(string folder, Specimen specimen, IEnumerable<(string Form, byte[] Content)> contents, Surroundings surroundings)
     {
         var files = new List<CreatureFile>();
-        using var set = new FileSet();
+        using var set = new FileSet(surroundings);
         foreach ((string form, byte[] content) in contents)
         {
             string path = Path.Combine(folder, $"creature-{specimen.Name}.{form}");
@@ -76,7 +75,7 @@ internal static class CreatureFiles
             files.Add(new CreatureFile(form, path, content.Length));
         }
 
-        set.Commit(cancellation);
+        set.Commit();
         return files;
     }
 }

@@ -9,16 +9,22 @@ namespace CreatureGen.Console.Working;
 internal static class Growing
 {
     /// <summary>The blueprint of a seed within options.</summary>
+    /// <exception cref="ImpossibleSeed">This seed's creature cannot meet the options.</exception>
     /// <exception cref="UsageError">No creature meets the options.</exception>
     public static CreatureBlueprint Sample(ulong seed, CreatureOptions options) => Sample(seed, options, out _);
 
     /// <summary>The same, and how the sockets of its limbs were given out.</summary>
+    /// <exception cref="ImpossibleSeed">This seed's creature cannot meet the options.</exception>
     /// <exception cref="UsageError">No creature meets the options.</exception>
     public static CreatureBlueprint Sample(ulong seed, CreatureOptions options, out SocketTally sockets)
     {
         try
         {
             return BlueprintSampler.Sample(seed, options, out sockets);
+        }
+        catch (ImpossibleSeedException problem)
+        {
+            throw new ImpossibleSeed(WithoutParameter(problem));
         }
         catch (ArgumentException problem)
         {

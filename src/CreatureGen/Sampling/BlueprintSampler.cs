@@ -31,6 +31,7 @@ public static class BlueprintSampler
 
     /// <summary>The blueprint of a seed within options. Options that the seed's own creature meets do not change it.</summary>
     /// <exception cref="ArgumentException">The options are not valid, or no creature meets them; the message says why.</exception>
+    /// <exception cref="ImpossibleSeedException">This seed gave no creature that meets the options; another may.</exception>
     public static CreatureBlueprint Sample(ulong seed, CreatureOptions options) => Sample(seed, options, out _);
 
     /// <summary>The same, and how the sockets of its limbs were given out.</summary>
@@ -50,7 +51,7 @@ public static class BlueprintSampler
             }
         }
 
-        throw new ArgumentException(
+        throw new ImpossibleSeedException(
             FormattableString.Invariant($"seed {seed} gave no creature with {options.MinLegPairs} to {options.MaxLegPairs} pairs of limbs in {Attempts} attempts; expected options that leave more choice"),
             nameof(options));
     }

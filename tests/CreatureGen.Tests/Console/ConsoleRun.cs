@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text.Json;
 using System.Threading;
 using CreatureGen.Console;
+using CreatureGen.Console.Files;
 using Xunit;
 
 namespace CreatureGen.Tests.Console;
@@ -18,6 +19,14 @@ internal sealed class ConsoleRun : IDisposable
 
     public string Error { get; private set; } = "";
 
+    /// <summary>The files that went to the standard output.</summary>
+    public byte[] Data { get; private set; } = [];
+
+    /// <summary>What the standard input gives.</summary>
+    public byte[] Input { get; init; } = [];
+
+    public IDisk Disk { get; set; } = new LocalDisk();
+
     public CreatureChecks Checks { get; init; } = CreatureChecks.OfLibrary;
 
     /// <summary>Names of the files in the folder, sorted.</summary>
@@ -29,11 +38,16 @@ internal sealed class ConsoleRun : IDisposable
     {
         var output = new StringWriter();
         var error = new StringWriter();
-        int code = Application.Run(arguments, new Surroundings(output, error) { Folder = Folder, Checks = Checks, Cancellation = cancellation });
+        var data = new MemoryStream();
+        int code = Application.Run(arguments, Surroundings() with { Out = output, Error = error, Data = data, Cancellation = cancellation });
+        Data = data.ToArray();
         Out = output.ToString();
         Error = error.ToString();
         return code;
     }
+
+    /// <summary>The world as the program sees it here.</summary>
+    public Surroundings Surroundings() => new(TextWriter.Null, TextWriter.Null) { Folder = Folder, Checks = Checks, Disk = Disk, Input = () => new MemoryStream(Input) };
 
     /// <summary>Runs what must be refused, and says in which single line it was.</summary>
     public string Refusal(int code, params string[] arguments)

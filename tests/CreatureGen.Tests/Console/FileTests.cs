@@ -10,14 +10,12 @@ namespace CreatureGen.Tests.Console;
 
 public sealed class FileTests
 {
-    private static CancellationToken Never => CancellationToken.None;
-
     [Fact]
     public void A_file_that_is_there_is_replaced_whole()
     {
         using var run = new ConsoleRun();
         File.WriteAllText(run.At("a"), "old and longer");
-        FileSet.Write(run.At("a"), stream => stream.Write("new"u8), Never);
+        FileSet.Write(run.At("a"), stream => stream.Write("new"u8), run.Surroundings());
         Assert.Equal("new", File.ReadAllText(run.At("a")));
         Assert.Equal(["a"], run.Files);
     }
@@ -31,7 +29,7 @@ public sealed class FileTests
         {
             stream.Write("half"u8);
             throw new IOException("no space", 28);
-        }, Never));
+        }, run.Surroundings()));
         Assert.Equal($"cannot write '{run.At("a")}': the disk is full", failure.Message);
         Assert.Equal("old", File.ReadAllText(run.At("a")));
         Assert.Equal(["a"], run.Files);
@@ -42,7 +40,7 @@ public sealed class FileTests
     {
         using var run = new ConsoleRun();
         Directory.CreateDirectory(run.At("b"));
-        using (var set = new FileSet())
+        using (var set = new FileSet(run.Surroundings()))
         {
             set.Stage(run.At("a"), stream => stream.Write("a"u8));
             Assert.DoesNotContain("a", run.Files);
@@ -56,7 +54,7 @@ public sealed class FileTests
     public void Work_that_is_stopped_leaves_no_file()
     {
         using var run = new ConsoleRun();
-        Assert.Throws<OperationCanceledException>(() => FileSet.Write(run.At("a"), stream => stream.Write("a"u8), new CancellationToken(true)));
+        Assert.Throws<OperationCanceledException>(() => FileSet.Write(run.At("a"), stream => stream.Write("a"u8), run.Surroundings() with { Cancellation = new CancellationToken(true) }));
         Assert.Empty(run.Files);
     }
 
@@ -103,7 +101,7 @@ public sealed class FileTests
         using var run = new ConsoleRun();
         File.WriteAllText(run.At("real"), "old");
         File.CreateSymbolicLink(run.At("link"), run.At("real"));
-        FileSet.Write(run.At("link"), stream => stream.Write("new"u8), Never);
+        FileSet.Write(run.At("link"), stream => stream.Write("new"u8), run.Surroundings());
         Assert.Equal("new", File.ReadAllText(run.At("real")));
         Assert.NotNull(new FileInfo(run.At("link")).LinkTarget);
         Assert.Equal(2, run.Files.Length);
