@@ -11,11 +11,11 @@ public readonly struct GazeSettings
     /// <param name="maxYaw">Radians to either side, 0..π.</param>
     /// <param name="maxUp">Radians above the horizontal, 0..π/2.</param>
     /// <param name="maxDown">Radians below it, 0..π/2.</param>
-    /// <param name="fadeRate">s⁻¹ at which attention comes and goes.</param>
+    /// <param name="fadeRate">s⁻¹ of the critically damped coming and going of attention: it is nearly there after 4/fadeRate.</param>
     /// <param name="backMargin">Radians to either side of straight behind in which the head stays on the side where it is, 0..π/2.</param>
     /// <param name="loseBeyond">Radians round from straight ahead beyond which a target is given up; π for never.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is outside its range or not a number.</exception>
-    public GazeSettings(float rate, float maxYaw = 1.22f, float maxUp = 0.7f, float maxDown = 0.8f, float fadeRate = 6f, float backMargin = 0.5f, float loseBeyond = 3.1416f)
+    public GazeSettings(float rate, float maxYaw = 1.22f, float maxUp = 0.7f, float maxDown = 0.8f, float fadeRate = 10f, float backMargin = 0.5f, float loseBeyond = 3.1416f)
     {
         Finite.RequireWithin(rate, 0f, 1e4f, nameof(rate));
         Finite.RequireWithin(maxYaw, 0f, 3.1416f, nameof(maxYaw));
@@ -48,7 +48,7 @@ public readonly struct GazeSettings
     /// <summary>Radians below it.</summary>
     public float MaxDown { get; }
 
-    /// <summary>s⁻¹ at which attention comes and goes.</summary>
+    /// <summary>s⁻¹ of the critically damped coming and going of attention.</summary>
     public float FadeRate { get; }
 
     /// <summary>Radians to either side of straight behind in which the head stays on its side.</summary>

@@ -12,11 +12,12 @@ namespace CreatureGen.Motion.Toolkit;
 /// <para>The direction to the target is measured in the frame of the trunk that carries the neck, as yaw and pitch, bounded, and approached by a critically damped spring; when the trunk turns below it, the head keeps its direction in model space and is brought back within its bounds by the spring. The turn from where the motion points
 /// the head to there, T = R(yaw, pitch) · R(yaw of the motion, pitch of the motion)⁻¹, adds no roll and keeps the roll of the motion. Joint i of the chain is brought to T^cᵢ times its own model rotation, cᵢ rising
 /// to 1 at the head; each stays within its <see cref="JointLimit"/>, and what one cannot take the next ones do.</para>
-/// <para>A target behind is looked at over the nearer shoulder, and over the same one while it is near straight behind. With no target the turn fades out; it comes back from where the motion is.</para>
+/// <para>A target behind is looked at over the nearer shoulder, and over the same one while it is near straight behind. With no target the turn fades out, starting and ending smoothly; it comes back from where the motion is.</para>
 /// <para>Based on: WeaverDev, "Bonehead" (2018), for damping and limits; ozz-animation's look-at sample (G. Blanc), for a turn spread over a chain.</para>
 /// </remarks>
 public static class GazeSolver
 {
+    /// <summary>Attention below which it is gone: a thousandth of a turn of the head cannot be seen.</summary>
     private const float MinAttention = 1e-3f;
     private const int MaxJoints = 64;
 
@@ -102,13 +103,14 @@ public static class GazeSolver
         }
 
         LookAngles bounded = Bounded(goal, state.Yaw, settings);
-        double left = PortableMath.Exp(-(double)settings.Rate * seconds);
-        CriticallyDampedSpring.Advance(ref state.Yaw, ref state.YawVelocity, bounded.Yaw, settings.Rate, seconds, left);
-        CriticallyDampedSpring.Advance(ref state.Pitch, ref state.PitchVelocity, bounded.Pitch, settings.Rate, seconds, left);
-        state.Attention = state.Attention == attention ? attention : Damping.Approach(state.Attention, attention, settings.FadeRate, seconds);
-        if (attention == 0f && state.Attention < MinAttention)
+        double decay = PortableMath.Exp(-(double)settings.Rate * seconds);
+        CriticallyDampedSpring.Advance(ref state.Yaw, ref state.YawVelocity, bounded.Yaw, settings.Rate, seconds, decay);
+        CriticallyDampedSpring.Advance(ref state.Pitch, ref state.PitchVelocity, bounded.Pitch, settings.Rate, seconds, decay);
+        CriticallyDampedSpring.Advance(ref state.Attention, ref state.AttentionVelocity, attention, settings.FadeRate, seconds);
+        if (attention == 0f && state.Attention < MinAttention && Math.Abs(state.AttentionVelocity) <= settings.FadeRate * MinAttention)
         {
             state.Attention = 0f;
+            state.AttentionVelocity = 0f;
         }
 
         Turn(rig, state, animated, toTrunk, motion, local, model);

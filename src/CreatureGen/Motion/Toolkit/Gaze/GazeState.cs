@@ -12,6 +12,7 @@ public struct GazeState
     internal float YawVelocity;
     internal float PitchVelocity;
     internal float Attention;
+    internal float AttentionVelocity;
     internal float EyeYaw;
     internal float EyePitch;
 
