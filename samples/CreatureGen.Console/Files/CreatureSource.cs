@@ -38,13 +38,21 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
     /// <param name="operand">What somebody typed: a path, or <c>-</c> for the standard input.</param>
     /// <param name="surroundings">Where paths start, and the standard input.</param>
     /// <exception cref="UsageError">It cannot be read; the message tells all that is wrong with it.</exception>
-    public static CreatureSource Read(string operand, Surroundings surroundings)
+    public static CreatureSource Read(string operand, Surroundings surroundings) => Read(operand, surroundings, reading => reading.Blueprint);
+
+    /// <summary>Reads a file for a repair: what can be read of its blueprint will do, whatever is wrong with it.</summary>
+    /// <param name="operand">What somebody typed: a path, or <c>-</c> for the standard input.</param>
+    /// <param name="surroundings">Where paths start, and the standard input.</param>
+    /// <exception cref="UsageError">There is nothing in it that could be repaired; the message tells all that is wrong with it.</exception>
+    public static CreatureSource ReadDraft(string operand, Surroundings surroundings) => Read(operand, surroundings, reading => reading.Draft);
+
+    private static CreatureSource Read(string operand, Surroundings surroundings, Func<BlueprintReading, CreatureBlueprint?> take)
     {
         string path = surroundings.Locate(operand);
         try
         {
             using Stream stream = SourceFile.Open(path, Expectation, surroundings);
-            CreatureSource source = IsGlb(stream) || path.EndsWith(".glb", StringComparison.OrdinalIgnoreCase) ? ReadGlb(path, stream) : ReadBlueprint(path, stream);
+            CreatureSource source = IsGlb(stream) || path.EndsWith(".glb", StringComparison.OrdinalIgnoreCase) ? ReadGlb(path, stream, take) : ReadBlueprint(path, stream, take);
             return stream is MemoryStream memory ? source with { Content = memory.ToArray() } : source;
         }
         catch (Exception problem) when (Reason.IsOfFiles(problem))
@@ -68,17 +76,17 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
         return start[..read].SequenceEqual("glTF"u8);
     }
 
-    private static CreatureSource ReadGlb(string path, Stream stream)
+    private static CreatureSource ReadGlb(string path, Stream stream, Func<BlueprintReading, CreatureBlueprint?> take)
     {
-        CreatureBlueprint blueprint = Require(path, "creature", GlbReader.ReadBlueprint(stream));
+        CreatureBlueprint blueprint = Require(path, "creature", GlbReader.ReadBlueprint(stream), take);
         stream.Position = 0;
         GltfOptions export = GlbExport.Read(stream, out ClipChoice clips);
         return new CreatureSource(path, SourceForm.Glb, stream.Length, blueprint, export, clips);
     }
 
-    private static CreatureSource ReadBlueprint(string path, Stream stream) =>
-        new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream)), GltfOptions.Default, ClipChoice.None);
+    private static CreatureSource ReadBlueprint(string path, Stream stream, Func<BlueprintReading, CreatureBlueprint?> take) =>
+        new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream), take), GltfOptions.Default, ClipChoice.None);
 
-    private static CreatureBlueprint Require(string path, string what, BlueprintReading reading) =>
-        reading.Blueprint ?? throw new UsageError($"'{path}' holds no {what} that can be built:", reading.Problems.Select(problem => problem.ToString()));
+    private static CreatureBlueprint Require(string path, string what, BlueprintReading reading, Func<BlueprintReading, CreatureBlueprint?> take) =>
+        take(reading) ?? throw new UsageError($"'{path}' holds no {what} that can be built:", reading.Problems.Select(problem => problem.ToString()));
 }

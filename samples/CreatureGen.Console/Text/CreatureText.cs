@@ -5,6 +5,7 @@ using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Working;
+using CreatureGen.Repairs;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Console.Text;
@@ -22,6 +23,15 @@ internal static class CreatureText
         for (int i = 0; i < files.Count; i++)
         {
             Row(output, i == 0 ? "files" : "", $"{files[i].Path}  ({Units.Bytes(files[i].Bytes)})");
+        }
+    }
+
+    /// <summary>Tells what a repair changed.</summary>
+    public static void WriteChanges(TextWriter output, IReadOnlyList<RepairChange> changes)
+    {
+        for (int i = 0; i < changes.Count; i++)
+        {
+            Row(output, i == 0 ? "repaired" : "", changes[i].ToString());
         }
     }
 

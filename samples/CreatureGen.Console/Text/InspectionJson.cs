@@ -26,6 +26,7 @@ internal static class InspectionJson
         WriteSkeleton(json, inspected.Creature.Skeleton.Joints);
         WriteLimbs(json, inspected.Creature.Limbs, inspected.Creature.Skeleton.Joints);
         WriteChecks(json, inspected.Checks);
+        WriteVerdict(json, inspected.Checks);
         json.WriteEndObject();
     }));
 
@@ -87,6 +88,18 @@ internal static class InspectionJson
 
             json.WriteEndArray();
             json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteVerdict(Utf8JsonWriter json, CheckResult checks)
+    {
+        json.WriteBoolean("sound", checks.Violations.Count == 0);
+        json.WriteStartArray("problems");
+        foreach (InvariantViolation violation in checks.Violations)
+        {
+            json.WriteStringValue(violation.Invariant + ": " + violation.Detail);
         }
 
         json.WriteEndArray();

@@ -53,6 +53,11 @@ public static class BlueprintJson
     {
         var problems = new ProblemList(What);
         int format = FormatOf(source, problems);
+        if (source.Kind != JsonKind.Object)
+        {
+            problems.Add(source.Position, source.Path, source.ToString(), FieldChecker.AnObject);
+        }
+
         if (problems.All.Count > 0)
         {
             return new BlueprintReading(null, problems.All);

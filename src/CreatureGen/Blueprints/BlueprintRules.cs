@@ -14,10 +14,31 @@ internal static class BlueprintRules
     /// <summary>Least part of a section's size that hollows have to leave, so that the head does not turn inside out.</summary>
     private const double LeastSection = 0.1;
 
+    /// <summary>Least size of a tail that is not plain, metres.</summary>
+    public const double LeastTailSize = 0.01;
+
+    /// <summary>Least width of a pectoral fin.</summary>
+    public const double LeastFinWidth = 0.05;
+
+    /// <summary>Least size of teeth and nostrils that are there at all; smaller ones have no area.</summary>
+    public const double LeastVisible = 0.01;
+
+    /// <summary>Where eyes may be along the head.</summary>
+    public static readonly NumberRange EyeRings = new(0, 20);
+
+    /// <summary>Where eyes may be around the head: off the midline.</summary>
+    public static readonly NumberRange EyeSegments = new(0.5, (BodyGrid.Segments / 2) - 0.5);
+
     /// <summary>Lists what does not fit together.</summary>
     public static void Check(CreatureBlueprint blueprint, ProblemList problems)
     {
         CheckPlan(blueprint, problems);
+        CheckMovers(blueprint, problems);
+        CheckTwins("insectWings", blueprint.InsectWings, wing => wing, problems);
+        CheckTwins("features", blueprint.Features, SolidOf, problems);
+        CheckTwins("manes", blueprint.Manes, mane => mane, problems);
+        CheckTwins("frills", blueprint.Frills, frill => frill, problems);
+        CheckFace(blueprint.Head, problems);
         CheckHollows(blueprint.Head?.Bumps, problems);
         CheckShell(blueprint.Body?.Shell, problems);
         CheckTail(blueprint.Tail, problems);
@@ -43,16 +64,72 @@ internal static class BlueprintRules
         {
             problems.Add("plan", AnatomyChoices.Plan.NameOf(blueprint.Plan)!, "a plan of a " + name + " creature");
         }
-
-        RequireWings("wings", blueprint.Plan == BodyPlan.Flapping, blueprint.Wings?.Count, problems);
-        RequireWings("insectWings", blueprint.Plan == BodyPlan.Buzzing, blueprint.InsectWings?.Count, problems);
     }
 
-    private static void RequireWings(string path, bool needed, int? count, ProblemList problems)
+    private static void CheckMovers(CreatureBlueprint blueprint, ProblemList problems)
     {
-        if (needed && count == 0)
+        if (blueprint.Legs is null || blueprint.Wings is null || blueprint.InsectWings is null || blueprint.Fins is null)
         {
-            problems.Add(path, FieldChecker.CountOf(0), "at least 1 element, the plan flies by them");
+            return;
+        }
+
+        PlanNeeds needs = PlanNeeds.Of(blueprint);
+        if (needs.Have < needs.Need)
+        {
+            string plan = AnatomyChoices.Plan.NameOf(blueprint.Plan) ?? FieldChecker.Undefined;
+            problems.Add(needs.List, FormattableString.Invariant($"{needs.Have} {needs.What}"), FormattableString.Invariant($"at least {needs.Need} for the plan {plan}"));
+        }
+    }
+
+    /// <summary>Solid parts that are equal lie in one another, face on face: their surfaces are none.</summary>
+    private static void CheckTwins<T>(string list, ValueList<T>? items, Func<T, T> solidOf, ProblemList problems)
+        where T : IEquatable<T>
+    {
+        for (int i = 1; i < (items?.Count ?? 0); i++)
+        {
+            for (int k = 0; k < i; k++)
+            {
+                if (solidOf(items![i]).Equals(solidOf(items[k])))
+                {
+                    problems.Add(FormattableString.Invariant($"{list}[{i}]"), FormattableString.Invariant($"the same as {list}[{k}]"), "a part that differs from all others");
+                    break;
+                }
+            }
+        }
+    }
+
+    /// <summary>What a small part builds, without what makes no difference to its surface: its kind, and on the midline what leans to a side. Two parts that are equal in this are one in the other.</summary>
+    public static FeatureBlueprint SolidOf(FeatureBlueprint part)
+    {
+        bool midline = part.Segment is 0 or BodyGrid.Segments / 2;
+        return part with { Kind = FeatureKind.Spike, Sideward = midline ? 0 : part.Sideward, BendSide = midline ? 0 : part.BendSide };
+    }
+
+    private static void CheckFace(HeadBlueprint? head, ProblemList problems)
+    {
+        if (FieldChecker.Accepts(head?.Eyes, HeadFields.Eyes))
+        {
+            Require("head.eyes.ring", head!.Eyes.Ring, EyeRings, " on the head", problems);
+            Require("head.eyes.segment", head.Eyes.Segment, EyeSegments, ", or the two eyes are one", problems);
+        }
+
+        RequireVisible("head.nostrilSize", head?.NostrilSize, problems);
+        RequireVisible("head.mouth.teeth", head?.Mouth?.Teeth, problems);
+    }
+
+    private static void Require(string path, double value, NumberRange range, string reason, ProblemList problems)
+    {
+        if (!range.Contains(value))
+        {
+            problems.Add(path, NumberText.Of(value), range + reason);
+        }
+    }
+
+    private static void RequireVisible(string path, double? size, ProblemList problems)
+    {
+        if (size > 0 && size < LeastVisible)
+        {
+            problems.Add(path, NumberText.Of(size.Value), "0 for none, or at least " + NumberText.Of(LeastVisible));
         }
     }
 
@@ -123,22 +200,20 @@ internal static class BlueprintRules
 
     private static void CheckTail(TailBlueprint? tail, ProblemList problems)
     {
-        const double leastSize = 0.01;
-        if (FieldChecker.Accepts(tail, LimbFields.Tail) && tail!.Style != TailStyle.Plain && tail.Size < leastSize)
+        if (FieldChecker.Accepts(tail, LimbFields.Tail) && tail!.Style != TailStyle.Plain && tail.Size < LeastTailSize)
         {
-            problems.Add("tail.size", NumberText.Of(tail.Size), "at least " + NumberText.Of(leastSize) + " for a tail that is not plain");
+            problems.Add("tail.size", NumberText.Of(tail.Size), "at least " + NumberText.Of(LeastTailSize) + " for a tail that is not plain");
         }
     }
 
     private static void CheckFins(ValueList<FinBlueprint>? fins, ProblemList problems)
     {
-        const double leastWidth = 0.05;
         for (int i = 0; i < (fins?.Count ?? 0); i++)
         {
             FinBlueprint fin = fins![i];
-            if (fin.Place == FinPlace.Pectoral && fin.Width >= 0 && fin.Width < leastWidth)
+            if (fin.Place == FinPlace.Pectoral && fin.Width >= 0 && fin.Width < LeastFinWidth)
             {
-                problems.Add(PathOf("fins", i, "width"), NumberText.Of(fin.Width), "at least " + NumberText.Of(leastWidth) + " for a pectoral fin");
+                problems.Add(PathOf("fins", i, "width"), NumberText.Of(fin.Width), "at least " + NumberText.Of(LeastFinWidth) + " for a pectoral fin");
             }
         }
     }
@@ -166,20 +241,29 @@ internal static class BlueprintRules
         for (int i = 0; i < (blueprint.Ears?.Count ?? 0); i++)
         {
             EarBlueprint ear = blueprint.Ears![i];
-            CheckDirection(PathOf("ears", i, "outward"), ear.Outward, (ear.Upward * ear.Upward) + (ear.Forward * ear.Forward), problems);
+            CheckDirection(PointsSomewhere(ear), PathOf("ears", i, "outward"), ear.Outward, problems);
         }
 
         for (int i = 0; i < (blueprint.Features?.Count ?? 0); i++)
         {
             FeatureBlueprint part = blueprint.Features![i];
-            double others = (part.Upward * part.Upward) + (part.Forward * part.Forward) + (part.Sideward * part.Sideward);
-            CheckDirection(PathOf("features", i, "outward"), part.Outward, others, problems);
+            CheckDirection(PointsSomewhere(part), PathOf("features", i, "outward"), part.Outward, problems);
         }
     }
 
-    private static void CheckDirection(string path, double outward, double othersSquared, ProblemList problems)
+    /// <summary>Whether an ear has a direction.</summary>
+    public static bool PointsSomewhere(EarBlueprint ear) =>
+        IsLong((ear.Outward * ear.Outward) + (ear.Upward * ear.Upward) + (ear.Forward * ear.Forward));
+
+    /// <summary>Whether a small part has a direction.</summary>
+    public static bool PointsSomewhere(FeatureBlueprint part) =>
+        IsLong((part.Outward * part.Outward) + (part.Upward * part.Upward) + (part.Forward * part.Forward) + (part.Sideward * part.Sideward));
+
+    private static bool IsLong(double squared) => !(squared < LeastDirection * LeastDirection);
+
+    private static void CheckDirection(bool points, string path, double outward, ProblemList problems)
     {
-        if ((outward * outward) + othersSquared < LeastDirection * LeastDirection)
+        if (!points)
         {
             problems.Add(path, NumberText.Of(outward), "with the other components a direction at least " + NumberText.Of(LeastDirection) + " long");
         }

@@ -15,6 +15,9 @@ internal sealed class ChoiceNames<TEnum>
     /// <summary>Number of values.</summary>
     public int Count => all.Length;
 
+    /// <summary>The first value.</summary>
+    public TEnum First => all[0].Value;
+
     /// <summary>All values, in the order of the names.</summary>
     public IEnumerable<TEnum> Values
     {

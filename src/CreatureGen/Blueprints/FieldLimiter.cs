@@ -4,7 +4,7 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Blueprints;
 
-/// <summary>Takes the numbers of a record to the nearest ones that their fields allow.</summary>
+/// <summary>Takes the fields of a record to the nearest values that they allow; what is no value at all becomes that of the neutral record.</summary>
 internal sealed class FieldLimiter : IFieldVisitor
 {
     private static readonly FieldLimiter instance = new();
@@ -13,7 +13,7 @@ internal sealed class FieldLimiter : IFieldVisitor
     {
     }
 
-    /// <summary>The record with all numbers in range.</summary>
+    /// <summary>The record with all fields in range.</summary>
     public static T Limit<T>(T record, RecordDescription<T> description)
         where T : class, IEquatable<T> => description.Visit(instance, record);
 
@@ -21,10 +21,14 @@ internal sealed class FieldLimiter : IFieldVisitor
     public IFieldVisitor Since(int format) => this;
 
     /// <inheritdoc/>
-    public double Number(string name, double value, NumberRange range) => Scalar.Clamp(value, range.Minimum, range.Maximum);
+    public double Number(string name, double value, NumberRange range) => Scalar.Clamp(double.IsNaN(value) ? 0 : value, range.Minimum, range.Maximum);
 
     /// <inheritdoc/>
-    public int Whole(string name, int value, WholeRange range) => value;
+    public int Whole(string name, int value, WholeRange range)
+    {
+        int near = Math.Min(Math.Max(value, range.Minimum), range.Maximum);
+        return range.Contains(near) ? near : near - 1;
+    }
 
     /// <inheritdoc/>
     public int Version(string name, int value, int current) => Whole(name, value, new WholeRange(1, current));
@@ -37,23 +41,24 @@ internal sealed class FieldLimiter : IFieldVisitor
 
     /// <inheritdoc/>
     public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
-        where TEnum : struct, Enum => value;
+        where TEnum : struct, Enum => names.NameOf(value) is null ? names.First : value;
 
     /// <inheritdoc/>
-    public string Word(string name, string value, IReadOnlyList<string> known) => value;
+    public string Word(string name, string value, IReadOnlyList<string> known) => FieldChecker.IsKnown(value, known) ? value : known[0];
 
     /// <inheritdoc/>
     public T Record<T>(string name, T value, RecordDescription<T> description)
-        where T : class, IEquatable<T> => description.Visit(this, value);
+        where T : class, IEquatable<T> => description.Visit(this, value ?? description.Neutral);
 
     /// <inheritdoc/>
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {
-        var items = new T[value.Count];
+        int given = value?.Count ?? 0;
+        var items = new T[Math.Min(Math.Max(given, count.Minimum), count.Maximum)];
         for (int i = 0; i < items.Length; i++)
         {
-            items[i] = description.Visit(this, value[i]);
+            items[i] = i < given ? description.Visit(this, value![i]) : description.Neutral;
         }
 
         return new ValueList<T>(items);

@@ -10,9 +10,14 @@ internal static class SocketRules
     /// <summary>Ring of the last vertices that a socket may reach; the tip of the tail keeps its own.</summary>
     private const int LastRing = BodyGrid.Rings - 2;
 
-    private const int MidlineColumns = 2;
-    private const int DorsalSegment = BodyGrid.Segments - 1;
-    private const int VentralSegment = (BodyGrid.Segments / 2) - 1;
+    /// <summary>Cells across the midline that a fin on it takes.</summary>
+    public const int MidlineColumns = 2;
+
+    /// <summary>First segment of a fin on the back.</summary>
+    public const int DorsalSegment = BodyGrid.Segments - 1;
+
+    /// <summary>First segment of a fin under the belly.</summary>
+    public const int VentralSegment = (BodyGrid.Segments / 2) - 1;
 
     /// <summary>More sockets than all lists together may have are not compared.</summary>
     private const int MostSockets = 64;

@@ -47,37 +47,13 @@ internal static class SkeletonChecks
         RequireMovers(blueprint, found);
     }
 
-    /// <summary>What a plan cannot move without: the sampler may leave out an ornament for want of room, never one of these.</summary>
+    /// <summary>The sampler may leave out an ornament for want of room, never what a plan moves by.</summary>
     private static void RequireMovers(CreatureBlueprint blueprint, ViolationList found)
     {
-        int pectorals = 0;
-        foreach (FinBlueprint fin in blueprint.Fins)
+        PlanNeeds needs = PlanNeeds.Of(blueprint);
+        if (needs.Have < needs.Need)
         {
-            pectorals += fin.Place == FinPlace.Pectoral ? 1 : 0;
-        }
-
-        int standing = 0;
-        foreach (LegBlueprint leg in blueprint.Legs)
-        {
-            // A mantis stands on four legs and holds up its first two.
-            standing += leg.Stance == LegStance.Standing || leg.Archetype == LimbArchetype.Raptorial ? 1 : 0;
-        }
-
-        (int have, int need, string what) = blueprint.Plan switch
-        {
-            BodyPlan.Flapping => (blueprint.Wings.Count, 1, "pairs of wings"),
-            BodyPlan.Buzzing => (blueprint.InsectWings.Count, 1, "pairs of thin wings"),
-            BodyPlan.Fish or BodyPlan.Whale => (pectorals, 1, "pairs of fins"),
-            BodyPlan.Flipper => (pectorals, 2, "pairs of fins"),
-            BodyPlan.Legless or BodyPlan.Eel => (0, 0, "limbs"),
-            BodyPlan.Upright or BodyPlan.Theropod => (standing, 1, "pairs of standing legs"),
-            BodyPlan.Hexapod => (standing, 3, "pairs of standing legs"),
-            BodyPlan.ManyLegged => (standing, 4, "pairs of standing legs"),
-            _ => (standing, 2, "pairs of standing legs"),
-        };
-        if (have < need)
-        {
-            found.Add(CreatureInspection.Limbs, $"{have} {what}; expected at least {need} for the plan {blueprint.Plan}");
+            found.Add(CreatureInspection.Limbs, $"{needs.Have} {needs.What}; expected at least {needs.Need} for the plan {blueprint.Plan}");
         }
     }
 

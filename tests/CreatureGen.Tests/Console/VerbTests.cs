@@ -182,6 +182,43 @@ public sealed class VerbTests
     }
 
     [Fact]
+    public void A_broken_creature_is_built_only_by_force_or_after_repair()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("generate", "--seed", "41", "--kind", "walking", "--plans", "upright=1000", "--no-picture"));
+        CreatureBlueprint sound = BlueprintJson.Read(File.ReadAllText(run.At("creature-41.json"))).GetBlueprint();
+        File.WriteAllText(run.At("level.json"), BlueprintJson.Write(sound with { Body = sound.Body with { Posture = sound.Body.Posture with { Torso = 0 } } }));
+        Assert.Equal(ExitCode.CheckFailed, run.Run("build", "level.json", "--out", "level.glb"));
+        Assert.Contains("would be broken", run.Error, StringComparison.Ordinal);
+        string problem = run.Error.Split('\n')[1].Trim();
+        Assert.DoesNotContain("level.glb", run.Files);
+
+        Assert.Equal(ExitCode.Done, run.Run("build", "level.json", "--repair", "--out", "level.glb"));
+        Assert.Contains("  repaired   ", run.Out, StringComparison.Ordinal);
+        Assert.Equal(ExitCode.Done, run.Run("inspect", "level.glb", "--json"));
+        Assert.True(run.Json().GetProperty("sound").GetBoolean());
+        Assert.Empty(run.Json().GetProperty("problems").EnumerateArray());
+
+        Assert.Equal(ExitCode.Done, run.Run("build", "level.json", "--force", "--out", "forced.glb"));
+        Assert.Contains("written although broken: " + problem, run.Error, StringComparison.Ordinal);
+        Assert.Equal(ExitCode.CheckFailed, run.Run("inspect", "forced.glb", "--json"));
+        Assert.False(run.Json().GetProperty("sound").GetBoolean());
+        Assert.Equal(problem, run.Json().GetProperty("problems")[0].GetString());
+        Assert.Equal(ExitCode.BadInput, run.Run("build", "level.json", "--force", "--repair", "--out", "level.glb"));
+    }
+
+    [Fact]
+    public void What_no_rule_allows_is_repaired_from_its_text()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("generate", "--seed", "4", "--no-picture"));
+        CreatureBlueprint blueprint = BlueprintJson.Read(File.ReadAllText(run.At("creature-4.json"))).GetBlueprint();
+        File.WriteAllText(run.At("bad.json"), BlueprintJson.Write(blueprint with { Scale = 99 }));
+        Assert.Equal(ExitCode.Done, run.Run("build", "bad.json", "--repair", "--out", "good.glb"));
+        Assert.Contains("good.glb", run.Files);
+    }
+
+    [Fact]
     public void Inspection_names_every_joint_limb_and_invariant()
     {
         using var run = new ConsoleRun { Checks = refuseWalkers };

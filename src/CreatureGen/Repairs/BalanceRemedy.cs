@@ -1,0 +1,117 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Json;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Repairs;
+
+/// <summary>Brings the centre of mass over the feet: the feet of the end that it leans over go its way, later what is too heavy there gets lighter.</summary>
+internal static class BalanceRemedy
+{
+    /// <summary>Part of what is missing that feet are moved by at a time.</summary>
+    private const double Step = 0.6;
+
+    /// <summary>Farthest lean of a leg, in units of its length.</summary>
+    private const double MostShear = 0.9;
+
+    /// <summary>Rounds of moving feet alone.</summary>
+    private const int FeetRounds = 3;
+
+    /// <summary>Radians by which a splayed leg is turned at a time, and the farthest from straight aside.</summary>
+    private const double Turn = 0.2;
+    private const double MostTurn = 1.2;
+
+    private const double HeadKept = 0.9;
+    private const double TailKept = 0.88;
+    private const double FootGrowth = 1.12;
+
+    /// <summary>Changes the blueprint. False if nothing is left to try.</summary>
+    public static bool Apply(RepairLog log, Creature creature, int round)
+    {
+        CreatureBlueprint b = log.Blueprint;
+        (double rear, double front) = FeetOf(creature);
+        double mass = creature.Mass.Centre.Z;
+        double middle = rear <= front ? (rear + front) / 2 : 0;
+        bool ahead = mass > middle;
+        if (rear > front)
+        {
+            return RearUp(log);
+        }
+
+        // How far the mass must go inwards from the nearer end, with a fifth of the base to spare.
+        double over = ahead ? mass - front : rear - mass;
+        double missing = (Math.Max(over, 0) + Math.Max(0.12 * (front - rear), 0.03 * creature.StandingHeight)) / b.Scale;
+        bool changed = log.Change(b with { Legs = MoveFeet(b.Legs, ahead, missing, b.Body.Elevation) }, Reason(ahead, over / b.Scale));
+        if (round < FeetRounds && changed)
+        {
+            return true;
+        }
+
+        return Lighten(log, ahead) || changed;
+    }
+
+    private static string Reason(bool ahead, double over) =>
+        "the centre of mass was " + NumberText.Of(Math.Round(Math.Abs(over), 3)) + (over > 0 ? " m beyond" : " m inside") + (ahead ? " the front feet" : " the hind feet") + " at scale 1";
+
+    /// <summary>Where the hindmost and the foremost standing foot are along z; the first is greater if none stands.</summary>
+    private static (double Rear, double Front) FeetOf(Creature creature)
+    {
+        double rear = double.PositiveInfinity, front = double.NegativeInfinity;
+        foreach (LimbChain limb in creature.Limbs)
+        {
+            if (limb.Stands)
+            {
+                rear = Math.Min(rear, limb.Contact.Z);
+                front = Math.Max(front, limb.Contact.Z);
+            }
+        }
+
+        return (rear, front);
+    }
+
+    private static ValueList<LegBlueprint> MoveFeet(ValueList<LegBlueprint> legs, bool ahead, double missing, double height)
+    {
+        int end = -1;
+        for (int i = 0; i < legs.Count; i++)
+        {
+            bool farther = end < 0 || (ahead ? legs[i].Socket.Ring < legs[end].Socket.Ring : legs[i].Socket.Ring > legs[end].Socket.Ring);
+            end = legs[i].Stance == LegStance.Standing && farther ? i : end;
+        }
+
+        if (end < 0)
+        {
+            return legs;
+        }
+
+        LegBlueprint leg = legs[end];
+        double shift = Step * missing / Math.Max(height, 0.05);
+        double shear = Math.Min(MostShear, Math.Max(-MostShear, leg.Shear + (ahead ? shift : -shift)));
+        double foot = Math.Min(2.2, FootGrowth * leg.FootSize);
+        double turn = Splayed(leg) ? (ahead ? Turn : -Turn) : 0;
+        double azimuth = Math.Min(MostTurn, Math.Max(-MostTurn, leg.Azimuth + turn));
+        return legs.With(end, leg with { Shear = shear, FootSize = foot, Azimuth = azimuth });
+    }
+
+    private static bool Splayed(LegBlueprint leg) => leg.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl or LimbArchetype.Jumper;
+
+    /// <summary>A body that lies on its trunk tips over when what it raises is too heavy.</summary>
+    private static bool RearUp(RepairLog log)
+    {
+        BodyBlueprint body = log.Blueprint.Body;
+        BodyPosture posture = body.Posture with { Neck = Math.Min(1.4, body.Posture.Neck + 0.08), NeckBend = 0.8 * body.Posture.NeckBend };
+        BodyProportions proportions = body.Proportions with { Head = 0.94 * body.Proportions.Head, Neck = 0.96 * body.Proportions.Neck };
+        return log.Change(log.Blueprint with { Body = body with { Posture = posture, Proportions = proportions } }, "it tipped over its raised front");
+    }
+
+    private static bool Lighten(RepairLog log, bool ahead)
+    {
+        BodyBlueprint body = log.Blueprint.Body;
+        BodyProportions p = body.Proportions;
+        BodyProportions lighter = ahead
+            ? p with { Head = HeadKept * p.Head, Neck = 0.95 * p.Neck, NeckGirth = 0.95 * p.NeckGirth }
+            : p with { Tail = TailKept * p.Tail, TailGirth = 0.94 * p.TailGirth, Rump = 0.97 * p.Rump };
+        return log.Change(log.Blueprint with { Body = body with { Proportions = lighter } }, ahead ? "head and neck weighed the front down" : "the tail weighed the rear down");
+    }
+}

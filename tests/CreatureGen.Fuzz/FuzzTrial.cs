@@ -1,0 +1,84 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Inspection;
+using CreatureGen.Repairs;
+
+namespace CreatureGen.Fuzz;
+
+/// <summary>What came of an input.</summary>
+internal enum FuzzVerdict
+{
+    /// <summary>The reader or the validator refused it and said why.</summary>
+    Refused,
+
+    /// <summary>It was accepted and its creature keeps all promises.</summary>
+    Sound,
+
+    /// <summary>The validator accepted it; the inspection of the creature told what is broken, and the repair cured it.</summary>
+    Repaired,
+
+    /// <summary>The inspection told what is broken, and the repair did not cure all of it.</summary>
+    Beyond,
+
+    /// <summary>Something threw that should not.</summary>
+    Crashed,
+
+    /// <summary>Reading, building and inspecting took too long or too much memory.</summary>
+    Dear,
+}
+
+/// <summary>An input put to the test.</summary>
+/// <param name="Verdict">What came of it.</param>
+/// <param name="Detail">What was broken, or thrown; empty for a sound creature.</param>
+internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
+{
+    /// <summary>Most seconds of processor time for an accepted input.</summary>
+    private const double MostSeconds = 1;
+
+    /// <summary>Most bytes allocated for an accepted input.</summary>
+    private const long MostBytes = 200 << 20;
+
+    /// <summary>Reads, builds, inspects, repairs.</summary>
+    public static FuzzTrial Of(FuzzInput input)
+    {
+        try
+        {
+            using var stream = new MemoryStream(input.Text);
+            long bytes = GC.GetAllocatedBytesForCurrentThread();
+            TimeSpan start = Process.GetCurrentProcess().TotalProcessorTime;
+            CreatureBlueprint? blueprint = BlueprintJson.Read(stream).Blueprint;
+            if (blueprint is null)
+            {
+                return new FuzzTrial(FuzzVerdict.Refused, "");
+            }
+
+            Creature creature = CreatureAssembler.Assemble(blueprint);
+            InvariantViolation[] violations = CreatureInspection.Inspect(creature).ToArray();
+            double seconds = (Process.GetCurrentProcess().TotalProcessorTime - start).TotalSeconds;
+            bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
+            if (seconds > MostSeconds || bytes > MostBytes)
+            {
+                return new FuzzTrial(FuzzVerdict.Dear, $"{seconds:F2} s, {bytes >> 20} MiB");
+            }
+
+            return violations.Length == 0 ? new FuzzTrial(FuzzVerdict.Sound, "") : Repair(blueprint, violations);
+        }
+        catch (Exception problem) when (problem is not OutOfMemoryException)
+        {
+            return new FuzzTrial(FuzzVerdict.Crashed, problem.ToString());
+        }
+    }
+
+    private static FuzzTrial Repair(CreatureBlueprint blueprint, InvariantViolation[] violations)
+    {
+        RepairReport report = BlueprintRepair.Repair(blueprint);
+        string broken = string.Join(", ", violations.Select(v => v.Invariant));
+        return report.IsSound
+            ? new FuzzTrial(FuzzVerdict.Repaired, broken)
+            : new FuzzTrial(FuzzVerdict.Beyond, broken + " -> " + string.Join(", ", report.Violations.Select(v => v.Invariant + ": " + v.Detail)));
+    }
+}

@@ -1,0 +1,55 @@
+using System;
+using System.Globalization;
+using System.IO;
+
+namespace CreatureGen.Fuzz;
+
+/// <summary>Fuzzes in a folder: goes on where the last run stopped, keeps what is not as promised, tells progress.</summary>
+internal static class Program
+{
+    private const string Usage = "usage: CreatureGen.Fuzz FOLDER COUNT: tries COUNT more inputs; results, progress and inputs that went wrong are in FOLDER";
+    private const int Parents = 400;
+    private const int SaveEvery = 200;
+
+    /// <summary>Inputs that were repaired and are kept, to look at.</summary>
+    private const int MostSamples = 100;
+
+    private static int Main(string[] arguments)
+    {
+        if (arguments.Length != 2 || !long.TryParse(arguments[1], NumberStyles.None, CultureInfo.InvariantCulture, out long count))
+        {
+            Console.Error.WriteLine(Usage);
+            return 2;
+        }
+
+        CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
+        Directory.CreateDirectory(arguments[0]);
+        string progress = Path.Combine(arguments[0], "progress.txt");
+        FuzzTally tally = File.Exists(progress) ? FuzzTally.Parse(File.ReadAllText(progress)) : new FuzzTally();
+        var inputs = new FuzzInputs(Parents);
+        long end = tally.Next + count;
+        while (tally.Next < end)
+        {
+            FuzzInput input = inputs.Of(tally.Next);
+            FuzzTrial trial = FuzzTrial.Of(input);
+            tally.Add(input, trial);
+            bool sample = trial.Verdict == FuzzVerdict.Repaired && tally.Count(FuzzVerdict.Repaired) <= MostSamples;
+            if (sample || trial.Verdict is FuzzVerdict.Crashed or FuzzVerdict.Dear or FuzzVerdict.Beyond)
+            {
+                string name = Path.Combine(arguments[0], $"{trial.Verdict.ToString().ToLowerInvariant()}-{input.Index}");
+                File.WriteAllBytes(name + ".json", input.Text);
+                File.WriteAllText(name + ".txt", input.Way + "\n" + trial.Detail + "\n");
+            }
+
+            if (tally.Next % SaveEvery == 0 || tally.Next == end)
+            {
+                File.WriteAllText(progress + ".new", tally.ToString());
+                File.Move(progress + ".new", progress, overwrite: true);
+                Console.Error.Write("\r" + tally.Next + " inputs");
+            }
+        }
+
+        Console.Out.Write("\n" + tally);
+        return tally.IsClean ? 0 : 1;
+    }
+}
