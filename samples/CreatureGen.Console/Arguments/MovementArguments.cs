@@ -73,7 +73,8 @@ internal static class MovementArguments
 
     private static string Plain(string word) => word.Replace("-", "", StringComparison.Ordinal).Replace("_", "", StringComparison.Ordinal).ToLowerInvariant();
 
-    private static string Hyphenated(string name)
+    /// <summary>A name in words of lower case.</summary>
+    public static string Hyphenated(string name)
     {
         var words = new StringBuilder();
         foreach (char letter in name)

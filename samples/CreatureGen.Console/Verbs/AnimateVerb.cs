@@ -22,7 +22,8 @@ internal sealed class AnimateVerb : IVerb
     private const int LeastSize = 64;
     private const int MostSize = 2048;
 
-    private static readonly OptionSyntax ground = new("--ground", "GROUND", "flat (the default) or rough: seeded hills");
+    private static readonly OptionSyntax ground = new("--ground", "GROUND", "flat (the default) or rough: seeded hills; with --course also stairs, slope, gap, platform or lift");
+    private static readonly OptionSyntax course = new("--course", "SCRIPT", "what to do one after the other, such as 'idle 1; walk; run 2; turn left at 1.5; stop': a word, at a speed or rate, seconds");
     private static readonly OptionSyntax size = new("--size", "PIXELS", "width of the moving picture, 64 to 2048 (default 640)");
 
     /// <inheritdoc/>
@@ -36,8 +37,9 @@ internal sealed class AnimateVerb : IVerb
             new("animate --seed 7 --kind flying --gait land --out land.png", "how it comes down and folds its wings"),
             new("animate --seed 4 --kind swimming --gait c-start --out dart.png", "a startled fish"),
             new("animate --seed 42 --out slow.png --speed 0.5 --view side --size 400", "the gait that suits the speed, from the side"),
+            new("animate --seed 42 --course \"idle 1; walk; run; turn left; stop\" --ground stairs --out course.png", "starts, turns and stops; course-strip.png shows the transitions"),
         ],
-        [SeedOptions.Seed, MovementArguments.Gait, MovementArguments.Speed, ground, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads]);
+        [SeedOptions.Seed, MovementArguments.Gait, MovementArguments.Speed, course, ground, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -59,16 +61,15 @@ internal sealed class AnimateVerb : IVerb
             Width = width,
             Height = width * 3 / 4,
             View = CommonOptions.ReadView(arguments),
-            Ground = arguments.Choice(ground.Name, WordList<GroundRelief>.Instance, GroundRelief.Flat),
             Shading = arguments.Has(CommonOptions.Flat.Name) ? ShadingMode.Faceted : ShadingMode.Smooth,
             Threads = threads,
         };
+        Func<MotionProfile, (IFilm Film, string Title)> shoot = arguments.Has(course.Name) ? CourseShooter(arguments, filmOptions) : MovementShooter(arguments, filmOptions);
         var profile = new MotionProfile(CreatureAssembler.Assemble(Growing.Sample(seed, options)));
-        Movement movement = MovementArguments.Read(arguments, profile);
         FileSet.RequireWritable(path, surroundings);
         FileSet.RequireWritable(stripPath, surroundings);
         surroundings.Cancellation.ThrowIfCancellationRequested();
-        var film = new Film(profile, movement, filmOptions);
+        (IFilm film, string title) = shoot(profile);
         using var files = new FileSet(surroundings);
         long bytes = 0;
         using (var progress = new ProgressLine(surroundings, "frames", (UInt128)film.FrameCount, ProgressKind.Shown))
@@ -89,10 +90,46 @@ internal sealed class AnimateVerb : IVerb
         byte[] png = PngWriter.ToBytes(strip);
         files.Stage(stripPath, stream => stream.Write(png));
         files.Commit();
-        string pace = film.Slowness > 1.05f ? FormattableString.Invariant($", {film.Slowness:0.0} times slower than life") : "";
-        surroundings.Out.WriteLine(FormattableString.Invariant(
-            $"{path}: {SeedText.Of(seed)} {movement.GaitName} at {film.Speed:0.00} m/s, cycle of {film.CycleSeconds:0.00} s, {film.FrameCount} frames{pace}, {width} x {filmOptions.Height} pixels, {Units.Bytes(bytes)}"));
+        surroundings.Out.WriteLine(FormattableString.Invariant($"{path}: {SeedText.Of(seed)} {title}, {width} x {filmOptions.Height} pixels, {Units.Bytes(bytes)}"));
         surroundings.Out.WriteLine(FormattableString.Invariant($"{stripPath}: film strip, {strip.Width} x {strip.Height} pixels, {Units.Bytes(png.Length)}"));
         return ExitCode.Done;
+    }
+
+    private static Func<MotionProfile, (IFilm Film, string Title)> MovementShooter(ParsedArguments arguments, FilmOptions options)
+    {
+        GroundRelief relief = arguments.Choice(ground.Name, WordList<GroundRelief>.Instance, GroundRelief.Flat);
+        return profile =>
+        {
+            Movement movement = MovementArguments.Read(arguments, profile);
+            var film = new Film(profile, movement, options with { Ground = relief });
+            string pace = film.Slowness > 1.05f ? FormattableString.Invariant($", {film.Slowness:0.0} times slower than life") : "";
+            return (film, FormattableString.Invariant($"{movement.GaitName} at {film.Speed:0.00} m/s, cycle of {film.CycleSeconds:0.00} s, {film.FrameCount} frames{pace}"));
+        };
+    }
+
+    private static Func<MotionProfile, (IFilm Film, string Title)> CourseShooter(ParsedArguments arguments, FilmOptions options)
+    {
+        foreach (string other in new[] { MovementArguments.Gait.Name, MovementArguments.Speed.Name })
+        {
+            if (arguments.Has(other))
+            {
+                throw arguments.Wrong($"{course.Name} and {other}; expected one of them");
+            }
+        }
+
+        CourseGround over = arguments.Choice(ground.Name, WordList<CourseGround>.Instance, CourseGround.Flat);
+        return profile =>
+        {
+            try
+            {
+                CourseScript script = CourseReader.Read(arguments.Required(course.Name), profile);
+                var film = new CourseFilm(profile, script, over, options);
+                return (film, FormattableString.Invariant($"{script.Commands.Count} commands in {script.Seconds:0.0} s, {film.FrameCount} frames"));
+            }
+            catch (FormatException problem)
+            {
+                throw arguments.Wrong(course.Name + ": " + problem.Message);
+            }
+        };
     }
 }

@@ -46,7 +46,7 @@ internal static class ContactMarks
             Vector3 point = marks[foot].Point;
             Vector3 pixel = camera.Project(point, picture.Width, picture.Height);
             float radius = camera.Project(point + (camera.Right * (LegFraction * body.Legs[foot].Length)), picture.Width, picture.Height).X - pixel.X;
-            Ellipse(picture, pixel.X, pixel.Y, Math.Clamp(radius, MinRadius, picture.Width / 28f), FootName.Colour(body, foot), marks[foot].Stands ? 235 : 0);
+            Ellipse(picture, pixel.X, pixel.Y, Math.Clamp(radius, MinRadius, Math.Max(MinRadius, picture.Width / 28f)), FootName.Colour(body, foot), marks[foot].Stands ? 235 : 0);
         }
     }
 

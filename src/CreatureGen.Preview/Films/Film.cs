@@ -15,7 +15,7 @@ namespace CreatureGen.Preview.Films;
 /// A movement of a creature as a moving picture that loops without a jump, and as a film strip. The camera goes along; what goes on the ground goes on checks that stay where they are, so that
 /// a sliding foot would be seen. Pictures may be made in any order and on any threads; they are the same every time.
 /// </summary>
-public sealed class Film
+public sealed class Film : IFilm
 {
     private const int AtlasSize = 512;
 
@@ -168,7 +168,7 @@ public sealed class Film
         return new CheckedFloor(Take.Ground, check, Options.Ground == GroundRelief.Flat ? 1 : PatchesPerCheck, halfWidth, box.Min.Z - beyond, box.Max.Z + beyond);
     }
 
-    private static void CheckRange(int value, string name)
+    internal static void CheckRange(int value, string name)
     {
         if (value is < 32 or > 4096)
         {

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using CreatureGen.Console;
 using CreatureGen.Sampling;
 using Xunit;
@@ -98,7 +99,8 @@ public sealed class UsageTests
         {
             foreach (var example in verb.Syntax.Examples)
             {
-                string[] words = example.Line.Split('>')[0].Split(' ', StringSplitOptions.RemoveEmptyEntries);
+                // Words, or several within quotes, up to where the output goes.
+                string[] words = Regex.Matches(example.Line.Split('>')[0], "\"([^\"]*)\"|\\S+").Select(word => word.Value.Trim('"')).ToArray();
                 Assert.Equal(verb.Syntax.Name, words[0]);
                 Assert.NotNull(CreatureGen.Console.Arguments.ArgumentReader.Read(verb.Syntax, words[1..]));
             }

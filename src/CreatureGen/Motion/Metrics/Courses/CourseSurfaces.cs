@@ -41,6 +41,9 @@ internal static class CourseSurfaces
         };
     }
 
+    /// <summary>Length of checks in pictures of grounds that are not even, metres: steps and ramps end at multiples of it.</summary>
+    public static float CheckLength(MotionProfile profile) => Tread * GroundLength(profile);
+
     /// <summary>Length that grounds are measured by, metres.</summary>
     public static float GroundLength(MotionProfile profile) => profile.Legs != null ? profile.LegLength : MotionTrial.HillLength(profile, Movement.Of(profile)[0]);
 

@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Preview.Films;
+
+/// <summary>A creature on a course, recorded 60 times a second, and the camera that goes along with it.</summary>
+internal sealed class CourseTake
+{
+    /// <summary>Moments a second.</summary>
+    public const int Rate = 60;
+
+    // Moments before and after over which the camera's way is evened out.
+    private const int Evening = 15;
+
+    private readonly Creatures.Creature creature;
+    private readonly List<Moment> moments = [];
+    private readonly CourseSurface surface;
+
+    /// <summary>Records a course from standing at the origin.</summary>
+    public CourseTake(MotionProfile profile, CourseScript script, CourseGround ground)
+    {
+        creature = profile.Creature;
+        Script = script;
+        var drive = new CourseDrive(profile, new MotionCourse(script, ground, CourseRate.Of(Rate)));
+        surface = drive.Surface;
+        Record(drive);
+        foreach (float _ in drive.Updates())
+        {
+            Record(drive);
+        }
+    }
+
+    /// <summary>What was asked.</summary>
+    public CourseScript Script { get; }
+
+    /// <summary>Moments, the first before anything was asked.</summary>
+    public int Moments => moments.Count;
+
+    /// <summary>Number of feet.</summary>
+    public int Feet => moments[0].Feet.Length;
+
+    /// <summary>Which command it obeys.</summary>
+    public int CommandAt(int moment) => moments[moment].Command;
+
+    /// <summary>Where its root is, world space.</summary>
+    public RootPlace PlaceAt(int moment) => moments[moment].Place;
+
+    /// <summary>Metres per second ahead.</summary>
+    public float SpeedAt(int moment) => moments[moment].Speed;
+
+    /// <summary>What its gait is called; null without one.</summary>
+    public string? GaitAt(int moment) => moments[moment].Gait;
+
+    /// <summary>How a foot is.</summary>
+    public FootReport FootAt(int moment, int foot) => moments[moment].Feet[foot];
+
+    /// <summary>The ground's own axes.</summary>
+    public RootPlace FrameAt(int moment) => moments[moment].Frame;
+
+    /// <summary>A floor of checks around the camera.</summary>
+    public CheckedFloor Floor(float check, int patches, float reach) => new(surface.Ground, check, patches, reach, -reach, reach, () => surface.Frame);
+
+    /// <summary>Where the camera is: it goes along, evened out.</summary>
+    /// <param name="moment">When.</param>
+    /// <param name="turning">Whether it turns along too, so that it sees the same side at all times.</param>
+    public RootPlace CameraAt(int moment, CameraTurn turning)
+    {
+        Vector3 position = Vector3.Zero;
+        Vector3 ahead = Vector3.Zero;
+        int count = 0;
+        for (int i = Math.Max(0, moment - Evening); i <= Math.Min(Moments - 1, moment + Evening); i++)
+        {
+            position += moments[i].Place.Position;
+            ahead += Rotation.Rotate(moments[i].Place.Rotation, Vector3.UnitZ);
+            count++;
+        }
+
+        ahead.Y = 0f;
+        Quaternion rotation = turning == CameraTurn.Along && Vec.Length(ahead) > 1e-3f * count ? Rotation.FromTo(Vector3.UnitZ, Vec.Normalize(ahead)) : Quaternion.Identity;
+        return new RootPlace(position / count, rotation);
+    }
+
+    /// <summary>Skin and normals in a camera's axes, metres.</summary>
+    public (Vector3[] Positions, Vector3[] Normals) SkinAt(int moment, in RootPlace camera) => MovedSkin.Of(creature, moments[moment].Place, moments[moment].Local, camera);
+
+    /// <summary>Where the feet stand, and above which places they swing, in a camera's axes.</summary>
+    public ContactMark[] MarksAt(int moment, in RootPlace camera)
+    {
+        Moment at = moments[moment];
+        return ContactMark.Of(at.Feet, MovedSkin.Joints(creature.Skeleton, at.Place, at.Local), surface.Ground, camera);
+    }
+
+    private void Record(CourseDrive drive)
+    {
+        CreatureAnimator animator = drive.Animator;
+        var feet = new FootReport[animator.FootCount];
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i] = animator.Foot(i);
+        }
+
+        moments.Add(new Moment(animator.Root, animator.LocalPose.Rotations.ToArray(), animator.LocalPose.Positions.ToArray(), feet, drive.Command, animator.Speed, animator.StandsOnFeet ? animator.Gait?.Name : null, drive.Surface.Frame));
+    }
+
+    private sealed record Moment(RootPlace Place, Quaternion[] Rotations, Vector3[] Positions, FootReport[] Feet, int Command, float Speed, string? Gait, RootPlace Frame)
+    {
+        public Pose Local => new(Rotations, Positions);
+    }
+}
+
+/// <summary>Whether a camera that goes along turns with what it sees.</summary>
+internal enum CameraTurn
+{
+    /// <summary>It looks the same way at all times.</summary>
+    Still,
+
+    /// <summary>It sees the same side at all times.</summary>
+    Along,
+}

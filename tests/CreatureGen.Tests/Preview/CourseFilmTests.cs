@@ -1,0 +1,39 @@
+using System;
+using CreatureGen.Motion;
+using CreatureGen.Preview.Films;
+using CreatureGen.Preview.Pictures;
+using CreatureGen.Sampling;
+using CreatureGen.Tests.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Preview;
+
+public sealed class CourseFilmTests
+{
+    private static readonly MotionProfile cat = new(SpeciesSubject.Of("feline", RequestedKind.Walking));
+    private static readonly FilmOptions small = new() { Width = 64, Height = 48 };
+
+    [Theory]
+    [InlineData(CourseGround.Lift)]
+    [InlineData(CourseGround.Gap)]
+    [InlineData(CourseGround.Slope)]
+    public void A_film_has_twenty_frames_a_second_which_are_the_same_every_time(CourseGround ground)
+    {
+        var script = new CourseScript("go", [new CourseCommand(0.5f, new MotionInput(1f)), new CourseCommand(0.5f, default)]);
+        var film = new CourseFilm(cat, script, ground, small);
+        Assert.Equal(21, film.FrameCount);
+        Assert.Equal(50, film.MillisecondsPerFrame);
+        Picture frame = film.Frame(12);
+        Assert.True(frame.Bytes.SequenceEqual(new CourseFilm(cat, script, ground, small).Frame(12).Bytes));
+        Assert.False(frame.Bytes.SequenceEqual(film.Frame(0).Bytes));
+        Assert.Throws<ArgumentOutOfRangeException>(() => film.Frame(21));
+    }
+
+    [Fact]
+    public void Too_long_scripts_are_refused()
+    {
+        var script = new CourseScript("long", [new CourseCommand(61f, default)]);
+        Assert.Contains("at most 60 seconds", Assert.Throws<ArgumentOutOfRangeException>(() => new CourseFilm(cat, script, CourseGround.Flat, small)).Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CourseFilm(cat, script, CourseGround.Flat, small with { Width = 1 }));
+    }
+}
