@@ -36,13 +36,18 @@ public sealed class FlatGround : IGround
     /// <inheritdoc/>
     public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
     {
+        hit = default;
+        if (!(Finite.Is(origin) && Finite.Is(direction) && distance >= 0f))
+        {
+            return false;
+        }
+
         float height = Vec.Dot(origin - point, normal);
         float fall = -Vec.Dot(direction, normal);
 
         // A ray that begins in the ground is at once at its surface.
         if (height > 0f && !(fall * distance >= height))
         {
-            hit = default;
             return false;
         }
 

@@ -13,7 +13,6 @@ public sealed class HeightFieldGround : IGround
     private readonly float cell;
     private readonly Vector3 corner;
     private readonly int surface;
-    private readonly float lowest;
     private readonly float highest;
 
     /// <summary>Takes heights.</summary>
@@ -38,101 +37,141 @@ public sealed class HeightFieldGround : IGround
         this.corner = corner;
         this.surface = surface;
         rows = heights.Length / columns;
-        lowest = float.MaxValue;
         highest = float.MinValue;
         foreach (float height in heights)
         {
             Finite.Require(height, nameof(heights));
-            lowest = Math.Min(lowest, height);
             highest = Math.Max(highest, height);
         }
     }
 
     /// <inheritdoc/>
+    /// <remarks>
+    /// The ray is cut to the box of the field and goes from cell to cell; in each it meets the two triangles exactly. It takes time in proportion to the cells that it crosses, whatever its length.
+    /// Based on: J. Amanatides and A. Woo, "A fast voxel traversal algorithm for ray tracing" (1987).
+    /// </remarks>
     public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
     {
         hit = default;
-        Vector3 from = origin - corner;
-        float level = (float)Math.Sqrt((direction.X * direction.X) + (direction.Z * direction.Z));
-        if (level < 1e-4f)
+        if (!(Finite.Is(origin) && Finite.Is(direction) && distance >= 0f))
         {
-            if (!Sample(from.X, from.Z, out float height, out Vector3 normal))
+            return false;
+        }
+
+        return direction.X == 0f && direction.Z == 0f ? Drop(origin - corner, direction.Y, distance, out hit) : Walk(new GridRay(origin, direction, corner, cell), distance, out hit);
+    }
+
+    /// <summary>A vertical ray. One that begins in the ground is at once at its surface.</summary>
+    private bool Drop(Vector3 from, float direction, float distance, out GroundHit hit)
+    {
+        hit = default;
+        if (!Sample(from.X, from.Z, out float height, out Vector3 normal))
+        {
+            return false;
+        }
+
+        float above = from.Y - height;
+        if (above > 0f && !(direction < 0f && above <= -direction * distance))
+        {
+            return false;
+        }
+
+        hit = new GroundHit(corner + new Vector3(from.X, height, from.Z), normal, surface);
+        return true;
+    }
+
+    /// <summary>A slanting ray.</summary>
+    private bool Walk(in GridRay ray, double distance, out GroundHit hit)
+    {
+        hit = default;
+        double enter = 0;
+        double leave = distance;
+        if (!GridRay.Clip(ray.U, ray.AlongU, columns - 1, ref enter, ref leave) || !GridRay.Clip(ray.V, ray.AlongV, rows - 1, ref enter, ref leave))
+        {
+            return false;
+        }
+
+        // Above all heights there is nothing to meet.
+        if (ray.Y + (ray.AlongY * enter) > highest)
+        {
+            double sinks = (highest - ray.Y) / ray.AlongY;
+            if (!(ray.AlongY < 0 && sinks <= leave))
             {
                 return false;
             }
 
-            // A ray that begins in the ground is at once at its surface.
-            float fall = from.Y - height;
-            if (fall > 0f && (direction.Y > 0f || fall > distance))
+            enter = Math.Max(enter, sinks);
+        }
+
+        int i = CellOf(ray.U + (ray.AlongU * enter), columns);
+        int k = CellOf(ray.V + (ray.AlongV * enter), rows);
+        double nextU = GridRay.Border(ray.U, ray.AlongU, i);
+        double nextV = GridRay.Border(ray.V, ray.AlongV, k);
+        for (double t = enter; ;)
+        {
+            double end = Math.Min(Math.Min(nextU, nextV), leave);
+            double diagonal = (1 + i + k - ray.U - ray.V) / (ray.AlongU + ray.AlongV);
+            bool crosses = diagonal > t && diagonal < end;
+            if ((crosses && Meets(ray, i, k, t, diagonal, out hit)) || Meets(ray, i, k, crosses ? diagonal : t, end, out hit))
+            {
+                return true;
+            }
+
+            if (end >= leave || (ray.AlongY >= 0 && ray.Y + (ray.AlongY * end) > highest))
             {
                 return false;
             }
 
-            hit = new GroundHit(corner + new Vector3(from.X, height, from.Z), normal, surface);
-            return true;
-        }
-
-        // From edge to edge of the triangles: between two of them the terrain below the ray is straight, so nothing is missed.
-        float before = 0f;
-        for (float t = 0f; ; t = Math.Min(t + ToNextEdge(from + (direction * t), direction), distance))
-        {
-            Vector3 p = from + (direction * t);
-            if (Sample(p.X, p.Z, out float height, out _) && p.Y <= height)
+            t = end;
+            if (nextU <= nextV)
             {
-                return Refine(from, direction, before, t, out hit);
-            }
-
-            bool away = (p.Y > highest && direction.Y >= 0f) || (p.Y < lowest && direction.Y <= 0f);
-            if (t >= distance || away)
-            {
-                return false;
-            }
-
-            before = t;
-        }
-    }
-
-    /// <summary>How far along a ray the next edge of a triangle is crossed: lines of whole x, of whole z, and of whole x + z, in cells.</summary>
-    private float ToNextEdge(Vector3 point, Vector3 direction)
-    {
-        float u = point.X / cell;
-        float v = point.Z / cell;
-        float du = direction.X / cell;
-        float dv = direction.Z / cell;
-        float next = Math.Min(Math.Min(ToWhole(u, du), ToWhole(v, dv)), ToWhole(u + v, du + dv));
-        return Math.Max(next, 1e-4f * cell);
-    }
-
-    private static float ToWhole(float value, float rate)
-    {
-        if (Math.Abs(rate) < 1e-9f)
-        {
-            return float.MaxValue;
-        }
-
-        float goal = rate > 0f ? (float)Math.Floor(value + 1e-4f) + 1f : (float)Math.Ceiling(value - 1e-4f) - 1f;
-        return (goal - value) / rate;
-    }
-
-    private bool Refine(Vector3 from, Vector3 direction, float above, float below, out GroundHit hit)
-    {
-        for (int i = 0; i < 20; i++)
-        {
-            float middle = 0.5f * (above + below);
-            Vector3 p = from + (direction * middle);
-            if (Sample(p.X, p.Z, out float height, out _) && p.Y <= height)
-            {
-                below = middle;
+                i += ray.AlongU > 0 ? 1 : -1;
+                nextU = GridRay.Border(ray.U, ray.AlongU, i);
             }
             else
             {
-                above = middle;
+                k += ray.AlongV > 0 ? 1 : -1;
+                nextV = GridRay.Border(ray.V, ray.AlongV, k);
+            }
+
+            if ((uint)i > (uint)(columns - 2) || (uint)k > (uint)(rows - 2))
+            {
+                return false;
             }
         }
+    }
 
-        Vector3 at = from + (direction * below);
-        Sample(at.X, at.Z, out float y, out Vector3 normal);
-        hit = new GroundHit(corner + new Vector3(at.X, y, at.Z), normal, surface);
+    private static int CellOf(double coordinate, int count) => Math.Max(0, Math.Min((int)coordinate, count - 2));
+
+    /// <summary>Whether a ray goes into the triangle that it is over between two of its points; into it at once if it is below there.</summary>
+    private bool Meets(in GridRay ray, int i, int k, double from, double to, out GroundHit hit)
+    {
+        double middle = 0.5 * (from + to);
+        bool near = ray.U + ray.V + ((ray.AlongU + ray.AlongV) * middle) <= 1 + i + k;
+        double a = heights[(k * columns) + i];
+        double b = heights[(k * columns) + i + 1];
+        double c = heights[((k + 1) * columns) + i];
+        double d = heights[((k + 1) * columns) + i + 1];
+        double alongU = near ? b - a : d - c;
+        double alongV = near ? c - a : d - b;
+        double level = (near ? a : b + c - d) - (alongU * i) - (alongV * k);
+
+        // How far the ray is above the plane: a straight line.
+        double above = ray.Y - level - (alongU * ray.U) - (alongV * ray.V);
+        double rate = ray.AlongY - (alongU * ray.AlongU) - (alongV * ray.AlongV);
+        double first = above + (rate * from);
+        double last = above + (rate * to);
+        if (first > 0 && !(last <= 0))
+        {
+            hit = default;
+            return false;
+        }
+
+        double t = first <= 0 ? from : from + ((to - from) * (first / (first - last)));
+        double u = ray.U + (ray.AlongU * t);
+        double v = ray.V + (ray.AlongV * t);
+        var point = new Vector3((float)(u * cell), (float)(level + (alongU * u) + (alongV * v)), (float)(v * cell));
+        hit = new GroundHit(corner + point, Vec.Normalize(new Vector3((float)-alongU, cell, (float)-alongV)), surface);
         return true;
     }
 

@@ -5,7 +5,7 @@ namespace CreatureGen.Motion;
 /// <summary>The ground as creatures feel it: by rays. A game hands in its own physics; the library brings a plane, a height field and a triangle mesh.</summary>
 public interface IGround
 {
-    /// <summary>The first hit along a ray.</summary>
+    /// <summary>The first hit along a ray. A ray that begins in solid ground is at once at its surface. There is no hit for numbers that are not finite.</summary>
     /// <param name="origin">World space, metres.</param>
     /// <param name="direction">Unit.</param>
     /// <param name="distance">How far the ray goes, metres.</param>

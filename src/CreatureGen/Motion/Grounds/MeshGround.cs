@@ -11,6 +11,9 @@ public sealed class MeshGround : IGround
     private const int LeafSize = 4;
     private const int Depth = 64;
 
+    // A ray that goes along a triangle as closely as that does not meet it: single precision knows no more.
+    private const double GrazingSine = 1e-6;
+
     private readonly Vector3[] positions;
     private readonly int[] triangles;
     private readonly int[] surfaces;
@@ -64,7 +67,7 @@ public sealed class MeshGround : IGround
     public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
     {
         hit = default;
-        if (order.Length == 0)
+        if (order.Length == 0 || !(Finite.Is(origin) && Finite.Is(direction) && distance >= 0f))
         {
             return false;
         }
@@ -119,7 +122,10 @@ public sealed class MeshGround : IGround
         Vector3 ac = positions[triangles[(3 * triangle) + 2]] - a;
         Vector3 p = Vec.Cross(direction, ac);
         float determinant = Vec.Dot(ab, p);
-        if (!(determinant > 1e-12f))
+
+        // The sine of the angle between ray and triangle, for triangles of any size.
+        double sides = (double)Vec.LengthSquared(ab) * Vec.LengthSquared(ac);
+        if (!(determinant > 0f && (double)determinant * determinant > GrazingSine * GrazingSine * sides))
         {
             return -1f;
         }
