@@ -52,6 +52,24 @@ internal static class Finite
         }
     }
 
+    /// <summary>Throws unless all parts are finite and at most <paramref name="most"/> in size.</summary>
+    public static void RequireWithin(Vector3 v, float most, string name)
+    {
+        if (!(Math.Abs(v.X) <= most && Math.Abs(v.Y) <= most && Math.Abs(v.Z) <= most))
+        {
+            throw new ArgumentOutOfRangeException(name, FormattableString.Invariant($"{name} = ({v.X}, {v.Y}, {v.Z}); expected numbers of {-most} to {most}"));
+        }
+    }
+
+    /// <summary>Throws unless the vector is of length 1.</summary>
+    public static void RequireUnit(Vector3 v, string name)
+    {
+        if (!(Math.Abs(Vec.LengthSquared(v) - 1f) <= 2f * Tolerance.UnitLength))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{name} = ({v.X}, {v.Y}, {v.Z}); expected a vector of length 1"), name);
+        }
+    }
+
     /// <summary>Throws unless the time step is finite and not negative.</summary>
     public static void RequireStep(float seconds)
     {

@@ -5,6 +5,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Flying;
+using CreatureGen.Motion.Grounds;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Slithering;
 using CreatureGen.Motion.Swimming;
@@ -34,6 +35,9 @@ public sealed class CreatureAnimator
     private readonly ILocomotionMode? motion;
     private readonly SecondaryMotion secondary;
     private readonly HeadAttention? attention;
+    private readonly CheckedGround stillGround = new();
+    private readonly CheckedMovingGround movingGround = new();
+    private CheckedGround gate;
     private Vector3? lookAt;
     private LocomotionSettings settings = LocomotionSettings.Default;
 
@@ -49,6 +53,7 @@ public sealed class CreatureAnimator
     public CreatureAnimator(MotionProfile profile)
     {
         Profile = profile ?? throw new ArgumentNullException(nameof(profile));
+        gate = stillGround;
         Skeleton skeleton = profile.Creature.Skeleton;
         localRotations = new Quaternion[skeleton.Count];
         localPositions = new Vector3[skeleton.Count];
@@ -87,7 +92,7 @@ public sealed class CreatureAnimator
     }
 
     /// <summary>A point of the world that head and eyes are to look at; null for none: then it looks about while it stands.</summary>
-    /// <exception cref="ArgumentException">The point is not finite.</exception>
+    /// <exception cref="ArgumentException">The point is not finite, or farther than 10¹² m along an axis.</exception>
     public Vector3? LookAt
     {
         get => lookAt;
@@ -95,7 +100,7 @@ public sealed class CreatureAnimator
         {
             if (value is Vector3 point)
             {
-                Finite.Require(point, nameof(LookAt));
+                Finite.RequireWithin(point, RootPlace.Farthest, nameof(LookAt));
             }
 
             lookAt = value;
@@ -110,6 +115,9 @@ public sealed class CreatureAnimator
 
     /// <summary>What happened in the last update.</summary>
     public ReadOnlySpan<MotionEvent> Events => events.Items;
+
+    /// <summary>How many of the ground's answers in the last update counted as no hit: numbers that are not finite, a normal that is not unit, or a point far beyond the ray. More than 0 is an error of the game's ground.</summary>
+    public int RefusedHits => gate.Refused;
 
     /// <summary>The gait at present; null for creatures without legs to stand on.</summary>
     public Gait? Gait => legs?.Gait;
@@ -152,20 +160,19 @@ public sealed class CreatureAnimator
     /// <param name="dt">Seconds since the last update, 0..0.25; 0 gives the same pose again. What is longer counts as 0.25.</param>
     /// <param name="input">What the creature is to do.</param>
     /// <param name="ground">Where feet find footing.</param>
-    /// <exception cref="ArgumentException">A number is not finite, or dt is negative.</exception>
-    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    /// <exception cref="ArgumentException">A number is not finite or out of its range, or dt is negative. Nothing has changed.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground. Nothing has changed.</exception>
+    /// <exception cref="Exception">The ground has thrown it. From that ray on there was no ground in this update, which is complete: the creature goes on from there.</exception>
     public void Update(float dt, in MotionInput input, IGround ground)
     {
-        Check(ref dt, ground);
-        Finite.Require(input.Speed, nameof(input.Speed));
-        Finite.Require(input.Sideways, nameof(input.Sideways));
-        Finite.Require(input.YawRate, nameof(input.YawRate));
-        Finite.Require(input.ClimbRate, nameof(input.ClimbRate));
+        input.ThrowIfInvalid();
+        CheckedGround sound = Check(ref dt, ground);
         if (motion != null)
         {
             LocalPose.SetToRest(Profile.Creature.Skeleton);
-            Root = motion.Drive(Root, dt, input, settings, ground, LocalPose);
+            Root = motion.Drive(Root, dt, input, settings, sound, LocalPose);
             Finish(dt);
+            sound.End();
         }
     }
 
@@ -177,16 +184,17 @@ public sealed class CreatureAnimator
     /// <exception cref="ArgumentNullException">There is no ground.</exception>
     public void Follow(float dt, in RootPlace placement, IGround ground)
     {
-        Check(ref dt, ground);
         placement.Require(nameof(placement));
+        CheckedGround sound = Check(ref dt, ground);
         if (motion != null)
         {
             LocalPose.SetToRest(Profile.Creature.Skeleton);
-            motion.Follow(Root, dt, placement, settings, ground, LocalPose);
+            motion.Follow(Root, dt, placement, settings, sound, LocalPose);
         }
 
         Root = placement;
         Finish(dt);
+        sound.End();
     }
 
     /// <summary>Puts the creature somewhere else, standing on its feet there as if it had always been.</summary>
@@ -200,13 +208,15 @@ public sealed class CreatureAnimator
         }
 
         placement.Require(nameof(placement));
+        CheckedGround sound = Gate(ground);
         Root = placement;
         events.Clear();
         secondary.Reset();
         attention?.Reset();
         LocalPose.SetToRest(Profile.Creature.Skeleton);
-        motion?.Stand(placement, settings, ground, LocalPose);
+        motion?.Stand(placement, settings, sound, LocalPose);
         Finish(0f);
+        sound.End();
     }
 
     /// <summary>Moves the origin of the world: everything that is remembered in it moves by the offset, and nothing else changes.</summary>
@@ -236,7 +246,7 @@ public sealed class CreatureAnimator
         return blueprint.Coat.Marks == 0 ? species : species.Child(blueprint.Coat.Marks);
     }
 
-    private void Check(ref float dt, IGround ground)
+    private CheckedGround Check(ref float dt, IGround ground)
     {
         if (ground == null)
         {
@@ -250,6 +260,20 @@ public sealed class CreatureAnimator
 
         dt = Math.Min(dt, WalkingMode.LongestUpdate);
         events.Clear();
+        return Gate(ground);
+    }
+
+    /// <summary>Lets a ground in for one update.</summary>
+    private CheckedGround Gate(IGround ground)
+    {
+        if (ground is IMovingGround moving)
+        {
+            movingGround.Begin(moving);
+            return gate = movingGround;
+        }
+
+        stillGround.Begin(ground);
+        return gate = stillGround;
     }
 
     private void Finish(float dt)

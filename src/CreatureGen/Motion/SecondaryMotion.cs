@@ -31,6 +31,11 @@ internal sealed class SecondaryMotion
         {
             states[i] = new SpringState(rigs[i]);
             low[i] = rigs[i].Skeleton.Joints[rigs[i].Joints[0]].Role == JointRole.Tail;
+            if (low[i])
+            {
+                // Made now, so that no update has to.
+                states[i].Colliders = new SpringCollider[ground.Length];
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 using System;
 using System.Numerics;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Grounds;
 
 /// <summary>A ray over a square grid, in cells along x and z and in metres along y, in double precision.</summary>
 internal readonly struct GridRay

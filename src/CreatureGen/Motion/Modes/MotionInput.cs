@@ -1,3 +1,5 @@
+using CreatureGen.Maths;
+
 namespace CreatureGen.Motion;
 
 /// <summary>Where a creature that can fly is to be. Others take no notice.</summary>
@@ -11,10 +13,23 @@ public enum MotionMedium
 }
 
 /// <summary>What a creature is asked to do until the next update: in its own axes, SI units. The default stands still.</summary>
-/// <param name="Speed">Metres per second ahead; negative backs up.</param>
-/// <param name="YawRate">Radians per second about up; positive turns left.</param>
-/// <param name="Sideways">Metres per second to its left.</param>
-/// <param name="ClimbRate">Metres per second up, for swimmers and fliers.</param>
+/// <param name="Speed">Metres per second ahead; negative backs up; −10 000 to 10 000. A creature does what it can of it.</param>
+/// <param name="YawRate">Radians per second about up; positive turns left; −1 000 to 1 000.</param>
+/// <param name="Sideways">Metres per second to its left; −10 000 to 10 000.</param>
+/// <param name="ClimbRate">Metres per second up, for swimmers and fliers; −10 000 to 10 000.</param>
 /// <param name="Medium">Where a flier is to be.</param>
 /// <param name="Escape">A change from <see cref="EscapeTurn.None"/> starts a C-start of a swimmer, which runs its course by itself; others take no notice.</param>
-public readonly record struct MotionInput(float Speed, float YawRate = 0f, float Sideways = 0f, float ClimbRate = 0f, MotionMedium Medium = MotionMedium.Ground, EscapeTurn Escape = EscapeTurn.None);
+public readonly record struct MotionInput(float Speed, float YawRate = 0f, float Sideways = 0f, float ClimbRate = 0f, MotionMedium Medium = MotionMedium.Ground, EscapeTurn Escape = EscapeTurn.None)
+{
+    private const float Fastest = 1e4f;
+    private const float FastestTurn = 1e3f;
+
+    /// <summary>Throws unless all numbers are finite and in their ranges.</summary>
+    internal void ThrowIfInvalid()
+    {
+        Finite.RequireWithin(Speed, -Fastest, Fastest, nameof(Speed));
+        Finite.RequireWithin(YawRate, -FastestTurn, FastestTurn, nameof(YawRate));
+        Finite.RequireWithin(Sideways, -Fastest, Fastest, nameof(Sideways));
+        Finite.RequireWithin(ClimbRate, -Fastest, Fastest, nameof(ClimbRate));
+    }
+}

@@ -11,6 +11,9 @@ namespace CreatureGen.Motion;
 /// </remarks>
 public static class VelocityDamping
 {
+    private const float Longest = 1e6f;
+    private const float Fastest = 1e9f;
+    private const float FastestTurn = 1e6f;
     private const float LongestPiece = 1f / 16f;
     private const double Inner = 0.53846931010568309;
     private const double Outer = 0.90617984593866399;
@@ -19,22 +22,20 @@ public static class VelocityDamping
     private const double OuterWeight = 0.11846344252809454;
 
     /// <summary>Lets time pass.</summary>
-    /// <param name="velocity">At the beginning of the step, then at its end.</param>
-    /// <param name="goal">What is asked during the step.</param>
-    /// <param name="rate">s⁻¹ for the linear velocity, not negative; 5 is lively, 2 is heavy.</param>
-    /// <param name="yawDamping">s⁻¹ for the turn rate, not negative.</param>
-    /// <param name="seconds">Not negative.</param>
+    /// <param name="velocity">At the beginning of the step, then at its end; up to 10⁹ m/s and 10⁶ rad/s.</param>
+    /// <param name="goal">What is asked during the step; as large at most.</param>
+    /// <param name="rate">s⁻¹ for the linear velocity, 0 to 10⁶; 5 is lively, 2 is heavy.</param>
+    /// <param name="yawDamping">s⁻¹ for the turn rate, 0 to 10⁶.</param>
+    /// <param name="seconds">0 to 10⁶.</param>
     /// <returns>How far the creature went.</returns>
-    /// <exception cref="ArgumentException">A number is negative or not finite.</exception>
+    /// <exception cref="ArgumentException">A number is not finite or out of its range.</exception>
     public static RootDelta Advance(ref BodyVelocity velocity, in BodyVelocity goal, float rate, float yawDamping, float seconds)
     {
-        Finite.RequireStep(seconds);
+        Finite.RequireWithin(seconds, 0f, Longest, nameof(seconds));
         Finite.RequireWithin(rate, 0f, 1e6f, nameof(rate));
         Finite.RequireWithin(yawDamping, 0f, 1e6f, nameof(yawDamping));
-        Finite.Require(velocity.Linear, nameof(velocity));
-        Finite.Require(velocity.YawRate, nameof(velocity));
-        Finite.Require(goal.Linear, nameof(goal));
-        Finite.Require(goal.YawRate, nameof(goal));
+        Require(velocity, nameof(velocity));
+        Require(goal, nameof(goal));
         int pieces = Math.Max(1, (int)Math.Min(Math.Ceiling(seconds / (double)LongestPiece), 4096));
         float piece = seconds / pieces;
         Vector3 shift = Vector3.Zero;
@@ -50,6 +51,12 @@ public static class VelocityDamping
         }
 
         return new RootDelta(shift, turn);
+    }
+
+    private static void Require(in BodyVelocity velocity, string name)
+    {
+        Finite.RequireWithin(velocity.Linear, Fastest, name);
+        Finite.RequireWithin(velocity.YawRate, -FastestTurn, FastestTurn, name);
     }
 
     private static float Heading(in BodyVelocity velocity, in BodyVelocity goal, float yawDamping, float seconds) =>

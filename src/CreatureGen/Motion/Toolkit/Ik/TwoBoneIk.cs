@@ -24,13 +24,13 @@ public static class TwoBoneIk
     /// <param name="reach">How far the limb stretches and folds.</param>
     /// <param name="upperTurn">Turns the upper bone: its new model rotation is this times the old.</param>
     /// <param name="lowerTurn">Turns the lower bone likewise.</param>
-    /// <exception cref="ArgumentException">A number is not finite, or a bone has no length across the hinge.</exception>
+    /// <exception cref="ArgumentException">A number is not finite, the hinge is not unit, or a bone has no length across it.</exception>
     public static IkResult Solve(Vector3 root, Vector3 middle, Vector3 end, Vector3 hinge, Vector3 target, Vector3 pole, in Reach reach, out Quaternion upperTurn, out Quaternion lowerTurn)
     {
         Finite.Require(root, nameof(root));
         Finite.Require(middle, nameof(middle));
         Finite.Require(end, nameof(end));
-        Finite.Require(hinge, nameof(hinge));
+        Finite.RequireUnit(hinge, nameof(hinge));
         Finite.Require(target, nameof(target));
         Finite.Require(pole, nameof(pole));
         Vector3 along = target - root;
