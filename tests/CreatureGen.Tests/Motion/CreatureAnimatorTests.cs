@@ -85,10 +85,6 @@ public class CreatureAnimatorTests
         var large = new CreatureAnimator(dog);
         large.Teleport(new RootPlace(Vector3.Zero, Quaternion.Identity, scale), FlatGround.Level);
         small.Teleport(new RootPlace(Vector3.Zero, Quaternion.Identity), FlatGround.Level);
-        LocomotionSettings settings = LocomotionSettings.Default;
-        settings.SpeedResponse /= root;
-        settings.YawResponse /= root;
-        large.Settings = settings;
         for (int i = 0; i < 120; i++)
         {
             small.Update(1f / 60f, new MotionInput(1f), FlatGround.Level);

@@ -14,6 +14,7 @@ public struct LocomotionSettings
         Gravity = 9.81f,
         SpeedResponse = 4f,
         YawResponse = 4f,
+        Traction = 1f,
         Lift = 1f,
         Bounce = 1f,
         Sway = 1f,
@@ -31,11 +32,20 @@ public struct LocomotionSettings
     /// <summary>Metres per second squared; 0.1..1000.</summary>
     public float Gravity { get; set; }
 
-    /// <summary>How quickly speed follows what is asked, per second; 0.1..100.</summary>
+    /// <summary>
+    /// How quickly the body follows as its creature speeds up or slows down, per second; 0.1..100. That of legs follows with a lag of 0.15 s at 4 s⁻¹, the default, on a leg of half a metre; it grows with the
+    /// square root of the leg's length.
+    /// </summary>
     public float SpeedResponse { get; set; }
 
-    /// <summary>How quickly turning follows what is asked, per second; 0.1..100.</summary>
+    /// <summary>The same of turning; 0.1..100.</summary>
     public float YawResponse { get; set; }
+
+    /// <summary>
+    /// Grip of the feet on the ground, a factor; 0.05..3: 0.3 on ice, 1.5 with claws. It bounds speeding up (0.6 of gravity), braking (0.7) and the acceleration to a side in turns (0.6); pillar-legged
+    /// creatures do half of that.
+    /// </summary>
+    public float Traction { get; set; }
 
     /// <summary>Height of the swinging feet, a factor; 0..4.</summary>
     public float Lift { get; set; }
@@ -83,6 +93,7 @@ public struct LocomotionSettings
         Finite.RequireWithin(Gravity, 0.1f, 1000f, nameof(Gravity));
         Finite.RequireWithin(SpeedResponse, 0.1f, 100f, nameof(SpeedResponse));
         Finite.RequireWithin(YawResponse, 0.1f, 100f, nameof(YawResponse));
+        Finite.RequireWithin(Traction, 0.05f, 3f, nameof(Traction));
         Finite.RequireWithin(Lift, 0f, 4f, nameof(Lift));
         Finite.RequireWithin(Bounce, 0f, 4f, nameof(Bounce));
         Finite.RequireWithin(Sway, 0f, 4f, nameof(Sway));

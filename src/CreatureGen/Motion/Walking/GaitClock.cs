@@ -1,6 +1,8 @@
 using System;
+using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Gaits;
+using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Motion.Walking.Trunk;
 
@@ -18,6 +20,9 @@ internal sealed class GaitClock
 
     /// <summary>Yaw of the body in one cycle on the spot, radians.</summary>
     private const float YawPerCycle = 0.45f;
+
+    /// <summary>Times that a rate of turning is brought down to what steps can follow, by half at most.</summary>
+    private const int TurnTrials = 4;
 
     private readonly LeggedBody body;
     private readonly float[] lags;
@@ -94,22 +99,24 @@ internal sealed class GaitClock
 
     /// <summary>Lets the numbers go on their way.</summary>
     /// <param name="dt">Seconds.</param>
-    /// <param name="froude">v²/(gℓ).</param>
+    /// <param name="velocity">How the body goes.</param>
     /// <param name="gravity">Metres per second squared.</param>
-    /// <param name="turn">Radians per second.</param>
     /// <param name="pace">Speed, in slow walks, 0..1: what of a turn is done on the spot.</param>
     /// <param name="rise">Of the ground along the way: long strides are shorter uphill and downhill.</param>
     /// <param name="stride">Length of strides, a factor.</param>
-    public void Slide(float dt, float froude, float gravity, float turn, float pace, float rise, float stride = 1f)
+    public void Slide(float dt, in RootVelocity velocity, float gravity, float pace, float rise, float stride = 1f)
     {
+        float unit = gravity * body.LegLength;
+        float froude = ((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways)) / unit;
         slope = rise;
         float fraction = shapeDecay.Fraction(ShapeRate * dt);
         Shape.Approach(Gait, fraction);
         frequencyRest -= frequencyRest * fraction;
-        float spot = Math.Abs(turn) / YawPerCycle * (1f - (0.5f * pace));
-        Frequency = Math.Max((FrequencyOf(Gait, froude, gravity) + frequencyRest) / stride, spot);
+        float straight = (FrequencyOf(Gait, froude, gravity) + frequencyRest) / stride;
+        float spot = Math.Abs(velocity.Turn) / YawPerCycle * (1f - (0.5f * pace));
+        Frequency = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
         float cycle = Frequency * dt;
-        float duty = Gait.Duty.At(froude);
+        float duty = DutyInTurn(Gait, froude, velocity.Turn, unit);
         Duty += Scalar.Clamp(duty - Duty, -DutyPerCycle * cycle, DutyPerCycle * cycle);
         float max = LagPerCycle * cycle;
         for (int i = 0; i < lags.Length; i++)
@@ -136,6 +143,59 @@ internal sealed class GaitClock
         float level = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level);
         float here = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, stance);
         return speed * Math.Min(1f, Math.Max(quickest, level) / here);
+    }
+
+    /// <summary>The rate of turning, up to what is asked, at which steps as quick as the creature's mass lets them still take all feet along.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="turn">That is asked, radians per second.</param>
+    /// <param name="gravity">Metres per second squared.</param>
+    public float ReachableTurn(float speed, float turn, float gravity)
+    {
+        float unit = gravity * body.LegLength;
+        float froude = speed * speed / unit;
+        float straight = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level);
+        for (int i = 0; i < TurnTrials; i++)
+        {
+            float needed = FrequencyInTurn(speed, 0f, turn, straight, DutyInTurn(Gait, froude, turn, unit));
+            float max = Math.Max(quickest, straight);
+            if (needed <= max)
+            {
+                break;
+            }
+
+            turn *= Math.Max(max / needed, 0.5f);
+        }
+
+        return turn;
+    }
+
+    /// <summary>Cycles per second at which no foot goes farther in a stance than it can.</summary>
+    private float FrequencyInTurn(float speed, float sideways, float turn, float straight, float duty)
+    {
+        if (turn == 0f && sideways == 0f)
+        {
+            return 0f;
+        }
+
+        float half = 0.5f * Math.Abs(speed) * duty / straight;
+        float max = 0f;
+        for (int i = 0; i < body.StepRanges.Length; i++)
+        {
+            StepRange range = body.StepRanges[i];
+            Vector3 home = body.GoingHomes[i];
+            float aside = (sideways + (turn * home.Z)) / range.Aside;
+            float along = (speed - (turn * home.X)) / Math.Max(range.Ahead, half);
+            max = Math.Max(max, (aside * aside) + (along * along));
+        }
+
+        return 0.5f * duty * (float)Math.Sqrt(max);
+    }
+
+    /// <summary>Part of the cycle that a foot is down in a turn: by the speed of the foot that is farthest from the pivot.</summary>
+    private float DutyInTurn(Gait gait, float froude, float turn, float unit)
+    {
+        float fastest = turn * body.FarthestFoot;
+        return gait.Duty.At(Math.Max(froude, fastest * fastest / unit));
     }
 
     /// <summary>Cycles per second of a gait at a speed.</summary>

@@ -66,6 +66,13 @@ internal sealed class LeggedBody
         }
 
         GoingHomes = NeutralFootholds.Of(Legs, Rows);
+        StepRanges = new StepRange[Legs.Length];
+        for (int i = 0; i < Legs.Length; i++)
+        {
+            StepRanges[i] = StepRange.Of(Legs[i], GoingHomes[i]);
+            FarthestFoot = Math.Max(FarthestFoot, Vec.Length(GoingHomes[i]));
+        }
+
         LegLength = hind / rear;
         HipHeight = hips / rear;
         HalfTrack = halfTrack;
@@ -130,6 +137,12 @@ internal sealed class LeggedBody
 
     /// <summary>Where each foot belongs under a body that goes, model space.</summary>
     public Vector3[] GoingHomes { get; }
+
+    /// <summary>How far each foot can go from there.</summary>
+    public StepRange[] StepRanges { get; }
+
+    /// <summary>Distance of the farthest of these places from the root, about which the body turns, metres.</summary>
+    public float FarthestFoot { get; }
 
     /// <summary>Number of pairs of legs.</summary>
     public int Rows { get; }

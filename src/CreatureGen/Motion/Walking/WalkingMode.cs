@@ -17,11 +17,8 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Seconds that an update counts at most.</summary>
     public const float LongestUpdate = 0.25f;
 
-    /// <summary>Seconds of a step within an update at most.</summary>
-    public const float LongestStep = 1f / 30f;
-
     /// <summary>Steps in an update at most.</summary>
-    public const int MaxSteps = 8;
+    public const int MaxSteps = (int)(LongestUpdate / DecisionClock.Period) + 2;
 
     private const float ActivityRate = 5f;
 
@@ -37,9 +34,6 @@ internal sealed class WalkingMode : ILocomotionMode
 
     /// <summary>Height by which the root follows the ground under the body, per second.</summary>
     private const float RootRate = 6f;
-
-    /// <summary>Part of its reach at which a standing leg gives up its place.</summary>
-    private const float BreakStretch = 1.12f;
 
     /// <summary>Part of a slow walk below which a creature that comes down does so on the spot.</summary>
     private const float ArrivalSpeed = 0.3f;
@@ -64,12 +58,13 @@ internal sealed class WalkingMode : ILocomotionMode
     private float acceleration;
     private double seconds;
     private bool standing;
+    private bool moving;
+    private bool going;
+    private DecisionClock ticker;
     private bool arrived;
     private ExponentialDecay activityDecay;
-    private ExponentialDecay accelerationDecay;
     private ExponentialDecay rootDecay;
     private ExponentialDecay raiseDecay;
-    private ExponentialDecay foresightDecay;
 
     public WalkingMode(LeggedBody body, GaitSet gaits, EventQueue events)
     {
@@ -151,14 +146,13 @@ internal sealed class WalkingMode : ILocomotionMode
         if (speed > ArrivalSpeed * walking)
         {
             float froude = speed * speed / unit;
-            velocity.Speed = velocity.GoalSpeed = speed;
-            velocity.Turn = velocity.GoalTurn = turn;
+            velocity = RootVelocity.At(speed, 0f, turn);
             activity = Math.Min((speed / walking) + (0.35f * Math.Abs(turn)), 1f);
             gait = gaits.Choose(before, froude);
             clock.Restart(settings.Gait ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
             clock.Shape.Track = Math.Max(clock.Shape.Track, ArrivalTrack);
             clock.Phase = 0;
-            clock.Slide(0f, froude, own.Gravity, turn, Math.Min(speed / walking, 1f), 0f, own.Stride);
+            clock.Slide(0f, velocity, own.Gravity, Math.Min(speed / walking, 1f), 0f, own.Stride);
             planner.PlaceInStride(new StepContext(place, velocity, clock, own, ground, 0f, 0f, activity, true, 0f));
             PoseFeet(place, 0f, own);
             placer.Reset(planner.Feet);
@@ -171,11 +165,14 @@ internal sealed class WalkingMode : ILocomotionMode
     private void Stand(in RootPlace placement, in LocomotionSettings settings, IGround ground)
     {
         velocity = default;
+        ticker = default;
+        moving = false;
+        going = false;
         activity = 0f;
         acceleration = 0f;
         gait = 0;
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
-        clock.Slide(0f, 0f, settings.Gravity, 0f, 0f, 0f);
+        clock.Slide(0f, velocity, settings.Gravity, 0f, 0f);
         var step = new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, false, 0f);
         planner.PlaceAll(step);
         PoseFeet(placement, 0f, settings);
@@ -224,24 +221,22 @@ internal sealed class WalkingMode : ILocomotionMode
         Begin(placement, settings, ground);
         float top = settings.Gait == null ? gaits.TopSpeed : (float)Math.Sqrt(settings.Gait.Fastest * settings.Gravity * body.LegLength);
         float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
-        velocity.GoalSpeed = clock.OnSlope(Scalar.Clamp(input.Speed / scale, -back, top), settings.Gravity);
-        velocity.GoalSideways = Scalar.Clamp(input.Sideways / scale, -back, back);
-        velocity.GoalTurn = input.YawRate;
-        velocity.Rate = settings.SpeedResponse;
+        velocity.Bounds = TravelBounds.Of(body, settings);
+        float goal = clock.OnSlope(Scalar.Clamp(input.Speed / scale, -back, top), settings.Gravity);
+        velocity.Ask(goal, Scalar.Clamp(input.Sideways / scale, -back, back), clock.ReachableTurn(goal, input.YawRate, settings.Gravity));
         placement = PlatformRide.Carry(planner.Feet, placement, ground, settings.Up);
-        int steps = dt > 0f ? Math.Max(1, (int)Math.Ceiling((dt / LongestStep) - 1e-3f)) : 0;
-        float h = steps > 0 ? dt / steps : 0f;
-        float before = velocity.Speed;
-        for (int i = 0; i < steps; i++)
+        float left = dt;
+        while (left > 0f)
         {
+            float h = ticker.Next(ref left);
             Vector3 way = velocity.Advance(h, out float yaw);
             Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisRotation.Yaw(yaw));
             placement = new RootPlace(placement.ToWorld(way), Upright(rotation, settings.Up), scale);
             placement = FollowGround(placement, h, settings);
-            Step(placement, h, Math.Max(dt - ((i + 1) * h), 0f), settings, ground);
+            Step(placement, h, left, settings, ground);
         }
 
-        acceleration = dt > 0f ? acceleration + ((((velocity.Speed - before) / dt) - acceleration) * accelerationDecay.Fraction(10f * dt)) : acceleration;
+        acceleration = velocity.Acceleration;
         return placement;
     }
 
@@ -258,14 +253,15 @@ internal sealed class WalkingMode : ILocomotionMode
             float yaw = 2f * (turn.W < 0f ? -turn.Y : turn.Y) / dt;
             float fraction = 1f - (float)PortableMath.Exp(-20f * dt);
             float before = velocity.Speed;
-            velocity.Rate = 0f;
-            velocity.Speed += (way.Z - velocity.Speed) * fraction;
-            velocity.Sideways += (way.X - velocity.Sideways) * fraction;
-            velocity.Turn += (yaw - velocity.Turn) * fraction;
-            (velocity.GoalSpeed, velocity.GoalSideways, velocity.GoalTurn) = (velocity.Speed, velocity.Sideways, velocity.Turn);
+            velocity = RootVelocity.At(before + ((way.Z - before) * fraction), velocity.Sideways + ((way.X - velocity.Sideways) * fraction), velocity.Turn + ((yaw - velocity.Turn) * fraction));
             acceleration += (((velocity.Speed - before) / dt) - acceleration) * fraction;
             placer.RootRaised((way.Y - (placer.Climb * velocity.Speed)) * dt);
-            Step(goal, Math.Min(dt, LongestStep), 0f, settings, ground);
+            float left = dt;
+            while (left > 0f)
+            {
+                float h = ticker.Next(ref left);
+                Step(goal, h, left, settings, ground);
+            }
         }
     }
 
@@ -313,15 +309,18 @@ internal sealed class WalkingMode : ILocomotionMode
     {
         float unit = settings.Gravity * body.LegLength;
         float speed = (float)Math.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways));
-        float froude = speed * speed / unit;
         float walking = (float)Math.Sqrt(0.06f * unit);
-        bool moving = speed > 0.05f * walking || Math.Abs(velocity.Turn) > 0.03f;
-        bool going = moving || planner.IsUnsettled(placement, activity, clock);
-        ChooseGait(froude, going, settings);
+        if (ticker.Decides)
+        {
+            moving = speed > 0.05f * walking || Math.Abs(velocity.Turn) > 0.03f;
+            going = moving || planner.IsUnsettled(placement, activity, clock);
+            ChooseGait(speed * speed / unit, settings);
+        }
+
         float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(velocity.Turn)), 1f) : 0f;
         activity += (wanted - activity) * activityDecay.Fraction(ActivityRate * h);
         float frequency = clock.Frequency;
-        clock.Slide(h, froude, settings.Gravity, velocity.Turn, Math.Min(speed / walking, 1f), placer.Climb, settings.Stride);
+        clock.Slide(h, velocity, settings.Gravity, Math.Min(speed / walking, 1f), placer.Climb, settings.Stride);
         if (going)
         {
             double phase = clock.Phase + (0.5f * (frequency + clock.Frequency) * h);
@@ -330,20 +329,15 @@ internal sealed class WalkingMode : ILocomotionMode
 
         var step = new StepContext(placement, velocity, clock, settings, ground, h, left, activity, moving, placer.Climb);
         planner.Advance(step);
-        for (int i = 0; i < planner.Feet.Length; i++)
+        if (ticker.Decides)
         {
-            // As last posed: a foot that was pulled away, by a push or a platform, steps at once. One of a pair at a time.
-            ref readonly Foot foot = ref planner.Feet[i];
-            if (foot.Phase == FootPhase.Stance && foot.Stretch > BreakStretch && foot.Stance < 0.8f)
-            {
-                planner.Release(i, step);
-            }
+            planner.Decide(step);
         }
     }
 
-    private void ChooseGait(float froude, bool going, in LocomotionSettings settings)
+    private void ChooseGait(float froude, in LocomotionSettings settings)
     {
-        float ahead = velocity.Speed + ((velocity.GoalSpeed - velocity.Speed) * foresightDecay.Fraction(velocity.Rate * Foresight));
+        float ahead = velocity.SpeedAfter(Foresight);
         float unit = settings.Gravity * body.LegLength;
         gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / unit) : 0f);
         Gait wanted = settings.Gait ?? gaits.Steps[gait].Gait;
@@ -365,7 +359,7 @@ internal sealed class WalkingMode : ILocomotionMode
 
     private void PoseFeet(in RootPlace placement, float dt, in LocomotionSettings settings)
     {
-        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Lift, activity, 0f, dt);
+        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Lift, clock.Shape.ForceDip, activity, dt);
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);

@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
@@ -32,6 +33,9 @@ internal struct Foot
     /// <summary>Progress of the stance, 0..1.</summary>
     public float Stance;
 
+    /// <summary>Whether it leaves the ground when the gait has it do so next.</summary>
+    public bool Steps;
+
     /// <summary>Whether it sits out a swing because it is where it should be.</summary>
     public bool Held;
 
@@ -41,14 +45,20 @@ internal struct Foot
     /// <summary>Whether it swings by its own clock, out of step with the gait: a correction.</summary>
     public bool Correcting;
 
-    /// <summary>How far hip or knee was beyond its limits as it last stood, about half the angle in radians: it comes back within them by and by when the foot has left the ground.</summary>
-    public float Strain;
+    /// <summary>Seconds of such a swing.</summary>
+    public float Flight;
+
+    /// <summary>How far its leg reached when that was last looked at, metres.</summary>
+    public float Reached;
 
     /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
     public float Yield;
 
+    /// <summary>Its pitch, fold and load, without a jump where it leaves the cycle.</summary>
+    public PostureFade Posture;
+
     /// <summary>Load: 0 in the air, about 1 in the middle of stance.</summary>
-    public float Load;
+    public readonly float Load => Posture.Shown.Load;
 
     /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
     public Vector3 Base;
@@ -64,6 +74,12 @@ internal struct Foot
 
     /// <summary>Normal of the ground in model space at present.</summary>
     public Vector3 Normal;
+
+    /// <summary>From the hip to what the leg reaches for, when last posed, before the body was lowered for it. Model space.</summary>
+    public Vector3 Chord;
+
+    /// <summary>How far the body was lowered then, metres.</summary>
+    public float Lowered;
 
     /// <summary>Length that the leg would need, as part of its reach, when last posed.</summary>
     public float Stretch;

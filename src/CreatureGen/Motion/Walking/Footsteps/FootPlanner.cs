@@ -39,8 +39,11 @@ internal sealed class FootPlanner
 
     private const float MaxSlope = 0.5f;
 
-    /// <summary>Seconds of a swing out of step.</summary>
-    private const float CorrectionTime = 0.22f;
+    /// <summary>How far the gait's own swing may have come for a foot to join it: with less time left it would be hurled.</summary>
+    private const float LatestJoin = 0.6f;
+
+    /// <summary>How long before a foot leaves the ground it is decided whether it does, in times between decisions.</summary>
+    private const float DecisionsAhead = 1.5f;
 
     private readonly LeggedBody body;
     private readonly Foot[] feet;
@@ -101,7 +104,6 @@ internal sealed class FootPlanner
             foot.To.Attach(step.Ground as IMovingGround);
             foot.From = foot.To;
             foot.Stance = 0.5f;
-            foot.Load = 0.7f;
         }
     }
 
@@ -124,23 +126,51 @@ internal sealed class FootPlanner
                 feet[i].Aimed = false;
                 Aim(i, step, (1f - p + (0.5f * duty)) * cycle);
             }
-
-            SetLoad(ref feet[i], step);
         }
     }
 
-    /// <summary>Lets a foot take a step of its own at once: where it stands is out of reach.</summary>
-    public void Release(int leg, in StepContext step)
+    /// <summary>Decides what standing feet do next: whether they leave the ground when the gait has them do so, and whether they do so at once.</summary>
+    public void Decide(in StepContext step)
     {
-        ref Foot foot = ref feet[leg];
-        if (foot.Phase == FootPhase.Swing)
+        float duty = step.Clock.Duty;
+        float cycle = 1f / step.Clock.Frequency;
+        for (int i = 0; i < feet.Length; i++)
         {
-            return;
-        }
+            ref Foot foot = ref feet[i];
+            if (foot.Phase != FootPhase.Stance)
+            {
+                continue;
+            }
 
+            float p = step.Clock.LegPhase(i);
+            float u = (p - duty) / (1f - duty);
+            float ahead = ((1f - p) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
+            foot.Steps = false;
+            if (FootRelease.IsDue(ref foot, body.Legs[i], step))
+            {
+                Release(i, step, (1f - duty) * cycle);
+            }
+            else if (p < duty)
+            {
+                foot.Steps = (duty - p) * cycle < DecisionsAhead * DecisionClock.Period && Wants(i, step, ahead);
+            }
+            else if (u < (IsFar(i, step) ? LatestRescue : LatestLift) && Wants(i, step, ahead))
+            {
+                Lift(i, step, u);
+                foot.Posture.Begin();
+                Aim(i, step, ahead);
+            }
+        }
+    }
+
+    /// <summary>Lets a foot take a step of its own at once: by the turning of the body, a push, or a platform it stands out of reach.</summary>
+    private void Release(int leg, in StepContext step, float swing)
+    {
         Lift(leg, step, 0f);
-        foot.Correcting = true;
-        Aim(leg, step, CorrectionTime);
+        feet[leg].Posture.Begin();
+        feet[leg].Correcting = true;
+        feet[leg].Flight = FootRelease.Flight(swing);
+        Aim(leg, step, feet[leg].Flight);
     }
 
     /// <summary>Moves all feet on by a step of time; the clock has been moved already.</summary>
@@ -177,38 +207,38 @@ internal sealed class FootPlanner
             {
                 Swing(i, step, (p - duty) / (1f - duty), duty, cycle);
             }
-
-            SetLoad(ref foot, step);
         }
     }
 
     private void Correct(int leg, in StepContext step, float p, float duty, float cycle)
     {
         ref Foot foot = ref feet[leg];
-        if (p >= duty)
+        float u = (p - duty) / (1f - duty);
+        float joined = (u - foot.Swing) / Math.Max(1f - foot.Swing, 0.05f);
+        if (p >= duty && joined <= LatestJoin)
         {
             // Its own swing has come: it goes on in step with the gait, from where it is.
-            float u = (p - duty) / (1f - duty);
             foot.Correcting = false;
-            foot.LiftAt = Math.Min((u - foot.Swing) / Math.Max(1f - foot.Swing, 0.05f), 0.95f);
+            foot.LiftAt = joined;
             Swing(leg, step, u, duty, cycle);
             return;
         }
 
-        foot.Swing += step.Step / CorrectionTime;
+        foot.Swing += step.Step / foot.Flight;
         if (foot.Swing >= 1f)
         {
-            Land(leg, step, Math.Min((foot.Swing - 1f) * CorrectionTime, step.Step));
-            foot.Held = p < 0.5f * duty;
-            foot.Stance = Math.Max(p / duty, 0.5f);
+            Land(leg, step, Math.Min((foot.Swing - 1f) * foot.Flight, step.Step));
+            foot.Held = p < 0.5f * duty || p >= duty;
+            foot.Stance = foot.Held ? 0.5f : p / duty;
+            foot.Posture.Begin();
             return;
         }
 
         if (foot.Swing < Frozen)
         {
-            // For the middle of what is left of its stance.
-            float flight = (1f - foot.Swing) * CorrectionTime;
-            float stance = Math.Max(((duty - p) * cycle) - flight, 0f);
+            // For the middle of what is left of its stance, or of the next one.
+            float flight = (1f - foot.Swing) * foot.Flight;
+            float stance = Math.Max(((p < duty ? duty - p : 1f - p + duty) * cycle) - flight, 0f);
             Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f));
         }
     }
@@ -225,15 +255,14 @@ internal sealed class FootPlanner
 
         if (foot.Phase == FootPhase.Stance)
         {
-            float begun = 0.02f + (step.Step / (cycle * (1f - duty)));
-            if (u > Math.Max(begun, IsFar(leg, step) ? LatestRescue : LatestLift) || !Wants(leg, step, ahead))
+            if (!foot.Steps)
             {
                 foot.Held = true;
                 Rest(ref foot, step, 0f);
                 return;
             }
 
-            Lift(leg, step, u < begun ? 0f : u);
+            Lift(leg, step, 0f);
         }
 
         // A step of its own that the gait has caught up with goes on to the place of the gait's, however far it has come.
@@ -280,6 +309,7 @@ internal sealed class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         foot.Phase = FootPhase.Swing;
+        foot.Steps = false;
         foot.Held = false;
         foot.Correcting = false;
         foot.LiftAt = at;
@@ -354,23 +384,6 @@ internal sealed class FootPlanner
         home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
         home.Z += NeutralFootholds.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MaxSlope, MaxSlope)) * activity;
         return home;
-    }
-
-    private static void SetLoad(ref Foot foot, in StepContext step)
-    {
-        if (foot.Phase == FootPhase.Swing)
-        {
-            foot.Load = 0f;
-            return;
-        }
-
-        float s = Math.Min(foot.Stance, 1f);
-        FastTrigonometry.OfTurns(0.5f * s, out float sine, out _);
-
-        // sin 3x = 3 sin x − 4 sin³ x
-        float dip = (3f * sine) - (4f * sine * sine * sine);
-        float shape = Math.Max(0f, sine + (step.Clock.Shape.ForceDip * dip));
-        foot.Load = Scalar.Lerp(0.7f, shape, step.Activity);
     }
 
     /// <summary>Yaw of a heading from that of the body, radians, small angles.</summary>

@@ -21,7 +21,10 @@ internal static class LegRoom
     private const float FoldedWidth = 0.02f;
 
     /// <summary>How far a leg draws the body down at most, leg lengths. Legs out to the side gain little by it.</summary>
-    private const float MaxDrop = 0.35f;
+    private const float MaxDrop = 0.15f;
+
+    /// <summary>How far a folded leg raises it at most.</summary>
+    private const float MaxRaise = 0.35f;
 
     private const float LateralDrop = 0.025f;
 
@@ -43,7 +46,7 @@ internal static class LegRoom
     /// <param name="poses">Where they have to be.</param>
     /// <param name="hindDrop">Of the hind body, metres; negative is up.</param>
     /// <param name="foreDrop">Of the fore body.</param>
-    public static void Find(BodyPlacer placer, LeggedBody body, ReadOnlySpan<Foot> feet, ReadOnlySpan<FootPose> poses, out float hindDrop, out float foreDrop)
+    public static void Find(BodyPlacer placer, LeggedBody body, Span<Foot> feet, ReadOnlySpan<FootPose> poses, out float hindDrop, out float foreDrop)
     {
         var hind = new Girdle(float.MaxValue);
         var fore = new Girdle(float.MaxValue);
@@ -58,11 +61,12 @@ internal static class LegRoom
             }
 
             Vector3 chord = poses[i].Target - placer.HipOf(i, feet[i], out _);
+            feet[i].Chord = chord;
             float distance = Vec.Length(chord);
-            float steep = Math.Max(-chord.Y / Math.Max(distance, 1e-6f), 0.35f);
+            float steep = Steepness(chord, distance);
             float max = (leg.Lateral ? LateralDrop : MaxDrop) * leg.Length;
-            float drop = weight * Math.Min(Beyond(distance - (MaxStretch * leg.Reach), Width * leg.Reach) / steep, max);
-            float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxDrop * leg.Length);
+            float drop = weight * Math.Min(Asked(leg, chord, distance), max);
+            float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxRaise * leg.Length);
             float holds = feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i]);
             float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);
 
@@ -82,7 +86,19 @@ internal static class LegRoom
         float hindest = Math.Max(hind.Drop, level * fore.Drop);
         hindDrop = Net(hindest, hind.Rise);
         foreDrop = Net(Math.Max(fore.Drop, level * hindest), fore.Rise);
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i].Lowered = body.Legs[i].IsHind(body.Rows) ? hindDrop : foreDrop;
+        }
     }
+
+    /// <summary>How far a leg asks the body to come down, metres.</summary>
+    /// <param name="leg">The leg.</param>
+    /// <param name="chord">From its hip to what it reaches for, the body not lowered yet.</param>
+    /// <param name="distance">Length of that.</param>
+    public static float Asked(LegRig leg, Vector3 chord, float distance) => Beyond(distance - (MaxStretch * leg.Reach), Width * leg.Reach) / Steepness(chord, distance);
+
+    private static float Steepness(Vector3 chord, float distance) => Math.Max(-chord.Y / Math.Max(distance, 1e-6f), 0.35f);
 
     /// <summary>How far a girdle comes down: what a folded leg asks for comes before what a stretched one does.</summary>
     private static float Net(float drop, float rise) => Math.Max(drop - (2f * rise), -rise);
@@ -94,7 +110,7 @@ internal static class LegRoom
     private static float Arrival(LegRig leg, in Foot foot)
     {
         float from = leg.Lateral ? LateralArriving : Arriving;
-        return foot.Phase == FootPhase.Stance || foot.Correcting ? 0f : Scalar.Smooth((foot.Swing - from) / (1f - from));
+        return foot.Phase == FootPhase.Stance ? 0f : Scalar.Smooth((foot.Swing - from) / (1f - from));
     }
 
     /// <summary>How much a standing leg holds the body down, 0..1: it may stretch as its foot rolls off.</summary>

@@ -7,54 +7,70 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 /// <summary>How the body moves over the ground, in its own axes, and what it is going over to.</summary>
 internal struct RootVelocity
 {
+    /// <summary>Seconds ahead for which turns are kept within bounds.</summary>
+    private const float Foresight = 0.25f;
+
+    private Momentum ahead;
+    private Momentum aside;
+    private Momentum yaw;
+
+    /// <summary>How quickly it may change.</summary>
+    public TravelBounds Bounds;
+
     /// <summary>Metres per second ahead.</summary>
-    public float Speed;
+    public readonly float Speed => ahead.Speed;
 
     /// <summary>Metres per second to the left.</summary>
-    public float Sideways;
+    public readonly float Sideways => aside.Speed;
 
     /// <summary>Radians per second to the left.</summary>
-    public float Turn;
+    public readonly float Turn => yaw.Speed;
 
-    public float GoalSpeed;
-    public float GoalSideways;
-    public float GoalTurn;
+    /// <summary>Metres per second ahead that it is going over to.</summary>
+    public readonly float GoalSpeed => ahead.Goal;
 
-    /// <summary>Sharpness with which the goal is approached, per second; 0 when the game moves the body itself.</summary>
-    public float Rate;
+    /// <summary>Metres per second squared ahead.</summary>
+    public readonly float Acceleration => ahead.IsSteady ? 0f : ahead.Acceleration(Bounds.Along);
+
+    /// <summary>Steady motion.</summary>
+    public static RootVelocity At(float speed, float sideways, float turn) => new() { ahead = Momentum.At(speed), aside = Momentum.At(sideways), yaw = Momentum.At(turn) };
+
+    /// <summary>Asks for another motion. Turns are no sharper than the grip allows at the present speed and at that of a moment later.</summary>
+    public void Ask(float speed, float sideways, float turn)
+    {
+        ahead.Ask(speed);
+        aside.Ask(sideways);
+        float fastest = Math.Max(Math.Abs(Speed), Math.Abs(SpeedAfter(Foresight)));
+        float sharpest = fastest > 0f ? Bounds.Aside / fastest : float.MaxValue;
+        yaw.Ask(Scalar.Clamp(turn, -sharpest, sharpest));
+    }
 
     /// <summary>Goes on for a time, and tells the way gone meanwhile.</summary>
     /// <param name="dt">Seconds.</param>
-    /// <param name="yaw">Turn in that time, radians.</param>
+    /// <param name="turned">Turn in that time, radians.</param>
     /// <returns>Displacement in the axes at the start.</returns>
-    public Vector3 Advance(float dt, out float yaw)
+    public Vector3 Advance(float dt, out float turned)
     {
-        float keep = (float)PortableMath.Exp(-Rate * dt);
-        float mean = Rate * dt > 1e-4f ? (1f - keep) / (Rate * dt) : 1f;
-        float ahead = GoalSpeed + ((Speed - GoalSpeed) * mean);
-        float left = GoalSideways + ((Sideways - GoalSideways) * mean);
-        float turn = GoalTurn + ((Turn - GoalTurn) * mean);
-        Speed = GoalSpeed + ((Speed - GoalSpeed) * keep);
-        Sideways = GoalSideways + ((Sideways - GoalSideways) * keep);
-        Turn = GoalTurn + ((Turn - GoalTurn) * keep);
-        yaw = turn * dt;
-        return Along(ahead, left, turn, dt);
+        float forward = ahead.Advance(dt, Bounds.Along);
+        float left = aside.Advance(dt, Bounds.Along);
+        float turn = yaw.Advance(dt, Bounds.Yaw);
+        turned = turn * dt;
+        return Along(forward, left, turn, dt);
     }
 
     /// <summary>Where the body will be after a time.</summary>
-    public readonly Vector3 Predict(float dt, out float yaw)
+    public readonly Vector3 Predict(float dt, out float turned)
     {
-        if (Speed == GoalSpeed && Sideways == GoalSideways && Turn == GoalTurn)
-        {
-            yaw = Turn * dt;
-            return Along(Speed, Sideways, Turn, dt);
-        }
+        RootVelocity later = this;
+        return later.Advance(dt, out turned);
+    }
 
-        float x = Rate * dt;
-        float mean = x > 1e-3f ? (1f - (float)PortableMath.Exp(-x)) / x : 1f - (0.5f * x);
-        float turn = GoalTurn + ((Turn - GoalTurn) * mean);
-        yaw = turn * dt;
-        return Along(GoalSpeed + ((Speed - GoalSpeed) * mean), GoalSideways + ((Sideways - GoalSideways) * mean), turn, dt);
+    /// <summary>Speed ahead after a time.</summary>
+    public readonly float SpeedAfter(float dt)
+    {
+        Momentum later = ahead;
+        later.Advance(dt, Bounds.Along);
+        return later.Speed;
     }
 
     /// <summary>Displacement along an arc at steady speeds.</summary>

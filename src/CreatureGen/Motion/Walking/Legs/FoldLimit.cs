@@ -22,9 +22,8 @@ internal readonly struct FoldLimit
     /// <param name="cosine">Of the angle.</param>
     /// <param name="sine">Of the angle.</param>
     /// <param name="tolerance">How far from that end it may stay, as the chord of the difference on the unit circle.</param>
-    /// <param name="give">Share of that difference that it may stay beyond at least, 0..1.</param>
     /// <returns>The chord by which it was beyond; 0 for none.</returns>
-    public float Clamp(ref double cosine, ref double sine, float tolerance, float give)
+    public float Clamp(ref double cosine, ref double sine, float tolerance)
     {
         bool beyond = (sine < 0 && cosine < minCosine) || (sine > 0 && cosine < maxCosine);
         if (!beyond)
@@ -42,7 +41,7 @@ internal readonly struct FoldLimit
             return (float)chord;
         }
 
-        double fraction = Math.Max(tolerance / chord, give);
+        double fraction = tolerance / chord;
         cosine = endCosine + (c * fraction);
         sine = endSine + (s * fraction);
         double length = Math.Sqrt((cosine * cosine) + (sine * sine));

@@ -68,7 +68,8 @@ internal static class FootPoser
 
         foot.Heading = heading;
         foot.Normal = normal;
-        float pitch = (FootRoll.Pitch(foot, leg, gait.Duty) * gait.Activity) + gait.RestPitch;
+        FootPosture posture = foot.Posture.Follow(FootRoll.At(foot, leg, gait), leg.PostureSeconds, gait.Step);
+        float pitch = posture.Pitch;
         Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitRotation.FromTo(Vector3.UnitY, normal), heading) : heading;
         pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisRotation.About(leg.RollAxis, pitch));
         Vector3 ball;
@@ -88,7 +89,7 @@ internal static class FootPoser
         pose.Ball.Y += foot.Lift;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
-            pose.Fold = FootRoll.Fold(foot, leg.Traits) * gait.Activity;
+            pose.Fold = posture.Fold;
             pose.Target = pose.Ball;
         }
         else
@@ -102,7 +103,7 @@ internal static class FootPoser
 /// <summary>What of a gait concerns the shape of a step.</summary>
 /// <param name="Duty">Part of the cycle that a foot is down.</param>
 /// <param name="Lift">Height of swings, a factor.</param>
+/// <param name="ForceDip">How far the force of a foot dips in the middle of its stance, 0..1.</param>
 /// <param name="Activity">0 stands, 1 walks.</param>
-/// <param name="RestPitch">Pitch of a foot at rest on its toes, radians.</param>
 /// <param name="Step">Seconds since the last pose.</param>
-internal readonly record struct GaitNumbers(float Duty, float Lift, float Activity, float RestPitch, float Step);
+internal readonly record struct GaitNumbers(float Duty, float Lift, float ForceDip, float Activity, float Step);

@@ -38,6 +38,24 @@ internal static class FootRoll
     /// <summary>Part of the pitch that toes off the ground make.</summary>
     private const float ToeFraction = 0.8f;
 
+    /// <summary>Load of a foot that stands at rest.</summary>
+    public const float RestLoad = 0.7f;
+
+    /// <summary>What a foot does at its place in the cycle.</summary>
+    public static FootPosture At(in Foot foot, LegRig leg, in GaitNumbers gait) => new(
+        Pitch(foot, leg, gait.Duty) * gait.Activity,
+        leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits) * gait.Activity : 0f,
+        foot.Phase == FootPhase.Swing ? 0f : Scalar.Lerp(RestLoad, Force(Math.Min(foot.Stance, 1f), gait.ForceDip), gait.Activity));
+
+    /// <summary>Force of a foot in its stance, parts of its mean over the middle: sin πs + dip · sin 3πs.</summary>
+    private static float Force(float stance, float dip)
+    {
+        FastTrigonometry.OfTurns(0.5f * stance, out float sine, out _);
+
+        // sin 3x = 3 sin x − 4 sin³ x
+        return Math.Max(0f, sine + (dip * ((3f * sine) - (4f * sine * sine * sine))));
+    }
+
     /// <summary>Pitch of a foot, radians, toes down.</summary>
     /// <param name="foot">Its place in the cycle.</param>
     /// <param name="leg">Its build.</param>

@@ -14,13 +14,13 @@ internal sealed class LegPoser
     /// <summary>Share of the body's own axis in the plane of a leg out to the side.</summary>
     private const float BodyFraction = 0.3f;
 
-    /// <summary>Part of a stance after which it is seen whether the leg stands beyond its limits.</summary>
-    private const float LateStance = 0.7f;
+    /// <summary>How far hip and knee of a standing leg may be beyond their limits, half the angle in radians: a tenth of a degree, so that rounding does not move the foot.</summary>
+    private const float StandingLeeway = 0.0008f;
 
-    /// <summary>Part of a swing in which a leg that stood beyond its limits comes back within them.</summary>
+    /// <summary>Part of a swing in which a foot comes off the edge of the sole that it stood on.</summary>
     private const float Release = 0.35f;
 
-    /// <summary>Part of a swing from which on a leg that will stand beyond its limits goes there.</summary>
+    /// <summary>Part of a swing from which on a foot turns onto the edge of the sole that it will stand on.</summary>
     private const float Arrival = 0.85f;
 
     /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
@@ -105,8 +105,7 @@ internal sealed class LegPoser
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegGaitParameters.SlackCurve.At(foot.Swing) : 0f;
-        float tolerance = Tolerance(foot);
-        float give = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
+        float tolerance = foot.Phase == FootPhase.Stance ? StandingLeeway : 0f;
         LegSegments folded = default;
         scoped ref readonly LegSegments parts = ref leg.Parts;
         if (pose.Fold != 0f)
@@ -115,21 +114,16 @@ internal sealed class LegPoser
             parts = ref folded;
         }
 
-        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, tolerance, give, out solved);
+        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, tolerance, out solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
         local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
-        if (foot.Phase == FootPhase.Swing || foot.Stance > LateStance)
+        if (Bound(local.Rotations, leg.Hip, leg.HipJoint, tolerance) > tolerance)
         {
-            float hips = Bound(local.Rotations, leg.Hip, leg.HipJoint, tolerance, give);
-            foot.Strain = foot.Phase == FootPhase.Swing ? foot.Strain : Math.Max(solved.Strain, hips);
-            if (hips > tolerance)
-            {
-                // The foot keeps its own turn where the thigh cannot go.
-                solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
-                solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
-            }
+            // The foot keeps its own turn where the thigh cannot go.
+            solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
+            solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
         }
     }
 
@@ -167,10 +161,10 @@ internal sealed class LegPoser
         }
 
         // The toes go along with a foot that its ankle turns.
-        Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f, 0f);
+        Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f);
         Quaternion kept = local.Rotations[leg.Ankle];
         float ankle = asked == kept ? 0f : Chord(asked, kept);
-        excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f, 0f));
+        excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f));
         return ankle > 0f ? Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle)) : metatarsus;
     }
 
@@ -181,9 +175,6 @@ internal sealed class LegPoser
 
     /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
     private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));
-
-    /// <summary>How far the joints of a leg may be beyond their limits: on the ground the foot keeps its place; in the air it gives way to them, and by and by if it stood beyond them, so that nothing snaps; as it comes down it goes as far beyond them as it will stand.</summary>
-    private static float Tolerance(in Foot foot) => foot.Phase == FootPhase.Stance ? float.PositiveInfinity : foot.Strain == 0f ? 0f : foot.Strain * (1f - Scalar.Smooth(foot.Swing / Release));
 
     /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
     private static void FoldBack(LegRig leg, ref Quaternion ankle)
@@ -201,7 +192,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
-    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float tolerance, float give)
+    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float tolerance)
     {
         Quaternion turn = rotations[index];
         Quaternion bounded = SwingTwistLimit.ClampLocal(turn, joint);
@@ -211,7 +202,7 @@ internal sealed class LegPoser
         }
 
         float chord = Chord(turn, bounded);
-        float kept = Math.Max(tolerance / chord, give);
+        float kept = tolerance / chord;
         if (kept < 1f)
         {
             rotations[index] = kept > 0f ? UnitRotation.Nlerp(bounded, turn, kept) : bounded;

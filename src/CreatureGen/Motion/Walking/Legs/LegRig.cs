@@ -91,6 +91,7 @@ internal sealed class LegRig
         Shank = p[Ankle] - p[Knee];
         Metatarsus = p[Ball] - p[Ankle];
         Length = Vec.Distance(HipRest, Home);
+        PostureSeconds = PostureFade.SecondsOf(Length);
         Lateral = Traits.Archetype is LimbArchetype.Sprawl or LimbArchetype.Insect or LimbArchetype.Jumper or LimbArchetype.FrogHind or LimbArchetype.FrogFore;
         FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Archetype is not LimbArchetype.Insect and not LimbArchetype.Jumper and not LimbArchetype.Column;
 
@@ -318,6 +319,9 @@ internal sealed class LegRig
 
     /// <summary>From the hip to the ground under the ball.</summary>
     public float Length { get; }
+
+    /// <summary>Seconds in which its foot goes over to another posture where that does not follow on the last.</summary>
+    public float PostureSeconds { get; }
 
     /// <summary>Level unit direction in which the toes point.</summary>
     public Vector3 ToeDirection { get; }

@@ -53,10 +53,9 @@ internal static class LegSolver
     /// <param name="target">Where the end has to be, from the hip.</param>
     /// <param name="side">Where the hinge has to point.</param>
     /// <param name="slack">0..1: how early the reach is eased.</param>
-    /// <param name="tolerance">How far the knee may stay beyond its limits, about half the angle in radians: on the ground, where the foot keeps its place, as far as it likes.</param>
-    /// <param name="give">Share of what it is beyond its limits that it may keep at least, 0..1: as a foot comes down, more and more.</param>
+    /// <param name="tolerance">How far the knee may stay beyond its limits, about half the angle in radians.</param>
     /// <param name="turns">The turns.</param>
-    public static void Solve(LegRig leg, in LegSegments parts, Vector3 target, Vector3 side, float slack, float tolerance, float give, out LegRotations turns)
+    public static void Solve(LegRig leg, in LegSegments parts, Vector3 target, Vector3 side, float slack, float tolerance, out LegRotations turns)
     {
         Vector3 n = leg.Hinge;
         double max = parts.Max;
@@ -82,7 +81,7 @@ internal static class LegSolver
         double sinThen = leg.BendSign * Math.Sqrt((1 - cosThen) * (1 + cosThen));
         double cosKnee = (cosThen * cosNow) + (sinThen * sinNow);
         double sinKnee = (sinThen * cosNow) - (cosThen * sinNow);
-        turns.Strain = 0.5f * leg.KneeFold.Clamp(ref cosKnee, ref sinKnee, 2f * tolerance, give);
+        turns.Strain = 0.5f * leg.KneeFold.Clamp(ref cosKnee, ref sinKnee, 2f * tolerance);
 
         HalfAngle.Of(cosKnee, sinKnee, out double halfCosine, out double halfSine);
         turns.Bend = (float)cosThen;

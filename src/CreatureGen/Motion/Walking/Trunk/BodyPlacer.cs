@@ -15,6 +15,9 @@ internal sealed class BodyPlacer
     /// <summary>How quickly the trunk follows the ground, per second.</summary>
     private const float GroundRate = 9f;
 
+    /// <summary>How quickly the trunk bends into a turn, per second.</summary>
+    private const float TurnBendRate = 4f;
+
     private const float SlopeRate = 6f;
     private const float SlopeFraction = 0.8f;
     private const float LateralSlopeFraction = 1f;
@@ -35,6 +38,7 @@ internal sealed class BodyPlacer
     private readonly FourierSums all = new();
     private readonly SteadyGait summed;
     private float slope;
+    private CriticallyDampedSpring turnBend;
     private GroundSlope way;
     private ExponentialDecay groundDecay;
     private ExponentialDecay slopeDecay;
@@ -58,7 +62,7 @@ internal sealed class BodyPlacer
     public float Climb => way.Rise;
 
     /// <summary>Bend of the trunk into a turn, radians.</summary>
-    public float TurnBend { get; private set; }
+    public float TurnBend => (float)turnBend.Value;
 
     /// <summary>Yaw of the pelvis with the feet, radians.</summary>
     public float PelvisYaw { get; private set; }
@@ -80,6 +84,7 @@ internal sealed class BodyPlacer
         HindGround = hindGround;
         ForeGround = foreGround;
         slope = 0f;
+        turnBend = default;
     }
 
     /// <summary>Tells that the root was moved up under the body, metres.</summary>
@@ -90,7 +95,7 @@ internal sealed class BodyPlacer
     }
 
     /// <summary>Places the trunk.</summary>
-    public void Place(in BodyContext context, ReadOnlySpan<Foot> feet, ReadOnlySpan<FootPose> poses)
+    public void Place(in BodyContext context, Span<Foot> feet, ReadOnlySpan<FootPose> poses)
     {
         TrunkTraits traits = body.Traits;
         LocomotionSettings settings = context.Settings;
@@ -137,8 +142,9 @@ internal sealed class BodyPlacer
         Spread(feet, out Girdle rear, out Girdle front);
         Scissor = rear.Left - rear.Right;
         float walking = (float)Math.Sqrt(0.12f * settings.Gravity * length);
-        float bend = Scalar.Clamp(context.RootVelocity.Turn / Math.Max(Math.Abs(context.RootVelocity.Speed), 0.35f * walking) * body.TrunkLength * 0.7f, -0.5f, 0.5f);
-        TurnBend = bend;
+        float curve = Scalar.Clamp(context.RootVelocity.Turn / Math.Max(Math.Abs(context.RootVelocity.Speed), 0.35f * walking) * body.TrunkLength * 0.7f, -0.5f, 0.5f);
+        turnBend.Step(curve, TurnBendRate, context.Step);
+        float bend = TurnBend;
         float spine = settings.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
         float chestYaw = body.IsBiped ? traits.ChestYaw * Scissor * spine : -traits.ChestYaw * (front.Left - front.Right) * spine;

@@ -1,0 +1,42 @@
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Legs;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>When a standing foot gives up its place out of step with the gait: a turn, a push or a platform takes it out of reach. In steady gaits none does.</summary>
+internal static class FootRelease
+{
+    /// <summary>Part of its reach at which a leg that is stretched farther and farther gives up its place.</summary>
+    private const float MaxStretch = 1f;
+
+    /// <summary>How far it may ask the body to come down, leg lengths.</summary>
+    private const float MaxDrop = 0.16f;
+
+    /// <summary>The same late in a stance, when the foot is about to leave the ground, and of a body that stands.</summary>
+    private const float LateStretch = 1.08f;
+    private const float LateDrop = 0.24f;
+    private const float LateStance = 0.8f;
+
+    /// <summary>Seconds of a swing out of step: as long as those of the gait, within these.</summary>
+    private const float ShortestFlight = 0.06f;
+    private const float LongestFlight = 0.35f;
+
+    /// <summary>Whether a foot has to leave the ground at once.</summary>
+    /// <param name="foot">Stands; since its leg was posed the body may have moved on.</param>
+    /// <param name="leg">Its leg.</param>
+    /// <param name="step">The moment.</param>
+    public static bool IsDue(ref Foot foot, LegRig leg, in StepContext step)
+    {
+        Vector3 chord = foot.Chord + step.Frame.ToModel(foot.From.Position) - foot.Base;
+        float reached = Vec.Length(chord + new Vector3(0f, foot.Lowered, 0f));
+        bool late = foot.Stance > LateStance || !step.Moving;
+        bool grows = reached > foot.Reached;
+        foot.Reached = reached;
+        return (grows && reached > (late ? LateStretch : MaxStretch) * leg.Reach) || LegRoom.Asked(leg, chord, Vec.Length(chord)) > (late ? LateDrop : MaxDrop) * leg.Length;
+    }
+
+    /// <summary>Seconds that such a swing takes.</summary>
+    /// <param name="swing">Those of the gait.</param>
+    public static float Flight(float swing) => Scalar.Clamp(swing, ShortestFlight, LongestFlight);
+}

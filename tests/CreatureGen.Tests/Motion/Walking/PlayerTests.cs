@@ -1,0 +1,174 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+using CreatureGen.Seeding;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Walking;
+
+/// <summary>Walkers under the hands of a player, who asks for another speed and another turn every moment.</summary>
+public sealed class PlayerTests
+{
+    private static readonly float[] unevenSteps = { 0.004f, 0.016f, 0.033f, 0.1f };
+
+    /// <summary>The plans and seeds whose joints were turned fastest or farthest beyond their limits before feet were let go in time.</summary>
+    public static TheoryData<BodyPlan, ulong> Walking => new()
+    {
+        { BodyPlan.Digitigrade, 7000306 },
+        { BodyPlan.Unguligrade, 7000301 },
+        { BodyPlan.Plantigrade, 7000304 },
+        { BodyPlan.Columnar, 7000300 },
+        { BodyPlan.Sprawling, 7000301 },
+        { BodyPlan.Theropod, 7000302 },
+        { BodyPlan.Upright, 7000301 },
+        { BodyPlan.Hexapod, 7000300 },
+        { BodyPlan.ManyLegged, 7000301 },
+        { BodyPlan.Centaur, 7000301 },
+    };
+
+    [Theory]
+    [MemberData(nameof(Walking))]
+    public void Joints_stay_within_their_limits_whatever_is_asked_and_however_long_updates_take(BodyPlan plan, ulong seed)
+    {
+        var player = new Player(plan, seed);
+        for (int i = 0; i < 300; i++)
+        {
+            float step = player.Hitches() ? 0.25f : unevenSteps[i % unevenSteps.Length];
+            player.Update(step);
+            float excess = player.LegExcess(out string joint);
+            Assert.True(excess < Scalar.Radians(0.3), $"{joint} is {Scalar.Degrees(excess)}° beyond its limit after {player.Seconds} s");
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Walking))]
+    public void No_joint_of_a_leg_is_hurled_whatever_is_asked(BodyPlan plan, ulong seed)
+    {
+        const float Step = 1f / 480f;
+        var player = new Player(plan, seed);
+        player.Update(Step);
+        for (int i = 0; i < 4 * 480; i++)
+        {
+            Quaternion[] before = player.Animator.LocalPose.Rotations.ToArray();
+            player.Update(Step);
+            float fastest = player.Fastest(before, out string joint) / Step;
+            Assert.True(fastest < 75f, $"{joint} turns by {fastest} rad/s after {player.Seconds} s");
+        }
+    }
+
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade)]
+    [InlineData(BodyPlan.Unguligrade)]
+    [InlineData(BodyPlan.Sprawling)]
+    [InlineData(BodyPlan.Upright)]
+    [InlineData(BodyPlan.ManyLegged)]
+    public void In_a_steady_gait_each_foot_leaves_the_ground_once_in_a_cycle(BodyPlan plan)
+    {
+        var animator = new CreatureAnimator(Walkers.Of(plan, 7000300));
+        foreach (GaitSpeed speed in animator.Profile.Gaits!.Speeds)
+        {
+            var input = new MotionInput(speed.Comfortable);
+            Walkers.Run(animator, 4f, 60f, input, FlatGround.Level);
+            int cycles = 0;
+            int lifts = 0;
+            while (cycles < 4)
+            {
+                float phase = animator.Phase;
+                animator.Update(1f / 60f, input, FlatGround.Level);
+                cycles += animator.Phase < phase ? 1 : 0;
+                lifts += animator.Events.ToArray().Count(e => e.Kind == MotionEventKind.FootUp);
+            }
+
+            Assert.InRange(lifts, 3 * animator.FootCount, 5 * animator.FootCount);
+        }
+    }
+
+    [Fact]
+    public void A_walker_speeds_up_and_brakes_by_no_more_than_its_grip_allows()
+    {
+        foreach (float traction in new[] { 0.3f, 1f })
+        {
+            var animator = new CreatureAnimator(Walkers.Of(BodyPlan.Digitigrade, 7000300)) { Settings = LocomotionSettings.Default with { Traction = traction } };
+            float fastest = 0f;
+            for (int i = 0; i < 20 * 60; i++)
+            {
+                float before = animator.Speed;
+                animator.Update(1f / 60f, new MotionInput(i < 600 ? animator.Profile.Gaits!.TopSpeed : 0f), FlatGround.Level);
+                fastest = MathF.Max(fastest, MathF.Abs(animator.Speed - before) * 60f);
+            }
+
+            Assert.InRange(fastest, 0.5f * 9.81f * traction, 0.701f * 9.81f * traction);
+            Assert.Equal(0f, animator.Speed);
+        }
+    }
+
+    /// <summary>A walker and the hand that steers it.</summary>
+    private sealed class Player
+    {
+        private readonly RandomStream hand;
+        private readonly float top;
+        private float until;
+        private MotionInput input;
+
+        public Player(BodyPlan plan, ulong seed)
+        {
+            Animator = new CreatureAnimator(Walkers.Of(plan, seed));
+            hand = new RandomStream(seed);
+            top = Animator.Profile.Gaits!.TopSpeed;
+        }
+
+        public CreatureAnimator Animator { get; }
+
+        public float Seconds { get; private set; }
+
+        public bool Hitches() => hand.Chance(0.02);
+
+        public void Update(float step)
+        {
+            if (Seconds >= until)
+            {
+                until = Seconds + (float)hand.Uniform(0.3, 2.8);
+                input = new MotionInput((float)hand.Uniform(0, top), (float)hand.Uniform(-2, 2));
+            }
+
+            Animator.Update(step, input, FlatGround.Level);
+            Seconds += step;
+        }
+
+        public float LegExcess(out string joint)
+        {
+            joint = string.Empty;
+            float max = 0f;
+            Skeleton skeleton = Animator.Profile.Creature.Skeleton;
+            for (int i = 0; i < skeleton.Count; i++)
+            {
+                Joint of = skeleton.Joints[i];
+                float excess = IsOfLeg(of) ? SwingTwistLimit.Excess(Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(of.LocalRotation), Animator.LocalPose.Rotations[i])), of.Limit) : 0f;
+                (max, joint) = excess > max ? (excess, of.Name) : (max, joint);
+            }
+
+            return max;
+        }
+
+        public float Fastest(Quaternion[] before, out string joint)
+        {
+            joint = string.Empty;
+            float max = 0f;
+            Skeleton skeleton = Animator.Profile.Creature.Skeleton;
+            for (int i = 0; i < skeleton.Count; i++)
+            {
+                float turned = IsOfLeg(skeleton.Joints[i]) ? (float)Rotation.Angle(Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(before[i]), Animator.LocalPose.Rotations[i]))) : 0f;
+                (max, joint) = turned > max ? (turned, skeleton.Joints[i].Name) : (max, joint);
+            }
+
+            return max;
+        }
+
+        private static bool IsOfLeg(Joint joint) => joint.Role is JointRole.Hip or JointRole.Knee or JointRole.Ankle or JointRole.Ball;
+    }
+}
