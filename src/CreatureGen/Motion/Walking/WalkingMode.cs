@@ -35,6 +35,9 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Height by which the root follows the ground under the body, per second.</summary>
     private const float RootRate = 6f;
 
+    /// <summary>How far the root is behind that ground at most, leg lengths.</summary>
+    private const float MaxRootLag = 0.25f;
+
     /// <summary>Part of a slow walk below which a creature that comes down does so on the spot.</summary>
     private const float ArrivalSpeed = 0.3f;
 
@@ -369,7 +372,9 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Keeps the root on the ground under the feet: up and down a slope as it goes, and the trunk with it, and after what else that ground does.</summary>
     private RootPlace FollowGround(in RootPlace placement, float h, in LocomotionSettings settings)
     {
-        float height = 0.5f * (placer.HindGround + placer.ForeGround) * rootDecay.Fraction(RootRate * h);
+        float away = 0.5f * (placer.HindGround + placer.ForeGround);
+        float most = MaxRootLag * body.LegLength;
+        float height = (away * rootDecay.Fraction(RootRate * h)) + (away - Scalar.Clamp(away, -most, most));
         float climb = placer.Climb * velocity.Speed * h;
         if (height == 0f && climb == 0f)
         {

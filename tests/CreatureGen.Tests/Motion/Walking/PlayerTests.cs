@@ -107,6 +107,67 @@ public sealed class PlayerTests
         }
     }
 
+    [Theory]
+    [InlineData(BodyPlan.Upright, 7000300, 1)]
+    [InlineData(BodyPlan.Upright, 7000300, -1)]
+    [InlineData(BodyPlan.Upright, 7000301, 1)]
+    [InlineData(BodyPlan.Digitigrade, 7000300, 1)]
+    public void A_runner_stays_on_stairs(BodyPlan plan, ulong seed, int up)
+    {
+        var animator = new CreatureAnimator(Walkers.Of(plan, seed));
+        float length = animator.Profile.LegLength;
+        var stairs = new Stairs(0.55f * length, up * 0.2f * length);
+        animator.Teleport(RootPlace.Identity, stairs);
+        for (int i = 0; i < 600; i++)
+        {
+            animator.Update(1f / 60f, new MotionInput(animator.Profile.Gaits!.TopSpeed), stairs);
+            float away = MathF.Abs(animator.Root.Position.Y - stairs.HeightAt(animator.Root.Position.Z)) / length;
+            Assert.True(away < 1.3f, $"{away} leg lengths from the tread below it after {i} frames");
+        }
+    }
+
+    [Theory]
+    [InlineData(7000300)]
+    [InlineData(7000302)]
+    public void Feet_of_a_biped_keep_their_places_as_it_leans_into_a_turn(ulong seed)
+    {
+        var animator = new CreatureAnimator(Walkers.Of(BodyPlan.Theropod, seed));
+        float worst = 0f;
+        for (int i = 0; i < 360; i++)
+        {
+            animator.Update(1f / 60f, new MotionInput(animator.Profile.Gaits!.TopSpeed, i > 180 ? 2f : 0f), FlatGround.Level);
+            for (int foot = 0; foot < 2; foot++)
+            {
+                FootReport report = animator.Foot(foot);
+                worst = MathF.Max(worst, report.Phase == FootPhase.Stance && i > 240 ? report.Residual : 0f);
+            }
+        }
+
+        Assert.True(worst < 0.01f * animator.Profile.LegLength, $"{worst} m of {animator.Profile.LegLength}");
+    }
+
+    /// <summary>Steps without end from where z is 0.</summary>
+    private sealed class Stairs : IGround
+    {
+        private readonly float tread;
+        private readonly float rise;
+
+        public Stairs(float tread, float rise)
+        {
+            this.tread = tread;
+            this.rise = rise;
+        }
+
+        public float HeightAt(float z) => rise * MathF.Max(0f, MathF.Floor(z / tread));
+
+        public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
+        {
+            float height = HeightAt(origin.Z);
+            hit = new GroundHit(new Vector3(origin.X, height, origin.Z), Vector3.UnitY);
+            return origin.Y >= height && origin.Y - distance <= height;
+        }
+    }
+
     /// <summary>A walker and the hand that steers it.</summary>
     private sealed class Player
     {

@@ -15,6 +15,9 @@ internal sealed class FootingSearch
     /// <summary>How far below that slope a foot finds footing, part of the leg's length.</summary>
     private const float Below = 0.9f;
 
+    /// <summary>How much farther up and down it looks where there is nothing, part of the leg's length.</summary>
+    private const float Farther = 1.5f;
+
     /// <summary>Least cosine of a slope that holds a foot (60°).</summary>
     private const float Steepest = 0.5f;
 
@@ -70,6 +73,13 @@ internal sealed class FootingSearch
                 target = wanted + (((ahead * alternatives[i].Ahead) + (inward * alternatives[i].In)) * shape.Length);
                 found = Down(step, target, out hit);
             }
+        }
+
+        if (!found)
+        {
+            // The body itself may be too deep or too high to see what its feet are above.
+            target = wanted + (ahead * nudge);
+            found = Down(step, target, Farther, out hit);
         }
 
         if (!found)
@@ -240,12 +250,15 @@ internal sealed class FootingSearch
         return rise * Scalar.Clamp(2f - bend, 0f, 1f);
     }
 
-    private bool Down(in StepContext step, Vector3 point, out GroundHit hit)
+    private bool Down(in StepContext step, Vector3 point, out GroundHit hit) => Down(step, point, 0f, out hit);
+
+    /// <summary>Casts from above the slope on which the body is to below it, and so much farther both ways, leg lengths.</summary>
+    private bool Down(in StepContext step, Vector3 point, float farther, out GroundHit hit)
     {
-        float above = Above * body.LegLength;
+        float above = (Above + farther) * body.LegLength;
         Vector3 up = step.Settings.Up;
         Vector3 origin = step.Frame.ToWorld(new Vector3(point.X, above + (step.Slope * point.Z), point.Z));
-        return step.Ground.Cast(origin, -up, (above + (Below * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
+        return step.Ground.Cast(origin, -up, (above + ((Below + farther) * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
     }
 
     /// <summary>How a sole lies on the ground, seen from the plane through the ball's place. Metres of the model.</summary>

@@ -32,7 +32,7 @@ internal sealed class LegGaitParameters
         new(LimbArchetype.PlantigradeHind, 0.085, 0.38, 0, 0, 46, 52, -14, LegLinkage.Foot, 1),
         new(LimbArchetype.PlantigradeFore, 0.12, 0.45, 0, 0, 48, 68, -8, LegLinkage.Foot, -1),
         new(LimbArchetype.Column, 0.07, 0.42, 0, 0, 22, 32, -3, LegLinkage.Foot, 1),
-        new(LimbArchetype.Sprawl, 0.14, 0.45, 0, 0, 30, 36, -8, LegLinkage.Foot, 0),
+        new(LimbArchetype.Sprawl, 0.14, 0.45, 0, 0, 30, 36, -3, LegLinkage.Foot, 0),
         new(LimbArchetype.Theropod, 0.14, 0.38, 48, -16, 55, 85, -8, LegLinkage.Pantograph, 1),
         new(LimbArchetype.Insect, 0.16, 0.5, 0, 0, 10, 14, 0, LegLinkage.Foot, 0),
         new(LimbArchetype.Arm, 0.12, 0.45, 0, 0, 40, 50, -8, LegLinkage.Foot, -1),

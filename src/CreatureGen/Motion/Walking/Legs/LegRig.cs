@@ -30,7 +30,7 @@ internal sealed class LegRig
     /// <summary>Part of the stance behind its middle at which the heel has begun to rise and gives length.</summary>
     private const float RearEnd = 0.40f;
 
-    private const float SprawlFollow = 0.4f;
+    private const float SprawlFollow = 0.3f;
 
     /// <summary>How high the ball rises at most as the foot rolls over the tip of its toes, leg lengths: on the long toes of raptors and ducks a full roll would fold the leg up.</summary>
     private const float HighestRoll = 0.16f;

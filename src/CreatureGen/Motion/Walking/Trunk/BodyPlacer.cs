@@ -22,6 +22,12 @@ internal sealed class BodyPlacer
     private const float SlopeFraction = 0.8f;
     private const float LateralSlopeFraction = 1f;
 
+    /// <summary>How far the pelvis goes over to the inside of a turn, part of the way on which the legs lean as the body does: else the hips would have to draw the legs in.</summary>
+    private const float InwardFraction = 0.5f;
+
+    /// <summary>The same of bodies on two legs, whose tracks are narrow.</summary>
+    private const float BipedInwardFraction = 0.8f;
+
     private const float SurgeCap = 0.04f;
 
     /// <summary>Share of the back's bend in gaits whose hind feet take turns.</summary>
@@ -159,6 +165,7 @@ internal sealed class BodyPlacer
         float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
         float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Bank;
+        float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : InwardFraction) * body.HipHeight * bank;
 
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
@@ -172,7 +179,7 @@ internal sealed class BodyPlacer
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
-            Pelvis = new Vector3(rest.X + sway + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * NeutralFootholds.Shortening(Climb))),
+            Pelvis = new Vector3(rest.X + sway + inward + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * NeutralFootholds.Shortening(Climb))),
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,
