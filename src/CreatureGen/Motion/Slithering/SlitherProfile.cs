@@ -28,7 +28,6 @@ internal sealed class SlitherProfile
     private const double WindingFraction = 0.88;
 
     private const double TurnPerBody = 2.2;
-    private const double CruiseLengths = 0.35;
 
     private readonly double[] lengths;
     private readonly double[] heights;
@@ -72,7 +71,7 @@ internal sealed class SlitherProfile
         Alpha = Math.Min(Winding, WindingFraction * room);
         SidewindAlpha = Math.Min(SidewindWinding, room / SidewindBend);
         TightestTurn = TurnPerBody / Chain.Length;
-        CruiseSpeed = (float)(CruiseLengths * Chain.Length);
+        CruiseSpeed = creature.DefaultSpeed;
     }
 
     /// <summary>From nose to tail, metres.</summary>

@@ -57,8 +57,6 @@ internal sealed class SwimProfile
         Wave = new SwimWave(chain, style, Kinematics);
         Wave.Scale(RoomForWave(creature.Skeleton, chain, Wave, style));
         Curl = RoomForCurl(creature.Skeleton, chain);
-        double frequency = Kinematics.Frequency(chain.Length);
-        CruiseFrequency = (float)frequency;
         Fitting(creature, out fins, out medianFins);
         legs = SwimLeg.Of(creature, chain);
         TailBeat = (float)(2 * Wave.TailReach);
@@ -71,7 +69,10 @@ internal sealed class SwimProfile
             }
         }
 
-        CruiseSpeed = (float)(frequency * TailBeat / Kinematics.Strouhal);
+        // A swimmer's speed is that which it was grown with, and its tempo that which brings it there; others swim as their size has it.
+        double beat = TailBeat / Kinematics.Strouhal;
+        CruiseSpeed = creature.Blueprint.Kind == LocomotionKind.Swimming ? creature.DefaultSpeed : (float)(Kinematics.Frequency(chain.Length) * beat);
+        CruiseFrequency = (float)(CruiseSpeed / beat);
         Momentum = MomentumOf(creature.Mass.Volume);
     }
 
