@@ -164,7 +164,8 @@ internal sealed class ModelJoints
             float outer = parent < 0 ? 1f : scales[parent];
             jointOf[node] = i;
             scales[i] = outer * place.Scale;
-            placements[i] = new JointPlacement(NameOf(nodes[node], node, names), parent, place.Rotation, place.Position * outer);
+            string name = NameOf(nodes[node], node, names);
+            placements[i] = new JointPlacement(name, parent, place.Rotation, place.Position * outer) { Role = JointNames.RoleOf(name), Side = JointNames.SideOf(name) };
         }
 
         try

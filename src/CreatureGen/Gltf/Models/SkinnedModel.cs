@@ -21,7 +21,7 @@ public sealed class SkinnedModel
         Clips = clips;
     }
 
-    /// <summary>The joints that its skins name and all nodes above them, parents before children, without scale.</summary>
+    /// <summary>The joints that its skins name and all nodes above them, parents before children, without scale; what each is and on what side as its name says (<see cref="JointNames"/>).</summary>
     public Skeleton Skeleton => Joints.Skeleton;
 
     /// <summary>All its skinned triangles, in the space in which they were bound.</summary>

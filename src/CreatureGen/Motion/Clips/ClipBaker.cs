@@ -53,7 +53,7 @@ public static class ClipBaker
             Carry(profile, cycle);
         }
 
-        return new Clip(movement.Name, motion.Closes ? ClipEnd.Loops : ClipEnd.Stays, rate, (float)(cycle.MeanSpeed * cycle.Step * rate), cycle.Joints, cycle.Rotations, cycle.Positions);
+        return new Clip(movement.Name, motion.Closes ? ClipEnd.Loops : ClipEnd.Stays, rate, (float)(cycle.MeanSpeed * cycle.Step * rate), cycle.Joints, cycle.Rotations, cycle.Positions).WithEvents(cycle.EventsAt(rate));
     }
 
     private static SteadyMotion Begin(MotionProfile profile, Movement movement)

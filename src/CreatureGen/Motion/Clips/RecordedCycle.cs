@@ -1,6 +1,8 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Clips;
@@ -12,6 +14,7 @@ internal sealed class RecordedCycle
     private readonly RootPlace[] places;
     private readonly FootReport[] feet;
     private readonly int footCount;
+    private readonly List<(float Time, MotionEvent Event)> happened = new();
 
     /// <summary>Records from now on.</summary>
     /// <param name="motion">What has settled.</param>
@@ -44,6 +47,11 @@ internal sealed class RecordedCycle
             {
                 motion.Live((frame + 1) * step, frames * step);
                 motion.Advance(step);
+                foreach (MotionEvent one in animator.Events)
+                {
+                    happened.Add((((frame + 1) * step) - one.SecondsAgo, one));
+                }
+
                 speed += animator.Speed / frames;
             }
         }
@@ -96,8 +104,30 @@ internal sealed class RecordedCycle
     /// <summary>Where the root was.</summary>
     public RootPlace PlaceAt(int frame) => places[frame];
 
+    /// <summary>What happened, as events of a clip of so many frames per second. What happened just before the first frame of a cycle happens at its end.</summary>
+    public IReadOnlyList<ClipEvent> EventsAt(int rate)
+    {
+        float duration = Frames / (float)rate;
+        var events = new List<ClipEvent>();
+        foreach ((float time, MotionEvent one) in happened)
+        {
+            float at = time / (Step * rate);
+            at = at < 0f ? at + duration : at;
+            events.Add(new ClipEvent(Scalar.Clamp(at, 0f, duration), NameOf(one.Kind), skeleton.Joints[one.Joint].Name, Math.Max(one.Strength, 0f)));
+        }
+
+        return events;
+    }
+
     /// <summary>How a foot was.</summary>
     public FootReport FootAt(int frame, int foot) => feet[(frame * footCount) + foot];
+
+    private static string NameOf(MotionEventKind kind) => kind switch
+    {
+        MotionEventKind.FootDown => "footstep",
+        MotionEventKind.FootUp => "liftoff",
+        _ => "flap",
+    };
 
     /// <summary>Spreads the difference of the last and the first frame of a joint over all frames.</summary>
     private void Close(int joint)

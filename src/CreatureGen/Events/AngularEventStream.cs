@@ -1,0 +1,154 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Events;
+
+/// <summary>Finds the moments of an <see cref="AngularRule"/> while a motion goes on: in the poses of an animator, a ragdoll or any other stream. Nothing is allocated per update.</summary>
+/// <remarks>
+/// Latency: a moment is known when the acceleration has fallen from its maximum, one update after it at best; with a <see cref="AngularRule.ChunkGap"/> that much later, when a higher peak could still come. It is told in
+/// that update, and <see cref="AngularMoment.SecondsAgo"/> says how long ago it was: at 60 updates a second 25 ms, half an update of which is the place of the acceleration between two updates. <see cref="AngularRule.ThresholdFraction"/>
+/// is of the greatest acceleration lately, which is forgotten by half in <see cref="Memory"/> seconds. Of an interval the earliest stays, since a stronger one may come only later. <see cref="AngularRule.Offset"/> is
+/// added to <see cref="AngularMoment.SecondsAgo"/>, at most to 0.
+/// </remarks>
+public sealed class AngularEventStream
+{
+    /// <summary>Seconds after which the greatest acceleration counts for half.</summary>
+    public const float Memory = 4f;
+
+    private readonly Skeleton skeleton;
+    private readonly AngularRule rule;
+    private readonly int[] joints;
+    private readonly Track[] tracks;
+    private readonly AngularMoment[] found;
+    private int count;
+    private float time;
+    private float lastTogether = float.NegativeInfinity;
+    private int updates;
+
+    /// <summary>Begins to listen.</summary>
+    /// <param name="skeleton">Of the poses to come.</param>
+    /// <param name="rule">What to look for.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
+    /// <exception cref="ArgumentException">The rule names a joint that is not there or none at all, or a number of it is outside its range.</exception>
+    public AngularEventStream(Skeleton skeleton, AngularRule rule)
+    {
+        this.skeleton = skeleton ?? throw new ArgumentNullException(nameof(skeleton));
+        this.rule = rule ?? throw new ArgumentNullException(nameof(rule));
+        rule.Require();
+        joints = RuleJoints.Of(skeleton, rule);
+        tracks = new Track[joints.Length];
+        found = new AngularMoment[joints.Length];
+    }
+
+    /// <summary>What was found in the last update.</summary>
+    public ReadOnlySpan<AngularMoment> Found => found.AsSpan(0, count);
+
+    /// <summary>Takes the next pose.</summary>
+    /// <param name="local">Pose in the parents' space.</param>
+    /// <param name="model">The same in model space.</param>
+    /// <param name="dt">Seconds since the last; 0 changes nothing.</param>
+    /// <exception cref="ArgumentException">A pose is not as long as the skeleton, or the time step is negative or not a number.</exception>
+    public void Update(in Pose local, in Pose model, float dt)
+    {
+        local.Require(skeleton);
+        model.Require(skeleton);
+        Finite.RequireStep(dt);
+        count = 0;
+        if (dt == 0f)
+        {
+            return;
+        }
+
+        time += dt;
+        updates++;
+        Span<Quaternion> rotations = rule.Space == AngularSpace.Model ? model.Rotations : local.Rotations;
+        for (int j = 0; j < joints.Length; j++)
+        {
+            Advance(ref tracks[j], rotations[joints[j]], j, dt);
+        }
+    }
+
+    /// <summary>Forgets what was, after a jump to another pose.</summary>
+    public void Reset()
+    {
+        Array.Clear(tracks, 0, tracks.Length);
+        count = 0;
+        time = 0f;
+        lastTogether = float.NegativeInfinity;
+        updates = 0;
+    }
+
+    private void Advance(ref Track track, Quaternion now, int j, float dt)
+    {
+        if (updates == 1)
+        {
+            track = new Track { Rotation = now, Told = float.NegativeInfinity };
+            return;
+        }
+
+        Vector3 turn = AngularCurve.Turn(track.Rotation, now, rule.Measure) / dt;
+        float acceleration = updates == 2 ? 0f : AngularCurve.Change(track.Velocity, turn, rule) * 2f / (dt + track.Step);
+        float at = time - dt;
+        track.Most = Math.Max(track.Most * Damping.Left(0.6931472f / Memory, dt), acceleration);
+        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * track.Most);
+        if (acceleration >= threshold && acceleration > 0f)
+        {
+            if (!track.Above || acceleration > track.Peak)
+            {
+                track.Peak = acceleration;
+                track.PeakTime = at;
+                track.PeakThreshold = threshold;
+            }
+
+            track.Above = true;
+            track.LastAbove = at;
+        }
+
+        bool falls = track.Above && (acceleration < threshold || acceleration < 0.5f * track.Peak);
+        if (falls && !track.IsTold && at - track.LastAbove >= (acceleration < threshold ? rule.ChunkGap : 0f))
+        {
+            Tell(ref track, j);
+        }
+
+        if (acceleration < threshold && at - track.LastAbove >= rule.ChunkGap)
+        {
+            track.Above = track.IsTold = false;
+        }
+
+        track.Rotation = now;
+        track.Velocity = turn;
+        track.Step = dt;
+    }
+
+    private void Tell(ref Track track, int j)
+    {
+        track.IsTold = true;
+        float last = rule.Scope == IntervalScope.EachJoint ? track.Told : lastTogether;
+        if (track.PeakTime - last < rule.Interval)
+        {
+            return;
+        }
+
+        track.Told = lastTogether = track.PeakTime;
+        float ago = Math.Max(time - track.PeakTime - rule.Offset, 0f);
+        found[count++] = new AngularMoment(joints[j], track.PeakThreshold > 0f ? track.Peak / track.PeakThreshold : 1f, ago);
+    }
+
+    private struct Track
+    {
+        public Quaternion Rotation;
+        public Vector3 Velocity;
+        public float Step;
+        public float Most;
+        public float Peak;
+        public float PeakTime;
+        public float PeakThreshold;
+        public float LastAbove;
+        public float Told;
+        public bool Above;
+        public bool IsTold;
+    }
+}

@@ -1,0 +1,83 @@
+using System.Collections.Generic;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Events;
+
+/// <summary>Rules for grown creatures, tuned on them.</summary>
+public static class AngularRules
+{
+    /// <summary>A foot comes down: its toes were turning and are stopped, and then rest on the ground.</summary>
+    public static AngularRule Footstep { get; } = new("footstep")
+    {
+        Track = "Footsteps",
+        Roles = new[] { JointRole.Ball },
+        Excluded = new[] { "Arm_*" },
+        ThresholdPower = 2.2,
+        ThresholdFraction = 0.1f,
+        Space = AngularSpace.Model,
+        Change = AngularChange.Slowing,
+        ChunkGap = 0.04f,
+        QuietFraction = 0.7f,
+        Peak = AngularPeak.Last,
+        Winner = IntervalWinner.Strongest,
+        Scope = IntervalScope.EachJoint,
+    };
+
+    /// <summary>An arm, a leg or a tail cuts through the air.</summary>
+    public static AngularRule Whoosh { get; } = new("whoosh")
+    {
+        Track = "Whooshes",
+        Roles = new[] { JointRole.Hip, JointRole.Tail },
+        ThresholdPower = 3.4,
+        ThresholdFraction = 0.6f,
+        Interval = 0.3f,
+        Winner = IntervalWinner.Strongest,
+    };
+
+    /// <summary>Wings begin to beat down.</summary>
+    public static AngularRule Flap { get; } = new("flap")
+    {
+        Track = "Flaps",
+        Roles = new[] { JointRole.Wing },
+        ThresholdPower = 2.5,
+        ThresholdFraction = 0.6f,
+        Change = AngularChange.Any,
+        Winner = IntervalWinner.Strongest,
+    };
+
+    /// <summary>Cloth, harness or armour rustles as the trunk shakes.</summary>
+    public static AngularRule Stuff { get; } = new("stuff")
+    {
+        Track = "Foley",
+        Roles = new[] { JointRole.Pelvis, JointRole.Spine, JointRole.Chest },
+        ThresholdPower = 2.2,
+        ThresholdFraction = 0.5f,
+        Interval = 0.25f,
+    };
+
+    /// <summary>A jaw snaps shut.</summary>
+    public static AngularRule Bite { get; } = new("bite")
+    {
+        Track = "Bites",
+        Roles = new[] { JointRole.Jaw },
+        ThresholdPower = 3.0,
+        ThresholdFraction = 0.5f,
+        Change = AngularChange.Slowing,
+        Interval = 0.2f,
+        Winner = IntervalWinner.Strongest,
+    };
+
+    /// <summary>A tail or a fin beats the water.</summary>
+    public static AngularRule Splash { get; } = new("splash")
+    {
+        Track = "Splashes",
+        Roles = new[] { JointRole.Tail, JointRole.Fin },
+        ThresholdPower = 2.4,
+        ThresholdFraction = 0.7f,
+        Interval = 0.2f,
+        Winner = IntervalWinner.Strongest,
+    };
+
+    /// <summary>All presets.</summary>
+    public static IReadOnlyList<AngularRule> All { get; } = new[] { Footstep, Whoosh, Flap, Stuff, Bite, Splash };
+}

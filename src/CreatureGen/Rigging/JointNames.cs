@@ -1,0 +1,88 @@
+using System;
+using CreatureGen.Anatomy;
+
+namespace CreatureGen.Rigging;
+
+/// <summary>What joints are, told from their names: those of grown creatures, and the usual ones of other programs (Mixamo, Biped, Rigify, VRM).</summary>
+public static class JointNames
+{
+    // In the order in which they are asked; more special words first. Names are compared in lower case without digits and marks.
+    private static readonly (string Word, JointRole Role)[] words =
+    {
+        ("end", JointRole.End), ("nub", JointRole.End),
+        ("antenna", JointRole.Antenna), ("insectwing", JointRole.Wing), ("wing", JointRole.Wing),
+        ("lid", JointRole.Lid), ("eye", JointRole.Eye), ("ear", JointRole.Ear), ("jaw", JointRole.Jaw),
+        ("tail", JointRole.Tail), ("pectoral", JointRole.Fin), ("dorsal", JointRole.Fin), ("ventral", JointRole.Fin), ("fin", JointRole.Fin),
+        ("girdle", JointRole.Girdle), ("clavicle", JointRole.Girdle), ("shoulder", JointRole.Girdle),
+        ("toe", JointRole.Ball), ("ball", JointRole.Ball),
+        ("ankle", JointRole.Ankle), ("foot", JointRole.Ankle), ("wrist", JointRole.Ankle),
+        ("upleg", JointRole.Hip), ("upperleg", JointRole.Hip), ("thigh", JointRole.Hip), ("upperarm", JointRole.Hip),
+        ("knee", JointRole.Knee), ("calf", JointRole.Knee), ("shin", JointRole.Knee), ("lowerleg", JointRole.Knee), ("forearm", JointRole.Knee), ("lowerarm", JointRole.Knee), ("elbow", JointRole.Knee),
+        ("hips", JointRole.Pelvis), ("pelvis", JointRole.Pelvis), ("hip", JointRole.Hip),
+        ("leftleg", JointRole.Knee), ("rightleg", JointRole.Knee), ("leftarm", JointRole.Hip), ("rightarm", JointRole.Hip), ("hand", JointRole.Ankle),
+        ("head", JointRole.Head), ("neck", JointRole.Neck), ("chest", JointRole.Chest), ("spine", JointRole.Spine), ("root", JointRole.Root), ("body", JointRole.Body),
+    };
+
+    /// <summary>What a joint of this name is; <see cref="JointRole.Other"/> if the name does not say.</summary>
+    public static JointRole RoleOf(string name)
+    {
+        string plain = Plain(name ?? throw new ArgumentNullException(nameof(name)));
+        foreach ((string word, JointRole role) in words)
+        {
+            // "end" and "ear" are parts of other words, as bend and forearm.
+            bool whole = word.Length > 3 || word == "toe" || plain.StartsWith(word, StringComparison.Ordinal) || (word is "end" or "nub" or "jaw" or "eye" or "lid" or "hip" && plain.EndsWith(word, StringComparison.Ordinal));
+            if (whole && plain.Contains(word, StringComparison.Ordinal))
+            {
+                return role;
+            }
+        }
+
+        return JointRole.Other;
+    }
+
+    /// <summary>On what side a joint of this name is; the midline if the name does not say.</summary>
+    public static Side SideOf(string name)
+    {
+        string text = name ?? throw new ArgumentNullException(nameof(name));
+        if (text.Contains("Left", StringComparison.OrdinalIgnoreCase))
+        {
+            return Side.Left;
+        }
+
+        if (text.Contains("Right", StringComparison.OrdinalIgnoreCase))
+        {
+            return Side.Right;
+        }
+
+        foreach (string part in text.Split('_', '.', ' ', '-', ':'))
+        {
+            string letters = part.TrimEnd('0', '1', '2', '3', '4', '5', '6', '7', '8', '9');
+            if (letters is "L" or "l")
+            {
+                return Side.Left;
+            }
+
+            if (letters is "R" or "r")
+            {
+                return Side.Right;
+            }
+        }
+
+        return Side.Median;
+    }
+
+    /// <summary>Lower-case letters alone; what is before a colon is the name of the character.</summary>
+    private static string Plain(string name)
+    {
+        var plain = new System.Text.StringBuilder(name.Length);
+        foreach (char c in name.Substring(name.LastIndexOf(':') + 1))
+        {
+            if (char.IsLetter(c))
+            {
+                plain.Append(char.ToLowerInvariant(c));
+            }
+        }
+
+        return plain.ToString();
+    }
+}
