@@ -14,20 +14,28 @@ internal sealed class BuzzPair
     private const double Flip = 0.70;
     private const double TipBend = 0.22;
     private const double TipLag = 0.4;
+    /// <summary>How far the top of the stroke lies behind its bottom, radians: the more the slower it flies, until wings beat to and fro. Hind wings have the body in their way.</summary>
     private const double StrokePlane = 0.25;
-    private const double PairLag = 0.25;
+    private const double HoverPlane = 0.85;
+    private const double HindHoverPlane = 0.5;
+
+    /// <summary>Share of a beat by which narrow and broad hind wings are behind the fore wings: broad ones are hooked to these.</summary>
+    private const double NarrowLag = 0.25;
+    private const double BroadLag = 0.03;
 
     private readonly PairedChain chain;
     private readonly FoldedWing folded;
     private readonly double level;
     private readonly double lag;
+    private readonly double plane;
 
-    /// <summary>Takes a pair, how it folds, and its place among those of the creature from the front, 0 the first.</summary>
-    public BuzzPair(PairedChain chain, FoldedWing folded, int place)
+    /// <summary>Takes a pair, how it folds, its place among those of the creature from the front, 0 the first, and how broad the wings are, 0..1.</summary>
+    public BuzzPair(PairedChain chain, FoldedWing folded, int place, double breadth)
     {
         this.chain = chain;
         this.folded = folded;
-        lag = PairLag * place;
+        lag = Scalar.Lerp(NarrowLag, BroadLag, breadth) * place;
+        plane = place == 0 ? HoverPlane : HindHoverPlane;
         Vector3 axis = chain.Axes[0];
 
         // The stroke's middle lies a little above level.
@@ -55,7 +63,7 @@ internal sealed class BuzzPair
         for (int k = 0; k < chain.Count; k++)
         {
             Quaternion beat = k == 0
-                ? Rotation.Multiply(AxisRotation.Pitch(-StrokePlane), chain.Stroke(0, raise, sweep, twist))
+                ? Rotation.Multiply(AxisRotation.Pitch(-Scalar.Lerp(StrokePlane, plane, stroke.Hover)), chain.Stroke(0, raise, sweep, twist))
                 : chain.Stroke(k, bend, 0, 0.3 * twist);
             chain.Write(local, side, k, open >= 1 ? beat : Rotation.Slerp(folded.Turn(k), beat, open));
         }

@@ -10,7 +10,7 @@ namespace CreatureGen.Motion.Flying;
 internal static class FlightPose
 {
     private const double HoverPitch = 0.72;
-    private const double BuzzPitch = 0.22;
+    private const double BuzzPitch = 0.5;
     private const double FlarePitch = 0.45;
     private const double BeatPitch = 0.035;
     private const double MaxHeave = 0.05;
@@ -35,6 +35,7 @@ internal static class FlightPose
             Spread = state.Spread.Value,
             Flare = Scalar.Clamp(state.Flare.Value, 0, 1),
             Steer = steer,
+            Hover = hover,
             Drift = slow,
         };
         foreach (WingPair wing in profile.Wings)

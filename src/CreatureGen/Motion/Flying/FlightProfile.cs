@@ -35,6 +35,10 @@ internal sealed class FlightProfile
     /// <summary>Length of the cycle of hovering up and down, and of beating and gliding, in √(span/g).</summary>
     private const double SlowCycle = 5;
 
+    /// <summary>Area of all wings over the square of the span: of dragonflies, and of moths.</summary>
+    private const double NarrowWings = 0.3;
+    private const double BroadWings = 0.6;
+
     /// <summary>Thrust over weight for each beat in the time √(span/g), and its bounds; that of insects.</summary>
     private const double PowerPerBeat = 0.3;
     private const double MinThrust = 0.3;
@@ -65,11 +69,12 @@ internal sealed class FlightProfile
         Axis = new FlightAxis(Skeleton, Chain);
         pelvis = Skeleton.IndexOf("Pelvis") is int at and >= 0 ? Skeleton.ModelPositions[at] : Chain.BodyPivot;
         Posture = StandingPosture.Of(creature);
-        Fitting(creature, new FoldRoom(creature, Posture, Chain.Length), out wings, out buzzers, out legs, out double span);
+        double area = WingArea(creature);
+        Fitting(creature, new FoldRoom(creature, Posture, Chain.Length), area, out wings, out buzzers, out legs, out double span);
         Buzzes = wings.Length == 0;
         Shoulder = ShoulderOf(creature);
         double mass = Math.Max(Lightness * creature.Mass.Mass, 1e-9);
-        double area = Math.Max(WingArea(creature), 0.02 * span * span);
+        area = Math.Max(area, 0.02 * span * span);
         WingSpan = (float)span;
         WingSurface = (float)area;
         double frequency = Buzzes
@@ -197,7 +202,7 @@ internal sealed class FlightProfile
         return new FlightProfile(creature);
     }
 
-    private static void Fitting(Creature creature, FoldRoom room, out WingPair[] wings, out BuzzPair[] buzzers, out FlightLegs[] legs, out double span)
+    private static void Fitting(Creature creature, FoldRoom room, double area, out WingPair[] wings, out BuzzPair[] buzzers, out FlightLegs[] legs, out double span)
     {
         var stitched = new List<WingPair>();
         var thin = new List<PairedChain>();
@@ -236,9 +241,10 @@ internal sealed class FlightProfile
         thin.Sort((a, b) => b.Points[0].Z.CompareTo(a.Points[0].Z));
         wings = stitched.ToArray();
         buzzers = new BuzzPair[thin.Count];
+        double breadth = Scalar.Smooth(((area / (span * span)) - NarrowWings) / (BroadWings - NarrowWings));
         for (int k = 0; k < buzzers.Length; k++)
         {
-            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(creature, thin[k], k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k);
+            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(creature, thin[k], k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k, breadth);
         }
 
         legs = limbs.ToArray();

@@ -33,6 +33,7 @@ internal readonly struct LegPosture
         LimbArchetype.Column => new LegPosture(0.40, 0.60, 0.50, 0.30),
         LimbArchetype.Arm => new LegPosture(0.45, -0.80, 0.20, 0.30),
         LimbArchetype.Sprawl => new LegPosture(0.80, -0.35, 0.40, 0.40),
+        LimbArchetype.Insect => new LegPosture(0.60, -0.75, 0.60, 0.40),
         _ => new LegPosture(0.30, -0.30, 0.10, 0.10),
     };
 
@@ -47,6 +48,7 @@ internal readonly struct LegPosture
         LimbArchetype.Column => new LegPosture(0.10, 0.35, 0.30, 0.20),
         LimbArchetype.Arm => new LegPosture(0.20, -0.60, 0.15, 0.25),
         LimbArchetype.Sprawl => new LegPosture(0.35, -0.45, 0.30, 0.30),
+        LimbArchetype.Insect => new LegPosture(0.40, -0.65, 0.40, 0.30),
         _ => new LegPosture(0.15, -0.40, 0.15, 0.15),
     };
 

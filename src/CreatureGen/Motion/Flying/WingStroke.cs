@@ -21,6 +21,9 @@ internal struct WingStroke
     /// <summary>−1..1, positive in a turn to the left.</summary>
     public double Steer;
 
+    /// <summary>0..1, how much it stands in the air.</summary>
+    public double Hover;
+
     /// <summary>−1..1, a slow swing.</summary>
     public double Drift;
 }

@@ -168,6 +168,35 @@ public sealed class FlightMotionTests
     }
 
     [Fact]
+    public void An_insect_that_hovers_beats_to_and_fro_and_one_that_flies_up_and_down()
+    {
+        foreach (Creature creature in StrokeSubject.Of(BodyPlan.Buzzing))
+        {
+            FlightProfile profile = FlightProfile.Of(creature);
+            double flying = Slant(profile.CruiseSpeed);
+            double hovering = Slant(0f);
+            Assert.True(flying < 0.8 && hovering > 1.3 * flying && hovering > 0.7, $"{creature.Blueprint.Seed}: {flying} flying, {hovering} hovering");
+
+            // How far a tip goes to and fro over how far it goes up and down.
+            double Slant(float speed)
+            {
+                var body = new StrokeSubject(creature);
+                int tip = creature.Limbs.First(limb => limb.Kind == LimbKind.InsectWing && limb.Side == Side.Left).Joints[^1];
+                FlightState state = Steady(profile, Level(profile) with { Speed = speed }, body);
+                var box = (Low: new Vector3(float.MaxValue), High: new Vector3(float.MinValue));
+                for (int i = 0; i < 60; i++)
+                {
+                    FlightMotion.Update(profile, Level(profile) with { Speed = speed }, ref state, (float)(1 / 60.0 / state.Frequency.Value), body.Local);
+                    body.ToModel();
+                    box = (Vector3.Min(box.Low, body.ModelPositions[tip]), Vector3.Max(box.High, body.ModelPositions[tip]));
+                }
+
+                return (box.High.Z - box.Low.Z) / (box.High.Y - box.Low.Y);
+            }
+        }
+    }
+
+    [Fact]
     public void Every_beat_is_counted_once_at_any_frame_rate()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Flapping)[0];
