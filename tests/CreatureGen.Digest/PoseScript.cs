@@ -84,12 +84,12 @@ internal sealed class PoseScript
 
     private void Set(int update)
     {
-        LocomotionSettings settings = LocomotionSettings.Default;
+        MotionSettings settings = MotionSettings.Default;
         if (update is >= 100 and < 200)
         {
-            settings.Crawl = SlitherGait.Sidewinding;
-            settings.Stride = 0.8f;
-            settings.Lift = 1.3f;
+            settings.Slithering = settings.Slithering with { Gait = SlitherGait.Sidewinding };
+            settings.Walking = settings.Walking with { Stride = 0.8f };
+            settings.Walking = settings.Walking with { Lift = 1.3f };
         }
 
         animator.Settings = settings;

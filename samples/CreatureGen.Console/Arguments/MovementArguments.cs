@@ -14,7 +14,7 @@ internal static class MovementArguments
     private const float FastestSpeed = 1000f;
 
     // Standard gravity, metres per second squared: that of the animator's settings by default.
-    private static readonly float gravity = LocomotionSettings.Default.Gravity;
+    private static readonly float gravity = MotionSettings.Default.Gravity;
 
     public static readonly OptionSyntax Gait = new("--gait", "GAIT", "walk, trot, canter, transverse-gallop, run, hop, tripod, fly, take-off, land, swim, c-start, slither, sidewind, rectilinear ... (default: what suits the speed)");
 

@@ -9,6 +9,7 @@ using CreatureGen.Motion.Grounds;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Slithering;
 using CreatureGen.Motion.Swimming;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Toolkit.Gaze;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Rigging;
@@ -39,7 +40,7 @@ public sealed class CreatureAnimator
     private readonly CheckedMovingGround movingGround = new();
     private CheckedGround gate;
     private Vector3? lookAt;
-    private LocomotionSettings settings = LocomotionSettings.Default;
+    private MotionSettings settings = MotionSettings.Default;
 
     /// <summary>An animator for a creature, standing at the origin.</summary>
     /// <exception cref="ArgumentNullException">There is no creature.</exception>
@@ -81,7 +82,7 @@ public sealed class CreatureAnimator
 
     /// <summary>What can be set; taken up by the next update.</summary>
     /// <exception cref="ArgumentException">A setting is not finite or out of its range.</exception>
-    public LocomotionSettings Settings
+    public MotionSettings Settings
     {
         get => settings;
         set
@@ -107,6 +108,9 @@ public sealed class CreatureAnimator
         }
     }
 
+    /// <summary>How head and eyes follow what they look at; null for what suits the creature: big heads turn slowly, fish look with their eyes.</summary>
+    public GazeSettings? GazeSettings { get; set; }
+
     /// <summary>The pose in the parents' space, as of the last update. It may be changed before it is used; the next update writes it anew.</summary>
     public Pose LocalPose => new(localRotations, localPositions);
 
@@ -126,13 +130,13 @@ public sealed class CreatureAnimator
     public int FootCount => legs?.FootCount ?? 0;
 
     /// <summary>Whether it goes on its feet at present: not in the air, in water or on the belly.</summary>
-    internal bool StandsOnFeet => motion is FlyingMode flight ? flight.Stands : legs != null && motion == legs;
+    internal bool StandsOnFeet => motion is { StandsOnFeet: true };
 
     /// <summary>Whether it is on its feet with its wings folded, or has none that fold.</summary>
-    internal bool IsAtRest => motion is not FlyingMode flight || flight.IsAtRest;
+    internal bool IsAtRest => motion is not { IsFolded: false };
 
     /// <summary>Whether a C-start is under way.</summary>
-    internal bool Escapes => motion is SwimmingMode { Escapes: true };
+    internal bool Escapes => motion is { Escapes: true };
 
     /// <summary>Metres per second ahead at present.</summary>
     public float Speed => (motion?.Speed ?? 0f) * Root.Scale;
@@ -153,7 +157,7 @@ public sealed class CreatureAnimator
         }
 
         FootReport report = legs.Report(foot);
-        return motion is FlyingMode { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
+        return motion is { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
     }
 
     /// <summary>Moves on: the creature goes as it is asked, over the ground.</summary>
@@ -276,11 +280,18 @@ public sealed class CreatureAnimator
         return gate = stillGround;
     }
 
+    /// <summary>The push to the side that the lean of the body balances, so that what hangs on it does not feel it: m/s², world space.</summary>
+    private Vector3 Balanced()
+    {
+        float bank = motion?.BalancedBank ?? 0f;
+        PortableMath.SinCos(bank, out double sine, out double cosine);
+        return bank == 0f ? Vector3.Zero : Rotation.Rotate(Root.Rotation, Vector3.UnitX) * (float)(settings.Gravity * sine / cosine);
+    }
+
     private void Finish(float dt)
     {
         ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
-        attention?.Update(lookAt, Root, motion?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
-        float height = motion is FlyingMode flight ? flight.Height : 0f;
-        secondary.Update(Root, Rotation.Rotate(Root.Rotation, Vector3.UnitY), height, dt, LocalPose, ModelPose);
+        attention?.Update(lookAt, GazeSettings, Root, motion?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
+        secondary.Update(Root, motion?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
     }
 }

@@ -61,13 +61,14 @@ internal sealed class HeadAttention
 
     /// <summary>Turns head and eyes.</summary>
     /// <param name="target">A point in the world to look at; null for none.</param>
+    /// <param name="settings">How they follow; null for what suits the creature.</param>
     /// <param name="root">Where the creature is.</param>
     /// <param name="speed">Metres per second.</param>
     /// <param name="weight">A factor on looking about.</param>
     /// <param name="dt">Seconds.</param>
     /// <param name="local">The pose, its lids at rest; head, neck, eyes and lids are turned.</param>
     /// <param name="model">The same in model space.</param>
-    public void Update(Vector3? target, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
+    public void Update(Vector3? target, GazeSettings? settings, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
     {
         seconds += dt;
         bool still = weight > 0f && System.Math.Abs(speed) < Still;
@@ -101,7 +102,7 @@ internal sealed class HeadAttention
             return;
         }
 
-        GazeSolver.Advance(rig, ref state, head, wanted, dt, local, model);
+        GazeSolver.Advance(rig, ref state, settings ?? head, wanted, dt, local, model);
         if (rig.LeftEye >= 0 && rig.RightEye >= 0)
         {
             Eyes.Update(rig, ref state, EyeSettings.Default, wanted, dt, local, model);

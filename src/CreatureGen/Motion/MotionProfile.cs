@@ -29,7 +29,7 @@ public sealed class MotionProfile
         Legs = LeggedBody.Of(creature);
         if (Legs != null)
         {
-            Gaits = gaits ?? GaitChoice.For(Legs, LocomotionSettings.Default.Gravity);
+            Gaits = gaits ?? GaitChoice.For(Legs, MotionSettings.Default.Gravity);
         }
 
         switch (creature.Blueprint.Kind)

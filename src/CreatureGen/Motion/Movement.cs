@@ -109,9 +109,9 @@ public sealed class Movement
     internal CreatureAnimator Begin(MotionProfile profile, IGround ground)
     {
         var animator = new CreatureAnimator(profile);
-        LocomotionSettings settings = animator.Settings;
-        settings.Gait = Gait;
-        settings.Crawl = Crawl;
+        MotionSettings settings = animator.Settings;
+        settings.Walking = settings.Walking with { Gait = Gait };
+        settings.Slithering = settings.Slithering with { Gait = Crawl };
         animator.Settings = settings;
         animator.Teleport(animator.Root, ground);
         return animator;

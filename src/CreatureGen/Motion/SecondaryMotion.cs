@@ -62,23 +62,24 @@ internal sealed class SecondaryMotion
 
     /// <summary>Turns the joints that swing.</summary>
     /// <param name="root">Where the creature is.</param>
-    /// <param name="up">Away from the ground, unit.</param>
-    /// <param name="height">Of the root above the ground, metres of the model.</param>
+    /// <param name="clearance">Height of the root above the ground, metres of the model; infinite where there is none.</param>
+    /// <param name="balanced">The push to the side that the lean of the body balances, m/s², world space.</param>
     /// <param name="seconds">Since the last update.</param>
     /// <param name="local">Receives the rotations.</param>
     /// <param name="model">Receives what follows from them.</param>
-    public void Update(in RootPlace root, Vector3 up, float height, float seconds, in Pose local, in Pose model)
+    public void Update(in RootPlace root, float clearance, Vector3 balanced, float seconds, in Pose local, in Pose model)
     {
+        Vector3 up = Rotation.Rotate(root.Rotation, Vector3.UnitY);
         for (int i = 0; i < rigs.Length; i++)
         {
             ReadOnlySpan<SpringCollider> colliders = ReadOnlySpan<SpringCollider>.Empty;
-            if (low[i])
+            if (low[i] && !float.IsPositiveInfinity(clearance))
             {
-                ground[0] = SpringCollider.Plane(root.Position + (up * (((Thickness * rigs[i].Length) - height) * root.Scale)), up);
+                ground[0] = SpringCollider.Plane(root.Position + (up * (((Thickness * rigs[i].Length) - clearance) * root.Scale)), up);
                 colliders = ground;
             }
 
-            SpringBones.Update(rigs[i], states[i], settings[i], root, colliders, seconds, local, model);
+            SpringBones.Update(rigs[i], states[i], settings[i].Under(balanced), root, colliders, seconds, local, model);
             KeepWithinLimits(rigs[i], local, model);
         }
     }

@@ -66,16 +66,16 @@ internal sealed class Marcher
                 Local.SetToRest(skeleton);
                 break;
             case CrowdStage.Motion:
-                root = motion.Drive(root, dt, input, LocomotionSettings.Default, FlatGround.Level, Local);
+                root = motion.Drive(root, dt, input, MotionSettings.Default, FlatGround.Level, Local);
                 break;
             case CrowdStage.Chain:
                 ForwardKinematics.LocalToModel(skeleton, Local, Model);
                 break;
             case CrowdStage.Gaze:
-                attention?.Update(null, root, motion.Speed, 1f, dt, Local, Model);
+                attention?.Update(null, null, root, motion.Speed, 1f, dt, Local, Model);
                 break;
             case CrowdStage.Springs:
-                secondary.Update(root, Rotation.Rotate(root.Rotation, Vector3.UnitY), 0f, dt, Local, Model);
+                secondary.Update(root, motion.Clearance, Vector3.Zero, dt, Local, Model);
                 break;
             default:
                 SkinMatrices.Fill(skeleton, Model, matrices);

@@ -92,8 +92,8 @@ public sealed class CrawlAndEscapeTests
         int updates = 0;
         Assert.Equal(0, MovingPose.Allocated(() =>
         {
-            LocomotionSettings settings = animator.Settings;
-            settings.Crawl = (SlitherGait)(updates++ / 50 % 3);
+            MotionSettings settings = animator.Settings;
+            settings.Slithering = settings.Slithering with { Gait = (SlitherGait)(updates++ / 50 % 3) };
             animator.Settings = settings;
             animator.Update(1f / 60f, new MotionInput(animator.Profile.Slither!.CruiseSpeed), FlatGround.Level);
         }, 300));
@@ -121,8 +121,8 @@ public sealed class CrawlAndEscapeTests
     public void A_way_of_crawling_that_does_not_exist_is_refused()
     {
         var animator = new CreatureAnimator(StrokeSubject.Of(BodyPlan.Legless)[0]);
-        LocomotionSettings settings = animator.Settings;
-        settings.Crawl = (SlitherGait)3;
+        MotionSettings settings = animator.Settings;
+        settings.Slithering = settings.Slithering with { Gait = (SlitherGait)3 };
         Assert.Contains("Crawl", Assert.Throws<ArgumentOutOfRangeException>(() => animator.Settings = settings).Message, StringComparison.Ordinal);
     }
 
@@ -223,8 +223,8 @@ public sealed class CrawlAndEscapeTests
         Creature creature = Walkers.Of(BodyPlan.Digitigrade, 1);
         var plain = new CreatureAnimator(creature);
         var startled = new CreatureAnimator(creature);
-        LocomotionSettings settings = startled.Settings;
-        settings.Crawl = SlitherGait.Sidewinding;
+        MotionSettings settings = startled.Settings;
+        settings.Slithering = settings.Slithering with { Gait = SlitherGait.Sidewinding };
         startled.Settings = settings;
         Walkers.Run(plain, 1f, 60f, new MotionInput(1f), FlatGround.Level);
         Walkers.Run(startled, 1f, 60f, new MotionInput(1f, Escape: EscapeTurn.Left), FlatGround.Level);
@@ -253,8 +253,8 @@ public sealed class CrawlAndEscapeTests
     private static CreatureAnimator Crawler(Creature creature, SlitherGait mode)
     {
         var animator = new CreatureAnimator(creature);
-        LocomotionSettings settings = animator.Settings;
-        settings.Crawl = mode;
+        MotionSettings settings = animator.Settings;
+        settings.Slithering = settings.Slithering with { Gait = mode };
         animator.Settings = settings;
         animator.Teleport(RootPlace.Identity, FlatGround.Level);
         return animator;
@@ -278,8 +278,8 @@ public sealed class CrawlAndEscapeTests
         animator.LocalPose.Rotations.CopyTo(before);
         for (int i = 0; i < 12 * rate; i++)
         {
-            LocomotionSettings settings = animator.Settings;
-            settings.Crawl = (SlitherGait)((int)(i / rate) / 2 % 3);
+            MotionSettings settings = animator.Settings;
+            settings.Slithering = settings.Slithering with { Gait = (SlitherGait)((int)(i / rate) / 2 % 3) };
             animator.Settings = settings;
             animator.Update(1f / rate, new MotionInput(speed), FlatGround.Level);
             for (int j = 0; j < before.Length; j++)

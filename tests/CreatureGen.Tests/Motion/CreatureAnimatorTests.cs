@@ -67,7 +67,7 @@ public class CreatureAnimatorTests
         Assert.Throws<ArgumentNullException>(() => animator.Update(0.1f, default, null!));
         Assert.ThrowsAny<ArgumentException>(() => animator.Rebase(new Vector3(float.NaN, 0f, 0f)));
         Assert.ThrowsAny<ArgumentException>(() => animator.LookAt = new Vector3(0f, float.NaN, 0f));
-        LocomotionSettings settings = LocomotionSettings.Default;
+        MotionSettings settings = MotionSettings.Default;
         settings.Gravity = float.NaN;
         ArgumentException gravity = Assert.ThrowsAny<ArgumentException>(() => animator.Settings = settings);
         Assert.Contains("Gravity", gravity.Message);
@@ -309,7 +309,7 @@ public class CreatureAnimatorTests
     {
         var floor = new CreatureAnimator(dog);
         var wall = new CreatureAnimator(dog);
-        LocomotionSettings settings = LocomotionSettings.Default;
+        MotionSettings settings = MotionSettings.Default;
         settings.Up = -Vector3.UnitZ;
         wall.Settings = settings;
         Quaternion onto = Rotation.FromTo(Vector3.UnitY, -Vector3.UnitZ);
@@ -352,8 +352,8 @@ public class CreatureAnimatorTests
         var animator = new CreatureAnimator(dog);
         Walkers.Run(animator, 5f, 60f, new MotionInput(1000f), FlatGround.Level);
         Assert.InRange(animator.Speed, 0.98f * animator.Profile.Gaits!.TopSpeed, 1.001f * animator.Profile.Gaits.TopSpeed);
-        LocomotionSettings settings = LocomotionSettings.Default;
-        settings.Gait = GaitLibrary.Pace;
+        MotionSettings settings = MotionSettings.Default;
+        settings.Walking = settings.Walking with { Gait = GaitLibrary.Pace };
         animator.Settings = settings;
         Walkers.Run(animator, 1f, 60f, new MotionInput(2f), FlatGround.Level);
         Assert.Equal("Pace", animator.Gait!.Name);

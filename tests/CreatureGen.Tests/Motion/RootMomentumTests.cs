@@ -159,7 +159,7 @@ public sealed class RootMomentumTests
         {
             init
             {
-                LocomotionSettings settings = Animator.Settings;
+                MotionSettings settings = Animator.Settings;
                 settings.Gravity = value;
                 Animator.Settings = settings;
             }

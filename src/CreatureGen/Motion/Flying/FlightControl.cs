@@ -17,6 +17,9 @@ internal static class FlightControl
     /// <summary>Tangent of the steepest bank of a steady turn, 1.05 rad.</summary>
     private const double TangentOfBank = 1.743;
 
+    /// <summary>Radians that it leans at most, whatever is set.</summary>
+    private const double SteepestBank = 1.3;
+
     /// <summary>How much more sharply than the rest of its motion its turning follows what is asked.</summary>
     private const double TurnSharpness = 1.2;
 
@@ -82,6 +85,7 @@ internal static class FlightControl
             throw new ArgumentOutOfRangeException(nameof(input), gravity, "expected a gravity above 0");
         }
 
+        FlyingSettings settings = input.Settings ?? FlyingSettings.Default;
         double speed = StepCheck.Finite(input.Speed, "Speed");
         double yaw = StepCheck.Finite(input.YawRate, "YawRate");
         double climb = StepCheck.Finite(input.ClimbRate, "ClimbRate");
@@ -97,8 +101,8 @@ internal static class FlightControl
         double cruise = profile.CruiseIn(gravity);
         double k = profile.Response * FlightProfile.Tempo(gravity);
         double goal = GoalAhead(state, speed);
-        double way = state.Ahead.Step(goal, profile.MomentumIn(gravity), dt);
-        double turned = Turn(profile, yaw, gravity, dt, ref state);
+        double way = state.Ahead.Step(goal, profile.MomentumIn(gravity).Quickened(settings.SpeedResponse), dt);
+        double turned = Turn(profile, yaw, gravity, settings.YawResponse, dt, ref state);
         double up = Climb(profile, goal, Scalar.Clamp(climb, -FastestDive * cruise, FastestClimb * cruise), height, gravity, dt, ref state);
         state.Cruises = state.Ahead.Speed / cruise;
 
@@ -118,7 +122,7 @@ internal static class FlightControl
         double beats = profile.BeatsIn(gravity) * (1 + (0.22 * hover) + (0.15 * Math.Max(0, rise)) + Math.Max(leap, 0.12 * push));
         double advance = state.Frequency.Step(flying ? beats : 0, flying ? 2 * k : 4 * k, dt);
         Beat(profile, state.Spread.Value, advance, dt, ref state);
-        double width = Math.Min(1 + (0.28 * hover) + (0.22 * Math.Max(0, rise)) + Math.Max(leap, 0.18 * push), WidestBeat);
+        double width = Math.Min((1 + (0.28 * hover) + (0.22 * Math.Max(0, rise)) + Math.Max(leap, 0.18 * push)) * settings.BeatAmplitude, WidestBeat);
         state.Amplitude.Step(down ? 0 : width, 2 * k, dt);
         state.Effort.Step(effort, 1.5 * k, dt);
 
@@ -128,7 +132,7 @@ internal static class FlightControl
         double landing = state.Phase == FlightPhase.Landing ? Scalar.Smooth((LandingHeight - (height / leg)) / (0.6 * LandingHeight)) : 0;
         state.Flare.Step(flying ? Math.Max(landing, BrakingFlare * slow) : 0, 1.5 * k, dt);
         state.Reach.Step(landing, 1.5 * k, dt);
-        state.Bank = PortableMath.Atan2(state.Ahead.Speed * state.Turn.Value, gravity);
+        state.Bank = Scalar.Clamp(settings.Bank * PortableMath.Atan2(state.Ahead.Speed * state.Turn.Value, gravity), -SteepestBank, SteepestBank);
         state.Steer = Curve.Bounded(state.Turn.Value * Math.Max(0.35, 0.5 * cruise / gravity), 1);
         state.Path.Step(Curve.Bounded(PortableMath.Atan2(state.Rise.Speed, Math.Max(Math.Abs(state.Ahead.Speed), 0.5 * cruise)), SteepestPath), k, dt);
         Crouch(tempo, Math.Sqrt(gravity * leg), dt, ref state);
@@ -149,12 +153,12 @@ internal static class FlightControl
     };
 
     /// <summary>Turns as far as its bank lets it, and gives the angle.</summary>
-    private static double Turn(FlightProfile profile, double yaw, double gravity, double dt, ref FlightState state)
+    private static double Turn(FlightProfile profile, double yaw, double gravity, double response, double dt, ref FlightState state)
     {
         double agility = profile.Response * FlightProfile.Tempo(gravity);
         double fastest = Math.Min(agility, gravity * TangentOfBank / Math.Max(Math.Abs(state.Ahead.Speed), 1e-6));
         bool steers = state.Phase is not (FlightPhase.Crouching or FlightPhase.Settling);
-        return state.Turn.Step(steers ? Scalar.Clamp(yaw, -fastest, fastest) : 0, TurnSharpness * agility, dt);
+        return state.Turn.Step(steers ? Scalar.Clamp(yaw, -fastest, fastest) : 0, TurnSharpness * agility * response, dt);
     }
 
     /// <summary>Rises and sinks, and gives the way up.</summary>

@@ -19,4 +19,5 @@ internal enum FlightIntent
 /// <param name="ClimbRate">Metres per second up; negative descends.</param>
 /// <param name="Height">Metres from the ground up to the root.</param>
 /// <param name="Gravity">Metres per second squared; 0.05..10000. In the space of the model: that of the world over the creature's scale.</param>
-internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f, float Gravity = StandardGravity.Acceleration);
+/// <param name="Settings">How it flies; null for the defaults.</param>
+internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f, float Gravity = StandardGravity.Acceleration, FlyingSettings? Settings = null);

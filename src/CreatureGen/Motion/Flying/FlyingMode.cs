@@ -43,23 +43,24 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public float Speed { get; private set; }
 
-    public float Phase => Stands ? legs!.Phase : (float)state.Cycle;
+    public float Phase => StandsOnFeet ? legs!.Phase : (float)state.Cycle;
 
-    public float Frequency => Stands ? legs!.Frequency : state.BeatFrequency;
+    public float Frequency => StandsOnFeet ? legs!.Frequency : state.BeatFrequency;
 
-    /// <summary>Whether it has ground under legs that walk.</summary>
     public bool IsOnFeet => legs != null && state.IsOnFeet;
 
-    /// <summary>Whether it does so with all but its wings.</summary>
-    public bool Stands => IsOnFeet && StancePose.IsWhole(state.Planted.Value);
+    public bool StandsOnFeet => IsOnFeet && StancePose.IsWhole(state.Planted.Value);
 
-    /// <summary>Height of its root above the ground, metres of the model, as far as that matters; 0 on its feet.</summary>
-    public float Height => IsOnFeet ? 0f : (float)state.Height.Value;
+    public float Clearance => IsOnFeet ? 0f : (float)state.Height.Value;
+
+    public float BalancedBank => IsOnFeet ? 0f : (float)(state.Air.Value * state.Bank);
+
+    public bool Escapes => false;
 
     /// <summary>Whether it stands still with its wings folded.</summary>
-    public bool IsAtRest => Stands && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
+    public bool IsFolded => StandsOnFeet && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
 
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         bool before = IsOnFeet;
         BodyVelocity velocity = Fly(place, dt, input, settings, ground, local);
@@ -82,7 +83,7 @@ internal sealed class FlyingMode : ILocomotionMode
         return place;
     }
 
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
     {
         bool before = IsOnFeet;
         float height = HeightOf(goal, settings, ground);
@@ -105,7 +106,7 @@ internal sealed class FlyingMode : ILocomotionMode
         Mix(local);
     }
 
-    public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         state = FlightState.OnGround;
         Speed = 0f;
@@ -134,7 +135,7 @@ internal sealed class FlyingMode : ILocomotionMode
     }
 
     /// <summary>Lets the legs take over, at the speed at which it came down.</summary>
-    private void TouchDown(bool before, in RootPlace place, in LocomotionSettings settings, IGround ground)
+    private void TouchDown(bool before, in RootPlace place, in MotionSettings settings, IGround ground)
     {
         if (!before)
         {
@@ -153,7 +154,7 @@ internal sealed class FlyingMode : ILocomotionMode
     }
 
     /// <summary>Sets the feet of a flier that comes down where they will stand.</summary>
-    private void Reach(in RootPlace place, in LocomotionSettings settings, IGround ground)
+    private void Reach(in RootPlace place, in MotionSettings settings, IGround ground)
     {
         if (legs != null && state.Phase == FlightPhase.Landing && state.Planted.Value > 0)
         {
@@ -170,7 +171,7 @@ internal sealed class FlyingMode : ILocomotionMode
         }
     }
 
-    private BodyVelocity Fly(in RootPlace place, float dt, in MotionInput input, in LocomotionSettings settings, IGround ground, in Pose local)
+    private BodyVelocity Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
     {
         FlightIntent intent = input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
@@ -181,7 +182,7 @@ internal sealed class FlyingMode : ILocomotionMode
 
         state.RunOut = legs?.RunOut ?? 0f;
         state.Raised = legs?.Raised ?? 0f;
-        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale);
+        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying);
         BodyVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
         for (int k = state.BeatsBegun - 1; k >= 0; k--)
         {
@@ -193,7 +194,7 @@ internal sealed class FlyingMode : ILocomotionMode
     }
 
     /// <summary>Height of the root above the ground, metres of the model.</summary>
-    private static float HeightOf(in RootPlace place, in LocomotionSettings settings, IGround ground)
+    private static float HeightOf(in RootPlace place, in MotionSettings settings, IGround ground)
     {
         float above = place.Scale;
         return ground.Cast(place.Position + (settings.Up * above), -settings.Up, (Lookout * place.Scale) + above, out GroundHit hit)

@@ -29,7 +29,7 @@ public sealed class GaitSet
     /// <param name="mass">Kilograms.</param>
     /// <param name="gravity">Metres per second squared.</param>
     /// <exception cref="ArgumentException">There is no gait, a gait is not sound, or thresholds do not rise.</exception>
-    public GaitSet(IReadOnlyList<GaitStep> steps, float legLength, float mass, float gravity = 9.81f)
+    public GaitSet(IReadOnlyList<GaitStep> steps, float legLength, float mass, float gravity = StandardGravity.Acceleration)
         : this(steps, legLength, mass, gravity, null)
     {
     }

@@ -5,7 +5,7 @@ using CreatureGen.Maths;
 namespace CreatureGen.Motion;
 
 /// <summary>An endless plane, solid below.</summary>
-public sealed class FlatGround : IGround
+public sealed class FlatGround : IPlaneGround
 {
     private readonly Vector3 point;
     private readonly Vector3 normal;
@@ -32,6 +32,9 @@ public sealed class FlatGround : IGround
 
     /// <summary>The plane y = 0.</summary>
     public static FlatGround Level { get; } = new(Vector3.Zero, Vector3.UnitY);
+
+    /// <inheritdoc/>
+    public Vector3 Normal => normal;
 
     /// <inheritdoc/>
     public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)

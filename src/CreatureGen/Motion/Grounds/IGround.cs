@@ -14,6 +14,13 @@ public interface IGround
     bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit);
 }
 
+/// <summary>Ground that is one plane wherever a ray meets it: a promise by which feet need not feel the ground around the place where they come down. What a creature does on it is the same without the promise, and takes longer.</summary>
+public interface IPlaneGround : IGround
+{
+    /// <summary>Out of the ground, unit, world space.</summary>
+    Vector3 Normal { get; }
+}
+
 /// <summary>Ground with parts that move: lifts, ships, other creatures' backs. Feet stay on the part that they stand on, and the creature is carried along.</summary>
 public interface IMovingGround : IGround
 {

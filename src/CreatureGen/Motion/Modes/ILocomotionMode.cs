@@ -15,6 +15,24 @@ internal interface ILocomotionMode
     /// <summary>Cycles per second.</summary>
     float Frequency { get; }
 
+    /// <summary>Whether feet carry it at present: not in the air, in water or on the belly.</summary>
+    bool IsOnFeet { get; }
+
+    /// <summary>Whether they do so wholly: no other way of moving has a part in the pose, but for wings that fold.</summary>
+    bool StandsOnFeet { get; }
+
+    /// <summary>Whether it holds nothing out that it folds away at rest.</summary>
+    bool IsFolded { get; }
+
+    /// <summary>Whether the start of a startled fish is under way.</summary>
+    bool Escapes { get; }
+
+    /// <summary>Height of the root above what tails must not go into, metres of the model; infinite where there is nothing.</summary>
+    float Clearance { get; }
+
+    /// <summary>How far the body leans to its left, radians, so that its weight and the turn that it flies balance: what hangs on it feels no push to the side. 0 where the ground or water carries it.</summary>
+    float BalancedBank { get; }
+
     /// <summary>Moves on as asked and writes the pose.</summary>
     /// <param name="place">Where the creature is.</param>
     /// <param name="dt">Seconds.</param>
@@ -23,7 +41,7 @@ internal interface ILocomotionMode
     /// <param name="ground">What it goes on, or over.</param>
     /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
     /// <returns>Where it is then.</returns>
-    RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local);
+    RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local);
 
     /// <summary>Moves on as the game moved it and writes the pose.</summary>
     /// <param name="place">Where the creature was.</param>
@@ -32,10 +50,10 @@ internal interface ILocomotionMode
     /// <param name="settings">How it goes.</param>
     /// <param name="ground">What it goes on, or over.</param>
     /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
-    void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local);
+    void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local);
 
     /// <summary>Stands, floats or lies at a place as if it had always been there, and writes the pose.</summary>
-    void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local);
+    void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local);
 
     /// <summary>Moves the origin of the world.</summary>
     void Rebase(Vector3 offset);

@@ -9,4 +9,7 @@ internal readonly record struct MomentumLimits(double Thrust, double Braking, do
 {
     /// <summary>The same in a world where lengths are other ones and time runs alike: all but the drag grow with them.</summary>
     public MomentumLimits Scaled(double factor) => new(Thrust * factor, Braking * factor, Drag / factor, Jerk * factor);
+
+    /// <summary>The same where time runs so many times quicker and speeds are alike: what it reaches stays, and comes so much sooner.</summary>
+    public MomentumLimits Quickened(double factor) => new(Thrust * factor, Braking * factor, Drag * factor, Jerk * factor * factor);
 }

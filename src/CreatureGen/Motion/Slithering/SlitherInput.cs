@@ -5,4 +5,5 @@ namespace CreatureGen.Motion.Slithering;
 /// <param name="Speed">Metres of the model per second on its way, not negative; less counts as 0.</param>
 /// <param name="YawRate">Radians per second by which the head turns its way; positive turns left. A crawler that does not move cannot turn, and none turns tighter than its body bends.</param>
 /// <param name="Root">Where its root is; of its rotation the heading counts.</param>
-internal readonly record struct SlitherInput(SlitherGait Mode, float Speed, float YawRate, RootPlace Root);
+/// <param name="SpeedResponse">How quickly its speed follows, a factor.</param>
+internal readonly record struct SlitherInput(SlitherGait Mode, float Speed, float YawRate, RootPlace Root, float SpeedResponse = 1f);

@@ -40,7 +40,7 @@ internal static class SlitherMotion
         input.Root.Require(nameof(input));
         var floor = new CrawlFloor(ground, input.Root.Scale, profile.BodyLength);
         Follow(profile, input, floor, state);
-        Crawl(profile, input.Mode, speed, yaw, floor, state, time);
+        Crawl(profile, input, speed, yaw, floor, state, time);
         SlitherPose.Write(profile, state, floor, local);
         state.Root = new RootPlace(state.Middle * input.Root.Scale, AxisRotation.Yaw(state.Yaw), input.Root.Scale);
         return state.Root;
@@ -91,12 +91,13 @@ internal static class SlitherMotion
 
     private static double SidewindingOf(SlitherGait mode) => mode == SlitherGait.Sidewinding ? 1 : 0;
 
-    private static void Crawl(SlitherProfile profile, SlitherGait mode, double speed, double yaw, in CrawlFloor floor, SlitherState state, double dt)
+    private static void Crawl(SlitherProfile profile, in SlitherInput input, double speed, double yaw, in CrawlFloor floor, SlitherState state, double dt)
     {
+        SlitherGait mode = input.Mode;
         double sharpness = Response / Math.Sqrt(profile.BodyLength);
         double sides = state.Sidewinding.Value;
         double alpha = state.Winding.Value;
-        double way = state.Speed.Step(speed, sharpness, dt);
+        double way = state.Speed.Step(speed, sharpness * input.SpeedResponse, dt);
 
         // Modes change with the way, not with time: a body that lies still keeps its shape.
         double lengths = way / profile.BodyLength;

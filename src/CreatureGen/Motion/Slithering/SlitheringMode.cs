@@ -23,16 +23,28 @@ internal sealed class SlitheringMode : ILocomotionMode
 
     public float Frequency => Speed / (float)(profile.Wavelength * state.Progress);
 
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
+    public bool IsOnFeet => false;
+
+    public bool StandsOnFeet => false;
+
+    public bool IsFolded => true;
+
+    public bool Escapes => false;
+
+    public float Clearance => 0f;
+
+    public float BalancedBank => 0f;
+
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
-        var asked = new SlitherInput(settings.Crawl, input.Speed / place.Scale, input.YawRate, place);
+        var asked = new SlitherInput(settings.Slithering.Gait, input.Speed / place.Scale, input.YawRate, place, settings.Slithering.SpeedResponse);
         return SlitherMotion.Update(profile, asked, ground, state, dt, local);
     }
 
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local) =>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local) =>
         Drive(goal, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, ground, local);
 
-    public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         state.Reset();
         Drive(place, 0f, default, settings, ground, local);

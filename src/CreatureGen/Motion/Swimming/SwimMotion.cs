@@ -125,13 +125,15 @@ internal static class SwimMotion
         double cruise = profile.CruiseSpeed;
         double cycle = profile.CruiseFrequency;
         double sharpness = Response * cycle;
+        SwimmingSettings settings = input.Settings ?? SwimmingSettings.Default;
+        MomentumLimits limits = profile.Momentum.Quickened(settings.SpeedResponse);
         double goal = Math.Max(input.Speed, -cruise);
-        double way = state.Ahead.Step(goal, profile.Momentum, dt);
-        double climbed = state.Rise.Step(input.ClimbRate, profile.Momentum, dt);
+        double way = state.Ahead.Step(goal, limits, dt);
+        double climbed = state.Rise.Step(input.ClimbRate, limits, dt);
         double speed = state.Ahead.Speed;
         double climb = state.Rise.Speed;
         double yaw = Curve.Bounded(input.YawRate, profile.FastestTurn(speed));
-        double turned = state.Turn.Step(yaw, YawResponse * cycle, dt);
+        double turned = state.Turn.Step(yaw, YawResponse * cycle * settings.YawResponse, dt);
         double side = state.EscapeSide;
         double before = state.EscapeAge;
         double age = side == 0 ? 0 : Math.Min(before + (dt * StagesPerSecond(profile)), EscapeCurve.Duration);
@@ -144,7 +146,8 @@ internal static class SwimMotion
         double cruises = (dt > 0 ? way / dt : speed) / cruise;
         Beat(Effort(cruises, goal / cruise), cruises, out double tempo, out double width);
         tempo += 1.2 * drive;
-        width = Math.Min(width + (0.5 * drive), WidestBeat);
+        width = Math.Min((width + (0.5 * drive)) * settings.BeatAmplitude, WidestBeat);
+        state.Lean = settings.Bank;
         bool backwards = goal < 0 && profile.Style == SwimStyle.Anguilliform;
         state.Phase += state.Frequency.Step(backwards ? -tempo * cycle : tempo * cycle, sharpness, dt);
         state.Phase -= Math.Floor(state.Phase);
@@ -237,7 +240,7 @@ internal static class SwimMotion
         SwimKinematics kinematics = profile.Kinematics;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Phase, out double sine, out double cosine);
         double pitch = -state.Climb.Value;
-        double roll = -kinematics.Banking * bend;
+        double roll = -kinematics.Banking * bend * state.Lean;
         double heave = 0;
         double mean = amplitude * profile.Wave.Mean(cosine, sine);
         switch (profile.Style)

@@ -6,6 +6,9 @@ namespace CreatureGen.Motion.Swimming;
 /// <summary>Where a swimmer is in its motion. The default is at rest in still water; one for each creature on the scene, changed by <see cref="SwimMotion.Update"/> alone.</summary>
 internal struct SwimState
 {
+    /// <summary>Factor on the bank of turns, as set.</summary>
+    internal double Lean;
+
     internal double Phase;
     internal CriticallyDampedSpring Frequency;
     internal CriticallyDampedSpring Amplitude;

@@ -18,21 +18,30 @@ internal sealed class SwimmingMode : ILocomotionMode
 
     public float Frequency => state.BeatFrequency;
 
-    /// <summary>Whether a C-start is under way.</summary>
+    public bool IsOnFeet => false;
+
+    public bool StandsOnFeet => false;
+
+    public bool IsFolded => true;
+
     public bool Escapes => state.EscapeProgress > 0f;
 
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
+    public float Clearance => float.PositiveInfinity;
+
+    public float BalancedBank => 0f;
+
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         float scale = place.Scale;
-        BodyVelocity velocity = SwimMotion.Update(profile, new SwimInput(input.Speed / scale, input.YawRate, input.ClimbRate / scale, input.Escape), ref state, dt, local);
+        BodyVelocity velocity = SwimMotion.Update(profile, new SwimInput(input.Speed / scale, input.YawRate, input.ClimbRate / scale, input.Escape, settings.Swimming), ref state, dt, local);
         Speed = velocity.Linear.Z;
         return RootStep.Advance(place, velocity, dt);
     }
 
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local) =>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local) =>
         Drive(place, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, ground, local);
 
-    public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         state = default;
         Drive(place, 0f, default, settings, ground, local);

@@ -5,7 +5,7 @@ namespace CreatureGen.Motion.Walking;
 /// <summary>What the feet are told in a step of time.</summary>
 internal readonly struct StepContext
 {
-    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, LocomotionSettings settings, IGround ground, float step, float left, float activity, bool moving, float slope)
+    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, MotionSettings settings, IGround ground, float step, float left, float activity, bool moving, float slope)
     {
         Frame = frame;
         RootVelocity = velocity;
@@ -26,7 +26,7 @@ internal readonly struct StepContext
 
     public GaitClock Clock { get; }
 
-    public LocomotionSettings Settings { get; }
+    public MotionSettings Settings { get; }
 
     public IGround Ground { get; }
 

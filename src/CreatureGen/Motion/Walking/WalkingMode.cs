@@ -91,6 +91,18 @@ internal sealed class WalkingMode : ILocomotionMode
 
     public float Frequency => clock.Frequency;
 
+    public bool IsOnFeet => true;
+
+    public bool StandsOnFeet => true;
+
+    public bool IsFolded => true;
+
+    public bool Escapes => false;
+
+    public float Clearance => 0f;
+
+    public float BalancedBank => 0f;
+
     /// <summary>How far the body is let down into its legs, metres of the model.</summary>
     public float Sink { get; set; }
 
@@ -125,7 +137,7 @@ internal sealed class WalkingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public void Stand(in RootPlace place, LocomotionSettings settings, IGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         Stand(place, settings, ground);
         Pose(place, 0f, settings, local);
@@ -138,9 +150,9 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <param name="settings">What can be set.</param>
     /// <param name="ground">Where feet find footing.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Arrive(in RootPlace place, float speed, float turn, LocomotionSettings settings, IGround ground, in Pose local)
+    public void Arrive(in RootPlace place, float speed, float turn, MotionSettings settings, IGround ground, in Pose local)
     {
-        LocomotionSettings own = settings;
+        MotionSettings own = settings;
         own.Gravity /= place.Scale;
         float unit = own.Gravity * body.LegLength;
         float walking = (float)Math.Sqrt(0.06f * unit);
@@ -152,10 +164,10 @@ internal sealed class WalkingMode : ILocomotionMode
             velocity = RootVelocity.At(speed, 0f, turn);
             activity = Math.Min((speed / walking) + (0.35f * Math.Abs(turn)), 1f);
             gait = gaits.Choose(before, froude);
-            clock.Restart(settings.Gait ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
+            clock.Restart(settings.Walking.Gait ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
             clock.Shape.Track = Math.Max(clock.Shape.Track, ArrivalTrack);
             clock.Phase = 0;
-            clock.Slide(0f, velocity, own.Gravity, Math.Min(speed / walking, 1f), 0f, own.Stride);
+            clock.Slide(0f, velocity, own.Gravity, Math.Min(speed / walking, 1f), 0f, own.Walking.Stride);
             planner.PlaceInStride(new StepContext(place, velocity, clock, own, ground, 0f, 0f, activity, true, 0f));
             PoseFeet(place, 0f, own);
             placer.Reset(planner.Feet);
@@ -165,7 +177,7 @@ internal sealed class WalkingMode : ILocomotionMode
     }
 
     /// <summary>Puts all feet down at home.</summary>
-    private void Stand(in RootPlace placement, in LocomotionSettings settings, IGround ground)
+    private void Stand(in RootPlace placement, in MotionSettings settings, IGround ground)
     {
         velocity = default;
         ticker = default;
@@ -202,7 +214,7 @@ internal sealed class WalkingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, LocomotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         RootPlace next = Drive(place, dt, input, settings, ground);
         Pose(next, dt, settings, local);
@@ -210,19 +222,19 @@ internal sealed class WalkingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
     {
         Follow(place, dt, goal, settings, ground);
         Pose(goal, dt, settings, local);
     }
 
-    private RootPlace Drive(RootPlace placement, float dt, in MotionInput input, LocomotionSettings settings, IGround ground)
+    private RootPlace Drive(RootPlace placement, float dt, in MotionInput input, MotionSettings settings, IGround ground)
     {
         // From here on in metres of the model.
         float scale = placement.Scale;
         settings.Gravity /= scale;
         Begin(placement, settings, ground);
-        float top = settings.Gait == null ? gaits.TopSpeed : (float)Math.Sqrt(settings.Gait.Fastest * settings.Gravity * body.LegLength);
+        float top = settings.Walking.Gait == null ? gaits.TopSpeed : (float)Math.Sqrt(settings.Walking.Gait.Fastest * settings.Gravity * body.LegLength);
         float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
         velocity.Bounds = TravelBounds.Of(body, settings);
         float goal = clock.OnSlope(Scalar.Clamp(input.Speed / scale, -back, top), settings.Gravity);
@@ -243,7 +255,7 @@ internal sealed class WalkingMode : ILocomotionMode
         return placement;
     }
 
-    private void Follow(in RootPlace placement, float dt, in RootPlace goal, LocomotionSettings settings, IGround ground)
+    private void Follow(in RootPlace placement, float dt, in RootPlace goal, MotionSettings settings, IGround ground)
     {
         settings.Gravity /= goal.Scale;
         settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
@@ -269,7 +281,7 @@ internal sealed class WalkingMode : ILocomotionMode
     }
 
     /// <summary>Writes the pose.</summary>
-    private void Pose(in RootPlace placement, float dt, LocomotionSettings settings, in Pose local)
+    private void Pose(in RootPlace placement, float dt, MotionSettings settings, in Pose local)
     {
         settings.Gravity /= placement.Scale;
         seconds += dt;
@@ -300,7 +312,7 @@ internal sealed class WalkingMode : ILocomotionMode
         arrived = false;
     }
 
-    private void Begin(in RootPlace placement, in LocomotionSettings settings, IGround ground)
+    private void Begin(in RootPlace placement, in MotionSettings settings, IGround ground)
     {
         if (!standing)
         {
@@ -308,7 +320,7 @@ internal sealed class WalkingMode : ILocomotionMode
         }
     }
 
-    private void Step(in RootPlace placement, float h, float left, in LocomotionSettings settings, IGround ground)
+    private void Step(in RootPlace placement, float h, float left, in MotionSettings settings, IGround ground)
     {
         float unit = settings.Gravity * body.LegLength;
         float speed = (float)Math.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways));
@@ -323,7 +335,7 @@ internal sealed class WalkingMode : ILocomotionMode
         float wanted = moving ? Math.Min((speed / walking) + (0.35f * Math.Abs(velocity.Turn)), 1f) : 0f;
         activity += (wanted - activity) * activityDecay.Fraction(ActivityRate * h);
         float frequency = clock.Frequency;
-        clock.Slide(h, velocity, settings.Gravity, Math.Min(speed / walking, 1f), placer.Climb, settings.Stride);
+        clock.Slide(h, velocity, settings.Gravity, Math.Min(speed / walking, 1f), placer.Climb, settings.Walking.Stride);
         if (going)
         {
             double phase = clock.Phase + (0.5f * (frequency + clock.Frequency) * h);
@@ -338,12 +350,12 @@ internal sealed class WalkingMode : ILocomotionMode
         }
     }
 
-    private void ChooseGait(float froude, in LocomotionSettings settings)
+    private void ChooseGait(float froude, in MotionSettings settings)
     {
         float ahead = velocity.SpeedAfter(Foresight);
         float unit = settings.Gravity * body.LegLength;
         gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / unit) : 0f);
-        Gait wanted = settings.Gait ?? gaits.Steps[gait].Gait;
+        Gait wanted = settings.Walking.Gait ?? gaits.Steps[gait].Gait;
         if (ReferenceEquals(wanted, clock.Gait))
         {
             return;
@@ -360,9 +372,9 @@ internal sealed class WalkingMode : ILocomotionMode
         }
     }
 
-    private void PoseFeet(in RootPlace placement, float dt, in LocomotionSettings settings)
+    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings)
     {
-        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Lift, clock.Shape.ForceDip, activity, dt);
+        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, dt);
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);
@@ -370,7 +382,7 @@ internal sealed class WalkingMode : ILocomotionMode
     }
 
     /// <summary>Keeps the root on the ground under the feet: up and down a slope as it goes, and the trunk with it, and after what else that ground does.</summary>
-    private RootPlace FollowGround(in RootPlace placement, float h, in LocomotionSettings settings)
+    private RootPlace FollowGround(in RootPlace placement, float h, in MotionSettings settings)
     {
         float away = 0.5f * (placer.HindGround + placer.ForeGround);
         float most = MaxRootLag * body.LegLength;

@@ -26,7 +26,7 @@ internal sealed class SoakRun(ulong seed)
     private float lastStep;
     private MotionInput lastInput;
     private RootPlace lastRoot;
-    private LocomotionSettings lastSettings;
+    private MotionSettings lastSettings;
     private IGround? lastGround;
 
     /// <summary>Updates made.</summary>
@@ -48,7 +48,7 @@ internal sealed class SoakRun(ulong seed)
     public double Longest { get; private set; }
 
     /// <summary>What is going on now.</summary>
-    public string Current => FormattableString.Invariant($"{subject}: act {lastAct}, {lastStep} s, {lastInput} over {lastGround}, from {lastRoot.Position} {lastRoot.Rotation} at scale {lastRoot.Scale}, Up {lastSettings.Up}, gravity {lastSettings.Gravity}, responses {lastSettings.SpeedResponse} and {lastSettings.YawResponse}, stride {lastSettings.Stride}, lift {lastSettings.Lift}");
+    public string Current => FormattableString.Invariant($"{subject}: act {lastAct}, {lastStep} s, {lastInput} over {lastGround}, from {lastRoot.Position} {lastRoot.Rotation} at scale {lastRoot.Scale}, Up {lastSettings.Up}, gravity {lastSettings.Gravity}, responses {lastSettings.Walking.SpeedResponse} and {lastSettings.Walking.YawResponse}, stride {lastSettings.Walking.Stride}, lift {lastSettings.Walking.Lift}");
 
     /// <summary>What went wrong, and how often.</summary>
     public IReadOnlyDictionary<string, long> Failures => failures;
@@ -202,28 +202,36 @@ internal sealed class SoakRun(ulong seed)
             (EscapeTurn)random.Integer(0, 3));
     }
 
-    private LocomotionSettings Settings(CreatureAnimator animator)
+    private MotionSettings Settings(CreatureAnimator animator)
     {
-        LocomotionSettings s = LocomotionSettings.Default;
+        MotionSettings s = MotionSettings.Default;
         if (random.Chance(0.5))
         {
             s.Up = random.Chance(0.3) ? Vector3.Normalize(Place(1) + (2f * Vector3.UnitY)) : s.Up;
             s.Gravity = (float)Math.Pow(10, random.Uniform(-1, 3));
-            s.SpeedResponse = (float)Math.Pow(10, random.Uniform(-1, 2));
-            s.YawResponse = (float)Math.Pow(10, random.Uniform(-1, 2));
-            s.Lift = (float)random.Uniform(0, 4);
-            s.Bounce = (float)random.Uniform(0, 4);
-            s.Sway = (float)random.Uniform(0, 4);
-            s.SpineMotion = (float)random.Uniform(0, 2);
-            s.HeadSteadiness = (float)random.Uniform(0, 1.3);
-            s.TailMotion = (float)random.Uniform(0, 4);
+            s.Walking = new WalkingSettings
+            {
+                SpeedResponse = (float)Math.Pow(10, random.Uniform(-1, 2)),
+                YawResponse = (float)Math.Pow(10, random.Uniform(-1, 2)),
+                Lift = (float)random.Uniform(0, 4),
+                Bounce = (float)random.Uniform(0, 4),
+                Sway = (float)random.Uniform(0, 4),
+                SpineMotion = (float)random.Uniform(0, 2),
+                HeadSteadiness = (float)random.Uniform(0, 1.3),
+                TailMotion = (float)random.Uniform(0, 4),
+                Bank = (float)random.Uniform(0, 2),
+                Stride = (float)random.Uniform(0.3, 1.5),
+                Traction = (float)random.Uniform(0.05, 3),
+            };
             s.Idle = (float)random.Uniform(0, 4);
-            s.Bank = (float)random.Uniform(0, 2);
-            s.Stride = (float)random.Uniform(0.3, 1.5);
-            s.Crawl = (SlitherGait)random.Integer(0, 3);
+            s.Slithering = new SlitheringSettings { Gait = (SlitherGait)random.Integer(0, 3), SpeedResponse = Factor() };
+            s.Flying = new FlyingSettings { SpeedResponse = Factor(), YawResponse = Factor(), Bank = (float)random.Uniform(0, 2), BeatAmplitude = (float)random.Uniform(0.5, 1.5) };
+            s.Swimming = new SwimmingSettings { SpeedResponse = Factor(), YawResponse = Factor(), Bank = (float)random.Uniform(0, 2), BeatAmplitude = (float)random.Uniform(0.3, 1.5) };
         }
 
         return s;
+
+        float Factor() => (float)random.Uniform(0.25, 4);
     }
 
     private Vector3 Place(double size) => new((float)random.Uniform(-size, size), (float)random.Uniform(-size, size), (float)random.Uniform(-size, size));

@@ -20,7 +20,7 @@ internal sealed class GaitCycle
         Profile = new MotionProfile(Creature);
         Speed = Profile.Gaits!.Speeds.Single(speed => speed.Gait == gait).Comfortable;
         Animator = new CreatureAnimator(Profile);
-        Animator.Settings = Animator.Settings with { Gait = gait };
+        Animator.Settings = Animator.Settings with { Walking = WalkingSettings.Default with { Gait = gait } };
         Walkers.Run(Animator, 5f, Rate, new MotionInput(Speed), FlatGround.Level);
         frames = (int)Math.Ceiling(2 * Rate / Animator.Frequency);
     }

@@ -93,7 +93,7 @@ public sealed class PlayerTests
     {
         foreach (float traction in new[] { 0.3f, 1f })
         {
-            var animator = new CreatureAnimator(Walkers.Of(BodyPlan.Digitigrade, 7000300)) { Settings = LocomotionSettings.Default with { Traction = traction } };
+            var animator = new CreatureAnimator(Walkers.Of(BodyPlan.Digitigrade, 7000300)) { Settings = MotionSettings.Default with { Walking = new WalkingSettings { Traction = traction } } };
             float fastest = 0f;
             for (int i = 0; i < 20 * 60; i++)
             {

@@ -40,8 +40,8 @@ internal sealed class CourseDrive
 
             Command = script.IndexAt(time);
             CourseCommand command = script.Commands[Command];
-            LocomotionSettings settings = Animator.Settings;
-            settings.Gait = command.Gait;
+            MotionSettings settings = Animator.Settings;
+            settings.Walking = settings.Walking with { Gait = command.Gait };
             Animator.Settings = settings;
             Surface.Advance(step);
             Animator.Update((float)step, command.Input, Surface.Ground);

@@ -32,7 +32,7 @@ public readonly struct RagdollSettings
     }
 
     /// <summary>Limp flesh on dry ground, on Earth.</summary>
-    public static RagdollSettings Default { get; } = new(new Vector3(0f, -9.81f, 0f));
+    public static RagdollSettings Default { get; } = new(new Vector3(0f, -StandardGravity.Acceleration, 0f));
 
     /// <summary>The same with more damping of everything.</summary>
     internal RagdollSettings Slowed(float damping) => new(Gravity, JointDamping, Math.Min(AirDamping + damping, MostDamping), Friction, Tone);

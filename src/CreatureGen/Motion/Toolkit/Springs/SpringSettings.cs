@@ -66,7 +66,7 @@ public readonly struct SpringSettings
     public ChainCurve Radius { get; }
 
     /// <summary>World space, m/s².</summary>
-    public Vector3 Gravity { get; }
+    public Vector3 Gravity { get; private init; }
 
     /// <summary>Radians that a bone may leave its goal.</summary>
     public float MaxSwing { get; }
@@ -88,6 +88,10 @@ public readonly struct SpringSettings
 
     /// <summary>Parts of the speed of a free swing over the full width.</summary>
     public float MaxSpeed { get; }
+
+    /// <summary>The same under another acceleration.</summary>
+    /// <param name="gravity">World space, m/s²; finite.</param>
+    internal SpringSettings Under(Vector3 gravity) => this with { Gravity = gravity };
 
     /// <summary>A tail: slow, and damped so much that it trails and never pumps up in a gallop.</summary>
     /// <param name="length">Of the whole chain in the world, metres.</param>

@@ -89,7 +89,7 @@ internal sealed class FootingSearch
         }
 
         place = new Foothold { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
-        if (!(step.Ground is FlatGround))
+        if (!(step.Ground is IPlaneGround))
         {
             Sole sole = LaidOut(shape, home, ahead);
             Feel(step, shape, target, hit, ref sole);
@@ -110,7 +110,7 @@ internal sealed class FootingSearch
             way.Clear();
         }
 
-        if (step.Ground is FlatGround)
+        if (step.Ground is IPlaneGround)
         {
             return;
         }

@@ -37,14 +37,14 @@ internal readonly record struct TravelBounds(SpeedBounds Along, SpeedBounds Yaw,
     /// <summary>The bounds of a body.</summary>
     /// <param name="body">Gives legs and build.</param>
     /// <param name="settings">Give gravity, grip and response.</param>
-    public static TravelBounds Of(LeggedBody body, in LocomotionSettings settings)
+    public static TravelBounds Of(LeggedBody body, in MotionSettings settings)
     {
-        float grip = settings.Gravity * settings.Traction * (body.Creature.Blueprint.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
+        float grip = settings.Gravity * settings.Walking.Traction * (body.Creature.Blueprint.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
         float lag = LagOfLeg * UsualResponse * (float)Math.Sqrt(body.LegLength / settings.Gravity);
         float swing = Scalar.Clamp(Turning * grip / Math.Max(body.FarthestFoot, MinRadius * body.LegLength), SlowestTurning, QuickestTurning);
         return new TravelBounds(
-            new SpeedBounds(SpeedingUp * grip, Braking * grip, lag / settings.SpeedResponse),
-            new SpeedBounds(swing, swing, lag / settings.YawResponse),
+            new SpeedBounds(SpeedingUp * grip, Braking * grip, lag / settings.Walking.SpeedResponse),
+            new SpeedBounds(swing, swing, lag / settings.Walking.YawResponse),
             Turning * grip);
     }
 }

@@ -5,7 +5,7 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>What the body goes by in an update.</summary>
 internal readonly struct BodyContext
 {
-    public BodyContext(GaitClock clock, RootVelocity velocity, LocomotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright)
+    public BodyContext(GaitClock clock, RootVelocity velocity, MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright)
     {
         Clock = clock;
         RootVelocity = velocity;
@@ -21,7 +21,7 @@ internal readonly struct BodyContext
 
     public RootVelocity RootVelocity { get; }
 
-    public LocomotionSettings Settings { get; }
+    public MotionSettings Settings { get; }
 
     /// <summary>Seconds.</summary>
     public float Step { get; }

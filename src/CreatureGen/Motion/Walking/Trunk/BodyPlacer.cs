@@ -104,7 +104,7 @@ internal sealed class BodyPlacer
     public void Place(in BodyContext context, Span<Foot> feet, ReadOnlySpan<FootPose> poses)
     {
         TrunkTraits traits = body.Traits;
-        LocomotionSettings settings = context.Settings;
+        MotionSettings settings = context.Settings;
         GaitClock clock = context.Clock;
         float length = body.LegLength;
         float act = context.Activity;
@@ -113,7 +113,7 @@ internal sealed class BodyPlacer
         float omega = (float)PortableMath.Tau * Math.Max(clock.Frequency, 0.05f);
         float scale = settings.Gravity / (omega * omega);
         float cap = clock.Shape.BounceCap * length;
-        float bounce = clock.Shape.Bounce * settings.Bounce * act;
+        float bounce = clock.Shape.Bounce * settings.Walking.Bounce * act;
         float hindRise;
         float foreRise;
         if (body.Rows == 2)
@@ -139,7 +139,7 @@ internal sealed class BodyPlacer
         foreRise -= steadied;
         Nod = Scalar.Clamp(Nod * traits.Nod / body.NeckLength, -0.5f, 0.5f);
         float emphasis = clock.Shape.Emphasis;
-        float swing = act * settings.Sway;
+        float swing = act * settings.Walking.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
         float sway = Bounded((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MaxSway);
         float stance = context.RootVelocity.Speed * clock.Duty / clock.Frequency;
@@ -151,7 +151,7 @@ internal sealed class BodyPlacer
         float curve = Scalar.Clamp(context.RootVelocity.Turn / Math.Max(Math.Abs(context.RootVelocity.Speed), 0.35f * walking) * body.TrunkLength * 0.7f, -0.5f, 0.5f);
         turnBend.Step(curve, TurnBendRate, context.Step);
         float bend = TurnBend;
-        float spine = settings.SpineMotion;
+        float spine = settings.Walking.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
         float chestYaw = body.IsBiped ? traits.ChestYaw * Scissor * spine : -traits.ChestYaw * (front.Left - front.Right) * spine;
         PelvisYaw = pelvisYaw;
@@ -164,7 +164,7 @@ internal sealed class BodyPlacer
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * Together(hind, 2)));
         float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
-        float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Bank;
+        float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Walking.Bank;
         float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : InwardFraction) * body.HipHeight * bank;
 
         Follow(context, feet);

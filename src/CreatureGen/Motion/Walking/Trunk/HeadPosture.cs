@@ -23,7 +23,7 @@ internal static class HeadPosture
 
         Quaternion chest = placer.Trunk.Turns[placer.Trunk.Turns.Length - 1];
         Rotation.ToBasis(chest, out Vector3 x, out Vector3 y, out Vector3 z);
-        float steady = body.Traits.HeadSteadiness * context.Settings.HeadSteadiness;
+        float steady = body.Traits.HeadSteadiness * context.Settings.Walking.HeadSteadiness;
         float yaw = (-FastTrigonometry.Of(z.X, z.Z) * steady) + (TurnLook * Scalar.Clamp(context.RootVelocity.Turn, -1.5f, 1.5f));
         float pitch = (FastTrigonometry.OfSine(z.Y) - (body.Posture.Raised * context.Upright)) * steady;
         float roll = -FastTrigonometry.Of(x.Y, y.Y) * steady;

@@ -25,7 +25,7 @@ internal static class TailPosture
             return;
         }
 
-        float factor = context.Settings.TailMotion;
+        float factor = context.Settings.Walking.TailMotion;
         Rotation.ToBasis(placer.Trunk.Turns[0], out Vector3 x, out Vector3 y, out Vector3 z);
         float pitch = (FastTrigonometry.OfSine(z.Y) * body.Posture.TailSteadiness) + (factor * body.Traits.TailLift * placer.Flexion);
         float roll = -FastTrigonometry.Of(x.Y, y.Y) * Steadiness;

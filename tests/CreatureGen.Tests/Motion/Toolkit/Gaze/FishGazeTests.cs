@@ -36,7 +36,7 @@ public sealed class FishGazeTests
     private static (double Head, double Eye) Turned(Creature creature)
     {
         var profile = new MotionProfile(creature);
-        var animator = new CreatureAnimator(profile) { Settings = LocomotionSettings.Default with { Idle = 0f } };
+        var animator = new CreatureAnimator(profile) { Settings = MotionSettings.Default with { Idle = 0f } };
         double before = Yaw(animator, profile);
         animator.LookAt = new Vector3(70f, animator.ModelPose.Positions[profile.Gaze!.Head].Y, 100f);
         Walkers.Run(animator, 3f, 60f, default, FlatGround.Level);
