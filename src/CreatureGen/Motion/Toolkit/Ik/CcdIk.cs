@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Toolkit;
@@ -14,13 +15,28 @@ namespace CreatureGen.Motion.Toolkit;
 /// is taken and none is doubled; a turn beyond the most allowed is scaled as xyz · sin(most/2)/sin(half), w = cos(most/2). A joint that its limits leave a single axis is a hinge: both directions are laid into the
 /// plane across the axis and brought back to unit length; a direction along the axis turns nothing. After each turn the joint's whole turn from rest is brought within its limit
 /// (<see cref="SwingTwistLimit"/>), so steps cannot creep beyond it.</para>
+/// <para>Passes converge slowly where the chain is nearly straight or limits hold it. After a pass that gains little, one damped least-squares step is taken (<see cref="LeastSquaresStep"/>), and another as long as they gain
+/// more; a chain that neither moves is bent and tried again. The best pose of all rounds is kept.</para>
 /// <para>Starts from the pose as it is: from frame to frame that is a good start, and keeps the motion even. For legs use <see cref="TwoBoneIk"/> or <see cref="PantographIk"/>, which are exact and do not curl.</para>
-/// <para>Based on: L.-C. Wang and C. Chen, "A combined optimization method for solving the inverse kinematics problem of mechanical manipulators" (1991); J. Lander, "Making kine more flexible" (1998).</para>
+/// <para>Based on: L.-C. Wang and C. Chen, "A combined optimization method for solving the inverse kinematics problem of mechanical manipulators" (1991); J. Lander, "Making kine more flexible" (1998); C. W. Wampler, "Manipulator inverse kinematic solutions based on vector formulations and damped least-squares methods" (1986).</para>
 /// </remarks>
 public static class CcdIk
 {
     private const float Hinged = 1e-4f;
-    private const float Standstill = 1e-4f;
+
+    /// <summary>Parts of the distance that a pass leaves: more, and the other kind of step is tried; and of a step that gains nothing.</summary>
+    private const float Quick = 0.6f;
+
+    private const float Slow = 0.7f;
+    private const float Stall = 0.97f;
+
+    /// <summary>Radians by which a chain is bent that does not move any more.</summary>
+    private const float Kick = 0.5f;
+
+    /// <summary>Radians from the end of a range that count as being there.</summary>
+    private const double AtLimit = 2e-3;
+
+    private const int MaxOnStack = 64;
 
     /// <summary>Poses a chain of a skeleton.</summary>
     /// <param name="skeleton">Gives parents, rest pose and limits.</param>
@@ -41,29 +57,130 @@ public static class CcdIk
             throw new ArgumentException("settings without rounds; expected CcdSettings.Default or settings made by its constructor", nameof(settings));
         }
 
-        int end = chain[chain.Length - 1];
+        int count = chain.Length;
+        int end = chain[count - 1];
         float near = settings.Tolerance * length;
         float distance = Vec.Distance(model.Positions[end], target);
         float start = Vec.Distance(model.Positions[chain[0]], target);
+        Span<Quaternion> best = count <= MaxOnStack ? stackalloc Quaternion[count] : new Quaternion[count];
+        Span<float> gains = count <= MaxOnStack ? stackalloc float[count] : new float[count];
+        gains.Fill(1f);
+        Keep(chain, local, best);
+        float least = distance;
+        bool newton = false;
+        int stalled = 0;
         for (int round = 0; round < settings.Rounds && distance > near; round++)
         {
-            for (int k = chain.Length - 2; k >= 0; k--)
+            float before = distance;
+            if (newton)
             {
-                Turn(skeleton, chain, k, target, settings.MaxTurn, local, model);
+                LeastSquaresStep.Turn(skeleton, chain, target, length, settings.MaxTurn, gains, local, model);
+            }
+            else
+            {
+                for (int k = count - 2; k >= 0; k--)
+                {
+                    Turn(skeleton, chain, k, target, settings.MaxTurn, local, model);
+                }
             }
 
-            float now = Vec.Distance(model.Positions[end], target);
-            bool stuck = Math.Abs(distance - now) < Standstill * distance && round > 2;
-            distance = now;
-            if (stuck)
+            distance = Vec.Distance(model.Positions[end], target);
+            if (distance < least)
             {
-                break;
+                least = distance;
+                Keep(chain, local, best);
+            }
+
+            stalled = distance > Stall * before ? stalled + 1 : 0;
+            if (stalled >= 2 && distance > near && start <= length)
+            {
+                Bend(skeleton, chain, round, local, model);
+                gains.Fill(1f);
+                distance = Vec.Distance(model.Positions[end], target);
+                newton = false;
+                stalled = 0;
+            }
+            else
+            {
+                newton = newton ? distance < Slow * before : distance > Quick * before;
             }
         }
 
+        Restore(chain, best, local);
         Subtree.LocalToModel(skeleton, chain[0], local, model);
-        return new IkResult(distance <= near ? IkStatus.Reached : start > length ? IkStatus.TooFar : IkStatus.Limited, distance);
+        distance = Vec.Distance(model.Positions[end], target);
+        IkStatus failed = start > length ? IkStatus.TooFar : IsAtLimit(skeleton, chain, local) ? IkStatus.Limited : IkStatus.NotConverged;
+        return new IkResult(distance <= near ? IkStatus.Reached : failed, distance);
     }
+
+    private static void Keep(ReadOnlySpan<int> chain, in Pose local, Span<Quaternion> best)
+    {
+        for (int k = 0; k < chain.Length; k++)
+        {
+            best[k] = local.Rotations[chain[k]];
+        }
+    }
+
+    private static void Restore(ReadOnlySpan<int> chain, ReadOnlySpan<Quaternion> best, in Pose local)
+    {
+        for (int k = 0; k < chain.Length; k++)
+        {
+            local.Rotations[chain[k]] = best[k];
+        }
+    }
+
+    /// <summary>Bends the chain this way and that: out of a place that neither step leads out of, such as straight in line with the target.</summary>
+    private static void Bend(Skeleton skeleton, ReadOnlySpan<int> chain, int round, in Pose local, in Pose model)
+    {
+        for (int k = 0; k < chain.Length - 1; k++)
+        {
+            Joint joint = skeleton.Joints[chain[k]];
+            float angle = ((k + round) % 3) - 1f + (0.5f * ((round & 2) - 1));
+            Vector3 axis = Rotation.Rotate(BoneAxes.Of(joint), (k & 1) == 0 || IsHinge(joint.Limit) ? Vector3.UnitX : Vector3.UnitZ);
+            Quaternion bent = Rotation.Normalize(Rotation.Multiply(local.Rotations[chain[k]], Rotation.FromAxisAngle(axis, Kick * angle)));
+            local.Rotations[chain[k]] = SwingTwistLimit.ClampLocal(bent, joint);
+        }
+
+        for (int k = 0; k < chain.Length; k++)
+        {
+            Subtree.Place(skeleton.Parents[chain[k]], chain[k], local, model);
+        }
+    }
+
+    /// <summary>Whether a joint has no room left to some side.</summary>
+    private static bool IsAtLimit(Skeleton skeleton, ReadOnlySpan<int> chain, in Pose local)
+    {
+        for (int k = 0; k < chain.Length - 1; k++)
+        {
+            Joint joint = skeleton.Joints[chain[k]];
+            if (joint.Limit == JointLimit.Free)
+            {
+                continue;
+            }
+
+            Quaternion axes = BoneAxes.Of(joint);
+            Quaternion turn = Rotation.Multiply(Rotation.Inverse(axes), Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(joint.LocalRotation), local.Rotations[chain[k]]), axes));
+            SwingTwistLimit.Split(turn, out double x, out double z, out double twist);
+            if (IsAtEnd(joint.Limit.SwingX, x) || IsAtEnd(joint.Limit.SwingZ, z) || IsAtEnd(joint.Limit.Twist, twist) || IsOnRim(joint.Limit, x, z))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static bool IsAtEnd(AngleRange range, double angle) => Width(range) > Hinged && (angle <= range.Min + AtLimit || angle >= range.Max - AtLimit);
+
+    private static bool IsOnRim(JointLimit limit, double x, double z)
+    {
+        double a = Math.Max(x < 0 ? -limit.SwingX.Min : limit.SwingX.Max, 1e-6);
+        double b = Math.Max(z < 0 ? -limit.SwingZ.Min : limit.SwingZ.Max, 1e-6);
+        return (x / a * (x / a)) + (z / b * (z / b)) >= 1 - AtLimit;
+    }
+
+    /// <summary>Whether a joint turns about one axis alone, the bone's X.</summary>
+    internal static bool IsHinge(JointLimit limit) => Width(limit.SwingZ) <= Hinged && Width(limit.Twist) <= Hinged;
 
     private static float Prove(Skeleton skeleton, ReadOnlySpan<int> chain, in Pose local)
     {
@@ -96,10 +213,11 @@ public static class CcdIk
         Quaternion toJoint = Rotation.Inverse(model.Rotations[joint]);
         Vector3 from = Rotation.Rotate(toJoint, model.Positions[chain[chain.Length - 1]] - place);
         Vector3 to = Rotation.Rotate(toJoint, target - place);
-        if (Width(limit.SwingZ) <= Hinged && Width(limit.Twist) <= Hinged)
+        if (IsHinge(limit))
         {
-            from.X = 0f;
-            to.X = 0f;
+            Vector3 axis = Rotation.Rotate(BoneAxes.Of(about), Vector3.UnitX);
+            from = Vec.Reject(from, axis);
+            to = Vec.Reject(to, axis);
         }
 
         if (Vec.LengthSquared(from) < 1e-16f || Vec.LengthSquared(to) < 1e-16f)

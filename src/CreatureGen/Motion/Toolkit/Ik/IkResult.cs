@@ -15,8 +15,11 @@ public enum IkStatus
     /// <summary>The target is nearer than the limb folds; the end points at it.</summary>
     TooNear,
 
-    /// <summary>Joint limits or the number of rounds kept the end from the target.</summary>
+    /// <summary>Joint limits kept the end from the target.</summary>
     Limited,
+
+    /// <summary>The rounds were over before the end was at the target, though no limit was in the way.</summary>
+    NotConverged,
 }
 
 /// <summary>How a solver ended, and how far the end is from the target.</summary>

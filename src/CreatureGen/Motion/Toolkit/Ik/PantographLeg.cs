@@ -56,7 +56,7 @@ public readonly struct PantographLeg
         JointRelations.Require(skeleton, knee, ankle);
         JointRelations.Require(skeleton, ankle, ball);
         ReadOnlySpan<Vector3> p = skeleton.ModelPositions;
-        Vector3 hinge = Rotation.Rotate(skeleton.ModelRotations[knee], HingeAxis.Of(skeleton.Joints[knee].Limit));
+        Vector3 hinge = Rotation.Rotate(skeleton.ModelRotations[knee], HingeAxis.Of(skeleton.Joints[knee]));
         return new PantographLeg(p[knee] - p[hip], p[ankle] - p[knee], p[ball] - p[ankle], Vec.Normalize(hinge));
     }
 }

@@ -67,6 +67,11 @@ public static class SwingTwistLimit
     {
         Quaternion rest = joint.LocalRotation;
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(rest), local);
+        if (!BoneAxes.AreOwn(joint))
+        {
+            return ClampAlong(local, rest, turn, joint);
+        }
+
         if (IsWellWithin(turn, joint.Limit))
         {
             return local;
@@ -87,6 +92,16 @@ public static class SwingTwistLimit
         {
             local.Rotations[i] = ClampLocal(local.Rotations[i], skeleton.Joints[i]);
         }
+    }
+
+    /// <summary>The same for a bone along another axis than +Y: the limit is of the turn as the bone's own axes see it.</summary>
+    private static Quaternion ClampAlong(Quaternion local, Quaternion rest, Quaternion turn, Joint joint)
+    {
+        Quaternion axes = BoneAxes.Of(joint);
+        Quaternion inverse = Rotation.Inverse(axes);
+        Quaternion inBone = Rotation.Multiply(inverse, Rotation.Multiply(turn, axes));
+        Quaternion bounded = Clamp(inBone, joint.Limit);
+        return bounded == inBone ? local : Rotation.Normalize(Rotation.Multiply(rest, Rotation.Multiply(axes, Rotation.Multiply(bounded, inverse))));
     }
 
     /// <summary>Whether a turn is certainly within its limit, from bounds of its angles that cost no inverse function.</summary>

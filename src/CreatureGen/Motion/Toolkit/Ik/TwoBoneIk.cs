@@ -44,7 +44,7 @@ public static class TwoBoneIk
     }
 
     /// <summary>Poses a limb of a skeleton.</summary>
-    /// <param name="skeleton">Gives the parents; the hinge of the middle joint is read from its limits (<see cref="HingeAxis"/>).</param>
+    /// <param name="skeleton">Gives the parents; the hinge of the middle joint is read from its limits (<see cref="HingeAxis"/>), of one that turns any way from its bend.</param>
     /// <param name="upper">Hip or shoulder.</param>
     /// <param name="lower">Knee or elbow, somewhere below <paramref name="upper"/>.</param>
     /// <param name="end">Ankle or wrist, or any joint that hangs rigidly below <paramref name="lower"/>.</param>
@@ -63,7 +63,7 @@ public static class TwoBoneIk
         JointRelations.Require(skeleton, lower, end);
         Finite.RequireWithin(weight, 0f, 1f, nameof(weight));
         Quaternion lowerModel = model.Rotations[lower];
-        Vector3 hinge = Rotation.Rotate(lowerModel, HingeAxis.Of(skeleton.Joints[lower].Limit));
+        Vector3 hinge = HingeAxis.OfLimb(skeleton.Joints[lower], lowerModel, model.Positions[lower] - model.Positions[upper], model.Positions[end] - model.Positions[lower], pole);
         IkResult result = Solve(model.Positions[upper], model.Positions[lower], model.Positions[end], hinge, target, pole, reach, out Quaternion upperTurn, out Quaternion lowerTurn);
         if (weight == 0f)
         {

@@ -11,7 +11,8 @@ namespace CreatureGen.Motion.Toolkit;
 /// The simpler sibling of <see cref="SpringBones"/>: every joint of a chain turns after the one before it with a lag, without swinging. A turn of the first joint runs down the chain as a wave. Nothing is allocated.
 /// </summary>
 /// <remarks>
-/// In world space each joint approaches the rotation that its parent, as it is now, and the animated pose give it: exponentially at a rate, and never more than an angle behind.
+/// In world space each joint approaches the rotation that its parent and the animated pose give it: exponentially at a rate, and never more than an angle behind. Its goal moves while it does, evenly from where it was
+/// to where it is now (<see cref="Damping.Follow(Vector3, Vector3, Vector3, float, float)"/>, in rotation vectors from the goal), so that the chain moves the same at all frame rates.
 /// Based on: Christo, "Procedural creature generation and animation for games" (2022), damped transforms along the spine.
 /// </remarks>
 public static class DampedChain
@@ -20,8 +21,8 @@ public static class DampedChain
     /// <param name="joints">The chain, parents first.</param>
     /// <param name="root">Where the creature is.</param>
     /// <param name="model">The animated pose in model space.</param>
-    /// <param name="remembered">Receives one world rotation per joint of the chain.</param>
-    /// <exception cref="ArgumentException">There are not as many rotations as joints.</exception>
+    /// <param name="remembered">Receives one world rotation per joint of the chain, and one more: that of the first joint's goal.</param>
+    /// <exception cref="ArgumentException">There is not one rotation more than joints.</exception>
     public static void Reset(ReadOnlySpan<int> joints, in RootPlace root, in Pose model, Span<Quaternion> remembered)
     {
         root.Require(nameof(root));
@@ -30,6 +31,8 @@ public static class DampedChain
         {
             remembered[i] = Rotation.Multiply(root.Rotation, model.Rotations[joints[i]]);
         }
+
+        remembered[joints.Length] = joints.Length > 0 ? remembered[0] : Quaternion.Identity;
     }
 
     /// <summary>Lets time pass and poses the joints.</summary>
@@ -39,10 +42,10 @@ public static class DampedChain
     /// <param name="max">Radians that a joint may be behind, 0..π.</param>
     /// <param name="root">Where the creature is now.</param>
     /// <param name="seconds">Time since the last call.</param>
-    /// <param name="remembered">One world rotation per joint, from <see cref="Reset"/> or the last call.</param>
+    /// <param name="remembered">One world rotation per joint and one more, from <see cref="Reset"/> or the last call.</param>
     /// <param name="local">The animated pose in the parents' space; the joints are turned.</param>
     /// <param name="model">The same in model space; brought up to date from the first joint outwards.</param>
-    /// <exception cref="ArgumentException">A pose is not as long as the skeleton, there are not as many rotations as joints, or a number is not finite.</exception>
+    /// <exception cref="ArgumentException">A pose is not as long as the skeleton, there is not one rotation more than joints, or a number is not finite.</exception>
     public static void Update(Skeleton skeleton, ReadOnlySpan<int> joints, ChainCurve rate, float max, in RootPlace root, float seconds, Span<Quaternion> remembered, in Pose local, in Pose model)
     {
         local.Require(skeleton);
@@ -57,6 +60,7 @@ public static class DampedChain
         }
 
         Quaternion toModel = Rotation.Inverse(root.Rotation);
+        Quaternion goalBefore = remembered[joints.Length];
         for (int i = 0; i < joints.Length; i++)
         {
             int joint = joints[i];
@@ -73,7 +77,18 @@ public static class DampedChain
                 throw PoseCheck.NotFinite(joint);
             }
 
-            Quaternion now = Damping.Approach(remembered[i], goal, Math.Max(rate.At(along), 0f), seconds);
+            Quaternion now = Follow(remembered[i], goalBefore, goal, Math.Max(rate.At(along), 0f), seconds);
+            if (i == 0)
+            {
+                remembered[joints.Length] = goal;
+            }
+
+            if (i + 1 < joints.Length)
+            {
+                // Where the next goal was: carried by this joint as it was.
+                goalBefore = Rotation.Multiply(remembered[i], local.Rotations[joints[i + 1]]);
+            }
+
             double behind = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(goal), now));
             remembered[i] = behind > max ? Rotation.Slerp(goal, now, max / behind) : now;
             local.Rotations[joint] = Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(parent), Rotation.Multiply(toModel, remembered[i])));
@@ -83,11 +98,29 @@ public static class DampedChain
         Subtree.LocalToModel(skeleton, joints[0], local, model);
     }
 
+    /// <summary>A rotation that follows a goal which goes evenly from where it was to where it is.</summary>
+    private static Quaternion Follow(Quaternion x, Quaternion goalBefore, Quaternion goal, float rate, float seconds)
+    {
+        Quaternion toGoal = Rotation.Inverse(goal);
+        Vector3 was = Vector(Rotation.Multiply(toGoal, goalBefore));
+        Vector3 left = Damping.Follow(Vector(Rotation.Multiply(toGoal, x)), was, Vector3.Zero, rate, seconds);
+        float angle = Vec.Length(left);
+        return angle > 1e-9f ? Rotation.Normalize(Rotation.Multiply(goal, Rotation.FromAxisAngle(left / angle, angle))) : goal;
+    }
+
+    /// <summary>Axis times angle of a rotation, the shorter way.</summary>
+    private static Vector3 Vector(Quaternion q)
+    {
+        var axis = new Vector3(q.X, q.Y, q.Z) * (q.W < 0f ? -1f : 1f);
+        float sine = Vec.Length(axis);
+        return sine < 1e-9f ? axis * 2f : axis * (float)(2 * PortableMath.Atan2(sine, Math.Abs(q.W)) / sine);
+    }
+
     private static void Require(ReadOnlySpan<int> joints, int rotations)
     {
-        if (joints.Length != rotations)
+        if (joints.Length + 1 != rotations)
         {
-            throw new ArgumentException(FormattableString.Invariant($"{rotations} remembered rotations; expected one for each of {joints.Length} joints"));
+            throw new ArgumentException(FormattableString.Invariant($"{rotations} remembered rotations; expected one for each of {joints.Length} joints and one more"));
         }
     }
 }

@@ -110,7 +110,9 @@ public static class SpringBones
             bone.PastPosition = bone.NowPosition;
             bone.PastAlong = bone.NowAlong;
             Vector3 p = Rotation.Rotate(root.Rotation, model.Positions[joint]) * root.Scale;
-            Vector3 along = Rotation.Rotate(root.Rotation, UnitRotation.BoneAxis(model.Rotations[joint]));
+            Vector3 own = rig.Directions[i];
+            Vector3 inModel = own == Vector3.UnitY ? UnitRotation.BoneAxis(model.Rotations[joint]) : Rotation.Rotate(model.Rotations[joint], own);
+            Vector3 along = Rotation.Rotate(root.Rotation, inModel);
             nought += ((along.X + along.Y + along.Z) + (p.X + p.Y + p.Z)) * 0f;
             bone.NowPosition = p;
             bone.NowAlong = along;

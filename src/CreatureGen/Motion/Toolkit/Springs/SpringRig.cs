@@ -18,6 +18,7 @@ public sealed class SpringRig
     private readonly float[] lengths;
     private readonly float[] along;
     private readonly int[] ends;
+    private readonly Vector3[] directions;
 
     /// <summary>Takes joints with everything that hangs on them.</summary>
     /// <param name="skeleton">In rest pose.</param>
@@ -70,12 +71,14 @@ public sealed class SpringRig
         parents = new int[joints.Length];
         lengths = new float[joints.Length];
         along = new float[joints.Length];
+        directions = new Vector3[joints.Length];
         float[] end = new float[joints.Length];
         for (int i = 0; i < joints.Length; i++)
         {
             int parent = skeleton.Parents[joints[i]];
             parents[i] = parent >= 0 ? indexOf[parent] : -1;
             lengths[i] = Tail(skeleton, joints[i]);
+            directions[i] = skeleton.Joints[joints[i]].Along;
             end[i] = lengths[i] + (parents[i] >= 0 ? end[parents[i]] : 0f);
         }
 
@@ -111,7 +114,10 @@ public sealed class SpringRig
     /// <summary>Number of the parent among the joints that swing, −1 for a root.</summary>
     internal ReadOnlySpan<int> Parents => parents;
 
-    /// <summary>From each joint to its tip, along its own +Y, model metres.</summary>
+    /// <summary>Unit direction of each bone in its joint's own space.</summary>
+    internal ReadOnlySpan<Vector3> Directions => directions;
+
+    /// <summary>From each joint to its tip, along its bone, model metres.</summary>
     internal ReadOnlySpan<float> Lengths => lengths;
 
     /// <summary>What hangs on the joints and does not swing, parents first.</summary>

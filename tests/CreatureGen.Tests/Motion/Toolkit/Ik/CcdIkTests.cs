@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
@@ -131,5 +133,78 @@ public sealed class CcdIkTests
         Assert.Throws<ArgumentException>(() => CcdIk.Apply(skeleton, new[] { 0 }, Vector3.One, CcdSettings.Default, pose.Local, pose.Model));
         Assert.Throws<ArgumentException>(() => CcdIk.Apply(skeleton, chain, new Vector3(0f, float.NaN, 0f), CcdSettings.Default, pose.Local, pose.Model));
         Assert.Throws<ArgumentException>(() => CcdIk.Apply(skeleton, chain, Vector3.One, default, pose.Local, pose.Model));
+    }
+
+    [Theory]
+    [InlineData("free", 0.99)]
+    [InlineData("limits of 30 degrees", 0.9)]
+    [InlineData("hinges of 60 degrees about two axes", 0.9)]
+    public void Chains_of_eight_joints_reach_what_they_can_in_sixteen_rounds(string kind, double least)
+    {
+        float narrow = (float)Scalar.Radians(30);
+        JointLimit Limit(int k) => kind[0] == 'f' ? JointLimit.Free : kind[0] == 'l' ? new JointLimit(narrow, narrow, narrow) : new JointLimit((float)Scalar.Radians(60), 0f, 0f);
+        var placements = new List<JointPlacement>();
+        for (int k = 0; k <= 8; k++)
+        {
+            // Every other hinge is turned by a quarter about its bone, so that chains of hinges leave the plane.
+            Quaternion roll = kind[0] == 'h' && k > 0 ? Rotation.FromAxisAngle(Vector3.UnitY, k % 2 == 0 ? -PortableMath.Pi / 2 : PortableMath.Pi / 2) : Quaternion.Identity;
+            placements.Add(new JointPlacement(FormattableString.Invariant($"J{k}"), k - 1, roll, new Vector3(0f, k == 0 ? 0f : 0.2f, 0f)) { Limit = Limit(k) });
+        }
+
+        Skeleton skeleton = Skeleton.Build(placements);
+        int[] chain = Enumerable.Range(0, 9).ToArray();
+        RandomStream random = new Seed(11).Stream();
+        int reached = 0;
+        const int Trials = 300;
+        for (int trial = 0; trial < Trials; trial++)
+        {
+            MovingPose goal = new(skeleton);
+            for (int k = 0; k < 8; k++)
+            {
+                Quaternion any = Rotation.Multiply(skeleton.LocalRotations[k], Rotation.FromAxisAngle(kind[0] == 'h' ? Vector3.UnitX : MovingPose.Direction(random), random.Uniform(-1.0, 1.0)));
+                goal.LocalRotations[k] = SwingTwistLimit.ClampLocal(Rotation.Normalize(any), skeleton.Joints[k]);
+            }
+
+            ForwardKinematics.LocalToModel(skeleton, goal.Local, goal.Model);
+            MovingPose pose = new(skeleton);
+            IkResult result = CcdIk.Apply(skeleton, chain, goal.ModelPositions[8], CcdSettings.Default, pose.Local, pose.Model);
+            Assert.True(Math.Abs(Vec.Distance(pose.ModelPositions[8], goal.ModelPositions[8]) - result.Residual) < 1e-5f);
+            reached += result.Reached ? 1 : 0;
+            Assert.False(kind[0] == 'f' && result.Status == IkStatus.Limited);
+        }
+
+        Assert.True(reached >= least * Trials, FormattableString.Invariant($"{reached} of {Trials} {kind}"));
+    }
+
+    [Fact]
+    public void Bones_along_any_axis_give_the_same_answer_as_bones_along_Y()
+    {
+        Quaternion other = Rotation.FromAxisAngle(Vector3.Normalize(new Vector3(1f, 2f, -1f)), 2.0);
+        var limit = new JointLimit((float)Scalar.Radians(50), 0f, 0f);
+        var upright = new List<JointPlacement>();
+        var slanted = new List<JointPlacement>();
+        for (int k = 0; k <= 4; k++)
+        {
+            // The same bones in the model, but every joint's own axes turned so that its bone lies elsewhere in them.
+            upright.Add(new JointPlacement(FormattableString.Invariant($"J{k}"), k - 1, Quaternion.Identity, new Vector3(0f, k == 0 ? 0f : 0.3f, 0f)) { Limit = limit });
+            Vector3 step = new(0f, k == 0 ? 0f : 0.3f, 0f);
+            slanted.Add(new JointPlacement(FormattableString.Invariant($"J{k}"), k - 1, k == 0 ? other : Quaternion.Identity, k == 0 ? step : Rotation.Rotate(Rotation.Inverse(other), step)) { Limit = limit });
+        }
+
+        Skeleton a = Skeleton.Build(upright);
+        Skeleton b = Skeleton.Build(slanted);
+        Vector3 hinge = Rotation.Rotate(b.ModelRotations[1], HingeAxis.Of(b.Joints[1]));
+        Vector3 along = Vec.Cross(hinge, Vector3.UnitY);
+        MovingPose one = new(a);
+        MovingPose two = new(b);
+        Vector3 inA = new(0f, 0.7f, 0.6f);
+        Vector3 inB = (Vector3.UnitY * 0.7f) + (along * 0.6f * (Vec.Dot(Vec.Cross(Vector3.UnitX, Vector3.UnitY), Vector3.UnitZ) > 0f ? 1f : -1f));
+        IkResult first = CcdIk.Apply(a, [0, 1, 2, 3, 4], inA, CcdSettings.Default, one.Local, one.Model);
+        IkResult second = CcdIk.Apply(b, [0, 1, 2, 3, 4], inB, CcdSettings.Default, two.Local, two.Model);
+        Assert.True(first.Reached && second.Reached, FormattableString.Invariant($"{first} {second}"));
+        for (int k = 0; k < 5; k++)
+        {
+            Assert.Equal(Vec.Length(one.ModelPositions[k]), Vec.Length(two.ModelPositions[k]), 4);
+        }
     }
 }

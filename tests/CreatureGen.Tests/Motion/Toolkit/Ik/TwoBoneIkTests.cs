@@ -263,4 +263,28 @@ public sealed class TwoBoneIkTests
         end = knee + Rotation.Rotate(lower, -Vector3.UnitY);
         return result;
     }
+
+    [Theory]
+    [InlineData(0.0)]
+    [InlineData(0.3)]
+    public void A_leg_from_elsewhere_without_limits_folds_about_its_own_bend_or_towards_the_pole(double bent)
+    {
+        // Bones along −X of joints that are turned any way, as other programs make them.
+        Quaternion thigh = Rotation.FromAxisAngle(Vector3.UnitZ, PortableMath.Pi / 2);
+        Skeleton leg = Skeleton.Build(
+        [
+            new("Hips", -1, Quaternion.Identity, new Vector3(0f, 1f, 0f)),
+            new("Thigh", 0, Rotation.Multiply(Rotation.FromAxisAngle(Vector3.UnitX, -bent), thigh), new Vector3(0.1f, 0f, 0f)),
+            new("Shin", 1, Rotation.FromAxisAngle(Vector3.UnitY, -2 * bent), new Vector3(-0.45f, 0f, 0f)),
+            new("Foot", 2, Quaternion.Identity, new Vector3(-0.45f, 0f, 0f)),
+        ]);
+        MovingPose pose = new(leg);
+        Vector3 target = new(0.15f, 0.3f, 0.2f);
+        IkResult result = TwoBoneIk.Apply(leg, 1, 2, 3, target, Vector3.UnitZ, Reach.Default, 1f, pose.Local, pose.Model);
+        Assert.True(result.Reached);
+        Assert.True(Vec.Distance(target, pose.ModelPositions[3]) < 1e-4f);
+        Vector3 middle = (pose.ModelPositions[1] + target) * 0.5f;
+        Vector3 knee = pose.ModelPositions[2] - middle;
+        Assert.True(Vec.Dot(Vec.Normalize(knee), Vec.Normalize(Vec.Reject(Vector3.UnitZ, Vec.Normalize(target - pose.ModelPositions[1])))) > 0.999f);
+    }
 }

@@ -332,7 +332,7 @@ public sealed class SpringBonesTests
     public void A_damped_chain_sends_a_turn_down_as_a_wave_and_straightens_again()
     {
         int[] joints = { 1, 2, 3, 4, 5, 6 };
-        var remembered = new Quaternion[joints.Length];
+        var remembered = new Quaternion[joints.Length + 1];
         MovingPose pose = new(skeleton);
         DampedChain.Reset(joints, RootPlace.Identity, pose.Model, remembered);
         var turned = new RootPlace(Vector3.Zero, Rotation.FromAxisAngle(Vector3.UnitX, 0.8));
@@ -362,6 +362,71 @@ public sealed class SpringBonesTests
     }
 
     [Fact]
+    public void A_damped_chain_moves_the_same_at_all_frame_rates()
+    {
+        float slow = Tip(30);
+        float usual = Tip(60);
+        float quick = Tip(144);
+        float exact = Tip(2000);
+        Assert.True(Math.Abs(exact) > 0.1f);
+        Assert.True(Math.Abs(slow - exact) < 0.004f && Math.Abs(usual - exact) < 0.002f && Math.Abs(quick - exact) < 0.001f, FormattableString.Invariant($"{slow} {usual} {quick} {exact}"));
+
+        // How far aside the tip is after a second of swaying.
+        static float Tip(int rate)
+        {
+            int[] joints = { 1, 2, 3, 4, 5, 6 };
+            var remembered = new Quaternion[joints.Length + 1];
+            MovingPose pose = new(skeleton);
+            DampedChain.Reset(joints, RootPlace.Identity, pose.Model, remembered);
+            for (int i = 1; i <= rate; i++)
+            {
+                pose = new MovingPose(skeleton);
+                var place = new RootPlace(Vector3.Zero, Rotation.FromAxisAngle(Vector3.UnitX, 0.6 * PortableMath.Sin(PortableMath.Tau * 1.3 * i / rate)));
+                DampedChain.Update(skeleton, joints, new ChainCurve(12f), 3f, place, 1f / rate, remembered, pose.Local, pose.Model);
+            }
+
+            return pose.ModelPositions[7].Z;
+        }
+    }
+
+    [Fact]
+    public void A_ponytail_of_bones_along_any_axis_stays_where_it_is_animated_and_swings_like_one_along_Y()
+    {
+        // Joints of identity rotations whose bones point back and down, as other programs make them.
+        var placements = new System.Collections.Generic.List<JointPlacement> { new("Head", -1, Quaternion.Identity, new Vector3(0f, 1.7f, 0f)) };
+        for (int i = 0; i < 5; i++)
+        {
+            placements.Add(new JointPlacement(FormattableString.Invariant($"Hair{i}"), i, Quaternion.Identity, i == 0 ? new Vector3(0f, 0.1f, -0.1f) : new Vector3(0f, -0.04f, -0.03f)));
+        }
+
+        Skeleton hair = Skeleton.Build(placements);
+        SpringRig swinging = new(hair, new[] { 1 });
+        SpringState state = new(swinging);
+        MovingPose pose = new(hair);
+        for (int i = 0; i < 120; i++)
+        {
+            pose = new MovingPose(hair);
+            SpringBones.Update(swinging, state, soft, RootPlace.Identity, default, 1f / 60f, pose.Local, pose.Model);
+        }
+
+        AssertClose(new MovingPose(hair), pose, 1e-5f);
+
+        // Pushed aside, every bone keeps its length and leaves its place.
+        for (int i = 0; i < 10; i++)
+        {
+            pose = new MovingPose(hair);
+            SpringBones.Update(swinging, state, soft, new RootPlace(new Vector3(0.02f * i, 0f, 0f), Quaternion.Identity), default, 1f / 60f, pose.Local, pose.Model);
+        }
+
+        for (int i = 2; i < hair.Count; i++)
+        {
+            Assert.Equal(0.05f, Vec.Distance(pose.ModelPositions[i], pose.ModelPositions[i - 1]), 5);
+        }
+
+        Assert.True(pose.ModelPositions[5].X < -0.01f);
+    }
+
+    [Fact]
     public void Swinging_allocates_nothing_and_refuses_what_is_no_number()
     {
         SpringState state = new(rig);
@@ -372,7 +437,7 @@ public sealed class SpringBonesTests
         Assert.Throws<ArgumentException>(() => SpringBones.Update(rig, state, soft, default, colliders, 0.1f, pose.Local, pose.Model));
         Assert.Throws<ArgumentException>(() => SpringBones.Update(rig, new SpringState(new SpringRig(skeleton, new[] { 2 })), soft, RootPlace.Identity, colliders, 0.1f, pose.Local, pose.Model));
         Assert.Throws<ArgumentException>(() => new SpringRig(skeleton, new[] { 1, 3 }));
-        Assert.Throws<ArgumentException>(() => new RootPlace(new Vector3(float.NaN), Quaternion.Identity));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new RootPlace(new Vector3(float.NaN), Quaternion.Identity));
         Assert.Throws<ArgumentException>(() => new RootPlace(Vector3.Zero, default));
         pose.ModelRotations[3].X = float.NaN;
         Assert.Contains("joint 3", Assert.Throws<ArgumentException>(() => SpringBones.Update(rig, state, soft, RootPlace.Identity, colliders, 0.1f, pose.Local, pose.Model)).Message);
