@@ -30,6 +30,7 @@ internal static class CreatureArguments
         new("--leg-pairs", "MIN-MAX", "pairs of legs and arms, 0 to 16 (default 0-16)"),
         new("--plans", "PLAN=W,...", "how much oftener body plans come, 0 to 1000: hexapod=5,legless=0"),
         new("--bodies", "BODY=W,...", "how much oftener base bodies come, 0 to 1000: feline=8,insect=0"),
+        new("--strangeness", "0..1", "how far from any animal: 0 animals, 1 anything of anything (default 0.6)"),
         new("--palette", "MOOD", "any, natural, vivid, pale or dark"),
         new("--ornaments", "LEVEL", "none, sparse, normal or rich"),
         new("--triangles", "N", "triangle budget, 6000 to 100000 (default 20000)"),
@@ -48,6 +49,11 @@ internal static class CreatureArguments
             Ornaments = arguments.Choice("--ornaments", ornaments, options.Ornaments),
             TriangleBudget = arguments.Whole("--triangles", 0, int.MaxValue, options.TriangleBudget),
         };
+        if (arguments.Value("--strangeness") is string strangeness)
+        {
+            options = options with { Strangeness = Number(strangeness) ?? throw arguments.Wrong("--strangeness", strangeness, "a number 0..1") };
+        }
+
         if (arguments.Value("--scale") is string scale)
         {
             (double least, double most) = Ends(arguments, "--scale", scale, Number);

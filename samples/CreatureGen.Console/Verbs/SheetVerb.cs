@@ -101,7 +101,7 @@ internal sealed class SheetVerb : IVerb
     private static SheetCell Cell(Specimen specimen, CreatureOptions options, Style style, ProgressLine progress)
     {
         CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, specimen.Of(options));
-        string label = $"{specimen.Name} {WordList<Anatomy.LocomotionKind>.Instance[blueprint.Kind]} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {blueprint.Body.Blend.First}";
+        string label = $"{specimen.Name} {WordList<Anatomy.LocomotionKind>.Instance[blueprint.Kind]} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {blueprint.Body.Blend.Bodies[0].Name}";
         return new SheetCell(label, (width, height) =>
         {
             Creature creature = CreatureAssembler.Assemble(blueprint);

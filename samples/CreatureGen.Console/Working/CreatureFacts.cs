@@ -80,12 +80,7 @@ internal sealed record CreatureFacts(
 
     private static (string Name, double Part)[] PartsOf(BodyBlend blend)
     {
-        (string Name, double Part)[] parts =
-        [
-            (blend.First, (1 - blend.SecondWeight) * (1 - blend.ThirdWeight)),
-            (blend.Second, blend.SecondWeight * (1 - blend.ThirdWeight)),
-            (blend.Third, blend.ThirdWeight),
-        ];
+        IEnumerable<(string Name, double Part)> parts = blend.Bodies.Select((body, i) => (body.Name, blend.TorsoShares[i]));
         return parts.GroupBy(part => part.Name).Select(group => (group.Key, group.Sum(part => part.Part))).Where(part => part.Item2 > 0).OrderByDescending(part => part.Item2).ToArray();
     }
 }

@@ -21,7 +21,7 @@ internal static class BlueprintFormat
     public const int First = 1;
 
     /// <summary>The format that is written.</summary>
-    public const int Current = 2;
+    public const int Current = 3;
 
     /// <summary>All formats.</summary>
     public static WholeRange Range => new(First, Current);
@@ -30,6 +30,7 @@ internal static class BlueprintFormat
     private static readonly (int From, Func<JsonValue, JsonValue> Step)[] steps =
     {
         (1, NameAlgorithm),
+        (2, ListBodies),
     };
 
     /// <summary>Text of an older format as the current one would have it, but for fields that are younger than it.</summary>
@@ -46,4 +47,32 @@ internal static class BlueprintFormat
     /// <summary>In format 1 one number was both that of the format and that of the algorithm.</summary>
     private static JsonValue NameAlgorithm(JsonValue source) =>
         source.TryGet(Field, out JsonValue? version) ? source.With(CreatureFields.Algorithm, version!) : source;
+
+    /// <summary>In format 2 a mix had three bodies by name and two weights for all of the body, and the first of them gave face, skin and manner.</summary>
+    private static JsonValue ListBodies(JsonValue source)
+    {
+        if (!source.TryGet("body", out JsonValue? body) || !body!.TryGet("blend", out JsonValue? blend) || blend!.Kind != JsonKind.Object)
+        {
+            return source;
+        }
+
+        foreach (string field in new[] { "first", "second", "third", "secondWeight", "thirdWeight" })
+        {
+            if (!blend.TryGet(field, out _))
+            {
+                return source;
+            }
+        }
+
+        JsonValue first = blend["first"];
+        JsonValue all = blend.Numeral("1", 1);
+        JsonValue bodies = blend.Array(
+            Part(blend, first, all),
+            Part(blend, blend["second"], blend["secondWeight"]),
+            Part(blend, blend["third"], blend["thirdWeight"]));
+        JsonValue mix = blend.Object(("bodies", bodies), ("face", first), ("skin", first), ("manner", first));
+        return source.With("body", body.With("blend", mix));
+    }
+
+    private static JsonValue Part(JsonValue blend, JsonValue name, JsonValue weight) => blend.Object(("name", name), ("torso", weight), ("head", weight), ("tail", weight));
 }

@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using CreatureGen.Anatomy;
 
 namespace CreatureGen.Blueprints;
@@ -25,16 +27,69 @@ public sealed record BodyBlueprint(
     public override string ToString() => RecordJson.LineOf(this, BodyFields.Body);
 }
 
-/// <summary>Three base bodies mixed as lerp(lerp(First, Second, SecondWeight), Third, ThirdWeight).</summary>
-/// <param name="First">Name of the base body that the mix starts from.</param>
-/// <param name="Second">Name of the second base body.</param>
-/// <param name="Third">Name of the third base body.</param>
-/// <param name="SecondWeight">0..1.</param>
-/// <param name="ThirdWeight">0..1.</param>
-public sealed record BodyBlend(string First, string Second, string Third, double SecondWeight, double ThirdWeight)
+/// <summary>Base bodies mixed one after another, each region of the body in its own shares; and which of them gives what no number says.</summary>
+/// <param name="Bodies">The bodies, 1 to 6. The mix starts as the first of them.</param>
+/// <param name="Face">The base body whose kin the head is: beak or soft nose, nostrils, lids, width of the tongue.</param>
+/// <param name="Skin">The base body whose kin the skin is: fur, feathers, scales, plates or bare.</param>
+/// <param name="Manner">The base body whose kin it stands and goes like.</param>
+public sealed record BodyBlend(ValueList<MixedBody> Bodies, string Face, string Skin, string Manner)
 {
+    /// <summary>Three bodies mixed as lerp(lerp(first, second, secondWeight), third, thirdWeight), alike in all regions, with face, skin and manner of the first.</summary>
+    /// <param name="first">Name of the base body that the mix starts from.</param>
+    /// <param name="second">Name of the second base body.</param>
+    /// <param name="third">Name of the third base body.</param>
+    /// <param name="secondWeight">0..1.</param>
+    /// <param name="thirdWeight">0..1.</param>
+    public static BodyBlend Of(string first, string second, string third, double secondWeight, double thirdWeight) => new(
+        new ValueList<MixedBody>(new[]
+        {
+            new MixedBody(first, 1, 1, 1),
+            new MixedBody(second, secondWeight, secondWeight, secondWeight),
+            new MixedBody(third, thirdWeight, thirdWeight, thirdWeight),
+        }),
+        first,
+        first,
+        first);
+
+    /// <summary>Name of the body that the mix starts from.</summary>
+    public string First => Bodies[0].Name;
+
+    /// <summary>Shares of the bodies in the torso, in their order; together 1.</summary>
+    public IReadOnlyList<double> TorsoShares => SharesOf(part => part.Torso);
+
+    /// <summary>Shares of the bodies in the head, in their order; together 1.</summary>
+    public IReadOnlyList<double> HeadShares => SharesOf(part => part.Head);
+
+    /// <summary>Shares of the bodies in the tail, in their order; together 1.</summary>
+    public IReadOnlyList<double> TailShares => SharesOf(part => part.Tail);
+
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, BodyFields.Blend);
+
+    private double[] SharesOf(Func<MixedBody, double> weightOf)
+    {
+        double[] shares = new double[Bodies.Count];
+        double left = 1;
+        for (int i = shares.Length - 1; i >= 0; i--)
+        {
+            double weight = i == 0 ? 1 : weightOf(Bodies[i]);
+            shares[i] = left * weight;
+            left *= 1 - weight;
+        }
+
+        return shares;
+    }
+}
+
+/// <summary>One of the bodies of a mix. A weight says how far this body draws the mix of those before it to itself in a region: 0 leaves it as it is, 1 replaces it; that of the first body does not count.</summary>
+/// <param name="Name">Name of a base body.</param>
+/// <param name="Torso">Weight in the torso, 0..1.</param>
+/// <param name="Head">Weight in the head, 0..1; over the neck it goes over into that of the torso.</param>
+/// <param name="Tail">Weight in the tail, 0..1; over the rump it goes over into that of the torso.</param>
+public sealed record MixedBody(string Name, double Torso, double Head, double Tail)
+{
+    /// <summary>Its JSON text on one line, the same in every culture.</summary>
+    public override string ToString() => RecordJson.LineOf(this, BodyFields.Mixed);
 }
 
 /// <summary>Factors on parts of the body; 1 leaves a part as the base bodies give it.</summary>

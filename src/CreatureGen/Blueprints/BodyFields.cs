@@ -18,16 +18,28 @@ internal static class BodyFields
     private static readonly NumberRange neckBend = new(-wholeBend / BodyGrid.NeckBones, wholeBend / BodyGrid.NeckBones);
     private static readonly NumberRange tailBend = new(-wholeBend / BodyGrid.TailBones, wholeBend / BodyGrid.TailBones);
 
+    /// <summary>Most bodies in a mix.</summary>
+    public const int MaxBodies = 6;
+
+    /// <summary>One body of a mix.</summary>
+    public static readonly RecordDescription<MixedBody> Mixed = new(
+        new MixedBody(BaseBodyNames.All[0], 1, 1, 1),
+        JsonLayout.Line,
+        (visit, part) => new MixedBody(
+            visit.Word("name", part.Name, BaseBodyNames.All),
+            visit.Number("torso", part.Torso, Share),
+            visit.Number("head", part.Head, Share),
+            visit.Number("tail", part.Tail, Share)));
+
     /// <summary>Mix of base bodies.</summary>
     public static readonly RecordDescription<BodyBlend> Blend = new(
-        new BodyBlend(BaseBodyNames.All[0], BaseBodyNames.All[0], BaseBodyNames.All[0], 0, 0),
-        JsonLayout.Line,
+        new BodyBlend(new ValueList<MixedBody>(new[] { Mixed.Neutral }), BaseBodyNames.All[0], BaseBodyNames.All[0], BaseBodyNames.All[0]),
+        JsonLayout.Indented,
         (visit, blend) => new BodyBlend(
-            visit.Word("first", blend.First, BaseBodyNames.All),
-            visit.Word("second", blend.Second, BaseBodyNames.All),
-            visit.Word("third", blend.Third, BaseBodyNames.All),
-            visit.Number("secondWeight", blend.SecondWeight, Share),
-            visit.Number("thirdWeight", blend.ThirdWeight, Share)));
+            visit.List("bodies", blend.Bodies, new WholeRange(1, MaxBodies), Mixed),
+            visit.Word("face", blend.Face, BaseBodyNames.All),
+            visit.Word("skin", blend.Skin, BaseBodyNames.All),
+            visit.Word("manner", blend.Manner, BaseBodyNames.All)));
 
     /// <summary>Factors on parts of the body.</summary>
     public static readonly RecordDescription<BodyProportions> Proportions = new(

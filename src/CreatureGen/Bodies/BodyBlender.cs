@@ -5,41 +5,67 @@ using CreatureGen.Species;
 
 namespace CreatureGen.Bodies;
 
-/// <summary>Mixes three base bodies and applies the blueprint's proportions and posture, still as numbers at stations.</summary>
+/// <summary>Mixes base bodies, each region in its own shares, and applies the blueprint's proportions and posture, still as numbers at stations.</summary>
 /// <remarks>
 /// Based on: the seed thesis, "Base body": lerp(lerp(A, B, w₁), C, w₂). Widths and heights mix by their logarithms: a tenth of a thick body does not fill a wasp's waist.
 /// </remarks>
 internal static class BodyBlender
 {
+    /// <summary>How far a station belongs to the head: the neck goes over to the torso.</summary>
+    private static readonly double[] headness = { 1, 1, 1, 1, 1, 1, 0.75, 0.5, 0.2, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+
+    /// <summary>How far a station belongs to the tail: the rump goes over to the torso.</summary>
+    private static readonly double[] tailness = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.25, 0.6, 1, 1, 1 };
+
     /// <summary>The stations of the mixed body.</summary>
     public static BodyStations Blend(BodyBlueprint body)
     {
-        BodyTable a = SpeciesCatalogue.Find(body.Blend.First).Table;
-        BodyTable b = SpeciesCatalogue.Find(body.Blend.Second).Table;
-        BodyTable c = SpeciesCatalogue.Find(body.Blend.Third).Table;
-        double w = body.Blend.SecondWeight;
-        double v = body.Blend.ThirdWeight;
-        var s = new BodyStations
+        ValueList<MixedBody> parts = body.Blend.Bodies;
+        var tables = new BodyTable[parts.Count];
+        for (int k = 0; k < tables.Length; k++)
         {
-            TopExponent = Mix(a.TopExponent, b.TopExponent, c.TopExponent),
-            BottomExponent = Mix(a.BottomExponent, b.BottomExponent, c.BottomExponent),
-        };
+            tables[k] = SpeciesCatalogue.Find(parts[k].Name).Table;
+        }
 
+        double topExponent = tables[0].TopExponent;
+        double bottomExponent = tables[0].BottomExponent;
+        for (int k = 1; k < tables.Length; k++)
+        {
+            topExponent = Scalar.Lerp(topExponent, tables[k].TopExponent, parts[k].Torso);
+            bottomExponent = Scalar.Lerp(bottomExponent, tables[k].BottomExponent, parts[k].Torso);
+        }
+
+        var s = new BodyStations { TopExponent = topExponent, BottomExponent = bottomExponent };
         for (int i = 0; i < BodyGrid.StationCount; i++)
         {
-            s.Length[i] = Mix(a.Length[i], b.Length[i], c.Length[i]);
-            s.Pitch[i] = Mix(a.Pitch[i], b.Pitch[i], c.Pitch[i]);
-            s.Width[i] = PortableMath.Exp(Mix(a.LogWidth[i], b.LogWidth[i], c.LogWidth[i]));
-            s.Top[i] = PortableMath.Exp(Mix(a.LogTop[i], b.LogTop[i], c.LogTop[i]));
-            s.Bottom[i] = PortableMath.Exp(Mix(a.LogBottom[i], b.LogBottom[i], c.LogBottom[i]));
+            BodyTable first = tables[0];
+            (double length, double pitch, double width, double top, double bottom) = (first.Length[i], first.Pitch[i], first.LogWidth[i], first.LogTop[i], first.LogBottom[i]);
+            for (int k = 1; k < tables.Length; k++)
+            {
+                double weight = WeightAt(i, parts[k]);
+                BodyTable next = tables[k];
+                length = Scalar.Lerp(length, next.Length[i], weight);
+                pitch = Scalar.Lerp(pitch, next.Pitch[i], weight);
+                width = Scalar.Lerp(width, next.LogWidth[i], weight);
+                top = Scalar.Lerp(top, next.LogTop[i], weight);
+                bottom = Scalar.Lerp(bottom, next.LogBottom[i], weight);
+            }
+
+            s.Length[i] = length;
+            s.Pitch[i] = pitch;
+            s.Width[i] = PortableMath.Exp(width);
+            s.Top[i] = PortableMath.Exp(top);
+            s.Bottom[i] = PortableMath.Exp(bottom);
         }
 
         ApplyProportions(s, body.Proportions);
         ApplyPosture(s, body.Posture);
         return s;
-
-        double Mix(double x, double y, double z) => Scalar.Lerp(Scalar.Lerp(x, y, w), z, v);
     }
+
+    /// <summary>The weight of a body at a station.</summary>
+    private static double WeightAt(int station, MixedBody part) =>
+        Scalar.Lerp(Scalar.Lerp(part.Torso, part.Head, headness[station]), part.Tail, tailness[station]);
 
     private static void ApplyProportions(BodyStations s, BodyProportions p)
     {

@@ -14,7 +14,7 @@ internal static class CoatSubjects
     /// <summary>The subject of a creature's coat.</summary>
     public static CoatSubject Of(CreatureBlueprint blueprint, GrownSurface grown, EyeFrame eye)
     {
-        SpeciesProfile face = SpeciesCatalogue.Find(blueprint.Body.Blend.First);
+        SpeciesProfile face = SpeciesCatalogue.Find(blueprint.Body.Blend.Face);
         var wings = new WingStyle[grown.Appendages.Count];
         for (int i = 0; i < blueprint.Wings.Count; i++)
         {
@@ -38,7 +38,7 @@ internal static class CoatSubjects
     public static SkinRelief ReliefOf(CreatureBlueprint blueprint)
     {
         int salt = unchecked((blueprint.Coat.PatternSeed * 16) + 12);
-        SpeciesProfile skin = SpeciesCatalogue.Find(blueprint.Body.Blend.First);
+        SpeciesProfile skin = SpeciesCatalogue.Find(blueprint.Body.Blend.Skin);
         bool smooth = blueprint.Plan == BodyPlan.Whale && skin.Class == AnimalClass.Fish && skin.Cover == SkinCover.Scales;
         return smooth ? new SkinRelief(SkinCover.Wrinkles, 0.05f, salt) : new SkinRelief(skin.Cover, skin.CoverSize, salt);
     }

@@ -84,7 +84,7 @@ internal static class EyeSetter
     }
 
     private static EyeRim RimOf(CreatureBlueprint blueprint) =>
-        blueprint.Head.Eyes.Style is EyeStyle.Compound or EyeStyle.Bead ? EyeRim.Bare : SpeciesCatalogue.Find(blueprint.Body.Blend.First).EyeRim;
+        blueprint.Head.Eyes.Style is EyeStyle.Compound or EyeStyle.Bead ? EyeRim.Bare : SpeciesCatalogue.Find(blueprint.Body.Blend.Face).EyeRim;
 
     /// <summary>Lids wear the coat of the skin above the eye, a little darker.</summary>
     private static Vector3 SkinAround(EyeBlueprint eye, in EyeFrame frame, CoatPainter coat)

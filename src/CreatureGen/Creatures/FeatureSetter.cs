@@ -43,7 +43,7 @@ internal sealed class FeatureSetter
         this.coat = coat;
         palette = coat.Palette;
         this.normals = normals;
-        face = SpeciesCatalogue.Find(blueprint.Body.Blend.First);
+        face = SpeciesCatalogue.Find(blueprint.Body.Blend.Face);
         appendages = new List<Appendage>(grown.Appendages);
     }
 

@@ -6,8 +6,8 @@ namespace CreatureGen.Json;
 /// <summary>A value of a JSON document and its place in the text.</summary>
 internal sealed class JsonValue
 {
-    private static readonly JsonValue[] noItems = Array.Empty<JsonValue>();
-    private static readonly JsonMember[] noMembers = Array.Empty<JsonMember>();
+    private static readonly JsonValue[] noItems = System.Array.Empty<JsonValue>();
+    private static readonly JsonMember[] noMembers = System.Array.Empty<JsonMember>();
 
     private readonly JsonPath path;
     private readonly IReadOnlyDictionary<string, JsonValue>? lookup;
@@ -104,6 +104,16 @@ internal sealed class JsonValue
         others.Add(new JsonMember(name, value));
         return new JsonValue(JsonKind.Object, path, Position, members: others);
     }
+
+    /// <summary>An object in the place of this value.</summary>
+    public JsonValue Object(params (string Name, JsonValue Value)[] members) =>
+        new(JsonKind.Object, path, Position, members: System.Array.ConvertAll(members, member => new JsonMember(member.Name, member.Value)));
+
+    /// <summary>An array in the place of this value.</summary>
+    public JsonValue Array(params JsonValue[] items) => new(JsonKind.Array, path, Position, items: items);
+
+    /// <summary>A number in the place of this value.</summary>
+    public JsonValue Numeral(string text, double number) => new(JsonKind.Number, path, Position, text, number);
 
     /// <summary>The value in a few words for a message: a scalar's text, or what kind of container it is.</summary>
     public override string ToString() => Kind switch

@@ -6,6 +6,7 @@ using CreatureGen.Sampling.Coats;
 using CreatureGen.Sampling.Features;
 using CreatureGen.Sampling.Individuals;
 using CreatureGen.Sampling.Limbs;
+using CreatureGen.Sampling.Parents;
 using CreatureGen.Sampling.Shapes;
 using CreatureGen.Seeding;
 using CreatureGen.Species;
@@ -61,14 +62,15 @@ public static class BlueprintSampler
     {
         LocomotionKind kind = choice.Kind(root.Child("kind").Stream());
         SpeciesProfile species = choice.Species(root.Child("family").Stream(), kind);
-        BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, species);
+        Parentage parents = ParentSampler.Draw(root, kind, species, choice, options.Strangeness);
+        BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, parents.Legs);
         for (int change = 0; ; change++)
         {
-            var builder = new CreatureBuilder(root, kind, species, plan);
+            var builder = new CreatureBuilder(root, kind, Harmony.On(parents, plan), plan, options.Strangeness);
             BodySampler.Sample(builder);
             StanceSampler.Settle(builder);
             BodyPlan? other = LegSampler.Sample(builder);
-            if (other is BodyPlan next && change < PlanChanges && choice.Allows(species, next))
+            if (other is BodyPlan next && change < PlanChanges && choice.Allows(parents.Legs, next))
             {
                 plan = next;
                 continue;

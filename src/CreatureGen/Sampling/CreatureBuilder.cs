@@ -4,6 +4,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
 using CreatureGen.Sampling.Limbs;
+using CreatureGen.Sampling.Parents;
 using CreatureGen.Sampling.Placement;
 using CreatureGen.Seeding;
 using CreatureGen.Species;
@@ -13,13 +14,14 @@ namespace CreatureGen.Sampling;
 /// <summary>A creature while it is being sampled: what has been decided so far.</summary>
 internal sealed class CreatureBuilder
 {
-    public CreatureBuilder(Seed seed, LocomotionKind kind, SpeciesProfile species, BodyPlan plan)
+    public CreatureBuilder(Seed seed, LocomotionKind kind, Parentage parents, BodyPlan plan, double strangeness)
     {
         Seed = seed;
         Kind = kind;
-        Species = species;
-        Shell = species.Shell;
+        Parents = parents;
         Plan = plan;
+        Strangeness = strangeness;
+        Shell = Harmony.ShellOf(parents, plan);
     }
 
     /// <summary>Root of the creature's seed tree.</summary>
@@ -27,7 +29,14 @@ internal sealed class CreatureBuilder
 
     public LocomotionKind Kind { get; }
 
-    public SpeciesProfile Species { get; }
+    /// <summary>The species that it is mixed of, and which of them gives what.</summary>
+    public Parentage Parents { get; }
+
+    /// <summary>The species that the trunk starts from.</summary>
+    public SpeciesProfile Species => Parents.First;
+
+    /// <summary>How far it may be from any animal, 0..1.</summary>
+    public double Strangeness { get; }
 
     public BodyPlan Plan { get; }
 

@@ -32,6 +32,12 @@ public sealed record CreatureOptions
     /// <summary>Factors on how often base bodies are drawn; one that is not in the list has 1. Each name at most once. Default: none.</summary>
     public ValueList<BaseBodyWeight> BaseBodies { get; init; } = ValueList<BaseBodyWeight>.Empty;
 
+    /// <summary>
+    /// How far creatures may be from any animal, 0..1. At 0 they are animals; with more of it torso, head, tail, legs, skin, ornaments, wings and fins come from any three
+    /// bodies. Default: 0.6.
+    /// </summary>
+    public double Strangeness { get; init; } = 0.6;
+
     /// <summary>Mood of the colours. Default: <see cref="PaletteMood.Any"/>.</summary>
     public PaletteMood Palette { get; init; } = PaletteMood.Any;
 

@@ -58,6 +58,7 @@ internal static class OptionsFields
             MaxLegPairs = visit.Whole("maxLegPairs", options.MaxLegPairs, legPairs),
             BodyPlans = visit.List("bodyPlans", options.BodyPlans, new WholeRange(0, AnatomyChoices.Plan.Count), PlanWeight),
             BaseBodies = visit.List("baseBodies", options.BaseBodies, new WholeRange(0, BaseBodyNames.All.Count), BodyWeight),
+            Strangeness = visit.Number("strangeness", options.Strangeness, CommonRanges.Share),
             Palette = visit.Choice("palette", options.Palette, palettes),
             Ornaments = visit.Choice("ornaments", options.Ornaments, levels),
             TriangleBudget = visit.Whole("triangleBudget", options.TriangleBudget, CreatureFields.TriangleBudget),

@@ -35,6 +35,23 @@ internal sealed class PlanChoice
     /// <summary>Whether options leave a plan.</summary>
     public bool Allows(SpeciesProfile species, BodyPlan plan) => FactorOf(species, plan) > 0;
 
+    /// <summary>Whether options leave any plan of a kind.</summary>
+    public bool Leaves(SpeciesProfile species, LocomotionKind kind) => Array.Exists(species.PlansOf(kind), plan => plan.Weight > 0 && Allows(species, plan.Value));
+
+    /// <summary>How often options ask for a body, relative to others.</summary>
+    public double WeightOf(SpeciesProfile species)
+    {
+        foreach (BaseBodyWeight body in options.BaseBodies)
+        {
+            if (body.Name == species.Body)
+            {
+                return body.Weight;
+            }
+        }
+
+        return 1;
+    }
+
     /// <summary>Draws a kind.</summary>
     public LocomotionKind Kind(RandomStream random)
     {
@@ -116,13 +133,7 @@ internal sealed class PlanChoice
         }
 
         double frequency = kind switch { LocomotionKind.Walking => species.Frequency.Walking, LocomotionKind.Flying => species.Frequency.Flying, _ => species.Frequency.Swimming };
-        double factor = 1;
-        foreach (BaseBodyWeight body in options.BaseBodies)
-        {
-            factor = body.Name == species.Body ? body.Weight : factor;
-        }
-
-        return whole > 0 ? frequency * factor * left / whole : 0;
+        return whole > 0 ? frequency * WeightOf(species) * left / whole : 0;
     }
 
     private double FactorOf(SpeciesProfile species, BodyPlan plan)

@@ -120,9 +120,9 @@ public sealed class BlueprintJsonTests
         AssertRefused(small with { Head = null! }, "head = null; expected an object");
         AssertRefused(small with { Ears = null! }, "ears = null; expected an array of 0..2 elements");
         AssertRefused(small with { Plan = (BodyPlan)99 }, "plan = an undefined value; expected one of digitigrade, ");
-        CreatureBlueprint WithBlend(string name) => small with { Body = small.Body with { Blend = small.Body.Blend with { Third = name } } };
-        AssertRefused(WithBlend(null!), "body.blend.third = null; expected one of canine, ");
-        AssertRefused(WithBlend("\ud800"), "body.blend.third = \"\\ud800\"; expected one of canine, ");
+        CreatureBlueprint WithBlend(string name) => small with { Body = small.Body with { Blend = small.Body.Blend with { Skin = name } } };
+        AssertRefused(WithBlend(null!), "body.blend.skin = null; expected one of canine, ");
+        AssertRefused(WithBlend("\ud800"), "body.blend.skin = \"\\ud800\"; expected one of canine, ");
         Assert.Throws<ArgumentNullException>(() => BlueprintJson.Write(null!));
         Assert.Throws<ArgumentNullException>(() => BlueprintJson.Write(small, null!));
     }

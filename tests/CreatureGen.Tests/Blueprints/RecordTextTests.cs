@@ -57,7 +57,7 @@ public sealed class RecordTextTests
     public void Printing_never_fails()
     {
         Assert.Equal("""{ "lightness": "NaN", "chroma": "-Infinity", "hue": 0 }""", new ColourBlueprint(double.NaN, double.NegativeInfinity, 0).ToString());
-        Assert.Equal("""{ "first": null, "second": "\\ud800", "third": "x", "secondWeight": 0, "thirdWeight": 0 }""", new BodyBlend(null!, "\ud800", "x", 0, 0).ToString());
+        Assert.Equal("""{ "name": "\\ud800", "torso": 0, "head": 1, "tail": 0 }""", new MixedBody("\ud800", 0, 1, 0).ToString());
         Assert.StartsWith("""{ "bumps": null, "muzzleSquareness": 1, "eyes": null, """, new HeadBlueprint(null!, 1, null!, null!, 0).ToString(), StringComparison.Ordinal);
         Assert.Contains("an undefined value", new TailBlueprint((Anatomy.TailStyle)77, 0, 0).ToString(), StringComparison.Ordinal);
     }

@@ -91,7 +91,7 @@ public sealed class SpeciesTests
     [Fact]
     public void A_mix_of_a_wasp_and_a_cow_keeps_the_waist()
     {
-        var blend = new BodyBlend("wasp", "bovine", "bovine", 0.1, 0);
+        var blend = BodyBlend.Of("wasp", "bovine", "bovine", 0.1, 0);
         BodyStations mixed = BodyBlender.Blend(BodyFields.Body.Neutral with { Blend = blend });
         Assert.True(mixed.Width[12] < 0.25 * mixed.Width[14]);
     }
@@ -101,8 +101,8 @@ public sealed class SpeciesTests
     {
         BodyTable a = SpeciesCatalogue.Find("shark").Table;
         BodyTable b = SpeciesCatalogue.Find("owl").Table;
-        BodyStations mixed = BodyBlender.Blend(BodyFields.Body.Neutral with { Blend = new BodyBlend("shark", "owl", "owl", 0.3, 0.2) });
-        BodyStations pure = BodyBlender.Blend(BodyFields.Body.Neutral with { Blend = new BodyBlend("shark", "owl", "owl", 0, 0) });
+        BodyStations mixed = BodyBlender.Blend(BodyFields.Body.Neutral with { Blend = BodyBlend.Of("shark", "owl", "owl", 0.3, 0.2) });
+        BodyStations pure = BodyBlender.Blend(BodyFields.Body.Neutral with { Blend = BodyBlend.Of("shark", "owl", "owl", 0, 0) });
         for (int i = 0; i < BodyGrid.StationCount; i++)
         {
             Assert.InRange(mixed.Width[i], Math.Min(a.Width[i], b.Width[i]) - 1e-12, Math.Max(a.Width[i], b.Width[i]) + 1e-12);

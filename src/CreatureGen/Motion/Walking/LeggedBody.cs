@@ -94,7 +94,7 @@ internal sealed class LeggedBody
         }
 
         float steady = SteadyFraction();
-        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.First).Motion, Mass);
+        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.Manner).Motion, Mass);
         Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
         Posture = StandingPosture.Of(creature);
@@ -225,7 +225,7 @@ internal sealed class LeggedBody
     public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype is LimbArchetype.Jumper or LimbArchetype.FrogHind);
 
     /// <summary>Whether it rolls from side to side on short legs under an upright body: penguins.</summary>
-    public bool Waddles => IsBiped && SpeciesCatalogue.Find(Creature.Blueprint.Body.Blend.First).Motion.Waddles;
+    public bool Waddles => IsBiped && SpeciesCatalogue.Find(Creature.Blueprint.Body.Blend.Manner).Motion.Waddles;
 
     /// <summary>The times of what it does while it stands.</summary>
     public IdleRhythm Idle { get; }

@@ -67,7 +67,7 @@ internal static class CoatSampler
         ColourBlueprint claw = random.Chance(0.6) ? Colour(0.27, 0.02, 60) : Colour(0.82, 0.04, 85);
         ColourBlueprint horn = Colour(random.Uniform(0.35, 0.82), 0.035, 75);
         ColourBlueprint iris = Colour(random.Uniform(0.62, 0.80), random.Uniform(0.10, 0.17), Pick(random, irisHues));
-        ColourBlueprint muzzle = builder.Species.Snout == SnoutKind.Beak
+        ColourBlueprint muzzle = builder.Parents.Head.Snout == SnoutKind.Beak
             ? random.Chance(0.65) ? Colour(0.70, 0.13, CreatureBuilder.Choose(random, (60.0, 1), (75.0, 1), (45.0, 1))) : Colour(0.3, 0.02, 60)
             : Colour(0.25, 0.03, 30);
         if (mood != PaletteMood.Vivid && builder.Manes.Count > 0)
@@ -89,11 +89,11 @@ internal static class CoatSampler
             Colour(0.38, 0.11, 20),
             Tongue(builder, builder.Stream("tongue")),
             iris,
-            CreatureBuilder.Choose(random, builder.Species.Patterns),
+            CreatureBuilder.Choose(random, builder.Parents.Skin.Patterns),
             random.Uniform(0.8, 1.3),
             random.Uniform(0.65, 0.95),
             random.Integer(0, 1 << 16));
-        Colouring[] known = builder.Species.Colourings;
+        Colouring[] known = builder.Parents.Skin.Colourings;
         RandomStream choice = builder.Stream("colouring");
         CoatBlueprint worn = palette == PaletteMood.Any && known.Length > 0 && choice.Chance(KnownColourings) ? Wear(coat, known[choice.Integer(0, known.Length)], choice) : coat;
         return RareCoats.Perhaps(Darkened(worn), palette, builder.Stream("rarity"));
@@ -105,7 +105,7 @@ internal static class CoatSampler
 
     private static ColourBlueprint Tongue(CreatureBuilder builder, RandomStream random)
     {
-        Tint tint = CreatureBuilder.Choose(random, builder.Species.TongueTints);
+        Tint tint = CreatureBuilder.Choose(random, builder.Parents.Head.TongueTints);
         return Colour(tint.Lightness + random.Uniform(-0.04, 0.04), tint.Chroma * random.Uniform(0.85, 1.15), tint.Hue + random.Uniform(-6, 6));
     }
 

@@ -21,13 +21,13 @@ internal static class FeatureSampler
     {
         double plenty = level switch { OrnamentLevel.None => 0, OrnamentLevel.Sparse => 0.4, OrnamentLevel.Rich => 2, _ => 1 };
         double head = builder.Shape.Width[13];
-        if (builder.Species.Parts is PartSlot[] slots)
+        if (builder.Parents.Ornaments.Parts is PartSlot[] slots)
         {
             OwnParts(builder, slots, plenty, builder.Stream("own parts"));
             return;
         }
 
-        if (builder.Species.Class == AnimalClass.Arthropod)
+        if (builder.Parents.Ornaments.Class == AnimalClass.Arthropod)
         {
             InsectHead(builder, builder.Stream("insect head"));
             return;
@@ -104,10 +104,10 @@ internal static class FeatureSampler
 
     private static bool Horns(CreatureBuilder builder, double head, double plenty, RandomStream random)
     {
-        double chance = builder.Species.HeadOrnament.Horns * plenty;
+        double chance = builder.Parents.Ornaments.HeadOrnament.Horns * plenty;
         chance *= builder.Signature == Signature.BigEyes ? 0.4 : 1;
         chance *= builder.Kind == LocomotionKind.Swimming ? 0.25 : 1;
-        bool eared = builder.Ears.Count > 0 && !builder.Species.HornsBesideEars;
+        bool eared = builder.Ears.Count > 0 && !builder.Parents.Ornaments.HornsBesideEars;
         bool nose = builder.Plan is BodyPlan.Columnar or BodyPlan.Plantigrade or BodyPlan.Unguligrade;
         if (eared || !random.Chance(chance))
         {
@@ -116,7 +116,7 @@ internal static class FeatureSampler
 
         double length = head * random.Uniform(0.9, 2.0);
         double radius = head * random.Uniform(0.16, 0.25);
-        bool deer = builder.Plan is BodyPlan.Unguligrade or BodyPlan.Digitigrade && builder.Species.Antlered;
+        bool deer = builder.Plan is BodyPlan.Unguligrade or BodyPlan.Digitigrade && builder.Parents.Ornaments.Antlered;
         int style = random.Weighted(stackalloc double[] { 1, 1, 0.7, nose ? 0.35 : 0, deer ? 1.1 : 0 });
         builder.Features.Add(style switch
         {
@@ -132,7 +132,7 @@ internal static class FeatureSampler
     /// <summary>A bird's crest.</summary>
     private static void Tuft(CreatureBuilder builder, double head, bool horned, double plenty, RandomStream random)
     {
-        if (builder.Kind == LocomotionKind.Swimming || horned || !random.Chance(builder.Species.Crest * plenty))
+        if (builder.Kind == LocomotionKind.Swimming || horned || !random.Chance(builder.Parents.Ornaments.Crest * plenty))
         {
             return;
         }
@@ -150,10 +150,10 @@ internal static class FeatureSampler
     private static void Back(CreatureBuilder builder, bool horned, double plenty, RandomStream random)
     {
         bool plain = builder.Kind == LocomotionKind.Swimming;
-        bool plated = builder.Species.Plated;
+        bool plated = builder.Parents.Ornaments.Plated;
         bool grounded = builder.Kind == LocomotionKind.Walking;
-        double chance = (plain ? 0 : builder.Species.BackRow) * plenty;
-        bool shelled = grounded && builder.Species.Shelled && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar;
+        double chance = (plain ? 0 : builder.Parents.Ornaments.BackRow) * plenty;
+        bool shelled = grounded && builder.Parents.Ornaments.Shelled && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar;
         int style = random.Weighted(stackalloc double[] { 1, plated ? 0.8 : 0, grounded && plated ? 0.9 : 0, shelled ? 0.6 : 0 });
         int count = random.Integer(7, 13);
         double height = random.Uniform(0.06, 0.13);
@@ -207,7 +207,7 @@ internal static class FeatureSampler
     private static void TailEnd(CreatureBuilder builder, double plenty, RandomStream random)
     {
         bool strong = builder.Kind == LocomotionKind.Walking
-            && builder.Species.ArmedTail
+            && builder.Parents.Ornaments.ArmedTail
             && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Theropod;
         bool club = random.Chance(0.5);
         if (!random.Chance(0.25 * plenty) || !strong)
@@ -263,7 +263,7 @@ internal static class FeatureSampler
     {
         bool fits = builder.Kind == LocomotionKind.Walking
             && builder.Plan is BodyPlan.Columnar or BodyPlan.Plantigrade or BodyPlan.Unguligrade or BodyPlan.Upright
-            && builder.Species.Tusked;
+            && builder.Parents.Ornaments.Tusked;
         double length = head * random.Uniform(0.5, 1.1);
         if (random.Chance(0.25 * plenty) && fits)
         {

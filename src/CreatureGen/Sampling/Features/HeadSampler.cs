@@ -23,12 +23,12 @@ internal static class HeadSampler
     public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[10] + (0.5 * (shape.Top[10] + shape.Bottom[10])));
 
     /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
-    public static double LargestEye(CreatureBuilder builder) => builder.Species.LargestEye * HalfHeight(builder.Shape);
+    public static double LargestEye(CreatureBuilder builder) => builder.Parents.Head.LargestEye * HalfHeight(builder.Shape);
 
     /// <summary>The face of the creature.</summary>
     public static HeadBlueprint Sample(CreatureBuilder builder)
     {
-        SpeciesProfile species = builder.Species;
+        SpeciesProfile species = builder.Parents.Head;
         RandomStream random = builder.Stream("face");
         double mood = random.Normal(0, 0.5) + species.Mood;
         double smile = Scalar.Clamp(random.Normal(0.25, 0.4) - (0.35 * mood), -0.7, 1);
@@ -39,14 +39,14 @@ internal static class HeadSampler
     public static void AddEars(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("ears");
-        if (builder.Kind == LocomotionKind.Swimming || !random.Chance(builder.Species.HeadOrnament.Ears))
+        if (builder.Kind == LocomotionKind.Swimming || !random.Chance(builder.Parents.Ears.HeadOrnament.Ears))
         {
             return;
         }
 
-        double head = builder.Species.EarSize * builder.Shape.Width[13];
+        double head = builder.Parents.Ears.EarSize * builder.Shape.Width[13];
         double size = random.Uniform(0.85, 1.2) * head;
-        EarShape shape = builder.Species.Ears[random.Weighted(Array.ConvertAll(builder.Species.Ears, ear => ear.Weight))].Value;
+        EarShape shape = builder.Parents.Ears.Ears[random.Weighted(Array.ConvertAll(builder.Parents.Ears.Ears, ear => ear.Weight))].Value;
         var socket = new SocketBlueprint(13, shape == EarShape.Sideways ? 4 : 2, 2, 2);
         EarBlueprint ear = shape switch
         {
@@ -65,7 +65,7 @@ internal static class HeadSampler
 
     private static ValueList<HeadBump> Bumps(CreatureBuilder builder, double mood)
     {
-        SpeciesProfile species = builder.Species;
+        SpeciesProfile species = builder.Parents.Head;
         RandomStream random = builder.Stream("skull");
         var bumps = new List<HeadBump>();
         Add(9.2, 4.2, 1.6, 1.3, Vary(species.Swelling.Brow));
@@ -102,7 +102,7 @@ internal static class HeadSampler
 
     private static EyeBlueprint Eyes(CreatureBuilder builder, double mood)
     {
-        SpeciesProfile species = builder.Species;
+        SpeciesProfile species = builder.Parents.Head;
         RandomStream random = builder.Stream("eyes");
         BodyShape s = builder.Shape;
         double half = HalfHeight(s);
@@ -118,7 +118,7 @@ internal static class HeadSampler
 
     private static MouthBlueprint Mouth(CreatureBuilder builder, double smile)
     {
-        SpeciesProfile species = builder.Species;
+        SpeciesProfile species = builder.Parents.Head;
         RandomStream random = builder.Stream("mouth");
         double opening = CreatureBuilder.Choose(random, (0.0, 0.4), (0.10, 0.2), (0.2, 0.2), (0.32, 0.2));
         double beak = CreatureBuilder.Choose(random, (0.0, 1), (0.06, 1), (0.2, 1));
@@ -142,7 +142,7 @@ internal static class HeadSampler
         }
 
         BodyShape s = builder.Shape;
-        int hinge = Math.Min(builder.Species.MouthCorner + 3, 14);
+        int hinge = Math.Min(builder.Parents.Head.MouthCorner + 3, 14);
         double jaw = s.Arc[hinge] - s.Arc[0] + s.Bottom[0];
         return Math.Max(0, (StanceSampler.Lowest(s, 0, hinge) - JawClearance) / jaw);
     }

@@ -27,10 +27,10 @@ internal static class NeckSampler
     /// <summary>The hair that furred families wear now and then; whether there is any.</summary>
     public static bool Hair(CreatureBuilder builder, double plenty, RandomStream random)
     {
-        bool hoofed = builder.Species.FallingMane > 0 && builder.Plan is BodyPlan.Unguligrade or BodyPlan.Centaur;
-        double chance = builder.Kind == LocomotionKind.Swimming ? 0 : hoofed ? builder.Species.FallingMane : builder.Species.Hair.Chance;
+        bool hoofed = builder.Parents.Ornaments.FallingMane > 0 && builder.Plan is BodyPlan.Unguligrade or BodyPlan.Centaur;
+        double chance = builder.Kind == LocomotionKind.Swimming ? 0 : hoofed ? builder.Parents.Ornaments.FallingMane : builder.Parents.Ornaments.Hair.Chance;
         double size = random.Uniform();
-        bool ruffed = random.Chance(builder.Species.Hair.Ruff);
+        bool ruffed = random.Chance(builder.Parents.Ornaments.Hair.Ruff);
         if (!random.Chance(chance * plenty))
         {
             return false;
@@ -46,7 +46,7 @@ internal static class NeckSampler
         bool fits = builder.Kind == LocomotionKind.Walking && builder.Ears.Count == 0;
         bool bony = random.Chance(builder.Plan is BodyPlan.Plantigrade ? 0.6 : 0.25);
         double size = random.Uniform();
-        if (!random.Chance(builder.Species.Collar * plenty) || !fits)
+        if (!random.Chance(builder.Parents.Ornaments.Collar * plenty) || !fits)
         {
             return false;
         }

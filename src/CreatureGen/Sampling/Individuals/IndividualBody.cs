@@ -58,8 +58,8 @@ internal sealed class IndividualBody
         BodyProportions p = type.Body.Proportions;
         BodyPosture posture = ofType.Drawn;
         double tilt = ofType.Kind == LocomotionKind.Swimming || ofType.Plan == BodyPlan.Legless ? 0 : strength * ofType.Species.TiltVariety;
-        double largest = Math.Max(p.Head, ofType.Species.Class == AnimalClass.Arthropod ? LargestInsectHead : LargestHead);
-        var builder = new CreatureBuilder(ofType.Seed, ofType.Kind, ofType.Species, ofType.Plan)
+        double largest = Math.Max(p.Head, ofType.Parents.Head.Class == AnimalClass.Arthropod ? LargestInsectHead : LargestHead);
+        var builder = new CreatureBuilder(ofType.Seed, ofType.Kind, ofType.Parents, ofType.Plan, ofType.Strangeness)
         {
             Blend = ofType.Blend,
             Signature = ofType.Signature,

@@ -27,7 +27,7 @@ internal static class FinSampler
     private static void Swim(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("fins");
-        if (builder.Species.Fins is FinPreset preset)
+        if (builder.Parents.Fins.Fins is FinPreset preset)
         {
             Own(builder, random, preset);
             return;

@@ -37,15 +37,15 @@ internal static class FlierLegs
     /// <summary>Adds wings and legs to the creature, and sets its body down on these.</summary>
     public static void Add(CreatureBuilder builder, LegStyle style)
     {
-        if (builder.Species.Legs is LegPreset preset)
+        if (builder.Parents.Legs.Legs is LegPreset preset)
         {
             AddOwn(builder, style, preset);
             return;
         }
 
-        bool insect = builder.Species.Class == AnimalClass.Arthropod;
+        bool insect = builder.Parents.Legs.Class == AnimalClass.Arthropod;
         RandomStream random = builder.Stream("flier legs");
-        int pairs = CreatureBuilder.Choose(random, builder.Species.FlierLegPairs);
+        int pairs = CreatureBuilder.Choose(random, builder.Parents.Legs.FlierLegPairs);
         LegArrangement arrangement = insect && random.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread;
         FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : FlierLegAnatomy.Dragon;
         if (insect && pairs <= 4)
@@ -54,7 +54,7 @@ internal static class FlierLegs
             anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).FindAll(site => site.Ring <= ThoraxEnd) };
         }
 
-        if (builder.Species.Bird is BirdPreset own)
+        if (builder.Parents.Legs.Bird is BirdPreset own)
         {
             double thigh = CreatureBuilder.Between(builder.Stream("thigh"), own.Thigh);
             anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).ConvertAll(site => site with { Archetype = LimbArchetype.Bird, Girth = thigh }) };
@@ -62,7 +62,7 @@ internal static class FlierLegs
         }
 
         // Thin legs keep the feet of stout ones: these have as much to carry.
-        double girth = builder.Species.LegGirth;
+        double girth = builder.Parents.Legs.LegGirth;
         style = style with { FootSize = style.FootSize / girth };
         anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = anatomy.Size.Foot / girth, Toes = insect ? 0 : style.Toes } };
         WingMotion motion = builder.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
@@ -83,7 +83,7 @@ internal static class FlierLegs
         WalkingPlacement placement = LegSampler.Settle(builder, measure => OwnLegs.SetOf(builder, preset, measure), size);
         LegSampler.AddStanding(builder, style, placement, OwnLegs.SetOf(builder, preset, LegSampler.Measure(builder)), size);
         OwnLegs.AddArms(builder, style, preset);
-        WingSampler.AddThin(builder, builder.Species.Wings!.Spread);
+        WingSampler.AddThin(builder, builder.Parents.Legs.Wings!.Spread);
         builder.Legs.Sort((a, b) => a.Socket.Ring.CompareTo(b.Socket.Ring));
     }
 

@@ -63,8 +63,8 @@ internal static class LegSampler
 
     private static BodyPlan? Walk(CreatureBuilder builder, LegStyle style)
     {
-        LegPreset? preset = builder.Species.Legs;
-        BirdPreset? bird = builder.Species.Bird;
+        LegPreset? preset = builder.Parents.Legs.Legs;
+        BirdPreset? bird = builder.Parents.Legs.Bird;
         style = preset != null ? OwnLegs.StyleOf(builder, style, preset) : bird != null ? OwnLegs.StyleOf(builder, style, bird) : style;
         var size = new LegSize(1, preset != null ? 1 : style.Reach, style.FootSize, style.Toes);
         WalkingPlacement placement = Settle(builder, SetFor, size);
@@ -85,12 +85,12 @@ internal static class LegSampler
             OwnLegs.AddArms(builder, style, preset);
         }
 
-        if (builder.Species.Wings is ThinWings wings)
+        if (builder.Parents.Legs.Wings is ThinWings wings)
         {
             WingSampler.AddThin(builder, wings.Folded);
         }
 
-        if (builder.Species.Class == AnimalClass.Bird && builder.Plan == BodyPlan.Theropod && placement.Arms is null)
+        if (builder.Parents.Legs.Class == AnimalClass.Bird && builder.Plan == BodyPlan.Theropod && placement.Arms is null)
         {
             WingSampler.AddFolded(builder);
         }
@@ -181,10 +181,10 @@ internal static class LegSampler
 
     private static SocketSet SetOf(CreatureBuilder builder)
     {
-        bool bird = builder.Species.Class == AnimalClass.Bird;
+        bool bird = builder.Parents.Legs.Class == AnimalClass.Bird;
         SocketSet set = builder.Plan switch
         {
-            BodyPlan.Centaur => SocketSets.Centaur(builder.Species.IsHoofed ? BodyPlan.Unguligrade : BodyPlan.Digitigrade),
+            BodyPlan.Centaur => SocketSets.Centaur(builder.Parents.Legs.IsHoofed ? BodyPlan.Unguligrade : BodyPlan.Digitigrade),
             BodyPlan.Upright => SocketSets.Upright(builder.Stream("upright legs").Chance(0.6) ? LimbArchetype.PlantigradeHind : LimbArchetype.DigitigradeHind),
             BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar => SocketSets.Quadruped(builder.Plan) with { Arms = null },
             _ => SocketSets.Of(builder.Plan),
@@ -194,7 +194,7 @@ internal static class LegSampler
             set = set with { Arms = set.Arms with { OddsNear = 0, OddsFar = 0.15 } };
         }
 
-        double girth = builder.Species.LegGirth;
+        double girth = builder.Parents.Legs.LegGirth;
         return set.WithGirth(builder.Signature == Signature.Hulk ? 1.3 * girth : girth, builder.Signature == Signature.Rump ? 1.15 * girth : girth);
     }
 
@@ -208,7 +208,7 @@ internal static class LegSampler
             LegBuild build = LegBuild.Of(leg.Site.Archetype);
             bool splayed = build.Carriage == LegCarriage.Splayed;
             (double azimuth, double shear) = Carriage(builder, placement, leg);
-            double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && builder.Species.Legs == null ? 1.05 : 1);
+            double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && builder.Parents.Legs.Legs == null ? 1.05 : 1);
             Add(builder, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
         }
     }
@@ -238,7 +238,7 @@ internal sealed record LegStyle
         Stoutness = CreatureBuilder.Around(random, 1 + (0.05 * builder.Style), 0.08, 0.85, 1.25);
         FootSize = CreatureBuilder.Around(random, 1.25 + (0.1 * builder.Style), 0.1, 1, builder.Plan == BodyPlan.Columnar ? 1.12 : 1.65);
         Slimness = CreatureBuilder.Around(random, builder.Plan == BodyPlan.Unguligrade ? 1.02 : 1.12, 0.1, 0.85, 1.35);
-        Toes = builder.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || builder.Species.Class == AnimalClass.Bird ? 3 : random.Integer(3, 5);
+        Toes = builder.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || builder.Parents.Legs.Class == AnimalClass.Bird ? 3 : random.Integer(3, 5);
         Reach = random.Uniform(0.85, 1.15);
         bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
         ClawLength = soft ? CreatureBuilder.Choose(random, (0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;

@@ -37,7 +37,7 @@ internal static class WingSampler
     public static void AddFolded(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("folded wings");
-        double ring = Math.Min(52, (builder.Species.Bird?.FoldRing ?? 45.5) + random.Uniform(-0.8, 0.8));
+        double ring = Math.Min(52, (builder.Parents.Legs.Bird?.FoldRing ?? 45.5) + random.Uniform(-0.8, 0.8));
         var socket = new SocketBlueprint(24, 4, 2, 4);
         double span = BodyShape.At(builder.Shape.Arc, ring) - builder.Shape.Arc[25];
         if (builder.Sockets.TryReserve(socket, 0))
@@ -50,7 +50,7 @@ internal static class WingSampler
     public static void Add(CreatureBuilder builder, FlyingPlacement placement)
     {
         RandomStream random = builder.Stream("wings");
-        bool bat = random.Chance(builder.Species.WingMembrane);
+        bool bat = random.Chance(builder.Parents.Wings.WingMembrane);
         double rise = random.Uniform(0.42, 0.75);
         double sweep = random.Uniform(0.05, 0.25);
         foreach (WingPlacement wing in placement.Wings)

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
+using CreatureGen.Sampling.Parents;
 using CreatureGen.Seeding;
 using CreatureGen.Species;
 
@@ -11,8 +12,6 @@ namespace CreatureGen.Sampling.Shapes;
 /// <summary>Draws the body: which bases are mixed, proportions, posture, lattice slices and the end of the tail.</summary>
 internal static class BodySampler
 {
-    private static readonly double[] partnerWeights = { 0.45, 0.3, 0.15, 0.1 };
-
     /// <summary>Fills in all of the creature that does not depend on how the creature stands.</summary>
     public static void Sample(CreatureBuilder builder)
     {
@@ -33,36 +32,38 @@ internal static class BodySampler
         return new DiscBlueprint(sweep, least == most ? least : builder.Stream("disc").Uniform(least, most));
     }
 
-    /// <summary>One dominant body, a partner that mixes well with it, and a touch of any third.</summary>
+    /// <summary>The parents in their shares; the head and the tail rather of those that give them.</summary>
     private static BodyBlend Blend(CreatureBuilder builder)
     {
-        RandomStream random = builder.Stream("blend");
-        string second = builder.Species.Partners[random.Weighted(partnerWeights)];
-        double kin = random.Uniform();
-        string[] siblings = SpeciesCatalogue.SiblingsOf(builder.Species);
-        int sibling = random.Integer(0, Math.Max(1, siblings.Length));
-        if (kin < builder.Species.Kinship && siblings.Length > 0)
+        Parentage parents = builder.Parents;
+        (double Second, double Third) torso = WeightsOf(parents.Torso);
+        (double Second, double Third) head = WeightsOf(Towards(parents, parents.Head, parents.Region.Head));
+        (double Second, double Third) tail = WeightsOf(Towards(parents, parents.Tail, parents.Region.Tail));
+        var bodies = new[]
         {
-            second = siblings[sibling];
+            new MixedBody(parents.First.Body, 1, 1, 1),
+            new MixedBody(parents.Second.Body, torso.Second, head.Second, tail.Second),
+            new MixedBody(parents.Third.Body, torso.Third, head.Third, tail.Third),
+        };
+        return new BodyBlend(new ValueList<MixedBody>(bodies), parents.Head.Body, parents.Skin.Body, parents.Legs.Body);
+    }
+
+    /// <summary>lerp(lerp(A, B, w1), C, w2): the second body gets w1 (1 − w2), the third w2.</summary>
+    private static (double Second, double Third) WeightsOf((double First, double Second, double Third) shares) =>
+        (shares.Third < 1 ? shares.Second / (1 - shares.Third) : 0, shares.Third);
+
+    /// <summary>The shares in a region whose donor has at least a given share; the others keep theirs to one another.</summary>
+    private static (double First, double Second, double Third) Towards(Parentage parents, SpeciesProfile donor, double least)
+    {
+        (double first, double second, double third) = parents.Torso;
+        double share = donor == parents.First ? first : donor == parents.Second ? second : third;
+        if (share >= least)
+        {
+            return parents.Torso;
         }
 
-        var rest = new List<string>();
-        foreach (SpeciesProfile family in SpeciesCatalogue.Families)
-        {
-            if (family.Body != builder.Species.Family && family.Body != second)
-            {
-                rest.Add(family.Body);
-            }
-        }
-
-        string third = rest[random.Integer(0, rest.Count)];
-        double dominant = CreatureBuilder.Between(random, builder.Species.Dominance);
-        double share = random.Uniform(0.6, 0.9);
-
-        // lerp(lerp(A, B, w1), C, w2): the second body gets w1 (1 − w2), the third w2.
-        double w2 = (1 - dominant) * (1 - share);
-        double w1 = (1 - dominant) * share / (1 - w2);
-        return new BodyBlend(builder.Species.Body, second, third, w1, w2);
+        double others = (1 - least) / (1 - share);
+        return (donor == parents.First ? least : first * others, donor == parents.Second ? least : second * others, donor == parents.Third ? least : third * others);
     }
 
     private static Signature DrawSignature(CreatureBuilder builder)
@@ -96,13 +97,15 @@ internal static class BodySampler
         double depth = Scalar.Clamp(PortableMath.Exp(random.Normal(-0.02, 0.22)), 0.66, 1.38);
         double wide = random.LogNormal(0.12, 0.85, 1.25);
         SpeciesProfile species = builder.Species;
-        if (species.IsSpecies)
+        SpeciesProfile face = builder.Parents.Head;
+        if (face.IsSpecies)
         {
-            head = species.HeadSize.Mean + ((head - 1.26) * species.HeadSize.Variation);
-            neck = PortableMath.Pow(neck, species.Variety);
-            tail = PortableMath.Pow(tail, species.Variety);
-            snout = PortableMath.Pow(snout, species.Variety);
+            head = face.HeadSize.Mean + ((head - 1.26) * face.HeadSize.Variation);
+            snout = PortableMath.Pow(snout, face.Variety);
         }
+
+        neck = species.IsSpecies ? PortableMath.Pow(neck, species.Variety) : neck;
+        tail = builder.Parents.Tail.IsSpecies ? PortableMath.Pow(tail, builder.Parents.Tail.Variety) : tail;
 
         double neckGirth = 1, chest = 1, hump = 1, rump = 1, tailGirth = 1, width = 1;
         if (group == AnimalClass.Amphibian)
@@ -113,8 +116,9 @@ internal static class BodySampler
         if (group == AnimalClass.Arthropod)
         {
             girth = species.IsSpecies ? girth : wide;
-            head = Math.Min(head, 1.22);
         }
+
+        head = face.Class == AnimalClass.Arthropod ? Math.Min(head, 1.22) : head;
 
         switch (builder.Signature)
         {
@@ -249,7 +253,7 @@ internal static class BodySampler
     {
         RandomStream random = builder.Stream("lattice");
         bool swims = builder.Kind == LocomotionKind.Swimming && !builder.Species.IsSpecies;
-        double spread = builder.Species.LatticeSpread;
+        double spread = Math.Max(builder.Species.LatticeSpread, Scalar.Lerp(builder.Species.LatticeSpread, 0.3, builder.Strangeness));
         var slices = new LatticeSlice[11];
         for (int k = 0; k < slices.Length; k++)
         {
@@ -272,21 +276,25 @@ internal static class BodySampler
         bool feathered = builder.Kind == LocomotionKind.Flying || random.Chance(0.55);
         double size = random.Uniform(0.16, 0.24);
         double fork = random.Uniform(-0.5, 0.1);
+
+        // A fan of feathers at a furry rump, or of rays, looks stuck on.
+        bool feathery = builder.Parents.Skin.Class == AnimalClass.Bird || builder.Kind == LocomotionKind.Flying;
+        bool scaly = builder.Parents.Skin.Class is AnimalClass.Fish or AnimalClass.Reptile or AnimalClass.Amphibian;
         if (builder.Kind == LocomotionKind.Swimming)
         {
             return new TailBlueprint(TailStyle.Plain, 0, 0);
         }
 
-        if (builder.Species.Bird is BirdPreset bird)
+        if (builder.Parents.Tail.Bird is BirdPreset bird && feathery)
         {
             double fan = bird.Fan * (builder.Kind == LocomotionKind.Flying ? 1.35 : 1);
             return bird.Fan == 0 ? new TailBlueprint(TailStyle.Plain, 0, 0) : new TailBlueprint(TailStyle.Feathers, fan, 0);
         }
 
-        return builder.Species.Class switch
+        return builder.Parents.Tail.Class switch
         {
-            AnimalClass.Bird when feathered => new TailBlueprint(TailStyle.Feathers, feathers, 0),
-            AnimalClass.Fish when builder.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),
+            AnimalClass.Bird when feathered && feathery => new TailBlueprint(TailStyle.Feathers, feathers, 0),
+            AnimalClass.Fish when scaly && builder.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),
             _ => new TailBlueprint(TailStyle.Plain, 0, 0),
         };
     }

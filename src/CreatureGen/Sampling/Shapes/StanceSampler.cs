@@ -105,20 +105,20 @@ internal static class StanceSampler
             BodyPlan.Plantigrade => (0.50, 0.70),
             BodyPlan.Columnar => (0.58, 0.85),
             BodyPlan.Upright => (0.46, 0.68),
-            BodyPlan.Theropod => builder.Species.BipedHipHeight,
+            BodyPlan.Theropod => builder.Parents.Legs.BipedHipHeight,
             _ => (0.0, 0.0),
         };
-        if (builder.Species.Bird is BirdPreset bird)
+        if (builder.Parents.Legs.Bird is BirdPreset bird)
         {
             (min, max) = bird.HipHeight;
         }
-        else if (builder.Species.HipHeight is (double Least, double Most) own)
+        else if (builder.Parents.Legs.HipHeight is (double Least, double Most) own)
         {
             (min, max) = own;
         }
 
         double hip = Scalar.Lerp(min, max, draw) * torso / 0.92;
-        if (builder.Kind != LocomotionKind.Swimming && builder.Species.Legs is LegPreset preset)
+        if (builder.Kind != LocomotionKind.Swimming && builder.Parents.Legs.Legs is LegPreset preset)
         {
             builder.HipHeight = hip;
             double height = Scalar.Lerp(preset.Height.Least, preset.Height.Most, draw);
@@ -144,7 +144,7 @@ internal static class StanceSampler
                 elevation = Math.Max(hip - s.Y[42], (0.22 * torso) - lowest);
                 break;
             case BodyPlan.Theropod:
-                elevation = Math.Max(hip - s.Y[36], ((builder.Species.Bird != null ? 0.1 : 0.3) * torso) - lowest);
+                elevation = Math.Max(hip - s.Y[36], ((builder.Parents.Legs.Bird != null ? 0.1 : 0.3) * torso) - lowest);
                 break;
             case BodyPlan.Sprawling:
                 elevation = (Scalar.Lerp(0.07, 0.16, draw) * torso) - lowest;
@@ -184,7 +184,7 @@ internal static class StanceSampler
         BodyShape s = builder.Shape;
         BodyPosture p = builder.Posture;
         double torso = builder.TorsoLength;
-        bool crawls = builder.Plan is BodyPlan.Legless or BodyPlan.Hexapod || builder.Species.Legs != null;
+        bool crawls = builder.Plan is BodyPlan.Legless or BodyPlan.Hexapod || builder.Parents.Legs.Legs != null;
         double tailGap = crawls ? double.NegativeInfinity : (0.03 * torso) + (builder.Tail.Style == TailStyle.Feathers ? Math.Max(FanDrop, builder.Kind == LocomotionKind.Flying ? HangingFan * builder.Tail.Size : 0) : 0);
         double headGap = crawls ? 0.01 : 0.06 * torso;
         double tail = p.Tail;

@@ -73,7 +73,7 @@ internal sealed class StandingPosture
             legs += limb.Kind == LimbKind.Leg && limb.Stands ? 1 : 0;
         }
 
-        return creature.Blueprint.Plan == BodyPlan.Flapping && legs == 2 ? new Carriage(creature).Stand(Scalar.Radians(SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.First).Motion.StandingPitch)) : asBuilt;
+        return creature.Blueprint.Plan == BodyPlan.Flapping && legs == 2 ? new Carriage(creature).Stand(Scalar.Radians(SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.Manner).Motion.StandingPitch)) : asBuilt;
     }
 
     /// <summary>How much of the posture it keeps, 0..1: it comes down to walk, farther to run, and to crouch.</summary>

@@ -1,0 +1,69 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Parents;
+
+/// <summary>Withdraws what would look stuck on or could not be carried, one part at a time; all else stays as it was drawn.</summary>
+internal static class Harmony
+{
+    /// <summary>How often a head of an insect stays on another body.</summary>
+    private const double InsectHeads = 1 / 3.0;
+
+    /// <summary>The parents after the rules.</summary>
+    public static Parentage Settle(Parentage parents, LocomotionKind kind, RandomStream random)
+    {
+        SpeciesProfile first = parents.First;
+        bool insectHead = random.Chance(InsectHeads);
+        if (!CanLend(parents.Legs, first, kind) || (parents.Legs.Class == AnimalClass.Arthropod) != (first.Class == AnimalClass.Arthropod))
+        {
+            parents = parents with { Legs = first };
+        }
+
+        // Feelers across the frame, or a head that floats before the neck.
+        if (parents.Head.Class == AnimalClass.Arthropod && first.Class != AnimalClass.Arthropod && (kind == LocomotionKind.Swimming || !insectHead))
+        {
+            parents = parents with { Head = first };
+        }
+
+        // What insects wear on their heads belongs to their heads, and what others wear does not.
+        if ((parents.Ornaments.Class == AnimalClass.Arthropod) != (parents.Head.Class == AnimalClass.Arthropod))
+        {
+            parents = parents with { Ornaments = parents.Head };
+        }
+
+        // Standing on two legs of a bird's height, a long tail would lie on the ground.
+        if (parents.Legs.Bird != null && kind != LocomotionKind.Swimming && parents.Tail.Class != AnimalClass.Bird)
+        {
+            parents = parents with { Tail = first };
+        }
+
+        return parents.Fins.Fins is null == first.Fins is null && parents.Fins.Class == first.Class ? parents : parents with { Fins = first };
+    }
+
+    /// <summary>The parents on a plan: a body that lies on the ground would be tipped over by the heads of mammals and birds.</summary>
+    public static Parentage On(Parentage parents, BodyPlan plan) =>
+        plan == BodyPlan.Legless && !LiesLow(parents.Head) ? parents with { Head = parents.First, Ears = parents.First } : parents;
+
+    private static bool LiesLow(SpeciesProfile species) => species.Class is AnimalClass.Reptile or AnimalClass.Amphibian or AnimalClass.Fish;
+
+    /// <summary>The shell of a creature: wing cases on insects alone, a carapace on legs under a level back.</summary>
+    public static ShellBlueprint ShellOf(Parentage parents, BodyPlan plan)
+    {
+        ShellBlueprint shell = parents.Ornaments.Shell;
+        bool own = parents.Ornaments == parents.First;
+        bool level = plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Sprawling;
+        bool fits = own || (shell.Style == ShellStyle.Elytra ? parents.First.Class == AnimalClass.Arthropod : level);
+        return fits ? shell : new ShellBlueprint(ShellStyle.None, 24, 20, 6, 0);
+    }
+
+    /// <summary>Whether a species can give plan and legs to another body: swimmers keep their own, and only low bodies go without.</summary>
+    private static bool CanLend(SpeciesProfile legs, SpeciesProfile body, LocomotionKind kind)
+    {
+        Weighted<BodyPlan>[] plans = legs.PlansOf(kind);
+        bool lies = Array.Exists(plans, plan => plan.Value == BodyPlan.Legless);
+        return legs == body || (plans.Length > 0 && kind != LocomotionKind.Swimming && (!lies || LiesLow(body)));
+    }
+}

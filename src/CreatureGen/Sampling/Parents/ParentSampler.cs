@@ -1,0 +1,166 @@
+using System;
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Parents;
+
+/// <summary>Draws the parents of a creature and who gives what. Without strangeness a species is mixed with its kin and gives everything itself.</summary>
+/// <remarks>Every decision has a stream of its own that it draws from at any strangeness, so that a seed's creature changes step by step with it.</remarks>
+internal static class ParentSampler
+{
+    /// <summary>Probability at full strangeness that a group of parts comes from another parent.</summary>
+    private const double Swapped = 0.72;
+
+    /// <summary>The same of plan and legs: a body can stand on few other legs than its own.</summary>
+    private const double SwappedLegs = 0.5;
+
+    /// <summary>Probability that the second parent gives a part that the first does not.</summary>
+    private const double FromSecond = 0.6;
+
+    /// <summary>How often a partner of the first parent's own class is drawn again.</summary>
+    private const int Redraws = 8;
+
+    private static readonly double[] partnerWeights = { 0.45, 0.3, 0.15, 0.1 };
+
+    /// <summary>Draws the parents of a creature.</summary>
+    /// <param name="root">Its seed.</param>
+    /// <param name="kind">How it moves.</param>
+    /// <param name="first">Its first parent.</param>
+    /// <param name="choice">What the options allow.</param>
+    /// <param name="strangeness">0..1.</param>
+    public static Parentage Draw(Seed root, LocomotionKind kind, SpeciesProfile first, PlanChoice choice, double strangeness)
+    {
+        RandomStream random = root.Child("blend").Stream();
+        string partner = first.Partners[random.Weighted(partnerWeights)];
+        double kin = random.Uniform();
+        string[] siblings = SpeciesCatalogue.SiblingsOf(first);
+        int sibling = random.Integer(0, Math.Max(1, siblings.Length));
+        if (kin < first.Kinship && siblings.Length > 0)
+        {
+            partner = siblings[sibling];
+        }
+
+        double t = strangeness;
+        SpeciesProfile second = Stranger(root.Child("second parent").Stream(), first, null, choice, t) ?? SpeciesCatalogue.Find(partner);
+        var rest = new List<SpeciesProfile>();
+        foreach (SpeciesProfile family in SpeciesCatalogue.Families)
+        {
+            if (family.Body != first.Family && family != second)
+            {
+                rest.Add(family);
+            }
+        }
+
+        SpeciesProfile third = rest[random.Integer(0, rest.Count)];
+
+        // As wide as wings, a body is nothing without its edges.
+        double loosened = first.Disc.Sweep != 0 ? 0 : t;
+        double dominant = random.Uniform(Scalar.Lerp(first.Dominance.Least, 0.3, loosened), Scalar.Lerp(first.Dominance.Most, 0.6, loosened));
+        double share = random.Uniform(Scalar.Lerp(0.6, 0.5, t), Scalar.Lerp(0.9, 0.85, t));
+        third = Stranger(root.Child("third parent").Stream(), first, second, choice, t) ?? third;
+        RandomStream regions = root.Child("regions").Stream();
+        var parents = new Parentage(first, second, third)
+        {
+            Torso = (dominant, (1 - dominant) * share, (1 - dominant) * (1 - share)),
+            Region = (Math.Min(1, 3 * t) * regions.Uniform(0.72, 0.90), Math.Min(1, 3 * t) * regions.Uniform(0.65, 0.90)),
+        };
+        parents = parents with
+        {
+            Legs = Donor("legs", SwappedLegs),
+            Head = Donor("head", Swapped),
+            Tail = Donor("tail", Swapped),
+            Skin = Donor("skin", Swapped),
+            Ornaments = Donor("ornaments", Swapped),
+            Wings = Donor("wings", Swapped),
+            Fins = Donor("fins", Swapped),
+        };
+        RandomStream distance = root.Child("distance").Stream();
+        if (distance.Chance(t * t) && DistanceOf(parents) < 1)
+        {
+            parents = parents with { Head = second };
+        }
+
+        if (!choice.Leaves(parents.Legs, kind))
+        {
+            parents = parents with { Legs = first };
+        }
+
+        parents = Harmony.Settle(parents, kind, root.Child("harmony").Stream());
+        return parents with { Ears = EarsOf(parents, root.Child("foreign ears").Stream(), t) };
+
+        SpeciesProfile Donor(string group, double swapped)
+        {
+            RandomStream stream = root.Child("donor").Child(group).Stream();
+            bool other = stream.Chance(swapped * t);
+            return stream.Chance(FromSecond) ? other ? second : first : other ? third : first;
+        }
+    }
+
+    /// <summary>Any body that the options allow, rather of another class than the first parent's; null for kin.</summary>
+    private static SpeciesProfile? Stranger(RandomStream random, SpeciesProfile first, SpeciesProfile? second, PlanChoice choice, double strangeness)
+    {
+        if (!random.Chance(strangeness))
+        {
+            return null;
+        }
+
+        IReadOnlyList<SpeciesProfile> all = SpeciesCatalogue.All;
+        double[] weights = new double[all.Count];
+        double total = 0;
+        for (int i = 0; i < weights.Length; i++)
+        {
+            weights[i] = all[i] == first || all[i] == second ? 0 : choice.WeightOf(all[i]);
+            total += weights[i];
+        }
+
+        if (!(total > 0))
+        {
+            return null;
+        }
+
+        SpeciesProfile drawn = all[random.Weighted(weights)];
+        for (int redraw = 0; redraw < Redraws && second is null && Group(drawn) == Group(first) && random.Chance(strangeness); redraw++)
+        {
+            drawn = all[random.Weighted(weights)];
+        }
+
+        return drawn;
+    }
+
+    /// <summary>How far the parts are from what the first parent would have: 1 is enough for nobody to name it after an animal.</summary>
+    private static double DistanceOf(Parentage parents)
+    {
+        SpeciesProfile first = parents.First;
+        return (Group(parents.Head) != Group(first) ? 1 : 0)
+            + (parents.Tail != first ? 0.4 : 0)
+            + (Group(parents.Skin) != Group(first) ? 0.4 : 0)
+            + (parents.Ornaments != first ? 0.4 : 0)
+            + (parents.Wings != first ? 0.2 : 0);
+    }
+
+    /// <summary>Ears of a mammal among the parents now and then, on a head that has none.</summary>
+    private static SpeciesProfile EarsOf(Parentage parents, RandomStream random, double strangeness)
+    {
+        bool foreign = random.Chance(0.35 * strangeness);
+        if (!foreign || parents.Head.Class is AnimalClass.Mammal or AnimalClass.Arthropod)
+        {
+            return parents.Head;
+        }
+
+        foreach (SpeciesProfile parent in new[] { parents.First, parents.Second, parents.Third })
+        {
+            if (parent.Class == AnimalClass.Mammal)
+            {
+                return parent;
+            }
+        }
+
+        return parents.Head;
+    }
+
+    /// <summary>The class, lizards and toads taken as one.</summary>
+    private static AnimalClass Group(SpeciesProfile species) => species.Class == AnimalClass.Amphibian ? AnimalClass.Reptile : species.Class;
+}
