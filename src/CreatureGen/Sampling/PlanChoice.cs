@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Seeding;
@@ -51,6 +52,9 @@ internal sealed class PlanChoice
 
         return 1;
     }
+
+    /// <summary>Whether options leave any other body.</summary>
+    public bool LeavesOthers(SpeciesProfile species) => SpeciesCatalogue.All.Any(other => other != species && WeightOf(other) > 0);
 
     /// <summary>Draws a kind.</summary>
     public LocomotionKind Kind(RandomStream random)
@@ -132,8 +136,7 @@ internal sealed class PlanChoice
             left += plan.Weight * FactorOf(species, plan.Value);
         }
 
-        double frequency = kind switch { LocomotionKind.Walking => species.Frequency.Walking, LocomotionKind.Flying => species.Frequency.Flying, _ => species.Frequency.Swimming };
-        return whole > 0 ? frequency * WeightOf(species) * left / whole : 0;
+        return whole > 0 ? species.FrequencyOf(kind) * WeightOf(species) * left / whole : 0;
     }
 
     private double FactorOf(SpeciesProfile species, BodyPlan plan)

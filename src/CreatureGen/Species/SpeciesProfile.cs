@@ -62,6 +62,14 @@ internal sealed record SpeciesProfile
     /// <summary>Probability among walkers, fliers and swimmers, relative.</summary>
     public (double Walking, double Flying, double Swimming) Frequency { get; init; }
 
+    /// <summary>Probability among the creatures of a kind, relative.</summary>
+    public double FrequencyOf(LocomotionKind kind) => kind switch
+    {
+        LocomotionKind.Walking => Frequency.Walking,
+        LocomotionKind.Flying => Frequency.Flying,
+        _ => Frequency.Swimming,
+    };
+
     /// <summary>Base bodies that mix well with it, best first.</summary>
     public string[] Partners { get; init; } = Array.Empty<string>();
 

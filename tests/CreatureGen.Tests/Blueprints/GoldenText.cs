@@ -20,7 +20,14 @@ internal static class GoldenText
           "scale": 1.25,
           "triangleBudget": 20000,
           "body": {
-            "blend": { "first": "canine", "second": "canine", "third": "canine", "secondWeight": 0, "thirdWeight": 0 },
+            "blend": {
+              "bodies": [
+                { "name": "canine", "torso": 1, "head": 1, "tail": 1 }
+              ],
+              "face": "canine",
+              "skin": "canine",
+              "manner": "canine"
+            },
             "proportions": {
               "head": 1,
               "snout": 1,

@@ -42,6 +42,7 @@ public sealed class OptionsJsonTests
               "baseBodies": [
                 { "name": "fish", "weight": 4 }
               ],
+              "strangeness": 0.6,
               "palette": "vivid",
               "ornaments": "rich",
               "triangleBudget": 20000
@@ -87,7 +88,7 @@ public sealed class OptionsJsonTests
 
     [Theory]
     [InlineData("""{ "kind": "digging" }""", "kind = \"digging\"; expected one of any, walking, flying, swimming (line 1, column 11)")]
-    [InlineData("""{ "maxscale": 8 }""", "maxscale = 8; expected no field of this name; there are kind, minScale, maxScale, minLegPairs, maxLegPairs, bodyPlans, baseBodies, palette, ornaments, triangleBudget, individual (line 1, column 15)")]
+    [InlineData("""{ "maxscale": 8 }""", "maxscale = 8; expected no field of this name; there are kind, minScale, maxScale, minLegPairs, maxLegPairs, bodyPlans, baseBodies, strangeness, palette, ornaments, triangleBudget, individual (line 1, column 15)")]
     [InlineData("""{ "bodyPlans": [{ "weight": 0 }] }""", "bodyPlans[0].plan = nothing; expected one of digitigrade, unguligrade, plantigrade, columnar, upright, sprawling, theropod, hexapod, manyLegged, legless, centaur, flapping, buzzing, fish, eel, whale, flipper (line 1, column 17)")]
     [InlineData("""{ "baseBodies": [{ "name": "fish" }] }""", "baseBodies[0].weight = nothing; expected 0..1000 (line 1, column 18)")]
     [InlineData("""{ "minScale": 3 }""", "minScale = 3; expected at most maxScale, which is 2")]

@@ -64,6 +64,6 @@ internal static class Harmony
     {
         Weighted<BodyPlan>[] plans = legs.PlansOf(kind);
         bool lies = Array.Exists(plans, plan => plan.Value == BodyPlan.Legless);
-        return legs == body || (plans.Length > 0 && kind != LocomotionKind.Swimming && (!lies || LiesLow(body)));
+        return legs == body || (plans.Length > 0 && legs.FrequencyOf(kind) > 0 && kind != LocomotionKind.Swimming && (!lies || LiesLow(body)));
     }
 }
