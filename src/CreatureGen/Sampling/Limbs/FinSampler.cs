@@ -95,7 +95,10 @@ internal static class FinSampler
                 FinPlace.Ventral => new SocketBlueprint(fin.Ring, 15, fin.Rows, 2),
                 _ => SocketSizing.Centre(fin.Ring, fin.Segment, fin.Rows, 2),
             };
-            if (builder.Sockets.TryReserve(socket, 0))
+
+            // Fins of one species and legs of another may want the same place: the legs were first.
+            bool crowded = builder.Legs.Count > 0 && !builder.Sockets.IsFree(socket, 0);
+            if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
                 builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, fin.Drop, fin.Sweep));
             }
