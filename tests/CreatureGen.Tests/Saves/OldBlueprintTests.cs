@@ -17,7 +17,7 @@ namespace CreatureGen.Tests.Saves;
 public sealed class OldBlueprintTests
 {
     /// <summary>The last algorithm that mixed every creature of its kin alone.</summary>
-    private const int LastWithoutStrangeness = 2;
+    private const int LastWithoutStrangeness = 3;
 
     private const string Folder = "tests/CreatureGen.Tests/Saves";
 
