@@ -40,7 +40,7 @@ public sealed class IndependentReaderTests(CreatureFolder folder)
         Assert.Equal(0, read.GetProperty("warnings").GetArrayLength());
         Assert.Equal(file.Creature.Blueprint.Seed.ToString(CultureInfo.InvariantCulture), read.GetProperty("seed").GetString());
         Assert.Equal(CreatureBlueprint.CurrentAlgorithm, read.GetProperty("algorithmVersion").GetInt32());
-        Assert.Equal(CreatureBlueprint.CurrentAlgorithm, read.GetProperty("blueprintVersion").GetInt32());
+        Assert.Equal(BlueprintFormat.Current, read.GetProperty("blueprintVersion").GetInt32());
         Assert.Equal(file.Options.Provenance, read.GetProperty("options").GetString());
         Assert.Equal(["Creature", "Root"], Texts(read, "roots"));
         Assert.Equal("Root", read.GetProperty("skeleton").GetString());

@@ -325,8 +325,8 @@ public sealed class RagdollTests
             Ragdoll.PlaceUnder(rig, state, FlatGround.Level);
         }));
         Assert.Throws<ArgumentOutOfRangeException>(() => Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, float.NaN));
-        Assert.Throws<ArgumentException>(() => state.Push(1, new Vector3(float.NaN), Vector3.Zero));
-        Assert.Throws<ArgumentException>(() => new RagdollSettings(new Vector3(float.NaN)));
+        Assert.ThrowsAny<ArgumentException>(() => state.Push(1, new Vector3(float.NaN), Vector3.Zero));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new RagdollSettings(new Vector3(float.NaN)));
         Assert.Throws<ArgumentException>(() => new RagdollRig(creature.Skeleton, Array.Empty<CapsuleCollider>()));
         Assert.Throws<ArgumentException>(() => Ragdoll.Advance(RagdollRig.Of(creature), state, RagdollSettings.Default, FlatGround.Level, Frame));
         MovingPose broken = new(creature.Skeleton);
