@@ -16,9 +16,10 @@ namespace CreatureGen.Tests.Motion.Soak;
 /// </summary>
 internal sealed class SoakRun(ulong seed)
 {
-    private const double LongestSecondsOfUpdate = 5;
+    private const double LongestSecondsOfUpdate = 60;
 
-    private readonly RandomStream random = new(seed);
+    private readonly RandomStream order = new(seed);
+    private RandomStream random = new(seed);
     private readonly Dictionary<string, long> failures = [];
 
     private string subject = "";
@@ -50,6 +51,12 @@ internal sealed class SoakRun(ulong seed)
     /// <summary>What is going on now.</summary>
     public string Current => FormattableString.Invariant($"{subject}: act {lastAct}, {lastStep} s, {lastInput} over {lastGround}, from {lastRoot.Position} {lastRoot.Rotation} at scale {lastRoot.Scale}, Up {lastSettings.Up}, gravity {lastSettings.Gravity}, responses {lastSettings.Walking.SpeedResponse} and {lastSettings.Walking.YawResponse}, stride {lastSettings.Walking.Stride}, lift {lastSettings.Walking.Lift}");
 
+    /// <summary>What went on when something went wrong first.</summary>
+    public string? First { get; private set; }
+
+    /// <summary>What went on at the first exception that is not the ground's, and that exception.</summary>
+    public string? FirstException { get; private set; }
+
     /// <summary>What went wrong, and how often.</summary>
     public IReadOnlyDictionary<string, long> Failures => failures;
 
@@ -58,17 +65,20 @@ internal sealed class SoakRun(ulong seed)
     {
         while (SimulatedSeconds < simulatedSeconds)
         {
-            ulong creature = random.NextUInt64();
+            ulong creature = order.NextUInt64();
             var kind = (LocomotionKind)(Creatures++ % 3);
             RunOne(creature, kind, Math.Min(simulatedSeconds, SimulatedSeconds + secondsEach));
         }
     }
 
-    private void RunOne(ulong creature, LocomotionKind kind, double until)
+    /// <summary>Runs one creature again as it was run among the others.</summary>
+    public void RunOne(ulong creature, LocomotionKind kind, double until)
     {
+        // What happens to a creature depends on its own seed alone, so that it can be run again by itself.
+        random = new RandomStream(creature);
         var profile = new MotionProfile(CreatureGenerator.Generate(creature, CreatureOptions.Default with { Kind = RequestedKind.Walking + (int)kind }));
         var animator = new CreatureAnimator(profile);
-        var hostile = new HostileGround(Relief(), new RandomStream(creature));
+        var hostile = new HostileGround(Relief(), new RandomStream(creature + 1));
         IGround[] grounds = { FlatGround.Level, Relief(), hostile };
         while (SimulatedSeconds < until)
         {
@@ -122,6 +132,7 @@ internal sealed class SoakRun(ulong seed)
         }
         catch (Exception problem)
         {
+            FirstException ??= Current + "\n" + problem;
             Count(who + ": " + problem.GetType().Name + ": " + problem.Message);
         }
 
@@ -179,7 +190,11 @@ internal sealed class SoakRun(ulong seed)
         }
     }
 
-    private void Count(string failure) => failures[failure] = failures.GetValueOrDefault(failure) + 1;
+    private void Count(string failure)
+    {
+        First ??= Current;
+        failures[failure] = failures.GetValueOrDefault(failure) + 1;
+    }
 
     private static bool IsFinite(Vector3 v) => float.IsFinite(v.X) && float.IsFinite(v.Y) && float.IsFinite(v.Z);
 

@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using System.Linq;
 using System.Threading;
+using CreatureGen.Anatomy;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Soak;
@@ -15,6 +16,16 @@ public sealed class SoakTests
     /// <summary>Run by <c>-explicit only -class "*SoakTests"</c>: as many hours of the creatures' time as the environment variable SOAK_HOURS says (24), beginning at the seed SOAK_SEED (1).</summary>
     [Fact(Explicit = true)]
     public void For_hours_as_well() => Run(ulong.Parse(Setting("SOAK_SEED", "1"), CultureInfo.InvariantCulture), 3600 * double.Parse(Setting("SOAK_HOURS", "24"), CultureInfo.InvariantCulture), 600);
+
+    /// <summary>One creature of a long run again: the environment variable SOAK_CREATURE has its kind and seed as the long run told them.</summary>
+    [Fact(Explicit = true)]
+    public void For_one_creature_again()
+    {
+        string[] words = Setting("SOAK_CREATURE", "Walking 42").Split(' ');
+        var run = new SoakRun(1);
+        run.RunOne(ulong.Parse(words[1], CultureInfo.InvariantCulture), Enum.Parse<LocomotionKind>(words[0]), 600);
+        Assert.True(run.Failures.Count == 0, (run.FirstException ?? run.First) + "\n" + string.Join("\n", run.Failures.Take(10).Select(f => FormattableString.Invariant($"{f.Value} × {f.Key}"))));
+    }
 
     private static string Setting(string name, string otherwise) => Environment.GetEnvironmentVariable(name) is { Length: > 0 } value ? value : otherwise;
 
@@ -37,7 +48,7 @@ public sealed class SoakTests
             }
         }) { IsBackground = true };
         worker.Start();
-        for (long before = -1; !worker.Join(TimeSpan.FromSeconds(60)); before = run.Updates)
+        for (long before = -1; !worker.Join(TimeSpan.FromMinutes(4)); before = run.Updates)
         {
             Assert.True(run.Updates > before || before < 0, $"an update does not end: {run.Current}");
         }
@@ -45,7 +56,7 @@ public sealed class SoakTests
         Assert.True(failure is null, failure?.ToString());
         string report = FormattableString.Invariant($"{run.SimulatedSeconds / 3600:0.00} h, {run.Creatures} creatures, {run.Updates} updates, {run.Refused} hits refused, {run.Thrown} exceptions of grounds, longest update {1000 * run.Longest:0.0} ms");
         TestContext.Current.TestOutputHelper?.WriteLine(report);
-        Assert.True(run.Failures.Count == 0, report + "\n" + string.Join("\n", run.Failures.Take(40).Select(f => FormattableString.Invariant($"{f.Value} × {f.Key}"))));
+        Assert.True(run.Failures.Count == 0, report + "\nfirst: " + (run.FirstException ?? run.First) + "\n" + string.Join("\n", run.Failures.Take(40).Select(f => FormattableString.Invariant($"{f.Value} × {f.Key}"))));
         Assert.True(run.Refused > 0 && run.Thrown > 0, report);
     }
 }
