@@ -8,14 +8,14 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Skinning;
 
 /// <summary>
-/// Skin weights by distance, as in the thesis: every vertex is bound to its four nearest bones, the nearer the more. Kept for comparison; <see cref="AnatomicalWeights"/> is the default.
+/// Skin weights by distance, as in the thesis: every vertex is bound to its four nearest bones, the nearer the more, for any mesh and any skeleton. Grown creatures are bound by their anatomy instead, since distance alone folds skin.
 /// </summary>
 /// <remarks>
-/// Distance alone would tie a left leg to the right one and a curled tail to the head. So only bones that the surface connects are asked: of a limb's vertex the limb's own bones and those
+/// Of any mesh, all bones are asked. In grown creatures distance alone would tie a left leg to the right one and a curled tail to the head. So only bones that the surface connects are asked: of a limb's vertex the limb's own bones and those
 /// that move its socket; of the body's vertices the bones of the spine no more than two further along, the jaw below the mouth slit, and the thighs of limbs whose socket is at most two edges away.
 /// A vertex on the midline asks no limb. Weights fall with the square of the distance to the bone's segment.
 /// </remarks>
-internal static class NearestBoneWeights
+public static class NearestBoneWeights
 {
     /// <summary>Bones of the spine on either side of a vertex's own that are asked.</summary>
     private const int SpineReach = 2;
@@ -23,10 +23,66 @@ internal static class NearestBoneWeights
     /// <summary>Least distance, in lengths of the whole spine, so that a vertex on a bone has a finite weight.</summary>
     private const double LeastDistance = 1e-4;
 
+    /// <summary>Binds the vertices of any mesh.</summary>
+    /// <param name="positions">Vertices in the skeleton's rest pose, model space, metres.</param>
+    /// <param name="skeleton">Its bones go from joints to their main children; joints without children are bones of no length, end joints none.</param>
+    /// <returns>The four nearest bones of each vertex, weighted by the inverse square of the distance.</returns>
+    /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
+    /// <exception cref="ArgumentException">A position is not finite.</exception>
+    public static SkinWeights[] Solve(ReadOnlySpan<Vector3> positions, Skeleton skeleton)
+    {
+        int[] bones = BonesOf(skeleton ?? throw new ArgumentNullException(nameof(skeleton)));
+        float size = 0f;
+        foreach (Vector3 p in skeleton.ModelPositions)
+        {
+            size = Math.Max(size, Vec.Distance(p, skeleton.ModelPositions[0]));
+        }
+
+        float least = Math.Max((float)LeastDistance * size, 1e-9f);
+        var weights = new SkinWeights[positions.Length];
+        var list = new InfluenceList(stackalloc int[InfluenceList.Capacity], stackalloc float[InfluenceList.Capacity]);
+        Span<int> nearest = stackalloc int[4];
+        Span<float> shares = stackalloc float[4];
+        for (int v = 0; v < weights.Length; v++)
+        {
+            Finite.Require(positions[v], nameof(positions));
+            int found = 0;
+            foreach (int bone in bones)
+            {
+                float distance = Distance(skeleton, bone, positions[v], least);
+                float share = 1f / (distance * distance);
+                if (found == 4 && share <= shares[3])
+                {
+                    continue;
+                }
+
+                int at = found < 4 ? found++ : 3;
+                while (at > 0 && shares[at - 1] < share)
+                {
+                    (shares[at], nearest[at]) = (shares[at - 1], nearest[at - 1]);
+                    at--;
+                }
+
+                (shares[at], nearest[at]) = (share, bone);
+            }
+
+            list.Clear();
+            for (int k = 0; k < found; k++)
+            {
+                list.Add(nearest[k], shares[k]);
+            }
+
+            shares.Clear();
+            weights[v] = list.ToWeights();
+        }
+
+        return weights;
+    }
+
     /// <summary>One set of influences per vertex of the surface.</summary>
     /// <param name="input">The surface and its anatomy, at scale 1.</param>
     /// <param name="rig">The rig built from it.</param>
-    public static SkinWeights[] Solve(RigInput input, Rig rig)
+    internal static SkinWeights[] Solve(RigInput input, Rig rig)
     {
         Surface surface = input.Surface;
         var spread = SocketSpread.Measure(surface, input.Adjacency, input.Appendages);
@@ -101,13 +157,44 @@ internal static class NearestBoneWeights
         }
     }
 
+    private static int[] BonesOf(Skeleton skeleton)
+    {
+        bool[] carries = new bool[skeleton.Count];
+        foreach (int parent in skeleton.Parents)
+        {
+            if (parent >= 0)
+            {
+                carries[parent] = true;
+            }
+        }
+
+        int[] bones = Array.FindAll(Sequence(skeleton.Count), i => skeleton.Joints[i].Length > 0f || (!carries[i] && skeleton.Joints[i].Role != JointRole.End));
+        return bones.Length > 0 ? bones : new[] { 0 };
+    }
+
+    private static int[] Sequence(int count)
+    {
+        int[] sequence = new int[count];
+        for (int i = 0; i < count; i++)
+        {
+            sequence[i] = i;
+        }
+
+        return sequence;
+    }
+
     private static void Ask(ref InfluenceList list, Skeleton skeleton, int joint, Vector3 p, float least)
     {
+        float distance = Distance(skeleton, joint, p, least);
+        list.Add(joint, 1f / (distance * distance));
+    }
+
+    private static float Distance(Skeleton skeleton, int joint, Vector3 p, float least)
+    {
         Vector3 start = skeleton.ModelPositions[joint];
-        Vector3 along = Rotation.Rotate(skeleton.ModelRotations[joint], Vector3.UnitY) * skeleton.Joints[joint].Length;
+        Vector3 along = Rotation.Rotate(skeleton.ModelRotations[joint], skeleton.Joints[joint].Along) * skeleton.Joints[joint].Length;
         float squared = Vec.LengthSquared(along);
         float t = squared > 0f ? Scalar.Clamp(Vec.Dot(p - start, along) / squared, 0f, 1f) : 0f;
-        float distance = Math.Max(Vec.Distance(p, start + (along * t)), least);
-        list.Add(joint, 1f / (distance * distance));
+        return Math.Max(Vec.Distance(p, start + (along * t)), least);
     }
 }

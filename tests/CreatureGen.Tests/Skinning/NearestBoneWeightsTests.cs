@@ -65,4 +65,37 @@ public sealed class NearestBoneWeightsTests
         float t = Scalar.Clamp(Vec.Dot(p - a, d) / Vec.LengthSquared(d), 0f, 1f);
         return Vec.LengthSquared(p - (a + (d * t)));
     }
+
+    [Fact]
+    public void Vertices_of_any_mesh_follow_the_four_nearest_bones_of_any_skeleton()
+    {
+        var placements = new System.Collections.Generic.List<JointPlacement>();
+        for (int i = 0; i < 8; i++)
+        {
+            placements.Add(new JointPlacement(FormattableString.Invariant($"bone {i}"), i - 1, Quaternion.Identity, new Vector3(i == 0 ? 0f : 1f, 0f, 0f)));
+        }
+
+        Skeleton skeleton = Skeleton.Build(placements);
+        var random = new Random(4);
+        Vector3[] points = [.. System.Linq.Enumerable.Range(0, 200).Select(_ => new Vector3(random.NextSingle() * 8f, random.NextSingle() - 0.5f, random.NextSingle() - 0.5f))];
+        SkinWeights[] weights = NearestBoneWeights.Solve(points, skeleton);
+        for (int v = 0; v < points.Length; v++)
+        {
+            // Naive: the distance to each bone from x = i to i + 1; the last joint is a point.
+            double To(int bone)
+            {
+                double aside = Math.Sqrt((points[v].Y * points[v].Y) + (points[v].Z * points[v].Z));
+                double x = points[v].X - Math.Clamp(points[v].X, bone, bone == 7 ? 7 : bone + 1);
+                return Math.Max(Math.Sqrt((aside * aside) + (x * x)), 7e-4);
+            }
+
+            int[] nearest = [.. System.Linq.Enumerable.Range(0, 8).OrderBy(To).Take(4)];
+            double sum = nearest.Sum(b => 1 / (To(b) * To(b)));
+            Assert.Equal(nearest[0], weights[v].Joint0);
+            Assert.Equal(1 / (To(nearest[0]) * To(nearest[0])) / sum, weights[v].Weights.X, 2);
+            Assert.Equal(1f, weights[v].Weights.X + weights[v].Weights.Y + weights[v].Weights.Z + weights[v].Weights.W);
+        }
+
+        Assert.Throws<ArgumentException>(() => NearestBoneWeights.Solve([new Vector3(float.NaN)], skeleton));
+    }
 }

@@ -251,6 +251,7 @@ public static class SpringBones
             Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
             Vector3 offset = bone.Offset;
             Vector3 velocity = Driven(bone, goalVelocity, push, width);
+            velocity = settings.Drag > 0f ? Blown(velocity, goalVelocity, settings.Wind, state.Slowed) : velocity;
             Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
             velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
             Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
@@ -278,6 +279,7 @@ public static class SpringBones
         float fraction = state.Debt / Substep;
         Vector3 goalVelocity = fraction > MinFraction ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
         Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * Substep, length * state.Width);
+        velocity = settings.Drag > 0f ? Blown(velocity, goalVelocity, settings.Wind, state.Slowed) : velocity;
         Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), fraction);
         Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
         direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale);
@@ -347,6 +349,13 @@ public static class SpringBones
         float max = bone.Liveliness * Math.Max((width * width) - Vec.LengthSquared(bone.Offset), 0f);
         float squared = Vec.LengthSquared(velocity);
         return squared > max ? velocity * MathF.Sqrt(max / squared) : velocity;
+    }
+
+    /// <summary>Velocity relative to the goal after the air has taken its part of a substep.</summary>
+    private static Vector3 Blown(Vector3 velocity, Vector3 goalVelocity, Vector3 wind, float left)
+    {
+        Vector3 air = wind - goalVelocity;
+        return air + ((velocity - air) * left);
     }
 
     /// <summary>A direction no farther from another than the cone allows.</summary>

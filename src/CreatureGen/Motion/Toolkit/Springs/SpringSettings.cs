@@ -21,6 +21,8 @@ public readonly struct SpringSettings
     /// <param name="teleportDistance">World metres in one step beyond which the creature is taken to have been put elsewhere, not to have moved.</param>
     /// <param name="teleportAngle">Radians of turn in one step beyond which likewise.</param>
     /// <param name="maxSpeed">How fast a bone may swing, in parts of what it would swinging free over its full width: slower towards the ends of it, where it comes to rest. Not limited by default; of no effect where the frequency is 0.</param>
+    /// <param name="drag">Part of its velocity through the air that a bone loses in a second, as a rate: e^(−drag) of it is left; none by default. Apart from the damping of the spring, so that bones without stiffness come to rest too.</param>
+    /// <param name="wind">Velocity of the air in world space, m/s; of effect where there is drag.</param>
     /// <exception cref="ArgumentException">A number is outside its range or not finite.</exception>
     public SpringSettings(
         ChainCurve frequency,
@@ -33,7 +35,9 @@ public readonly struct SpringSettings
         float weight = 1f,
         float teleportDistance = 5f,
         float teleportAngle = 2.4f,
-        float maxSpeed = float.MaxValue)
+        float maxSpeed = float.MaxValue,
+        float drag = 0f,
+        Vector3 wind = default)
     {
         Finite.Require(gravity, nameof(gravity));
         Finite.RequireWithin(maxSwing, 1e-3f, 3.1416f, nameof(maxSwing));
@@ -42,6 +46,8 @@ public readonly struct SpringSettings
         Finite.RequireWithin(weight, 0f, 1f, nameof(weight));
         Finite.RequireWithin(teleportDistance, 0f, float.MaxValue, nameof(teleportDistance));
         Finite.RequireWithin(teleportAngle, 0f, 4f, nameof(teleportAngle));
+        Finite.RequireWithin(drag, 0f, 1e4f, nameof(drag));
+        Finite.Require(wind, nameof(wind));
         Finite.RequireWithin(maxSpeed, 0.01f, float.MaxValue, nameof(maxSpeed));
         Frequency = frequency;
         DampingRatio = dampingRatio;
@@ -54,6 +60,8 @@ public readonly struct SpringSettings
         TeleportDistance = teleportDistance;
         TeleportAngle = teleportAngle;
         MaxSpeed = maxSpeed;
+        Drag = drag;
+        Wind = wind;
     }
 
     /// <summary>Hz along the chain.</summary>
@@ -88,6 +96,12 @@ public readonly struct SpringSettings
 
     /// <summary>Parts of the speed of a free swing over the full width.</summary>
     public float MaxSpeed { get; }
+
+    /// <summary>Rate at which velocity through the air is lost, s⁻¹.</summary>
+    public float Drag { get; }
+
+    /// <summary>World space, m/s.</summary>
+    public Vector3 Wind { get; }
 
     /// <summary>The same under another acceleration.</summary>
     /// <param name="gravity">World space, m/s²; finite.</param>

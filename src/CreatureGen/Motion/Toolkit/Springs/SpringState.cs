@@ -46,6 +46,9 @@ public sealed class SpringState
     /// <summary>The greatest offset of a tip from its goal, lengths of its bone.</summary>
     internal float Width { get; private set; }
 
+    /// <summary>Part of the velocity through the air that is left after a substep.</summary>
+    internal float Slowed { get; private set; } = 1f;
+
     /// <summary>Colliders from the creature's place, world axes; grows to the most that were ever given.</summary>
     internal SpringCollider[] Colliders { get; set; }
 
@@ -78,6 +81,7 @@ public sealed class SpringState
     /// <summary>Works out the springs anew if the settings are not those they were worked out for.</summary>
     internal void Tune(in SpringSettings settings)
     {
+        Slowed = Damping.Left(settings.Drag, SpringBones.Substep);
         if (tuned && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MaxSwing && speed == settings.MaxSpeed)
         {
             return;

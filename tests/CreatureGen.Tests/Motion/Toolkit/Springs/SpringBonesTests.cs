@@ -426,6 +426,49 @@ public sealed class SpringBonesTests
         Assert.True(pose.ModelPositions[5].X < -0.01f);
     }
 
+    [Theory]
+    [InlineData(0f)]
+    [InlineData(3f)]
+    public void Bones_without_stiffness_swing_for_ever_unless_air_slows_them(float drag)
+    {
+        // They stand up against gravity and fall to one side.
+        SpringSettings limp = new(new ChainCurve(0f), new ChainCurve(0f), gravity: new Vector3(0f, -9.81f, 1f), maxSwing: 3.1f, drag: drag);
+        SpringState state = new(rig);
+        Vector3 before = default;
+        float speed = 0f;
+        for (int i = 0; i < 900; i++)
+        {
+            MovingPose pose = new(skeleton);
+            SpringBones.Update(rig, state, limp, RootPlace.Identity, default, 1f / 60f, pose.Local, pose.Model);
+            speed = i > 840 ? Math.Max(speed, Vec.Distance(before, pose.ModelPositions[7]) * 60f) : 0f;
+            before = pose.ModelPositions[7];
+        }
+
+        Assert.Equal(drag > 0f, speed < 0.05f);
+    }
+
+    [Fact]
+    public void Wind_bends_bones_its_own_way_and_the_faster_the_farther()
+    {
+        Assert.Equal(0f, Blown(0f), 4);
+        Assert.InRange(Blown(3f), 0.02f, Blown(6f) - 0.01f);
+        Assert.Equal(-Blown(3f), Blown(-3f), 4);
+
+        static float Blown(float wind)
+        {
+            SpringSettings airy = new(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f), drag: 4f, wind: new Vector3(wind, 0f, 0f));
+            SpringState state = new(rig);
+            MovingPose pose = new(skeleton);
+            for (int i = 0; i < 300; i++)
+            {
+                pose = new MovingPose(skeleton);
+                SpringBones.Update(rig, state, airy, RootPlace.Identity, default, 1f / 60f, pose.Local, pose.Model);
+            }
+
+            return pose.ModelPositions[7].X;
+        }
+    }
+
     [Fact]
     public void Swinging_allocates_nothing_and_refuses_what_is_no_number()
     {

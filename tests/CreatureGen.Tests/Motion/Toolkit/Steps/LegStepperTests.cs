@@ -1,0 +1,85 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Tests.Motion;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Toolkit.Steps;
+
+public sealed class LegStepperTests
+{
+    private static readonly Vector3[] places = [new(0.3f, 0f, 0.5f), new(-0.3f, 0f, 0.5f), new(0.3f, 0f, -0.5f), new(-0.3f, 0f, -0.5f)];
+    private static readonly int[] diagonals = [0, 1, 1, 0];
+    private static readonly LegStepSettings settings = new(0.2f, 0.15f);
+
+    [Theory]
+    [InlineData(30)]
+    [InlineData(144)]
+    public void Diagonal_feet_follow_a_body_by_turns_and_none_slides(int rate)
+    {
+        SteppingFoot[] feet = Array.ConvertAll(places, p => new SteppingFoot(p));
+        int turn = -1;
+        int[] steps = new int[4];
+        float farthest = 0f;
+        for (int i = 1; i <= 6 * rate; i++)
+        {
+            SteppingFoot[] before = (SteppingFoot[])feet.Clone();
+            Vector3 body = new(0f, 0f, 0.8f * i / rate);
+            Vector3[] homes = Array.ConvertAll(places, p => p + body);
+            LegStepper.Update(feet, diagonals, homes, settings, FlatGround.Level, Vector3.UnitY, 1f / rate, ref turn);
+            Assert.Single(feet.Select((f, k) => f.IsStepping ? diagonals[k] : turn).Distinct());
+            for (int k = 0; k < 4; k++)
+            {
+                steps[k] += feet[k].IsStepping && !before[k].IsStepping ? 1 : 0;
+                Assert.True(feet[k].IsStepping || before[k].IsStepping || feet[k].Position == before[k].Position);
+                Assert.True(feet[k].IsStepping || feet[k].Position.Y == 0f);
+                farthest = Math.Max(farthest, Vec.Distance(feet[k].Position, homes[k]));
+            }
+        }
+
+        Assert.InRange(farthest, settings.Distance, 2.5f * settings.Distance);
+        Assert.All(steps, n => Assert.InRange(n, steps.Min(), steps.Min() + 1));
+        Assert.True(steps.Min() > 8);
+    }
+
+    [Fact]
+    public void A_step_ends_beyond_its_home_and_is_highest_in_its_middle()
+    {
+        SteppingFoot[] feet = [new(Vector3.Zero)];
+        int turn = -1;
+        Vector3[] homes = [new(0f, 0f, 1f)];
+        LegStepper.Update(feet, [0], homes, new LegStepSettings(0.5f, 1f, overshoot: 0.4f, lift: 0.3f), FlatGround.Level, Vector3.UnitY, 0f, ref turn);
+        Assert.Equal(new Vector3(0f, 0f, 1.2f), feet[0].To);
+        LegStepper.Update(feet, [0], homes, new LegStepSettings(0.5f, 1f, overshoot: 0.4f, lift: 0.3f), FlatGround.Level, Vector3.UnitY, 0.5f, ref turn);
+        Assert.True(Vec.Distance(new Vector3(0f, 0.36f, 0.6f), feet[0].Position) < 1e-5f);
+        LegStepper.Update(feet, [0], homes, new LegStepSettings(0.5f, 1f, overshoot: 0.4f, lift: 0.3f), FlatGround.Level, Vector3.UnitY, 0.6f, ref turn);
+        Assert.Equal(feet[0].To, feet[0].Position);
+        Assert.False(feet[0].IsStepping);
+    }
+
+    [Fact]
+    public void A_foot_near_its_home_rests_and_one_without_ground_does_not_step()
+    {
+        SteppingFoot[] feet = [new(Vector3.Zero)];
+        int turn = -1;
+        LegStepper.Update(feet, [0], [new Vector3(0.19f, 0f, 0f)], settings, FlatGround.Level, Vector3.UnitY, 0.1f, ref turn);
+        Assert.False(feet[0].IsStepping);
+        LegStepper.Update(feet, [0], [new Vector3(0.3f, 50f, 0f)], settings, FlatGround.Level, Vector3.UnitY, 0.1f, ref turn);
+        Assert.False(feet[0].IsStepping);
+    }
+
+    [Fact]
+    public void Stepping_allocates_nothing_and_refuses_what_does_not_fit()
+    {
+        SteppingFoot[] feet = Array.ConvertAll(places, p => new SteppingFoot(p));
+        int turn = -1;
+        Assert.Equal(0, MovingPose.Allocated(() => LegStepper.Update(feet, diagonals, places, settings, FlatGround.Level, Vector3.UnitY, 0.01f, ref turn)));
+        Assert.Contains("expected one of each for 4 feet", Assert.Throws<ArgumentException>(() => LegStepper.Update(feet, [0], places, settings, FlatGround.Level, Vector3.UnitY, 0.01f, ref turn)).Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => LegStepper.Update(feet, diagonals, places, default, FlatGround.Level, Vector3.UnitY, 0.01f, ref turn));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new LegStepSettings(0f, 1f));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new LegStepSettings(1f, float.NaN));
+    }
+}
