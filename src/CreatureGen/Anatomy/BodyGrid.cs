@@ -9,7 +9,7 @@ namespace CreatureGen.Anatomy;
 /// Ring 0 is the nose, ring 54 the tip of the tail. Segment 0 is dorsal, 8 the left flank (+X), 16 ventral, 24 the right flank; segment j mirrors to (32 − j) mod 32.
 /// A cell (ring i, segment j) is the quad between rings i and i + 1 and segments j and j + 1. The same ring means the same anatomy in every body.
 /// </remarks>
-public static class BodyGrid
+internal static class BodyGrid
 {
     /// <summary>Number of rings, nose to tail.</summary>
     public const int Rings = 55;

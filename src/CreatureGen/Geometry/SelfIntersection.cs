@@ -12,7 +12,7 @@ namespace CreatureGen.Geometry;
 /// Vertices are the same only when their indices are: a mesh whose vertices are split for drawing goes through <see cref="VertexWelding"/> first.
 /// Triangles with a corner that is not finite cross none.
 /// </remarks>
-public static class SelfIntersection
+internal static class SelfIntersection
 {
     /// <summary>Finds all pairs of crossing triangles.</summary>
     /// <param name="positions">One per vertex.</param>

@@ -7,7 +7,7 @@ using CreatureGen.Maths;
 namespace CreatureGen.Geometry;
 
 /// <summary>Buffers for <see cref="SelfIntersection"/>, kept from one search to the next. For one thread at a time.</summary>
-public sealed class SelfIntersectionWorkspace
+internal sealed class SelfIntersectionWorkspace
 {
     // Pairs of nodes taken down the tree at once; each gives up to sixteen pairs of children.
     private const int Batch = 64;

@@ -13,7 +13,7 @@ namespace CreatureGen.Geometry;
 /// for the 3-D tetrahedron inertia tensor in terms of its vertex coordinates". Sums run in doubles in the order of the triangles.
 /// Parts of the body that the surface encloses twice count twice. A surface that is turned inside out has a negative volume and inertia.
 /// </remarks>
-public readonly struct SolidProperties
+internal readonly struct SolidProperties
 {
     private SolidProperties(double area, double volume, double x, double y, double z, double xx, double yy, double zz, double xy, double yz, double zx)
     {

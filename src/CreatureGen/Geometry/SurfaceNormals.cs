@@ -6,7 +6,7 @@ using CreatureGen.Maths;
 namespace CreatureGen.Geometry;
 
 /// <summary>Unit normals of a triangle mesh.</summary>
-public static class SurfaceNormals
+internal static class SurfaceNormals
 {
     // Adding and subtracting this rounds a number of a few radians to a multiple of 2⁻³⁶. Sums of such multiples are exact up to 2¹⁷ radians around a vertex.
     private const double ToGrid = 1.5 * (1L << (52 - 36));

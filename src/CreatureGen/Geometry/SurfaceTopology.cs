@@ -8,7 +8,7 @@ namespace CreatureGen.Geometry;
 /// Vertices are the same only when their indices are: a mesh whose vertices are split for drawing goes through <see cref="VertexWelding"/> first.
 /// Triangles that use a vertex twice have no place in the topology; they count as degenerate and nowhere else.
 /// </remarks>
-public sealed record SurfaceTopology
+internal sealed record SurfaceTopology
 {
     internal SurfaceTopology()
     {

@@ -8,7 +8,7 @@ namespace CreatureGen.Geometry;
 /// Vertices joined by exactly equal position, as needed before a drawn mesh is measured: its vertices are split where texture coordinates or normals part.
 /// </summary>
 /// <remarks>Zero and minus zero are the same place. A position that is not finite is joined to none.</remarks>
-public sealed class VertexWelding
+internal sealed class VertexWelding
 {
     private readonly Vector3[] positions;
     private readonly int[] newIndex;

@@ -16,7 +16,7 @@ namespace CreatureGen.Lattices;
 /// from rest: where nothing is displaced, nothing moves by a single bit.</para>
 /// <para>A point outside the parallelepiped moves by as much as the point inside whose local coordinates are nearest; the polynomials would fling it far away.</para>
 /// </remarks>
-public sealed class FreeFormLattice
+internal sealed class FreeFormLattice
 {
     /// <summary>The largest degree along an axis; beyond it a Bézier volume hardly follows its points.</summary>
     public const int MaxDegree = 31;

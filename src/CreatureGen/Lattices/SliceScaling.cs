@@ -9,7 +9,7 @@ namespace CreatureGen.Lattices;
 /// Scaling the slices' own places along U would let them pass one another and turn the ends inside out; so each keeps the place of the slice before it
 /// and adds its own step, and every point stays behind those it was behind. The whole may grow longer or shorter.
 /// </remarks>
-public static class SliceScaling
+internal static class SliceScaling
 {
     /// <summary>The places of the slices along U in units of its length: 0 for the first, and each further one 1/n times its length factor beyond the one before it.</summary>
     /// <param name="lengths">One positive finite factor for each of the n + 1 slices, at least 2; the first has no slice before it and does not count.</param>

@@ -4,7 +4,7 @@ namespace CreatureGen.Maths;
 
 /// <summary>Bernstein polynomials B(n, k)(t) = n!/(k!(n − k)!) · tᵏ · (1 − t)ⁿ⁻ᵏ: the weights of the control points of a Bézier curve.</summary>
 /// <remarks>They add up to 1 for every t, are not negative for t in 0..1, and Σ (k/n) · B(n, k)(t) = t. Based on: G. Farin, "Curves and Surfaces for CAGD" (2002), chapter 5.</remarks>
-public static class Bernstein
+internal static class Bernstein
 {
     /// <summary>The n + 1 polynomials of degree n at <paramref name="t"/>.</summary>
     /// <param name="t">Any finite number; outside 0..1 weights are negative and rounding errors grow with its n-th power.</param>

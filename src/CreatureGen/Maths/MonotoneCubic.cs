@@ -7,7 +7,7 @@ namespace CreatureGen.Maths;
 /// Piecewise cubic Hermite interpolation that never overshoots its data (PCHIP).
 /// </summary>
 /// <remarks>Based on: F. N. Fritsch and J. Butland, "A method for constructing local monotone piecewise cubic interpolants" (1984); end slopes are the three-point formula of Moler.</remarks>
-public static class MonotoneCubic
+internal static class MonotoneCubic
 {
     /// <summary>Slopes at the knots; all spans have the length of <paramref name="knots"/> (at least 2).</summary>
     /// <param name="knots">Strictly ascending.</param>

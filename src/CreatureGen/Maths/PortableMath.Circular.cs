@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 namespace CreatureGen.Maths;
 
 /// <content>Sine and cosine.</content>
-public static partial class PortableMath
+internal static partial class PortableMath
 {
     private const double QuarterPi = 0.7853981633974483;
 

@@ -4,7 +4,7 @@ using System.Runtime.CompilerServices;
 namespace CreatureGen.Maths;
 
 /// <content>Exponential, logarithm, powers.</content>
-public static partial class PortableMath
+internal static partial class PortableMath
 {
     private const double OverLn2 = 1.4426950408889634;
 

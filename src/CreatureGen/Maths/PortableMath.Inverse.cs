@@ -3,7 +3,7 @@ using System;
 namespace CreatureGen.Maths;
 
 /// <content>Inverse circular functions.</content>
-public static partial class PortableMath
+internal static partial class PortableMath
 {
     // Minimax polynomial (Remez exchange) on 0..1/64 in the squared tangent: (atan t / t − 1) / t².
     private const double A0 = -0.3333333333333333;

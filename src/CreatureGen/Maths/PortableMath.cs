@@ -8,7 +8,7 @@ namespace CreatureGen.Maths;
 /// <para>Special values follow IEEE 754-2019, section 9.2: NaN in gives NaN out (except <c>Pow(x, 0)</c> = <c>Pow(1, y)</c> = 1), arguments outside the
 /// domain give NaN, and odd functions keep the sign of zero. No function throws.</para>
 /// </remarks>
-public static partial class PortableMath
+internal static partial class PortableMath
 {
     /// <summary>Half the circumference of the unit circle.</summary>
     public const double Pi = 3.14159265358979323846;

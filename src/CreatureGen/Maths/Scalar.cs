@@ -1,7 +1,7 @@
 namespace CreatureGen.Maths;
 
 /// <summary>Small functions of one or a few numbers.</summary>
-public static class Scalar
+internal static class Scalar
 {
     /// <summary>Cubic ease x²(3 − 2x) of x clamped to 0..1: zero slope at both ends.</summary>
     public static double Smooth(double x)

@@ -3,7 +3,7 @@ using System;
 namespace CreatureGen.Maths;
 
 /// <summary>The transfer curve of sRGB (IEC 61966-2-1) between linear light and encoded bytes.</summary>
-public static class SrgbCurve
+internal static class SrgbCurve
 {
     // At the dark end one step of the table is 0.2 of a byte, so that rounding is right nearly everywhere.
     private const int Steps = 16384;

@@ -1,7 +1,7 @@
 namespace CreatureGen.Maths;
 
 /// <summary>Every tolerance of the library, with its unit and its reason.</summary>
-public static class Tolerance
+internal static class Tolerance
 {
     /// <summary>Metres. A vector shorter than this has no direction worth normalising.</summary>
     public const float DirectionLength = 1e-9f;

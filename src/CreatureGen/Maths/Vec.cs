@@ -11,7 +11,7 @@ namespace CreatureGen.Maths;
 /// The methods of <c>System.Numerics</c> with the same names may fuse multiplications with additions or change the order of a sum
 /// with the width of the processor's registers; these never do. The componentwise operators of <see cref="Vector3"/> are exact and are used as they are.
 /// </remarks>
-public static class Vec
+internal static class Vec
 {
     /// <summary>Scalar product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
