@@ -14,6 +14,9 @@ internal static class SlitherMotion
     /// <summary>How quickly one way of crawling goes over into another, per body length of way.</summary>
     private const double ModeSharpness = 6;
 
+    /// <summary>Least way for each metre along the track.</summary>
+    private const double MinProgress = 0.1;
+
     /// <summary>Breaths per second of a body of one metre.</summary>
     private const double BreathRate = 0.3;
 
@@ -65,9 +68,7 @@ internal static class SlitherMotion
             state.Travel = yaw;
             state.Winding = CriticallyDampedSpring.At(WindingOf(profile, input.Mode));
             state.Sidewinding = CriticallyDampedSpring.At(SidewindingOf(input.Mode));
-            PortableMath.SinCos(yaw, out double sine, out double cosine);
-            double lead = SlitherPose.Lead(profile);
-            state.Track.Lay(middle.X + (lead * sine), middle.Y, middle.Z + (lead * cosine), yaw, floor);
+            Lay(profile, input.Mode, middle, yaw, floor, state);
             return;
         }
 
@@ -79,6 +80,22 @@ internal static class SlitherMotion
         double height = floor.HeightAt(middle.X, middle.Y, middle.Z, out _);
         state.Track.Carry(turn, middle.X - ((p.X * c) + (p.Z * s)), height - p.Y, middle.Z - ((p.Z * c) - (p.X * s)));
         state.Travel += turn;
+    }
+
+    /// <summary>Lays the body about a place, as it would have come there; what does not undulate begins straight.</summary>
+    private static void Lay(SlitherProfile profile, SlitherGait mode, Vector3 middle, double yaw, in CrawlFloor floor, SlitherState state)
+    {
+        double alpha = mode == SlitherGait.Undulating ? state.Winding.Value : 0;
+        TrackSteering.Mean(alpha, 0, out double along, out _);
+        state.Progress = Math.Max(along, MinProgress);
+        PortableMath.SinCos(yaw, out double sine, out double cosine);
+        double lead = SlitherPose.Lead(profile) * state.Progress;
+        double x = middle.X + (lead * sine);
+        double z = middle.Z + (lead * cosine);
+        var steer = new TrackSteering(yaw, yaw, 0, alpha, 0);
+        state.Track.Lay(x, middle.Y, z, steer, floor);
+        SlitherPose.FindMiddle(profile, state, floor);
+        state.Track.Lay(x + middle.X - state.Middle.X, middle.Y, z + middle.Z - state.Middle.Z, steer, floor);
     }
 
     /// <summary>How far the track swings, radians.</summary>
@@ -112,7 +129,7 @@ internal static class SlitherMotion
         PortableMath.SinCos(alpha, out double sine, out double cosine);
         along -= sides * cosine;
         across -= sides * sine;
-        state.Progress = Math.Max(Math.Sqrt((along * along) + (across * across)), 0.1);
+        state.Progress = Math.Max(Math.Sqrt((along * along) + (across * across)), MinProgress);
         double slant = -PortableMath.Atan2(across, along);
         state.Slant = slant;
         double arc = way / state.Progress;

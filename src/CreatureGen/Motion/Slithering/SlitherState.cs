@@ -24,7 +24,7 @@ internal sealed class SlitherState
     /// <summary>Metres on its way for each metre along its track.</summary>
     internal double Progress = 1;
 
-    /// <summary>A crawler that lies straight where its root first is.</summary>
+    /// <summary>A crawler that lies where its root first is, in the bends of its way of crawling.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
     public SlitherState(SlitherProfile profile)
     {
@@ -42,7 +42,7 @@ internal sealed class SlitherState
     /// <summary>Place in the wave at the head, 0..1.</summary>
     public float CyclePhase => (float)(Track.Head / Track.Wavelength - Math.Floor(Track.Head / Track.Wavelength));
 
-    /// <summary>Lays the crawler straight at its root again with the next update: after a teleport without its shape.</summary>
+    /// <summary>Lays the crawler anew at its root with the next update: after a teleport without its shape.</summary>
     public void Reset()
     {
         Placed = false;

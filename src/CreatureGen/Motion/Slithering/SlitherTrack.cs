@@ -45,22 +45,39 @@ internal sealed class SlitherTrack
     /// <summary>Where the head is.</summary>
     public TrackPoint HeadPoint { get; private set; }
 
-    /// <summary>Fills the track with a straight line that ends at the head, on the ground near a height.</summary>
-    public void Lay(double headX, double near, double headZ, double heading, in CrawlFloor floor)
+    /// <summary>Fills the track with the way on which a head would have come to where it is, on the ground near a height.</summary>
+    public void Lay(double headX, double near, double headZ, in TrackSteering steer, in CrawlFloor floor)
     {
         Head = 0;
         newest = Ahead;
-        PortableMath.SinCos(heading, out double sine, out double cosine);
+        double px = headX;
+        double pz = headZ;
+        for (long point = 0; point < newest; point++)
+        {
+            Stride(point, steer, out double dx, out double dz);
+            px += dx;
+            pz += dz;
+        }
+
         for (int k = 0; k < x.Length; k++)
         {
             long point = newest - k;
-            double px = headX + (point * Step * sine);
-            double pz = headZ + (point * Step * cosine);
             near = floor.HeightAt(px, near, pz, out Vector3 normal);
-            Store(point, new TrackPoint(px, near, pz, normal), heading);
+            Store(point, new TrackPoint(px, near, pz, normal), steer.TravelAt(1));
+            Stride(point - 1, steer, out double dx, out double dz);
+            px -= dx;
+            pz -= dz;
         }
 
         HeadPoint = Point(0);
+    }
+
+    /// <summary>From a point to the next.</summary>
+    private void Stride(long point, in TrackSteering steer, out double dx, out double dz)
+    {
+        PortableMath.SinCos(steer.HeadingAt((point + 0.5) * Step, 1, Wavelength), out double sine, out double cosine);
+        dx = Step * sine;
+        dz = Step * cosine;
     }
 
     /// <summary>Moves the head on along headings that swing about its way.</summary>

@@ -46,6 +46,22 @@ public sealed class CrawlerPlaceTests
         }
     }
 
+    [Fact]
+    public void A_snake_that_has_not_moved_yet_lies_in_bends_about_its_root()
+    {
+        foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
+        {
+            var animator = new CreatureAnimator(creature);
+            var place = new RootPlace(new Vector3(3f, 0f, -2f), Quaternion.Identity);
+            animator.Teleport(place, FlatGround.Level);
+            animator.Update(Step, default, FlatGround.Level);
+            float length = new MotionProfile(creature).Slither!.BodyLength;
+            Assert.True(Vec.Distance(place.Position, animator.Root.Position) < 0.002f * length);
+            float[] sides = animator.ModelPose.Positions.ToArray().Select(at => at.X).ToArray();
+            Assert.True(sides.Max() > 0.04f * length && sides.Min() < -0.04f * length, $"{creature.Blueprint.Seed}: {sides.Min()} to {sides.Max()} of {length}");
+        }
+    }
+
     /// <summary>Many heads have less than half a wave of the body behind them up to the root: their root jumped by up to 16 g.</summary>
     [Fact]
     public void The_root_of_a_crawler_goes_evenly_wherever_its_head_begins()
