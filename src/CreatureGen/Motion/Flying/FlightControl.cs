@@ -46,6 +46,11 @@ internal static class FlightControl
     private const double Cushion = 0.4;
     private const double ShortBrake = 0.15;
 
+    /// <summary>Leg lengths above the ground at which legs no longer carry it, the time, √(leg/g), after which it takes to its wings for that, and how fast it then comes down, cruises.</summary>
+    private const double CliffHeight = 0.6;
+    private const double CliffTime = 0.1;
+    private const double CliffDescent = 0.3;
+
     /// <summary>Leg lengths above the ground below which a flier that is to stay in the air does not go.</summary>
     private const double LowestFlight = 1.2;
 
@@ -101,9 +106,13 @@ internal static class FlightControl
         double cruise = profile.CruiseIn(gravity);
         double k = profile.Response * FlightProfile.Tempo(gravity);
         double goal = GoalAhead(state, speed);
-        double way = state.Ahead.Step(goal, profile.MomentumIn(gravity).Quickened(settings.SpeedResponse), dt);
+
+        // To land it brakes with all it has.
+        double brakes = state.Phase == FlightPhase.Landing ? 1 : settings.Braking;
+        double way = state.Ahead.Step(goal, profile.MomentumIn(gravity).Quickened(settings.SpeedResponse).Braked(brakes), dt);
         double turned = Turn(profile, yaw, gravity, settings.YawResponse, dt, ref state);
-        double up = Climb(profile, goal, Scalar.Clamp(climb, -FastestDive * cruise, FastestClimb * cruise), height, gravity, dt, ref state);
+        climb = Scalar.Clamp(state.Fell ? Math.Min(climb, -CliffDescent * cruise) : climb, -FastestDive * cruise, FastestClimb * cruise);
+        double up = Climb(profile, goal, climb, height, gravity, dt, ref state);
         state.Cruises = state.Ahead.Speed / cruise;
 
         // What is integrated goes by the mean of the step, so that frame rates agree.
@@ -222,7 +231,10 @@ internal static class FlightControl
     {
         state.Age += time;
         bool up = intent == FlightIntent.Air;
-        FlightPhase next = state.Phase switch
+        state.Unsupported = state.IsOnFeet && height > CliffHeight ? state.Unsupported + time : 0;
+        bool falls = state.Unsupported > CliffTime;
+        state.Fell = falls || (state.Fell && !up && state.Phase == FlightPhase.Airborne);
+        FlightPhase next = falls ? FlightPhase.Airborne : state.Phase switch
         {
             FlightPhase.Grounded => up ? FlightPhase.Crouching : FlightPhase.Grounded,
             FlightPhase.Crouching => !up ? FlightPhase.Settling : state.Age >= CrouchTime ? FlightPhase.Leaping : FlightPhase.Crouching,

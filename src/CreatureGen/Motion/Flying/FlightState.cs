@@ -29,6 +29,10 @@ internal struct FlightState
     internal CriticallyDampedSpring Height;
     internal CriticallyDampedSpring Upright;
 
+    /// <summary>For how long its feet have had no ground below them, √(leg/g), and whether it is coming down for that.</summary>
+    internal double Unsupported;
+    internal bool Fell;
+
     /// <summary>Speed ahead in those of cruise.</summary>
     internal double Cruises;
 

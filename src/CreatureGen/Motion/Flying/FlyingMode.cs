@@ -67,7 +67,8 @@ internal sealed class FlyingMode : ILocomotionMode
         if (IsOnFeet)
         {
             TouchDown(before, place, settings, ground);
-            place = legs!.Drive(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
+            legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
+            place = legs.Drive(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
             Speed = legs.Speed;
         }
         else
@@ -125,12 +126,11 @@ internal sealed class FlyingMode : ILocomotionMode
     /// <summary>What is asked of the legs: a flier that makes ready to leap keeps its run, one that has come down runs out.</summary>
     private MotionInput OnFoot(in MotionInput input, float scale)
     {
-        legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
         return state.Phase switch
         {
             FlightPhase.Grounded => input,
-            FlightPhase.Crouching => new MotionInput(Math.Min(input.Speed, legs.Speed * scale)),
-            _ => new MotionInput(Math.Min(input.Speed, Math.Max(legs.Speed, 0f) * scale), input.YawRate),
+            FlightPhase.Crouching => new MotionInput(Math.Min(input.Speed, legs!.Speed * scale)),
+            _ => new MotionInput(Math.Min(input.Speed, Math.Max(legs!.Speed, 0f) * scale), input.YawRate),
         };
     }
 

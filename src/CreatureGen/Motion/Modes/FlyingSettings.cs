@@ -12,6 +12,9 @@ public sealed record FlyingSettings
     /// <summary>How hard it speeds up and brakes; 0.25..4.</summary>
     public float SpeedResponse { get; init; } = 1f;
 
+    /// <summary>How hard its flared wings slow it down, on top of that; 0..4. At 0 it glides out; to land it brakes in any case.</summary>
+    public float Braking { get; init; } = 1f;
+
     /// <summary>How quickly it goes into turns and out of them; 0.25..4.</summary>
     public float YawResponse { get; init; } = 1f;
 
@@ -26,6 +29,7 @@ public sealed record FlyingSettings
     public void ThrowIfInvalid()
     {
         Finite.RequireWithin(SpeedResponse, 0.25f, 4f, nameof(SpeedResponse));
+        Finite.RequireWithin(Braking, 0f, 4f, nameof(Braking));
         Finite.RequireWithin(YawResponse, 0.25f, 4f, nameof(YawResponse));
         Finite.RequireWithin(Bank, 0f, 2f, nameof(Bank));
         Finite.RequireWithin(BeatAmplitude, 0.5f, 1.5f, nameof(BeatAmplitude));

@@ -7,8 +7,8 @@ namespace CreatureGen.Motion.Modes;
 /// <param name="Jerk">Greatest change of the acceleration, m/s³, above 0.</param>
 internal readonly record struct MomentumLimits(double Thrust, double Braking, double Drag, double Jerk)
 {
-    /// <summary>The same in a world where lengths are other ones and time runs alike: all but the drag grow with them.</summary>
-    public MomentumLimits Scaled(double factor) => new(Thrust * factor, Braking * factor, Drag / factor, Jerk * factor);
+    /// <summary>The same with brakes so many times as strong.</summary>
+    public MomentumLimits Braked(double factor) => this with { Braking = factor * Braking };
 
     /// <summary>The same where time runs so many times quicker and speeds are alike: what it reaches stays, and comes so much sooner.</summary>
     public MomentumLimits Quickened(double factor) => new(Thrust * factor, Braking * factor, Drag * factor, Jerk * factor * factor);

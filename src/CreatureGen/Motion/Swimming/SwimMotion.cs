@@ -44,6 +44,9 @@ internal static class SwimMotion
 
     private const double SteepestPitch = 1.1;
 
+    /// <summary>Part of its thrust with which it keeps off the ground.</summary>
+    private const double Cushion = 0.8;
+
     /// <summary>What a C-start adds to the speed at its height, cruises.</summary>
     private const double DartCruises = 2.2;
 
@@ -126,13 +129,14 @@ internal static class SwimMotion
         double cycle = profile.CruiseFrequency;
         double sharpness = Response * cycle;
         SwimmingSettings settings = input.Settings ?? SwimmingSettings.Default;
-        MomentumLimits limits = profile.Momentum.Quickened(settings.SpeedResponse);
+        MomentumLimits limits = profile.Momentum.Quickened(settings.SpeedResponse).Braked(settings.Braking);
         double goal = Math.Max(input.Speed, -cruise);
         double way = state.Ahead.Step(goal, limits, dt);
-        double climbed = state.Rise.Step(input.ClimbRate, limits, dt);
+        double climbed = state.Rise.Step(Math.Max(input.ClimbRate, MinClimb(input.Room, limits)), limits, dt);
         double speed = state.Ahead.Speed;
         double climb = state.Rise.Speed;
-        double yaw = Curve.Bounded(input.YawRate, profile.FastestTurn(speed));
+        double fastest = profile.FastestTurn(speed);
+        double yaw = Scalar.Clamp(input.YawRate, -fastest, fastest);
         double turned = state.Turn.Step(yaw, YawResponse * cycle * settings.YawResponse, dt);
         double side = state.EscapeSide;
         double before = state.EscapeAge;
@@ -173,6 +177,13 @@ internal static class SwimMotion
         }
 
         return new BodyVelocity(new Vector3(0f, (float)(climbed / dt), (float)ahead), (float)turn);
+    }
+
+    /// <summary>The least climb with so much room below it: it comes to rest above the ground, and rises out of what comes up towards it.</summary>
+    private static double MinClimb(double room, in MomentumLimits limits)
+    {
+        double steady = Math.Sqrt(Cushion * limits.Thrust * Math.Abs(room));
+        return room > 0 ? -steady : steady;
     }
 
     private static double StagesPerSecond(SwimProfile profile) => profile.CruiseFrequency / EscapeCurve.StageFraction;

@@ -1,4 +1,6 @@
+using System;
 using System.Numerics;
+using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Rigging;
 
@@ -7,6 +9,10 @@ namespace CreatureGen.Motion.Swimming;
 /// <summary>Drives a swimmer.</summary>
 internal sealed class SwimmingMode : ILocomotionMode
 {
+    /// <summary>Seconds ahead of which the ground is looked for, and how far up and down, body lengths.</summary>
+    private const float Foresight = 1f;
+    private const float Sight = 3f;
+
     private readonly SwimProfile profile;
     private SwimState state;
 
@@ -32,22 +38,39 @@ internal sealed class SwimmingMode : ILocomotionMode
 
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
-        float scale = place.Scale;
-        BodyVelocity velocity = SwimMotion.Update(profile, new SwimInput(input.Speed / scale, input.YawRate, input.ClimbRate / scale, input.Escape, settings.Swimming), ref state, dt, local);
-        Speed = velocity.Linear.Z;
-        return RootStep.Advance(place, velocity, dt);
+        // It sees the ground ahead in time to rise above it.
+        float ahead = (Foresight * Math.Max(state.Speed, 0f)) + (0.5f * profile.BodyLength);
+        Vector3 there = place.Position + Rotation.Rotate(place.Rotation, new Vector3(0f, 0f, ahead * place.Scale));
+        float room = Math.Min(RoomBelow(place.Position, place.Scale, settings, ground), RoomBelow(there, place.Scale, settings, ground));
+        RootPlace to = RootStep.Advance(place, Swim(place.Scale, dt, input, settings, room, local), dt);
+        float below = RoomBelow(to.Position, to.Scale, settings, ground);
+        return below < 0f ? new RootPlace(to.Position - (settings.Up * (below * to.Scale)), to.Rotation, to.Scale) : to;
     }
 
     public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local) =>
-        Drive(place, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, ground, local);
+        Swim(place.Scale, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, float.PositiveInfinity, local);
 
     public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         state = default;
-        Drive(place, 0f, default, settings, ground, local);
+        Swim(place.Scale, 0f, default, settings, float.PositiveInfinity, local);
     }
 
     public void Rebase(Vector3 offset)
     {
+    }
+
+    private BodyVelocity Swim(float scale, float dt, in MotionInput input, MotionSettings settings, float room, in Pose local)
+    {
+        BodyVelocity velocity = SwimMotion.Update(profile, new SwimInput(input.Speed / scale, input.YawRate, input.ClimbRate / scale, input.Escape, settings.Swimming, room), ref state, dt, local);
+        Speed = velocity.Linear.Z;
+        return velocity;
+    }
+
+    /// <summary>How far a root at a place is above the ground, metres of the model; negative in it, infinite where there is none near.</summary>
+    private float RoomBelow(Vector3 place, float scale, MotionSettings settings, IGround ground)
+    {
+        float reach = Sight * profile.BodyLength * scale;
+        return ground.Cast(place + (settings.Up * reach), -settings.Up, 2f * reach, out GroundHit hit) ? Vec.Dot(place - hit.Point, settings.Up) / scale : float.PositiveInfinity;
     }
 }
