@@ -72,6 +72,9 @@ internal sealed class FieldEdit : IFieldVisitor
     public T Record<T>(string name, T value, RecordDescription<T> description)
         where T : class, IEquatable<T> => description.Visit(this, value);
 
+    public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+        where T : class, IEquatable<T> => value is null ? null : description.Visit(this, value);
+
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {

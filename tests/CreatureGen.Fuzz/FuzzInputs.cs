@@ -79,7 +79,8 @@ internal sealed class FuzzInputs
 
     private static FuzzInput Text(long index, string way, CreatureBlueprint blueprint) => new(index, way, Encoding.UTF8.GetBytes(BlueprintJson.Write(blueprint)));
 
-    private CreatureBlueprint Parent(RandomStream random)
+    /// <summary>One of the parents.</summary>
+    public CreatureBlueprint Parent(RandomStream random)
     {
         int number = random.Integer(0, count);
         if (!parents.TryGetValue(number, out CreatureBlueprint? parent))

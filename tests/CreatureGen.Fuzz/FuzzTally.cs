@@ -15,7 +15,7 @@ internal sealed class FuzzTally
     public long Next { get; private set; }
 
     /// <summary>Whether nothing crashed and nothing was too dear.</summary>
-    public bool IsClean => !counts.Keys.Any(k => k.EndsWith("/Crashed", StringComparison.Ordinal) || k.EndsWith("/Dear", StringComparison.Ordinal));
+    public bool IsClean => !counts.Keys.Any(k => k.EndsWith("/Crashed", StringComparison.Ordinal) || k.EndsWith("/Dear", StringComparison.Ordinal) || k.StartsWith("crosses/crashed", StringComparison.Ordinal) || k == "crosses/broken");
 
     /// <summary>Inputs of which a verdict came.</summary>
     public long Count(FuzzVerdict verdict) => counts.GetValueOrDefault("all/" + verdict);
@@ -51,6 +51,13 @@ internal sealed class FuzzTally
         {
             Count("broken/" + broken);
         }
+    }
+
+    /// <summary>Counts what came of the cross of a number.</summary>
+    public void Add(long index, string outcome)
+    {
+        Next = index + 1;
+        Count("crosses/" + outcome);
     }
 
     /// <inheritdoc/>

@@ -45,7 +45,8 @@ internal static class ArgumentReader
             }
         }
 
-        return new ParsedArguments(syntax, options, Operand(syntax, operands));
+        RequireOperands(syntax, operands);
+        return new ParsedArguments(syntax, options, operands);
     }
 
     /// <summary>Whether a word is an option rather than the value of the one before it.</summary>
@@ -84,23 +85,25 @@ internal static class ArgumentReader
         }
     }
 
-    private static string? Operand(VerbSyntax syntax, List<string> operands)
+    private static void RequireOperands(VerbSyntax syntax, List<string> operands)
     {
         if (syntax.Operand is null && operands.Count > 0)
         {
             throw new UsageError($"{syntax.Name}: '{operands[0]}' is no option; expected only options, such as {syntax.Options[0]}");
         }
 
-        if (syntax.Operand != null && operands.Count == 0)
+        string[] expected = syntax.Operand?.Split(' ') ?? [];
+        int least = expected.Count(word => !word.StartsWith('['));
+        if (operands.Count < least)
         {
-            throw new UsageError($"{syntax.Name}: no file; expected {syntax.Name} {syntax.Operand}");
+            string missing = operands.Count == 0 && least == 1 ? "no file" : $"{operands.Count} of {least} creatures";
+            throw new UsageError($"{syntax.Name}: {missing}; expected {syntax.Name} {syntax.Operand}");
         }
 
-        if (operands.Count > 1)
+        if (operands.Count > expected.Length)
         {
-            throw new UsageError($"{syntax.Name}: '{operands[1]}' after '{operands[0]}'; expected one {syntax.Operand}");
+            string most = expected.Length == 1 ? "one " + syntax.Operand : syntax.Operand!;
+            throw new UsageError($"{syntax.Name}: '{operands[expected.Length]}' after '{operands[expected.Length - 1]}'; expected {most}");
         }
-
-        return operands.Count == 0 ? null : operands[0];
     }
 }

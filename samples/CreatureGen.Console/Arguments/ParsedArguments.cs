@@ -9,17 +9,20 @@ internal sealed class ParsedArguments
 {
     private readonly VerbSyntax syntax;
     private readonly IReadOnlyDictionary<string, string?> options;
-    private readonly string? operand;
+    private readonly IReadOnlyList<string> operands;
 
-    public ParsedArguments(VerbSyntax syntax, IReadOnlyDictionary<string, string?> options, string? operand)
+    public ParsedArguments(VerbSyntax syntax, IReadOnlyDictionary<string, string?> options, IReadOnlyList<string> operands)
     {
         this.syntax = syntax;
         this.options = options;
-        this.operand = operand;
+        this.operands = operands;
     }
 
-    /// <summary>The operand of a verb that takes one.</summary>
-    public string Operand => operand ?? throw new InvalidOperationException("this verb takes no operand");
+    /// <summary>The first operand of a verb that takes any.</summary>
+    public string Operand => operands.Count > 0 ? operands[0] : throw new InvalidOperationException("this verb takes no operand");
+
+    /// <summary>The second operand; null if it is not there.</summary>
+    public string? SecondOperand => operands.Count > 1 ? operands[1] : null;
 
     /// <summary>Whether an option is there.</summary>
     public bool Has(string name) => options.ContainsKey(name);
@@ -45,6 +48,22 @@ internal sealed class ParsedArguments
         }
 
         throw Wrong(name, text, string.Create(CultureInfo.InvariantCulture, $"a whole number {least}..{most}"));
+    }
+
+    /// <summary>The value of an option that is a number.</summary>
+    public double Number(string name, double least, double most, double absent)
+    {
+        if (Value(name) is not string text)
+        {
+            return absent;
+        }
+
+        if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double number) && number >= least && number <= most)
+        {
+            return number;
+        }
+
+        throw Wrong(name, text, string.Create(CultureInfo.InvariantCulture, $"a number {least}..{most}"));
     }
 
     /// <summary>The value of an option that is one of several words.</summary>

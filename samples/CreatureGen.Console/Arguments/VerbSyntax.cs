@@ -19,7 +19,7 @@ internal sealed record Example(string Line, string Effect);
 
 /// <summary>What a verb understands.</summary>
 /// <param name="Name">The verb.</param>
-/// <param name="Operand">What its one operand is called; null if it takes none.</param>
+/// <param name="Operand">What its operands are called, a word each, those that may be left out in brackets; null if it takes none.</param>
 /// <param name="Summary">What it does, in a line.</param>
 /// <param name="Examples">Command lines that work.</param>
 /// <param name="Options">Its options, in the order of the help.</param>

@@ -27,6 +27,11 @@ internal static class InspectionJson
         WriteLimbs(json, inspected.Creature.Limbs, inspected.Creature.Skeleton.Joints);
         WriteChecks(json, inspected.Checks);
         WriteVerdict(json, inspected.Checks);
+        if (inspected.Distance is double distance)
+        {
+            json.WriteNumber("speciesDistance", distance);
+        }
+
         json.WriteEndObject();
     }));
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Numerics;
@@ -33,6 +34,11 @@ internal static class InspectionText
         output.WriteLine();
         output.WriteLine(ink.Heading("Invariants"));
         WriteChecks(output, inspected.Checks, ink);
+        if (inspected.Distance is double distance)
+        {
+            output.WriteLine();
+            output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"species distance {distance:F3} (0 the same; brothers and sisters 0.1 to 0.25; strangers 0.5 and more)"));
+        }
     }
 
     private static string FileWords(InspectedFile inspected)

@@ -28,7 +28,7 @@ internal static class FirstCreature
         times.Finished("glb");
         byte[] png = CreatureFiles.Png(creature, Shading.Smooth, Environment.ProcessorCount);
         times.Finished("picture");
-        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(surroundings.Folder, new Specimen(Seed, null), [("glb", glb), ("png", png), ("json", CreatureFiles.Json(blueprint))], surroundings);
+        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(surroundings.Folder, new Specimen(Seed, null).Name, [("glb", glb), ("png", png), ("json", CreatureFiles.Json(blueprint))], surroundings);
         times.Finished("files");
         CreatureText.Write(surroundings.Out, CreatureFacts.Of(creature), files, times);
         surroundings.Out.WriteLine();

@@ -102,7 +102,7 @@ internal sealed class GenerateVerb : IVerb
         }
 
         contents.Add(("json", CreatureFiles.Json(blueprint)));
-        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(task.Folder, specimen, contents, surroundings);
+        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(task.Folder, specimen.Name, contents, surroundings);
         times.Finished("files");
         return new GeneratedCreature(CreatureFacts.Of(creature, specimen), files, times);
     }

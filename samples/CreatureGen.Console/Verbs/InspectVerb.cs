@@ -3,6 +3,7 @@ using CreatureGen.Console.Files;
 using CreatureGen.Console.Text;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
+using CreatureGen.Genetics;
 
 namespace CreatureGen.Console.Verbs;
 
@@ -12,11 +13,12 @@ internal sealed class InspectVerb : IVerb
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
         "inspect",
-        "FILE",
+        "FILE [OTHER]",
         "tell what the creature in a .glb or blueprint .json is, and check its invariants",
         [
             new("inspect creature-101.glb", "what it is: kind, limbs, joints, sizes, checks"),
             new("inspect creature-101.json --json", "the same as JSON"),
+            new("inspect mother.glb child.glb", "the first, and how far the two are apart as species"),
         ],
         [CommonOptions.Json]);
 
@@ -27,7 +29,8 @@ internal sealed class InspectVerb : IVerb
         Creature creature = CreatureAssembler.Assemble(source.Blueprint);
         CheckResult result = CheckResult.Of(creature, surroundings.Checks);
         FileState state = source.Form != SourceForm.Glb ? FileState.Blueprint : source.IsWhatWouldBeWritten(creature) ? FileState.AsWritten : FileState.Altered;
-        var inspected = new InspectedFile(source, state, creature, CreatureFacts.Of(creature), result);
+        double? distance = arguments.SecondOperand is string other ? SpeciesDistance.Between(source.Blueprint, Parent.Read(other, surroundings).Blueprint) : null;
+        var inspected = new InspectedFile(source, state, creature, CreatureFacts.Of(creature), result, distance);
         if (arguments.Has(CommonOptions.Json.Name))
         {
             InspectionJson.Write(surroundings.Out, inspected);

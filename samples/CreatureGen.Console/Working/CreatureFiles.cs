@@ -64,13 +64,13 @@ internal static class CreatureFiles
 
     /// <summary>Puts files of a creature into a folder, all or none.</summary>
     /// <exception cref="WriteFailure">One cannot be written.</exception>
-    public static IReadOnlyList<CreatureFile> Write(string folder, Specimen specimen, IEnumerable<(string Form, byte[] Content)> contents, Surroundings surroundings)
+    public static IReadOnlyList<CreatureFile> Write(string folder, string name, IEnumerable<(string Form, byte[] Content)> contents, Surroundings surroundings)
     {
         var files = new List<CreatureFile>();
         using var set = new FileSet(surroundings);
         foreach ((string form, byte[] content) in contents)
         {
-            string path = Path.Combine(folder, $"creature-{specimen.Name}.{form}");
+            string path = Path.Combine(folder, $"creature-{name}.{form}");
             set.Stage(path, stream => stream.Write(content));
             files.Add(new CreatureFile(form, path, content.Length));
         }

@@ -16,5 +16,5 @@ internal enum FileState
     Altered,
 }
 
-/// <summary>A file and all that is known of the creature in it.</summary>
-internal sealed record InspectedFile(CreatureSource Source, FileState State, Creature Creature, CreatureFacts Facts, CheckResult Checks);
+/// <summary>A file and all that is known of the creature in it; how far it is from another, if that was asked.</summary>
+internal sealed record InspectedFile(CreatureSource Source, FileState State, Creature Creature, CreatureFacts Facts, CheckResult Checks, double? Distance);

@@ -22,6 +22,7 @@ namespace CreatureGen.Blueprints;
 /// <param name="Manes">Fields of hair in locks.</param>
 /// <param name="Frills">Collars that stand off the head.</param>
 /// <param name="Coat">Colours and pattern.</param>
+/// <param name="Lineage">Its parents, if it was bred; null for creatures of seeds.</param>
 public sealed record CreatureBlueprint(
     int Algorithm,
     ulong Seed,
@@ -40,12 +41,13 @@ public sealed record CreatureBlueprint(
     ValueList<FeatureBlueprint> Features,
     ValueList<ManeBlueprint> Manes,
     ValueList<FrillBlueprint> Frills,
-    CoatBlueprint Coat)
+    CoatBlueprint Coat,
+    LineageBlueprint? Lineage = null)
 {
     /// <summary>
     /// Version of the algorithm of this library: the same seed, options and algorithm give the same bytes. It is raised whenever a seed or a blueprint would build other bytes.
     /// </summary>
-    public const int CurrentAlgorithm = 4;
+    public const int CurrentAlgorithm = 5;
 
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, CreatureFields.Creature);

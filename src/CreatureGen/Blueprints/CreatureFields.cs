@@ -12,6 +12,9 @@ internal static class CreatureFields
     /// <summary>Most pairs of legs and arms.</summary>
     public const int MostLegs = 16;
 
+    /// <summary>Most small parts.</summary>
+    public const int MaxFeatures = 64;
+
     /// <summary>Size of a whole creature.</summary>
     public static readonly NumberRange Scale = new(0.05, 20);
 
@@ -55,10 +58,11 @@ internal static class CreatureFields
             visit.List("insectWings", creature.InsectWings, new WholeRange(0, 4), LimbFields.InsectWing),
             visit.List("fins", creature.Fins, new WholeRange(0, 12), LimbFields.Fin),
             visit.List("ears", creature.Ears, new WholeRange(0, 2), LimbFields.Ear),
-            visit.List("features", creature.Features, new WholeRange(0, 64), LimbFields.Feature),
+            visit.List("features", creature.Features, new WholeRange(0, MaxFeatures), LimbFields.Feature),
             visit.List("manes", creature.Manes, new WholeRange(0, 6), NeckFields.Mane),
             visit.List("frills", creature.Frills, new WholeRange(0, 2), NeckFields.Frill),
-            visit.Record("coat", creature.Coat, CoatFields.Coat)));
+            visit.Record("coat", creature.Coat, CoatFields.Coat),
+            visit.Since(4).Optional("lineage", creature.Lineage, LineageFields.Lineage)));
 
     /// <summary>The number of the format belongs to the text and not to the creature; that of the algorithm to both.</summary>
     private static int VisitHeading(IFieldVisitor visit, CreatureBlueprint creature)

@@ -60,6 +60,10 @@ internal sealed class FieldBlend : IFieldVisitor
         where T : class, IEquatable<T> => description.Visit(this, value);
 
     /// <inheritdoc/>
+    public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+        where T : class, IEquatable<T> => value;
+
+    /// <inheritdoc/>
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {
@@ -100,6 +104,9 @@ internal sealed class FieldBlend : IFieldVisitor
 
         public T Record<T>(string name, T value, RecordDescription<T> description)
             where T : class, IEquatable<T> => description.Visit(this, value);
+
+        public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+            where T : class, IEquatable<T> => value;
 
         public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
             where T : class, IEquatable<T>

@@ -110,6 +110,10 @@ internal sealed class FieldChecker : IFieldVisitor
     }
 
     /// <inheritdoc/>
+    public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+        where T : class, IEquatable<T> => value is null ? null : Record(name, value, description);
+
+    /// <inheritdoc/>
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {

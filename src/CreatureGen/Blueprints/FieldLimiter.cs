@@ -51,6 +51,10 @@ internal sealed class FieldLimiter : IFieldVisitor
         where T : class, IEquatable<T> => description.Visit(this, value ?? description.Neutral);
 
     /// <inheritdoc/>
+    public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+        where T : class, IEquatable<T> => value is null ? null : description.Visit(this, value);
+
+    /// <inheritdoc/>
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {

@@ -170,6 +170,19 @@ internal sealed class FieldReader : IFieldVisitor
         TryFind(name, FieldChecker.AnObject, out JsonValue field) ? Read(field, description, format, missing, problems) : value;
 
     /// <inheritdoc/>
+    public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+        where T : class, IEquatable<T>
+    {
+        if (!IsKnown)
+        {
+            return value;
+        }
+
+        visited.Add(name);
+        return source.TryGet(name, out _) ? Record(name, description.Neutral, description) : value;
+    }
+
+    /// <inheritdoc/>
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {

@@ -39,6 +39,10 @@ internal interface IFieldVisitor
     T Record<T>(string name, T value, RecordDescription<T> description)
         where T : class, IEquatable<T>;
 
+    /// <summary>A record, or nothing at all: a field that is left out.</summary>
+    T? Optional<T>(string name, T? value, RecordDescription<T> description)
+        where T : class, IEquatable<T>;
+
     /// <summary>A list of records.</summary>
     ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T>;

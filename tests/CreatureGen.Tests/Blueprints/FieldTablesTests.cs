@@ -81,6 +81,13 @@ public sealed class FieldTablesTests
             return Row(name, "`" + typeof(T).Name + "`", value, "");
         }
 
+        public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+            where T : class, IEquatable<T>
+        {
+            Follow(description);
+            return Row(name, "left out, or `" + typeof(T).Name + "`", value, "left out");
+        }
+
         public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
             where T : class, IEquatable<T>
         {

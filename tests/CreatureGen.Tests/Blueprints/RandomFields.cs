@@ -52,6 +52,9 @@ internal sealed class RandomFields : IFieldVisitor
     public T Record<T>(string name, T value, RecordDescription<T> description)
         where T : class, IEquatable<T> => description.Visit(this, value);
 
+    public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+        where T : class, IEquatable<T> => random.Chance(0.5) ? description.Visit(this, description.Neutral) : null;
+
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T> =>
         new(Enumerable.Range(0, Whole(name, 0, count)).Select(_ => description.Visit(this, description.Neutral)).ToArray());

@@ -70,6 +70,9 @@ public sealed class RangeEndsTests
         public T Record<T>(string name, T value, RecordDescription<T> description)
             where T : class, IEquatable<T> => description.Visit(this, value);
 
+        public T? Optional<T>(string name, T? value, RecordDescription<T> description)
+            where T : class, IEquatable<T> => value;
+
         public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
             where T : class, IEquatable<T> => new(value.Select(item => description.Visit(this, item)).ToArray());
 
