@@ -24,6 +24,11 @@ public sealed record WalkingSettings
     /// </summary>
     public float Traction { get; init; } = 1f;
 
+    /// <summary>
+    /// How heavily it goes on its legs: as if it were so many times as large, a factor; 0.1..10. All takes √Heft times as long, and its speeds are so much lower, by dynamic similarity.
+    /// </summary>
+    public float Heft { get; init; } = 1f;
+
     /// <summary>Height of the swinging feet, a factor; 0..4.</summary>
     public float Lift { get; init; } = 1f;
 
@@ -58,6 +63,7 @@ public sealed record WalkingSettings
         Finite.RequireWithin(SpeedResponse, 0.1f, 100f, nameof(SpeedResponse));
         Finite.RequireWithin(YawResponse, 0.1f, 100f, nameof(YawResponse));
         Finite.RequireWithin(Traction, 0.05f, 3f, nameof(Traction));
+        Finite.RequireWithin(Heft, 0.1f, 10f, nameof(Heft));
         Finite.RequireWithin(Lift, 0f, 4f, nameof(Lift));
         Finite.RequireWithin(Stride, 0.3f, 1.5f, nameof(Stride));
         Finite.RequireWithin(Bounce, 0f, 4f, nameof(Bounce));

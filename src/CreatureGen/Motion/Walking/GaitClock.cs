@@ -59,6 +59,9 @@ internal sealed class GaitClock
     /// <summary>Cycles per second.</summary>
     public float Frequency { get; private set; }
 
+    /// <summary>How long steps are, of those that go straight ahead at the same speed, 0..1: in a turn they come quicker, and are shorter for it.</summary>
+    public float Length { get; private set; } = 1f;
+
     /// <summary>Part of the cycle that a foot is down.</summary>
     public float Duty { get; private set; }
 
@@ -115,6 +118,7 @@ internal sealed class GaitClock
         float straight = (FrequencyOf(Gait, froude, gravity) + frequencyRest) / stride;
         float spot = Math.Abs(velocity.Turn) / YawPerCycle * (1f - (0.5f * pace));
         Frequency = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
+        Length = Math.Min(straight / Frequency, 1f);
         float cycle = Frequency * dt;
         float duty = DutyInTurn(Gait, froude, velocity.Turn, unit);
         Duty += Scalar.Clamp(duty - Duty, -DutyPerCycle * cycle, DutyPerCycle * cycle);

@@ -153,7 +153,7 @@ internal sealed class WalkingMode : ILocomotionMode
     public void Arrive(in RootPlace place, float speed, float turn, MotionSettings settings, IGround ground, in Pose local)
     {
         MotionSettings own = settings;
-        own.Gravity /= place.Scale;
+        own.Gravity = GravityOf(own, place.Scale);
         float unit = own.Gravity * body.LegLength;
         float walking = (float)Math.Sqrt(0.06f * unit);
         int before = gait;
@@ -232,17 +232,22 @@ internal sealed class WalkingMode : ILocomotionMode
     {
         // From here on in metres of the model.
         float scale = placement.Scale;
-        settings.Gravity /= scale;
+        settings.Gravity = GravityOf(settings, scale);
         Begin(placement, settings, ground);
-        float top = settings.Walking.Gait == null ? gaits.TopSpeed : (float)Math.Sqrt(settings.Walking.Gait.Fastest * settings.Gravity * body.LegLength);
+        float top = settings.Walking.Gait == null ? gaits.TopSpeed / (float)Math.Sqrt(settings.Walking.Heft) : (float)Math.Sqrt(settings.Walking.Gait.Fastest * settings.Gravity * body.LegLength);
         float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
         velocity.Bounds = TravelBounds.Of(body, settings);
         float goal = clock.OnSlope(Scalar.Clamp(input.Speed / scale, -back, top), settings.Gravity);
-        velocity.Ask(goal, Scalar.Clamp(input.Sideways / scale, -back, back), clock.ReachableTurn(goal, input.YawRate, settings.Gravity));
+        float aside = Scalar.Clamp(input.Sideways / scale, -back, back);
         placement = PlatformRide.Carry(planner.Feet, placement, ground, settings.Up);
         float left = dt;
         while (left > 0f)
         {
+            if (ticker.Begins)
+            {
+                velocity.Ask(goal, aside, clock.ReachableTurn(goal, input.YawRate, settings.Gravity));
+            }
+
             float h = ticker.Next(ref left);
             Vector3 way = velocity.Advance(h, out float yaw);
             Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisRotation.Yaw(yaw));
@@ -257,7 +262,7 @@ internal sealed class WalkingMode : ILocomotionMode
 
     private void Follow(in RootPlace placement, float dt, in RootPlace goal, MotionSettings settings, IGround ground)
     {
-        settings.Gravity /= goal.Scale;
+        settings.Gravity = GravityOf(settings, goal.Scale);
         settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
         Begin(goal, settings, ground);
         PlatformRide.Carry(planner.Feet, goal, ground, settings.Up);
@@ -283,7 +288,7 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Writes the pose.</summary>
     private void Pose(in RootPlace placement, float dt, MotionSettings settings, in Pose local)
     {
-        settings.Gravity /= placement.Scale;
+        settings.Gravity = GravityOf(settings, placement.Scale);
         seconds += dt;
         IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle);
         PoseFeet(placement, dt, settings);
@@ -374,7 +379,7 @@ internal sealed class WalkingMode : ILocomotionMode
 
     private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings)
     {
-        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, dt);
+        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, activity * clock.Length, dt);
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);
@@ -396,6 +401,9 @@ internal sealed class WalkingMode : ILocomotionMode
         placer.RootRaised(height);
         return new RootPlace(placement.Position + (settings.Up * ((height + climb) * placement.Scale)), placement.Rotation, placement.Scale);
     }
+
+    /// <summary>Gravity in the measure of the model by which it goes: that of a creature so many times as large.</summary>
+    private static float GravityOf(in MotionSettings settings, float scale) => settings.Gravity / (scale * settings.Walking.Heft);
 
     /// <summary>Brings the body's up onto that of the world.</summary>
     private static Quaternion Upright(Quaternion rotation, Vector3 up)

@@ -107,6 +107,53 @@ public sealed class PlayerTests
         }
     }
 
+    [Fact]
+    public void A_creature_of_heft_goes_as_one_so_many_times_as_large()
+    {
+        var light = new CreatureAnimator(Walkers.Of(BodyPlan.Columnar, 7000300));
+        var heavy = new CreatureAnimator(light.Profile) { Settings = MotionSettings.Default with { Walking = WalkingSettings.Default with { Heft = 4f } } };
+        float speed = light.Profile.Gaits!.Speeds[0].Comfortable;
+        Walkers.Run(light, 4f, 120f, new MotionInput(speed, 0.2f), FlatGround.Level);
+        Walkers.Run(heavy, 8f, 60f, new MotionInput(speed / 2f, 0.1f), FlatGround.Level);
+        Assert.Equal(light.Frequency / 2f, heavy.Frequency, 3);
+        Assert.Equal(light.Speed / 2f, heavy.Speed, 3);
+    }
+
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade, 7000300)]
+    [InlineData(BodyPlan.Unguligrade, 7000302)]
+    [InlineData(BodyPlan.Theropod, 7000305)]
+    [InlineData(BodyPlan.Hexapod, 7000304)]
+    public void Feet_come_to_rest_in_the_same_places_at_every_frame_rate(BodyPlan plan, ulong seed)
+    {
+        var profile = new MotionProfile(Walkers.Of(plan, seed));
+        CreatureAnimator reference = Play(profile, seed, 480);
+        foreach (int rate in new[] { 30, 60, 144 })
+        {
+            CreatureAnimator animator = Play(profile, seed, rate);
+            Assert.True(Vector3.Distance(animator.Root.Position, reference.Root.Position) < 0.01f * profile.LegLength);
+            for (int i = 0; i < animator.FootCount; i++)
+            {
+                float away = Vector3.Distance(animator.Foot(i).Place, reference.Foot(i).Place) / profile.LegLength;
+                Assert.True(away < 0.015f, $"foot {i} at {rate} Hz rests {away} leg lengths from where it does at 480 Hz");
+            }
+        }
+
+        static CreatureAnimator Play(MotionProfile profile, ulong seed, int rate)
+        {
+            var animator = new CreatureAnimator(profile);
+            var hand = new RandomStream(seed);
+            for (int half = 0; half < 12; half++)
+            {
+                var input = new MotionInput((float)hand.Uniform(0, profile.Gaits!.TopSpeed), (float)hand.Uniform(-2, 2));
+                Walkers.Run(animator, 0.5f, rate, input, FlatGround.Level);
+            }
+
+            Walkers.Run(animator, 4f, rate, default, FlatGround.Level);
+            return animator;
+        }
+    }
+
     [Theory]
     [InlineData(BodyPlan.Upright, 7000300, 1)]
     [InlineData(BodyPlan.Upright, 7000300, -1)]

@@ -11,6 +11,9 @@ internal struct DecisionClock
 
     private float since;
 
+    /// <summary>Whether the last step ended with a decision: what is asked is taken up now.</summary>
+    public readonly bool Begins => since == 0f;
+
     /// <summary>Whether it is decided at the end of the step.</summary>
     public bool Decides { get; private set; }
 

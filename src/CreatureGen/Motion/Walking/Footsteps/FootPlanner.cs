@@ -14,7 +14,7 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 internal sealed class FootPlanner
 {
     /// <summary>Part of the leg's length that a foot has to be from its next place before it steps.</summary>
-    private const float MinStep = 0.03f;
+    private const float MinStep = 0.01f;
 
     /// <summary>Radians that a foot has to be turned from its next heading before it steps.</summary>
     private const float MinTurn = 0.05f;

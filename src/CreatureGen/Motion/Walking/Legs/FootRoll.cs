@@ -43,8 +43,8 @@ internal static class FootRoll
 
     /// <summary>What a foot does at its place in the cycle.</summary>
     public static FootPosture At(in Foot foot, LegRig leg, in GaitNumbers gait) => new(
-        Pitch(foot, leg, gait.Duty) * gait.Activity,
-        leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits) * gait.Activity : 0f,
+        Pitch(foot, leg, gait.Duty) * gait.Roll,
+        leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits) * gait.Roll : 0f,
         foot.Phase == FootPhase.Swing ? 0f : Scalar.Lerp(RestLoad, Force(Math.Min(foot.Stance, 1f), gait.ForceDip), gait.Activity));
 
     /// <summary>Force of a foot in its stance, parts of its mean over the middle: sin πs + dip · sin 3πs.</summary>
