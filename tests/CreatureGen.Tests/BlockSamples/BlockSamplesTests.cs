@@ -1,0 +1,42 @@
+using System.IO;
+using System.Linq;
+using CreatureGen.Blocks;
+using CreatureGen.Preview.Pictures;
+using CreatureGen.Tests.Conventions;
+using Xunit;
+
+namespace CreatureGen.Tests.BlockSamples;
+
+public sealed class BlockSamplesTests
+{
+    [Theory]
+    [InlineData("Gecko")]
+    [InlineData("Chains")]
+    [InlineData("Ponytail")]
+    public void Every_sample_is_short_and_draws_six_different_frames(string sample)
+    {
+        Picture strip = sample switch { "Gecko" => Gecko.Strip(), "Chains" => Chains.Strip(), _ => Ponytail.Strip() };
+        int side = strip.Height;
+        Assert.Equal(6 * side, strip.Width);
+        int[] inks = Enumerable.Range(0, 6).Select(frame => Hash(strip, frame * side, side)).ToArray();
+        Assert.Equal(6, inks.Distinct().Count());
+        string file = RepositoryFiles.Below("samples", "*.cs").Single(path => Path.GetFileName(path) == sample + ".cs");
+        Assert.InRange(RepositoryFiles.Text(file).Count(c => c == '\n'), 1, 60);
+    }
+
+    /// <summary>A number for what is drawn in a frame; 0 for paper alone.</summary>
+    private static int Hash(Picture picture, int left, int side)
+    {
+        int hash = 0;
+        for (int y = 0; y < side; y++)
+        {
+            for (int x = 0; x < side; x++)
+            {
+                hash = unchecked((hash * 31) + (picture[left + x, y].R < 240 ? 1 : 0));
+            }
+        }
+
+        Assert.NotEqual(0, hash);
+        return hash;
+    }
+}
