@@ -36,7 +36,7 @@ internal static class CourseMap
         // The creature's left, +X, is on the left.
         (int X, int Y) Pixel(Vector3 point) => (left + (width / 2) - (int)((point.X - middle.X) * scale), top + (height / 2) - (int)((point.Z - middle.Z) * scale));
 
-        DrawFeet(picture, film, Pixel);
+        DrawFeet(picture, film, Pixel, left, top, width, height);
         for (int moment = 1; moment < take.Moments; moment++)
         {
             (int x, int y) = Pixel(take.PlaceAt(moment - 1).Position);
@@ -52,7 +52,7 @@ internal static class CourseMap
         DrawScale(picture, left + 8, top + height - 10, width, scale);
     }
 
-    private static void DrawFeet(Picture picture, CourseFilm film, Func<Vector3, (int X, int Y)> pixel)
+    private static void DrawFeet(Picture picture, CourseFilm film, Func<Vector3, (int X, int Y)> pixel, int left, int top, int width, int height)
     {
         if (film.Profile.Legs is not LeggedBody body)
         {
@@ -67,7 +67,10 @@ internal static class CourseMap
                 FootReport now = take.FootAt(moment, foot);
                 if (now.Phase == FootPhase.Stance && (moment == 1 || take.FootAt(moment - 1, foot).Phase != FootPhase.Stance))
                 {
+                    // Feet reach beyond the way of the root, but not beyond the map.
                     (int x, int y) = pixel(now.Place);
+                    x = Math.Clamp(x, left + 2, left + width - 3);
+                    y = Math.Clamp(y, top + 2, top + height - 3);
                     picture.Fill(FootName.Colour(body, foot), x - 1, y - 1, 3, 3);
                 }
             }

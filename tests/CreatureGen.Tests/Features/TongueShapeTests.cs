@@ -45,13 +45,16 @@ public sealed class TongueShapeTests
     }
 
     [Theory]
-    [InlineData(LocomotionKind.Walking)]
-    [InlineData(LocomotionKind.Flying)]
-    [InlineData(LocomotionKind.Swimming)]
-    public void No_tongue_shows_outside_a_shut_mouth(LocomotionKind kind)
+    [InlineData(LocomotionKind.Walking, 40)]
+    [InlineData(LocomotionKind.Flying, 40)]
+    [InlineData(LocomotionKind.Swimming, 40)]
+    [InlineData(LocomotionKind.Walking, 150, Explicit = true)]
+    [InlineData(LocomotionKind.Flying, 150, Explicit = true)]
+    [InlineData(LocomotionKind.Swimming, 150, Explicit = true)]
+    public void No_tongue_shows_outside_a_shut_mouth(LocomotionKind kind, int seeds)
     {
         int tongues = 0;
-        for (ulong seed = 0; seed < 150; seed++)
+        for (ulong seed = 0; seed < (ulong)seeds; seed++)
         {
             CreatureBlueprint drawn = BlueprintSampler.Sample(seed, kind);
             CreatureBlueprint blueprint = drawn with { Head = drawn.Head with { Mouth = drawn.Head.Mouth with { Opening = 0, Teeth = 0 } } };
@@ -70,7 +73,7 @@ public sealed class TongueShapeTests
             }
         }
 
-        Assert.True(tongues > 60);
+        Assert.True(tongues > 0.4 * seeds, $"{tongues} tongues");
     }
 
     /// <summary>The head without the lining of its mouth, as a solid: whatever is in it cannot be seen while the lips touch.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
@@ -14,6 +15,20 @@ internal static class Walkers
 {
     /// <summary>A walking creature of a seed.</summary>
     public static Creature Any(ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+
+    /// <summary>The walking creatures of seeds below a count that have a plan; the others are not grown.</summary>
+    public static IEnumerable<(ulong Seed, Creature Creature)> WithPlan(BodyPlan plan, int count)
+    {
+        CreatureOptions options = CreatureOptions.Default with { Kind = RequestedKind.Walking };
+        for (ulong seed = 0; seed < (ulong)count; seed++)
+        {
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, options);
+            if (blueprint.Plan == plan)
+            {
+                yield return (seed, CreatureGenerator.Build(blueprint));
+            }
+        }
+    }
 
     /// <summary>A creature of a plan.</summary>
     public static Creature Of(BodyPlan plan, ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with

@@ -67,17 +67,13 @@ public sealed class PoseJumpTests
         }
     }
 
-    [Fact]
-    public void Crawlers_change_their_pose_evenly_on_hills()
+    [Theory]
+    [InlineData(100)]
+    [InlineData(400, Explicit = true)]
+    public void Crawlers_change_their_pose_evenly_on_hills(int count)
     {
-        for (int seed = 0; seed < 400; seed++)
+        foreach ((ulong seed, Creature creature) in Walkers.WithPlan(BodyPlan.Legless, count))
         {
-            Creature creature = Walkers.Any((ulong)seed);
-            if (creature.Blueprint.Plan != BodyPlan.Legless)
-            {
-                continue;
-            }
-
             var profile = new MotionProfile(creature);
             foreach (MotionTrial trial in MotionTrial.Of(profile).Where(trial => trial.Relief == GroundRelief.Rough && trial.Hertz == 144f))
             {
@@ -91,14 +87,8 @@ public sealed class PoseJumpTests
     public void Thirty_poses_a_second_are_enough_for_the_walks_of_dogs_and_cats()
     {
         int walks = 0;
-        for (int seed = 0; seed < 150; seed++)
+        foreach ((ulong seed, Creature creature) in Walkers.WithPlan(BodyPlan.Digitigrade, 150))
         {
-            Creature creature = Walkers.Any((ulong)seed);
-            if (creature.Blueprint.Plan != BodyPlan.Digitigrade)
-            {
-                continue;
-            }
-
             var profile = new MotionProfile(creature);
             Movement walk = Movement.Of(profile).Single(movement => movement.GaitName == "Walk");
             CreatureAnimator animator = walk.Begin(profile, FlatGround.Level);

@@ -15,9 +15,14 @@ internal sealed class GaitCycle
     private readonly int frames;
 
     public GaitCycle(ulong seed, Gait gait)
+        : this(new MotionProfile(Walkers.Any(seed)), gait)
     {
-        Creature = Walkers.Any(seed);
-        Profile = new MotionProfile(Creature);
+    }
+
+    public GaitCycle(MotionProfile profile, Gait gait)
+    {
+        Creature = profile.Creature;
+        Profile = profile;
         Speed = Profile.Gaits!.Speeds.Single(speed => speed.Gait == gait).Comfortable;
         Animator = new CreatureAnimator(Profile);
         Animator.Settings = Animator.Settings with { Walking = WalkingSettings.Default with { Gait = gait } };
