@@ -20,4 +20,14 @@ public sealed class IkStatusTests
         Assert.Equal(status == IkStatus.Reached, result.Reached);
         Assert.Equal(status == IkStatus.TooFar ? distance - 1.989f : status == IkStatus.TooNear ? 0.518f - distance : 0f, result.Residual, 0.03f);
     }
+
+    /// <summary>The reach alone says so too, before the limb is asked.</summary>
+    [Fact]
+    public void A_reach_says_which_end_of_it_is_in_the_way()
+    {
+        Reach.Default.Limit(0.3, 1, 1, out IkStatus near);
+        Reach.Default.Limit(2.5, 1, 1, out IkStatus far);
+        Assert.Equal(IkStatus.TooNear, near);
+        Assert.Equal(IkStatus.TooFar, far);
+    }
 }
