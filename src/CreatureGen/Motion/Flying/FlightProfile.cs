@@ -65,7 +65,7 @@ internal sealed class FlightProfile
     private FlightProfile(Creature creature)
     {
         Skeleton = creature.Skeleton;
-        Chain = AxialChain.Of(creature);
+        Chain = AxialChain.Of(creature.Skeleton, creature.Bones);
         Axis = new FlightAxis(Skeleton, Chain);
         pelvis = Skeleton.IndexOf("Pelvis") is int at and >= 0 ? Skeleton.ModelPositions[at] : Chain.BodyPivot;
         Posture = StandingPosture.Of(creature);
@@ -210,7 +210,7 @@ internal sealed class FlightProfile
         span = 0;
         foreach (LimbChain limb in creature.Limbs)
         {
-            PairedChain? pair = PairedChain.Of(creature, limb);
+            PairedChain? pair = PairedChain.Of(creature.Skeleton, limb);
             if (pair == null)
             {
                 continue;

@@ -36,7 +36,7 @@ internal sealed class SlitherProfile
     private SlitherProfile(Creature creature)
     {
         Skeleton = creature.Skeleton;
-        Chain = AxialChain.Of(creature);
+        Chain = AxialChain.Of(creature.Skeleton, creature.Bones);
         int count = Chain.Count;
         lengths = new double[count];
         heights = new double[count];

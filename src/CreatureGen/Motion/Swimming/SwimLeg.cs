@@ -95,7 +95,7 @@ internal sealed class SwimLeg
         var pairs = new List<PairedChain>();
         foreach (LimbChain limb in creature.Limbs)
         {
-            if (limb.Kind is LimbKind.Leg or LimbKind.Arm && PairedChain.Of(creature, limb) is { } pair)
+            if (limb.Kind is LimbKind.Leg or LimbKind.Arm && PairedChain.Of(creature.Skeleton, limb) is { } pair)
             {
                 pairs.Add(pair);
             }

@@ -120,7 +120,7 @@ internal sealed class SwimProfile
             throw new ArgumentNullException(nameof(creature));
         }
 
-        AxialChain chain = AxialChain.Of(creature);
+        AxialChain chain = AxialChain.Of(creature.Skeleton, creature.Bones);
         return new SwimProfile(creature, chain, StyleOf(creature, chain));
     }
 
@@ -245,7 +245,7 @@ internal sealed class SwimProfile
         foreach (LimbChain limb in creature.Limbs)
         {
             float at = (Chain.Nose.Z - creature.Skeleton.ModelPositions[limb.Joints[0]].Z) / BodyLength;
-            if (limb.Kind == LimbKind.Pectoral && PairedChain.Of(creature, limb) is { } chain)
+            if (limb.Kind == LimbKind.Pectoral && PairedChain.Of(creature.Skeleton, limb) is { } chain)
             {
                 pairs.Add(new SwimFin(chain, at));
             }

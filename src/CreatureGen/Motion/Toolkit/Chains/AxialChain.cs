@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -62,18 +61,19 @@ internal sealed class AxialChain
     /// <summary>From the nose to the tip of the tail, metres.</summary>
     public double Length { get; }
 
-    /// <summary>Finds the axis of a creature.</summary>
+    /// <summary>Finds the axis of a body.</summary>
+    /// <param name="skeleton">With a body, a head and a tail.</param>
+    /// <param name="capsules">Around its bones: they tell its masses.</param>
     /// <exception cref="ArgumentException">The skeleton has no body, head or tail.</exception>
-    public static AxialChain Of(Creature creature)
+    public static AxialChain Of(Skeleton skeleton, IReadOnlyList<CapsuleCollider> capsules)
     {
-        Skeleton skeleton = creature.Skeleton;
         int body = Require(skeleton, JointRole.Body);
         int head = Require(skeleton, JointRole.Head);
         int nose = skeleton.IndexOf("HeadEnd");
         int tail = skeleton.IndexOf("TailEnd");
         if (nose < 0 || tail < 0)
         {
-            throw new ArgumentException("the skeleton has no HeadEnd or no TailEnd; expected both ends of the body", nameof(creature));
+            throw new ArgumentException("the skeleton has no HeadEnd or no TailEnd; expected both ends of the body", nameof(skeleton));
         }
 
         var joints = new List<int>();
@@ -101,7 +101,7 @@ internal sealed class AxialChain
         }
 
         points[joints.Count] = skeleton.ModelPositions[tail];
-        double[] masses = Masses(creature, joints);
+        double[] masses = Masses(capsules, joints);
         var bones = new AxialBone[joints.Count];
         for (int b = 0; b < bones.Length; b++)
         {
@@ -173,13 +173,13 @@ internal sealed class AxialChain
     }
 
     /// <summary>Mass is taken as the volume of the capsules around the bones.</summary>
-    private static double[] Masses(Creature creature, List<int> joints)
+    private static double[] Masses(IReadOnlyList<CapsuleCollider> capsules, List<int> joints)
     {
         double[] masses = new double[joints.Count];
         double sum = 0;
         for (int b = 0; b < masses.Length; b++)
         {
-            foreach (CapsuleCollider capsule in creature.Bones)
+            foreach (CapsuleCollider capsule in capsules)
             {
                 if (capsule.Joint == joints[b])
                 {
@@ -209,6 +209,6 @@ internal sealed class AxialChain
             }
         }
 
-        throw new ArgumentException($"the skeleton has no joint of role {role}", "creature");
+        throw new ArgumentException($"the skeleton has no joint of role {role}", nameof(skeleton));
     }
 }

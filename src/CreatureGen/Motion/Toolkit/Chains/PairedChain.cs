@@ -1,6 +1,5 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -57,14 +56,13 @@ internal sealed class PairedChain
     }
 
     /// <summary>The pair of a left limb; null when it has no counterpart.</summary>
-    public static PairedChain? Of(Creature creature, LimbChain limb)
+    public static PairedChain? Of(Skeleton skeleton, LimbChain limb)
     {
         if (limb.Side != Side.Left)
         {
             return null;
         }
 
-        Skeleton skeleton = creature.Skeleton;
         int count = limb.Joints.Count - 1;
         var left = new JointRotation[count];
         var right = new JointRotation[count];

@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
 
 namespace CreatureGen.Motion.Toolkit;
 
@@ -21,7 +22,7 @@ public readonly struct Reach
     /// <param name="maxBend">Radians that the middle joint folds at most; more than the least, at most π.</param>
     /// <param name="easeFrom">Share of the greatest distance at which easing begins, 0..1; 1 for a hard end.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is outside its range or not a number.</exception>
-    public Reach(float minBend, float maxBend = 2.618f, float easeFrom = 0.968f)
+    public Reach(float minBend, float maxBend = (float)BendRange.Max, float easeFrom = (float)BendRange.EaseFrom)
     {
         Finite.RequireWithin(minBend, 0f, (float)PortableMath.Pi, nameof(minBend));
         Finite.RequireWithin(maxBend, minBend, 3.1415928f, nameof(maxBend));
@@ -32,7 +33,7 @@ public readonly struct Reach
     }
 
     /// <summary>Bends by 12° to 150°, easing over the last 3.2 % of the reach.</summary>
-    public static Reach Default { get; } = new(0.2094f);
+    public static Reach Default { get; } = new((float)BendRange.Min);
 
     /// <summary>Straight to folded flat, with a hard end; also the default value.</summary>
     public static Reach Hard { get; } = default;

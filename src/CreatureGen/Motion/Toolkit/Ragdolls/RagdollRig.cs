@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Ragdolls;
 using CreatureGen.Rigging;
@@ -89,9 +88,6 @@ public sealed class RagdollRig
 
     /// <summary>The part that each joint belongs to; 0 for those above the first part.</summary>
     internal ReadOnlySpan<int> PartOfJoint => partOfJoint;
-
-    /// <summary>The ragdoll of a creature.</summary>
-    public static RagdollRig Of(Creature creature) => new(creature.Skeleton, creature.Bones);
 
     /// <summary>The joints that make parts, parents first: the creature's body, then what hangs on it.</summary>
     private static List<int> Owners(Skeleton skeleton, IReadOnlyList<CapsuleCollider> capsules, int[] partOfJoint)

@@ -1,8 +1,9 @@
-using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Rigging;
 
@@ -13,8 +14,6 @@ internal sealed class LegRig
 {
     private readonly LegSegments parts;
 
-    private const double MinBend = 0.2094;
-    private const double MaxBend = 2.618;
 
     /// <summary>Part of the reach that a step may take up.</summary>
     private const float Stretch = 0.97f;
@@ -133,13 +132,13 @@ internal sealed class LegRig
         BendSign = straight || Traits.Linkage == LegLinkage.Pantograph ? (fold.Max >= -fold.Min ? 1 : -1) : turn >= 0f ? 1 : -1;
         double bend = BendSign * PortableMath.Atan2(turn, Vec.Dot(a, b));
         double straightens = BendSign > 0 ? -fold.Min : fold.Max;
-        MinBendCosine = PortableMath.Cos(Math.Max(MinBend, bend - straightens));
+        MinBendCosine = PortableMath.Cos(Math.Max(BendRange.Min, bend - straightens));
         parts = new LegSegments(upper, Shank, Hinge, MinBendCosine);
         double la = Vec.Length(a);
         double lb = Vec.Length(b);
         Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * MinBendCosine));
         double folds = BendSign > 0 ? fold.Max : -fold.Min;
-        FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(MaxBend, bend + folds)))));
+        FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(BendRange.Max, bend + folds)))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
         Stoop = stoop;
         MinTrack = Math.Max(NarrowestTrack(), ThighTrack(skeleton, bones));

@@ -1,13 +1,14 @@
-using System;
 using System.Numerics;
+using System;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
 
 namespace CreatureGen.Motion.Walking.Legs;
 
 /// <summary>The two parts of a leg that are solved for, at rest, with all that follows from their lengths and from how they stand to the hinge between them.</summary>
 internal readonly struct LegSegments
 {
-    private static readonly double maxBendCosine = PortableMath.Cos(2.618);
+    private static readonly double maxBendCosine = PortableMath.Cos(BendRange.Max);
 
     /// <summary>Measures the parts.</summary>
     /// <param name="upper">From the hip to the hinge, or, with the metatarsus folded, their sum; metres.</param>

@@ -1,6 +1,7 @@
-using System;
 using System.Numerics;
+using System;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Ik;
 
 namespace CreatureGen.Motion.Walking.Legs;
 
@@ -41,9 +42,6 @@ internal struct LegRotations
 /// </summary>
 internal static class LegSolver
 {
-    /// <summary>Part of the reach from which on it is eased.</summary>
-    private const float EaseFrom = 0.968f;
-
     /// <summary>How much earlier in the middle of the swing.</summary>
     private const float SwingSlack = 0.07f;
 
@@ -61,7 +59,7 @@ internal static class LegSolver
         double max = parts.Max;
         double min = parts.Min;
         double asked = Math.Sqrt(Math.Max(Vec.LengthSquared(target) - parts.OffsetSquared, 1e-12));
-        double from = (EaseFrom - (SwingSlack * slack)) * max;
+        double from = ((float)BendRange.EaseFrom - (SwingSlack * slack)) * max;
         double taken = asked;
         if (asked > from)
         {

@@ -68,7 +68,7 @@ public sealed class FoldedWingRagdollTests
     private static (RagdollRig Rig, RagdollState State, MovingPose Shown) Limp(StandingFlier flier)
     {
         flier.Stand(FlatGround.Level);
-        RagdollRig rig = RagdollRig.Of(flier.Creature);
+        RagdollRig rig = new RagdollRig(flier.Creature.Skeleton, flier.Creature.Bones);
         var state = new RagdollState(rig);
         Pose model = flier.Animator.ModelPose;
         Ragdoll.Start(rig, state, RootPlace.Identity, model, RootPlace.Identity, model, 0f, FlatGround.Level);

@@ -37,7 +37,7 @@ public sealed class RagdollBoundaryTests
     public void Every_accepted_setting_keeps_a_ragdoll_finite(float gravity, float jointDamping, float airDamping, float friction, float tone)
     {
         Creature creature = CreatureGenerator.Generate(42);
-        RagdollRig rig = RagdollRig.Of(creature);
+        RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
         var state = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
         var settings = new RagdollSettings(new Vector3(0.3f * gravity, -gravity, 0f), jointDamping, airDamping, friction, tone);

@@ -15,7 +15,7 @@ public sealed class RagdollStartTests
     public void A_turning_creature_falls_with_the_spin_that_it_had()
     {
         Creature creature = CreatureGenerator.Generate(42);
-        RagdollRig rig = RagdollRig.Of(creature);
+        RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
         var state = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
         var high = new Vector3(0f, 50f, 0f);
@@ -37,7 +37,7 @@ public sealed class RagdollStartTests
     private static float Slide(float friction)
     {
         Creature creature = CreatureGenerator.Generate(42);
-        RagdollRig rig = RagdollRig.Of(creature);
+        RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
         var state = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
         var root = new RootPlace(Vector3.Zero, Quaternion.Identity);

@@ -26,7 +26,7 @@ public sealed class RagdollTests
         for (ulong seed = 0; seed < (ulong)count; seed++)
         {
             Creature creature = CreatureGenerator.Generate(seed);
-            RagdollRig rig = RagdollRig.Of(creature);
+            RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
             var state = new RagdollState(rig);
             MovingPose pose = new(creature.Skeleton);
             Vector3 axis = Vec.Normalize(new Vector3(1f, 0.3f, (0.2f * (seed % 7)) - 0.6f));
@@ -97,7 +97,7 @@ public sealed class RagdollTests
     public void At_the_moment_of_going_limp_the_pose_is_the_motion_s_and_the_velocity_goes_on()
     {
         Creature creature = CreatureGenerator.Generate(3);
-        RagdollRig rig = RagdollRig.Of(creature);
+        RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
         var state = new RagdollState(rig);
         MovingPose before = new MovingPose(creature.Skeleton).Shaken(1, 0.02);
         MovingPose now = new MovingPose(creature.Skeleton).Shaken(1, 0.02);
@@ -141,7 +141,7 @@ public sealed class RagdollTests
         foreach (float step in new[] { Frame, 0.25f, 3f })
         {
             Creature creature = CreatureGenerator.Generate(2);
-            RagdollRig rig = RagdollRig.Of(creature);
+            RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
             var state = new RagdollState(rig);
             MovingPose pose = new(creature.Skeleton);
             var root = new RootPlace(new Vector3(1000f, 0.2f * scale, -1000f), Quaternion.Identity, scale);
@@ -162,7 +162,7 @@ public sealed class RagdollTests
     public void It_falls_alike_on_a_plane_a_height_field_and_a_mesh()
     {
         Creature creature = CreatureGenerator.Generate(5);
-        RagdollRig rig = RagdollRig.Of(creature);
+        RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
         MovingPose pose = new(creature.Skeleton);
         var root = new RootPlace(new Vector3(0f, 0.3f, 0f), Quaternion.Identity);
         float slope = 0.3f;
@@ -195,7 +195,7 @@ public sealed class RagdollTests
     public void A_moved_origin_does_not_disturb_the_fall()
     {
         Creature creature = CreatureGenerator.Generate(5);
-        RagdollRig rig = RagdollRig.Of(creature);
+        RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
         var here = new RagdollState(rig);
         var there = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
@@ -269,7 +269,7 @@ public sealed class RagdollTests
     public void Getting_up_starts_upright_on_the_ground_under_the_body_with_the_pose_where_it_lay()
     {
         Creature creature = CreatureGenerator.Generate(2);
-        RagdollRig rig = RagdollRig.Of(creature);
+        RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
         var state = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
         var root = new RootPlace(new Vector3(3f, 0.5f, 1f), Rotation.FromAxisAngle(Vec.Normalize(new Vector3(0.3f, 1f, 0.2f)), 1.3));
@@ -316,7 +316,7 @@ public sealed class RagdollTests
     public void Falling_allocates_nothing_and_refuses_what_is_no_number()
     {
         Creature creature = CreatureGenerator.Generate(2);
-        RagdollRig rig = RagdollRig.Of(creature);
+        RagdollRig rig = new RagdollRig(creature.Skeleton, creature.Bones);
         var state = new RagdollState(rig);
         MovingPose pose = new(creature.Skeleton);
         Ragdoll.Start(rig, state, RootPlace.Identity, pose.Model, RootPlace.Identity, pose.Model, 0f, FlatGround.Level);
@@ -330,7 +330,7 @@ public sealed class RagdollTests
         Assert.ThrowsAny<ArgumentException>(() => state.Push(1, new Vector3(float.NaN), Vector3.Zero));
         Assert.Throws<ArgumentOutOfRangeException>(() => new RagdollSettings(new Vector3(float.NaN)));
         Assert.Throws<ArgumentException>(() => new RagdollRig(creature.Skeleton, Array.Empty<CapsuleCollider>()));
-        Assert.Throws<ArgumentException>(() => Ragdoll.Advance(RagdollRig.Of(creature), state, RagdollSettings.Default, FlatGround.Level, Frame));
+        Assert.Throws<ArgumentException>(() => Ragdoll.Advance(new RagdollRig(creature.Skeleton, creature.Bones), state, RagdollSettings.Default, FlatGround.Level, Frame));
         MovingPose broken = new(creature.Skeleton);
         Array.Fill(broken.ModelPositions, new Vector3(float.NaN));
         Assert.Throws<ArgumentException>(() => Ragdoll.Start(rig, state, RootPlace.Identity, broken.Model, RootPlace.Identity, broken.Model, 0f, FlatGround.Level));
