@@ -38,7 +38,8 @@ internal sealed class CreatureBuilder
     /// <summary>How far it may be from any animal, 0..1.</summary>
     public double Strangeness { get; }
 
-    public BodyPlan Plan { get; }
+    /// <summary>How it carries its body; a swimmer without room for its fins gets another.</summary>
+    public BodyPlan Plan { get; set; }
 
     public Signature Signature { get; set; }
 

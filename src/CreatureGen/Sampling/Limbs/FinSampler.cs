@@ -17,6 +17,7 @@ internal static class FinSampler
         if (builder.Kind == LocomotionKind.Swimming)
         {
             Swim(builder);
+            FitPlan(builder);
         }
         else if (builder.Species.Class == AnimalClass.Fish)
         {
@@ -80,6 +81,19 @@ internal static class FinSampler
         };
         builder.Tail = new TailBlueprint(placement.Tail.Style, size, fork);
         builder.Shape = StanceSampler.ShapeOf(builder);
+    }
+
+    /// <summary>Legs of one species may leave no room for the paired fins of another: a swimmer without those its plan moves by swims by its body, as newts do.</summary>
+    private static void FitPlan(CreatureBuilder builder)
+    {
+        int pairs = 0;
+        foreach (FinBlueprint fin in builder.Fins)
+        {
+            pairs += fin.Place == FinPlace.Pectoral ? 1 : 0;
+        }
+
+        int need = builder.Plan switch { BodyPlan.Flipper => 2, BodyPlan.Fish or BodyPlan.Whale => 1, _ => 0 };
+        builder.Plan = pairs >= need ? builder.Plan : pairs > 0 ? BodyPlan.Fish : BodyPlan.Eel;
     }
 
     /// <summary>The fins that a species always has.</summary>
