@@ -21,6 +21,12 @@ internal sealed class GaitClock
     /// <summary>Yaw of the body in one cycle on the spot, radians.</summary>
     private const float YawPerCycle = 0.45f;
 
+    /// <summary>Seconds ahead of which the speed decides how quick steps are.</summary>
+    private const float Foresight = 0.25f;
+
+    /// <summary>How quickly a change of that is taken up, per second.</summary>
+    private const float GainRate = 8f;
+
     /// <summary>Times that a rate of turning is brought down to what steps can follow, by half at most.</summary>
     private const int TurnTrials = 4;
 
@@ -29,6 +35,8 @@ internal sealed class GaitClock
     private readonly float quickest;
     private float frequencyRest;
     private ExponentialDecay shapeDecay;
+    private ExponentialDecay gainDecay;
+    private float gainAhead;
     private Gait? measured;
     private float measuredFroude;
     private float measuredGravity;
@@ -110,7 +118,13 @@ internal sealed class GaitClock
     public void Slide(float dt, in RootVelocity velocity, float gravity, float pace, float rise, float stride = 1f)
     {
         float unit = gravity * body.LegLength;
-        float froude = ((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways)) / unit;
+
+        // A body that speeds up takes the steps of the speed that it will have: else the first of them would be lunges.
+        float speed = Math.Abs(velocity.Speed);
+        float gain = Math.Max(Math.Abs(velocity.SpeedAfter(Foresight)) - speed, 0f);
+        gainAhead = dt > 0f ? gainAhead + ((gain - gainAhead) * gainDecay.Fraction(GainRate * dt)) : gain;
+        speed += gainAhead;
+        float froude = ((speed * speed) + (velocity.Sideways * velocity.Sideways)) / unit;
         slope = rise;
         float fraction = shapeDecay.Fraction(ShapeRate * dt);
         Shape.Approach(Gait, fraction);
