@@ -15,7 +15,7 @@ internal static class DocumentScene
     /// <summary>Members that a piece may name.</summary>
     public const string Members = """
         static Creature creature = null!;
-        static CreatureBlueprint blueprint = null!, edited = null!;
+        static CreatureBlueprint blueprint = null!, edited = null!, mother = null!, father = null!, adult = null!;
         static CreatureOptions options = null!;
         static CreatureAnimator animator = null!;
         static Skeleton skeleton = null!;
@@ -26,6 +26,9 @@ internal static class DocumentScene
         static float dt, timeSinceSwitch;
         static double time;
         static bool seesPlayer;
+        static Vector3[] homes = null!, homesNow = null!;
+        static Vector3 pole;
+        static int i;
         static int hip, knee, ankle, ball, joint;
         static int[] tailJoints = null!;
         static float[] totals = null!, armMask = null!;
