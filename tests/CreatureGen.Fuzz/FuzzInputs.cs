@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 using CreatureGen.Blueprints;
+using CreatureGen.Inspection;
 using CreatureGen.Sampling;
 using CreatureGen.Seeding;
 
@@ -85,10 +86,23 @@ internal sealed class FuzzInputs
         int number = random.Integer(0, count);
         if (!parents.TryGetValue(number, out CreatureBlueprint? parent))
         {
-            CreatureOptions options = CreatureOptions.Default with { Kind = kinds[number % kinds.Length], TriangleBudget = 6000, MinScale = 0.1, MaxScale = 8 };
-            parents[number] = parent = BlueprintSampler.Sample(FirstSeed + (ulong)number, options);
+            parents[number] = parent = Sound(number);
         }
 
         return parent;
+    }
+
+    /// <summary>The creature of the first seed of a parent's own that is sound: what is broken later was broken by the fuzzer.</summary>
+    private CreatureBlueprint Sound(int number)
+    {
+        CreatureOptions options = CreatureOptions.Default with { Kind = kinds[number % kinds.Length], TriangleBudget = 6000, MinScale = 0.1, MaxScale = 8 };
+        for (ulong seed = FirstSeed + (ulong)number; ; seed += (ulong)count)
+        {
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, options);
+            if (BlueprintValidator.Validate(blueprint).Count == 0 && CreatureInspection.Inspect(CreatureGenerator.Build(blueprint)).Count == 0)
+            {
+                return blueprint;
+            }
+        }
     }
 }
