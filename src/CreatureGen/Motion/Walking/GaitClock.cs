@@ -14,6 +14,9 @@ namespace CreatureGen.Motion.Walking;
 /// </summary>
 internal sealed class GaitClock
 {
+    /// <summary>The slowest that a change of gaits makes the clock, as part of the new gait's own frequency.</summary>
+    private const float SlowestFraction = 0.1f;
+
     private const float LagPerCycle = 0.30f;
     private const float DutyPerCycle = 0.35f;
     private const float ShapeRate = 2f;
@@ -129,7 +132,10 @@ internal sealed class GaitClock
         float fraction = shapeDecay.Fraction(ShapeRate * dt);
         Shape.Approach(Gait, fraction);
         frequencyRest -= frequencyRest * fraction;
-        float straight = (FrequencyOf(Gait, froude, gravity) + frequencyRest) / stride;
+
+        // What is left of a much slower gait must not stop the clock: feet in the air would never come down.
+        float own = FrequencyOf(Gait, froude, gravity);
+        float straight = Math.Max(own + frequencyRest, SlowestFraction * own) / stride;
         float spot = Math.Abs(velocity.Turn) / YawPerCycle * (1f - (0.5f * pace));
         Frequency = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
         Length = Math.Min(straight / Frequency, 1f);
