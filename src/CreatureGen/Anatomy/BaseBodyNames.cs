@@ -63,6 +63,7 @@ public static class BaseBodyNames
         ("pterosaur", "reptile"),
         ("ceratops", "reptile"),
         ("lizard", "reptile"),
+        ("hedgehog", "canine"),
     };
 
     /// <summary>All names, in a fixed order.</summary>

@@ -62,11 +62,12 @@ public static class BlueprintSampler
     {
         LocomotionKind kind = choice.Kind(root.Child("kind").Stream());
         SpeciesProfile species = choice.Species(root.Child("family").Stream(), kind);
-        Parentage parents = ParentSampler.Draw(root, kind, species, choice, options.Strangeness);
+        double strangeness = choice.LeavesOthers(species) ? options.Strangeness : 0;
+        Parentage parents = ParentSampler.Draw(root, kind, species, choice, strangeness);
         BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, parents.Legs);
         for (int change = 0; ; change++)
         {
-            var builder = new CreatureBuilder(root, kind, Harmony.On(parents, plan), plan, options.Strangeness);
+            var builder = new CreatureBuilder(root, kind, Harmony.On(parents, plan), plan, strangeness);
             BodySampler.Sample(builder);
             StanceSampler.Settle(builder);
             BodyPlan? other = LegSampler.Sample(builder);

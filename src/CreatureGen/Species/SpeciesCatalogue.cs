@@ -65,6 +65,7 @@ internal static class SpeciesCatalogue
         Pterosaur.Profile,
         Ceratops.Profile,
         Lizard.Profile,
+        Hedgehog.Profile,
     };
 
     /// <summary>Every profile, in a fixed order.</summary>

@@ -28,7 +28,7 @@ internal static class FlierLegs
     /// <summary>How far a body is pitched at a time to stand, degrees: more would change how it flies.</summary>
     private const double MostPitch = 4;
 
-    /// <summary>By which part of the feet's hull a flier's centre of mass is to lie inside it: that of spread wings is estimated.</summary>
+    /// <summary>By which part of the feet's hull a flier's centre of mass is to lie inside it: that of spread wings is estimated, the less surely the stranger the body.</summary>
     private const double SafeMargin = 0.1;
 
     /// <summary>Shortest leg relative to the body's length.</summary>
@@ -68,6 +68,7 @@ internal static class FlierLegs
         WingMotion motion = builder.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
         FlyingPlacement placement = FlyingRules.Place(LegSampler.Measure(builder), motion, motion == WingMotion.Buzzing ? 2 : 1, new FlyingLegs(pairs, arrangement), anatomy, builder.Sockets, builder.Seed.Child("flier"));
         WingSampler.Add(builder, placement);
+        ExtraWings.AddBehind(builder);
         if (placement.Legs.Count > 0)
         {
             style = insect ? style with { FootSize = 1 } : style with { Toes = anatomy.Size.Toes == 0 ? style.Toes : anatomy.Size.Toes };
@@ -155,7 +156,7 @@ internal static class FlierLegs
         }
 
         double forward = places.Count == 1 ? 0.5 : 0.3;
-        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MostPitch, 1.6, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin };
+        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MostPitch, 1.6, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin * (1 + builder.Strangeness) };
         return new SocketSet(builder.Plan, places, places.Count, null, stance) { TakesAll = true };
     }
 }

@@ -63,11 +63,19 @@ internal static class LegSampler
 
     private static BodyPlan? Walk(CreatureBuilder builder, LegStyle style)
     {
+        ExtraWings.AddRaised(builder);
         LegPreset? preset = builder.Parents.Legs.Legs;
         BirdPreset? bird = builder.Parents.Legs.Bird;
         style = preset != null ? OwnLegs.StyleOf(builder, style, preset) : bird != null ? OwnLegs.StyleOf(builder, style, bird) : style;
         var size = new LegSize(1, preset != null ? 1 : style.Reach, style.FootSize, style.Toes);
         WalkingPlacement placement = Settle(builder, SetFor, size);
+        if (StanceSampler.TailSinks(builder))
+        {
+            // The body was pitched to stand, and its tail came down with it.
+            StanceSampler.Clear(builder);
+            placement = Settle(builder, SetFor, size);
+        }
+
         if (placement.PlanChange != null && placement.PlanChange != builder.Plan)
         {
             return placement.PlanChange;
@@ -90,7 +98,7 @@ internal static class LegSampler
             WingSampler.AddThin(builder, wings.Folded);
         }
 
-        if (builder.Parents.Legs.Class == AnimalClass.Bird && builder.Plan == BodyPlan.Theropod && placement.Arms is null)
+        if (builder.Parents.Legs.Class == AnimalClass.Bird && builder.Plan == BodyPlan.Theropod && placement.Arms is null && builder.Wings.Count == 0)
         {
             WingSampler.AddFolded(builder);
         }

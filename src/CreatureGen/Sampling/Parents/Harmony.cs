@@ -40,7 +40,14 @@ internal static class Harmony
             parents = parents with { Tail = first };
         }
 
-        return parents.Fins.Fins is null == first.Fins is null && parents.Fins.Class == first.Class ? parents : parents with { Fins = first };
+        // On the thin legs of an insect a tail would hang through the ground where an abdomen ends.
+        if (first.Class == AnimalClass.Arthropod && parents.Tail.Class != AnimalClass.Arthropod)
+        {
+            parents = parents with { Tail = first };
+        }
+
+        bool steers = parents.Fins.Fins is null == first.Fins is null && PairsOf(parents.Fins) >= PairsOf(first);
+        return steers && parents.Fins.Class == first.Class ? parents : parents with { Fins = first };
     }
 
     /// <summary>The parents on a plan: a body that lies on the ground would be tipped over by the heads of mammals and birds.</summary>
@@ -59,11 +66,23 @@ internal static class Harmony
         return fits ? shell : new ShellBlueprint(ShellStyle.None, 24, 20, 6, 0);
     }
 
-    /// <summary>Whether a species can give plan and legs to another body: swimmers keep their own, and only low bodies go without.</summary>
+    /// <summary>Pairs of fins that a species brings with it, without which nothing steers.</summary>
+    private static int PairsOf(SpeciesProfile species)
+    {
+        int pairs = 0;
+        foreach (FinSitePreset fin in species.Fins?.Fins ?? Array.Empty<FinSitePreset>())
+        {
+            pairs += fin.Place == FinPlace.Pectoral ? 1 : 0;
+        }
+
+        return pairs;
+    }
+
+    /// <summary>Whether a species can give plan and legs to another body: swimmers keep their own, and only bodies that lie on the ground anyway go without.</summary>
     private static bool CanLend(SpeciesProfile legs, SpeciesProfile body, LocomotionKind kind)
     {
         Weighted<BodyPlan>[] plans = legs.PlansOf(kind);
         bool lies = Array.Exists(plans, plan => plan.Value == BodyPlan.Legless);
-        return legs == body || (plans.Length > 0 && legs.FrequencyOf(kind) > 0 && kind != LocomotionKind.Swimming && (!lies || LiesLow(body)));
+        return legs == body || (plans.Length > 0 && legs.FrequencyOf(kind) > 0 && kind != LocomotionKind.Swimming && (!lies || Array.Exists(body.PlansOf(kind), plan => plan.Value == BodyPlan.Legless)));
     }
 }

@@ -30,7 +30,7 @@ internal static class ParentSampler
     /// <param name="kind">How it moves.</param>
     /// <param name="first">Its first parent.</param>
     /// <param name="choice">What the options allow.</param>
-    /// <param name="strangeness">0..1; where the options leave but one body it stays the animal.</param>
+    /// <param name="strangeness">0..1.</param>
     public static Parentage Draw(Seed root, LocomotionKind kind, SpeciesProfile first, PlanChoice choice, double strangeness)
     {
         RandomStream random = root.Child("blend").Stream();
@@ -43,7 +43,7 @@ internal static class ParentSampler
             partner = siblings[sibling];
         }
 
-        double t = choice.LeavesOthers(first) ? strangeness : 0;
+        double t = strangeness;
         SpeciesProfile second = Stranger(root.Child("second parent").Stream(), first, null, choice, t) ?? SpeciesCatalogue.Find(partner);
         var rest = new List<SpeciesProfile>();
         foreach (SpeciesProfile family in SpeciesCatalogue.Families)

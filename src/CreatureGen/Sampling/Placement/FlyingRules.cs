@@ -16,6 +16,9 @@ internal static class FlyingRules
     /// <summary>Ring of the anatomical place of flapping wings.</summary>
     public const int WingRing = 27;
 
+    /// <summary>Where flapping wings grow.</summary>
+    public static SocketBlueprint WingSocket => SocketSizing.Centre(WingRing, WingSegment, WingRows, WingColumns);
+
     /// <summary>Fewest rings between the roots of two pairs of thin wings.</summary>
     public const double WingRingGap = 3;
 
@@ -128,7 +131,7 @@ internal static class FlyingRules
         // The middle bone has one anatomical place for wings: the shoulders.
         var wings = new List<WingPlacement>();
         PartScale scale = uniformWing.DrawUniform(stream);
-        SocketBlueprint socket = SocketSizing.Centre(WingRing, WingSegment, WingRows, WingColumns);
+        SocketBlueprint socket = WingSocket;
         if (grid.TryReserve(socket, SocketBounds.Limb.Pad))
         {
             wings.Add(new WingPlacement(measure.BoneAt(WingRing), WingRing, socket, scale));

@@ -65,6 +65,9 @@ internal static class StanceSampler
         Clear(builder);
     }
 
+    /// <summary>Whether the tail of one that stands on legs under it goes into the ground.</summary>
+    public static bool TailSinks(CreatureBuilder builder) => builder.Plan is BodyPlan.Theropod or BodyPlan.Upright && Lowest(builder.Shape, FirstRaised, BodyGrid.Rings) < 0;
+
     /// <summary>Raises head and tail until they clear the ground.</summary>
     public static void Clear(CreatureBuilder builder)
     {

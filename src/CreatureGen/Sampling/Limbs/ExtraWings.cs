@@ -1,0 +1,62 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+using CreatureGen.Sampling.Placement;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Limbs;
+
+/// <summary>Wings that no plan asks for: a second pair on fliers, and a pair raised over the backs of walkers. How often follows the strangeness.</summary>
+internal static class ExtraWings
+{
+    /// <summary>Probability of a second pair at full strangeness.</summary>
+    private const double SecondPairs = 0.3;
+
+    /// <summary>Probability of wings on a walker at full strangeness.</summary>
+    private const double WingedWalkers = 0.2;
+
+    /// <summary>Rings from the first pair to the second.</summary>
+    private const int Behind = 7;
+
+    // The second pair against the first: smaller, lower and farther back, or the two look like one thick wing.
+    private const double SecondSpan = 0.75;
+    private const double SecondRise = 0.45;
+    private const double SecondSweep = 0.25;
+
+    /// <summary>Adds a second pair behind the only one of a flier, if it may have one and there is room.</summary>
+    public static void AddBehind(CreatureBuilder builder)
+    {
+        if (builder.Stream("second wings").Chance(SecondPairs * builder.Strangeness) && builder.Wings.Count == 1)
+        {
+            WingBlueprint first = builder.Wings[0];
+            SocketBlueprint socket = first.Socket with { Ring = first.Socket.Ring + Behind };
+            Add(builder, first with { Socket = socket, Span = first.Span * SecondSpan, Chord = first.Chord * SecondSpan, Rise = first.Rise * SecondRise, Sweep = first.Sweep + SecondSweep });
+        }
+    }
+
+    /// <summary>Adds raised wings to a walker, if it may have them and stands on legs of other kinds than an insect's.</summary>
+    public static void AddRaised(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("wings of a walker");
+        bool winged = random.Chance(WingedWalkers * builder.Strangeness);
+        bool bat = random.Chance(builder.Parents.Wings.WingMembrane);
+        double span = random.Uniform(0.75, 1.05) * Math.Max(builder.TorsoLength, 0.8);
+        double rise = random.Uniform(0.7, 1);
+        double sweep = random.Uniform(0.2, 0.4);
+        if (winged && builder.Plan != BodyPlan.Legless && builder.Species.Class != AnimalClass.Arthropod && builder.Parents.Legs.Bird is null)
+        {
+            SocketBlueprint socket = FlyingRules.WingSocket;
+            Add(builder, new WingBlueprint(bat ? WingStyle.Bat : WingStyle.Feathered, socket, span, Scalar.Lerp(0.36, 0.4, bat ? 1 : 0) * span, rise, sweep));
+        }
+    }
+
+    private static void Add(CreatureBuilder builder, WingBlueprint wing)
+    {
+        if (builder.Sockets.IsFree(wing.Socket, 0) && builder.Sockets.TryReserve(wing.Socket, 0))
+        {
+            builder.Wings.Add(wing);
+        }
+    }
+}
