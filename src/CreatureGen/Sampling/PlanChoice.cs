@@ -50,7 +50,7 @@ internal sealed class PlanChoice
             }
         }
 
-        return 1;
+        return species.OnlyByName ? 0 : 1;
     }
 
     /// <summary>Whether options leave any other body.</summary>

@@ -62,6 +62,9 @@ internal sealed record SpeciesProfile
     /// <summary>Probability among walkers, fliers and swimmers, relative.</summary>
     public (double Walking, double Flying, double Swimming) Frequency { get; init; }
 
+    /// <summary>Whether it is drawn only where options name its body: a species that is added so changes the creature of no seed.</summary>
+    public bool OnlyByName { get; init; }
+
     /// <summary>Probability among the creatures of a kind, relative.</summary>
     public double FrequencyOf(LocomotionKind kind) => kind switch
     {

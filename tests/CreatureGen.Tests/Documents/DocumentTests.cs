@@ -63,7 +63,7 @@ public sealed class DocumentTests
     /// <summary>Types stand for themselves and may see what is internal, as those who add species do; all else is the body of a method of a game, in C# 9 as the oldest engine has it.</summary>
     private static IReadOnlyList<Diagnostic> Compile(DocumentBlock block)
     {
-        bool isType = Regex.IsMatch(block.Code, @"^\s*(internal|public) (static |sealed )?(class|record|struct)");
+        bool isType = Regex.IsMatch(block.Code, @"^(internal|public) (static |sealed )?(class|record|struct)", RegexOptions.Multiline);
 
         // Rows that are left out in print.
         string code = Regex.Replace(block.Code, @"^\s*…\s*$", "", RegexOptions.Multiline);

@@ -33,6 +33,7 @@ internal static class Hedgehog
             (36, 34, 30, 30, 28),     // tail, second third
             (30, 32, 12, 12, 12)),    // tail tip
         Frequency = (0.22, 0, 0),
+        OnlyByName = true,
         Dominance = (0.93, 0.98),
         Kinship = 0,
         HeadSize = (1.12, 0.6),
