@@ -148,7 +148,7 @@ internal sealed class SoakRun(ulong seed)
 
         if (allocated != 0 && !thrown)
         {
-            Count(who + FormattableString.Invariant($": an update allocated {allocated} bytes"));
+            Count(who + FormattableString.Invariant($": update {Updates} allocated memory"));
         }
 
         Check(animator, who);

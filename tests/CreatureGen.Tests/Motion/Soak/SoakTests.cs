@@ -35,7 +35,7 @@ public sealed class SoakTests
 
     /// <summary>
     /// The very same creatures do the very same things twice, and what goes wrong must go wrong both times: when tests beside this one bring about a collection, what is left of a thread's block of memory counts as
-    /// allocated, another number of bytes in another update each time. An update that never ends would keep the run from its end: a watchdog looks whether it goes on.
+    /// allocated, in another update each time. An update that never ends would keep the run from its end: a watchdog looks whether it goes on.
     /// </summary>
     private static SoakRun Twice(ulong seed, Action<SoakRun> soak)
     {
