@@ -19,6 +19,7 @@ public sealed record MassProperties(float Mass, float Volume, Vector3 Centre, Ve
 /// <param name="Skeleton">Its joints.</param>
 /// <param name="Limbs">Its limbs as chains of joints.</param>
 /// <param name="AttachmentPoints">Top, left and right of every spine bone.</param>
+/// <param name="Sockets">Frames in which things are worn, held or ridden: saddle, head, mouth, tip of the tail and hands among them.</param>
 /// <param name="Body">The capsule that stands for the whole creature, in the space of the root joint.</param>
 /// <param name="Bones">A capsule for each bone that moves skin.</param>
 /// <param name="Mass">Mass and inertia.</param>
@@ -30,6 +31,7 @@ public sealed record Creature(
     Skeleton Skeleton,
     IReadOnlyList<LimbChain> Limbs,
     IReadOnlyList<AttachmentPoint> AttachmentPoints,
+    IReadOnlyList<CreatureSocket> Sockets,
     CapsuleCollider Body,
     IReadOnlyList<CapsuleCollider> Bones,
     MassProperties Mass,

@@ -56,7 +56,7 @@ public static class CreatureAssembler
         MassProperties mass = Weigh(surface, scale);
         IReadOnlyList<CapsuleCollider> bones = BoneCapsules.Fit(finished.Skeleton, full.Weights, full.Positions);
         CreatureMesh mesh = CreatureLods.Within(blueprint.TriangleBudget, full);
-        var creature = new Creature(blueprint, mesh, finished.Skeleton, finished.Limbs, finished.AttachmentPoints, finished.Body, bones, mass, finished.StandingHeight, LocomotionSpeed.Of(blueprint, finished));
+        var creature = new Creature(blueprint, mesh, finished.Skeleton, finished.Limbs, finished.AttachmentPoints, finished.Sockets, finished.Body, bones, mass, finished.StandingHeight, LocomotionSpeed.Of(blueprint, finished));
         observer?.StageFinished(AssemblyStage.Finish);
         return creature;
     }

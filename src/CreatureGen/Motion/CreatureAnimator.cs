@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
@@ -158,6 +159,24 @@ public sealed class CreatureAnimator
 
         FootReport report = legs.Report(foot);
         return motion is { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
+    }
+
+    /// <summary>Where a socket is in the world as of the last update: what is worn, held or rides there. A rider of its own animator goes along by <see cref="Follow"/>.</summary>
+    /// <param name="socket">Number in <see cref="Creature.Sockets"/>.</param>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such socket.</exception>
+    public RootPlace Socket(int socket)
+    {
+        IReadOnlyList<CreatureSocket> sockets = Profile.Creature.Sockets;
+        if ((uint)socket >= (uint)sockets.Count)
+        {
+            throw new ArgumentOutOfRangeException(nameof(socket), socket, FormattableString.Invariant($"expected 0..{sockets.Count - 1}"));
+        }
+
+        CreatureSocket frame = sockets[socket];
+        Quaternion joint = modelRotations[frame.Joint];
+        Vector3 model = modelPositions[frame.Joint] + Rotation.Rotate(joint, frame.Position);
+        Quaternion world = Rotation.Multiply(Root.Rotation, Rotation.Multiply(joint, frame.Rotation));
+        return new RootPlace(Root.ToWorld(model), Rotation.Normalize(world), Root.Scale);
     }
 
     /// <summary>Moves on: the creature goes as it is asked, over the ground.</summary>

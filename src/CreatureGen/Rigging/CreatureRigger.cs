@@ -51,13 +51,16 @@ internal static class CreatureRigger
         }
 
         Skeleton finished = skeleton.Build();
+        LimbChain[] limbs = LimbChains(finished, input.Appendages, appendages);
+        AttachmentPoint[] points = SpineAttachments.Find(finished, spine, line, input.Skin);
         return new Rig(
             finished,
             spine,
             line,
             appendages,
-            LimbChains(finished, input.Appendages, appendages),
-            SpineAttachments.Find(finished, spine, line, input.Skin),
+            limbs,
+            points,
+            SocketSetter.Find(finished, input, spine, line, layout, limbs, points),
             BodyCapsule.Fit(input.Surface, layout, line.At(layout.ChestRing), line.At(layout.PelvisRing)),
             head,
             jaw);

@@ -24,14 +24,15 @@ internal readonly struct AppendageJoints
 /// <param name="Skeleton">The joints.</param>
 /// <param name="Limbs">Limbs as chains of joints.</param>
 /// <param name="AttachmentPoints">Top, left and right of every spine bone.</param>
+/// <param name="Sockets">Frames in which things are worn, held or ridden.</param>
 /// <param name="Body">The capsule that stands for the whole creature, in the space of the root joint.</param>
 /// <param name="StandingHeight">Height of the body's centre above the ground, metres.</param>
-internal sealed record FinishedRig(Skeleton Skeleton, IReadOnlyList<LimbChain> Limbs, IReadOnlyList<AttachmentPoint> AttachmentPoints, CapsuleCollider Body, float StandingHeight);
+internal sealed record FinishedRig(Skeleton Skeleton, IReadOnlyList<LimbChain> Limbs, IReadOnlyList<AttachmentPoint> AttachmentPoints, IReadOnlyList<CreatureSocket> Sockets, CapsuleCollider Body, float StandingHeight);
 
 /// <summary>A skeleton fitted to a surface at scale 1, with what the weights need to know of it.</summary>
 internal sealed class Rig
 {
-    public Rig(Skeleton skeleton, SpineSegments spine, SpineLine line, IReadOnlyList<AppendageJoints> appendages, IReadOnlyList<LimbChain> limbs, IReadOnlyList<AttachmentPoint> attachmentPoints, CapsuleCollider body, int head, int jaw)
+    public Rig(Skeleton skeleton, SpineSegments spine, SpineLine line, IReadOnlyList<AppendageJoints> appendages, IReadOnlyList<LimbChain> limbs, IReadOnlyList<AttachmentPoint> attachmentPoints, IReadOnlyList<CreatureSocket> sockets, CapsuleCollider body, int head, int jaw)
     {
         Skeleton = skeleton;
         Spine = spine;
@@ -39,6 +40,7 @@ internal sealed class Rig
         Appendages = appendages;
         Limbs = limbs;
         AttachmentPoints = attachmentPoints;
+        Sockets = sockets;
         Body = body;
         Head = head;
         Jaw = jaw;
@@ -58,6 +60,8 @@ internal sealed class Rig
     public IReadOnlyList<LimbChain> Limbs { get; }
 
     public IReadOnlyList<AttachmentPoint> AttachmentPoints { get; }
+
+    public IReadOnlyList<CreatureSocket> Sockets { get; }
 
     public CapsuleCollider Body { get; }
 
@@ -90,9 +94,15 @@ internal sealed class Rig
             points[i] = point with { Position = point.Position * factor, Width = point.Width * factor };
         }
 
+        var sockets = new CreatureSocket[Sockets.Count];
+        for (int i = 0; i < sockets.Length; i++)
+        {
+            sockets[i] = Sockets[i] with { Position = Sockets[i].Position * factor };
+        }
+
         Skeleton skeleton = SkeletonBuilder.Scale(Skeleton, factor);
         var body = new CapsuleCollider(Body.Joint, Body.Start * factor, Body.End * factor, Body.Radius * factor);
-        return new FinishedRig(skeleton, limbs, points, body, HeightOf(skeleton));
+        return new FinishedRig(skeleton, limbs, points, sockets, body, HeightOf(skeleton));
     }
 
     private static float HeightOf(Skeleton skeleton)

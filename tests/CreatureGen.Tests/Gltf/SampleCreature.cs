@@ -43,6 +43,7 @@ internal static class SampleCreature
             skeleton,
             limbs,
             AttachmentPoints(skeleton, bones, radius),
+            Array.Empty<CreatureSocket>(),
             new CapsuleCollider(root, new Vector3(0f, height, -0.3f * length), new Vector3(0f, height, 0.3f * length), radius),
             bones.Select(b => new CapsuleCollider(b, Vector3.Zero, new Vector3(0f, skeleton.Joints[b].Length, 0f), 0.8f * radius)).ToArray(),
             new MassProperties(1000f * volume, volume, centre, new Vector3(0.4f, 0.5f, 0.3f), new Vector3(0f, -0.02f, 0f)),

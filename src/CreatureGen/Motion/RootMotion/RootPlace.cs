@@ -4,7 +4,7 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Motion;
 
-/// <summary>Where a creature's model space is in the world: turned, grown by one factor, and moved.</summary>
+/// <summary>Where a creature's model space, or a socket of it, is in the world: turned, grown by one factor, and moved.</summary>
 public readonly struct RootPlace
 {
     /// <summary>Metres from the origin along an axis: its square is still far from what single precision can hold.</summary>
