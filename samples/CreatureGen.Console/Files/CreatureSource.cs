@@ -85,7 +85,7 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
     }
 
     private static CreatureSource ReadBlueprint(string path, Stream stream, Func<BlueprintReading, CreatureBlueprint?> take) =>
-        new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream), take), GltfOptions.Default, ClipChoice.None);
+        new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream), take), GlbExport.Default, ClipChoice.None);
 
     private static CreatureBlueprint Require(string path, string what, BlueprintReading reading, Func<BlueprintReading, CreatureBlueprint?> take) =>
         take(reading) ?? throw new UsageError($"'{path}' holds no {what} that can be built:", reading.Problems.Select(problem => problem.ToString()));

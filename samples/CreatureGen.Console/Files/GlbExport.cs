@@ -8,9 +8,12 @@ using CreatureGen.Gltf;
 
 namespace CreatureGen.Console.Files;
 
-/// <summary>Finds out with which options a GLB file of a creature was written.</summary>
+/// <summary>With which options GLB files of creatures are written, and were.</summary>
 internal static class GlbExport
 {
+    /// <summary>What holds unless something else is asked for: all that the picture of a creature shows is in its file.</summary>
+    public static GltfOptions Default { get; } = GltfOptions.Default with { TextureSize = 1024 };
+
     private const int LengthOfJson = 12;
     private const int StartOfJson = 20;
 

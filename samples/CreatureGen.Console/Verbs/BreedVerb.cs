@@ -88,10 +88,11 @@ internal sealed class BreedVerb : IVerb
     {
         Creature creature = age == 1 ? offspring.Creature : Ageing.At(offspring.Blueprint, age).Creature;
         string name = BlueprintIdentity.Of(creature.Blueprint).ToString("x16", CultureInfo.InvariantCulture);
+        GltfOptions export = CreatureFiles.WithAtlas(creature, GlbExport.Default);
         IReadOnlyList<CreatureFile> files = CreatureFiles.Write(
             folder,
             name,
-            [("glb", CreatureFiles.Glb(creature, GltfOptions.Default, ClipChoice.None)), ("png", CreatureFiles.Png(creature, Shading.Smooth, 1)), ("json", CreatureFiles.Json(creature.Blueprint))],
+            [("glb", CreatureFiles.Glb(creature, export, ClipChoice.None)), ("png", CreatureFiles.Png(creature, export, 1)), ("json", CreatureFiles.Json(creature.Blueprint))],
             surroundings);
         return new Child(name, creature, offspring, files);
     }

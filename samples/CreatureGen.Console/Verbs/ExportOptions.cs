@@ -1,3 +1,5 @@
+using System.Globalization;
+using System.Numerics;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Files;
 using CreatureGen.Creatures;
@@ -8,7 +10,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Options that say how a GLB file is written.</summary>
 internal static class ExportOptions
 {
-    private static readonly OptionSyntax textures = new("--textures", "SIZE", "texture atlas in the GLB, texels along a side: 256, 512, 1024, 2048 or 4096 (default: none, colours in the vertices)");
+    private static readonly OptionSyntax textures = new("--textures", "SIZE", "texture atlas in the GLB, texels along a side: 256, 512, 1024 (the default), 2048 or 4096; none: colours in the vertices, as with --flat");
     private static readonly OptionSyntax levels = new("--levels", "CHOICE", "levels of detail in the GLB: finest (the default), half, quarter, tenth or all (MSFT_lod)");
     private static readonly OptionSyntax materials = new("--materials", "CHOICE", "materials in the GLB at most: two (the default: solid skin, double-sided membrane) or one, double-sided, for a single draw call");
 
@@ -34,12 +36,15 @@ internal static class ExportOptions
         Shading = arguments.Has(CommonOptions.Flat.Name) ? Shading.Flat : otherwise.Shading,
         Lods = arguments.Choice(levels.Name, WordList<LodChoice>.Instance, otherwise.Lods),
         Materials = arguments.Choice(materials.Name, WordList<MaterialChoice>.Instance, otherwise.Materials),
-        TextureSize = arguments.Value(textures.Name) is null ? otherwise.TextureSize : SizeOf(arguments),
+        TextureSize = SizeOf(arguments, arguments.Has(CommonOptions.Flat.Name) ? 0 : otherwise.TextureSize),
     };
 
-    private static int SizeOf(ParsedArguments arguments)
+    private static int SizeOf(ParsedArguments arguments, int otherwise) => arguments.Value(textures.Name) switch
     {
-        int size = arguments.Whole(textures.Name, CreatureTextures.SmallestSize, CreatureTextures.LargestSize, 0);
-        return (size & (size - 1)) == 0 ? size : throw arguments.Wrong(textures.Name, arguments.Value(textures.Name)!, "256, 512, 1024, 2048 or 4096");
-    }
+        null => otherwise,
+        "none" => 0,
+        string text => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int size) && BitOperations.IsPow2(size) && size is >= CreatureTextures.SmallestSize and <= CreatureTextures.LargestSize
+            ? size
+            : throw arguments.Wrong(textures.Name, text, "none, 256, 512, 1024, 2048 or 4096"),
+    };
 }

@@ -24,9 +24,10 @@ internal static class FirstCreature
         CreatureBlueprint blueprint = BlueprintSampler.Sample(Seed);
         times.Finished("blueprint");
         Creature creature = CreatureAssembler.Assemble(blueprint, times);
-        byte[] glb = CreatureFiles.Glb(creature, new GltfOptions { Provenance = OptionsJson.Write(CreatureOptions.Default) }, ClipChoice.None);
+        GltfOptions export = CreatureFiles.WithAtlas(creature, GlbExport.Default with { Provenance = OptionsJson.Write(CreatureOptions.Default) });
+        byte[] glb = CreatureFiles.Glb(creature, export, ClipChoice.None);
         times.Finished("glb");
-        byte[] png = CreatureFiles.Png(creature, Shading.Smooth, Environment.ProcessorCount);
+        byte[] png = CreatureFiles.Png(creature, export, Environment.ProcessorCount);
         times.Finished("picture");
         IReadOnlyList<CreatureFile> files = CreatureFiles.Write(surroundings.Folder, new Specimen(Seed, null).Name, [("glb", glb), ("png", png), ("json", CreatureFiles.Json(blueprint))], surroundings);
         times.Finished("files");

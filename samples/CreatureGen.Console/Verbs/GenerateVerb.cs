@@ -26,7 +26,7 @@ internal sealed class GenerateVerb : IVerb
         "write creature-<seed>.glb, .png and .json for each seed, creature-<seed>-<individual> for individuals",
         [
             new("generate --seed 7", "one creature in the current folder"),
-            new("generate --seed 7 --textures 1024", "with scales, fur or feathers in a texture atlas"),
+            new("generate --seed 7 --textures none", "small: colours in the vertices alone"),
             new("generate --seed 7 --clips all", "with its motion: idle, every gait, flight, swimming, crawling"),
             new("generate --seeds 1-100 --kind flying --out birds", "a hundred fliers in a folder"),
             new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
@@ -46,7 +46,7 @@ internal sealed class GenerateVerb : IVerb
         var task = new Task(
             surroundings.Locate(arguments.Value(folder.Name) ?? "."),
             options,
-            ExportOptions.Read(arguments, GltfOptions.Default),
+            ExportOptions.Read(arguments, GlbExport.Default),
             ExportOptions.ReadClips(arguments, ClipChoice.None),
             arguments.Has(noPicture.Name) ? PictureChoice.None : PictureChoice.Portrait,
             one ? threads : 1);
@@ -93,11 +93,12 @@ internal sealed class GenerateVerb : IVerb
         CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, options);
         times.Finished("blueprint");
         Creature creature = CreatureAssembler.Assemble(blueprint, times);
-        var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, task.Export with { Provenance = OptionsJson.Write(options) }, task.Clips)) };
+        GltfOptions export = CreatureFiles.WithAtlas(creature, task.Export with { Provenance = OptionsJson.Write(options) });
+        var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, export, task.Clips)) };
         times.Finished("glb");
         if (task.Picture == PictureChoice.Portrait)
         {
-            contents.Add(("png", CreatureFiles.Png(creature, task.Export.Shading, task.PictureThreads)));
+            contents.Add(("png", CreatureFiles.Png(creature, export, task.PictureThreads)));
             times.Finished("picture");
         }
 

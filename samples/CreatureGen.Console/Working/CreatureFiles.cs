@@ -46,14 +46,18 @@ internal static class CreatureFiles
         return bytes.ToArray();
     }
 
-    /// <summary>The creature's picture.</summary>
-    public static byte[] Png(Creature creature, Shading shading, int threads)
+    /// <summary>The same options with the atlas painted, where there is to be one: file and picture share it.</summary>
+    public static GltfOptions WithAtlas(Creature creature, GltfOptions options) =>
+        options.TextureSize == 0 ? options : options with { Textures = CreatureTextures.Bake(creature, options.TextureSize) };
+
+    /// <summary>The picture of what the file holds.</summary>
+    public static byte[] Png(Creature creature, GltfOptions options, int threads)
     {
-        Picture picture = Portrait.Take(creature, View.ThreeQuarter, new RenderOptions
+        Picture picture = Portrait.Take(creature, options.Textures, View.ThreeQuarter, new RenderOptions
         {
             Width = PictureWidth,
             Height = PictureHeight,
-            Shading = shading == Shading.Flat ? ShadingMode.Faceted : ShadingMode.Smooth,
+            Shading = options.Shading == Shading.Flat ? ShadingMode.Faceted : ShadingMode.Smooth,
             Threads = threads,
         });
         return PngWriter.ToBytes(picture);

@@ -28,6 +28,19 @@ public static class Portrait
         return Dressed(creature, mesh, Fit(mesh, view, options), options);
     }
 
+    /// <summary>The creature in rest pose as a file shows it: under its atlas, or in the colours of its vertices.</summary>
+    /// <param name="creature">The creature.</param>
+    /// <param name="textures">Its atlas; null for none.</param>
+    /// <param name="view">From which side.</param>
+    /// <param name="options">How. Faces of one colour take none of the atlas.</param>
+    public static Picture Take(Creature creature, CreatureTextures? textures, View view, RenderOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        RenderMesh mesh = RenderMesh.From(creature);
+        Camera camera = Fit(mesh, view, options);
+        return Renderer.Render(textures is not null && TakesTextures(options) ? mesh.WithTextures(textures) : mesh, camera, options);
+    }
+
     /// <summary>The creature in rest pose, half transparent, and its bones and joints.</summary>
     public static Picture TakeSkeleton(Creature creature, View view, RenderOptions options)
     {
@@ -64,13 +77,15 @@ public static class Portrait
     // The creature under an atlas about as fine as the picture; faces of one colour need none.
     private static Picture Dressed(Creature creature, RenderMesh mesh, Camera camera, RenderOptions options)
     {
-        if (options.Shading is not (ShadingMode.Flat or ShadingMode.Faceted))
+        if (TakesTextures(options))
         {
             mesh = mesh.WithTextures(CreatureTextures.Bake(creature, AtlasFineness.SizeFor(mesh, camera, options.Height)));
         }
 
         return Renderer.Render(mesh, camera, options);
     }
+
+    private static bool TakesTextures(RenderOptions options) => options.Shading is not (ShadingMode.Flat or ShadingMode.Faceted);
 
     private static Camera Fit(RenderMesh mesh, View view, RenderOptions options) =>
         Camera.Fit(Views.Angle(view), mesh.Positions, options.Width / (float)options.Height);

@@ -69,6 +69,7 @@ public sealed class CreatureTextures
         ChartPacking packing = ChartPacking.Pack(surface);
         Paint(surface, packing, new VertexCoat(Coat(), surface, normals), size, PainterOf);
         pictures.Bleed(Math.Max(2, size / 256));
+        pictures.FillGround();
         ForEachBand(size, rows => pictures.Emboss(1f / (packing.Density * size), rows));
         return new CreatureTextures(pictures);
 

@@ -44,7 +44,8 @@ public static class GlbWriter
 
         ExportCheck.Require(creature);
         LodStack levels = LodStack.Of(creature.Mesh, options);
-        TextureImages? images = options.TextureSize == 0 ? null : TextureImages.Of(creature, options.TextureSize);
+        CreatureTextures? textures = options.Textures ?? (options.TextureSize == 0 ? null : CreatureTextures.Bake(creature, options.TextureSize));
+        TextureImages? images = textures == null ? null : TextureImages.Of(textures);
         levels = images == null ? levels : levels.Over(levels.Mesh.Textured());
         var plan = new BufferPlan();
         var buffers = new MeshBuffers(levels.Mesh, creature.Skeleton, plan);
@@ -67,7 +68,7 @@ public static class GlbWriter
             }
 
             var json = new JsonWriter(JsonLayout.Compact);
-            DocumentWriter.Write(json, creature, options, plan, levels, buffers, clips, box);
+            DocumentWriter.Write(json, creature, options with { TextureSize = textures?.Size ?? 0 }, plan, levels, buffers, clips, box);
             GlbContainer.Write(destination, json.ToUtf8(), binary);
         }
         finally

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Toolkit;
 
@@ -25,6 +26,9 @@ public sealed record GltfOptions
     /// With an atlas, vertices of the skin are white and those of eyes, claws and teeth keep their colour.
     /// </summary>
     public int TextureSize { get; init; }
+
+    /// <summary>An atlas painted before, of the very creature that is written, to share the work with a picture; its size counts then. Default: null, one of <see cref="TextureSize"/> is painted.</summary>
+    public CreatureTextures? Textures { get; init; }
 
     /// <summary>Motion in the file, one animation for each clip. Default: none.</summary>
     public IReadOnlyList<Clip> Clips { get; init; } = Array.Empty<Clip>();

@@ -29,13 +29,11 @@ internal sealed class TextureImages
     /// <summary>The bytes of the PNG files.</summary>
     public IReadOnlyList<byte[]> Files => files;
 
-    /// <summary>Paints and packs the atlas.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The size is not a power of two within its range.</exception>
-    public static TextureImages Of(Creature creature, int size)
+    /// <summary>Packs an atlas.</summary>
+    public static TextureImages Of(CreatureTextures textures)
     {
-        CreatureTextures textures = CreatureTextures.Bake(creature, size);
         var files = new byte[Names.Count][];
-        IndependentParts.Run(files.Length, picture => files[picture] = Pack(PixelsOf(textures, picture), size));
+        IndependentParts.Run(files.Length, picture => files[picture] = Pack(PixelsOf(textures, picture), textures.Size));
         return new TextureImages(files);
     }
 

@@ -95,7 +95,7 @@ internal sealed class AtlasPictures
         }
     }
 
-    /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour; what is left keeps its plain ground.</summary>
+    /// <summary>Gives unpainted texels the mean of their painted neighbours, some texels far, so that filtering at the edge of a chart finds no other colour.</summary>
     public void Bleed(int texels)
     {
         var border = new List<int>();
@@ -130,6 +130,13 @@ internal sealed class AtlasPictures
 
             (border, next) = (next, border);
         }
+    }
+
+    /// <summary>Colours what is still unpainted like what is around it.</summary>
+    public void FillGround()
+    {
+        GapFilling.Fill(BaseColour, painted, Size);
+        GapFilling.Fill(Roughness, painted, Size);
     }
 
     private static void Fill(Span<byte> picture, byte red, byte green, byte blue)

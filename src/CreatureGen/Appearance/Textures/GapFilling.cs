@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+
+namespace CreatureGen.Appearance.Textures;
+
+/// <summary>
+/// Fills what is not painted of an atlas from around it: smaller and smaller pictures of the atlas, as renderers use from afar, then mix in no colour that is not the creature's.
+/// </summary>
+/// <remarks>Based on: S. J. Gortler et al., "The Lumigraph" (1996): means of what is painted are pushed up a pyramid of halved pictures, and gaps pull theirs down from it.</remarks>
+internal static class GapFilling
+{
+    private const int Channels = 3;
+
+    /// <summary>Gives each texel that is not painted the mean of the smallest square around it, of those that halving makes, in which something is painted.</summary>
+    /// <param name="picture">Three bytes per texel; changed. Nothing happens where nothing is painted.</param>
+    /// <param name="painted">One per texel.</param>
+    /// <param name="size">Texels along a side, a power of two.</param>
+    public static void Fill(byte[] picture, bool[] painted, int size)
+    {
+        var pyramid = new Stack<Level>();
+        pyramid.Push(new Level(size, picture, painted));
+        while (pyramid.Peek().Size > 1)
+        {
+            pyramid.Push(pyramid.Peek().Halve());
+        }
+
+        Level coarse = pyramid.Pop();
+        while (pyramid.Count > 0 && coarse.IsPainted(0))
+        {
+            Level finer = pyramid.Pop();
+            finer.FillFrom(coarse);
+            coarse = finer;
+        }
+    }
+
+    private sealed class Level
+    {
+        private readonly byte[] texels;
+        private readonly bool[] painted;
+
+        public Level(int size, byte[] texels, bool[] painted)
+        {
+            Size = size;
+            this.texels = texels;
+            this.painted = painted;
+        }
+
+        public int Size { get; }
+
+        public bool IsPainted(int texel) => painted[texel];
+
+        public Level Halve()
+        {
+            int size = Size / 2;
+            var half = new Level(size, new byte[Channels * size * size], new bool[size * size]);
+            for (int texel = 0; texel < half.painted.Length; texel++)
+            {
+                half.Average(texel, this, (2 * Size * (texel / size)) + (2 * (texel % size)));
+            }
+
+            return half;
+        }
+
+        public void FillFrom(Level half)
+        {
+            for (int texel = 0; texel < texels.Length / Channels; texel++)
+            {
+                if (!painted[texel])
+                {
+                    int over = (texel / Size / 2 * half.Size) + (texel % Size / 2);
+                    half.texels.AsSpan(Channels * over, Channels).CopyTo(texels.AsSpan(Channels * texel));
+                }
+            }
+        }
+
+        private void Average(int texel, Level finer, int first)
+        {
+            int red = 0, green = 0, blue = 0, count = 0;
+            for (int corner = 0; corner < 4; corner++)
+            {
+                int at = first + (corner & 1) + ((corner >> 1) * finer.Size);
+                if (finer.painted[at])
+                {
+                    red += finer.texels[Channels * at];
+                    green += finer.texels[(Channels * at) + 1];
+                    blue += finer.texels[(Channels * at) + 2];
+                    count++;
+                }
+            }
+
+            if (count > 0)
+            {
+                painted[texel] = true;
+                texels[Channels * texel] = (byte)((red + (count / 2)) / count);
+                texels[(Channels * texel) + 1] = (byte)((green + (count / 2)) / count);
+                texels[(Channels * texel) + 2] = (byte)((blue + (count / 2)) / count);
+            }
+        }
+    }
+}
