@@ -32,8 +32,9 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Seconds ahead of which the speed decides the gait.</summary>
     private const float Foresight = 0.2f;
 
-    /// <summary>Height by which the root follows the ground under the body, per second.</summary>
+    /// <summary>Height by which the root follows the ground under the body, per second, and besides for each leg length that it goes.</summary>
     private const float RootRate = 6f;
+    private const float RootRateOfWay = 1f;
 
     /// <summary>How far the root is behind that ground at most, leg lengths.</summary>
     private const float MaxRootLag = 0.25f;
@@ -391,7 +392,7 @@ internal sealed class WalkingMode : ILocomotionMode
     {
         float away = 0.5f * (placer.HindGround + placer.ForeGround);
         float most = MaxRootLag * body.LegLength;
-        float height = (away * rootDecay.Fraction(RootRate * h)) + (away - Scalar.Clamp(away, -most, most));
+        float height = (away * rootDecay.Fraction((RootRate + (RootRateOfWay * Math.Abs(velocity.Speed) / body.LegLength)) * h)) + (away - Scalar.Clamp(away, -most, most));
         float climb = placer.Climb * velocity.Speed * h;
         if (height == 0f && climb == 0f)
         {

@@ -138,7 +138,7 @@ public sealed class SteadySlopeTests
         var feet = new Foot[4];
         for (int i = 0; i < feet.Length; i++)
         {
-            feet[i].Base = new Vector3(i % 2, 0.3f, i - 1.5f);
+            feet[i].Start = feet[i].End = new Vector3(i % 2, 0.3f, i - 1.5f);
         }
 
         GroundSlope slope = default;
@@ -146,17 +146,49 @@ public sealed class SteadySlopeTests
         Assert.Equal(0f, slope.Rise, 6);
         for (int i = 0; i < feet.Length; i++)
         {
-            feet[i].Base.Y = 0.3f + (0.2f * feet[i].Base.Z);
+            feet[i].Start.Y = feet[i].End.Y = 0.3f + (0.2f * feet[i].Start.Z);
         }
 
-        slope.Feel(feet, 1f, 0.1f);
+        slope.Feel(feet, 1f, 0f, 0.1f);
         Assert.InRange(slope.Rise, 0.01f, 0.19f);
         for (int i = 0; i < 100; i++)
         {
-            slope.Feel(feet, 1f, 0.1f);
+            slope.Feel(feet, 1f, 0f, 0.1f);
         }
 
         Assert.Equal(0.2f, slope.Rise, 3);
+    }
+
+    [Fact]
+    public void Feet_side_by_side_feel_the_slope_by_the_way_that_they_go_together()
+    {
+        var feet = new Foot[2];
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i].Start = new Vector3(i, -0.3f, -1f);
+            feet[i].End = new Vector3(i, 0.3f, 1f);
+        }
+
+        GroundSlope slope = default;
+        slope.Reset(feet, 1f);
+        Assert.InRange(slope.Rise, 0.298f, 0.3f);
+    }
+
+    [Fact]
+    public void A_slope_is_felt_the_sooner_the_faster_it_is_gone()
+    {
+        var level = new Foot[2];
+        level[0].Start = level[0].End = new Vector3(0f, 0f, -1f);
+        level[1].Start = level[1].End = new Vector3(0f, 0f, 1f);
+        var steep = new Foot[2];
+        steep[0].Start = steep[0].End = new Vector3(0f, -0.2f, -1f);
+        steep[1].Start = steep[1].End = new Vector3(0f, 0.2f, 1f);
+        GroundSlope slow = default;
+        slow.Reset(level, 1f);
+        GroundSlope fast = slow;
+        slow.Feel(steep, 1f, 1f, 0.1f);
+        fast.Feel(steep, 1f, 8f, 0.1f);
+        Assert.InRange(slow.Rise, 0.02f, 0.9f * fast.Rise);
     }
 
     private static FlatGround Slope(float degrees) => new(Vector3.Zero, Vector3.Normalize(new Vector3(0f, 1f, -MathF.Tan(degrees * MathF.PI / 180f))));

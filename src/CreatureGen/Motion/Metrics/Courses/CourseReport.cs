@@ -27,7 +27,7 @@ public sealed record CourseReport(int Frames, float Seconds, float LimitExcess, 
     /// <summary>Least height of the lowest point of a foot in the middle of its swing; below 0 in the ground.</summary>
     public float? Clearance { get; init; }
 
-    /// <summary>Farthest that the root was above or below the mean height of the ground where its feet are or are going.</summary>
+    /// <summary>Farthest that the root was above or below the mean height of the ground below its hips.</summary>
     public float? RootLag { get; init; }
 
     /// <summary>How often it lost the ground: it came to be more than a leg above or below it, or where there is none.</summary>

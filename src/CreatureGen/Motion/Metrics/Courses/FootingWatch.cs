@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
@@ -22,6 +23,7 @@ internal sealed class FootingWatch
 
     private readonly CreatureAnimator animator;
     private readonly CourseSurface surface;
+    private readonly LegRig[] legs;
     private readonly float legLength;
     private readonly FootSkin[] skins;
     private readonly StanceWatch[] stances;
@@ -45,6 +47,7 @@ internal sealed class FootingWatch
     {
         this.animator = animator;
         this.surface = surface;
+        legs = body.Legs;
         legLength = body.LegLength;
         matrices = new Matrix4x4[body.Skeleton.Count];
         skins = Array.ConvertAll(body.Legs, leg => new FootSkin(body.Creature, leg.Ankle, leg.Ball, leg.Length));
@@ -170,12 +173,13 @@ internal sealed class FootingWatch
     private void WatchRoot(float dt)
     {
         float reach = Lookout * legLength;
-        Vector3 root = animator.Root.Position;
+        RootPlace place = animator.Root;
+        Vector3 root = place.Position;
         float sum = 0f;
         int found = 0;
-        for (int i = 0; i < skins.Length; i++)
+        foreach (LegRig leg in legs)
         {
-            if (surface.HeightAt(animator.Foot(i).Place, reach) is float height)
+            if (surface.HeightAt(place.ToWorld(leg.HipRest), reach) is float height)
             {
                 sum += height;
                 found++;

@@ -63,6 +63,10 @@ internal struct Foot
     /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
     public Vector3 Base;
 
+    /// <summary>Where it left the ground and where it comes down, under the ball in model space at present; both where it stands.</summary>
+    public Vector3 Start;
+    public Vector3 End;
+
     /// <summary>What of its height above that place is for what stands in its way, metres.</summary>
     public float Over;
 

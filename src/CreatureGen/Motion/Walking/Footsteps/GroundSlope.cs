@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
@@ -6,8 +7,9 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 /// <summary>The rise of the ground along the way, as the feet feel it: the line through their places, over some steps, so that hills no longer than the body do not count.</summary>
 internal struct GroundSlope
 {
-    /// <summary>How quickly it follows, per second.</summary>
+    /// <summary>How quickly it follows, per second, and besides for each leg length that the body goes.</summary>
     private const float Rate = 3f;
+    private const float RateOfWay = 1f;
 
     /// <summary>The steepest that is taken for a slope.</summary>
     private const float Steepest = 0.6f;
@@ -25,10 +27,11 @@ internal struct GroundSlope
     /// <summary>Feels the ground under all feet.</summary>
     /// <param name="feet">Their places as last posed.</param>
     /// <param name="legLength">Metres.</param>
+    /// <param name="speed">Metres per second ahead.</param>
     /// <param name="dt">Seconds since the last time.</param>
-    public void Feel(ReadOnlySpan<Foot> feet, float legLength, float dt)
+    public void Feel(ReadOnlySpan<Foot> feet, float legLength, float speed, float dt)
     {
-        float fraction = decay.Fraction(Rate * dt);
+        float fraction = decay.Fraction((Rate + (RateOfWay * Math.Abs(speed) / legLength)) * dt);
         Measure(feet, out float nowTogether, out float nowSpread);
         together += (nowTogether - together) * fraction;
         spread += (nowSpread - spread) * fraction;
@@ -48,7 +51,7 @@ internal struct GroundSlope
         Rise = Scalar.Clamp(together / (spread + (min * min)), -Steepest, Steepest);
     }
 
-    /// <summary>Mean product of the feet's distances from their middle, ahead and up, and mean square of those ahead.</summary>
+    /// <summary>Mean product of the places' distances from their middle, ahead and up, and mean square of those ahead: of each foot where it leaves the ground and where it comes down, so that feet side by side tell of the way too.</summary>
     private static void Measure(ReadOnlySpan<Foot> feet, out float together, out float spread)
     {
         float z = 0f;
@@ -57,15 +60,15 @@ internal struct GroundSlope
         float zz = 0f;
         for (int i = 0; i < feet.Length; i++)
         {
-            float ahead = feet[i].Base.Z;
-            float up = feet[i].Base.Y;
-            z += ahead;
-            y += up;
-            zy += ahead * up;
-            zz += ahead * ahead;
+            Vector3 start = feet[i].Start;
+            Vector3 end = feet[i].End;
+            z += start.Z + end.Z;
+            y += start.Y + end.Y;
+            zy += (start.Z * start.Y) + (end.Z * end.Y);
+            zz += (start.Z * start.Z) + (end.Z * end.Z);
         }
 
-        float fraction = 1f / feet.Length;
+        float fraction = 0.5f / feet.Length;
         together = (zy - (z * y * fraction)) * fraction;
         spread = (zz - (z * z * fraction)) * fraction;
     }

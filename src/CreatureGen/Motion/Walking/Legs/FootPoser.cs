@@ -43,10 +43,13 @@ internal static class FootPoser
         Vector3 normal = Rotation.Rotate(inverse, foot.From.Normal);
         foot.Lift = 0f;
         foot.Over = 0f;
+        foot.Start = from;
+        foot.End = from;
         if (foot.Phase == FootPhase.Swing)
         {
             float u = foot.Swing;
             Vector3 to = frame.ToModel(foot.To.Position);
+            foot.End = to;
             float r = Along(u);
             from += (to - from) * r;
             heading = UnitRotation.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);

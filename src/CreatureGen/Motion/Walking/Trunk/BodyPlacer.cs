@@ -12,8 +12,9 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// </summary>
 internal sealed class BodyPlacer
 {
-    /// <summary>How quickly the trunk follows the ground, per second.</summary>
+    /// <summary>How quickly the trunk follows the ground, per second, and besides for each leg length that it goes.</summary>
     private const float GroundRate = 9f;
+    private const float GroundRateOfWay = 1f;
 
     /// <summary>How quickly the trunk bends into a turn, per second.</summary>
     private const float TurnBendRate = 4f;
@@ -300,10 +301,10 @@ internal sealed class BodyPlacer
     private void Follow(in BodyContext context, ReadOnlySpan<Foot> feet)
     {
         Grounds(feet, out float hindGround, out float foreGround, out float across);
-        float fraction = groundDecay.Fraction(GroundRate * context.Step);
+        float fraction = groundDecay.Fraction((GroundRate + (GroundRateOfWay * Math.Abs(context.RootVelocity.Speed) / body.LegLength)) * context.Step);
         HindGround += (hindGround - HindGround) * fraction;
         ForeGround += (foreGround - ForeGround) * fraction;
-        way.Feel(feet, body.LegLength, context.Step);
+        way.Feel(feet, body.LegLength, context.RootVelocity.Speed, context.Step);
         float wanted = Scalar.Clamp(0.5f * (body.Legs[0].Lateral ? LateralSlopeFraction : SlopeFraction) * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MaxRoll, body.MaxRoll);
         slope += (wanted - slope) * slopeDecay.Fraction(SlopeRate * context.Step);
         SlideFraction = context.Activity;
