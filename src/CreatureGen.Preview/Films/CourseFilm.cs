@@ -28,11 +28,15 @@ public sealed class CourseFilm : IFilm
     private const float FloorPart = 1.1f;
     private const int PatchesPerCheck = 4;
 
+    // Degrees up to which a camera goes that looks over ground that rises towards it.
+    private const double HighestElevation = 50;
+
     // Every so manieth vertex and moment is looked at to find out how much room the creature takes.
     private const int Sparsely = 9;
 
     private readonly RenderMesh dressed;
     private readonly CheckedFloor? floor;
+    private readonly Dictionary<(View View, CameraTurn Turning), CameraAngle> angles;
     private readonly Vector3[] stillRoom;
     private readonly Vector3[] turningRoom;
 
@@ -63,6 +67,7 @@ public sealed class CourseFilm : IFilm
         stillRoom = FindRoom(CameraTurn.Still);
         turningRoom = FindRoom(CameraTurn.Along);
         floor = profile.Swim == null ? FloorAround() : null;
+        angles = FindAngles();
     }
 
     /// <summary>The creature's profile.</summary>
@@ -111,7 +116,7 @@ public sealed class CourseFilm : IFilm
     /// <summary>The creature on its ground at a moment.</summary>
     internal Picture Draw(int moment, View view, CameraTurn turning, int width, int height)
     {
-        var camera = Camera.Fit(Views.Angle(view), turning == CameraTurn.Along ? turningRoom : stillRoom, width / (float)height);
+        var camera = Camera.Fit(angles[(view, turning)], turning == CameraTurn.Along ? turningRoom : stillRoom, width / (float)height);
         RootPlace place = Take.CameraAt(moment, turning);
         (Vector3[] positions, Vector3[] normals) = Take.SkinAt(moment, place);
         RenderMesh mesh = dressed.Posed(positions, normals);
@@ -125,6 +130,24 @@ public sealed class CourseFilm : IFilm
         });
         ContactMarks.Draw(picture, Profile.Legs, Take.MarksAt(moment, place), camera);
         return picture;
+    }
+
+    /// <summary>From where each view looks: over ground that rises towards the camera from so much higher, so that it does not hide who is on it.</summary>
+    private Dictionary<(View, CameraTurn), CameraAngle> FindAngles()
+    {
+        var found = new Dictionary<(View, CameraTurn), CameraAngle>();
+        bool even = floor == null || Ground is CourseGround.Flat or CourseGround.Lift;
+        foreach (View view in Enum.GetValues<View>())
+        {
+            foreach (CameraTurn turning in Enum.GetValues<CameraTurn>())
+            {
+                CameraAngle level = Views.Angle(view);
+                double rise = even ? 0 : Take.SteepestRise(level.AzimuthDegrees, turning, FloorPart * RoomSize(CameraTurn.Along).Z, Sparsely);
+                found[(view, turning)] = level with { ElevationDegrees = Math.Max(level.ElevationDegrees, Math.Min(level.ElevationDegrees + rise, HighestElevation)) };
+            }
+        }
+
+        return found;
     }
 
     private Vector3[] FindRoom(CameraTurn turning)

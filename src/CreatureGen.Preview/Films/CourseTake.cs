@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Preview.Scenes;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Preview.Films;
@@ -16,6 +17,9 @@ internal sealed class CourseTake
 
     // Moments before and after over which the camera's way is evened out.
     private const int Evening = 15;
+
+    // Places between the creature and the edge of the floor at which its height is looked at; the nearest is left out, as a single step hides little.
+    private const int RiseSamples = 8;
 
     private readonly Creatures.Creature creature;
     private readonly List<Moment> moments = [];
@@ -83,6 +87,31 @@ internal sealed class CourseTake
         ahead.Y = 0f;
         Quaternion rotation = turning == CameraTurn.Along && Vec.Length(ahead) > 1e-3f * count ? Rotation.FromTo(Vector3.UnitZ, Vec.Normalize(ahead)) : Quaternion.Identity;
         return new RootPlace(position / count, rotation);
+    }
+
+    /// <summary>How steeply the ground rises at most from where the creature is towards a camera, degrees.</summary>
+    /// <param name="azimuthDegrees">Of the camera, in its axes.</param>
+    /// <param name="turning">Whether it turns along.</param>
+    /// <param name="reach">How far the ground is drawn, metres.</param>
+    /// <param name="every">Every so manieth moment is looked at.</param>
+    public double SteepestRise(double azimuthDegrees, CameraTurn turning, float reach, int every)
+    {
+        Vector3 towards = new CameraAngle(azimuthDegrees, 0).TowardsCamera;
+        double steepest = 0;
+        for (int moment = 0; moment < Moments; moment += every)
+        {
+            RootPlace camera = CameraAt(moment, turning);
+            for (int i = 2; i <= RiseSamples; i++)
+            {
+                float away = reach * i / RiseSamples;
+                if (surface.HeightAt(camera.Position, reach) is float here && surface.HeightAt(camera.ToWorld(towards * away), 2f * reach) is float there)
+                {
+                    steepest = Math.Max(steepest, PortableMath.Atan2(there - here, away));
+                }
+            }
+        }
+
+        return steepest * 180 / PortableMath.Pi;
     }
 
     /// <summary>Skin and normals in a camera's axes, metres.</summary>
