@@ -16,7 +16,7 @@ internal static class Application
     public const string Name = "creaturegen";
 
     /// <summary>All verbs, in the order of the help.</summary>
-    public static IReadOnlyList<IVerb> Verbs { get; } = [new GenerateVerb(), new BuildVerb(), new BreedVerb(), new InspectVerb(), new SheetVerb(), new AnimateVerb(), new VerifyVerb(), new VarietyVerb(), new MetricsVerb(), new EventsVerb()];
+    public static IReadOnlyList<IVerb> Verbs { get; } = [new GenerateVerb(), new BuildVerb(), new BreedVerb(), new InspectVerb(), new SheetVerb(), new AnimateVerb(), new VerifyVerb(), new MergeVerb(), new VarietyVerb(), new MetricsVerb(), new EventsVerb()];
 
     /// <summary>Runs the program.</summary>
     /// <returns>One of <see cref="ExitCode"/>.</returns>
@@ -74,7 +74,8 @@ internal static class Application
             return ExitCode.Done;
         }
 
-        return verb.Run(ArgumentReader.Read(verb.Syntax, rest), surroundings);
+        ParsedArguments parsed = ArgumentReader.Read(verb.Syntax, rest);
+        return verb.Run(parsed, CommonOptions.IsQuiet(parsed) ? surroundings.Hushed() : surroundings);
     }
 
     private static int Help(IReadOnlyList<string> arguments, Surroundings surroundings)

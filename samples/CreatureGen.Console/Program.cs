@@ -22,6 +22,7 @@ internal static class Program
         {
             Data = data,
             Input = StandardStreams.Input,
+            Variable = Environment.GetEnvironmentVariable,
             OutIsTerminal = !System.Console.IsOutputRedirected,
             ErrorIsTerminal = !System.Console.IsErrorRedirected,
             AllowsColour = !plain,

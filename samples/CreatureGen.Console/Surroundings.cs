@@ -19,6 +19,9 @@ internal sealed record Surroundings(TextWriter Out, TextWriter Error)
     /// <summary>Opens the standard input.</summary>
     public Func<Stream> Input { get; init; } = () => Stream.Null;
 
+    /// <summary>The value of a variable of the environment; null if it is not there.</summary>
+    public Func<string, string?> Variable { get; init; } = _ => null;
+
     /// <summary>Where files are written.</summary>
     public IDisk Disk { get; init; } = new LocalDisk();
 
@@ -30,6 +33,12 @@ internal sealed record Surroundings(TextWriter Out, TextWriter Error)
 
     /// <summary>Whether complaints go to a person, who may like to see progress too.</summary>
     public bool ErrorIsTerminal { get; init; }
+
+    /// <summary>Takes remarks while data goes to the standard output; null for <see cref="Error"/>.</summary>
+    private TextWriter? Remarks { get; init; }
+
+    /// <summary>Whether progress may be shown to a person.</summary>
+    public bool ShowsProgress { get; private init; } = true;
 
     /// <summary>Whether that person may be shown colours.</summary>
     public bool AllowsColour { get; init; }
@@ -44,5 +53,8 @@ internal sealed record Surroundings(TextWriter Out, TextWriter Error)
     public string Locate(string path) => path == Standard ? path : Path.GetFullPath(path, Folder);
 
     /// <summary>Where to tell of a file that was written to a path: not among the data.</summary>
-    public TextWriter Telling(string path) => path == Standard ? Error : Out;
+    public TextWriter Telling(string path) => path == Standard ? Remarks ?? Error : Out;
+
+    /// <summary>The same for somebody who wants to hear of nothing but what went wrong.</summary>
+    public Surroundings Hushed() => this with { Out = TextWriter.Null, Remarks = TextWriter.Null, ShowsProgress = false };
 }

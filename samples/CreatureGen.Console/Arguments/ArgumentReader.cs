@@ -33,9 +33,8 @@ internal static class ArgumentReader
             }
             else
             {
-                int equals = word.IndexOf('=', StringComparison.Ordinal);
-                OptionSyntax option = Find(syntax, equals < 0 ? word : word[..equals]);
-                string? value = equals < 0 ? null : word[(equals + 1)..];
+                (string name, string? value) = Split(syntax, word);
+                OptionSyntax option = Find(syntax, name);
                 if (option.Value != null && value == null && i + 1 < words.Count && !IsOption(syntax, words[i + 1]))
                 {
                     value = words[++i];
@@ -51,13 +50,26 @@ internal static class ArgumentReader
 
     /// <summary>Whether a word is an option rather than the value of the one before it.</summary>
     private static bool IsOption(VerbSyntax syntax, string word) =>
-        word.StartsWith("--", StringComparison.Ordinal) || syntax.Options.Any(option => option.Name == word);
+        word.StartsWith("--", StringComparison.Ordinal) || syntax.Options.Any(option => option.Is(word));
+
+    /// <summary>A word as the name of an option and the value that stands in the same word: after an equals sign, or directly after a letter.</summary>
+    private static (string Name, string? Value) Split(VerbSyntax syntax, string word)
+    {
+        int equals = word.IndexOf('=', StringComparison.Ordinal);
+        if (equals >= 0)
+        {
+            return (word[..equals], word[(equals + 1)..]);
+        }
+
+        bool joined = word.Length > 2 && word[1] != '-' && syntax.Options.Any(option => option.Value != null && option.Short == word[..2]);
+        return joined ? (word[..2], word[2..]) : (word, null);
+    }
 
     private static OptionSyntax Find(VerbSyntax syntax, string name)
     {
         foreach (OptionSyntax option in syntax.Options)
         {
-            if (option.Name == name)
+            if (option.Is(name))
             {
                 return option;
             }

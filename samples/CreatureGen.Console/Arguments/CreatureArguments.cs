@@ -18,7 +18,7 @@ internal static class CreatureArguments
     private static readonly WordList<PaletteMood> palettes = WordList<PaletteMood>.Instance;
     private static readonly WordList<OrnamentLevel> ornaments = WordList<OrnamentLevel>.Instance;
 
-    public static readonly OptionSyntax Kind = new("--kind", "KIND", "walking, flying, swimming or any (each seed's natural kind; the default)");
+    public static readonly OptionSyntax Kind = new("--kind", "KIND", "walking, flying, swimming or any (each seed's natural kind; the default)") { Short = "-k" };
 
     public static readonly OptionSyntax File = new("--options", "FILE.json", "all of these options as JSON; those on the command line go before them");
 

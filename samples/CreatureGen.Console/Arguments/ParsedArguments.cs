@@ -24,6 +24,9 @@ internal sealed class ParsedArguments
     /// <summary>The second operand; null if it is not there.</summary>
     public string? SecondOperand => operands.Count > 1 ? operands[1] : null;
 
+    /// <summary>The options that are there.</summary>
+    public IEnumerable<string> Names => options.Keys;
+
     /// <summary>Whether an option is there.</summary>
     public bool Has(string name) => options.ContainsKey(name);
 

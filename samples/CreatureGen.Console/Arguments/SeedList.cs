@@ -63,6 +63,9 @@ internal sealed class SeedList : IEnumerable<ulong>
         }
     }
 
+    /// <summary>As <see cref="Read"/> reads it.</summary>
+    public override string ToString() => string.Join(",", ranges);
+
     IEnumerator IEnumerable.GetEnumerator() => GetEnumerator();
 
     private static SeedRange ReadRange(string part)

@@ -8,7 +8,7 @@ internal static class SeedOptions
 {
     public static readonly OptionSyntax Seed = new("--seed", "N", "one seed, decimal or 0x hexadecimal");
 
-    public static readonly OptionSyntax Seeds = new("--seeds", "LIST", "seeds and inclusive ranges: 1-1000,2000,0xBEEF");
+    public static readonly OptionSyntax Seeds = new("--seeds", "LIST", "seeds and inclusive ranges: 1-1000,2000,0xBEEF") { Short = "-s" };
 
     public static readonly OptionSyntax Individual = new("--individual", "N", "one individual of each seed's species (without it the species' type)");
 

@@ -22,6 +22,12 @@ internal readonly record struct Specimen(ulong Seed, ulong? Individual)
 /// <param name="individuals">The individuals of each; null for the types alone.</param>
 internal sealed class SpecimenList(SeedList seeds, SeedList? individuals) : IEnumerable<Specimen>
 {
+    /// <summary>The seeds.</summary>
+    public SeedList Seeds => seeds;
+
+    /// <summary>The individuals of each; null for the types alone.</summary>
+    public SeedList? Individuals => individuals;
+
     /// <summary>Number of creatures, or the greatest number that there is when there are more.</summary>
     public UInt128 Count
     {

@@ -8,7 +8,13 @@ namespace CreatureGen.Console.Arguments;
 /// <param name="Meaning">A line for the help.</param>
 internal sealed record OptionSyntax(string Name, string? Value, string Meaning)
 {
-    /// <summary>The option and its value, as the help shows them.</summary>
+    /// <summary>A dash and a letter that mean the same; null if there are none.</summary>
+    public string? Short { get; init; }
+
+    /// <summary>Whether a word is this option.</summary>
+    public bool Is(string word) => word == Name || word == Short;
+
+    /// <summary>The option and its value, as messages show them.</summary>
     public override string ToString() => Value is null ? Name : Name + " " + Value;
 }
 

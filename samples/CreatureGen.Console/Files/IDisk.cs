@@ -11,6 +11,9 @@ internal interface IDisk
     /// <summary>Makes a file that is not there yet.</summary>
     Stream Create(string path);
 
+    /// <summary>Opens a file, made if it is missing, to write on at its end. Nobody else can as long as it is open.</summary>
+    Stream Append(string path);
+
     /// <summary>Puts all that was written to a file that was made here on the disk itself, and closes it.</summary>
     void Keep(Stream file);
 

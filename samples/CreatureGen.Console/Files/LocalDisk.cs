@@ -13,6 +13,14 @@ internal sealed class LocalDisk : IDisk
     public Stream Create(string path) => new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.None);
 
     /// <inheritdoc/>
+    public Stream Append(string path)
+    {
+        var file = new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write, FileShare.None, bufferSize: 0);
+        file.Seek(0, SeekOrigin.End);
+        return file;
+    }
+
+    /// <inheritdoc/>
     public void Keep(Stream file)
     {
         ((FileStream)file).Flush(flushToDisk: true);

@@ -19,6 +19,12 @@ internal static class CreatureJson
             json.WriteString("individual", SeedText.Of(individual));
         }
 
+        WriteLooks(json, facts);
+    }
+
+    /// <summary>Writes what a creature is, without its seed, as members of the object that is open.</summary>
+    public static void WriteLooks(Utf8JsonWriter json, CreatureFacts facts)
+    {
         json.WriteString("kind", CreatureText.Kind(facts));
         json.WriteString("plan", CreatureText.Plan(facts));
         json.WriteNumber("scale", facts.Scale);

@@ -45,45 +45,58 @@ internal sealed class GenerationList(Surroundings surroundings) : IGenerationRep
     private readonly long start = Stopwatch.GetTimestamp();
     private long count;
     private long missing;
+    private long kept;
 
     /// <inheritdoc/>
     public void Add(GenerationResult result)
     {
-        if (result is not GeneratedCreature creature)
+        if (result is MissingCreature none)
         {
-            Complaint.Tell(surroundings, ((MissingCreature)result).Reason);
+            Complaint.Tell(surroundings, none.Reason);
             missing++;
-            return;
         }
-
-        CreatureFacts facts = creature.Facts;
-        string name = "creature-" + facts.Specimen.Name;
-        surroundings.Out.WriteLine($"{name,-16} {CreatureText.Kind(facts),-8} {CreatureText.Plan(facts),-12} {Units.Count(facts.Joints),3} joints {Units.Count(facts.Triangles),7} triangles {Units.Kilograms(facts.Mass),9}  {CreatureText.Body(facts)}");
-        count++;
-        if (surroundings.OutIsTerminal)
+        else if (result is GeneratedCreature creature)
         {
-            surroundings.Out.Flush();
+            Tell(creature);
+            count++;
+        }
+        else
+        {
+            kept++;
         }
     }
 
     /// <inheritdoc/>
     public void End()
     {
+        string there = kept == 0 ? "" : $", {Units.Count(kept)} there already";
         string without = missing == 0 ? "" : $", {Units.Count(missing)} missing";
-        surroundings.Out.WriteLine($"{Units.Count(count)} creatures in {Units.Milliseconds(Stopwatch.GetElapsedTime(start).TotalMilliseconds)}{without}");
+        surroundings.Out.WriteLine($"{Units.Count(count)} creatures in {Units.Milliseconds(Stopwatch.GetElapsedTime(start).TotalMilliseconds)}{there}{without}");
     }
 
     /// <inheritdoc/>
     public void Dispose()
     {
     }
+
+    private void Tell(GeneratedCreature creature)
+    {
+        CreatureFacts facts = creature.Facts;
+        string name = "creature-" + facts.Specimen.Name;
+        surroundings.Out.WriteLine($"{name,-16} {CreatureText.Kind(facts),-8} {CreatureText.Plan(facts),-12} {Units.Count(facts.Joints),3} joints {Units.Count(facts.Triangles),7} triangles {Units.Kilograms(facts.Mass),9}  {CreatureText.Body(facts)}");
+        if (surroundings.OutIsTerminal)
+        {
+            surroundings.Out.Flush();
+        }
+    }
 }
 
-/// <summary>One JSON object with a line for each creature and, if some are missing, one for each of those. It is closed even when the work fails, so that what was done can be read.</summary>
+/// <summary>One JSON object with a line for each creature and, if some are missing or were there already, one for each of those. It is closed even when the work fails, so that what was done can be read.</summary>
 internal sealed class GenerationJson : IGenerationReport
 {
     private readonly TextWriter output;
     private readonly List<MissingCreature> missing = [];
+    private readonly List<KeptCreature> kept = [];
     private bool any;
 
     /// <summary>Begins the object.</summary>
@@ -98,7 +111,15 @@ internal sealed class GenerationJson : IGenerationReport
     {
         if (result is not GeneratedCreature creature)
         {
-            missing.Add((MissingCreature)result);
+            if (result is KeptCreature there)
+            {
+                kept.Add(there);
+            }
+            else
+            {
+                missing.Add((MissingCreature)result);
+            }
+
             return;
         }
 
@@ -131,6 +152,20 @@ internal sealed class GenerationJson : IGenerationReport
         if (missing.Count > 0)
         {
             output.Write(",\"missing\":[\n" + string.Join(",\n", missing.Select(Line)) + "\n]");
+        }
+
+        if (kept.Count > 0)
+        {
+            output.Write(",\"kept\":" + JsonText.Line(json =>
+            {
+                json.WriteStartArray();
+                foreach (KeptCreature creature in kept)
+                {
+                    json.WriteStringValue(creature.Specimen.Name);
+                }
+
+                json.WriteEndArray();
+            }));
         }
 
         output.Write("}\n");

@@ -37,7 +37,7 @@ internal static class HelpText
         Write(output, "Options", verb.Options.Append(help).Select(Row), ink);
     }
 
-    private static (string Left, string Right) Row(OptionSyntax option) => (option.ToString(), option.Meaning);
+    private static (string Left, string Right) Row(OptionSyntax option) => (option.Short is null ? option.ToString() : option.Short + ", " + option, option.Meaning);
 
     private static string Command(string line) => line.Length == 0 ? Application.Name : Application.Name + " " + line;
 

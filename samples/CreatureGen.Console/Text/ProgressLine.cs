@@ -36,7 +36,7 @@ internal sealed class ProgressLine : IDisposable
         this.surroundings = surroundings;
         this.what = what;
         this.total = total;
-        shown = kind == ProgressKind.Shown && surroundings.ErrorIsTerminal;
+        shown = kind == ProgressKind.Shown && surroundings.ErrorIsTerminal && surroundings.ShowsProgress;
     }
 
     /// <summary>One more is done. Safe to call from several threads.</summary>

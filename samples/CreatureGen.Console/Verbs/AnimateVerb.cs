@@ -39,7 +39,7 @@ internal sealed class AnimateVerb : IVerb
             new("animate --seed 42 --out slow.png --speed 0.5 --view side --size 400", "the gait that suits the speed, from the side"),
             new("animate --seed 42 --course \"idle 1; walk; run; turn left; stop\" --ground stairs --out course.png", "starts, turns and stops; course-strip.png shows the transitions"),
         ],
-        [SeedOptions.Seed, MovementArguments.Gait, MovementArguments.Speed, course, ground, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads]);
+        [SeedOptions.Seed with { Short = "-s" }, MovementArguments.Gait, MovementArguments.Speed, course, ground, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)

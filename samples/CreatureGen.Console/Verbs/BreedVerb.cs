@@ -29,7 +29,7 @@ internal sealed class BreedVerb : IVerb
     private static readonly OptionSyntax mutation = new("--mutation", "M", "how much children differ from what they inherit, 0 to 1 (default 0.2)");
     private static readonly OptionSyntax seed = new("--seed", "N", "which litter of these parents (default 1)");
     private static readonly OptionSyntax age = new("--age", "A", "how old the children are shown and written, 0 just born to 1 grown (default 1)");
-    private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing");
+    private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing") { Short = "-o" };
 
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
@@ -92,7 +92,7 @@ internal sealed class BreedVerb : IVerb
         IReadOnlyList<CreatureFile> files = CreatureFiles.Write(
             folder,
             name,
-            [("glb", CreatureFiles.Glb(creature, export, ClipChoice.None)), ("png", CreatureFiles.Png(creature, export, 1)), ("json", CreatureFiles.Json(creature.Blueprint))],
+            [("glb", CreatureFiles.Glb(creature, export, ClipChoice.None)), .. PictureOrder.Portrait.Take(creature, export, 1), ("json", CreatureFiles.Json(creature.Blueprint))],
             surroundings);
         return new Child(name, creature, offspring, files);
     }

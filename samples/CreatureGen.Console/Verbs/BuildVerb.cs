@@ -29,7 +29,7 @@ internal sealed class BuildVerb : IVerb
             new("build creature-101.glb --flat --out flat.glb", "the same creature with flat shading"),
             new("build edited.json --repair --out edited.glb", "legs, stance and parts made to fit what was edited"),
         ],
-        [CommonOptions.OutFile, repair, force, .. ExportOptions.Syntax]);
+        [CommonOptions.OutFile, repair, force, .. ExportOptions.Syntax, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -58,7 +58,7 @@ internal sealed class BuildVerb : IVerb
         FileSet.Write(path, stream => stream.Write(glb), surroundings);
         times.Finished("files");
         Remark(surroundings, violations);
-        CreatureText.Write(surroundings.Telling(path), CreatureFacts.Of(creature), [new CreatureFile("glb", path, glb.Length)], times);
+        CreatureText.Write(surroundings.Telling(path), CreatureFacts.Of(creature), [CreatureFile.Of("glb", path, glb)], times);
         CreatureText.WriteChanges(surroundings.Telling(path), report?.Changes ?? []);
         return ExitCode.Done;
     }

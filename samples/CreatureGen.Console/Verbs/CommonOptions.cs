@@ -13,11 +13,17 @@ internal static class CommonOptions
 
     public static readonly OptionSyntax Json = new("--json", null, "print JSON");
 
+    public static readonly OptionSyntax Quiet = new("--quiet", null, "print nothing but complaints") { Short = "-q" };
+
     public static readonly OptionSyntax Flat = new("--flat", null, "flat shading: every triangle shows");
 
-    public static readonly OptionSyntax OutFile = new("--out", "FILE", "the file to write");
+    public static readonly OptionSyntax OutFile = new("--out", "FILE", "the file to write") { Short = "-o" };
 
     public static readonly OptionSyntax View = new("--view", "VIEW", "three-quarter (the default), side, front, back or top");
+
+    /// <summary>Whether nothing is to be told but what went wrong.</summary>
+    /// <exception cref="UsageError">JSON is asked for too.</exception>
+    public static bool IsQuiet(ParsedArguments arguments) => arguments.Has(Quiet.Name) && (!arguments.Has(Json.Name) ? true : throw arguments.Wrong($"{Quiet.Name} and {Json.Name}; expected one of them"));
 
     /// <summary>From where creatures are looked at.</summary>
     /// <exception cref="UsageError">There is no such view.</exception>

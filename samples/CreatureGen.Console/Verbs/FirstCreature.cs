@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System;
+using System.Linq;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Text;
@@ -27,9 +28,9 @@ internal static class FirstCreature
         GltfOptions export = CreatureFiles.WithAtlas(creature, GlbExport.Default with { Provenance = OptionsJson.Write(CreatureOptions.Default) });
         byte[] glb = CreatureFiles.Glb(creature, export, ClipChoice.None);
         times.Finished("glb");
-        byte[] png = CreatureFiles.Png(creature, export, Environment.ProcessorCount);
+        (string, byte[])[] pictures = PictureOrder.Portrait.Take(creature, export, Environment.ProcessorCount).ToArray();
         times.Finished("picture");
-        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(surroundings.Folder, new Specimen(Seed, null).Name, [("glb", glb), ("png", png), ("json", CreatureFiles.Json(blueprint))], surroundings);
+        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(surroundings.Folder, new Specimen(Seed, null).Name, [("glb", glb), .. pictures, ("json", CreatureFiles.Json(blueprint))], surroundings);
         times.Finished("files");
         CreatureText.Write(surroundings.Out, CreatureFacts.Of(creature), files, times);
         surroundings.Out.WriteLine();

@@ -1,23 +1,21 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using CreatureGen.Blueprints;
+using System.Linq;
 using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Batches;
 using CreatureGen.Console.Files;
 using CreatureGen.Console.Text;
 using CreatureGen.Console.Working;
-using CreatureGen.Creatures;
-using CreatureGen.Gltf;
-using CreatureGen.Sampling;
 
 namespace CreatureGen.Console.Verbs;
 
 /// <summary>Writes the creatures of seeds.</summary>
 internal sealed class GenerateVerb : IVerb
 {
-    private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing (default: the current one)");
+    private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing (default: the current one)") { Short = "-o" };
     private static readonly OptionSyntax failFast = new("--fail-fast", null, "end at the first seed that gives no creature (default: tell, go on, and exit with 1)");
-    private static readonly OptionSyntax noPicture = new("--no-picture", null, "write no PNG");
+    private static readonly OptionSyntax dryRun = new("--dry-run", null, "tell which files would be written, and write none");
 
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
@@ -31,49 +29,66 @@ internal sealed class GenerateVerb : IVerb
             new("generate --seeds 1-100 --kind flying --out birds", "a hundred fliers in a folder"),
             new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
             new("generate --seed 101 --individuals 1-12 --out herd", "twelve individuals of one species, young and old"),
+            new("generate -s 7 --views all --picture-size 512x512 --transparent", "its pictures from five sides, to be put on anything"),
             new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
+            new("generate --seeds 1-100000 --out farm --shard 3/64 --resume", "one of 64 tasks; what it did before it was ended stays"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, noPicture, failFast, CommonOptions.Threads, CommonOptions.Json]);
+        [
+            SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, folder, .. CreatureArguments.Syntax, .. ExportOptions.Syntax, .. PictureOptions.Syntax,
+            .. BatchOptions.Syntax, dryRun, failFast, CommonOptions.Threads, CommonOptions.Json, CommonOptions.Quiet,
+        ]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
     {
         SeedList seeds = SeedOptions.Read(arguments);
-        CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
-        int threads = CommonOptions.ReadThreads(arguments);
-        SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);
-        bool one = specimens.Count == 1;
-        var task = new Task(
+        var task = new CreatureTask(CreatureArguments.Read(arguments, surroundings), ExportOptions.Read(arguments, GlbExport.Default), ExportOptions.ReadClips(arguments, ClipChoice.None), PictureOptions.Read(arguments));
+        var work = new Work(
+            SeedOptions.Specimens(arguments, seeds, task.Options),
+            task,
             surroundings.Locate(arguments.Value(folder.Name) ?? "."),
-            options,
-            ExportOptions.Read(arguments, GlbExport.Default),
-            ExportOptions.ReadClips(arguments, ClipChoice.None),
-            arguments.Has(noPicture.Name) ? PictureChoice.None : PictureChoice.Portrait,
-            one ? threads : 1);
-        FileSet.MakeFolder(task.Folder, surroundings);
+            BatchOptions.Read(arguments, surroundings),
+            CommonOptions.ReadThreads(arguments),
+            arguments.Has(failFast.Name) ? AtProblem.End : AtProblem.GoOn,
+            arguments.Has(CommonOptions.Json.Name) ? ReportForm.Json : ReportForm.Text);
+        return arguments.Has(dryRun.Name) ? Plan(work, surroundings) : Run(work, surroundings);
+    }
+
+    private static int Run(Work work, Surroundings surroundings)
+    {
+        FileSet.MakeFolder(work.Folder, surroundings);
+        using ManifestJournal? journal = work.Batch.Shard is Shard shard ? ManifestJournal.Begin(work.Folder, Batch.Of(work.Specimens, work.Task), shard, work.Batch.Existing, surroundings) : null;
 
         // On a terminal the report itself shows how far the work is.
-        using var progress = new ProgressLine(surroundings, "creatures", specimens.Count, surroundings.OutIsTerminal ? ProgressKind.Hidden : ProgressKind.Shown);
-        using IGenerationReport report = arguments.Has(CommonOptions.Json.Name) ? new GenerationJson(surroundings.Out)
-            : one ? new GenerationSummary(surroundings.Out) : new GenerationList(surroundings);
-        bool goesOn = !one && !arguments.Has(failFast.Name);
+        using var progress = new ProgressLine(surroundings, "creatures", work.Count, surroundings.OutIsTerminal ? ProgressKind.Hidden : ProgressKind.Shown);
+        using IGenerationReport report = work.Report == ReportForm.Json ? new GenerationJson(surroundings.Out) : work.IsPlain ? new GenerationSummary(surroundings.Out) : new GenerationList(surroundings);
         int missing = 0;
-        OrderedWork<Specimen, GenerationResult>.Run(specimens, one ? 1 : threads, specimen => goesOn ? Try(specimen, task, surroundings) : Generate(specimen, task, surroundings), result =>
+        OrderedWork<Specimen, GenerationResult>.Run(work.Share, work.Count == 1 ? 1 : work.Threads, specimen => Keeps(specimen, work, journal) ? new KeptCreature(specimen) : Try(specimen, work, surroundings), result =>
         {
             missing += result is MissingCreature ? 1 : 0;
+            journal?.Add(result);
             report.Add(result);
             progress.Step();
         }, surroundings.Cancellation);
+        journal?.Complete();
         progress.Dispose();
         report.End();
         return missing == 0 ? ExitCode.Done : ExitCode.CheckFailed;
     }
 
-    private static GenerationResult Try(Specimen specimen, Task task, Surroundings surroundings)
+    private static bool Keeps(Specimen specimen, Work work, ManifestJournal? journal) =>
+        work.Batch.Existing == Existing.Skip ? work.Paths(specimen).All(File.Exists) : journal?.Keeps(specimen) == true;
+
+    private static GenerationResult Try(Specimen specimen, Work work, Surroundings surroundings)
     {
+        if (work.IsPlain || work.AtProblem == AtProblem.End)
+        {
+            return Generate(specimen, work, surroundings);
+        }
+
         try
         {
-            return Generate(specimen, task, surroundings);
+            return Generate(specimen, work, surroundings);
         }
         catch (ImpossibleSeed problem)
         {
@@ -86,27 +101,62 @@ internal sealed class GenerateVerb : IVerb
         }
     }
 
-    private static GeneratedCreature Generate(Specimen specimen, Task task, Surroundings surroundings)
+    private static GeneratedCreature Generate(Specimen specimen, Work work, Surroundings surroundings)
     {
-        var times = new StageTimes();
-        CreatureOptions options = specimen.Of(task.Options);
-        CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, options);
-        times.Finished("blueprint");
-        Creature creature = CreatureAssembler.Assemble(blueprint, times);
-        GltfOptions export = CreatureFiles.WithAtlas(creature, task.Export with { Provenance = OptionsJson.Write(options) });
-        var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, export, task.Clips)) };
-        times.Finished("glb");
-        if (task.Picture == PictureChoice.Portrait)
-        {
-            contents.Add(("png", CreatureFiles.Png(creature, export, task.PictureThreads)));
-            times.Finished("picture");
-        }
+        MadeCreature made = work.Task.Make(specimen, work.Count == 1 ? work.Threads : 1);
 
-        contents.Add(("json", CreatureFiles.Json(blueprint)));
-        IReadOnlyList<CreatureFile> files = CreatureFiles.Write(task.Folder, specimen.Name, contents, surroundings);
-        times.Finished("files");
-        return new GeneratedCreature(CreatureFacts.Of(creature, specimen), files, times);
+        // What is in hand when the work is stopped is finished.
+        CreatureFile[] files = CreatureFiles.Write(work.Folder, specimen.Name, made.Contents, surroundings with { Cancellation = default }).ToArray();
+        made.Times.Finished("files");
+        return new GeneratedCreature(made.Facts, made.Clips, files, made.Times);
     }
 
-    private sealed record Task(string Folder, CreatureOptions Options, GltfOptions Export, ClipChoice Clips, PictureChoice Picture, int PictureThreads);
+    private static int Plan(Work work, Surroundings surroundings)
+    {
+        foreach (Specimen specimen in work.Share)
+        {
+            surroundings.Cancellation.ThrowIfCancellationRequested();
+            if (work.Batch.Existing == Existing.Skip && work.Paths(specimen).All(File.Exists))
+            {
+                continue;
+            }
+
+            foreach (string path in work.Paths(specimen))
+            {
+                surroundings.Out.WriteLine(path);
+            }
+        }
+
+        return ExitCode.Done;
+    }
+
+    /// <summary>What becomes of a batch when a seed gives no creature.</summary>
+    private enum AtProblem
+    {
+        GoOn,
+        End,
+    }
+
+    private enum ReportForm
+    {
+        Text,
+        Json,
+    }
+
+    private sealed record Work(SpecimenList Specimens, CreatureTask Task, string Folder, BatchOptions Batch, int Threads, AtProblem AtProblem, ReportForm Report)
+    {
+        private Shard Shard => Batch.Shard ?? Shard.Whole;
+
+        /// <summary>The creatures of this run.</summary>
+        public IEnumerable<Specimen> Share => Shard.Of(Specimens);
+
+        /// <summary>How many they are.</summary>
+        public UInt128 Count => Shard.CountOf(Specimens.Count);
+
+        /// <summary>Whether it is no batch: one creature, of which all is told.</summary>
+        public bool IsPlain => Specimens.Count == 1 && Batch is { Shard: null, Existing: Existing.Replace };
+
+        /// <summary>The files of a creature.</summary>
+        public IEnumerable<string> Paths(Specimen specimen) => Task.Forms.Select(form => CreatureFiles.PathOf(Folder, specimen.Name, form));
+    }
 }

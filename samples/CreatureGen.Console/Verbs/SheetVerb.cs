@@ -41,7 +41,7 @@ internal sealed class SheetVerb : IVerb
             new("sheet --seeds 1-12 --face --columns 4 --out faces.png", "their heads"),
             new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, face, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, face, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)

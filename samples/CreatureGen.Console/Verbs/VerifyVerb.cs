@@ -24,17 +24,24 @@ internal sealed class VerifyVerb : IVerb
     public VerbSyntax Syntax { get; } = new(
         "verify",
         null,
-        "check all invariants of the creatures of seeds",
+        "check all invariants of the creatures of seeds, or the files of a batch",
         [
             new("verify --seeds 1-1000", "check a thousand creatures, each of its seed's natural kind"),
             new("verify --seeds 1-100 --individuals 1-20", "twenty individuals of each of a hundred species"),
+            new("verify --manifest farm/manifest.jsonl", "whether all files of a batch are there and whole"),
+            new("verify --manifest farm --grow", "whether they are what would be made now"),
             new("verify --seeds 1-100000 --kind walking --threads 8 --json > report.json", "a long run, for a script"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Json]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, .. CreatureArguments.Syntax, .. ManifestVerification.Syntax, CommonOptions.Threads, CommonOptions.Json]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
     {
+        if (ManifestVerification.IsAskedFor(arguments))
+        {
+            return ManifestVerification.Run(arguments, surroundings);
+        }
+
         SeedList seeds = SeedOptions.Read(arguments);
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
         SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Security.Cryptography;
 using System.Text;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
@@ -8,41 +9,32 @@ using CreatureGen.Console.Files;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 using CreatureGen.Motion;
-using CreatureGen.Preview.Pictures;
-using CreatureGen.Preview.Png;
-using CreatureGen.Preview.Rendering;
-using CreatureGen.Preview.Scenes;
+using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Console.Working;
 
-/// <summary>Whether a creature gets its picture.</summary>
-internal enum PictureChoice
-{
-    /// <summary>It does.</summary>
-    Portrait,
-
-    /// <summary>It does not.</summary>
-    None,
-}
-
 /// <summary>A file of a creature.</summary>
-/// <param name="Form"><c>glb</c>, <c>png</c> or <c>json</c>, which is also how its name ends.</param>
+/// <param name="Form">How its name ends: <c>glb</c>, <c>png</c> or <c>json</c>, before it a word and a dot where there are several of a kind.</param>
 /// <param name="Path">Where it is.</param>
 /// <param name="Bytes">Its size.</param>
-internal sealed record CreatureFile(string Form, string Path, int Bytes);
+/// <param name="Sha256">Of its content, 64 hexadecimal digits.</param>
+internal sealed record CreatureFile(string Form, string Path, int Bytes, string Sha256)
+{
+    /// <summary>The file of a content.</summary>
+    public static CreatureFile Of(string form, string path, byte[] content) => new(form, path, content.Length, Convert.ToHexStringLower(SHA256.HashData(content)));
+}
 
 /// <summary>The files of one creature: surface and rig, picture, blueprint.</summary>
 internal static class CreatureFiles
 {
-    private const int PictureWidth = 1024;
-    private const int PictureHeight = 768;
-
     /// <summary>The creature's surface, skeleton and skin.</summary>
-    public static byte[] Glb(Creature creature, GltfOptions options, ClipChoice clips)
+    public static byte[] Glb(Creature creature, GltfOptions options, ClipChoice clips) => Glb(creature, options with { Clips = Bake(creature, clips) });
+
+    /// <summary>The creature's surface, skeleton, skin, and the motion that is in the options.</summary>
+    public static byte[] Glb(Creature creature, GltfOptions options)
     {
-        GltfOptions moving = clips == ClipChoice.All ? options with { Clips = ClipBaker.Bake(creature) } : options;
         var bytes = new MemoryStream();
-        GlbWriter.Write(creature, moving, bytes);
+        GlbWriter.Write(creature, options, bytes);
         return bytes.ToArray();
     }
 
@@ -50,21 +42,17 @@ internal static class CreatureFiles
     public static GltfOptions WithAtlas(Creature creature, GltfOptions options) =>
         options.TextureSize == 0 ? options : options with { Textures = CreatureTextures.Bake(creature, options.TextureSize) };
 
-    /// <summary>The picture of what the file holds.</summary>
-    public static byte[] Png(Creature creature, GltfOptions options, int threads)
-    {
-        Picture picture = Portrait.Take(creature, options.Textures, View.ThreeQuarter, new RenderOptions
-        {
-            Width = PictureWidth,
-            Height = PictureHeight,
-            Shading = options.Shading == Shading.Flat ? ShadingMode.Faceted : ShadingMode.Smooth,
-            Threads = threads,
-        });
-        return PngWriter.ToBytes(picture);
-    }
+    /// <summary>The creature's motion, as far as it is wanted.</summary>
+    public static IReadOnlyList<Clip> Bake(Creature creature, ClipChoice clips) => clips == ClipChoice.All ? ClipBaker.Bake(creature) : [];
 
     /// <summary>The creature's blueprint.</summary>
     public static byte[] Json(CreatureBlueprint blueprint) => Encoding.UTF8.GetBytes(BlueprintJson.Write(blueprint));
+
+    /// <summary>Where a file of a creature is.</summary>
+    /// <param name="folder">The folder of all.</param>
+    /// <param name="name">The creature's name.</param>
+    /// <param name="form">Its <see cref="CreatureFile.Form"/>.</param>
+    public static string PathOf(string folder, string name, string form) => Path.Combine(folder, $"creature-{name}{(form.Contains('.', StringComparison.Ordinal) ? '-' : '.')}{form}");
 
     /// <summary>Puts files of a creature into a folder, all or none.</summary>
     /// <exception cref="WriteFailure">One cannot be written.</exception>
@@ -74,9 +62,9 @@ internal static class CreatureFiles
         using var set = new FileSet(surroundings);
         foreach ((string form, byte[] content) in contents)
         {
-            string path = Path.Combine(folder, $"creature-{name}.{form}");
+            string path = PathOf(folder, name, form);
             set.Stage(path, stream => stream.Write(content));
-            files.Add(new CreatureFile(form, path, content.Length));
+            files.Add(CreatureFile.Of(form, path, content));
         }
 
         set.Commit();

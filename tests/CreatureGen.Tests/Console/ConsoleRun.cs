@@ -25,6 +25,9 @@ internal sealed class ConsoleRun : IDisposable
     /// <summary>What the standard input gives.</summary>
     public byte[] Input { get; init; } = [];
 
+    /// <summary>The environment.</summary>
+    public Func<string, string?> Variable { get; init; } = _ => null;
+
     public IDisk Disk { get; set; } = new LocalDisk();
 
     public CreatureChecks Checks { get; init; } = CreatureChecks.OfLibrary;
@@ -47,7 +50,7 @@ internal sealed class ConsoleRun : IDisposable
     }
 
     /// <summary>The world as the program sees it here.</summary>
-    public Surroundings Surroundings() => new(TextWriter.Null, TextWriter.Null) { Folder = Folder, Checks = Checks, Disk = Disk, Input = () => new MemoryStream(Input) };
+    public Surroundings Surroundings() => new(TextWriter.Null, TextWriter.Null) { Folder = Folder, Checks = Checks, Disk = Disk, Variable = Variable, Input = () => new MemoryStream(Input) };
 
     /// <summary>Runs what must be refused, and says in which single line it was.</summary>
     public string Refusal(int code, params string[] arguments)

@@ -24,6 +24,12 @@ internal sealed class FailingDisk(int failsAt) : IDisk
         return new Written(disk.Create(path), this);
     }
 
+    public Stream Append(string path)
+    {
+        Step();
+        return new Written(disk.Append(path), this);
+    }
+
     public void Keep(Stream file)
     {
         Step();

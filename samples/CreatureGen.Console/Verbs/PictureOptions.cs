@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using CreatureGen.Console.Arguments;
+using CreatureGen.Console.Working;
+using CreatureGen.Preview.Pictures;
+using CreatureGen.Preview.Rendering;
+using CreatureGen.Preview.Scenes;
+
+namespace CreatureGen.Console.Verbs;
+
+/// <summary>The options that say which pictures are taken of creatures.</summary>
+internal static class PictureOptions
+{
+    private const int LeastSide = 16;
+    private const int MostSide = 4096;
+
+    private static readonly OptionSyntax none = new("--no-picture", null, "write no PNG");
+    private static readonly OptionSyntax size = new("--picture-size", "WxH", "pixels of a picture, 16x16 to 4096x4096 (default 1024x768)");
+    private static readonly OptionSyntax views = new("--views", "LIST", "a picture from each: three-quarter (the default), side, front, back, top, or all");
+    private static readonly OptionSyntax transparent = new("--transparent", null, "pictures with nothing behind the creature");
+
+    /// <summary>All of them.</summary>
+    public static OptionSyntax[] Syntax { get; } = [none, size, views, transparent];
+
+    /// <summary>What was asked for.</summary>
+    /// <exception cref="UsageError">A value is none of the known ones, or there is to be no picture of that size.</exception>
+    public static PictureOrder Read(ParsedArguments arguments)
+    {
+        if (arguments.Has(none.Name))
+        {
+            OptionSyntax? other = Syntax.FirstOrDefault(option => option != none && arguments.Has(option.Name));
+            return other is null ? PictureOrder.Portrait with { Views = [] } : throw arguments.Wrong($"{none.Name} and {other.Name}; expected one of them");
+        }
+
+        (int width, int height) = arguments.Value(size.Name) is string text ? SizeOf(arguments, text) : (PictureOrder.Portrait.Width, PictureOrder.Portrait.Height);
+        return new PictureOrder(
+            arguments.Value(views.Name) is string list ? ViewsOf(arguments, list) : PictureOrder.Portrait.Views,
+            width,
+            height,
+            arguments.Has(transparent.Name) ? BackdropKind.Transparent : BackdropKind.Studio);
+    }
+
+    private static (int Width, int Height) SizeOf(ParsedArguments arguments, string text)
+    {
+        string[] sides = text.Split('x', 3);
+        return sides.Length == 2 && Side(sides[0]) is int width && Side(sides[1]) is int height
+            ? (width, height)
+            : throw arguments.Wrong(size.Name, text, FormattableString.Invariant($"width x height, each {LeastSide}..{MostSide}, such as 512x512"));
+    }
+
+    private static int? Side(string text) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int side) && side is >= LeastSide and <= MostSide ? side : null;
+
+    private static View[] ViewsOf(ParsedArguments arguments, string list)
+    {
+        View[] all = Enum.GetValues<View>();
+        if (list == "all")
+        {
+            return all;
+        }
+
+        string[] known = Array.ConvertAll(all, Views.Word);
+        var found = new List<View>();
+        foreach (string word in list.Split(',').Select(word => word.Trim()))
+        {
+            View view = Views.TryParse(word, out View read) ? read : throw arguments.Wrong(views.Name, word, $"all, or of {string.Join(", ", known)}{Suggestion.For(word, known)}");
+            if (found.Contains(view))
+            {
+                throw arguments.Wrong(views.Name, list, word + " once");
+            }
+
+            found.Add(view);
+        }
+
+        return found.ToArray();
+    }
+}
