@@ -33,8 +33,7 @@ public sealed class CreatureAnimator
     private readonly Quaternion[] modelRotations;
     private readonly Vector3[] modelPositions;
     private readonly EventQueue events;
-    private readonly WalkingMode? legs;
-    private readonly ILocomotionMode? motion;
+    private readonly Locomotion locomotion;
     private readonly SecondaryMotion secondary;
     private readonly HeadAttention? attention;
     private readonly CheckedGround stillGround = new();
@@ -68,11 +67,7 @@ public sealed class CreatureAnimator
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature);
-        legs = profile.Legs == null ? null : new WalkingMode(profile.Legs, profile.Gaits!, events);
-        motion = profile.Flight != null ? new FlyingMode(profile.Flight, legs, events)
-            : profile.Swim != null ? new SwimmingMode(profile.Swim)
-            : profile.Slither != null ? new SlitheringMode(profile.Slither)
-            : legs;
+        locomotion = new Locomotion(profile, events);
     }
 
     /// <summary>What is known of the creature's way of going.</summary>
@@ -125,40 +120,44 @@ public sealed class CreatureAnimator
     public int RefusedHits => gate.Refused;
 
     /// <summary>The gait at present; null for creatures without legs to stand on.</summary>
-    public Gait? Gait => legs?.Gait;
+    public Gait? Gait => Legs?.Gait;
 
     /// <summary>Number of feet that it walks on.</summary>
-    public int FootCount => legs?.FootCount ?? 0;
+    public int FootCount => Legs?.FootCount ?? 0;
 
     /// <summary>Whether it goes on its feet at present: not in the air, in water or on the belly.</summary>
-    internal bool StandsOnFeet => motion is { StandsOnFeet: true };
+    internal bool StandsOnFeet => Mode is { StandsOnFeet: true };
 
     /// <summary>Whether it is on its feet with its wings folded, or has none that fold.</summary>
-    internal bool IsAtRest => motion is not { IsFolded: false };
+    internal bool IsAtRest => Mode is not { IsFolded: false };
 
     /// <summary>Whether a C-start is under way.</summary>
-    internal bool Escapes => motion is { Escapes: true };
+    internal bool Escapes => Mode is { Escapes: true };
+
+    private WalkingMode? Legs => locomotion.Legs;
+
+    private ILocomotionMode? Mode => locomotion.Mode;
 
     /// <summary>Metres per second ahead at present.</summary>
-    public float Speed => (motion?.Speed ?? 0f) * Root.Scale;
+    public float Speed => (Mode?.Speed ?? 0f) * Root.Scale;
 
     /// <summary>Place in the gait's cycle, 0..1.</summary>
-    public float Phase => motion?.Phase ?? 0f;
+    public float Phase => Mode?.Phase ?? 0f;
 
     /// <summary>Cycles per second at present.</summary>
-    public float Frequency => motion?.Frequency ?? 0f;
+    public float Frequency => Mode?.Frequency ?? 0f;
 
     /// <summary>How a foot is at present.</summary>
     /// <param name="foot">0 up to <see cref="FootCount"/>.</param>
     public FootReport Foot(int foot)
     {
-        if (legs == null || (uint)foot >= (uint)FootCount)
+        if (Legs == null || (uint)foot >= (uint)FootCount)
         {
             throw new ArgumentOutOfRangeException(nameof(foot), foot, FormattableString.Invariant($"expected 0..{FootCount - 1}"));
         }
 
-        FootReport report = legs.Report(foot);
-        return motion is { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
+        FootReport report = Legs.Report(foot);
+        return Mode is { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
     }
 
     /// <summary>Where a socket is in the world as of the last update: what is worn, held or rides there. A rider of its own animator goes along by <see cref="Follow"/>.</summary>
@@ -185,17 +184,15 @@ public sealed class CreatureAnimator
     /// <param name="ground">Where feet find footing.</param>
     /// <exception cref="ArgumentException">A number is not finite or out of its range, or dt is negative. Nothing has changed.</exception>
     /// <exception cref="ArgumentNullException">There is no ground. Nothing has changed.</exception>
-    /// <exception cref="Exception">The ground has thrown it. From that ray on there was no ground in this update, which is complete: the creature goes on from there.</exception>
+    /// <exception cref="Exception">The ground has thrown it. The creature is as it was before, and goes on from there.</exception>
     public void Update(float dt, in MotionInput input, IGround ground)
     {
         input.ThrowIfInvalid();
         CheckedGround sound = Check(ref dt, ground);
-        if (motion != null)
+        if (Mode != null)
         {
-            LocalPose.SetToRest(Profile.Creature.Skeleton);
-            Root = motion.Drive(Root, dt, input, settings, sound, LocalPose);
+            Root = locomotion.Drive(Root, dt, input, settings, sound, LocalPose);
             Finish(dt);
-            sound.End();
         }
     }
 
@@ -203,26 +200,22 @@ public sealed class CreatureAnimator
     /// <param name="dt">Seconds since the last update, 0..0.25; what is longer counts as 0.25.</param>
     /// <param name="placement">Where the root is now; its own up is taken for up.</param>
     /// <param name="ground">Where feet find footing.</param>
-    /// <exception cref="ArgumentException">A number is not finite, the rotation is not unit, or dt is negative.</exception>
-    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    /// <exception cref="ArgumentException">A number is not finite, the rotation is not unit, or dt is negative. Nothing has changed.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground. Nothing has changed.</exception>
+    /// <exception cref="Exception">The ground has thrown it. The creature is as it was before, and goes on from there.</exception>
     public void Follow(float dt, in RootPlace placement, IGround ground)
     {
         placement.Require(nameof(placement));
         CheckedGround sound = Check(ref dt, ground);
-        if (motion != null)
-        {
-            LocalPose.SetToRest(Profile.Creature.Skeleton);
-            motion.Follow(Root, dt, placement, settings, sound, LocalPose);
-        }
-
+        locomotion.Follow(Root, dt, placement, settings, sound, LocalPose);
         Root = placement;
         Finish(dt);
-        sound.End();
     }
 
     /// <summary>Puts the creature somewhere else, standing on its feet there as if it had always been.</summary>
-    /// <exception cref="ArgumentException">A number is not finite, or the rotation is not unit.</exception>
-    /// <exception cref="ArgumentNullException">There is no ground.</exception>
+    /// <exception cref="ArgumentException">A number is not finite, or the rotation is not unit. Nothing has changed.</exception>
+    /// <exception cref="ArgumentNullException">There is no ground. Nothing has changed.</exception>
+    /// <exception cref="Exception">The ground has thrown it. The creature is as it was before, and goes on from there.</exception>
     public void Teleport(in RootPlace placement, IGround ground)
     {
         if (ground == null)
@@ -232,14 +225,12 @@ public sealed class CreatureAnimator
 
         placement.Require(nameof(placement));
         CheckedGround sound = Gate(ground);
-        Root = placement;
         events.Clear();
+        locomotion.Stand(placement, settings, sound, LocalPose);
+        Root = placement;
         secondary.Reset();
         attention?.Reset();
-        LocalPose.SetToRest(Profile.Creature.Skeleton);
-        motion?.Stand(placement, settings, sound, LocalPose);
         Finish(0f);
-        sound.End();
     }
 
     /// <summary>Moves the origin of the world: everything that is remembered in it moves by the offset, and nothing else changes.</summary>
@@ -249,7 +240,7 @@ public sealed class CreatureAnimator
     {
         Finite.Require(offset, nameof(offset));
         Root = new RootPlace(Root.Position + offset, Root.Rotation, Root.Scale);
-        motion?.Rebase(offset);
+        Mode?.Rebase(offset);
         secondary.Rebase(offset);
     }
 
@@ -302,7 +293,7 @@ public sealed class CreatureAnimator
     /// <summary>The push to the side that the lean of the body balances, so that what hangs on it does not feel it: m/s², world space.</summary>
     private Vector3 Balanced()
     {
-        float bank = motion?.BalancedBank ?? 0f;
+        float bank = Mode?.BalancedBank ?? 0f;
         PortableMath.SinCos(bank, out double sine, out double cosine);
         return bank == 0f ? Vector3.Zero : Rotation.Rotate(Root.Rotation, Vector3.UnitX) * (float)(settings.Gravity * sine / cosine);
     }
@@ -310,7 +301,7 @@ public sealed class CreatureAnimator
     private void Finish(float dt)
     {
         ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
-        attention?.Update(lookAt, GazeSettings, Root, motion?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
-        secondary.Update(Root, motion?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
+        attention?.Update(lookAt, GazeSettings, Root, Mode?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
+        secondary.Update(Root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
     }
 }

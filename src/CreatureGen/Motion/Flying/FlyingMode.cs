@@ -123,6 +123,16 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public void Rebase(Vector3 offset) => legs?.Rebase(offset);
 
+    public void CopyFrom(ILocomotionMode other)
+    {
+        var mode = (FlyingMode)other;
+        legs?.CopyFrom(mode.legs!);
+        stance.CopyFrom(mode.stance);
+        state = mode.state;
+        turn = mode.turn;
+        Speed = mode.Speed;
+    }
+
     /// <summary>What is asked of the legs: a flier that makes ready to leap keeps its run, one that has come down runs out.</summary>
     private MotionInput OnFoot(in MotionInput input, float scale)
     {

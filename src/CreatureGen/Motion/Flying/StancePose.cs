@@ -38,6 +38,13 @@ internal sealed class StancePose
     /// <summary>Whether a share is all of the pose.</summary>
     public static bool IsWhole(double fraction) => fraction >= Whole;
 
+    /// <summary>Takes over how another was posed.</summary>
+    public void CopyFrom(StancePose other)
+    {
+        other.rotations.CopyTo(rotations, 0);
+        other.positions.CopyTo(positions, 0);
+    }
+
     /// <summary>The pose, at rest, to be written anew.</summary>
     public Pose Cleared()
     {

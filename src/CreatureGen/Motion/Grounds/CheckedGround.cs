@@ -1,13 +1,11 @@
 using System;
 using System.Numerics;
-using System.Runtime.ExceptionServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Grounds;
 
 /// <summary>
 /// The one gate through which a game's ground comes in. A hit that is no hit counts as none: one with numbers that are not finite, with a normal that is not unit, or farther away than any ground could be.
-/// A ground that throws is no ground for the rest of the update; what it threw is thrown on when the update is complete, so that the creature is never left half way.
 /// </summary>
 internal class CheckedGround : IGround
 {
@@ -16,49 +14,32 @@ internal class CheckedGround : IGround
     private const float FarthestMetres = 1000f;
 
     private IGround ground = FlatGround.Level;
-    private ExceptionDispatchInfo? failure;
+
+    /// <summary>Whether the ground of this update may throw: any but the library's own.</summary>
+    public bool MayThrow { get; private set; }
 
     /// <summary>Hits that counted as none since the beginning of the update.</summary>
     public int Refused { get; protected set; }
-
-    /// <summary>Whether the ground has thrown in this update.</summary>
-    protected bool HasFailed => failure != null;
 
     /// <summary>Begins an update over a ground.</summary>
     public void Begin(IGround given)
     {
         ground = given;
-        failure = null;
+        MayThrow = given is not ITrustedGround;
         Refused = 0;
-    }
-
-    /// <summary>Ends it.</summary>
-    /// <exception cref="Exception">What the ground has thrown, as it was.</exception>
-    public void End()
-    {
-        ExceptionDispatchInfo? thrown = failure;
-        failure = null;
-        thrown?.Throw();
     }
 
     /// <inheritdoc/>
     public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
     {
-        try
+        if (ground.Cast(origin, direction, distance, out hit))
         {
-            if (failure == null && ground.Cast(origin, direction, distance, out hit))
+            if (IsSound(hit, origin, distance))
             {
-                if (IsSound(hit, origin, distance))
-                {
-                    return true;
-                }
-
-                Refused++;
+                return true;
             }
-        }
-        catch (Exception problem)
-        {
-            Fail(problem);
+
+            Refused++;
         }
 
         hit = default;
@@ -71,9 +52,6 @@ internal class CheckedGround : IGround
         float farthest = Math.Max(FarthestMetres, FarthestLengths * distance);
         return Math.Abs(Vec.LengthSquared(hit.Normal) - 1f) <= 2f * Tolerance.UnitLength && Vec.LengthSquared(hit.Point - origin) <= farthest * farthest;
     }
-
-    /// <summary>Remembers what the ground has thrown.</summary>
-    protected void Fail(Exception problem) => failure = ExceptionDispatchInfo.Capture(problem);
 }
 
 /// <summary>The gate for ground with parts that move.</summary>
@@ -91,21 +69,14 @@ internal sealed class CheckedMovingGround : CheckedGround, IMovingGround
     /// <inheritdoc/>
     public bool TryLocate(int platform, out RootPlace placement)
     {
-        try
+        if (moving!.TryLocate(platform, out placement))
         {
-            if (!HasFailed && moving!.TryLocate(platform, out placement))
+            if (placement.IsMade)
             {
-                if (placement.IsMade)
-                {
-                    return true;
-                }
-
-                Refused++;
+                return true;
             }
-        }
-        catch (Exception problem)
-        {
-            Fail(problem);
+
+            Refused++;
         }
 
         placement = RootPlace.Identity;

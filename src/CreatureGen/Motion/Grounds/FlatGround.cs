@@ -1,11 +1,12 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Grounds;
 
 namespace CreatureGen.Motion;
 
 /// <summary>An endless plane, solid below.</summary>
-public sealed class FlatGround : IPlaneGround
+public sealed class FlatGround : IPlaneGround, ITrustedGround
 {
     private readonly Vector3 point;
     private readonly Vector3 normal;

@@ -6,7 +6,7 @@ using CreatureGen.Motion.Grounds;
 namespace CreatureGen.Motion;
 
 /// <summary>Terrain as heights (along +Y) on a square grid, two triangles in each cell, solid below. There is no ground beyond its edges.</summary>
-public sealed class HeightFieldGround : IGround
+public sealed class HeightFieldGround : IGround, ITrustedGround
 {
     private readonly float[] heights;
     private readonly int columns;

@@ -1,12 +1,13 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Grounds;
 
 namespace CreatureGen.Motion;
 
 /// <summary>A triangle mesh as ground, hit from its front. Triangles lie in a tree of boxes, so large meshes cost little.</summary>
 /// <remarks>Based on: T. Möller and B. Trumbore, "Fast, minimum storage ray-triangle intersection" (1997).</remarks>
-public sealed class MeshGround : IGround
+public sealed class MeshGround : IGround, ITrustedGround
 {
     private const int LeafSize = 4;
     private const int Depth = 64;

@@ -57,4 +57,7 @@ internal interface ILocomotionMode
 
     /// <summary>Moves the origin of the world.</summary>
     void Rebase(Vector3 offset);
+
+    /// <summary>Goes on from where another of the same kind and creature is: takes over all that it remembers. Nothing is allocated.</summary>
+    void CopyFrom(ILocomotionMode other);
 }

@@ -42,6 +42,24 @@ internal sealed class SlitherState
     /// <summary>Place in the wave at the head, 0..1.</summary>
     public float CyclePhase => (float)(Track.Head / Track.Wavelength - Math.Floor(Track.Head / Track.Wavelength));
 
+    /// <summary>Takes over where another is.</summary>
+    public void CopyFrom(SlitherState other)
+    {
+        Speed = other.Speed;
+        Sidewinding = other.Sidewinding;
+        Winding = other.Winding;
+        Idle = other.Idle;
+        Breath = other.Breath;
+        Travel = other.Travel;
+        Placed = other.Placed;
+        Root = other.Root;
+        Middle = other.Middle;
+        Yaw = other.Yaw;
+        Slant = other.Slant;
+        Progress = other.Progress;
+        Track.CopyFrom(other.Track);
+    }
+
     /// <summary>Lays the crawler anew at its root with the next update: after a teleport without its shape.</summary>
     public void Reset()
     {

@@ -45,6 +45,19 @@ internal sealed class SlitherTrack
     /// <summary>Where the head is.</summary>
     public TrackPoint HeadPoint { get; private set; }
 
+    /// <summary>Takes over the way of another of the same creature.</summary>
+    public void CopyFrom(SlitherTrack other)
+    {
+        other.x.CopyTo(x, 0);
+        other.y.CopyTo(y, 0);
+        other.z.CopyTo(z, 0);
+        other.travel.CopyTo(travel, 0);
+        other.normals.CopyTo(normals, 0);
+        newest = other.newest;
+        Head = other.Head;
+        HeadPoint = other.HeadPoint;
+    }
+
     /// <summary>Fills the track with the way on which a head would have come to where it is, on the ground near a height.</summary>
     public void Lay(double headX, double near, double headZ, in TrackSteering steer, in CrawlFloor floor)
     {

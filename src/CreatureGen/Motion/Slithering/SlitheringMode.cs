@@ -54,4 +54,6 @@ internal sealed class SlitheringMode : ILocomotionMode
     {
         // The track goes along when the root is found elsewhere.
     }
+
+    public void CopyFrom(ILocomotionMode other) => state.CopyFrom(((SlitheringMode)other).state);
 }

@@ -60,6 +60,13 @@ internal sealed class SwimmingMode : ILocomotionMode
     {
     }
 
+    public void CopyFrom(ILocomotionMode other)
+    {
+        var mode = (SwimmingMode)other;
+        state = mode.state;
+        Speed = mode.Speed;
+    }
+
     private BodyVelocity Swim(float scale, float dt, in MotionInput input, MotionSettings settings, float room, in Pose local)
     {
         BodyVelocity velocity = SwimMotion.Update(profile, new SwimInput(input.Speed / scale, input.YawRate, input.ClimbRate / scale, input.Escape, settings.Swimming, room), ref state, dt, local);

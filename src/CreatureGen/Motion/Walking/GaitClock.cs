@@ -89,6 +89,30 @@ internal sealed class GaitClock
         return p - (float)Math.Floor(p);
     }
 
+    /// <summary>Takes over the place and the numbers of another.</summary>
+    public void CopyFrom(GaitClock other)
+    {
+        Gait = other.Gait;
+        Shape = other.Shape;
+        Phase = other.Phase;
+        Frequency = other.Frequency;
+        Length = other.Length;
+        Duty = other.Duty;
+        Lead = other.Lead;
+        other.lags.CopyTo(lags, 0);
+        frequencyRest = other.frequencyRest;
+        shapeDecay = other.shapeDecay;
+        gainDecay = other.gainDecay;
+        gainAhead = other.gainAhead;
+        slope = other.slope;
+        measured = other.measured;
+        measuredFroude = other.measuredFroude;
+        measuredGravity = other.measuredGravity;
+        measuredSlope = other.measuredSlope;
+        measuredFrequency = other.measuredFrequency;
+        longest = other.longest;
+    }
+
     /// <summary>Takes a gait at once: only while all feet stand.</summary>
     public void Restart(Gait gait, float froude, Lead lead)
     {

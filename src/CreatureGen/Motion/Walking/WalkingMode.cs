@@ -129,13 +129,7 @@ internal sealed class WalkingMode : ILocomotionMode
     public float RunOut => RunOutFraction * gaits.TopSpeed;
 
     /// <summary>How a foot is.</summary>
-    public FootReport Report(int leg)
-    {
-        ref readonly Foot foot = ref planner.Feet[leg];
-        bool down = foot.Phase == FootPhase.Stance;
-        Foothold place = down ? foot.From : foot.To;
-        return new FootReport(foot.Phase, body.Legs[leg].Ball, place.Position, place.Normal, down ? foot.Stance : foot.Swing, foot.Load, foot.Stretch, foot.Residual);
-    }
+    public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);
 
     /// <inheritdoc/>
     public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
@@ -189,8 +183,7 @@ internal sealed class WalkingMode : ILocomotionMode
         gait = 0;
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
         clock.Slide(0f, velocity, settings.Gravity, 0f, 0f);
-        var step = new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, false, 0f);
-        planner.PlaceAll(step);
+        planner.PlaceAll(new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, false, 0f));
         PoseFeet(placement, 0f, settings);
         placer.Reset(planner.Feet);
         standing = true;
@@ -212,6 +205,18 @@ internal sealed class WalkingMode : ILocomotionMode
             planner.Feet[i].To.Position += offset;
             planner.Feet[i].Wanted += offset;
         }
+    }
+
+    /// <inheritdoc/>
+    public void CopyFrom(ILocomotionMode other)
+    {
+        var mode = (WalkingMode)other;
+        clock.CopyFrom(mode.clock);
+        planner.CopyFrom(mode.planner);
+        placer.CopyFrom(mode.placer);
+        (velocity, acceleration, gait, activity, seconds) = (mode.velocity, mode.acceleration, mode.gait, mode.activity, mode.seconds);
+        (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
+        (activityDecay, rootDecay, raiseDecay, Sink, Raised) = (mode.activityDecay, mode.rootDecay, mode.raiseDecay, mode.Sink, mode.Raised);
     }
 
     /// <inheritdoc/>

@@ -3,9 +3,6 @@ using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Toolkit;
-using CreatureGen.Rigging;
-using CreatureGen.Sampling;
-using CreatureGen.Tests.Motion.Soak;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Grounds;
@@ -13,8 +10,6 @@ namespace CreatureGen.Tests.Motion.Grounds;
 /// <summary>The boundary of motion: what comes from the game is right, or is refused, or counts as nothing.</summary>
 public sealed class CheckedGroundTests
 {
-    public static TheoryData<RequestedKind, ulong> Creatures => new() { { RequestedKind.Walking, 42 }, { RequestedKind.Flying, 7 }, { RequestedKind.Walking, 1 } };
-
     public static TheoryData<float, float, float, float, float, float> NoHits => new()
     {
         { float.NaN, 0, 0, 0, 1, 0 },
@@ -46,57 +41,6 @@ public sealed class CheckedGroundTests
         Assert.True(without.ModelPose.Rotations.SequenceEqual(lied.ModelPose.Rotations));
     }
 
-    /// <summary>The ground throws at its n-th call, for every n of a second: what it threw comes out, all numbers are numbers, and half a second later the creature goes as one that never met it.</summary>
-    [Theory]
-    [MemberData(nameof(Creatures))]
-    public void A_ground_that_throws_at_any_call_leaves_a_creature_that_goes_on(RequestedKind kind, ulong seed)
-    {
-        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
-        var input = new MotionInput(profile.Creature.DefaultSpeed, 0.3f);
-        int calls = 0;
-        Run(new Answering((origin, direction, distance) =>
-        {
-            calls++;
-            return Level(origin, direction, distance);
-        }));
-        Assert.True(calls > 20);
-        Vector3 usual = Run(FlatGround.Level).Root.Position;
-
-        // A flier that finds no ground for an update begins to take to its wings and loses some of its way by it; walkers go on.
-        float lost = kind == RequestedKind.Flying ? 0.2f * usual.Length() : (0.1f * profile.Creature.StandingHeight) + 0.02f;
-        for (int n = 1; n <= calls; n += 1 + (n / 25))
-        {
-            int left = n;
-            CreatureAnimator animator = Run(new Answering((origin, direction, distance) => --left == 0 ? throw HostileGround.Thrown : Level(origin, direction, distance)));
-            Assert.True(left <= 0);
-            foreach (Quaternion q in animator.ModelPose.Rotations)
-            {
-                Assert.True(Math.Abs(q.LengthSquared() - 1f) < 1e-3f);
-            }
-
-            Assert.True(Vector3.Distance(usual, animator.Root.Position) < lost, $"call {n}: {animator.Root.Position} instead of {usual}");
-        }
-
-        CreatureAnimator Run(IGround ground)
-        {
-            var animator = new CreatureAnimator(profile);
-            for (int i = 0; i < 45; i++)
-            {
-                try
-                {
-                    animator.Update(1f / 30f, input, i < 30 ? ground : FlatGround.Level);
-                }
-                catch (InvalidOperationException problem)
-                {
-                    Assert.Same(HostileGround.Thrown, problem);
-                    Assert.True(float.IsFinite(animator.Root.Position.Length()));
-                }
-            }
-
-            return animator;
-        }
-    }
-
     [Theory]
     [InlineData(1e20f, 0, 0, 0)]
     [InlineData(-1e20f, 0, 0, 0)]
@@ -126,8 +70,6 @@ public sealed class CheckedGroundTests
     {
         Assert.Throws<ArgumentException>("hinge", () => TwoBoneIk.Solve(Vector3.Zero, Vector3.UnitY, new Vector3(0, 2, 0.2f), Vector3.UnitX * length, new Vector3(0, 1, 1), Vector3.UnitZ, Reach.Default, out _, out _));
     }
-
-    private static GroundHit? Level(Vector3 origin, Vector3 direction, float distance) => FlatGround.Level.Cast(origin, direction, distance, out GroundHit hit) ? hit : null;
 
     /// <summary>Ground that a test answers for.</summary>
     private sealed class Answering(Func<Vector3, Vector3, float, GroundHit?> answer) : IGround

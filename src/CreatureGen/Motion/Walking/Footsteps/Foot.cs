@@ -90,4 +90,13 @@ internal struct Foot
 
     /// <summary>Distance by which the foot missed its place when last posed, metres.</summary>
     public float Residual;
+
+    /// <summary>What users see of it.</summary>
+    /// <param name="joint">Joint of its ball.</param>
+    public readonly FootReport Report(int joint)
+    {
+        bool down = Phase == FootPhase.Stance;
+        Foothold place = down ? From : To;
+        return new FootReport(Phase, joint, place.Position, place.Normal, down ? Stance : Swing, Load, Stretch, Residual);
+    }
 }

@@ -71,6 +71,18 @@ internal sealed class FootPlanner
     /// <summary>What is in the way of each foot that swings.</summary>
     public ReadOnlySpan<SwingClearance> Ways => ways;
 
+    /// <summary>Takes over where the feet of another are.</summary>
+    public void CopyFrom(FootPlanner other)
+    {
+        other.feet.CopyTo(feet, 0);
+        for (int i = 0; i < ways.Length; i++)
+        {
+            ways[i].CopyFrom(other.ways[i]);
+        }
+
+        aimDecay = other.aimDecay;
+    }
+
     /// <summary>Whether a foot is in the air or away from its home.</summary>
     public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
     {

@@ -32,6 +32,14 @@ internal sealed class SwingClearance
         level = true;
     }
 
+    /// <summary>Takes over what another knows.</summary>
+    public void CopyFrom(SwingClearance other)
+    {
+        other.heights.CopyTo(heights, 0);
+        other.rise.CopyTo(rise, 0);
+        level = other.level;
+    }
+
     /// <summary>Tells how far the ground is above the straight line.</summary>
     /// <param name="knot">Where.</param>
     /// <param name="height">Metres.</param>

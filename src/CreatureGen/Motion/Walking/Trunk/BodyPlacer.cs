@@ -83,6 +83,23 @@ internal sealed class BodyPlacer
     /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
     public float Scissor { get; private set; }
 
+    /// <summary>Takes over what another has smoothed; all else follows from the feet with the next placing.</summary>
+    public void CopyFrom(BodyPlacer other)
+    {
+        HindGround = other.HindGround;
+        ForeGround = other.ForeGround;
+        PelvisYaw = other.PelvisYaw;
+        Flexion = other.Flexion;
+        Nod = other.Nod;
+        Scissor = other.Scissor;
+        SlideFraction = other.SlideFraction;
+        slope = other.slope;
+        turnBend = other.turnBend;
+        way = other.way;
+        groundDecay = other.groundDecay;
+        slopeDecay = other.slopeDecay;
+    }
+
     /// <summary>Forgets what was smoothed: the creature has been put somewhere else.</summary>
     public void Reset(ReadOnlySpan<Foot> feet)
     {
@@ -393,28 +410,5 @@ internal sealed class BodyPlacer
 
         placed.PelvisPitch = pitch;
         Trunk.Apply(placed);
-    }
-
-    /// <summary>Fore-aft places and loads of a left and a right foot, leg lengths.</summary>
-    private struct Girdle
-    {
-        public float Left;
-        public float Right;
-        public float LeftLoad;
-        public float RightLoad;
-
-        public void Add(Anatomy.Side side, float z, float load)
-        {
-            if (side == Anatomy.Side.Left)
-            {
-                Left += z;
-                LeftLoad += load;
-            }
-            else
-            {
-                Right += z;
-                RightLoad += load;
-            }
-        }
     }
 }

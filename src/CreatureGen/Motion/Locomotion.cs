@@ -1,0 +1,126 @@
+using System;
+using System.Numerics;
+using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Flying;
+using CreatureGen.Motion.Grounds;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Slithering;
+using CreatureGen.Motion.Swimming;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion;
+
+/// <summary>
+/// The way in which a creature moves, wholly or not at all: when a game's ground throws in the middle of a movement, all that the creature remembers, and its pose, are as they were before.
+/// </summary>
+/// <remarks>There are two of everything: what moves, and what was before. They change places when a movement fails. Over the library's own ground, which never throws, nothing is kept.</remarks>
+internal sealed class Locomotion
+{
+    private readonly MotionProfile profile;
+    private readonly EventQueue events;
+    private readonly Quaternion[] rotations;
+    private readonly Vector3[] positions;
+    private WalkingMode? keptLegs;
+    private ILocomotionMode? kept;
+
+    public Locomotion(MotionProfile profile, EventQueue events)
+    {
+        this.profile = profile;
+        this.events = events;
+        rotations = new Quaternion[profile.Creature.Skeleton.Count];
+        positions = new Vector3[rotations.Length];
+        (Legs, Mode) = Make();
+        (keptLegs, kept) = Make();
+    }
+
+    /// <summary>How it goes on its legs; null without legs to stand on.</summary>
+    public WalkingMode? Legs { get; private set; }
+
+    /// <summary>How it moves; null for what cannot.</summary>
+    public ILocomotionMode? Mode { get; private set; }
+
+    /// <inheritdoc cref="ILocomotionMode.Drive"/>
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, CheckedGround ground, in Pose local)
+    {
+        if (Mode == null)
+        {
+            return place;
+        }
+
+        Keep(ground, local);
+        try
+        {
+            return Mode.Drive(place, dt, input, settings, ground, local);
+        }
+        catch when (ground.MayThrow)
+        {
+            Undo(local);
+            throw;
+        }
+    }
+
+    /// <inheritdoc cref="ILocomotionMode.Follow"/>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, CheckedGround ground, in Pose local)
+    {
+        Keep(ground, local);
+        try
+        {
+            Mode?.Follow(place, dt, goal, settings, ground, local);
+        }
+        catch when (ground.MayThrow)
+        {
+            Undo(local);
+            throw;
+        }
+    }
+
+    /// <inheritdoc cref="ILocomotionMode.Stand"/>
+    public void Stand(in RootPlace place, MotionSettings settings, CheckedGround ground, in Pose local)
+    {
+        Keep(ground, local);
+        try
+        {
+            Mode?.Stand(place, settings, ground, local);
+        }
+        catch when (ground.MayThrow)
+        {
+            Undo(local);
+            throw;
+        }
+    }
+
+    private (WalkingMode? Legs, ILocomotionMode? Mode) Make()
+    {
+        WalkingMode? legs = profile.Legs == null ? null : new WalkingMode(profile.Legs, profile.Gaits!, events);
+        return (legs, profile.Flight != null ? new FlyingMode(profile.Flight, legs, events)
+            : profile.Swim != null ? new SwimmingMode(profile.Swim)
+            : profile.Slither != null ? new SlitheringMode(profile.Slither)
+            : legs);
+    }
+
+    /// <summary>Begins a movement from rest, and keeps what was before where the ground may throw.</summary>
+    private void Keep(CheckedGround ground, in Pose local)
+    {
+        if (ground.MayThrow && Mode != null)
+        {
+            local.Rotations.CopyTo(rotations);
+            local.Positions.CopyTo(positions);
+            kept!.CopyFrom(Mode);
+        }
+
+        if (Mode != null)
+        {
+            local.SetToRest(profile.Creature.Skeleton);
+        }
+    }
+
+    private void Undo(in Pose local)
+    {
+        (Legs, keptLegs) = (keptLegs, Legs);
+        (Mode, kept) = (kept, Mode);
+        rotations.AsSpan().CopyTo(local.Rotations);
+        positions.AsSpan().CopyTo(local.Positions);
+        events.Clear();
+    }
+}
