@@ -16,7 +16,7 @@ internal static class Application
     public const string Name = "creaturegen";
 
     /// <summary>All verbs, in the order of the help.</summary>
-    public static IReadOnlyList<IVerb> Verbs { get; } = [new GenerateVerb(), new BuildVerb(), new BreedVerb(), new InspectVerb(), new SheetVerb(), new AnimateVerb(), new VerifyVerb(), new MergeVerb(), new VarietyVerb(), new MetricsVerb(), new EventsVerb()];
+    public static IReadOnlyList<IVerb> Verbs { get; } = [new GenerateVerb(), new BuildVerb(), new BreedVerb(), new InspectVerb(), new SheetVerb(), new AnimateVerb(), new VerifyVerb(), new MergeVerb(), new VarietyVerb(), new MetricsVerb(), new EventsVerb(), new CompletionVerb(), new ManualVerb()];
 
     /// <summary>Runs the program.</summary>
     /// <returns>One of <see cref="ExitCode"/>.</returns>
@@ -102,9 +102,22 @@ internal static class Application
             return Verbs[index];
         }
 
+        if (Forgotten(word) is string verb)
+        {
+            throw new UsageError($"no verb before '{word}'; did you mean {Name} {verb} {word}?");
+        }
+
         string what = word.StartsWith('-') ? "option" : "verb";
         string[] known = word.StartsWith('-') ? ["--help", "--version"] : names;
         throw new UsageError($"unknown {what} '{word}'; expected one of {string.Join(", ", known)}{Suggestion.For(word, known)}");
+    }
+
+    /// <summary>The verb that was left out before an option, a seed or a file; null if it cannot be told.</summary>
+    private static string? Forgotten(string word)
+    {
+        string option = word.Split('=')[0];
+        return Verbs.FirstOrDefault(verb => verb.Syntax.Options.Any(known => known.Is(option)))?.Syntax.Name
+            ?? (SeedText.TryRead(word, out _) ? "generate --seed" : word.EndsWith(".glb", StringComparison.OrdinalIgnoreCase) || word.EndsWith(".json", StringComparison.OrdinalIgnoreCase) ? "inspect" : null);
     }
 
     private static void Flush(TextWriter output)

@@ -40,7 +40,7 @@ internal sealed record Surroundings(TextWriter Out, TextWriter Error)
     /// <summary>Whether progress may be shown to a person.</summary>
     public bool ShowsProgress { get; private init; } = true;
 
-    /// <summary>Whether that person may be shown colours.</summary>
+    /// <summary>Whether that person may be shown colours, and lines that are written over.</summary>
     public bool AllowsColour { get; init; }
 
     /// <summary>Stops the work.</summary>

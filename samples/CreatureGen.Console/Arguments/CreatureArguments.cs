@@ -18,7 +18,7 @@ internal static class CreatureArguments
     private static readonly WordList<PaletteMood> palettes = WordList<PaletteMood>.Instance;
     private static readonly WordList<OrnamentLevel> ornaments = WordList<OrnamentLevel>.Instance;
 
-    public static readonly OptionSyntax Kind = new("--kind", "KIND", "walking, flying, swimming or any (each seed's natural kind; the default)") { Short = "-k" };
+    public static readonly OptionSyntax Kind = new("--kind", "KIND", "walking, flying, swimming or any (each seed's natural kind; the default)") { Short = "-k", Words = kinds.All };
 
     public static readonly OptionSyntax File = new("--options", "FILE.json", "all of these options as JSON; those on the command line go before them");
 
@@ -31,8 +31,8 @@ internal static class CreatureArguments
         new("--plans", "PLAN=W,...", "how much oftener body plans come, 0 to 1000: hexapod=5,legless=0"),
         new("--bodies", "BODY=W,...", "how much oftener base bodies come, 0 to 1000: feline=8,insect=0"),
         new("--strangeness", "0..1", "how far from any animal: 0 animals, 1 anything of anything (default 0)"),
-        new("--palette", "MOOD", "any, natural, vivid, pale or dark"),
-        new("--ornaments", "LEVEL", "none, sparse, normal or rich"),
+        new("--palette", "MOOD", "any, natural, vivid, pale or dark") { Words = palettes.All },
+        new("--ornaments", "LEVEL", "none, sparse, normal or rich") { Words = ornaments.All },
         new("--triangles", "N", "triangle budget, 6000 to 100000 (default 20000)"),
         File,
     ];

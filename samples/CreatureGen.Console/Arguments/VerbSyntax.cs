@@ -11,6 +11,9 @@ internal sealed record OptionSyntax(string Name, string? Value, string Meaning)
     /// <summary>A dash and a letter that mean the same; null if there are none.</summary>
     public string? Short { get; init; }
 
+    /// <summary>The words that its value may be, where they are few; otherwise none.</summary>
+    public IReadOnlyList<string> Words { get; init; } = [];
+
     /// <summary>Whether a word is this option.</summary>
     public bool Is(string word) => word == Name || word == Short;
 
@@ -29,4 +32,8 @@ internal sealed record Example(string Line, string Effect);
 /// <param name="Summary">What it does, in a line.</param>
 /// <param name="Examples">Command lines that work.</param>
 /// <param name="Options">Its options, in the order of the help.</param>
-internal sealed record VerbSyntax(string Name, string? Operand, string Summary, IReadOnlyList<Example> Examples, IReadOnlyList<OptionSyntax> Options);
+internal sealed record VerbSyntax(string Name, string? Operand, string Summary, IReadOnlyList<Example> Examples, IReadOnlyList<OptionSyntax> Options)
+{
+    /// <summary>The words that its operand may be, where they are few; otherwise none.</summary>
+    public IReadOnlyList<string> Operands { get; init; } = [];
+}

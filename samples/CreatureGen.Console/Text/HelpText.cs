@@ -15,6 +15,16 @@ internal static class HelpText
     /// <summary>Name and version.</summary>
     public static string Version { get; } = Application.Name + " " + typeof(HelpText).Assembly.GetName().Version?.ToString(3);
 
+    /// <summary>What the program says to the script that started it.</summary>
+    public static IReadOnlyList<(string Code, string Meaning)> ExitCodes { get; } =
+    [
+        ("0", "done"),
+        ("1", "a check failed, or a seed of a batch gave no creature"),
+        ("2", "bad usage or input"),
+        ("3", "a file could not be written"),
+        ("130", "interrupted; no unfinished file is left"),
+    ];
+
     /// <summary>Writes the help of the whole program.</summary>
     public static void Write(TextWriter output, IReadOnlyList<VerbSyntax> verbs, Ink ink)
     {
@@ -24,7 +34,7 @@ internal static class HelpText
         Write(output, "Examples", examples.Select(example => (Command(example.Line), example.Effect)), ink);
         Write(output, "Verbs", verbs.Select(verb => (verb.Name, verb.Summary)), ink);
         Write(output, "Options", [Row(new OptionSyntax("VERB --help", null, "all options of a verb, with examples")), Row(help), Row(version)], ink);
-        Write(output, "Exit codes", [("0", "done"), ("1", "a check failed"), ("2", "bad usage or input"), ("3", "a file could not be written")], ink);
+        Write(output, "Exit codes", ExitCodes, ink);
         output.WriteLine("Data goes to the standard output, progress and complaints to the standard error. NO_COLOR is respected.");
     }
 

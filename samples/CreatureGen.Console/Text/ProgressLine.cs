@@ -15,7 +15,7 @@ internal enum ProgressKind
     Hidden,
 }
 
-/// <summary>A line that counts on while work goes on, and goes when it ends. Only people see it: nothing is written to a file or a pipe.</summary>
+/// <summary>A line that counts on while work goes on, and goes when it ends. Only people see it: nothing is written to a file or a pipe, nor to a terminal that is to have plain lines alone.</summary>
 internal sealed class ProgressLine : IDisposable
 {
     private const int MillisecondsBetween = 100;
@@ -36,7 +36,7 @@ internal sealed class ProgressLine : IDisposable
         this.surroundings = surroundings;
         this.what = what;
         this.total = total;
-        shown = kind == ProgressKind.Shown && surroundings.ErrorIsTerminal && surroundings.ShowsProgress;
+        shown = kind == ProgressKind.Shown && surroundings.ErrorIsTerminal && surroundings.AllowsColour && surroundings.ShowsProgress;
     }
 
     /// <summary>One more is done. Safe to call from several threads.</summary>

@@ -19,7 +19,7 @@ internal static class CommonOptions
 
     public static readonly OptionSyntax OutFile = new("--out", "FILE", "the file to write") { Short = "-o" };
 
-    public static readonly OptionSyntax View = new("--view", "VIEW", "three-quarter (the default), side, front, back or top");
+    public static readonly OptionSyntax View = new("--view", "VIEW", "three-quarter (the default), side, front, back or top") { Words = Array.ConvertAll(Enum.GetValues<View>(), Views.Word) };
 
     /// <summary>Whether nothing is to be told but what went wrong.</summary>
     /// <exception cref="UsageError">JSON is asked for too.</exception>

@@ -17,7 +17,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Finds footsteps, whooshes and the like in the clips of a file.</summary>
 internal sealed class EventsVerb : IVerb
 {
-    private static readonly OptionSyntax preset = new("--preset", "RULE", "what to look for: " + string.Join(", ", AngularRules.All.Select(rule => rule.Name)) + " (default footstep)");
+    private static readonly OptionSyntax preset = new("--preset", "RULE", "what to look for: " + string.Join(", ", AngularRules.All.Select(rule => rule.Name)) + " (default footstep)") { Words = AngularRules.All.Select(rule => rule.Name).ToArray() };
     private static readonly OptionSyntax plot = new("--plot", "FILE", "a PNG to write: the curve of each joint with its events");
 
     /// <inheritdoc/>

@@ -10,11 +10,11 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Options that say how a GLB file is written.</summary>
 internal static class ExportOptions
 {
-    private static readonly OptionSyntax textures = new("--textures", "SIZE", "texture atlas in the GLB, texels along a side: 256, 512, 1024 (the default), 2048 or 4096; none: colours in the vertices, as with --flat");
-    private static readonly OptionSyntax levels = new("--levels", "CHOICE", "levels of detail in the GLB: finest (the default), half, quarter, tenth or all (MSFT_lod)");
-    private static readonly OptionSyntax materials = new("--materials", "CHOICE", "materials in the GLB at most: two (the default: solid skin, double-sided membrane) or one, double-sided, for a single draw call");
+    private static readonly OptionSyntax textures = new("--textures", "SIZE", "texture atlas in the GLB, texels along a side: 256, 512, 1024 (the default), 2048 or 4096; none: colours in the vertices, as with --flat") { Words = ["none", "256", "512", "1024", "2048", "4096"] };
+    private static readonly OptionSyntax levels = new("--levels", "CHOICE", "levels of detail in the GLB: finest (the default), half, quarter, tenth or all (MSFT_lod)") { Words = WordList<LodChoice>.Instance.All };
+    private static readonly OptionSyntax materials = new("--materials", "CHOICE", "materials in the GLB at most: two (the default: solid skin, double-sided membrane) or one, double-sided, for a single draw call") { Words = WordList<MaterialChoice>.Instance.All };
 
-    private static readonly OptionSyntax clips = new("--clips", "all", "the creature's motion as clips: idle, every gait, flight, swimming, crawling (default: none)");
+    private static readonly OptionSyntax clips = new("--clips", "all", "the creature's motion as clips: idle, every gait, flight, swimming, crawling (default: none)") { Words = ["none", "all"] };
 
     /// <summary>All of them.</summary>
     public static OptionSyntax[] Syntax { get; } = [textures, levels, materials, clips, CommonOptions.Flat];

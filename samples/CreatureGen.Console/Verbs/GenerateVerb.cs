@@ -13,7 +13,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Writes the creatures of seeds.</summary>
 internal sealed class GenerateVerb : IVerb
 {
-    private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing (default: the current one)") { Short = "-o" };
+    private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing (default: the current one); - for the GLB alone of one creature, to the standard output") { Short = "-o" };
     private static readonly OptionSyntax failFast = new("--fail-fast", null, "end at the first seed that gives no creature (default: tell, go on, and exit with 1)");
     private static readonly OptionSyntax dryRun = new("--dry-run", null, "tell which files would be written, and write none");
 
@@ -30,6 +30,7 @@ internal sealed class GenerateVerb : IVerb
             new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
             new("generate --seed 101 --individuals 1-12 --out herd", "twelve individuals of one species, young and old"),
             new("generate -s 7 --views all --picture-size 512x512 --transparent", "its pictures from five sides, to be put on anything"),
+            new("generate -s 7 -k flying -o - > flier.glb", "one GLB to the standard output"),
             new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
             new("generate --seeds 1-100000 --out farm --shard 3/64 --resume", "one of 64 tasks; what it did before it was ended stays"),
         ],
@@ -51,7 +52,7 @@ internal sealed class GenerateVerb : IVerb
             CommonOptions.ReadThreads(arguments),
             arguments.Has(failFast.Name) ? AtProblem.End : AtProblem.GoOn,
             arguments.Has(CommonOptions.Json.Name) ? ReportForm.Json : ReportForm.Text);
-        return arguments.Has(dryRun.Name) ? Plan(work, surroundings) : Run(work, surroundings);
+        return work.Folder == Surroundings.Standard ? Pipe(arguments, work, surroundings) : arguments.Has(dryRun.Name) ? Plan(work, surroundings) : Run(work, surroundings);
     }
 
     private static int Run(Work work, Surroundings surroundings)
@@ -74,6 +75,18 @@ internal sealed class GenerateVerb : IVerb
         progress.Dispose();
         report.End();
         return missing == 0 ? ExitCode.Done : ExitCode.CheckFailed;
+    }
+
+    private static int Pipe(ParsedArguments arguments, Work work, Surroundings surroundings)
+    {
+        if (!work.IsPlain || arguments.Has(dryRun.Name) || work.Report == ReportForm.Json)
+        {
+            throw arguments.Wrong($"{folder.Name} {Surroundings.Standard} takes one GLB; expected one seed, and neither a batch, {dryRun.Name} nor {CommonOptions.Json.Name}");
+        }
+
+        MadeCreature made = (work.Task with { Pictures = PictureOrder.None }).Make(work.Specimens.First(), work.Threads);
+        FileSet.Write(Surroundings.Standard, stream => stream.Write(made.Contents.First(content => content.Form == "glb").Content), surroundings);
+        return ExitCode.Done;
     }
 
     private static bool Keeps(Specimen specimen, Work work, ManifestJournal? journal) =>

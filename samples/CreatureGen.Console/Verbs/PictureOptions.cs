@@ -18,7 +18,7 @@ internal static class PictureOptions
 
     private static readonly OptionSyntax none = new("--no-picture", null, "write no PNG");
     private static readonly OptionSyntax size = new("--picture-size", "WxH", "pixels of a picture, 16x16 to 4096x4096 (default 1024x768)");
-    private static readonly OptionSyntax views = new("--views", "LIST", "a picture from each: three-quarter (the default), side, front, back, top, or all");
+    private static readonly OptionSyntax views = new("--views", "LIST", "a picture from each: three-quarter (the default), side, front, back, top, or all") { Words = [.. Array.ConvertAll(Enum.GetValues<View>(), Views.Word), "all"] };
     private static readonly OptionSyntax transparent = new("--transparent", null, "pictures with nothing behind the creature");
 
     /// <summary>All of them.</summary>
@@ -31,7 +31,7 @@ internal static class PictureOptions
         if (arguments.Has(none.Name))
         {
             OptionSyntax? other = Syntax.FirstOrDefault(option => option != none && arguments.Has(option.Name));
-            return other is null ? PictureOrder.Portrait with { Views = [] } : throw arguments.Wrong($"{none.Name} and {other.Name}; expected one of them");
+            return other is null ? PictureOrder.None : throw arguments.Wrong($"{none.Name} and {other.Name}; expected one of them");
         }
 
         (int width, int height) = arguments.Value(size.Name) is string text ? SizeOf(arguments, text) : (PictureOrder.Portrait.Width, PictureOrder.Portrait.Height);

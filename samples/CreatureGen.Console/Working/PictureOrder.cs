@@ -18,6 +18,9 @@ internal sealed record PictureOrder(IReadOnlyList<View> Views, int Width, int He
     /// <summary>One, from three quarters.</summary>
     public static PictureOrder Portrait { get; } = new([View.ThreeQuarter], 1024, 768, BackdropKind.Studio);
 
+    /// <summary>None.</summary>
+    public static PictureOrder None { get; } = Portrait with { Views = [] };
+
     /// <summary>The pictures of what is written, as files: <c>png</c>, or of several one for each view, such as <c>side.png</c>.</summary>
     public IEnumerable<(string Form, byte[] Content)> Take(Creature creature, GltfOptions export, int threads) => Views.Select(view => (Form(view), Take(creature, view, export, threads)));
 
