@@ -13,12 +13,18 @@ namespace CreatureGen.Concurrency;
 /// </remarks>
 internal static class IndependentParts
 {
-    /// <summary>Runs all parts and returns when the last is done. What a part throws is thrown here.</summary>
+    /// <summary>Runs all parts on as many threads as there are cores, and returns when the last is done. What a part throws is thrown here.</summary>
     /// <param name="count">Number of parts.</param>
     /// <param name="part">Does the part of a number 0 up to <paramref name="count"/>.</param>
-    public static void Run(int count, Action<int> part)
+    public static void Run(int count, Action<int> part) => Run(count, Environment.ProcessorCount, part);
+
+    /// <summary>The same on a number of threads at most.</summary>
+    /// <param name="count">Number of parts.</param>
+    /// <param name="threads">At least 1.</param>
+    /// <param name="part">Does the part of a number 0 up to <paramref name="count"/>.</param>
+    public static void Run(int count, int threads, Action<int> part)
     {
-        if (count < 2 || Environment.ProcessorCount < 2)
+        if (count < 2 || threads < 2)
         {
             for (int i = 0; i < count; i++)
             {
@@ -30,7 +36,7 @@ internal static class IndependentParts
 
         try
         {
-            Parallel.For(0, count, part);
+            Parallel.For(0, count, new ParallelOptions { MaxDegreeOfParallelism = threads }, part);
         }
         catch (AggregateException all)
         {

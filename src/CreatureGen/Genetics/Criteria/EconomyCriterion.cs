@@ -1,0 +1,22 @@
+using System;
+using CreatureGen.Motion;
+
+namespace CreatureGen.Genetics.Criteria;
+
+/// <summary>How far a creature comes for its work: 1 / <see cref="TransportCost"/> at its usual speed.</summary>
+public sealed class EconomyCriterion : ICriterion
+{
+    /// <inheritdoc/>
+    public string Name => "efficient";
+
+    /// <inheritdoc/>
+    public CriterionInput Input => CriterionInput.Motion;
+
+    /// <inheritdoc/>
+    public double Score(Candidate candidate)
+    {
+        _ = candidate ?? throw new ArgumentNullException(nameof(candidate));
+        double cost = TransportCost.Of(candidate.Profile);
+        return cost > 0 && cost < double.MaxValue ? 1 / cost : 0;
+    }
+}
