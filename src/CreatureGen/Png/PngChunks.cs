@@ -6,10 +6,13 @@ namespace CreatureGen.Png;
 /// <summary>The signature and the chunks of a PNG file (ISO/IEC 15948), in the order they are written.</summary>
 internal static class PngChunks
 {
+    /// <summary>What every PNG file begins with.</summary>
+    public static ReadOnlySpan<byte> Signature => [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];
+
     /// <summary>Writes the signature, the header, and that colours are sRGB.</summary>
     public static void WriteStart(Stream stream, int width, int height, PngPixels pixels)
     {
-        stream.Write([0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A]);
+        stream.Write(Signature);
         Span<byte> header = stackalloc byte[13];
         PutBigEndian(header, (uint)width);
         PutBigEndian(header[4..], (uint)height);

@@ -1,0 +1,63 @@
+using System;
+using System.IO;
+using System.Numerics;
+using System.Runtime.InteropServices;
+using CreatureGen.Creatures;
+using CreatureGen.Motion;
+using CreatureGen.Sampling;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Lab;
+
+/// <summary>
+/// The creature that the page shows before the library runs in it: its mesh, textured, and how it stands and breathes for a while. Whole numbers of the lengths of the parts come first (mesh, texture, frames, joints), then mesh, base colour,
+/// and matrices of all joints, frame by frame, as floats of half precision.
+/// </summary>
+internal static class FirstCreature
+{
+    /// <summary>The same seed and kind as in the page's own code.</summary>
+    private const ulong Seed = 42;
+    private const int TextureSize = 512;
+    private const int Frames = 48;
+    private const float Rate = 12f;
+    private const float SettleSeconds = 2f;
+
+    public static byte[] Bake()
+    {
+        Creature creature = CreatureGenerator.Generate(Seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        byte[] mesh = MeshBytes.Of(creature, creature.Mesh.Textured());
+        CreatureTextures textures = CreatureTextures.Bake(creature, TextureSize);
+        byte[] poses = Poses(creature);
+        using var all = new MemoryStream();
+        Span<byte> head = stackalloc byte[16];
+        MemoryMarshal.Cast<int, byte>([mesh.Length, textures.BaseColour.Length, Frames, creature.Skeleton.Count]).CopyTo(head);
+        all.Write(head);
+        all.Write(mesh);
+        all.Write(textures.BaseColour);
+        all.Write(poses);
+        return all.ToArray();
+    }
+
+    private static byte[] Poses(Creature creature)
+    {
+        var animator = new CreatureAnimator(creature);
+        var matrices = new Matrix4x4[creature.Skeleton.Count];
+        var poses = new Half[Frames * 16 * matrices.Length];
+        for (float t = 0f; t < SettleSeconds; t += 1f / Rate)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+        }
+
+        for (int frame = 0, at = 0; frame < Frames; frame++)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+            SkinMatrices.Fill(creature.Skeleton, animator.ModelPose, matrices);
+            foreach (float number in MemoryMarshal.Cast<Matrix4x4, float>(matrices))
+            {
+                poses[at++] = (Half)number;
+            }
+        }
+
+        return MemoryMarshal.AsBytes<Half>(poses).ToArray();
+    }
+}
