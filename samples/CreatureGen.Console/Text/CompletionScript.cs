@@ -79,7 +79,8 @@ internal static class CompletionScript
             Lines(output, $"                {Quoted("*: :" + rest)} ;;");
         }
 
-        Lines(output, "    esac", "}", "compdef _creaturegen creaturegen");
+        // In a folder of fpath the script is the body of the function; read by a shell it defines it.
+        Lines(output, "    esac", "}", "if [ \"$funcstack[1]\" = _creaturegen ]; then _creaturegen \"$@\"; else compdef _creaturegen creaturegen; fi");
     }
 
     private static void PowerShell(TextWriter output, IReadOnlyList<VerbSyntax> verbs)
