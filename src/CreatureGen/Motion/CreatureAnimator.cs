@@ -5,6 +5,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Falling;
 using CreatureGen.Motion.Flying;
 using CreatureGen.Motion.Grounds;
 using CreatureGen.Motion.Modes;
@@ -63,7 +64,7 @@ public sealed class CreatureAnimator
         LocalPose.SetToRest(skeleton);
         ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
         int feet = profile.Legs?.Legs.Length ?? 0;
-        events = new EventQueue((2 * feet * WalkingMode.MaxSteps) + (profile.Flight != null ? FlyingMode.MaxBeats : 0));
+        events = new EventQueue((2 * feet * WalkingMode.MaxSteps) + (profile.Flight != null ? FlyingMode.MaxBeats : 0) + FallingMode.MaxEvents + feet);
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature);
@@ -119,6 +120,9 @@ public sealed class CreatureAnimator
     /// <summary>How many of the ground's answers in the last update counted as no hit: numbers that are not finite, a normal that is not unit, or a point far beyond the ray. More than 0 is an error of the game's ground.</summary>
     public int RefusedHits => gate.Refused;
 
+    /// <summary>What carries it at present. Where the ground ends or goes away a walker falls, reaches for the ground, and takes up the landing with its legs, all by itself.</summary>
+    public BodyState State => Mode?.State ?? BodyState.Supported;
+
     /// <summary>The gait at present; null for creatures without legs to stand on.</summary>
     public Gait? Gait => Legs?.Gait;
 
@@ -136,7 +140,7 @@ public sealed class CreatureAnimator
 
     private WalkingMode? Legs => locomotion.Legs;
 
-    private ILocomotionMode? Mode => locomotion.Mode;
+    private FallingMode? Mode => locomotion.Mode;
 
     /// <summary>Metres per second ahead at present.</summary>
     public float Speed => (Mode?.Speed ?? 0f) * Root.Scale;

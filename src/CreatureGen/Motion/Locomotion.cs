@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Falling;
 using CreatureGen.Motion.Flying;
 using CreatureGen.Motion.Grounds;
 using CreatureGen.Motion.Modes;
@@ -22,7 +23,7 @@ internal sealed class Locomotion
     private readonly Quaternion[] rotations;
     private readonly Vector3[] positions;
     private WalkingMode? keptLegs;
-    private ILocomotionMode? kept;
+    private FallingMode? kept;
 
     public Locomotion(MotionProfile profile, EventQueue events)
     {
@@ -38,7 +39,7 @@ internal sealed class Locomotion
     public WalkingMode? Legs { get; private set; }
 
     /// <summary>How it moves; null for what cannot.</summary>
-    public ILocomotionMode? Mode { get; private set; }
+    public FallingMode? Mode { get; private set; }
 
     /// <inheritdoc cref="ILocomotionMode.Drive"/>
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, CheckedGround ground, in Pose local)
@@ -90,16 +91,17 @@ internal sealed class Locomotion
         }
     }
 
-    private (WalkingMode? Legs, ILocomotionMode? Mode) Make()
+    private (WalkingMode? Legs, FallingMode? Mode) Make()
     {
         WalkingMode? legs = profile.Legs == null ? null : new WalkingMode(profile.Legs, profile.Gaits!, events);
-        return (legs, profile.Flight != null ? new FlyingMode(profile.Flight, legs, events)
+        ILocomotionMode? inner = profile.Flight != null ? new FlyingMode(profile.Flight, legs, events)
             : profile.Swim != null ? new SwimmingMode(profile.Swim)
             : profile.Slither != null ? new SlitheringMode(profile.Slither)
-            : legs);
+            : legs;
+        return (legs, inner == null ? null : new FallingMode(profile.Creature, profile.Legs, profile.Fall, inner, legs, events));
     }
 
-    /// <summary>Begins a movement from rest, and keeps what was before where the ground may throw.</summary>
+    /// <summary>Keeps what was before where the ground may throw.</summary>
     private void Keep(CheckedGround ground, in Pose local)
     {
         if (ground.MayThrow && Mode != null)
@@ -107,11 +109,6 @@ internal sealed class Locomotion
             local.Rotations.CopyTo(rotations);
             local.Positions.CopyTo(positions);
             kept!.CopyFrom(Mode);
-        }
-
-        if (Mode != null)
-        {
-            local.SetToRest(profile.Creature.Skeleton);
         }
     }
 

@@ -1,6 +1,8 @@
 using System;
+using System.Threading;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
+using CreatureGen.Motion.Falling;
 using CreatureGen.Motion.Flying;
 using CreatureGen.Motion.Slithering;
 using CreatureGen.Motion.Swimming;
@@ -45,6 +47,7 @@ public sealed class MotionProfile
                 break;
         }
 
+        Fall = new Lazy<FallProfile>(() => FallProfile.Of(creature, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
         Gaze = HasHead(creature) ? GazeRig.Of(creature.Skeleton) : null;
         (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null && !Legs.HasAbdomen);
     }
@@ -78,6 +81,9 @@ public sealed class MotionProfile
 
     /// <summary>The body as its walk sees it; null without legs.</summary>
     internal LeggedBody? Legs { get; }
+
+    /// <summary>How it falls, lies and gets up; worked out when it is first asked for.</summary>
+    internal Lazy<FallProfile> Fall { get; }
 
     private static bool HasHead(Creature creature)
     {

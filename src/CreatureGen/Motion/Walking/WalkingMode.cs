@@ -32,13 +32,6 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Seconds ahead of which the speed decides the gait.</summary>
     private const float Foresight = 0.2f;
 
-    /// <summary>Height by which the root follows the ground under the body, per second, and besides for each leg length that it goes.</summary>
-    private const float RootRate = 6f;
-    private const float RootRateOfWay = 1f;
-
-    /// <summary>How far the root is behind that ground at most, leg lengths.</summary>
-    private const float MaxRootLag = 0.25f;
-
     /// <summary>Part of a slow walk below which a creature that comes down does so on the spot.</summary>
     private const float ArrivalSpeed = 0.3f;
 
@@ -67,7 +60,7 @@ internal sealed class WalkingMode : ILocomotionMode
     private DecisionClock ticker;
     private bool arrived;
     private ExponentialDecay activityDecay;
-    private ExponentialDecay rootDecay;
+    private RootHeight height;
     private ExponentialDecay raiseDecay;
 
     public WalkingMode(LeggedBody body, GaitSet gaits, EventQueue events)
@@ -106,6 +99,15 @@ internal sealed class WalkingMode : ILocomotionMode
 
     /// <summary>How far the body is let down into its legs, metres of the model.</summary>
     public float Sink { get; set; }
+
+    /// <summary>How much farther its fore body is let down than its hind body, metres of the model; of no use on two legs.</summary>
+    public float Bow { get; set; }
+
+    /// <summary>How it goes at present, metres per second of the model, and radians per second.</summary>
+    public BodyVelocity Velocity => new(new Vector3(velocity.Sideways, 0f, velocity.Speed), velocity.Turn);
+
+    /// <summary>What its feet do.</summary>
+    public ReadOnlySpan<Foot> Feet => planner.Feet;
 
     /// <summary>How much of its posture for standing it is in, 0..1.</summary>
     public float Raised { get; private set; }
@@ -171,6 +173,18 @@ internal sealed class WalkingMode : ILocomotionMode
         Pose(place, 0f, settings, local);
     }
 
+    /// <summary>Poses it with its feet where they are: time passes for nothing but its breath.</summary>
+    /// <param name="place">Where the root is.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="settings">What can be set.</param>
+    /// <param name="local">Receives the pose.</param>
+    public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local) => Pose(place, dt, settings, local);
+
+    /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
+    /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
+    /// <param name="turn">Change of its turn, radians per second.</param>
+    public void Push(Vector3 push, float turn) => velocity.Push(push.Z, push.X, turn);
+
     /// <summary>Puts all feet down at home.</summary>
     private void Stand(in RootPlace placement, in MotionSettings settings, IGround ground)
     {
@@ -216,7 +230,7 @@ internal sealed class WalkingMode : ILocomotionMode
         placer.CopyFrom(mode.placer);
         (velocity, acceleration, gait, activity, seconds) = (mode.velocity, mode.acceleration, mode.gait, mode.activity, mode.seconds);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
-        (activityDecay, rootDecay, raiseDecay, Sink, Raised) = (mode.activityDecay, mode.rootDecay, mode.raiseDecay, mode.Sink, mode.Raised);
+        (activityDecay, height, raiseDecay, Sink, Bow, Raised) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised);
     }
 
     /// <inheritdoc/>
@@ -258,7 +272,7 @@ internal sealed class WalkingMode : ILocomotionMode
             Vector3 way = velocity.Advance(h, out float yaw);
             Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisRotation.Yaw(yaw));
             placement = new RootPlace(placement.ToWorld(way), Upright(rotation, settings.Up), scale);
-            placement = FollowGround(placement, h, settings);
+            placement = height.Follow(placement, body.LegLength, placer, velocity.Speed, h, settings.Up);
             Step(placement, h, left, settings, ground);
         }
 
@@ -300,7 +314,7 @@ internal sealed class WalkingMode : ILocomotionMode
         PoseFeet(placement, dt, settings);
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);
-        var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised);
+        var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow);
         placer.Place(context, planner.Feet, poses);
         poser.PoseTrunk(placer, local);
         for (int i = 0; i < poses.Length; i++)
@@ -390,22 +404,6 @@ internal sealed class WalkingMode : ILocomotionMode
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);
         }
-    }
-
-    /// <summary>Keeps the root on the ground under the feet: up and down a slope as it goes, and the trunk with it, and after what else that ground does.</summary>
-    private RootPlace FollowGround(in RootPlace placement, float h, in MotionSettings settings)
-    {
-        float away = 0.5f * (placer.HindGround + placer.ForeGround);
-        float most = MaxRootLag * body.LegLength;
-        float height = (away * rootDecay.Fraction((RootRate + (RootRateOfWay * Math.Abs(velocity.Speed) / body.LegLength)) * h)) + (away - Scalar.Clamp(away, -most, most));
-        float climb = placer.Climb * velocity.Speed * h;
-        if (height == 0f && climb == 0f)
-        {
-            return placement;
-        }
-
-        placer.RootRaised(height);
-        return new RootPlace(placement.Position + (settings.Up * ((height + climb) * placement.Scale)), placement.Rotation, placement.Scale);
     }
 
     /// <summary>Gravity in the measure of the model by which it goes: that of a creature so many times as large.</summary>

@@ -42,6 +42,9 @@ internal struct Momentum
     /// <summary>Asks for a speed.</summary>
     public void Ask(float goal) => Goal = goal;
 
+    /// <summary>Changes the speed at once; what is intended stays.</summary>
+    public void Push(float change) => Speed += change;
+
     /// <summary>Goes on for a time.</summary>
     /// <param name="dt">Seconds.</param>
     /// <param name="bounds">How quickly it may change.</param>

@@ -45,6 +45,14 @@ internal struct RootVelocity
         yaw.Ask(Scalar.Clamp(turn, -sharpest, sharpest));
     }
 
+    /// <summary>Changes it at once; what it is going over to stays.</summary>
+    public void Push(float ahead, float aside, float yaw)
+    {
+        this.ahead.Push(ahead);
+        this.aside.Push(aside);
+        this.yaw.Push(yaw);
+    }
+
     /// <summary>Goes on for a time, and tells the way gone meanwhile.</summary>
     /// <param name="dt">Seconds.</param>
     /// <param name="turned">Turn in that time, radians.</param>

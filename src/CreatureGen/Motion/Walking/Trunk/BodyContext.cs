@@ -5,7 +5,7 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>What the body goes by in an update.</summary>
 internal readonly struct BodyContext
 {
-    public BodyContext(GaitClock clock, RootVelocity velocity, MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright)
+    public BodyContext(GaitClock clock, RootVelocity velocity, MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright, float bow)
     {
         Clock = clock;
         RootVelocity = velocity;
@@ -15,6 +15,7 @@ internal readonly struct BodyContext
         Idle = idle;
         Acceleration = acceleration;
         Upright = upright;
+        Bow = bow;
     }
 
     public GaitClock Clock { get; }
@@ -36,6 +37,9 @@ internal readonly struct BodyContext
 
     /// <summary>How much of its posture for standing the trunk is in, 0..1.</summary>
     public float Upright { get; }
+
+    /// <summary>How much farther the fore body is let down than the hind body, metres.</summary>
+    public float Bow { get; }
 }
 
 /// <summary>What a standing body does by itself.</summary>

@@ -190,7 +190,7 @@ internal sealed class BodyPlacer
         float push = Scalar.Clamp(context.Acceleration / settings.Gravity, -0.5f, 0.5f);
         float stoop = Scalar.Smooth(act);
         hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - (0.06f * push * length);
-        foreRise += ForeGround + context.Idle.Breath - crouch - (stoop * body.ForeStoop) + (0.06f * push * length);
+        foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) + (0.06f * push * length);
         Level(ref hindRise, ref foreRise);
         float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + (0.35f * push) : 0f;
         float raised = body.Posture.Raised * context.Upright;

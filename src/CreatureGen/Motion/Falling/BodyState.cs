@@ -1,0 +1,14 @@
+namespace CreatureGen.Motion;
+
+/// <summary>What carries a creature at present.</summary>
+public enum BodyState
+{
+    /// <summary>What its way of going has carry it: its feet, its wings, the water, its belly.</summary>
+    Supported,
+
+    /// <summary>Nothing: it falls, and its legs reach for the ground.</summary>
+    Falling,
+
+    /// <summary>Its feet, which have come down and take up the fall.</summary>
+    Landed,
+}

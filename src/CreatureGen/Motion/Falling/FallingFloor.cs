@@ -1,0 +1,47 @@
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>What the feet of a falling creature reach for: the ground near the height of its feet, as an edge behind it, and else a plane that falls along with it.</summary>
+internal sealed class FallingFloor : IGround
+{
+    private Vector3 point;
+    private Vector3 up = Vector3.UnitY;
+    private IGround? ground;
+    private float above;
+    private float below;
+
+    /// <summary>Lays the plane.</summary>
+    /// <param name="place">A point of it.</param>
+    /// <param name="normal">Unit, away from the ground.</param>
+    /// <param name="real">The ground that is there.</param>
+    /// <param name="highest">How far above the plane that counts, metres.</param>
+    /// <param name="lowest">How far below.</param>
+    public void Lay(Vector3 place, Vector3 normal, IGround real, float highest, float lowest)
+    {
+        above = highest;
+        below = lowest;
+        point = place;
+        up = normal;
+        ground = real;
+    }
+
+    /// <inheritdoc/>
+    public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
+    {
+        float height = Vec.Dot(origin - point, up);
+        if (ground != null && ground.Cast(origin, direction, distance, out hit))
+        {
+            float rise = Vec.Dot(hit.Point - point, up);
+            if (rise > -below && rise < above)
+            {
+                return true;
+            }
+        }
+
+        float fall = -Vec.Dot(direction, up);
+        hit = new GroundHit(height > 0f && fall > 0f ? origin + (direction * (height / fall)) : origin - (up * height), up);
+        return !(height > 0f) || fall * distance >= height;
+    }
+}

@@ -1,0 +1,166 @@
+using System;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>
+/// A way of moving, and what happens to the body where that does not carry it: the states from losing the ground to standing again. The pose that it is given is the one shown last.
+/// </summary>
+internal sealed class FallingMode : ILocomotionMode
+{
+    /// <summary>Most events of the whole body in an update, those of feet that come down together not counted.</summary>
+    public const int MaxEvents = 4;
+
+    private readonly Creature creature;
+    private readonly LeggedBody? body;
+    private readonly Lazy<FallProfile> profile;
+    private readonly ILocomotionMode inner;
+    private readonly WalkingMode? legs;
+    private readonly EventQueue events;
+    private Footing footing;
+    private FreeFall? fall;
+
+    /// <summary>Wraps a way of moving.</summary>
+    /// <param name="creature">Whose.</param>
+    /// <param name="body">The body as its walk sees it; null without legs to stand on.</param>
+    /// <param name="profile">How it falls.</param>
+    /// <param name="inner">What carries it.</param>
+    /// <param name="legs">How it goes on its legs; null without legs to stand on.</param>
+    /// <param name="events">Receives what happens.</param>
+    public FallingMode(Creature creature, LeggedBody? body, Lazy<FallProfile> profile, ILocomotionMode inner, WalkingMode? legs, EventQueue events)
+    {
+        this.creature = creature;
+        this.body = body;
+        this.profile = profile;
+        this.inner = inner;
+        this.legs = legs;
+        this.events = events;
+    }
+
+    /// <summary>What carries the creature.</summary>
+    public BodyState State { get; private set; }
+
+    public float Speed => inner.Speed;
+
+    public float Phase => inner.Phase;
+
+    public float Frequency => inner.Frequency;
+
+    public bool IsOnFeet => IsUp && inner.IsOnFeet;
+
+    public bool StandsOnFeet => IsUp && inner.StandsOnFeet;
+
+    public bool IsFolded => inner.IsFolded;
+
+    public bool Escapes => inner.Escapes;
+
+    public float Clearance => State == BodyState.Falling ? float.PositiveInfinity : inner.Clearance;
+
+    public float BalancedBank => inner.BalancedBank;
+
+    /// <summary>Whether feet, wings or water carry it.</summary>
+    private bool IsUp => State is BodyState.Supported or BodyState.Landed;
+
+    private FreeFall Fall => fall ??= new FreeFall(body!, profile.Value, legs!);
+
+    /// <inheritdoc/>
+    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    {
+        if (State == BodyState.Supported && inner == legs && footing.IsLost(body!, legs, place, dt, settings, ground))
+        {
+            Begin(place, local, settings);
+        }
+
+        local.SetToRest(creature.Skeleton);
+        switch (State)
+        {
+            case BodyState.Falling:
+                return Falling(place, dt, settings, ground, local);
+            case BodyState.Landed:
+                return Landed(place, dt, input, settings, ground, local);
+            default:
+                return inner.Drive(place, dt, input, settings, ground, local);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
+    {
+        Recover();
+        local.SetToRest(creature.Skeleton);
+        inner.Follow(place, dt, goal, settings, ground, local);
+    }
+
+    /// <inheritdoc/>
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
+    {
+        Recover();
+        local.SetToRest(creature.Skeleton);
+        inner.Stand(place, settings, ground, local);
+    }
+
+    /// <inheritdoc/>
+    public void Rebase(Vector3 offset) => inner.Rebase(offset);
+
+    /// <inheritdoc/>
+    public void CopyFrom(ILocomotionMode other)
+    {
+        var mode = (FallingMode)other;
+        inner.CopyFrom(mode.inner);
+        (State, footing) = (mode.State, mode.footing);
+        if (mode.fall != null)
+        {
+            Fall.CopyFrom(mode.fall);
+        }
+    }
+
+    private void Begin(in RootPlace place, in Pose shown, in MotionSettings settings)
+    {
+        BodyVelocity velocity = legs!.Velocity;
+        Fall.Begin(shown, Rotation.Rotate(place.Rotation, velocity.Linear) * place.Scale, velocity.YawRate);
+        State = BodyState.Falling;
+        Tell(MotionEventKind.Fell, place, settings.Up, 0f, 0f);
+    }
+
+    private RootPlace Falling(RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
+    {
+        place = Fall.Fall(place, dt, settings, ground, local, out float impact);
+        if (impact > 0f)
+        {
+            State = BodyState.Landed;
+            float force = Fall.ForceOf(impact, settings.Gravity);
+            Tell(MotionEventKind.Landed, place, settings.Up, impact, force);
+            legs!.Tell(MotionEventKind.FootDown, impact, force);
+        }
+
+        return place;
+    }
+
+    /// <summary>The legs take up the fall; meanwhile it goes no faster than it came.</summary>
+    private RootPlace Landed(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    {
+        State = Fall.Absorb(dt) ? BodyState.Supported : State;
+        float going = legs!.Speed * place.Scale;
+        var asked = new MotionInput(Scalar.Clamp(input.Speed, Math.Min(going, 0f), Math.Max(going, 0f)), input.YawRate);
+        place = legs.Drive(place, dt, asked, settings, ground, local);
+        Fall.Fade(dt, local);
+        return place;
+    }
+
+    /// <summary>Is carried again, as if nothing had been.</summary>
+    private void Recover()
+    {
+        State = BodyState.Supported;
+        footing = default;
+        fall?.Stop();
+    }
+
+    private void Tell(MotionEventKind kind, in RootPlace place, Vector3 up, float speed, float strength) =>
+        events.Add(new MotionEvent(kind, -1, profile.Value.Body, place.Position, up, 0, speed, strength, 0f));
+}

@@ -1,0 +1,60 @@
+using System;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>A transition to a motion that is known from its first pose on: the difference to what was shown dies away on top of it, within the limits of the joints.</summary>
+internal sealed class PoseFade
+{
+    private readonly Skeleton skeleton;
+    private readonly PoseBuffer shown;
+    private readonly InertialOffset[] offsets;
+    private bool begins;
+    private float elapsed;
+    private float duration;
+
+    public PoseFade(Skeleton skeleton)
+    {
+        this.skeleton = skeleton;
+        shown = new PoseBuffer(skeleton);
+        offsets = new InertialOffset[skeleton.Count];
+    }
+
+    /// <summary>Keeps what was shown last.</summary>
+    public void Keep(in Pose local)
+    {
+        shown.Take(local);
+        begins = true;
+    }
+
+    /// <summary>Goes on from where another is.</summary>
+    public void CopyFrom(PoseFade other)
+    {
+        shown.Take(other.shown.Local);
+        other.offsets.CopyTo(offsets, 0);
+        (begins, elapsed, duration) = (other.begins, other.elapsed, other.duration);
+    }
+
+    /// <summary>Lays on a pose what is left of the difference.</summary>
+    /// <param name="dt">Seconds since the last pose.</param>
+    /// <param name="seconds">In which all dies away; taken up with the first pose.</param>
+    /// <param name="local">The motion's.</param>
+    public void Apply(float dt, float seconds, in Pose local)
+    {
+        if (begins)
+        {
+            Inertialisation.Start(shown.Local, shown.Local, local, local, 0f, seconds, offsets);
+            begins = false;
+            elapsed = 0f;
+            duration = seconds;
+        }
+
+        elapsed += dt;
+        if (elapsed < duration)
+        {
+            Inertialisation.Apply(offsets, elapsed, local);
+            SwingTwistLimit.ClampPose(skeleton, local);
+        }
+    }
+}

@@ -1,0 +1,158 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>Places of the skin that a creature can lie on: for each joint those of its vertices that are farthest out in 26 directions. Immutable.</summary>
+internal sealed class SupportPoints
+{
+    /// <summary>How far above and below a point the ground is looked for, parts of the creature's size.</summary>
+    private const float Lookout = 2f;
+
+    private static readonly Vector3[] directions = Directions();
+
+    private readonly SupportPoint[] points;
+    private readonly Vector3[] bindPositions;
+    private readonly Quaternion[] bindRotations;
+    private readonly float size;
+
+    private SupportPoints(SupportPoint[] points, Skeleton skeleton, float size)
+    {
+        this.points = points;
+        this.size = size;
+        bindPositions = skeleton.ModelPositions.ToArray();
+        bindRotations = skeleton.ModelRotations.ToArray();
+    }
+
+    /// <summary>Number of points.</summary>
+    public int Count => points.Length;
+
+    /// <summary>The points of a creature.</summary>
+    public static SupportPoints Of(Creature creature)
+    {
+        Skeleton skeleton = creature.Skeleton;
+        CreatureMesh mesh = creature.Mesh;
+        var farthest = new float[skeleton.Count * directions.Length];
+        var vertices = new int[farthest.Length];
+        Array.Fill(vertices, -1);
+        ReadOnlySpan<Vector3> positions = mesh.Positions;
+        Vector3 min = new(float.MaxValue);
+        Vector3 max = new(float.MinValue);
+        for (int v = 0; v < positions.Length; v++)
+        {
+            min = Vec.Min(min, positions[v]);
+            max = Vec.Max(max, positions[v]);
+            int first = mesh.Weights[v].Joint0 * directions.Length;
+            for (int d = 0; d < directions.Length; d++)
+            {
+                float along = Vec.Dot(positions[v], directions[d]);
+                if (vertices[first + d] < 0 || along > farthest[first + d])
+                {
+                    vertices[first + d] = v;
+                    farthest[first + d] = along;
+                }
+            }
+        }
+
+        var chosen = new List<SupportPoint>();
+        var known = new HashSet<int>();
+        foreach (int v in vertices)
+        {
+            if (v >= 0 && known.Add(v))
+            {
+                chosen.Add(new SupportPoint(positions[v], mesh.Weights[v]));
+            }
+        }
+
+        Vector3 extent = max - min;
+        return new SupportPoints(chosen.ToArray(), skeleton, Math.Max(extent.X, Math.Max(extent.Y, extent.Z)));
+    }
+
+    /// <summary>Height of the lowest point above the ground below it, metres of the model; negative in the ground.</summary>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="model">Its pose.</param>
+    /// <param name="up">Unit, world space.</param>
+    /// <param name="ground">What it is on. Where there is none a point is as high as the creature is large.</param>
+    public float Lowest(in RootPlace root, in Pose model, Vector3 up, IGround ground)
+    {
+        float lowest = size;
+        float reach = Lookout * size * root.Scale;
+        bool plane = ground is IPlaneGround;
+        GroundHit hit = default;
+        bool found = plane && ground.Cast(root.Position + (up * reach), -up, 2f * reach, out hit);
+        foreach (ref readonly SupportPoint point in points.AsSpan())
+        {
+            Vector3 place = root.ToWorld(At(point, model));
+            if (!plane)
+            {
+                found = ground.Cast(place + (up * reach), -up, 2f * reach, out hit);
+            }
+
+            if (found)
+            {
+                // Along up, so that the whole body raised by it is out of the ground.
+                float height = plane ? Vec.Dot(place - hit.Point, hit.Normal) / Math.Max(Vec.Dot(hit.Normal, up), 0.1f) : Vec.Dot(place - hit.Point, up);
+                lowest = Math.Min(lowest, height / root.Scale);
+            }
+        }
+
+        return lowest;
+    }
+
+    /// <summary>Height of the lowest point in model space, metres.</summary>
+    public float Lowest(in Pose model)
+    {
+        float lowest = float.MaxValue;
+        foreach (ref readonly SupportPoint point in points.AsSpan())
+        {
+            lowest = Math.Min(lowest, At(point, model).Y);
+        }
+
+        return lowest;
+    }
+
+    private static Vector3[] Directions()
+    {
+        var all = new List<Vector3>();
+        for (int x = -1; x <= 1; x++)
+        {
+            for (int y = -1; y <= 1; y++)
+            {
+                for (int z = -1; z <= 1; z++)
+                {
+                    var direction = new Vector3(x, y, z);
+                    if (direction != Vector3.Zero)
+                    {
+                        all.Add(Vec.Normalize(direction));
+                    }
+                }
+            }
+        }
+
+        return all.ToArray();
+    }
+
+    /// <summary>Where the pose takes a point, model space.</summary>
+    private Vector3 At(in SupportPoint point, in Pose model)
+    {
+        SkinWeights w = point.Weights;
+        Vector3 sum = Moved(w.Joint0, point.Rest, model) * w.Weights.X;
+        sum += w.Weights.Y > 0f ? Moved(w.Joint1, point.Rest, model) * w.Weights.Y : Vector3.Zero;
+        sum += w.Weights.Z > 0f ? Moved(w.Joint2, point.Rest, model) * w.Weights.Z : Vector3.Zero;
+        return sum + (w.Weights.W > 0f ? Moved(w.Joint3, point.Rest, model) * w.Weights.W : Vector3.Zero);
+    }
+
+    private Vector3 Moved(int joint, Vector3 rest, in Pose model) =>
+        model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], Rotation.Rotate(Rotation.Inverse(bindRotations[joint]), rest - bindPositions[joint]));
+
+    /// <summary>A vertex.</summary>
+    /// <param name="Rest">At rest, model space.</param>
+    /// <param name="Weights">The joints that move it.</param>
+    private readonly record struct SupportPoint(Vector3 Rest, SkinWeights Weights);
+}

@@ -1,0 +1,199 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Falling;
+
+/// <summary>Walkers that lose the ground.</summary>
+public sealed class FreeFallTests
+{
+    private const float Frame = 1f / 60f;
+    private const float Gravity = 9.80665f;
+
+    /// <summary>A mixed lot of walkers, strange ones too.</summary>
+    public static IEnumerable<MotionProfile> Lot(ulong first, int count)
+    {
+        for (ulong seed = first; seed < first + (ulong)count; seed++)
+        {
+            Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = seed % 2 == 0 ? 0f : 0.6f });
+            var profile = new MotionProfile(creature);
+            if (profile.LegLength > 0f)
+            {
+                yield return profile;
+            }
+        }
+    }
+
+    [Fact]
+    public void A_walker_that_goes_over_an_edge_falls_lands_and_goes_on()
+    {
+        int fell = 0;
+        int walked = 0;
+        foreach (MotionProfile profile in Lot(520, 24))
+        {
+            float leg = profile.LegLength;
+            string name = $"{profile.Creature.Blueprint.Seed} {profile.Creature.Blueprint.Plan}";
+            var cliff = new Cliff(3f * leg, 1.5f * leg);
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, cliff);
+            var states = new List<BodyState> { animator.State };
+            var kinds = new List<MotionEventKind>();
+            double excess = 0;
+            float speed = 0.6f * MathF.Sqrt(Gravity * leg);
+            for (int i = 0; i < 1500 && !(animator.State == BodyState.Supported && (states.Count > 1 || animator.Root.Position.Y < -1.4f * leg)); i++)
+            {
+                animator.Update(Frame, new MotionInput(speed), cliff);
+                kinds.AddRange(animator.Events.ToArray().Where(e => e.Foot < 0).Select(e => e.Kind));
+                excess = animator.State == BodyState.Supported ? excess : Math.Max(excess, Excess(animator));
+                if (animator.State != states[^1])
+                {
+                    states.Add(animator.State);
+                }
+            }
+
+            // Long bodies on many legs have feet down below before their middle is over the edge.
+            if (states.Count == 1)
+            {
+                walked++;
+                continue;
+            }
+
+            fell++;
+            Assert.Equal([BodyState.Supported, BodyState.Falling, BodyState.Landed, BodyState.Supported], states);
+            Assert.Equal([MotionEventKind.Fell, MotionEventKind.Landed], kinds);
+            Assert.True(Math.Abs(animator.Root.Position.Y + (1.5f * leg)) < 0.05f * leg, $"{name}: root {animator.Root.Position.Y / leg} legs");
+            Assert.True(excess < 1, $"{name}: {excess}° beyond a limit");
+        }
+
+        Assert.True(fell > 3 * walked, $"{fell} fell, {walked} walked down");
+    }
+
+    /// <summary>From rest a body falls ½gt²: its pelvis does, whatever its legs do meanwhile.</summary>
+    [Fact]
+    public void A_body_whose_ground_vanishes_falls_as_a_stone_does()
+    {
+        foreach (MotionProfile profile in Lot(550, 8))
+        {
+            var animator = new CreatureAnimator(profile);
+            MotionSettings settings = animator.Settings;
+            settings.Idle = 0f;
+            animator.Settings = settings;
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            int pelvis = profile.Creature.Skeleton.IndexOf("Body");
+            Walk(animator, 10, FlatGround.Level);
+            float start = Height(animator, pelvis);
+            int frames = 0;
+            for (; animator.State == BodyState.Supported; frames++)
+            {
+                Walk(animator, 1, new Nothing());
+                Assert.True(frames * Frame < 0.3f * MathF.Sqrt(profile.LegLength / Gravity) + (2f * Frame), "it hangs in the air");
+            }
+
+            Walk(animator, 29, new Nothing());
+            Assert.Equal(BodyState.Falling, animator.State);
+            float seconds = 30 * Frame;
+            float fallen = start - Height(animator, pelvis);
+            Assert.True(Math.Abs(fallen - (0.5f * Gravity * seconds * seconds)) < 0.1f * profile.LegLength, $"{profile.Creature.Blueprint.Seed}: {fallen} m in {seconds} s");
+        }
+    }
+
+    [Fact]
+    public void Nobody_falls_on_ground_that_goes_on()
+    {
+        foreach (MotionProfile profile in Lot(560, 8))
+        {
+            var hills = new Hills(profile.LegLength, 0.2f);
+            var animator = new CreatureAnimator(profile);
+            for (int i = 0; i < 300; i++)
+            {
+                animator.Update(Frame, new MotionInput(profile.Gaits!.TopSpeed, i % 100 < 50 ? 1f : -1f), hills);
+                Assert.Equal(BodyState.Supported, animator.State);
+            }
+        }
+    }
+
+    [Fact]
+    public void The_next_fall_allocates_nothing_and_has_the_same_bits()
+    {
+        MotionProfile profile = Lot(570, 1).Single();
+        var cliff = new Cliff(2f * profile.LegLength, 2f * profile.LegLength);
+        var animator = new CreatureAnimator(profile);
+        Quaternion[] first = Fall();
+        Assert.Equal(0, MovingPose.Allocated(() => Walk(animator, 120, cliff), 1));
+        var fresh = new CreatureAnimator(profile);
+        animator = fresh;
+        Assert.Equal(first, Fall());
+
+        Quaternion[] Fall()
+        {
+            animator.Teleport(RootPlace.Identity, cliff);
+            Walk(animator, 100, cliff);
+            Quaternion[] pose = animator.LocalPose.Rotations.ToArray();
+            animator.Teleport(RootPlace.Identity, cliff);
+            return pose;
+        }
+
+        static void Walk(CreatureAnimator animator, int frames, IGround ground)
+        {
+            for (int i = 0; i < frames; i++)
+            {
+                animator.Update(Frame, new MotionInput(1.5f), ground);
+            }
+        }
+    }
+
+    private static void Walk(CreatureAnimator animator, int frames, IGround ground)
+    {
+        for (int i = 0; i < frames; i++)
+        {
+            animator.Update(Frame, default, ground);
+        }
+    }
+
+    private static float Height(CreatureAnimator animator, int joint) => animator.Root.ToWorld(animator.ModelPose.Positions[joint]).Y;
+
+    /// <summary>Degrees that the worst joint is beyond its limits.</summary>
+    private static double Excess(CreatureAnimator animator)
+    {
+        var watch = new JointWatch(animator.Profile.Creature.Skeleton, animator.Profile.SpringRigs);
+        watch.Record(animator.LocalPose.Rotations, Frame);
+        return Scalar.Degrees(watch.Excess);
+    }
+}
+
+/// <summary>Level ground that ends in a drop, across the Z axis.</summary>
+internal sealed class Cliff : IGround
+{
+    private readonly float edge;
+    private readonly float drop;
+
+    public Cliff(float edge, float drop)
+    {
+        this.edge = edge;
+        this.drop = drop;
+    }
+
+    public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
+    {
+        float y = origin.Z < edge ? 0f : -drop;
+        hit = new GroundHit(new Vector3(origin.X, y, origin.Z), Vector3.UnitY);
+        return origin.Y - y <= distance;
+    }
+}
+
+/// <summary>No ground at all.</summary>
+internal sealed class Nothing : IGround
+{
+    public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
+    {
+        hit = default;
+        return false;
+    }
+}
