@@ -14,7 +14,7 @@ internal static class StandardStreams
 
     /// <summary>Gives data.</summary>
     /// <exception cref="IOException">It is closed.</exception>
-    public static Stream Input() => System.Console.OpenStandardInput();
+    public static Stream Input() => DescriptorTable.HasOwnPipeAsInput() ? throw new IOException("the standard input is closed") : System.Console.OpenStandardInput();
 
     private static Lazy<Stream> Open(Func<Stream> open) => new(open);
 

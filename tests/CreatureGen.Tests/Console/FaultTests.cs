@@ -167,6 +167,8 @@ public sealed class FaultTests
     [InlineData("generate --seeds 1-2 --no-picture 2>&-", ExitCode.Done)]
     [InlineData("--help > /dev/full", ExitCode.CannotWrite)]
     [InlineData("build - --out x.glb < /dev/null", ExitCode.BadInput)]
+    [InlineData("build - --out x.glb <&-", ExitCode.BadInput)]
+    [InlineData("inspect - <&- 5< given.json", ExitCode.BadInput)]
     [InlineData("build /dev/stdin --out x.glb < given.json", ExitCode.Done)]
     [InlineData("build - --out - < given.json | cat > x.glb; test -s x.glb", ExitCode.Done)]
     public async Task Closed_streams_end_a_run_with_a_code_and_without_a_trace(string line, int code)
