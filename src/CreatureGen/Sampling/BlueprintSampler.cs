@@ -41,10 +41,13 @@ public static class BlueprintSampler
     {
         options.ThrowIfInvalid();
         var choice = new PlanChoice(options);
+
+        // First the creature that it is when nobody counts its legs.
+        var free = new PlanChoice(options with { MinLegPairs = CreatureOptions.Default.MinLegPairs, MaxLegPairs = CreatureOptions.Default.MaxLegPairs });
+        var root = new Seed(seed);
         for (int attempt = 0; attempt < Attempts; attempt++)
         {
-            var root = new Seed(seed);
-            CreatureBuilder? builder = Stand(attempt == 0 ? root : root.Child("attempt").Child(attempt), choice, options);
+            CreatureBuilder? builder = attempt == 0 ? Stand(root, free, options) ?? Stand(root, choice, options) : Stand(root.Child("attempt").Child(attempt), choice, options);
             if (builder != null)
             {
                 CreatureBlueprint type = Finish(seed, builder, options, out sockets);
@@ -67,7 +70,7 @@ public static class BlueprintSampler
         BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, parents.Legs);
         for (int change = 0; ; change++)
         {
-            var builder = new CreatureBuilder(root, kind, Harmony.On(parents, plan), plan, strangeness);
+            var builder = new CreatureBuilder(root, kind, Harmony.On(parents, plan), plan, strangeness) { LeastLegPairs = options.MinLegPairs, MostLegPairs = options.MaxLegPairs };
             BodySampler.Sample(builder);
             StanceSampler.Settle(builder);
             BodyPlan? other = LegSampler.Sample(builder);

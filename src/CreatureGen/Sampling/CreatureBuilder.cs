@@ -38,6 +38,11 @@ internal sealed class CreatureBuilder
     /// <summary>How far it may be from any animal, 0..1.</summary>
     public double Strangeness { get; }
 
+    /// <summary>Fewest and most pairs of legs and arms that are asked for: what can stand on any number of legs grows one within them.</summary>
+    public int LeastLegPairs { get; init; }
+
+    public int MostLegPairs { get; init; } = LegRow.Most;
+
     /// <summary>How it carries its body; a swimmer without room for its fins gets another.</summary>
     public BodyPlan Plan { get; set; }
 

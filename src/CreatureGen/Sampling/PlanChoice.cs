@@ -144,7 +144,7 @@ internal sealed class PlanChoice
         (int least, int most) = PairsOf(plan);
         if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegPreset own)
         {
-            least = most = own.Sites.Length + own.Arms.Length;
+            least = most = own.SitesWithin(options.MinLegPairs, options.MaxLegPairs).Length + own.Arms.Length;
         }
 
         if (most < options.MinLegPairs || least > options.MaxLegPairs)

@@ -34,11 +34,40 @@ internal readonly struct LegSite
     public double Thickness { get; }
 }
 
+/// <summary>Legs in a row along the whole body, as many as there are to be.</summary>
+/// <param name="First">Ring of the first pair.</param>
+/// <param name="Last">Ring of the last pair.</param>
+/// <param name="Segment">Segment of all.</param>
+/// <param name="Front">Turn of the first towards the front, radians.</param>
+/// <param name="Rear">Turn of the last.</param>
+internal sealed record LegRow(int First, int Last, double Segment, double Front, double Rear)
+{
+    /// <summary>Fewest and most pairs that have room.</summary>
+    public const int Fewest = 4;
+    public const int Most = 16;
+
+    /// <summary>The places of a number of pairs, evenly.</summary>
+    public LegSite[] Sites(int pairs)
+    {
+        var sites = new LegSite[pairs];
+        for (int k = 0; k < pairs; k++)
+        {
+            int ring = (int)Math.Round(First + ((double)(Last - First) * k / (pairs - 1)));
+            sites[k] = new LegSite(LimbArchetype.Insect, ring, Segment, Front + ((Rear - Front) * k / (pairs - 1)), 1, 1);
+        }
+
+        return sites;
+    }
+}
+
 /// <summary>Legs of a species' own, all of which it always has.</summary>
 internal sealed record LegPreset
 {
     /// <summary>Legs that stand, or hang under a swimmer, front to rear.</summary>
     public LegSite[] Sites { get; init; } = Array.Empty<LegSite>();
+
+    /// <summary>The same legs in any other number, where they stand in a row; null where the number is the species' own.</summary>
+    public LegRow? Row { get; init; }
 
     /// <summary>Limbs that hang in front of it too.</summary>
     public LegSite[] Arms { get; init; } = Array.Empty<LegSite>();
@@ -63,4 +92,16 @@ internal sealed record LegPreset
 
     /// <summary>Length of a hanging leg, metres.</summary>
     public double HangingLength { get; init; } = 0.26;
+
+    /// <summary>Its places for at least and at most so many pairs: its own where they will do, else the nearest number that its row has room for.</summary>
+    public LegSite[] SitesWithin(int least, int most)
+    {
+        if (Row == null || (Sites.Length >= least && Sites.Length <= most))
+        {
+            return Sites;
+        }
+
+        int nearest = Sites.Length < least ? least : most;
+        return Row.Sites(Math.Min(Math.Max(nearest, LegRow.Fewest), LegRow.Most));
+    }
 }

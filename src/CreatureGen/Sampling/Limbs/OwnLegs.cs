@@ -44,7 +44,7 @@ internal static class OwnLegs
     {
         double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
         var places = new List<LimbSocket>();
-        foreach (LegSite site in preset.Sites)
+        foreach (LegSite site in preset.SitesWithin(builder.LeastLegPairs, builder.MostLegPairs))
         {
             bool jointed = IsJointed(site.Archetype);
             double girth = preset.Thickness * site.Thickness / (0.5 * measure.At(site.Ring).Thickness);

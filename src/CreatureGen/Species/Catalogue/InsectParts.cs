@@ -27,17 +27,6 @@ internal static class InsectParts
         new LegSite(LimbArchetype.Insect, 32, 9.7, rear, 1.06, 1),
     };
 
-    public static LegSite[] Row(int pairs, int first, int step, double front, double rear)
-    {
-        var sites = new LegSite[pairs];
-        for (int k = 0; k < pairs; k++)
-        {
-            sites[k] = new LegSite(LimbArchetype.Insect, first + (step * k), 9.7, front + ((rear - front) * k / (pairs - 1)), 1, 1);
-        }
-
-        return sites;
-    }
-
     public static PartPreset Part(FeatureBlueprint part, double least, double most) => new(part, least, most);
 
     public static FeatureBlueprint Jaw(double length, double radius, double sideward, double bendUp, double bendSide) =>
