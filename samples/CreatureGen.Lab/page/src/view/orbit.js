@@ -9,7 +9,7 @@ export class Orbit {
     this.focus = new Vector3();
     this.goal = new Vector3();
     this.azimuth = 0.62;
-    this.elevation = 0.17;
+    this.elevation = 0.12;
     this.distance = 5;
     this.wantedDistance = 5;
     this.drift = 0;

@@ -1,0 +1,54 @@
+import { NeutralToneMapping, PCFShadowMap, WebGLRenderer } from 'three';
+
+// Steps down to what a slow machine can draw: sharpness of the picture, share of the plants, shadows.
+const steps = [
+  { ratio: 2, plants: 1, shadows: true },
+  { ratio: 1.25, plants: 1, shadows: true },
+  { ratio: 1, plants: 0.55, shadows: true },
+  { ratio: 0.7, plants: 0.3, shadows: true },
+  { ratio: 0.45, plants: 0.12, shadows: false },
+];
+const slowMilliseconds = 40;
+const framesToJudge = 12;
+
+/** Draws, and draws less when the machine is slow. */
+export class Drawing {
+  #times = [];
+  #step;
+
+  constructor(canvas, wanted) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.toneMappingExposure = 1.02;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.fixed = wanted !== null;
+    this.#step = wanted === 'best' ? 1 : wanted === 'least' ? 4 : 0;
+  }
+
+  apply(world, width, height) {
+    const { ratio, plants, shadows } = steps[this.#step];
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, ratio));
+    this.renderer.setSize(width, height, false);
+    this.renderer.shadowMap.enabled = shadows;
+    world.sun.castShadow = shadows;
+    world.thin(plants);
+  }
+
+  /** Judges the time between frames; true if something was given up for speed. */
+  judge(milliseconds) {
+    if (this.fixed || document.hidden) {
+      return false;
+    }
+    this.#times.push(milliseconds);
+    if (this.#times.length < framesToJudge) {
+      return false;
+    }
+    const median = this.#times.sort((a, b) => a - b)[framesToJudge >> 1];
+    this.#times = [];
+    if (median > slowMilliseconds && this.#step < steps.length - 1) {
+      this.#step++;
+      return true;
+    }
+    return false;
+  }
+}
