@@ -39,7 +39,8 @@ internal static class PoseCheck
                 throw new ArgumentException(FormattableString.Invariant($"mask[{i}] = {mask[i]}; expected a finite weight"), nameof(mask));
             }
 
-            if (!Finite.Is(pose.Rotations[i]))
+            // What was too large to be brought to unit length has become nought.
+            if (!Finite.Is(pose.Rotations[i]) || pose.Rotations[i] == default)
             {
                 throw new ArgumentException(FormattableString.Invariant($"the rotation of joint {i} is not finite; expected unit quaternions"));
             }
