@@ -145,7 +145,8 @@ internal static class GlbContainer
     /// <summary>The next bytes of a stream, fewer if it ends. Memory grows with what is there, not with what was announced.</summary>
     private static byte[] ReadUpTo(Stream source, int count)
     {
-        byte[] bytes = new byte[Math.Min(count, FirstRead)];
+        long there = source.CanSeek ? source.Length - source.Position : FirstRead;
+        byte[] bytes = new byte[Math.Max(0, Math.Min(count, there))];
         int length = 0;
         while (length < count)
         {

@@ -31,7 +31,7 @@ public static class GlbReader
         }
 
         var problems = new ProblemList("JSON chunk");
-        JsonValue? value = RecordJson.Parse(JsonReader.Read(text, JsonLimits.Bulk), problems);
+        JsonValue? value = RecordJson.Parse(JsonReader.Read(text, JsonLimits.Bulk, way), problems);
         for (int i = 0; i < way.Length && value != null; i++)
         {
             if (!value.TryGet(way[i], out JsonValue? member))

@@ -18,11 +18,13 @@ internal ref struct JsonReader
 
     private readonly JsonLimits limits;
     private readonly List<JsonProblem> problems;
+    private readonly string[] way;
     private JsonScanner scanner;
     private int values;
 
-    private JsonReader(ReadOnlySpan<byte> text, JsonLimits limits)
+    private JsonReader(ReadOnlySpan<byte> text, JsonLimits limits, string[] way)
     {
+        this.way = way;
         this.limits = limits;
         problems = new List<JsonProblem>();
         scanner = new JsonScanner(text);
@@ -30,7 +32,10 @@ internal ref struct JsonReader
     }
 
     /// <summary>Reads a whole document. A byte order mark before it is passed over.</summary>
-    public static JsonReading Read(ReadOnlySpan<byte> utf8, JsonLimits limits)
+    public static JsonReading Read(ReadOnlySpan<byte> utf8, JsonLimits limits) => Read(utf8, limits, Array.Empty<string>());
+
+    /// <summary>Reads a whole document and keeps of it what is on the way from its root: the members of these names one in another, and all in the last. The rest is checked and passed over, and costs no memory.</summary>
+    public static JsonReading Read(ReadOnlySpan<byte> utf8, JsonLimits limits, string[] way)
     {
         if (utf8.Length > limits.MaximumBytes)
         {
@@ -38,7 +43,7 @@ internal ref struct JsonReader
         }
 
         bool marked = utf8.Length >= 3 && utf8[0] == 0xEF && utf8[1] == 0xBB && utf8[2] == 0xBF;
-        var reader = new JsonReader(marked ? utf8.Slice(3) : utf8, limits);
+        var reader = new JsonReader(marked ? utf8.Slice(3) : utf8, limits, way);
         JsonValue? root = reader.ReadDocument();
         return new JsonReading(root, reader.problems);
     }
@@ -114,9 +119,9 @@ internal ref struct JsonReader
 
     private JsonValue? ReadValue(JsonPath path, int depth)
     {
-        if (++values > limits.MaximumValues)
+        if (!MayGoOn(path, depth))
         {
-            return Fail(path, "more values", "at most " + limits.MaximumValues.ToString(CultureInfo.InvariantCulture) + " values");
+            return null;
         }
 
         JsonPosition position = scanner.Position;
@@ -125,12 +130,6 @@ internal ref struct JsonReader
         {
             case (byte)'{':
             case (byte)'[':
-                if (depth == JsonLimits.MaximumDepth)
-                {
-                    string most = JsonLimits.MaximumDepth.ToString(CultureInfo.InvariantCulture);
-                    return Fail(path, "deeper nesting", "at most " + most + " levels");
-                }
-
                 scanner.TryTake((char)next);
                 return next == (byte)'{' ? ReadObject(path, position, depth + 1) : ReadArray(path, position, depth + 1);
             case (byte)'"':
@@ -183,13 +182,18 @@ internal ref struct JsonReader
             }
 
             scanner.SkipSpace();
-            JsonValue? value = ReadValue(memberPath, depth);
-            if (value is null)
+            if (depth <= way.Length && !string.Equals(name, way[depth - 1], StringComparison.Ordinal))
+            {
+                if (!Skip(memberPath, depth))
+                {
+                    return null;
+                }
+            }
+            else if (ReadValue(memberPath, depth) is not JsonValue value)
             {
                 return null;
             }
-
-            if (Contains(members, lookup, name))
+            else if (Contains(members, lookup, name))
             {
                 Report(new JsonProblem(memberPath.ToString(), namePosition, "a second member of this name", "one"));
             }
@@ -248,8 +252,105 @@ internal ref struct JsonReader
         }
     }
 
+    /// <summary>Passes a value over, and checks it but for names that come twice. Problems within are told at the path of the whole.</summary>
+    private bool Skip(JsonPath path, int depth)
+    {
+        if (!MayGoOn(path, depth))
+        {
+            return false;
+        }
+
+        byte next = scanner.Next;
+        switch (next)
+        {
+            case (byte)'{':
+            case (byte)'[':
+                scanner.TryTake((char)next);
+                return SkipMembers(path, depth + 1, next == (byte)'{' ? '}' : ']');
+            case (byte)'"':
+                return scanner.SkipText() || Refuse(path, scanner.Expectation);
+            case (byte)'-':
+            case >= (byte)'0' and <= (byte)'9':
+                return scanner.SkipNumber() || Refuse(path, scanner.Expectation);
+            default:
+                return scanner.TryTakeWord("true") || scanner.TryTakeWord("false") || scanner.TryTakeWord("null") || Refuse(path, AnyValue);
+        }
+    }
+
+    /// <summary>Passes over what is left of an object or an array.</summary>
+    private bool SkipMembers(JsonPath path, int depth, char end)
+    {
+        scanner.SkipSpace();
+        if (scanner.TryTake(end))
+        {
+            return true;
+        }
+
+        while (true)
+        {
+            if (end == '}')
+            {
+                if (scanner.Next != (byte)'"')
+                {
+                    return Refuse(path, "a name in quotation marks");
+                }
+
+                if (!scanner.SkipText())
+                {
+                    return Refuse(path, scanner.Expectation);
+                }
+
+                scanner.SkipSpace();
+                if (!scanner.TryTake(':'))
+                {
+                    return Refuse(path, "':'");
+                }
+
+                scanner.SkipSpace();
+            }
+
+            if (!Skip(path, depth))
+            {
+                return false;
+            }
+
+            scanner.SkipSpace();
+            if (scanner.TryTake(end))
+            {
+                return true;
+            }
+
+            if (!scanner.TryTake(','))
+            {
+                return Refuse(path, "',' or '" + end + "'");
+            }
+
+            scanner.SkipSpace();
+        }
+    }
+
+    /// <summary>Counts a value, and tells when there are too many or they lie too deep in one another.</summary>
+    private bool MayGoOn(JsonPath path, int depth)
+    {
+        if (++values > limits.MaximumValues)
+        {
+            Fail(path, "more values", "at most " + limits.MaximumValues.ToString(CultureInfo.InvariantCulture) + " values");
+            return false;
+        }
+
+        if (depth == JsonLimits.MaximumDepth && (scanner.Next == (byte)'{' || scanner.Next == (byte)'['))
+        {
+            Fail(path, "deeper nesting", "at most " + JsonLimits.MaximumDepth.ToString(CultureInfo.InvariantCulture) + " levels");
+            return false;
+        }
+
+        return true;
+    }
+
     private JsonValue? ReadWord(string word, JsonKind kind, JsonPath path, JsonPosition position) =>
         scanner.TryTakeWord(word) ? JsonValue.OfWord(kind, word, path, position) : Fail(path, AnyValue);
+
+    private bool Refuse(JsonPath path, string expectation) => Fail(path, expectation) != null;
 
     private JsonValue? Fail(JsonPath path, string expectation) => Fail(path, scanner.FoundHere(), expectation);
 

@@ -73,12 +73,21 @@ internal ref struct JsonScanner
     /// <summary>Reads letters and digits, but only if they are this word.</summary>
     public bool TryTakeWord(string word)
     {
-        if (!string.Equals(WordHere(), word, StringComparison.Ordinal))
+        int end = at + word.Length;
+        if (end > text.Length || IsInWord(end))
         {
             return false;
         }
 
-        at += word.Length;
+        for (int i = 0; i < word.Length; i++)
+        {
+            if (text[at + i] != word[i])
+            {
+                return false;
+            }
+        }
+
+        at = end;
         return true;
     }
 
@@ -87,6 +96,20 @@ internal ref struct JsonScanner
     {
         int start = at;
         value = 0;
+        if (!SkipNumber())
+        {
+            return null;
+        }
+
+        ReadOnlySpan<byte> number = text.Slice(start, at - start);
+        value = NumberParser.Parse(number);
+        return Encoding.ASCII.GetString(number);
+    }
+
+    /// <summary>Passes a number.</summary>
+    public bool SkipNumber()
+    {
+        int start = at;
         bool negative = TryTake('-');
         bool leadingZero = Next == (byte)'0';
         if (!SkipDigits())
@@ -118,38 +141,57 @@ internal ref struct JsonScanner
             }
         }
 
-        ReadOnlySpan<byte> number = text.Slice(start, at - start);
-        value = NumberParser.Parse(number);
-        return Encoding.ASCII.GetString(number);
+        return true;
     }
 
     /// <summary>Reads a string, from its opening to its closing quotation mark, and returns its characters.</summary>
     public string? TakeText()
+    {
+        JsonScanner before = this;
+        if (!SkipText())
+        {
+            return null;
+        }
+
+        ReadOnlySpan<byte> within = text.Slice(before.at + 1, at - before.at - 2);
+        if (within.IndexOf((byte)'\\') < 0)
+        {
+            return Encoding.UTF8.GetString(within);
+        }
+
+        var unescaped = new StringBuilder();
+        this = before;
+        PassText(unescaped);
+        return unescaped.ToString();
+    }
+
+    /// <summary>Passes a string, from its opening to its closing quotation mark.</summary>
+    public bool SkipText() => PassText(null);
+
+    private bool PassText(StringBuilder? unescaped)
     {
         if (!TryTake('"'))
         {
             return Fail("'\"'");
         }
 
-        StringBuilder? unescaped = null;
         int start = at;
         while (!IsAtEnd)
         {
             byte unit = text[at];
             if (unit == (byte)'"')
             {
-                string rest = Encoding.UTF8.GetString(text.Slice(start, at - start));
+                unescaped?.Append(Encoding.UTF8.GetString(text.Slice(start, at - start)));
                 at++;
-                return unescaped is null ? rest : unescaped.Append(rest).ToString();
+                return true;
             }
 
             if (unit == (byte)'\\')
             {
-                unescaped ??= new StringBuilder();
-                unescaped.Append(Encoding.UTF8.GetString(text.Slice(start, at - start)));
+                unescaped?.Append(Encoding.UTF8.GetString(text.Slice(start, at - start)));
                 if (!TakeEscape(unescaped))
                 {
-                    return null;
+                    return false;
                 }
 
                 start = at;
@@ -189,19 +231,19 @@ internal ref struct JsonScanner
             : "'" + (char)unit + "'";
     }
 
-    private string? Fail(string expectation)
+    private bool Fail(string expectation)
     {
         Expectation = expectation;
-        return null;
+        return false;
     }
 
-    private bool TakeEscape(StringBuilder unescaped)
+    private bool TakeEscape(StringBuilder? unescaped)
     {
         int start = at++;
         int simple = IsAtEnd ? -1 : "\"\\/bfnrt".IndexOf((char)text[at]);
         if (simple >= 0)
         {
-            unescaped.Append("\"\\/\b\f\n\r\t"[simple]);
+            unescaped?.Append("\"\\/\b\f\n\r\t"[simple]);
             at++;
             return true;
         }
@@ -213,14 +255,13 @@ internal ref struct JsonScanner
         if (first < 0 || (!pair && first >= 0xD800 && first <= 0xDFFF))
         {
             at = start;
-            Fail(first < 0 ? "an escape sequence of JSON" : "both halves of a surrogate pair");
-            return false;
+            return Fail(first < 0 ? "an escape sequence of JSON" : "both halves of a surrogate pair");
         }
 
-        unescaped.Append((char)first);
+        unescaped?.Append((char)first);
         if (pair)
         {
-            unescaped.Append((char)second);
+            unescaped?.Append((char)second);
         }
 
         return true;
@@ -282,6 +323,8 @@ internal ref struct JsonScanner
 
     private readonly bool IsDigit(int index) => index < text.Length && text[index] >= (byte)'0' && text[index] <= (byte)'9';
 
+    private readonly bool IsInWord(int index) => IsDigit(index) || (index < text.Length && (text[index] | 0x20) >= 'a' && (text[index] | 0x20) <= 'z');
+
     private bool SkipDigits()
     {
         int start = at;
@@ -312,7 +355,7 @@ internal ref struct JsonScanner
     private readonly string WordHere()
     {
         int end = at;
-        while (end < text.Length && end - at <= Excerpt.MaximumLength && (IsDigit(end) || ((text[end] | 0x20) >= 'a' && (text[end] | 0x20) <= 'z')))
+        while (end - at <= Excerpt.MaximumLength && IsInWord(end))
         {
             end++;
         }

@@ -111,6 +111,40 @@ public sealed class GlbBlueprintTests
         Assert.Contains(reading.Problems, p => p.Path == "asset.extras.creaturegen.blueprint.size");
     }
 
+    /// <summary>It took over a gigabyte: each number of the mesh became an object.</summary>
+    [Fact]
+    public void A_file_of_many_megabytes_of_json_costs_no_more_memory_than_its_text()
+    {
+        string json = Json(GlbFile.Write(Sample));
+        string numbers = string.Join(',', Enumerable.Range(0, 1_500_000));
+        byte[] large = Glb(json.Insert(1, "\"more\":[{\"a\":\"\\u00e9\",\"b\":[" + numbers + "],\"c\":[true,false,null,-1.5e-3]}],"));
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        BlueprintReading reading = Read(large);
+        long taken = GC.GetAllocatedBytesForCurrentThread() - before;
+        Assert.Equal(Sample.Blueprint, reading.Blueprint);
+        Assert.True(large.Length > 10_000_000);
+        Assert.True(taken < large.Length + 1_000_000, $"{taken} bytes for a file of {large.Length}");
+    }
+
+    [Theory]
+    [InlineData("{\"a\":[1,02]}", "a = 02; expected a number without leading zeros")]
+    [InlineData("{\"a\":[1,}]}", "a = '}'; expected a value")]
+    [InlineData("{\"a\":{\"b\" 1}}", "a = 1; expected ':'")]
+    [InlineData("{\"a\":{b:1}}", "a = b; expected a name in quotation marks")]
+    [InlineData("{\"a\":[nul]}", "a = nul; expected a value")]
+    [InlineData("{\"a\":[truely]}", "a = truely; expected a value")]
+    [InlineData("{\"a\":[1 2]}", "a = 2; expected ',' or ']'")]
+    [InlineData("{\"a\":{\"b\":1;}}", "a = ';'; expected ',' or '}'")]
+    [InlineData("{\"a\":\"\\x\"}", "a = '\\'; expected an escape sequence of JSON")]
+    [InlineData("{\"a\":\"\\ud800\"}", "a = '\\'; expected both halves of a surrogate pair")]
+    [InlineData("{\"a\":\"x", "a = the end of the text; expected '\"'")]
+    [InlineData("{\"a\":{\"b", "a = the end of the text; expected '\"'")]
+    public void What_is_passed_over_is_checked_all_the_same(string json, string problem) => AssertProblem(problem, Glb(json));
+
+    [Fact]
+    public void What_is_passed_over_lies_no_deeper_than_what_is_kept() =>
+        AssertProblem("a = deeper nesting; expected at most 64 levels", Glb("{\"a\":" + new string('[', 100) + new string(']', 100) + "}"));
+
     [Fact]
     public void Damaged_files_never_crash_the_reader()
     {
