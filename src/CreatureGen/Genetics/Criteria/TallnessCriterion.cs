@@ -1,8 +1,9 @@
 using System;
+using CreatureGen.Rigging;
 
 namespace CreatureGen.Genetics.Criteria;
 
-/// <summary>Height for its size: giraffes rather than hippos.</summary>
+/// <summary>Height for its size: how high the highest joint of trunk, neck and head is. Giraffes rather than hippos; ears and horns do not count.</summary>
 public sealed class TallnessCriterion : ICriterion
 {
     /// <inheritdoc/>
@@ -15,6 +16,12 @@ public sealed class TallnessCriterion : ICriterion
     public double Score(Candidate candidate)
     {
         _ = candidate ?? throw new ArgumentNullException(nameof(candidate));
-        return candidate.Measures.Height / candidate.Measures.Size;
+        float highest = 0;
+        foreach (Joint joint in candidate.Creature.Skeleton.Joints)
+        {
+            highest = joint.Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Neck or JointRole.Head ? Math.Max(highest, joint.ModelPosition.Y) : highest;
+        }
+
+        return highest / candidate.Measures.Size;
     }
 }

@@ -77,6 +77,23 @@ public static class Evolution
         return settings.Selection.Succeed(new Generation(generation.Number, parents, generation.Archive), judged, settings.Population);
     }
 
+    /// <summary>The same generation, judged by another goal: what is wanted has changed on the way.</summary>
+    /// <exception cref="OperationCanceledException">The work was stopped.</exception>
+    public static Generation Judge(Generation generation, Goal goal, EvolutionWork work)
+    {
+        _ = generation ?? throw new ArgumentNullException(nameof(generation));
+        _ = work ?? throw new ArgumentNullException(nameof(work));
+        var jury = new Jury(goal ?? throw new ArgumentNullException(nameof(goal)), work);
+        var met = new Individual[generation.Individuals.Count];
+        IndependentParts.Run(met.Length, work.Threads, i =>
+        {
+            work.Cancellation.ThrowIfCancellationRequested();
+            Creature creature = CreatureAssembler.Assemble(generation.Individuals[i].Blueprint);
+            met[i] = jury.Meet(creature, generation.Individuals[i].Verdict == Verdict.Freak ? FreakCheck.FaultsOf(creature) : Array.Empty<string>());
+        });
+        return new Generation(generation.Number, Ranking.ByScore(jury.Judge(met, Array.Empty<Individual>())), generation.Archive);
+    }
+
     /// <summary>A creature as it was judged before, to go on with after a pause.</summary>
     /// <param name="blueprint">Its blueprint.</param>
     /// <param name="verdict">What became of it.</param>

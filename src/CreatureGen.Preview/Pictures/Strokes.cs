@@ -1,7 +1,6 @@
 using System;
-using CreatureGen.Preview.Pictures;
 
-namespace CreatureGen.Preview.Films;
+namespace CreatureGen.Preview.Pictures;
 
 /// <summary>Thin lines on diagrams.</summary>
 internal static class Strokes
