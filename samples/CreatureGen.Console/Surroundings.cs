@@ -25,6 +25,9 @@ internal sealed record Surroundings(TextWriter Out, TextWriter Error)
     /// <summary>Where files are written.</summary>
     public IDisk Disk { get; init; } = new LocalDisk();
 
+    /// <summary>Whether files have to be on the disk before they get their names.</summary>
+    public Durability Durability { get; init; }
+
     /// <summary>Where relative paths start.</summary>
     public string Folder { get; init; } = Directory.GetCurrentDirectory();
 

@@ -168,7 +168,7 @@ internal sealed class ManifestJournal : IDisposable
     {
         try
         {
-            return surroundings.Disk.Append(file);
+            return surroundings.Disk.Hold(file);
         }
         catch (IOException problem) when (Reason.IsHeld(problem))
         {

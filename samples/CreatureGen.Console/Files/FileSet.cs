@@ -5,7 +5,7 @@ using System.IO;
 namespace CreatureGen.Console.Files;
 
 /// <summary>
-/// Files that appear whole or not at all: each is written under another name in the folder where it will be, and all get their names when all are written and on the disk.
+/// Files that appear whole or not at all: each is written under another name in the folder where it will be, and all get their names when all are written and, unless <see cref="Surroundings.Durability"/> says otherwise, on the disk.
 /// What was not given its name goes when the set is disposed of. The path <c>-</c> is the standard output, which gets everything at the end too.
 /// </summary>
 internal sealed class FileSet(Surroundings surroundings) : IDisposable
@@ -79,7 +79,11 @@ internal sealed class FileSet(Surroundings surroundings) : IDisposable
             staged.Add(new Staged(temporary, target, path, null));
             using Stream stream = disk.Create(temporary);
             content(stream);
-            disk.Keep(stream);
+            if (surroundings.Durability == Durability.OnDisk)
+            {
+                disk.Keep(stream);
+            }
+
             if (File.Exists(target))
             {
                 disk.CopyPermissions(target, temporary);

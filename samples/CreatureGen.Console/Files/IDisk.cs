@@ -11,8 +11,11 @@ internal interface IDisk
     /// <summary>Makes a file that is not there yet.</summary>
     Stream Create(string path);
 
-    /// <summary>Opens a file, made if it is missing, to write on at its end. Nobody else can as long as it is open.</summary>
+    /// <summary>Opens a file, made if it is missing, to write on at its end. Others may read it meanwhile.</summary>
     Stream Append(string path);
+
+    /// <summary>The same, but nobody else can open it as long as it is open: a lock that ends with the process.</summary>
+    Stream Hold(string path);
 
     /// <summary>Puts all that was written to a file that was made here on the disk itself, and closes it.</summary>
     void Keep(Stream file);

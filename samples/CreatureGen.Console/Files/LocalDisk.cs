@@ -13,12 +13,10 @@ internal sealed class LocalDisk : IDisk
     public Stream Create(string path) => new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.None);
 
     /// <inheritdoc/>
-    public Stream Append(string path)
-    {
-        var file = new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write, FileShare.None, bufferSize: 0);
-        file.Seek(0, SeekOrigin.End);
-        return file;
-    }
+    public Stream Append(string path) => OpenAtEnd(path, FileShare.Read);
+
+    /// <inheritdoc/>
+    public Stream Hold(string path) => OpenAtEnd(path, FileShare.None);
 
     /// <inheritdoc/>
     public void Keep(Stream file)
@@ -41,4 +39,11 @@ internal sealed class LocalDisk : IDisk
 
     /// <inheritdoc/>
     public void Delete(string path) => File.Delete(path);
+
+    private static FileStream OpenAtEnd(string path, FileShare share)
+    {
+        var file = new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write, share, bufferSize: 0);
+        file.Seek(0, SeekOrigin.End);
+        return file;
+    }
 }

@@ -119,7 +119,7 @@ internal sealed class GenerateVerb : IVerb
         MadeCreature made = work.Task.Make(specimen, work.Count == 1 ? work.Threads : 1);
 
         // What is in hand when the work is stopped is finished.
-        CreatureFile[] files = CreatureFiles.Write(work.Folder, specimen.Name, made.Contents, surroundings with { Cancellation = default }).ToArray();
+        CreatureFile[] files = CreatureFiles.Write(work.Folder, specimen.Name, made.Contents, surroundings with { Cancellation = default, Durability = work.Batch.Shard is null ? Durability.OnDisk : Durability.LookedAtLater }).ToArray();
         made.Times.Finished("files");
         return new GeneratedCreature(made.Facts, made.Clips, files, made.Times);
     }

@@ -174,7 +174,7 @@ public sealed class BatchTests
         using var run = new ConsoleRun();
         string refusal = "";
         Directory.CreateDirectory(run.At("farm"));
-        using (new LocalDisk().Append(run.At("farm/times-1-of-4.jsonl")))
+        using (new LocalDisk().Hold(run.At("farm/times-1-of-4.jsonl")))
         {
             refusal = run.Refusal(ExitCode.CannotWrite, Words(Few + " --shard 1/4"));
             Assert.Equal(ExitCode.Done, run.Run(Words(Few + " --shard 2/4")));

@@ -30,6 +30,12 @@ internal sealed class FailingDisk(int failsAt) : IDisk
         return new Written(disk.Append(path), this);
     }
 
+    public Stream Hold(string path)
+    {
+        Step();
+        return new Written(disk.Hold(path), this);
+    }
+
     public void Keep(Stream file)
     {
         Step();

@@ -29,6 +29,12 @@ internal sealed class KilledDisk(int diesAt) : IDisk
         return new Written(disk.Append(path), this);
     }
 
+    public Stream Hold(string path)
+    {
+        Step();
+        return new Written(disk.Hold(path), this);
+    }
+
     public void Keep(Stream file)
     {
         Step();
