@@ -172,7 +172,7 @@ internal sealed class FeetRecorder
 
         Vector3 ball = root.ToWorld(animator.ModelPose.Positions[body.Legs[index].Ball]) / root.Scale;
         Vector3 off = Level(ball - (foot.Place / root.Scale));
-        lockDrift = Math.Max(lockDrift, foot.Normal.Y > 0.999f && body.Legs[index].FollowFraction == 0f ? Vec.Length(off) : 0f);
+        lockDrift = Math.Max(lockDrift, foot.Normal.Y > 0.999f && !body.Legs[index].Follows ? Vec.Length(off) : 0f);
         lastMiddle[index] = middle;
     }
 

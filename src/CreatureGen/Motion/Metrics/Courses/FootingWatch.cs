@@ -12,7 +12,7 @@ namespace CreatureGen.Motion.Metrics.Courses;
 internal sealed class FootingWatch
 {
     /// <summary>Vertices of a foot that are looked at, at most.</summary>
-    private const int MaxVertices = 60;
+    private const int MaxVertices = 300;
 
     /// <summary>How far above and below the ground is looked for, leg lengths.</summary>
     private const float Lookout = 40f;

@@ -188,9 +188,9 @@ internal sealed class FootingSearch
     {
         Vector3 toes = shape.ToeDirection;
         Vector3 offset = Vector3.Zero;
-        if (shape.FollowFraction > 0f)
+        if (shape.Follows)
         {
-            Quaternion follow = UnitRotation.Nlerp(Quaternion.Identity, shape.Sweep(home), shape.FollowFraction);
+            Quaternion follow = shape.Sweep(home);
             toes = Rotation.Rotate(follow, toes);
             offset = shape.SoleMiddle - Rotation.Rotate(follow, shape.SoleMiddle);
         }

@@ -59,11 +59,11 @@ internal static class FootPoser
         }
 
         foot.Base = from;
-        if (leg.FollowFraction > 0f)
+        if (leg.Follows)
         {
             // The foot turns with the leg on the middle of its sole.
             Vector3 shift = Rotation.Rotate(heading, leg.SoleMiddle);
-            heading = UnitRotation.Nlerp(heading, leg.Sweep(from), leg.FollowFraction);
+            heading = leg.Sweep(from);
             shift -= Rotation.Rotate(heading, leg.SoleMiddle);
             shift.Y = -((normal.X * shift.X) + (normal.Z * shift.Z)) / Math.Max(normal.Y, 0.3f);
             from += shift;

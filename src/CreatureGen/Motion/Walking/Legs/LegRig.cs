@@ -18,7 +18,7 @@ internal sealed class LegRig
     /// <summary>Part of the reach that a step may take up.</summary>
     private const float Stretch = 0.97f;
 
-    private const float LateralStretch = 0.94f;
+    private const float LateralStretch = 0.92f;
 
     /// <summary>Lowering of the body beyond its crouch that long steps may cost, leg lengths.</summary>
     private const float MaxDrop = 0.05f;
@@ -28,8 +28,6 @@ internal sealed class LegRig
 
     /// <summary>Part of the stance behind its middle at which the heel has begun to rise and gives length.</summary>
     private const float RearEnd = 0.40f;
-
-    private const float SprawlFollow = 0.3f;
 
     /// <summary>How high the ball rises at most as the foot rolls over the tip of its toes, leg lengths: on the long toes of raptors and ducks a full roll would fold the leg up.</summary>
     private const float HighestRoll = 0.16f;
@@ -111,7 +109,7 @@ internal sealed class LegRig
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
         RollFraction = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
-        FollowFraction = Traits.Archetype == LimbArchetype.Insect ? 1f : Traits.Archetype == LimbArchetype.Sprawl ? SprawlFollow : 0f;
+        Follows = Traits.Archetype == LimbArchetype.Insect;
         Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
         Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
         Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);
@@ -352,8 +350,8 @@ internal sealed class LegRig
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
 
-    /// <summary>Share of the leg's sweep that its foot turns along, on the middle of its sole: all of it for claws.</summary>
-    public float FollowFraction { get; }
+    /// <summary>Whether its foot turns along as the leg is swept, on the middle of its sole: that of claws.</summary>
+    public bool Follows { get; }
 
     /// <summary>How far the leg is swept about the vertical with its foot at a place, from rest.</summary>
     /// <param name="place">Model space; its height does not count.</param>
