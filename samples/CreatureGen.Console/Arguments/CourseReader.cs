@@ -11,6 +11,9 @@ internal sealed class CourseReader
 {
     private const float DefaultSeconds = 2f;
     private const float DefaultYaw = 1f;
+
+    /// <summary>Seconds after the end of an act.</summary>
+    private const float Afterwards = 0.5f;
     private const float MaxRate = 1000f;
     private const float MaxSeconds = 60f;
 
@@ -24,6 +27,8 @@ internal sealed class CourseReader
     private readonly Dictionary<string, Action<Words>> words = new(StringComparer.Ordinal);
     private MotionInput input;
     private bool escapes;
+    private ActAbility? act;
+    private ActOrder order;
 
     private CourseReader(MotionProfile profile)
     {
@@ -31,6 +36,9 @@ internal sealed class CourseReader
         AddMovements();
         words.Add("idle", _ => input = new MotionInput(0f, Medium: input.Medium));
         words.Add("stop", _ => input = new MotionInput(0f, Medium: input.Medium));
+        words.Add("act", command => act = ActArguments.Find(profile, command.Next(), command.Wrong));
+        words.Add("go-on", _ => order = ActOrder.GoOn);
+        words.Add("break-off", _ => order = ActOrder.Stop);
         words.Add("turn", command => input = input with { YawRate = command.Side() * command.At(DefaultYaw) });
         words.Add("straight", _ => input = input with { YawRate = 0f, Sideways = 0f, ClimbRate = 0f });
         words.Add("reverse", command => input = new MotionInput(-command.At(ReverseShare * Pace()), Medium: input.Medium));
@@ -100,6 +108,8 @@ internal sealed class CourseReader
     private CourseCommand Command(Words command)
     {
         escapes = false;
+        act = null;
+        order = ActOrder.None;
         if (!words.TryGetValue(command.Word, out Action<Words>? apply))
         {
             string[] known = words.Keys.ToArray();
@@ -107,11 +117,11 @@ internal sealed class CourseReader
         }
 
         apply(command);
-        float seconds = command.Seconds(DefaultSeconds, 0.05f, MaxSeconds);
+        float seconds = command.Seconds(act?.Seconds + Afterwards ?? DefaultSeconds, 0.05f, MaxSeconds);
         command.End();
         MotionInput asked = input;
         input = escapes ? input with { Escape = EscapeTurn.None } : input;
-        return new CourseCommand(seconds, asked) { Name = command.Name };
+        return new CourseCommand(seconds, asked) { Name = command.Name, Act = act, Order = order };
     }
 
     /// <summary>Words for what the creature does by itself, at its own speed or at one that is given.</summary>
@@ -175,6 +185,9 @@ internal sealed class CourseReader
 
         /// <summary>1 for left, −1 for right.</summary>
         public float Side() => rest.TryDequeue(out string? side) && side is "left" or "right" ? (side == "left" ? 1f : -1f) : throw Wrong($"{Word} left or {Word} right");
+
+        /// <summary>The next word; empty for none.</summary>
+        public string Next() => rest.TryDequeue(out string? word) ? word : "";
 
         /// <summary>What is given after <c>at</c>.</summary>
         public float At(float absent)

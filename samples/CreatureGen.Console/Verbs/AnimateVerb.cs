@@ -37,9 +37,10 @@ internal sealed class AnimateVerb : IVerb
             new("animate --seed 7 --kind flying --gait land --out land.png", "how it comes down and folds its wings"),
             new("animate --seed 4 --kind swimming --gait c-start --out dart.png", "a startled fish"),
             new("animate --seed 42 --out slow.png --speed 0.5 --view side --size 400", "the gait that suits the speed, from the side"),
+            new("animate --seed 42 --act bite --out bite.png", "an attack; bite-strip.png shows its phases"),
             new("animate --seed 42 --course \"idle 1; walk; run; turn left; stop\" --ground stairs --out course.png", "starts, turns and stops; course-strip.png shows the transitions"),
         ],
-        [SeedOptions.Seed with { Short = "-s" }, MovementArguments.Gait, MovementArguments.Speed, course, ground, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
+        [SeedOptions.Seed with { Short = "-s" }, MovementArguments.Gait, MovementArguments.Speed, course, ActArguments.Act, ActArguments.Target, ground, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -64,7 +65,9 @@ internal sealed class AnimateVerb : IVerb
             Shading = arguments.Has(CommonOptions.Flat.Name) ? ShadingMode.Faceted : ShadingMode.Smooth,
             Threads = threads,
         };
-        Func<MotionProfile, (IFilm Film, string Title)> shoot = arguments.Has(course.Name) ? CourseShooter(arguments, filmOptions) : MovementShooter(arguments, filmOptions);
+        Func<MotionProfile, (IFilm Film, string Title)> shoot = arguments.Has(course.Name) ? CourseShooter(arguments, filmOptions)
+            : arguments.Has(ActArguments.Act.Name) ? ActShooter(arguments, filmOptions)
+            : MovementShooter(arguments, filmOptions);
         var profile = new MotionProfile(CreatureAssembler.Assemble(Growing.Sample(seed, options)));
         FileSet.RequireWritable(path, surroundings);
         FileSet.RequireWritable(stripPath, surroundings);
@@ -107,15 +110,41 @@ internal sealed class AnimateVerb : IVerb
         };
     }
 
-    private static Func<MotionProfile, (IFilm Film, string Title)> CourseShooter(ParsedArguments arguments, FilmOptions options)
+    private static Func<MotionProfile, (IFilm Film, string Title)> ActShooter(ParsedArguments arguments, FilmOptions options)
     {
-        foreach (string other in new[] { MovementArguments.Gait.Name, MovementArguments.Speed.Name })
+        RefuseBeside(arguments, ActArguments.Act.Name, MovementArguments.Gait.Name, MovementArguments.Speed.Name);
+        CourseGround over = arguments.Choice(ground.Name, WordList<CourseGround>.Instance, CourseGround.Flat);
+        ActTarget target = ActArguments.ReadTarget(arguments);
+        string word = arguments.Required(ActArguments.Act.Name);
+        return profile =>
+        {
+            ActAbility ability = ActArguments.Find(profile, word, expected => arguments.Wrong(ActArguments.Act.Name, word, expected));
+            ActStart start = new CreatureAnimator(profile).Perform(ability, target);
+            if (start.Reason is string reason)
+            {
+                throw arguments.Wrong(ActArguments.Target.Name, arguments.Value(ActArguments.Target.Name) ?? "", "a target within reach; " + reason);
+            }
+
+            var film = new CourseFilm(profile, ActScript.Of(ability, target), over, options);
+            string contact = ability.SecondsToContact is float seconds ? FormattableString.Invariant($", contact after {seconds:0.00} s") : "";
+            return (film, FormattableString.Invariant($"{ability.Act.Name} in {ability.Seconds:0.00} s{contact}, {film.FrameCount} frames"));
+        };
+    }
+
+    private static void RefuseBeside(ParsedArguments arguments, string option, params string[] others)
+    {
+        foreach (string other in others)
         {
             if (arguments.Has(other))
             {
-                throw arguments.Wrong($"{course.Name} and {other}; expected one of them");
+                throw arguments.Wrong($"{option} and {other}; expected one of them");
             }
         }
+    }
+
+    private static Func<MotionProfile, (IFilm Film, string Title)> CourseShooter(ParsedArguments arguments, FilmOptions options)
+    {
+        RefuseBeside(arguments, course.Name, MovementArguments.Gait.Name, MovementArguments.Speed.Name, ActArguments.Act.Name);
 
         CourseGround over = arguments.Choice(ground.Name, WordList<CourseGround>.Instance, CourseGround.Flat);
         return profile =>

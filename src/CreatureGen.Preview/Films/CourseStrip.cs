@@ -26,6 +26,9 @@ internal static class CourseStrip
     // Seconds after a command at which a picture is taken: close together where something changes.
     private static readonly double[] offsets = [0.1, 0.25, 0.45, 0.75, 1.2, 2, 3.5, 6, 10, 16];
 
+    // Seconds of a phase of an act from which on its middle is shown too.
+    private const double LongPhase = 0.5;
+
     private static readonly Pixel paper = new(236, 237, 240);
     private static readonly Pixel ink = new(24, 27, 32);
     private static readonly Pixel newCommand = new(190, 40, 30);
@@ -96,13 +99,44 @@ internal static class CourseStrip
         return firsts.Count <= MaxCells ? firsts : firsts.GetRange(0, MaxCells);
     }
 
+    /// <summary>Of an act the ends of its phases, and the middles of long ones.</summary>
+    private static void AddPhases(List<int> moments, CourseTake take, in CourseCommand command, double start)
+    {
+        double limit = command.Seconds;
+        double before = 0;
+        for (int phase = 0; phase < command.Act!.Act.Phases.Count; phase++)
+        {
+            double end = command.Act.SecondsTo(phase);
+            if (end - before > LongPhase)
+            {
+                Add(0.5 * (before + end));
+            }
+
+            Add(end);
+            before = end;
+        }
+
+        void Add(double at)
+        {
+            if (at <= limit)
+            {
+                moments.Add(Math.Min((int)Math.Round((start + at) * CourseTake.Rate), take.Moments - 1));
+            }
+        }
+    }
+
     private static List<int> Moments(CourseTake take, int each)
     {
         var moments = new List<int>();
         double start = 0;
         foreach (CourseCommand command in take.Script.Commands)
         {
-            for (int i = 0; i < each && (i == 0 || offsets[i] <= command.Seconds); i++)
+            if (command.Act != null)
+            {
+                AddPhases(moments, take, command, start);
+            }
+
+            for (int i = 0; command.Act == null && i < each && (i == 0 || offsets[i] <= command.Seconds); i++)
             {
                 double at = start + Math.Min(offsets[i], command.Seconds);
                 moments.Add(Math.Min((int)Math.Round(at * CourseTake.Rate), take.Moments - 1));

@@ -4,13 +4,12 @@ using System.Numerics;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Playing;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Falling;
 using CreatureGen.Motion.Flying;
 using CreatureGen.Motion.Grounds;
 using CreatureGen.Motion.Modes;
-using CreatureGen.Motion.Slithering;
-using CreatureGen.Motion.Swimming;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Toolkit.Gaze;
 using CreatureGen.Motion.Walking;
@@ -40,6 +39,7 @@ public sealed class CreatureAnimator
     private readonly CheckedGround stillGround = new();
     private readonly CheckedMovingGround movingGround = new();
     private CheckedGround gate;
+    private Actor? actor;
     private Vector3? lookAt;
     private MotionSettings settings = MotionSettings.Default;
 
@@ -195,7 +195,17 @@ public sealed class CreatureAnimator
         CheckedGround sound = Check(ref dt, ground);
         if (Mode != null)
         {
-            Root = locomotion.Drive(Root, dt, input, settings, sound, LocalPose);
+            MotionInput asked = actor == null ? input : actor.Begin(dt, Root, locomotion, input);
+            try
+            {
+                Root = locomotion.Drive(Root, dt, asked, settings, sound, LocalPose);
+            }
+            catch when (sound.MayThrow)
+            {
+                actor?.Undo();
+                throw;
+            }
+
             Finish(dt);
         }
     }
@@ -211,7 +221,17 @@ public sealed class CreatureAnimator
     {
         placement.Require(nameof(placement));
         CheckedGround sound = Check(ref dt, ground);
-        locomotion.Follow(Root, dt, placement, settings, sound, LocalPose);
+        actor?.Begin(dt, Root, locomotion, default);
+        try
+        {
+            locomotion.Follow(Root, dt, placement, settings, sound, LocalPose);
+        }
+        catch when (sound.MayThrow)
+        {
+            actor?.Undo();
+            throw;
+        }
+
         Root = placement;
         Finish(dt);
     }
@@ -234,6 +254,7 @@ public sealed class CreatureAnimator
         Root = placement;
         secondary.Reset();
         attention?.Reset();
+        actor?.Performer.Reset();
         Finish(0f);
     }
 
@@ -245,8 +266,54 @@ public sealed class CreatureAnimator
         Finite.Require(offset, nameof(offset));
         Root = new RootPlace(Root.Position + offset, Root.Rotation, Root.Scale);
         Mode?.Rebase(offset);
+        actor?.Performer.Rebase(offset);
         secondary.Rebase(offset);
     }
+
+    /// <summary>What the creature can do beside going; see <see cref="MotionProfile.Acts"/>.</summary>
+    public CreatureActs Acts => Profile.Acts;
+
+    /// <summary>The act that it performs at present; null for none.</summary>
+    public Act? Act => actor?.Performer.Act;
+
+    /// <summary>The phase of the act; null for none, and while it waits until the creature stands.</summary>
+    public ActPhase? ActPhase => actor?.Performer.Phase;
+
+    /// <summary>Moments of acts in the last update.</summary>
+    public ReadOnlySpan<ActEvent> ActEvents => actor == null ? default : actor.Events;
+
+    /// <summary>Begins an act that comes with the library, in place of what it performs; see <see cref="Perform(ActAbility, in ActTarget)"/>.</summary>
+    /// <param name="act">Its name, whatever its case.</param>
+    /// <param name="target">What it goes for.</param>
+    /// <exception cref="ArgumentException">There is no act of that name; the message lists all.</exception>
+    public ActStart Perform(string act, in ActTarget target = default) => Perform(Acts.Find(act), target);
+
+    /// <summary>Begins an act in place of what it performs: on top of whatever it does, from whatever pose it is in. Acts that need standing feet stop it first. The first act of an animator allocates what it needs; those after it, and all updates, nothing.</summary>
+    /// <param name="act">One of <see cref="Acts"/>, or of the game's own (<see cref="CreatureActs.Rehearse"/>).</param>
+    /// <param name="target">What it goes for; acts without a target take no notice.</param>
+    /// <returns>Whether it has begun, or why not: nothing has changed then.</returns>
+    /// <exception cref="ArgumentNullException">There is no act.</exception>
+    public ActStart Perform(ActAbility act, in ActTarget target = default)
+    {
+        if (act == null)
+        {
+            throw new ArgumentNullException(nameof(act));
+        }
+
+        if (act.Refusal != null)
+        {
+            return new ActStart(ActStatus.Refused, act.Refusal, act.SecondsToContact, 0f);
+        }
+
+        actor ??= new Actor(Acts);
+        return actor.Begin(act, target, Root, settings.Gravity);
+    }
+
+    /// <summary>Leaves a phase that lasts, as of sitting or sleeping: the act goes on to its end. Others take no notice.</summary>
+    public void GoOn() => actor?.Performer.GoOn();
+
+    /// <summary>Breaks the act off where it is: what is left of it dies away.</summary>
+    public void StopAct() => actor?.Performer.Stop();
 
     /// <summary>Holds lids and ears; null to let the creature blink and flick its ears by itself.</summary>
     internal void Hold(StandingAct? act)
@@ -278,6 +345,7 @@ public sealed class CreatureAnimator
 
         dt = Math.Min(dt, WalkingMode.LongestUpdate);
         events.Clear();
+        actor?.ClearEvents();
         return Gate(ground);
     }
 
@@ -305,7 +373,15 @@ public sealed class CreatureAnimator
     private void Finish(float dt)
     {
         ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
-        attention?.Update(lookAt, GazeSettings, Root, Mode?.Speed ?? 0f, settings.Idle, dt, LocalPose, ModelPose);
+        Performer? performer = actor?.Performer is { IsActive: true } active ? active : null;
+        bool looks = performer is not { HoldsHead: true };
+        attention?.Update(looks ? lookAt : null, GazeSettings, Root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
+        if (performer != null)
+        {
+            performer.Pose(Root, StandsOnFeet, LocalPose, ModelPose);
+            actor!.Tell(Root, ModelPose);
+        }
+
         secondary.Update(Root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
     }
 }

@@ -93,11 +93,7 @@ internal sealed class Locomotion
 
     private (WalkingMode? Legs, FallingMode? Mode) Make()
     {
-        WalkingMode? legs = profile.Legs == null ? null : new WalkingMode(profile.Legs, profile.Gaits!, events);
-        ILocomotionMode? inner = profile.Flight != null ? new FlyingMode(profile.Flight, legs, events)
-            : profile.Swim != null ? new SwimmingMode(profile.Swim)
-            : profile.Slither != null ? new SlitheringMode(profile.Slither)
-            : legs;
+        ILocomotionMode? inner = profile.Begin(events, out WalkingMode? legs);
         return (legs, inner == null ? null : new FallingMode(profile.Creature, profile.Legs, profile.Fall, inner, legs, events));
     }
 

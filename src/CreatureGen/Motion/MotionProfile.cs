@@ -2,8 +2,12 @@ using System;
 using System.Threading;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Rehearsing;
+using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Falling;
 using CreatureGen.Motion.Flying;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Slithering;
 using CreatureGen.Motion.Swimming;
 using CreatureGen.Motion.Toolkit;
@@ -14,6 +18,8 @@ namespace CreatureGen.Motion;
 /// <summary>What follows from a creature's build for its motion: worked out once, immutable, shared by all animators of the creature.</summary>
 public sealed class MotionProfile
 {
+    private readonly Lazy<CreatureActs> acts;
+
     /// <summary>Works out how a creature goes.</summary>
     /// <exception cref="ArgumentNullException">There is no creature.</exception>
     public MotionProfile(Creature creature)
@@ -49,6 +55,7 @@ public sealed class MotionProfile
 
         Fall = new Lazy<FallProfile>(() => FallProfile.Of(creature, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
         Gaze = HasHead(creature) ? GazeRig.Of(creature.Skeleton) : null;
+        acts = new Lazy<CreatureActs>(RehearseActs);
         (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null && !Legs.HasAbdomen);
     }
 
@@ -60,6 +67,9 @@ public sealed class MotionProfile
 
     /// <summary>Length of its rearmost legs from hip to ground, metres; 0 without legs.</summary>
     public float LegLength => Legs?.LegLength ?? 0f;
+
+    /// <summary>What it can do beside going, and why not what it cannot. Worked out when it is first asked for, which takes some ten milliseconds.</summary>
+    public CreatureActs Acts => acts.Value;
 
     /// <summary>How it flies; null when it does not.</summary>
     internal FlightProfile? Flight { get; }
@@ -84,6 +94,25 @@ public sealed class MotionProfile
 
     /// <summary>How it falls, lies and gets up; worked out when it is first asked for.</summary>
     internal Lazy<FallProfile> Fall { get; }
+
+    /// <summary>A way of moving of its own for one of the creature on the scene.</summary>
+    /// <param name="events">Receives what happens.</param>
+    /// <param name="legs">The part of it that walks; null without legs.</param>
+    /// <returns>Null for a creature that does not move by itself.</returns>
+    internal ILocomotionMode? Begin(EventQueue events, out WalkingMode? legs)
+    {
+        legs = Legs == null ? null : new WalkingMode(Legs, Gaits!, events);
+        return Flight != null ? new FlyingMode(Flight, legs, events)
+            : Swim != null ? new SwimmingMode(Swim)
+            : Slither != null ? new SlitheringMode(Slither)
+            : legs;
+    }
+
+    private CreatureActs RehearseActs()
+    {
+        var body = new ActBody(Creature, Legs);
+        return new CreatureActs(body, new Rehearsal(body, () => Begin(new EventQueue(0), out _)));
+    }
 
     private static bool HasHead(Creature creature)
     {

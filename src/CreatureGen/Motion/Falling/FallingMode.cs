@@ -58,6 +58,13 @@ internal sealed class FallingMode : ILocomotionMode
 
     public bool IsFolded => inner.IsFolded;
 
+    /// <inheritdoc/>
+    public BodyLayer? Layer
+    {
+        get => inner.Layer;
+        set => inner.Layer = value;
+    }
+
     public bool Escapes => inner.Escapes;
 
     public float Clearance => State == BodyState.Falling ? float.PositiveInfinity : inner.Clearance;

@@ -57,6 +57,18 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public bool Escapes => false;
 
+    public BodyLayer? Layer
+    {
+        get => legs?.Layer;
+        set
+        {
+            if (legs != null)
+            {
+                legs.Layer = value;
+            }
+        }
+    }
+
     /// <summary>Whether it stands still with its wings folded.</summary>
     public bool IsFolded => StandsOnFeet && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
 

@@ -31,6 +31,8 @@ internal sealed class SlitheringMode : ILocomotionMode
 
     public bool Escapes => false;
 
+    public BodyLayer? Layer { get; set; }
+
     public float Clearance => 0f;
 
     public float BalancedBank => 0f;

@@ -32,6 +32,8 @@ internal sealed class SwimmingMode : ILocomotionMode
 
     public bool Escapes => state.EscapeProgress > 0f;
 
+    public BodyLayer? Layer { get; set; }
+
     public float Clearance => float.PositiveInfinity;
 
     public float BalancedBank => 0f;

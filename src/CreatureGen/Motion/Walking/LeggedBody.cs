@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
@@ -44,7 +45,7 @@ internal sealed class LeggedBody
         Skeleton = creature.Skeleton;
         Mass = Math.Max(creature.Mass.Mass, 1e-4f);
         int[] rows = RowsOf(standing);
-        Rows = 1 + Max(rows);
+        Rows = 1 + rows.Max();
         Trunk = ChainOf(creature.Skeleton, JointRole.Pelvis, JointRole.Spine, JointRole.Chest);
         SoleExtent[] soles = SoleExtent.Measure(creature, standing);
         Legs = new LegRig[standing.Length];
@@ -119,6 +120,7 @@ internal sealed class LeggedBody
         MaxSway = MaxSwayOf(Legs);
         MaxBendYaw = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
         MaxBendPitch = PitchBendFraction * MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
+        MaxBendRoll = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.Twist);
         Turns = new RestRotations(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
         Hops = Rows == 1 && creature.Blueprint.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
@@ -161,6 +163,9 @@ internal sealed class LeggedBody
 
     /// <summary>How far the trunk rounds or hollows its back from the pelvis to the fore legs' joint, radians.</summary>
     public float MaxBendPitch { get; }
+
+    /// <summary>How far the trunk twists about its length from the pelvis to the fore legs' joint, radians.</summary>
+    public float MaxBendRoll { get; }
 
     /// <summary>How far it rolls with the ground to a side, radians: less on hips that do not draw their legs in far, and not at all on two legs.</summary>
     public float MaxRoll { get; }
@@ -287,17 +292,6 @@ internal sealed class LeggedBody
         }
 
         return flippers.ToArray();
-    }
-
-    private static int Max(int[] values)
-    {
-        int max = 0;
-        foreach (int value in values)
-        {
-            max = Math.Max(max, value);
-        }
-
-        return max;
     }
 
     private static float MaxRollOf(LegRig[] legs)

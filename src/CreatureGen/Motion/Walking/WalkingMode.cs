@@ -25,6 +25,9 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>What is left of activity, and of the trunk's way up, where it counts as still.</summary>
     private const float MinActivity = 0.02f;
 
+    /// <summary>The same of feet that are all down, for acts.</summary>
+    private const float Settled = 0.06f;
+
     /// <summary>How quickly the trunk comes down from how it stands, and up to it again, per second.</summary>
     private const float LowerRate = 8f;
     private const float RaiseRate = 1.2f;
@@ -97,6 +100,9 @@ internal sealed class WalkingMode : ILocomotionMode
 
     public float BalancedBank => 0f;
 
+    /// <inheritdoc/>
+    public BodyLayer? Layer { get; set; }
+
     /// <summary>How far the body is let down into its legs, metres of the model.</summary>
     public float Sink { get; set; }
 
@@ -112,20 +118,11 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>How much of its posture for standing it is in, 0..1.</summary>
     public float Raised { get; private set; }
 
-    /// <summary>Whether it has come to rest: all feet stand, and the trunk is up.</summary>
-    public bool IsStill
-    {
-        get
-        {
-            bool stands = true;
-            foreach (ref readonly Foot foot in planner.Feet.AsSpan())
-            {
-                stands &= foot.Phase == FootPhase.Stance;
-            }
+    /// <summary>Whether all feet stand, and none is about to leave the ground.</summary>
+    public bool Stands => activity < Settled && Foot.AllStand(planner.Feet);
 
-            return stands && activity < MinActivity && Raised > 1f - MinActivity;
-        }
-    }
+    /// <summary>Whether it has come to rest: all feet stand, and the trunk is up.</summary>
+    public bool IsStill => activity < MinActivity && Raised > 1f - MinActivity && Foot.AllStand(planner.Feet);
 
     /// <summary>Fastest speed ahead at which it can come down, metres per second of the model.</summary>
     public float RunOut => RunOutFraction * gaits.TopSpeed;
@@ -315,7 +312,7 @@ internal sealed class WalkingMode : ILocomotionMode
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);
         var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow);
-        placer.Place(context, planner.Feet, poses);
+        placer.Place(context, Layer, planner.Feet, poses);
         poser.PoseTrunk(placer, local);
         for (int i = 0; i < poses.Length; i++)
         {
@@ -403,6 +400,11 @@ internal sealed class WalkingMode : ILocomotionMode
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);
+            planner.Feet[i].Taken = 0f;
+            if (Layer != null)
+            {
+                FootPoser.Add(body.Legs[i], Layer.Feet[i], ref planner.Feet[i], ref poses[i]);
+            }
         }
     }
 

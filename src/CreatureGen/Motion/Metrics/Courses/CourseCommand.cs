@@ -9,6 +9,15 @@ namespace CreatureGen.Motion;
 /// <param name="Gait">The gait to keep to; null to choose by speed.</param>
 public readonly record struct CourseCommand(float Seconds, MotionInput Input, Gait? Gait = null)
 {
+    /// <summary>An act that begins with the command; null for none.</summary>
+    public ActAbility? Act { get; init; }
+
+    /// <summary>What the act goes for.</summary>
+    public ActTarget Target { get; init; }
+
+    /// <summary>What becomes of an act that is under way.</summary>
+    public ActOrder Order { get; init; }
+
     /// <summary>What pictures call it; null to tell it by what is asked.</summary>
     public string? Name { get; init; }
 

@@ -38,8 +38,14 @@ internal sealed class CourseDrive
                 yield break;
             }
 
-            Command = script.IndexAt(time);
-            CourseCommand command = script.Commands[Command];
+            int index = script.IndexAt(time);
+            CourseCommand command = script.Commands[index];
+            if (index != Command || time == 0)
+            {
+                Tell(command);
+            }
+
+            Command = index;
             MotionSettings settings = Animator.Settings;
             settings.Walking = settings.Walking with { Gait = command.Gait };
             Animator.Settings = settings;
@@ -47,6 +53,25 @@ internal sealed class CourseDrive
             Animator.Update((float)step, command.Input, Surface.Ground);
             time += step;
             yield return (float)step;
+        }
+    }
+
+    /// <summary>Tells the animator of acts, once as the command begins.</summary>
+    private void Tell(in CourseCommand command)
+    {
+        switch (command.Order)
+        {
+            case ActOrder.GoOn:
+                Animator.GoOn();
+                break;
+            case ActOrder.Stop:
+                Animator.StopAct();
+                break;
+        }
+
+        if (command.Act != null)
+        {
+            Animator.Perform(command.Act, command.Target);
         }
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Motion.Walking.Legs;
 
@@ -73,6 +74,9 @@ internal struct Foot
     /// <summary>Height above that place, metres.</summary>
     public float Lift;
 
+    /// <summary>How far an act has taken it off the ground, 0..1: then it neither carries nor steps.</summary>
+    public float Taken;
+
     /// <summary>Heading in model space at present.</summary>
     public Quaternion Heading;
 
@@ -97,6 +101,18 @@ internal struct Foot
     {
         bool down = Phase == FootPhase.Stance;
         Foothold place = down ? From : To;
-        return new FootReport(Phase, joint, place.Position, place.Normal, down ? Stance : Swing, Load, Stretch, Residual);
+        return new FootReport(Taken > 0f ? FootPhase.Swing : Phase, joint, place.Position, place.Normal, down ? Stance : Swing, Load * (1f - Taken), Stretch, Residual);
+    }
+
+    /// <summary>Whether all feet are down.</summary>
+    public static bool AllStand(ReadOnlySpan<Foot> feet)
+    {
+        bool stand = true;
+        foreach (ref readonly Foot foot in feet)
+        {
+            stand &= foot.Phase == FootPhase.Stance;
+        }
+
+        return stand;
     }
 }

@@ -54,7 +54,7 @@ internal static class LegRoom
         {
             LegRig leg = body.Legs[i];
             float arriving = Arrival(leg, feet[i]);
-            float weight = Math.Max(arriving, Leaving(feet[i]));
+            float weight = Math.Max(arriving, Leaving(feet[i])) * (1f - feet[i].Taken);
             if (weight == 0f)
             {
                 continue;

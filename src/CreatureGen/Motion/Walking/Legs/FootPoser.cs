@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking.Footsteps;
 
 namespace CreatureGen.Motion.Walking.Legs;
@@ -29,6 +30,9 @@ internal static class FootPoser
 {
     /// <summary>Share of a swing's height that is left when the creature hardly moves.</summary>
     private const float MinLift = 0.35f;
+
+    /// <summary>Height at which a foot that an act takes has left the ground wholly, leg lengths.</summary>
+    private const float TakenHeight = 0.02f;
 
     /// <summary>Share of its way over the ground that a swinging foot has gone.</summary>
     /// <param name="swing">Progress of the swing, 0..1.</param>
@@ -100,6 +104,22 @@ internal static class FootPoser
             pose.Fold = 0f;
             pose.Target = pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
         }
+    }
+
+    /// <summary>Takes a foot where an act asks for it.</summary>
+    public static void Add(LegRig leg, in FootLayer layer, ref Foot foot, ref FootPose pose)
+    {
+        Vector3 way = Vec.Lerp(layer.Way, layer.Aim - pose.Ball, layer.AimFraction);
+        foot.Taken = Scalar.Smooth(Math.Max(way.Y, layer.AimFraction * leg.Length) / (TakenHeight * leg.Length));
+        pose.Ball += way;
+        if (layer.Pitch != 0f)
+        {
+            Quaternion turn = AxisRotation.About(Rotation.Rotate(foot.Heading, leg.RollAxis), layer.Pitch);
+            pose.Foot = Rotation.Multiply(turn, pose.Foot);
+            pose.Toes = Rotation.Multiply(turn, pose.Toes);
+        }
+
+        pose.Target = leg.Traits.Linkage == LegLinkage.Pantograph ? pose.Ball : pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
     }
 }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Legs;
 
@@ -119,7 +120,11 @@ internal sealed class BodyPlacer
     }
 
     /// <summary>Places the trunk.</summary>
-    public void Place(in BodyContext context, Span<Foot> feet, ReadOnlySpan<FootPose> poses)
+    /// <param name="context">What it goes by.</param>
+    /// <param name="layer">What an act asks on top; null for nothing.</param>
+    /// <param name="feet">What the feet do.</param>
+    /// <param name="poses">Where they have to be.</param>
+    public void Place(in BodyContext context, BodyLayer? layer, Span<Foot> feet, ReadOnlySpan<FootPose> poses)
     {
         TrunkTraits traits = body.Traits;
         MotionSettings settings = context.Settings;
@@ -206,12 +211,13 @@ internal sealed class BodyPlacer
             BendRoll = chestRoll - pelvisRoll,
             ChestPitch = -0.3f * lean,
         };
+        plan.Add(layer, body, ref foreRise);
         Vector3 between = Trunk.Flex(plan);
-        Settle(plan, between, rest.Y, foreRise, 0f, 0f);
+        Settle(plan, layer, between, rest.Y, foreRise, 0f, 0f);
         LegRoom.Find(this, body, feet, poses, out float hindDrop, out float foreDrop);
         if (Math.Max(Math.Abs(hindDrop), Math.Abs(foreDrop)) > 1e-5f * length)
         {
-            Settle(plan, between, rest.Y, foreRise, hindDrop, foreDrop);
+            Settle(plan, layer, between, rest.Y, foreRise, hindDrop, foreDrop);
         }
     }
 
@@ -372,13 +378,13 @@ internal sealed class BodyPlacer
     }
 
     /// <summary>Places the bent trunk with the pelvis at its height, and pitches it so that the fore legs' joint comes to its own.</summary>
-    private void Settle(in TrunkPlan plan, Vector3 between, float pelvisRest, float foreRise, float hindDrop, float foreDrop)
+    private void Settle(in TrunkPlan plan, BodyLayer? layer, Vector3 between, float pelvisRest, float foreRise, float hindDrop, float foreDrop)
     {
         TrunkPlan placed = plan;
         placed.Pelvis.Y -= hindDrop;
         if (body.IsBiped)
         {
-            Trunk.Apply(placed);
+            Trunk.Apply(placed, layer);
             return;
         }
 
@@ -409,6 +415,6 @@ internal sealed class BodyPlacer
         }
 
         placed.PelvisPitch = pitch;
-        Trunk.Apply(placed);
+        Trunk.Apply(placed, layer);
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
@@ -22,6 +23,21 @@ internal struct TrunkPlan
 
     /// <summary>Turn of the chest of bipeds about the left axis, on top.</summary>
     public float ChestPitch;
+
+    /// <summary>Adds what an act asks of hips and back, as far as the back bends.</summary>
+    public void Add(BodyLayer? layer, LeggedBody body, ref float foreRise)
+    {
+        if (layer == null)
+        {
+            return;
+        }
+
+        foreRise -= layer.ForeDown;
+        Pelvis.Y -= layer.HindDown;
+        BendPitch = Scalar.Clamp(BendPitch - layer.BackPitch, -body.MaxBendPitch, body.MaxBendPitch);
+        BendYaw = Scalar.Clamp(BendYaw + layer.BackSide, -body.MaxBendYaw, body.MaxBendYaw);
+        BendRoll = Scalar.Clamp(BendRoll + layer.BackTwist, -body.MaxBendRoll, body.MaxBendRoll);
+    }
 }
 
 /// <summary>Turns and places of the trunk's joints, pelvis to chest, in model space; turns are from rest.</summary>
@@ -80,14 +96,41 @@ internal sealed class TrunkChain
         return bent[foreSlot];
     }
 
-    /// <summary>Places the bent chain.</summary>
-    public void Apply(in TrunkPlan plan)
+    /// <summary>Places the bent chain, and moves it as an act asks.</summary>
+    public void Apply(in TrunkPlan plan, BodyLayer? layer)
     {
         Quaternion pelvis = AxisRotation.YawPitchRoll(plan.PelvisYaw, plan.PelvisPitch, plan.PelvisRoll);
         for (int i = 0; i < bends.Length; i++)
         {
             Turns[i] = Rotation.Multiply(pelvis, bends[i]);
             Positions[i] = plan.Pelvis + Rotation.Rotate(pelvis, bent[i]);
+        }
+
+        if (layer != null)
+        {
+            Move(layer);
+        }
+    }
+
+    /// <summary>Turns and moves the placed chain as a whole: to a side and about its length in its middle, nose up about the hips, nose down about the joint of the fore legs.</summary>
+    private void Move(BodyLayer layer)
+    {
+        Vector3 hips = Positions[0];
+        Vector3 shoulders = Positions[body.ForeSlot];
+        Vector3 middle = body.IsBiped ? hips : (hips + shoulders) * 0.5f;
+        Turn(middle, AxisRotation.YawPitchRoll(layer.Yaw, 0f, layer.Roll), layer.Way);
+        if (layer.Pitch != 0f)
+        {
+            Turn(layer.Pitch > 0f || body.IsBiped ? Positions[0] : Positions[body.ForeSlot], AxisRotation.Pitch(-layer.Pitch), Vector3.Zero);
+        }
+    }
+
+    private void Turn(Vector3 pivot, Quaternion turn, Vector3 way)
+    {
+        for (int i = 0; i < Turns.Length; i++)
+        {
+            Turns[i] = Rotation.Multiply(turn, Turns[i]);
+            Positions[i] = pivot + Rotation.Rotate(turn, Positions[i] - pivot) + way;
         }
     }
 

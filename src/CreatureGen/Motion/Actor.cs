@@ -1,0 +1,137 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Playing;
+using CreatureGen.Motion.Acts.Rehearsing;
+using CreatureGen.Motion.Falling;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion;
+
+/// <summary>One creature on the scene that performs: it tries on a stage of its own how its trunk helps to reach a target, then plays.</summary>
+internal sealed class Actor
+{
+    /// <summary>How far to the right a target is, units, before the right side takes it.</summary>
+    private const float RightOf = 0.02f;
+
+    /// <summary>Moments of acts in an update at most.</summary>
+    private const int MaxEvents = 16;
+
+    private readonly ActBody body;
+    private readonly ActStage stage;
+    private readonly ActEvent[] events = new ActEvent[MaxEvents];
+    private Performer kept;
+    private int eventCount;
+
+    public Actor(CreatureActs acts)
+    {
+        body = acts.Body;
+        stage = acts.Stage();
+        Performer = new Performer(body);
+        kept = new Performer(body);
+    }
+
+    /// <summary>What it shows.</summary>
+    public Performer Performer { get; private set; }
+
+    /// <summary>Goes back to what it performed before the update that failed.</summary>
+    public void Undo() => (Performer, kept) = (kept, Performer);
+
+    /// <summary>Moments of acts in the last update.</summary>
+    public ReadOnlySpan<ActEvent> Events => events.AsSpan(0, eventCount);
+
+    /// <summary>Forgets these.</summary>
+    public void ClearEvents() => eventCount = 0;
+
+    /// <summary>Lets acts go on, and asks the way of moving for their part of trunk and feet.</summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="locomotion">How it moves.</param>
+    /// <param name="input">What it is asked to do.</param>
+    /// <returns>What it is to do: to stand, where an act needs that.</returns>
+    public MotionInput Begin(float dt, in RootPlace root, Locomotion locomotion, in MotionInput input)
+    {
+        kept.CopyFrom(Performer);
+        FallingMode? mode = locomotion.Mode;
+        if (mode == null)
+        {
+            return input;
+        }
+
+        if (mode.State != BodyState.Supported)
+        {
+            Performer.Stop();
+        }
+
+        bool holds = Performer.HoldsFeet;
+        if (Performer.IsActive)
+        {
+            Performer.Advance(dt, locomotion.Legs == null || (locomotion.Legs.Stands && mode.StandsOnFeet), root);
+        }
+
+        mode.Layer = Performer.Trunk;
+        return holds ? new MotionInput(0f) : input;
+    }
+
+    /// <summary>Tells what happened, once the pose is written.</summary>
+    public void Tell(in RootPlace root, in Pose model)
+    {
+        foreach ((Act act, ActMark mark, float ago) in Performer.Marks)
+        {
+            if (eventCount < events.Length)
+            {
+                Vector3 place = Performer.PlaceOf(act, model, root, out int joint);
+                events[eventCount++] = new ActEvent(act, mark, joint, place, ago);
+            }
+        }
+
+        Performer.ClearMarks();
+    }
+
+    /// <summary>Begins an act, or says why not.</summary>
+    /// <param name="ability">What.</param>
+    /// <param name="target">Where.</param>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="gravity">Metres per second squared, of the world.</param>
+    public ActStart Begin(ActAbility ability, in ActTarget target, in RootPlace root, float gravity)
+    {
+        Act act = ability.Act;
+        float unit = body.TimeUnit(gravity / root.Scale) * ActTempo.Of(act, body);
+        float? toContact = SecondsToContact(act, unit);
+        var aim = new ActAim(act.Tool, false, ability.Usual, act.SnoutDown, default);
+        if (act.Reaches)
+        {
+            Vector3 there = target.Point is Vector3 point ? root.ToModel(point) : ability.Usual;
+            aim = aim with { Target = there, Mirrored = there.X < -RightOf * body.Unit };
+            float missing = ReachSearch.Find(stage, body, act, ability.Parts, ref aim);
+            if (missing > Rehearsal.MaxMiss * Rehearsal.ReachLength(act, body))
+            {
+                string reason = FormattableString.Invariant($"the target is out of reach: {act.Name} would miss it by {missing * root.Scale:0.00} m");
+                return new ActStart(ActStatus.OutOfReach, reason, toContact, missing * root.Scale);
+            }
+
+            aim = aim with { Target = root.ToWorld(there) };
+        }
+
+        Performer.Begin(act, aim, ability.Parts, unit);
+        return new ActStart(ActStatus.Started, null, toContact, 0f);
+    }
+
+    private static float? SecondsToContact(Act act, float unit)
+    {
+        int told = act.ToldIn;
+        if (told < 0)
+        {
+            return null;
+        }
+
+        float sum = 0f;
+        for (int i = 0; i <= told; i++)
+        {
+            sum += ActPlayer.SecondsOf(act.AllPhases[i], unit);
+        }
+
+        return sum;
+    }
+}

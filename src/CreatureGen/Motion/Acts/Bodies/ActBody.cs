@@ -1,0 +1,244 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Acts.Bodies;
+
+/// <summary>A creature's body as acts see it: its parts by what they are for, and its units. Immutable.</summary>
+internal sealed class ActBody
+{
+    /// <summary>Leg lengths in the length of a body without legs.</summary>
+    private const float LegsPerBody = 6f;
+
+    /// <summary>Part of a crawler's trunk, from the head, that rises with its neck.</summary>
+    private const float RisingFraction = 0.45f;
+
+    /// <summary>Part of an abdomen, from the trunk, that stays as it is.</summary>
+    private const float StiffFraction = 0.34f;
+
+    /// <summary>Length of a tail that sweeps, parts of the trunk's.</summary>
+    private const float LongTailFraction = 0.5f;
+
+    public ActBody(Creature creature, LeggedBody? legs)
+    {
+        Creature = creature;
+        Skeleton = creature.Skeleton;
+        Legs = legs;
+        Turns = legs?.Turns ?? new RestRotations(Skeleton);
+        Build = BuildOf(creature, legs);
+        Body = Skeleton.IndexOf("Body");
+        Spine = Joints(JointRole.Spine, JointRole.Chest);
+        Head = Skeleton.Joints.ToList().FindIndex(joint => joint.Role == JointRole.Head);
+        Jaw = Skeleton.Joints.ToList().FindIndex(joint => joint.Role == JointRole.Jaw);
+        Bearers = BearersOf();
+        Neck = new TurnedChain(Skeleton, Bearers.Length > 1 ? Bearers[..^1] : Bearers);
+        Tail = new TurnedChain(Skeleton, TailOf());
+        Back = new TurnedChain(Skeleton, legs == null && Build != BodyBuild.Legless ? Spine : Array.Empty<int>());
+        Ears = Joints(JointRole.Ear).Where(joint => Skeleton.Joints[Skeleton.Parents[joint]].Role != JointRole.Ear).ToArray();
+        Arms = creature.Limbs.Where(limb => limb.Kind == LimbKind.Arm && limb.Joints.Count == 6).ToArray();
+        Fins = creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral).ToArray();
+        Size = SizeOf();
+        Unit = legs?.LegLength ?? Size / LegsPerBody;
+        if (legs != null)
+        {
+            ForeFeet = Pair(legs, legs.Rows - 1);
+            HindFeet = Pair(legs, 0);
+        }
+
+        Has = PartsOf();
+        Skin = SupportPoints.Of(creature);
+        HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1));
+        TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
+        Tools = new ActTools(this);
+    }
+
+    public Creature Creature { get; }
+
+    public Skeleton Skeleton { get; }
+
+    /// <summary>Its legs; null without any that it stands on.</summary>
+    public LeggedBody? Legs { get; }
+
+    public RestRotations Turns { get; }
+
+    public BodyBuild Build { get; }
+
+    /// <summary>What it has of what acts need.</summary>
+    public ActNeeds Has { get; }
+
+    /// <summary>Length of the body from its foremost to its rearmost joint, metres.</summary>
+    public float Size { get; }
+
+    /// <summary>The leg length of its acts, metres.</summary>
+    public float Unit { get; }
+
+    /// <summary>The joint that carries the trunk.</summary>
+    public int Body { get; }
+
+    /// <summary>Joints from pelvis to chest, the chest with them.</summary>
+    public int[] Spine { get; }
+
+    /// <summary>Joints of the back that acts bend by themselves: of bodies that no legs carry.</summary>
+    public TurnedChain Back { get; }
+
+    /// <summary>Joints that bear the head, lowest first, and the head; of crawlers the front of the trunk with them.</summary>
+    public int[] Bearers { get; }
+
+    /// <summary>The same without the head, where there are others.</summary>
+    public TurnedChain Neck { get; }
+
+    /// <summary>The head's joint, −1 without.</summary>
+    public int Head { get; }
+
+    /// <summary>The jaw's joint, −1 without.</summary>
+    public int Jaw { get; }
+
+    public TurnedChain Tail { get; }
+
+    /// <summary>The roots of the ears.</summary>
+    public int[] Ears { get; }
+
+    public LimbChain[] Arms { get; }
+
+    /// <summary>Paired fins.</summary>
+    public LimbChain[] Fins { get; }
+
+    /// <summary>Left and right foot of the foremost pair, as indices of legs.</summary>
+    public (int Left, int Right) ForeFeet { get; } = (-1, -1);
+
+    /// <summary>Left and right foot of the rearmost pair.</summary>
+    public (int Left, int Right) HindFeet { get; } = (-1, -1);
+
+    /// <summary>What it strikes with.</summary>
+    public ActTools Tools { get; }
+
+    /// <summary>What of the skin can touch the ground.</summary>
+    public SupportPoints Skin { get; }
+
+    /// <summary>The same of neck and head, and of the tail.</summary>
+    public SupportPoints HeadSkin { get; }
+
+    public SupportPoints TailSkin { get; }
+
+    /// <summary>Seconds in which acts reckon: √(unit / gravity).</summary>
+    public float TimeUnit(float gravity) => (float)Math.Sqrt(Unit / gravity);
+
+    private bool Hangs(int joint, int from)
+    {
+        while (joint >= 0 && joint != from)
+        {
+            joint = Skeleton.Parents[joint];
+        }
+
+        return joint >= 0 && from >= 0;
+    }
+
+    private static (int Left, int Right) Pair(LeggedBody legs, int row)
+    {
+        int left = Array.FindIndex(legs.Legs, leg => leg.Row == row && leg.Side == Side.Left);
+        int right = Array.FindIndex(legs.Legs, leg => leg.Row == row && leg.Side == Side.Right);
+        return (left, right);
+    }
+
+    private static BodyBuild BuildOf(Creature creature, LeggedBody? legs)
+    {
+        if (legs == null)
+        {
+            return creature.Blueprint.Kind switch
+            {
+                LocomotionKind.Swimming => BodyBuild.Swimming,
+                LocomotionKind.Flying => BodyBuild.Airborne,
+                _ => BodyBuild.Legless,
+            };
+        }
+
+        if (creature.Blueprint.Kind == LocomotionKind.Swimming)
+        {
+            return BodyBuild.Swimming;
+        }
+
+        LegRig hind = Array.Find(legs.Legs, leg => leg.Row == 0)!;
+        return legs.Rows > 2 ? BodyBuild.ManyLegged
+            : hind.Lateral ? BodyBuild.Sprawling
+            : legs.IsBiped ? creature.Blueprint.Plan == BodyPlan.Upright ? BodyBuild.Upright : BodyBuild.TwoLegged
+            : hind.Traits.Archetype == LimbArchetype.UnguligradeHind ? BodyBuild.Hoofed
+            : hind.Traits.Archetype == LimbArchetype.Column ? BodyBuild.Columnar
+            : BodyBuild.Pawed;
+    }
+
+    private ActNeeds PartsOf()
+    {
+        ActNeeds has = ActNeeds.None;
+        Add(ActNeeds.Head, Head >= 0);
+        Add(ActNeeds.Jaw, Jaw >= 0);
+        Add(ActNeeds.Horns, Creature.Blueprint.Features.Any(feature => feature.Kind is FeatureKind.Horn or FeatureKind.Antler or FeatureKind.Tusk));
+        Add(ActNeeds.Legs, Legs != null);
+        Add(ActNeeds.FourLegs, Legs is { Rows: > 1 });
+        Add(ActNeeds.Tail, Tail.Count > 0);
+        Add(ActNeeds.LongTail, Tail.Count > 1 && Tail.Length > LongTailFraction * TrunkLength());
+        Add(ActNeeds.Arms, Arms.Length > 0);
+        Add(ActNeeds.Lids, Joints(JointRole.Lid).Length > 0);
+        return has;
+
+        void Add(ActNeeds part, bool there) => has |= there ? part : ActNeeds.None;
+    }
+
+    private float TrunkLength() => Spine.Length == 0 ? Size : Vec.Distance(Skeleton.ModelPositions[Spine[0]], Skeleton.ModelPositions[Spine[^1]]);
+
+    private int[] BearersOf()
+    {
+        var chain = new List<int>();
+        for (int joint = Head; joint >= 0 && (joint == Head || Skeleton.Joints[joint].Role == JointRole.Neck); joint = Skeleton.Parents[joint])
+        {
+            chain.Insert(0, joint);
+        }
+
+        if (Build == BodyBuild.Legless)
+        {
+            chain.InsertRange(0, Spine.Skip((int)((1f - RisingFraction) * Spine.Length)).Where(joint => !chain.Contains(joint)));
+        }
+
+        return chain.ToArray();
+    }
+
+    private int[] TailOf()
+    {
+        int[] tail = Joints(JointRole.Tail);
+        return Build is BodyBuild.Legless or BodyBuild.Swimming ? Array.Empty<int>() : Legs is { HasAbdomen: true } ? tail.Skip((int)Math.Ceiling(StiffFraction * tail.Length)).ToArray() : tail;
+    }
+
+    private float SizeOf()
+    {
+        float rear = float.MaxValue;
+        float front = float.MinValue;
+        foreach (Vector3 place in Skeleton.ModelPositions)
+        {
+            rear = Math.Min(rear, place.Z);
+            front = Math.Max(front, place.Z);
+        }
+
+        return Math.Max(front - rear, Legs?.HipHeight ?? 0f);
+    }
+
+    private int[] Joints(params JointRole[] roles)
+    {
+        var found = new List<int>();
+        for (int i = 0; i < Skeleton.Count; i++)
+        {
+            if (roles.Contains(Skeleton.Joints[i].Role))
+            {
+                found.Add(i);
+            }
+        }
+
+        return found.ToArray();
+    }
+}

@@ -1,0 +1,38 @@
+using System;
+
+namespace CreatureGen.Motion;
+
+/// <summary>What a body must have for an act.</summary>
+[Flags]
+public enum ActNeeds
+{
+    /// <summary>Nothing.</summary>
+    None = 0,
+
+    /// <summary>A head.</summary>
+    Head = 1,
+
+    /// <summary>A jaw that opens.</summary>
+    Jaw = 2,
+
+    /// <summary>Horns, antlers or tusks.</summary>
+    Horns = 4,
+
+    /// <summary>Legs that it stands on.</summary>
+    Legs = 8,
+
+    /// <summary>Two pairs of legs at least.</summary>
+    FourLegs = 16,
+
+    /// <summary>A tail of half its body's length at least.</summary>
+    LongTail = 32,
+
+    /// <summary>A tail of any length that is not the body itself.</summary>
+    Tail = 64,
+
+    /// <summary>Arms.</summary>
+    Arms = 128,
+
+    /// <summary>Lids that shut.</summary>
+    Lids = 256,
+}

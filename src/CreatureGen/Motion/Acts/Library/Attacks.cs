@@ -1,0 +1,88 @@
+using static CreatureGen.Motion.ActChannel;
+
+namespace CreatureGen.Motion.Acts.Library;
+
+/// <summary>Acts that strike. What a player has to see coming takes 0.18 s at least.</summary>
+internal static class Attacks
+{
+    private const float Seen = 0.18f;
+
+    public static readonly Act[] All =
+    {
+        new Act("Bite", ActKind.Strike,
+            new ActPhase("rise", 1.8f).To(NeckPitch, 1.0f).To(HeadPitch, -0.9f).To(Ears, 0.5f).AtLeast(Seen),
+            new ActPhase("draw", 0.8f).To(NeckPitch, 1.15f).To(HeadPitch, -0.8f).To(Jaw, 0.4f).Then(ActMark.Commit),
+            new ActPhase("strike", 0.5f, ActEase.In).To(Jaw, 1f).To(Reach, 0.8f).To(NeckPitch, 0.3f).To(HeadPitch, -0.1f),
+            new ActPhase("shut", 0.25f, ActEase.Out).To(Jaw, 0.15f).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("hold", 0.5f),
+            new ActPhase("recover", 2.4f).To(Reach, 0f).To(Jaw, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.1f).For(BodyBuild.Legless),
+        new Act("Bite", ActKind.Strike,
+            new ActPhase("draw", 1.4f).To(Ahead, -0.45f).To(BackSide, 0.2f).To(Jaw, 0.25f).To(Wings, 0.4f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.8f, ActEase.In).To(Ahead, 0f).To(BackSide, -0.1f).To(Jaw, 1f).To(Reach, 0.85f).To(Wings, -0.3f),
+            new ActPhase("shut", 0.25f, ActEase.Out).To(Jaw, 0f).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("wrench", 1.6f).With(new ActWave(BackSide, 0.25f, 2f)).With(new ActWave(Roll, 0.2f, 2f, 0.2f)),
+            new ActPhase("recover", 3f).To(Reach, 0f).To(BackSide, 0f).To(Wings, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Swimming | BodyBuild.Airborne),
+        new Act("Bite", ActKind.Strike,
+            new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, 0.10f).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, 0.2f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f),
+            new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("wrench", 1.5f).With(new ActWave(BackSide, 0.12f, 1.5f)).With(new ActWave(HeadRoll, 0.25f, 1.5f)),
+            new ActPhase("recover", 2.0f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.15f).For(BodyBuild.Standing),
+        new Act("Gore", ActKind.Strike,
+            new ActPhase("lower", 1.6f).To(Ahead, -0.22f).To(ForeDown, 0.18f).To(NeckPitch, -0.45f).To(HeadPitch, -0.35f).To(Ears, 0.8f).To(TailPitch, 0.4f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.6f, ActEase.In).To(Ahead, 0.05f).To(Reach, 0.8f),
+            new ActPhase("hit", 0.25f, ActEase.Out).To(Reach, 1f).To(Ahead, 0.1f).Then(ActMark.Contact),
+            new ActPhase("hook", 0.8f, ActEase.Out).To(Reach, 0.15f).To(ForeDown, 0.05f).To(NeckPitch, 0.5f).To(HeadPitch, 0.15f).To(HeadRoll, 0.3f).To(NeckSide, 0.2f),
+            new ActPhase("recover", 2.2f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(NeckSide, 0f).To(Ears, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.Horns | ActNeeds.Head).With(ActTool.Brow, 0.1f).For(BodyBuild.Standing),
+        new Act("Claw", ActKind.Strike,
+            new ActPhase("raise", 1.4f).To(ArmAhead, 1.2f).To(ArmOut, 0.7f).To(ArmBend, 0.8f).To(BackTwist, 0.15f).To(BackSide, -0.2f).To(Yaw, -0.12f).To(Jaw, 0.5f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.12f).To(ArmOut, 0.2f).To(ArmBend, 0.2f).To(BackTwist, -0.1f).To(Yaw, 0.12f).To(Reach, 0.85f),
+            new ActPhase("hit", 0.18f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("tear", 0.6f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.5f).To(ArmOut, -0.15f).To(ArmBend, 0.5f),
+            new ActPhase("recover", 1.8f).To(Ahead, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(ArmBend, 0f).To(BackTwist, 0f).To(BackSide, 0f).To(Yaw, 0f).To(Jaw, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.Arms | ActNeeds.Legs).With(ActTool.Hand).For(BodyBuild.Standing),
+        new Act("Claw", ActKind.Strike,
+            new ActPhase("raise", 1.5f).To(Aside, -0.10f).To(Ahead, -0.06f).To(ForeFootUp, 0.38f).To(ForeFootOut, 0.12f).To(ForeFootPitch, 0.4f).To(NeckPitch, 0.2f).To(Ears, 0.8f).To(Jaw, 0.35f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.45f, ActEase.In).To(Ahead, 0.04f).To(ForeFootPitch, -0.2f).To(Reach, 0.85f),
+            new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("rake", 0.7f, ActEase.Out).To(Reach, 0f).To(ForeFootUp, 0.2f).To(ForeFootAhead, 0.15f).To(ForeFootOut, -0.05f).To(ForeFootPitch, 0.3f),
+            new ActPhase("down", 1.3f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(ForeFootOut, 0f).To(ForeFootPitch, 0f).To(Jaw, 0f),
+            new ActPhase("recover", 1.4f).To(Aside, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.FourLegs).With(ActTool.ForeFoot).For(BodyBuild.Pawed | BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
+        new Act("Kick", ActKind.Strike,
+            new ActPhase("look", 1.4f).To(NeckSide, 0.5f).To(HeadSide, 0.3f).To(Ears, 0.8f).To(Ahead, 0.08f).AtLeast(Seen),
+            new ActPhase("fold", 0.9f).To(Pitch, -0.12f).To(NeckPitch, -0.3f).To(HindFeetUp, 0.22f).To(HindFeetAhead, 0.08f).To(ForeDown, 0.05f).Then(ActMark.Commit),
+            new ActPhase("strike", 0.4f, ActEase.In).To(Pitch, -0.22f).To(HindFeetUp, 0.42f).To(HindFeetAhead, -0.5f).To(Reach, 0.9f),
+            new ActPhase("hit", 0.15f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("fold back", 0.8f).To(Reach, 0f).To(Pitch, -0.1f).To(HindFeetUp, 0.2f).To(HindFeetAhead, 0f),
+            new ActPhase("land", 0.8f).To(Pitch, 0f).To(HindFeetUp, 0f).To(HindDown, 0.08f),
+            new ActPhase("recover", 1.8f).To(Ahead, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(ForeDown, 0f).To(HindDown, 0f))
+            .Needing(ActNeeds.FourLegs).With(ActTool.HindFoot).For(BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.Pawed).OnTheSpot(),
+        new Act("Kick", ActKind.Strike,
+            new ActPhase("raise", 1.5f).To(Aside, -0.16f).To(HindFootUp, 0.4f).To(HindFootAhead, 0.15f).To(HindFootPitch, 0.4f).To(ArmsOut, 0.4f).To(Wings, 0.5f).To(TailPitch, -0.1f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.45f, ActEase.In).To(HindFootPitch, -0.3f).To(Pitch, 0.12f).To(Reach, 0.9f),
+            new ActPhase("hit", 0.18f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("fold back", 0.9f).To(Reach, 0f).To(Pitch, 0f).To(HindFootUp, 0.3f).To(HindFootAhead, 0.05f).To(HindFootPitch, 0.3f),
+            new ActPhase("land", 1.1f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootPitch, 0f),
+            new ActPhase("recover", 1.4f).To(Aside, 0f).To(ArmsOut, 0f).To(Wings, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.Legs).With(ActTool.HindFoot).For(BodyBuild.TwoLegged | BodyBuild.Upright).OnTheSpot(),
+        new Act("Sting", ActKind.Strike,
+            new ActPhase("cock", 1.6f).To(TailPitch, 0.8f).To(TailCurl, 0.8f).To(HindDown, -0.1f).To(ForeDown, 0.1f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.08f).To(Reach, 0.85f),
+            new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("hold", 0.5f),
+            new ActPhase("recover", 2.2f).To(Reach, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(HindDown, 0f).To(ForeDown, 0f).To(Ahead, 0f))
+            .Needing(ActNeeds.LongTail | ActNeeds.Legs).With(ActTool.Tail).For(BodyBuild.ManyLegged),
+        new Act("TailSweep", ActKind.Strike,
+            new ActPhase("wind", 1.8f).To(Yaw, -0.16f).To(BackSide, -0.2f).To(TailSide, 1.1f).To(TailPitch, 0.15f).To(HindDown, 0.08f).To(NeckSide, 0.6f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("sweep", 1.0f, ActEase.In).To(Yaw, 0.1f).To(BackSide, 0.1f).To(TailSide, -0.3f),
+            new ActPhase("hit", 0.4f, ActEase.Out).To(Yaw, 0.16f).To(BackSide, 0.2f).To(TailSide, -1.0f).Then(ActMark.Contact),
+            new ActPhase("follow", 0.8f, ActEase.Out).To(TailSide, -1.1f),
+            new ActPhase("recover", 2.4f).To(Yaw, 0f).To(BackSide, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(HindDown, 0f).To(NeckSide, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.Standing).OnTheSpot(),
+    };
+}

@@ -1,0 +1,53 @@
+using System.Collections.Generic;
+using static CreatureGen.Motion.ActChannel;
+
+namespace CreatureGen.Motion.Acts.Library;
+
+/// <summary>Dances: whatever was built can do one at once.</summary>
+internal static class Dances
+{
+    private const float Beat = 1.5f;
+    private const int Bars = 4;
+
+    /// <summary>From side to side with a step on each beat, a dip in each bar and a turn of the head at its end.</summary>
+    public static readonly Act OfLegs = new Act("Dance", ActKind.Display, Steps()).Needing(ActNeeds.Legs).For(BodyBuild.Standing).OnTheSpot();
+
+    /// <summary>The same with a body alone.</summary>
+    public static readonly Act OfOthers = new Act("Dance", ActKind.Display,
+        new ActPhase("rise", 2f).To(NeckPitch, 0.9f).To(HeadPitch, -0.6f).To(Wings, 0.5f),
+        new ActPhase("sway", 14f)
+            .With(new ActWave(NeckSide, 0.5f, 4f)).With(new ActWave(HeadSide, 0.3f, 4f, 0.2f)).With(new ActWave(BackSide, 0.4f, 4f)).With(new ActWave(Roll, 0.35f, 4f, 0.15f))
+            .With(new ActWave(Pitch, 0.2f, 8f)).With(new ActWave(Wings, 0.4f, 8f)).With(new ActWave(NeckPitch, 0.15f, 8f, 0.25f)),
+        new ActPhase("sink", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Wings, 0f));
+
+    private static ActPhase[] Steps()
+    {
+        var steps = new List<ActPhase>();
+        for (int bar = 0; bar < Bars; bar++)
+        {
+            steps.Add(Side("left", 1f, bar));
+            steps.Add(Down("down", 1f));
+            steps.Add(Side("right", -1f, bar));
+            steps.Add(Down("down", -1f));
+        }
+
+        steps.Add(new ActPhase("bow", 2f).To(Aside, 0f).To(Roll, 0f).To(ForeDown, 0.35f).To(HindDown, 0f).To(NeckPitch, -0.3f).To(HeadSide, 0f).To(NeckSide, 0f).To(TailSide, 0f).To(TailPitch, 0.5f).To(ArmsOut, 0.5f).To(ArmsAhead, -0.2f).To(ArmsBend, 0f).To(BackSide, 0f));
+        steps.Add(new ActPhase("rise", 2f).To(ForeDown, 0f).To(NeckPitch, 0f).To(TailPitch, 0f).To(ArmsOut, 0f).To(ArmsAhead, 0f).To(Ears, 0f));
+        return steps.ToArray();
+    }
+
+    /// <summary>Weight onto a side, the feet of the other lifted: the fore foot of the act's own side, or both less that one.</summary>
+    private static ActPhase Side(string name, float side, int bar)
+    {
+        bool own = side < 0f;
+        float hop = 0.16f;
+        return new ActPhase(name, Beat * 0.55f)
+            .To(Aside, 0.10f * side).To(Roll, -0.05f * side).To(BackSide, 0.12f * side).To(ForeDown, 0.02f).To(HindDown, 0.02f)
+            .To(ForeFeetUp, own ? 0f : hop).To(ForeFootUp, own ? hop : -hop)
+            .To(NeckSide, 0.3f * side).To(NeckPitch, 0.2f).To(HeadSide, bar % 2 == 0 ? 0.2f * side : -0.2f * side).To(TailSide, -0.7f * side).To(TailPitch, 0.3f)
+            .To(ArmsOut, 0.7f).To(ArmsAhead, 0.4f * side).To(ArmsBend, 0.6f).To(Ears, -0.4f);
+    }
+
+    private static ActPhase Down(string name, float side) =>
+        new ActPhase(name, Beat * 0.45f).To(ForeFeetUp, 0f).To(ForeFootUp, 0f).To(ForeDown, 0.14f).To(HindDown, 0.14f).To(NeckPitch, -0.15f).To(HeadSide, 0f).To(Roll, 0.02f * side).To(ArmsOut, 0.2f);
+}

@@ -1,0 +1,76 @@
+using static CreatureGen.Motion.ActChannel;
+
+namespace CreatureGen.Motion.Acts.Library;
+
+/// <summary>Acts by which creatures look after themselves.</summary>
+internal static class Upkeep
+{
+    public static readonly Act[] All =
+    {
+        new Act("Eat", ActKind.Upkeep,
+            new ActPhase("pick", 3f).To(ForeDown, 0.5f).To(ArmsAhead, 0.9f).To(NeckPitch, -0.3f),
+            new ActPhase("lift", 2.4f).To(ForeDown, 0f).To(ArmsAhead, 0.75f).To(ArmsBend, 1.9f).To(NeckPitch, -0.25f).To(HeadPitch, -0.1f).To(Jaw, 0.5f),
+            new ActPhase("bite", 0.7f).To(Jaw, 0f).Then(ActMark.Contact),
+            new ActPhase("chew", 6f).To(HeadPitch, 0.1f).To(NeckPitch, -0.1f).With(new ActWave(Jaw, 0.2f, 5f, 0.25f)).With(new ActWave(HeadPitch, 0.04f, 5f)),
+            new ActPhase("down", 2.4f).To(ArmsAhead, 0f).To(ArmsBend, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f))
+            .Needing(ActNeeds.Jaw | ActNeeds.Arms).For(BodyBuild.Upright),
+        new Act("Eat", ActKind.Upkeep,
+            new ActPhase("near", 3f).To(Jaw, 0.6f).To(Reach, 0.9f),
+            new ActPhase("snap", 0.5f).To(Jaw, 0f).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("chew", 5f).To(Reach, 0.5f).With(new ActWave(Jaw, 0.25f, 4f, 0.25f)),
+            new ActPhase("back", 3f).To(Reach, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Swimming | BodyBuild.Airborne),
+        new Act("Eat", ActKind.Upkeep,
+            new ActPhase("down", 3.2f).To(Reach, 1f).To(Jaw, 0.4f).To(Ears, -0.2f),
+            new ActPhase("bite", 0.8f).To(Jaw, 0f).Then(ActMark.Contact),
+            new ActPhase("tear", 0.8f).To(Reach, 0.86f).To(HeadSide, 0.12f),
+            new ActPhase("chew", 5f).To(Reach, 0.78f).To(HeadSide, 0f).With(new ActWave(Jaw, 0.28f, 5f, 0.25f)).With(new ActWave(HeadRoll, 0.05f, 2.5f)),
+            new ActPhase("down again", 1.6f).To(Reach, 1f).To(Jaw, 0.4f),
+            new ActPhase("bite again", 0.8f).To(Jaw, 0f),
+            new ActPhase("chew again", 4f).To(Reach, 0.8f).With(new ActWave(Jaw, 0.28f, 4f, 0.25f)),
+            new ActPhase("up", 2.8f).To(Reach, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.95f).For(BodyBuild.Standing | BodyBuild.Legless),
+        new Act("Drink", ActKind.Upkeep,
+            new ActPhase("down", 3f).To(Reach, 1f).To(Jaw, 0.15f).Then(ActMark.Contact),
+            new ActPhase("scoop", 0.9f).To(Jaw, 0.3f),
+            new ActPhase("raise", 2.2f).To(Reach, 0f).To(NeckPitch, 0.7f).To(HeadPitch, 0.5f).To(Jaw, 0.05f),
+            new ActPhase("swallow", 2.4f).With(new ActWave(Jaw, 0.08f, 3f, 0.25f)).With(new ActWave(NeckPitch, 0.04f, 3f)),
+            new ActPhase("level", 2.2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Jaw, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.8f).For(BodyBuild.TwoLegged),
+        new Act("Drink", ActKind.Upkeep,
+            new ActPhase("down", 3.2f).To(Reach, 1f).To(Jaw, 0.08f).To(Ears, 0.2f).Then(ActMark.Contact),
+            new ActPhase("lap", 9f).With(new ActWave(Jaw, 0.15f, 8f)).With(new ActWave(HeadPitch, 0.03f, 8f, 0.2f)),
+            new ActPhase("up", 2.8f).To(Reach, 0f).To(Jaw, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.75f).For(BodyBuild.Standing | BodyBuild.Legless),
+        new Act("Sniff", ActKind.Upkeep,
+            new ActPhase("towards", 2.2f).To(Reach, 0.8f).To(Ears, -0.7f).To(TailPitch, 0.1f).Then(ActMark.Contact),
+            new ActPhase("sniff", 5f).With(new ActWave(Reach, 0.05f, 7f)).With(new ActWave(Jaw, 0.05f, 7f)).With(new ActWave(HeadSide, 0.1f, 1f)),
+            new ActPhase("back", 2.2f).To(Reach, 0f).To(Ears, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f),
+        new Act("Shake", ActKind.Upkeep,
+            new ActPhase("brace", 1f).To(ForeDown, 0.08f).To(HindDown, 0.06f).To(NeckPitch, -0.2f).To(Lids, 1f),
+            new ActPhase("shake", 7f)
+                .With(new ActWave(HeadRoll, 0.30f, 6f)).With(new ActWave(NeckTwist, 0.42f, 6f)).With(new ActWave(BackTwist, 0.22f, 6f, 0.14f)).With(new ActWave(Roll, 0.05f, 6f, 0.2f))
+                .With(new ActWave(TailSide, 0.45f, 6f, 0.35f)).With(new ActWave(Ears, 0.6f, 6f)).With(new ActWave(ArmsOut, 0.12f, 6f, 0.1f)),
+            new ActPhase("recover", 1.6f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(Lids, 0f))
+            .Needing(ActNeeds.Head).For(BodyBuild.Standing).OnTheSpot(),
+        new Act("Scratch", ActKind.Upkeep,
+            new ActPhase("squat", 2f).To(Aside, -0.08f).To(HindDown, 0.35f).To(BackSide, 0.25f).To(NeckSide, 0.3f),
+            new ActPhase("raise", 1.6f).To(HindFootUp, 0.42f).To(HindFootAhead, 0.42f).To(HindFootOut, 0.22f).To(HeadRoll, 0.4f).To(HeadSide, 0.25f).To(Lids, 0.7f),
+            new ActPhase("scratch", 7f).With(new ActWave(HindFootUp, 0.06f, 9f)).With(new ActWave(HindFootAhead, 0.05f, 9f, 0.25f)).With(new ActWave(HeadRoll, 0.04f, 9f)),
+            new ActPhase("lower", 1.6f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootOut, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f),
+            new ActPhase("stand", 2f).To(Aside, 0f).To(HindDown, 0f).To(BackSide, 0f).To(NeckSide, 0f))
+            .Needing(ActNeeds.FourLegs).For(BodyBuild.Pawed).OnTheSpot(),
+        new Act("Groom", ActKind.Upkeep,
+            new ActPhase("raise", 1.6f).To(Ahead, -0.06f).To(NeckPitch, -0.25f).To(HeadPitch, -0.3f).To(ForeFeetUp, 0.26f).To(ForeFeetAhead, 0.12f).To(ForeFeetOut, -0.22f),
+            new ActPhase("rub", 8f).With(new ActWave(ForeFootAhead, 0.08f, 7f)).With(new ActWave(ForeFeetUp, 0.05f, 3.5f)).With(new ActWave(HeadSide, 0.1f, 2f)),
+            new ActPhase("lower", 1.4f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(ForeFeetOut, 0f),
+            new ActPhase("recover", 1.2f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f))
+            .Needing(ActNeeds.FourLegs).For(BodyBuild.ManyLegged).OnTheSpot(),
+        new Act("Groom", ActKind.Upkeep,
+            new ActPhase("turn", 2.4f).To(BackSide, 0.3f).To(Yaw, 0.05f).To(NeckSide, 1.5f).To(NeckPitch, -0.2f).To(HeadSide, 0.6f).To(HeadPitch, -0.3f).To(Lids, 0.4f),
+            new ActPhase("nibble", 6f).With(new ActWave(Jaw, 0.14f, 10f, 0.25f)).With(new ActWave(NeckPitch, 0.08f, 2f)).With(new ActWave(HeadSide, 0.08f, 4f)),
+            new ActPhase("back", 2.4f).To(BackSide, 0f).To(Yaw, 0f).To(NeckSide, 0f).To(NeckPitch, 0f).To(HeadSide, 0f).To(HeadPitch, 0f).To(Lids, 0f))
+            .Needing(ActNeeds.Head).For(BodyBuild.Standing),
+    };
+}

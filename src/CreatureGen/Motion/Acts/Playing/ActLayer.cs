@@ -1,0 +1,185 @@
+using System.Numerics;
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Acts.Playing;
+
+/// <summary>Turns values of channels into a layer for trunk and feet, and into turns of all else.</summary>
+internal sealed class ActLayer
+{
+    /// <summary>How far a body on two legs bows for a chest that is let down whole, radians.</summary>
+    private const float Bow = 0.9f;
+
+    /// <summary>How far ears are laid back, and fins spread, radians.</summary>
+    private const float EarTurn = 0.8f;
+    private const float FinTurn = 0.7f;
+
+    private readonly ActBody body;
+
+    public ActLayer(ActBody body)
+    {
+        this.body = body;
+        Trunk = new BodyLayer(body.Legs?.Legs.Length ?? 0);
+    }
+
+    /// <summary>What is asked of trunk and feet.</summary>
+    public BodyLayer Trunk { get; }
+
+    /// <summary>Takes over what another of the same creature asks.</summary>
+    public void CopyFrom(ActLayer other) => Trunk.CopyFrom(other.Trunk);
+
+    /// <summary>Fills the layer for trunk and feet.</summary>
+    /// <param name="values">Of the channels.</param>
+    /// <param name="side">1 for an act to the left, −1 to the right.</param>
+    public void Ask(float[] values, float side)
+    {
+        if (body.Legs == null)
+        {
+            return;
+        }
+
+        float unit = body.Unit;
+        float fore = values[(int)ActChannel.ForeDown];
+        float hind = values[(int)ActChannel.HindDown];
+        float belly = body.Legs.BellyHeight;
+        float bow = body.Legs.IsBiped ? Bow * Math.Max(fore - hind, 0f) : 0f;
+        Trunk.Way = new Vector3(side * values[(int)ActChannel.Aside], values[(int)ActChannel.Up], values[(int)ActChannel.Ahead]) * unit;
+        Trunk.Yaw = side * values[(int)ActChannel.Yaw];
+        Trunk.Pitch = values[(int)ActChannel.Pitch] - bow;
+        Trunk.Roll = side * values[(int)ActChannel.Roll];
+        Trunk.ForeDown = (body.Legs.IsBiped ? hind : fore) * belly;
+        Trunk.HindDown = hind * belly;
+        Trunk.BackPitch = values[(int)ActChannel.BackPitch];
+        Trunk.BackSide = side * values[(int)ActChannel.BackSide];
+        Trunk.BackTwist = side * values[(int)ActChannel.BackTwist];
+        Array.Clear(Trunk.Feet, 0, Trunk.Feet.Length);
+        Lift(body.ForeFeet, side < 0f, values, ActChannel.ForeFeetUp, ActChannel.ForeFootUp);
+        Lift(body.HindFeet, side < 0f, values, ActChannel.HindFeetUp, ActChannel.HindFootUp);
+    }
+
+    /// <summary>Takes a foot to its target.</summary>
+    /// <param name="aim">What is brought where; what is no foot is not taken anywhere.</param>
+    /// <param name="targetModel">The aim's target, model space.</param>
+    /// <param name="share">How far on the way, 0..1.</param>
+    public void Aim(in ActAim aim, Vector3 targetModel, float share)
+    {
+        if (share > 0f && body.Legs != null && aim.Tool is ActTool.ForeFoot or ActTool.HindFoot)
+        {
+            int foot = ActTools.FootOf(aim.Tool == ActTool.ForeFoot ? body.ForeFeet : body.HindFeet, aim.Mirrored);
+            Trunk.Feet[foot].Aim = targetModel;
+            Trunk.Feet[foot].AimFraction = Math.Min(share, 1f);
+        }
+    }
+
+    /// <summary>Turns all that no leg carries, on top of the pose.</summary>
+    /// <param name="values">Of the channels.</param>
+    /// <param name="side">1 for an act to the left, −1 to the right.</param>
+    /// <param name="carried">Whether legs carry the trunk at present, which then has its part already.</param>
+    /// <param name="local">The pose.</param>
+    public void Turn(float[] values, float side, bool carried, in Pose local)
+    {
+        if (!carried)
+        {
+            TurnTrunk(values, side, local);
+        }
+
+        body.Neck.Turn(body.Turns, side * values[(int)ActChannel.NeckSide], -values[(int)ActChannel.NeckPitch], side * values[(int)ActChannel.NeckTwist], 0, local);
+        if (body.Head >= 0)
+        {
+            TurnJoint(body.Head, AxisRotation.YawPitchRoll(side * values[(int)ActChannel.HeadSide], -values[(int)ActChannel.HeadPitch], side * values[(int)ActChannel.HeadRoll]), local);
+        }
+
+        float jaw = values[(int)ActChannel.Jaw];
+        if (body.Jaw >= 0 && jaw != 0f)
+        {
+            AngleRange range = body.Skeleton.AllJoints[body.Jaw].Limit.SwingX;
+            local.Rotations[body.Jaw] = SwingTwistLimit.ClampLocal(Rotation.Multiply(local.Rotations[body.Jaw], AxisRotation.Pitch(jaw * range.Max)), body.Skeleton.AllJoints[body.Jaw]);
+        }
+
+        float ears = values[(int)ActChannel.Ears];
+        for (int i = 0; i < body.Ears.Length && ears != 0f; i++)
+        {
+            TurnJoint(body.Ears[i], AxisRotation.Pitch(-EarTurn * ears), local);
+        }
+
+        body.Tail.Turn(body.Turns, -side * values[(int)ActChannel.TailSide], values[(int)ActChannel.TailPitch], 0f, 0, local);
+        body.Tail.Turn(body.Turns, 0f, values[(int)ActChannel.TailCurl], 0f, body.Tail.Count / 2, local);
+        TurnArms(values, side, local);
+        TurnFins(values[(int)ActChannel.Wings], local);
+    }
+
+    /// <summary>Moves a body that nothing carries, and bends its back.</summary>
+    private void TurnTrunk(float[] values, float side, in Pose local)
+    {
+        float unit = body.Unit;
+        Quaternion turn = AxisRotation.YawPitchRoll(side * values[(int)ActChannel.Yaw], -values[(int)ActChannel.Pitch], side * values[(int)ActChannel.Roll]);
+        local.Positions[body.Body] += new Vector3(side * values[(int)ActChannel.Aside], values[(int)ActChannel.Up], values[(int)ActChannel.Ahead]) * unit;
+        body.Turns.Set(local, body.Body, Rotation.Multiply(turn, body.Turns.Of(local, body.Body)));
+        body.Back.Turn(body.Turns, side * values[(int)ActChannel.BackSide], -values[(int)ActChannel.BackPitch], side * values[(int)ActChannel.BackTwist], 0, local);
+    }
+
+    private void TurnArms(float[] values, float side, in Pose local)
+    {
+        foreach (LimbChain arm in body.Arms)
+        {
+            float own = arm.Side == Side.Left ? 1f : -1f;
+            float share = own == side ? 1f : 0f;
+            float ahead = values[(int)ActChannel.ArmsAhead] + (share * values[(int)ActChannel.ArmAhead]);
+            float aside = values[(int)ActChannel.ArmsOut] + (share * values[(int)ActChannel.ArmOut]);
+            float bend = values[(int)ActChannel.ArmsBend] + (share * values[(int)ActChannel.ArmBend]);
+            if (ahead != 0f || aside != 0f)
+            {
+                TurnJoint(arm.Joints[1], Rotation.Multiply(AxisRotation.Roll(own * aside), AxisRotation.Pitch(-ahead)), local);
+            }
+
+            if (bend != 0f)
+            {
+                TurnJoint(arm.Joints[2], AxisRotation.Pitch(-bend), local);
+            }
+        }
+    }
+
+    private void TurnFins(float spread, in Pose local)
+    {
+        for (int i = 0; i < body.Fins.Length && spread != 0f; i++)
+        {
+            float own = body.Fins[i].Side == Side.Left ? 1f : -1f;
+            TurnJoint(body.Fins[i].Joints[0], AxisRotation.Roll(own * FinTurn * spread), local);
+        }
+    }
+
+    private void TurnJoint(int joint, Quaternion turn, in Pose local)
+    {
+        if (turn.W != 1f)
+        {
+            body.Neck.TurnJoint(body.Turns, joint, turn, local);
+        }
+    }
+
+    /// <summary>Adds what is asked of a pair of feet; its channels are next to one another.</summary>
+    private void Lift((int Left, int Right) pair, bool mirrored, float[] values, ActChannel both, ActChannel one)
+    {
+        Add(pair.Left, mirrored ? 0f : 1f, 1f);
+        Add(pair.Right, mirrored ? 1f : 0f, -1f);
+
+        void Add(int foot, float share, float outward)
+        {
+            if (foot >= 0)
+            {
+                LegRig leg = body.Legs!.Legs[foot];
+                float up = values[(int)both] + (share * values[(int)one]);
+                float ahead = values[(int)both + 1] + (share * values[(int)one + 1]);
+                float aside = values[(int)both + 2] + (share * values[(int)one + 2]);
+                Trunk.Feet[foot].Way += new Vector3(outward * aside, Math.Max(up, 0f), ahead) * leg.Length;
+                Trunk.Feet[foot].Pitch += values[(int)both + 3] + (share * values[(int)one + 3]);
+            }
+        }
+    }
+}

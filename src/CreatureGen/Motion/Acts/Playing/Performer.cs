@@ -1,0 +1,233 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Acts.Playing;
+
+/// <summary>What one creature on the scene performs: sequences the player, the layer and what is brought to a target, and nothing else. Allocates nothing once it is made.</summary>
+internal sealed class Performer
+{
+    /// <summary>How often neck and tail are raised off the ground, and by how much at most, radians.</summary>
+    private const int ClearingRounds = 3;
+    private const float MostCleared = 0.5f;
+
+    private readonly ActBody body;
+    private readonly ActPlayer player = new();
+    private readonly ActLayer layer;
+    private readonly float[] values = new float[Act.ChannelCount];
+    private readonly float[] mood = new float[Act.ChannelCount];
+    private ActAim aim;
+    private ActAim lastAim;
+    private float side = 1f;
+
+    public Performer(ActBody body)
+    {
+        this.body = body;
+        layer = new ActLayer(body);
+    }
+
+    /// <summary>What is performed at present; null for nothing.</summary>
+    public Act? Act => player.Act;
+
+    /// <summary>The phase it is in; null for none.</summary>
+    public ActPhase? Phase => player.Phase;
+
+    /// <summary>Whether something of an act, or a mood, is to be seen.</summary>
+    public bool IsActive { get; private set; }
+
+    /// <summary>Whether feet have to stand for it.</summary>
+    public bool HoldsFeet => player.Act is { Footing: ActFooting.Standing };
+
+    /// <summary>Whether it moves the head, which then looks at nothing else.</summary>
+    public bool HoldsHead => player.Act is { Tool: ActTool.Mouth or ActTool.Brow } || Math.Abs(values[(int)ActChannel.Reach]) > 0.01f;
+
+    /// <summary>How far lids are shut.</summary>
+    public float Lids => values[(int)ActChannel.Lids];
+
+    /// <summary>What happened in the last update.</summary>
+    public ReadOnlySpan<(Act Act, ActMark Mark, float SecondsAgo)> Marks => player.Marks;
+
+    /// <summary>Forgets these.</summary>
+    public void ClearMarks() => player.ClearMarks();
+
+    /// <summary>What is asked of trunk and feet; null for nothing.</summary>
+    public BodyLayer? Trunk => IsActive ? layer.Trunk : null;
+
+    /// <summary>Begins an act.</summary>
+    /// <param name="act">Which.</param>
+    /// <param name="newAim">What is brought where.</param>
+    /// <param name="gain">Factor on what the body does.</param>
+    /// <param name="seconds">√(leg length / gravity), at its tempo.</param>
+    public void Begin(Act act, in ActAim newAim, ActGain gain, float seconds)
+    {
+        float newSide = newAim.Mirrored ? -1f : 1f;
+        lastAim = Math.Abs(player.OwnReach) < Math.Abs(player.LeftReach) ? lastAim : aim;
+        player.Begin(act, gain, newAim.Plan, newSide, seconds);
+        aim = newAim;
+        if (newSide != side)
+        {
+            player.Mirror();
+        }
+
+        side = newSide;
+        IsActive = true;
+    }
+
+    /// <summary>Leaves a phase that lasts.</summary>
+    public void GoOn() => player.GoOn();
+
+    /// <summary>Ends the act where it is.</summary>
+    public void Stop() => player.Stop();
+
+    /// <summary>Forgets everything.</summary>
+    public void Reset()
+    {
+        player.Reset();
+        Array.Clear(values, 0, values.Length);
+        IsActive = false;
+    }
+
+    /// <summary>Takes over what another of the same creature performs.</summary>
+    public void CopyFrom(Performer other)
+    {
+        player.CopyFrom(other.player);
+        layer.CopyFrom(other.layer);
+        other.values.CopyTo(values, 0);
+        other.mood.CopyTo(mood, 0);
+        aim = other.aim;
+        lastAim = other.lastAim;
+        side = other.side;
+        IsActive = other.IsActive;
+    }
+
+    /// <summary>Moves the origin of the world.</summary>
+    public void Rebase(Vector3 offset)
+    {
+        aim = aim with { Target = aim.Target + offset };
+        lastAim = lastAim with { Target = lastAim.Target + offset };
+    }
+
+    /// <summary>Goes on, and asks the way of moving for its part.</summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="stands">Whether all feet stand.</param>
+    /// <param name="root">Where the creature is.</param>
+    public void Advance(float dt, bool stands, in RootPlace root)
+    {
+        player.Advance(dt, 1f, stands);
+        IsActive = player.IsActive;
+        if (!IsActive)
+        {
+            Array.Clear(values, 0, values.Length);
+            return;
+        }
+
+        player.Values.CopyTo(values, 0);
+        for (int i = 0; i < values.Length; i++)
+        {
+            values[i] += mood[i];
+        }
+
+        layer.Ask(values, side);
+        layer.Aim(lastAim, root.ToModel(lastAim.Target), player.LeftReach);
+        layer.Aim(aim, root.ToModel(aim.Target), player.OwnReach);
+    }
+
+    /// <summary>Shows values without playing: what an act comes to.</summary>
+    public void Show(float[] shown, in ActAim shownAim, in RootPlace root)
+    {
+        shown.CopyTo(values, 0);
+        aim = shownAim;
+        side = aim.Mirrored ? -1f : 1f;
+        aim.Plan.AddTo(values, values[(int)ActChannel.Reach], side);
+        IsActive = true;
+        layer.Ask(values, side);
+        layer.Aim(aim, root.ToModel(aim.Target), values[(int)ActChannel.Reach]);
+    }
+
+    /// <summary>Writes all that no leg carries.</summary>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="carried">Whether legs carry the trunk.</param>
+    /// <param name="local">The pose.</param>
+    /// <param name="model">The same in model space, brought up to date.</param>
+    public void Pose(in RootPlace root, bool carried, in Pose local, in Pose model)
+    {
+        layer.Turn(values, side, carried, local);
+        ForwardKinematics.LocalToModel(body.Skeleton, local, model);
+        if (carried)
+        {
+            KeepOffGround(body.Neck, body.HeadSkin, -1f, local, model);
+            KeepOffGround(body.Tail, body.TailSkin, 1f, local, model);
+        }
+
+        Bring(lastAim, player.LeftReach, root, carried, local, model);
+        Bring(aim, player.Act == null ? values[(int)ActChannel.Reach] - player.LeftReach : player.OwnReach, root, carried, local, model);
+    }
+
+    /// <summary>The joint that an act strikes or sounds with, and its place.</summary>
+    public Vector3 PlaceOf(Act act, in Pose model, in RootPlace root, out int joint)
+    {
+        ActTool tool = act.Tool == ActTool.None && act.IndexOf(ActMark.SoundBegin) >= 0 ? ActTool.Mouth : act.Tool;
+        joint = body.Tools.JointOf(tool, side < 0f);
+        return joint < 0 ? root.Position : root.ToWorld(body.Tools.PlaceOf(tool, side < 0f, model));
+    }
+
+    /// <summary>Raises neck or tail where it would be in the ground, as seen from the root: before the whole body has to.</summary>
+    private void KeepOffGround(TurnedChain chain, SupportPoints skin, float sign, in Pose local, in Pose model)
+    {
+        for (int round = 0; round < ClearingRounds && chain.Count > 0; round++)
+        {
+            float raise = skin.Raise(model.Positions[chain.Joints[0]], model);
+            if (raise == 0f)
+            {
+                return;
+            }
+
+            chain.Turn(body.Turns, 0f, sign * Math.Min(raise, MostCleared), 0f, 0, local);
+            Toolkit.Subtree.LocalToModel(body.Skeleton, chain.Joints[0], local, model);
+        }
+    }
+
+    private void Bring(in ActAim what, float share, in RootPlace root, bool carried, in Pose local, in Pose model)
+    {
+        if (!(share > 1e-4f) || body.Tools.JointOf(what.Tool, what.Mirrored) < 0)
+        {
+            return;
+        }
+
+        share = Math.Min(share, 1f);
+        Vector3 target = root.ToModel(what.Target);
+        switch (what.Tool)
+        {
+            case ActTool.Mouth or ActTool.Brow:
+                PointReach.Head(body, what.Tool, target, Direction(what, target, model), share, local, model);
+                break;
+            case ActTool.Hand:
+                PointReach.Limb(body, body.Tools.ArmOf(what.Mirrored), what, target, share, local, model);
+                break;
+            case ActTool.Tail:
+                PointReach.Limb(body, body.Tail.Joints, what, target, share, local, model);
+                break;
+        }
+
+        if (!carried && body.Legs == null && body.Build != BodyBuild.Legless)
+        {
+            // A body that nothing carries goes there itself.
+            Vector3 missing = (target - body.Tools.PlaceOf(what.Tool, what.Mirrored, model)) * share;
+            local.Positions[body.Body] += missing;
+            ForwardKinematics.LocalToModel(body.Skeleton, local, model);
+        }
+    }
+
+    /// <summary>Where the snout is to point: at the target from where the neck begins, as far down as the act says.</summary>
+    private Vector3 Direction(in ActAim what, Vector3 target, in Pose model)
+    {
+        Vector3 way = target - model.Positions[body.Bearers[0]];
+        way.Y = 0f;
+        Vector3 level = Vec.Normalize(way, Vector3.UnitZ);
+        PortableMath.SinCos(what.SnoutDown, out double sine, out double cosine);
+        return (level * (float)cosine) - new Vector3(0f, (float)sine, 0f);
+    }
+}

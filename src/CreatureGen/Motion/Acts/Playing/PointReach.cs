@@ -1,0 +1,113 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Toolkit.Poses;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Acts.Playing;
+
+/// <summary>
+/// Brings a point of the last joint of a chain to a target, from the root of the chain outwards and a part of the way at a time, so that bends spread over the chain; within limits. From pose to pose the
+/// outcome is continuous: no step depends on how far another came.
+/// </summary>
+internal static class PointReach
+{
+    private const int AimRounds = 4;
+    private const int Rounds = 9;
+
+    /// <summary>Part of the turn to the target that a joint makes at a time; in the last rounds nearly all of it.</summary>
+    private const float Share = 0.45f;
+    private const float LastShare = 0.95f;
+
+    /// <summary>Brings a head's point to a target, its snout pointing as wanted.</summary>
+    /// <param name="body">Whose.</param>
+    /// <param name="tool">Mouth or brow.</param>
+    /// <param name="target">Model space.</param>
+    /// <param name="direction">Where the snout is to point, unit.</param>
+    /// <param name="share">How far on the way, 0..1.</param>
+    /// <param name="local">Pose in the parents' space.</param>
+    /// <param name="model">The same in model space.</param>
+    public static void Head(ActBody body, ActTool tool, Vector3 target, Vector3 direction, float share, in Pose local, in Pose model)
+    {
+        int[] chain = body.Bearers;
+        int head = body.Head;
+        Vector3 place = body.Tools.PlaceOf(tool, false, model);
+        Vector3 goal = Vec.Lerp(place, target, share);
+        Vector3 snout = place - model.Positions[head];
+        float length = Vec.Length(snout);
+        Vector3 now = snout / Math.Max(length, 1e-6f);
+        Vector3 wanted = Vec.Normalize(Vec.Lerp(now, direction, share), now);
+        if (chain.Length > 1)
+        {
+            Vector3 joint = goal - (wanted * length);
+            for (int round = 0; round < AimRounds; round++)
+            {
+                for (int k = 0; k < chain.Length - 1; k++)
+                {
+                    Turn(body.Skeleton, chain, k, model.Positions[head], joint, Share, local, model);
+                }
+            }
+
+            Vector3 at = model.Positions[head];
+            Turn(body.Skeleton, chain, chain.Length - 1, body.Tools.PlaceOf(tool, false, model), at + (wanted * length), 1f, local, model);
+        }
+
+        for (int round = 0; round < Rounds; round++)
+        {
+            for (int k = 0; k < chain.Length; k++)
+            {
+                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(tool, false, model), goal, round < Rounds / 2 ? Share : LastShare, local, model);
+            }
+        }
+
+        Subtree.LocalToModel(body.Skeleton, chain[0], local, model);
+    }
+
+    /// <summary>Brings the end of a chain to a target.</summary>
+    /// <param name="body">Whose.</param>
+    /// <param name="chain">Joints from its root.</param>
+    /// <param name="aim">What is brought.</param>
+    /// <param name="target">Model space.</param>
+    /// <param name="share">How far on the way, 0..1.</param>
+    /// <param name="local">Pose in the parents' space.</param>
+    /// <param name="model">The same in model space.</param>
+    public static void Limb(ActBody body, int[] chain, in ActAim aim, Vector3 target, float share, in Pose local, in Pose model)
+    {
+        Vector3 goal = Vec.Lerp(body.Tools.PlaceOf(aim.Tool, aim.Mirrored, model), target, share);
+        for (int round = 0; round < Rounds; round++)
+        {
+            for (int k = 0; k < chain.Length; k++)
+            {
+                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(aim.Tool, aim.Mirrored, model), goal, round < Rounds / 2 ? Share : LastShare, local, model);
+            }
+        }
+
+        Subtree.LocalToModel(body.Skeleton, chain[0], local, model);
+    }
+
+    /// <summary>Turns one joint so that a point that hangs on it comes towards a goal; what is farther out in the chain goes along.</summary>
+    private static void Turn(Skeleton skeleton, int[] chain, int k, Vector3 point, Vector3 goal, float share, in Pose local, in Pose model)
+    {
+        int joint = chain[k];
+        Vector3 pivot = model.Positions[joint];
+        Vector3 from = point - pivot;
+        Vector3 to = goal - pivot;
+        float both = Vec.Length(from) * Vec.Length(to);
+        if (!(both > 1e-10f))
+        {
+            return;
+        }
+
+        Quaternion whole = UnitRotation.FromTo(from / Vec.Length(from), to / Vec.Length(to));
+        Quaternion turn = UnitRotation.Nlerp(Quaternion.Identity, whole, share);
+        int parent = skeleton.Parents[joint];
+        Quaternion turned = Rotation.Multiply(Rotation.Inverse(model.Rotations[parent]), Rotation.Multiply(turn, model.Rotations[joint]));
+        local.Rotations[joint] = SwingTwistLimit.ClampLocal(UnitRotation.Renormalize(turned), skeleton.AllJoints[joint]);
+        for (int i = k; i < chain.Length; i++)
+        {
+            Subtree.Place(skeleton.Parents[chain[i]], chain[i], local, model);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Playing;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Acts.Rehearsing;
+
+/// <summary>A creature that stands on level ground and shows what an act comes to, by the same legs and chains as on the scene: for looking before it leaps. Allocates nothing once it is made.</summary>
+internal sealed class ActStage
+{
+    private readonly ActBody body;
+    private readonly ILocomotionMode? mode;
+    private readonly Performer performer;
+    private readonly Quaternion[] localRotations;
+    private readonly Vector3[] localPositions;
+    private readonly Quaternion[] modelRotations;
+    private readonly Vector3[] modelPositions;
+    private readonly Vector3[] feet;
+    private readonly float standing;
+    private readonly float[] values = new float[Act.ChannelCount];
+
+    public ActStage(ActBody body, ILocomotionMode? mode)
+    {
+        this.body = body;
+        this.mode = mode;
+        performer = new Performer(body);
+        int count = body.Skeleton.Count;
+        localRotations = new Quaternion[count];
+        localPositions = new Vector3[count];
+        modelRotations = new Quaternion[count];
+        modelPositions = new Vector3[count];
+        feet = new Vector3[body.Legs?.Legs.Length ?? 0];
+        Local.SetToRest(body.Skeleton);
+        mode?.Stand(RootPlace.Identity, MotionSettings.Default, FlatGround.Level, Local);
+        ForwardKinematics.LocalToModel(body.Skeleton, Local, Model);
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i] = SoleOf(i);
+        }
+
+        standing = body.Skin.Lowest(Model);
+    }
+
+    /// <summary>The pose shown, in model space, which is the world's.</summary>
+    public Pose Model => new(modelRotations, modelPositions);
+
+    private Pose Local => new(localRotations, localPositions);
+
+    /// <summary>Shows a place in an act.</summary>
+    public void Show(Act act, int phase, double at, ActGain gain, in ActAim aim)
+    {
+        ActCurve.Write(act, phase, at, gain, values);
+        performer.Show(values, aim, RootPlace.Identity);
+        Local.SetToRest(body.Skeleton);
+        if (mode != null)
+        {
+            mode.Layer = performer.Trunk;
+            mode.Drive(RootPlace.Identity, 0f, default, MotionSettings.Default, FlatGround.Level, Local);
+        }
+
+        ForwardKinematics.LocalToModel(body.Skeleton, Local, Model);
+        performer.Pose(RootPlace.Identity, body.Legs != null, Local, Model);
+    }
+
+    /// <summary>Where a tool is.</summary>
+    public Vector3 PlaceOf(ActTool tool, bool mirrored) => body.Tools.PlaceOf(tool, mirrored, Model);
+
+    /// <summary>How far the worst planted foot is from where it stood: parts of the leg.</summary>
+    public float Slip()
+    {
+        float worst = 0f;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            worst = Math.Max(worst, SlipOf(i));
+        }
+
+        return worst;
+    }
+
+    /// <summary>How far a foot is from where it stands, its ball or its sole, whichever is nearer: parts of the leg; 0 of one that an act takes.</summary>
+    public float SlipOf(int foot)
+    {
+        ref readonly FootLayer asked = ref performer.Trunk!.Feet[foot];
+        if (asked.Way.Y > 0f || asked.AimFraction > 0f)
+        {
+            return 0f;
+        }
+
+        LegRig leg = body.Legs!.Legs[foot];
+        float ball = Vec.Distance(Model.Positions[leg.Ball], leg.Home + asked.Way + new Vector3(0f, leg.BallHeight, 0f));
+        return Math.Min(ball, Vec.Distance(SoleOf(foot), feet[foot] + asked.Way)) / leg.Length;
+    }
+
+    /// <summary>How much deeper the skin is in the ground than where the creature stands, parts of its length; 0 where no ground carries it.</summary>
+    public float Sunk() => body.Legs == null && body.Build != BodyBuild.Legless ? 0f : Math.Max(0f, Math.Min(standing, 0f) - body.Skin.Lowest(Model)) / body.Size;
+
+    private Vector3 SoleOf(int foot)
+    {
+        LegRig leg = body.Legs!.Legs[foot];
+        Quaternion turn = Rotation.Multiply(Model.Rotations[leg.Ball], Rotation.Inverse(body.Skeleton.ModelRotations[leg.Ball]));
+        return Model.Positions[leg.Ball] + Rotation.Rotate(turn, leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f));
+    }
+}

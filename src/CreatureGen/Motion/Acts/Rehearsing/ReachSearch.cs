@@ -1,0 +1,125 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Playing;
+
+namespace CreatureGen.Motion.Acts.Rehearsing;
+
+/// <summary>
+/// Finds how the trunk helps a tool to its target: one way after the other a step to and fro, kept where it brings the tool nearer without lifting a foot or sinking into the ground, with ever smaller steps.
+/// Based on: R. Hooke and T. A. Jeeves, "Direct search solution of numerical and statistical problems" (1961).
+/// </summary>
+internal static class ReachSearch
+{
+    /// <summary>How near is there, parts of the unit, and what stops the search.</summary>
+    public const float Near = 0.012f;
+
+    /// <summary>How far a planted foot may be off, parts of its leg.</summary>
+    private const float MaxSlip = 0.006f;
+
+    /// <summary>How deep the skin may be, parts of the body's length.</summary>
+    private const float MaxSunk = 0.012f;
+
+    private const int Sweeps = 14;
+    private const float FirstStep = 0.5f;
+    private const float LastStep = 0.03f;
+
+    /// <summary>What an effort costs, beside the distance that is left: no more help than is needed.</summary>
+    private const float Effort = 0.012f;
+
+    // Least and most of each way, in the order of the plan: ahead, yaw, back, chest, hips, pitch, aside.
+    private static readonly float[] upright = { -0.35f, 0.40f, -0.35f, 0.35f, -0.5f, 0.4f, -0.15f, 0.9f, -0.15f, 0.6f, -0.25f, 0.25f, -0.15f, 0.15f };
+    private static readonly float[] twoLegged = { -0.35f, 0.35f, -0.4f, 0.4f, -0.4f, 0.3f, 0f, 0f, -0.1f, 0.8f, -1.15f, 0.35f, -0.15f, 0.15f };
+    private static readonly float[] lateral = { -0.30f, 0.30f, -0.3f, 0.3f, -0.4f, 0.4f, -0.5f, 0.9f, -0.5f, 0.9f, -0.3f, 0.3f, -0.2f, 0.2f };
+
+    /// <summary>Finds the help.</summary>
+    /// <param name="stage">Where it is tried.</param>
+    /// <param name="body">Whose.</param>
+    /// <param name="act">The act.</param>
+    /// <param name="gain">Its gain.</param>
+    /// <param name="aim">What is brought where; its plan is found.</param>
+    /// <returns>How far the tool stays from its target, metres.</returns>
+    public static float Find(ActStage stage, ActBody body, Act act, ActGain gain, ref ActAim aim)
+    {
+        int phase = ReachedIn(act);
+        ReachPlan best = default;
+        ActAim tries = aim;
+        float missing = Try(stage, body, act, phase, gain, aim, best, out float cost);
+        if (body.Legs == null)
+        {
+            aim = aim with { Plan = best };
+            return missing;
+        }
+
+        float[] bounds = body.Legs.IsBiped ? twoLegged : body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? lateral : upright;
+        float step = FirstStep;
+        for (int sweep = 0; sweep < Sweeps && step > LastStep && missing > Near * body.Unit; sweep++)
+        {
+            bool better = false;
+            for (int way = 0; way < ReachPlan.Count; way++)
+            {
+                float width = bounds[(2 * way) + 1] - bounds[2 * way];
+                better |= width > 0f && (Move(way, 0.5f * step * width) || Move(way, -0.5f * step * width));
+            }
+
+            step = better ? step : 0.5f * step;
+        }
+
+        aim = aim with { Plan = best };
+        return missing;
+
+        bool Move(int way, float by)
+        {
+            ReachPlan tried = best;
+            tried[way] = Scalar.Clamp(tried[way] + by, bounds[2 * way], bounds[(2 * way) + 1]);
+            if (tried[way] == best[way])
+            {
+                return false;
+            }
+
+            float left = Try(stage, body, act, phase, gain, tries, tried, out float price);
+            if (price >= cost - 1e-4f)
+            {
+                return false;
+            }
+
+            best = tried;
+            cost = price;
+            missing = left;
+            return true;
+        }
+    }
+
+    /// <summary>The phase at whose end the tool is at its target.</summary>
+    public static int ReachedIn(Act act)
+    {
+        int contact = act.IndexOf(ActMark.Contact);
+        if (contact >= 0)
+        {
+            return contact;
+        }
+
+        int most = 0;
+        for (int i = 1; i < act.Ends.Length; i++)
+        {
+            most = act.Ends[i][(int)ActChannel.Reach] > act.Ends[most][(int)ActChannel.Reach] ? i : most;
+        }
+
+        return most;
+    }
+
+    private static float Try(ActStage stage, ActBody body, Act act, int phase, ActGain gain, in ActAim aim, in ReachPlan plan, out float cost)
+    {
+        stage.Show(act, phase, 1, gain, aim with { Plan = plan });
+        float missing = Vec.Distance(stage.PlaceOf(aim.Tool, aim.Mirrored), aim.Target);
+        float effort = 0f;
+        for (int i = 0; i < ReachPlan.Count; i++)
+        {
+            effort += plan[i] * plan[i];
+        }
+
+        cost = (missing / body.Unit) + (Effort * effort) + (20f * Math.Max(0f, stage.Slip() - MaxSlip)) + (20f * Math.Max(0f, stage.Sunk() - MaxSunk));
+        return missing;
+    }
+}

@@ -1,0 +1,147 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Playing;
+using CreatureGen.Motion.Modes;
+
+namespace CreatureGen.Motion.Acts.Rehearsing;
+
+/// <summary>Tries acts on a body before it performs them: what it lacks, how much of it its legs and the ground leave, where it reaches.</summary>
+internal sealed class Rehearsal
+{
+    /// <summary>Moments of a phase at which it is looked at.</summary>
+    private const int Moments = 3;
+
+    /// <summary>How far a planted foot may be off, parts of its leg, and how deep the skin may be, parts of the body's length.</summary>
+    private const float MaxSlip = 0.008f;
+    private const float MaxSunk = 0.016f;
+
+    /// <summary>Part of the reach by which a contact may miss.</summary>
+    public const float MaxMiss = 0.04f;
+
+    private const int Halvings = 5;
+
+    // What is tried, in order: less of the way down before less of all.
+    private static readonly ActGain[] gains = (from whole in new[] { 1f, 0.8f, 0.6f, 0.45f, 0.33f }
+                                               from down in new[] { 1f, 0.9f, 0.8f, 0.7f, 0.6f, 0.5f, 0.4f }
+                                               select new ActGain(whole, down)).ToArray();
+
+    private static readonly ActGain[] reachingGains = { ActGain.Full, new(1f, 0.5f), new(0.7f, 0.7f), new(0.5f, 0.5f), new(0.35f, 0.5f) };
+
+    private readonly ActBody body;
+    private readonly Func<ILocomotionMode?> mode;
+
+    public Rehearsal(ActBody body, Func<ILocomotionMode?> mode)
+    {
+        this.body = body;
+        this.mode = mode;
+    }
+
+    /// <summary>A stage of one's own.</summary>
+    public ActStage Stage() => new(body, mode());
+
+    /// <summary>Finds out how a body does an act.</summary>
+    public ActAbility Try(Act act, ActStage stage)
+    {
+        float[] ends = ActPlayer.EndsOf(act, body.TimeUnit(MotionSettings.Default.Gravity) * ActTempo.Of(act, body));
+        if (Lacks(act) is string lack)
+        {
+            return new ActAbility(act, lack, default, ends, default, () => null);
+        }
+
+        Vector3 usual = act.Reaches ? UsualTarget.Of(act, body, stage) : default;
+        string? refusal = null;
+        foreach (ActGain gain in act.Reaches ? reachingGains : gains)
+        {
+            var aim = new ActAim(act.Tool, false, usual, act.SnoutDown, default);
+            refusal = null;
+            if (act.Reaches)
+            {
+                float missing = ReachSearch.Find(stage, body, act, gain, ref aim);
+                refusal = missing > MaxMiss * ReachLength(act, body) ? FormattableString.Invariant($"it stays {missing:0.00} m from where it would reach") : null;
+            }
+
+            refusal ??= Spoils(act, stage, gain, aim);
+            if (refusal == null)
+            {
+                return new ActAbility(act, null, gain, ends, usual, () => act.Reaches ? ReachOf(act, gain, usual) : null);
+            }
+        }
+
+        return new ActAbility(act, refusal, default, ends, usual, () => null);
+    }
+
+    /// <summary>Length by which misses are measured, metres: of the neck, the leg or the arm that reaches, and of what the trunk adds.</summary>
+    public static float ReachLength(Act act, ActBody body) => act.Tool == ActTool.Tail ? body.Tail.Length : body.Unit;
+
+    /// <summary>What the body lacks, in words.</summary>
+    private string? Lacks(Act act)
+    {
+        if ((act.Builds & body.Build) == 0)
+        {
+            return FormattableString.Invariant($"it is not for a body that is {BuildNames.Of(body.Build)}");
+        }
+
+        ActNeeds missing = act.Needs & ~body.Has;
+        if (missing != ActNeeds.None)
+        {
+            return "it has no " + BuildNames.Of(missing);
+        }
+
+        return act.Tool != ActTool.None && body.Tools.JointOf(act.Tool, false) < 0 ? "it has nothing to do it with" : null;
+    }
+
+    /// <summary>What goes wrong in the course of an act, in words; null for nothing.</summary>
+    private string? Spoils(Act act, ActStage stage, ActGain gain, in ActAim aim)
+    {
+        for (int phase = 0; phase < act.Phases.Count; phase++)
+        {
+            for (int k = 1; k <= Moments; k++)
+            {
+                stage.Show(act, phase, k / (double)Moments, gain, aim);
+                if (body.Legs != null && stage.Slip() > MaxSlip)
+                {
+                    return "its feet would not stay where they stand";
+                }
+
+                if (stage.Sunk() > MaxSunk)
+                {
+                    return "it would sink into the ground";
+                }
+            }
+        }
+
+        return null;
+    }
+
+    private ActReach? ReachOf(Act act, ActGain gain, Vector3 usual)
+    {
+        ActStage stage = Stage();
+        float far = body.Size + body.Unit;
+        return new ActReach(
+            usual.Z - Farthest(-Vector3.UnitZ, far),
+            usual.Z + Farthest(Vector3.UnitZ, far),
+            usual.Y - Farthest(-Vector3.UnitY, Math.Max(usual.Y, 0f)),
+            usual.Y + Farthest(Vector3.UnitY, far),
+            Farthest(Vector3.UnitX, far));
+
+        // How far from the usual target in a direction it still reaches.
+        float Farthest(Vector3 direction, float most)
+        {
+            float near = 0f;
+            float end = most;
+            for (int i = 0; i < Halvings && most > 0f; i++)
+            {
+                float at = i == 0 ? end : 0.5f * (near + end);
+                var aim = new ActAim(act.Tool, false, usual + (direction * at), act.SnoutDown, default);
+                bool there = ReachSearch.Find(stage, body, act, gain, ref aim) <= MaxMiss * ReachLength(act, body);
+                near = there ? at : near;
+                end = there ? end : at;
+            }
+
+            return near;
+        }
+    }
+}

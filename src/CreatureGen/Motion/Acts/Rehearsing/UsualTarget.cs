@@ -1,0 +1,64 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Playing;
+
+namespace CreatureGen.Motion.Acts.Rehearsing;
+
+/// <summary>What an act goes for where nobody says.</summary>
+internal static class UsualTarget
+{
+    /// <summary>How far below level a snout points at the least that goes for the ground, radians.</summary>
+    private const float GroundedSnout = 0.6f;
+
+    /// <summary>Height of what is eaten off the ground, units.</summary>
+    private const float FoodHeight = 0.03f;
+
+    // Where the mouth may meet the ground, units ahead of where it is.
+    private static readonly float[] places = { 0f, -0.25f, 0.25f, -0.5f, 0.5f };
+
+    /// <summary>The target, model space.</summary>
+    public static Vector3 Of(Act act, ActBody body, ActStage stage)
+    {
+        float unit = body.Unit;
+        stage.Show(act, 0, 0, ActGain.Full, default);
+        Vector3 now = stage.PlaceOf(act.Tool, false);
+        if (act.Tool is ActTool.Mouth or ActTool.Brow)
+        {
+            bool grounded = act.SnoutDown > GroundedSnout && (body.Legs != null || body.Build == BodyBuild.Legless);
+            return grounded ? OnGround(act, body, stage, now) : now + (new Vector3(0f, -0.12f, 0.4f) * unit);
+        }
+
+        return act.Tool switch
+        {
+            ActTool.ForeFoot => now + (new Vector3(-0.05f, 0.45f, 0.45f) * unit),
+            ActTool.HindFoot => now + (new Vector3(0f, 0.5f, -0.55f) * unit),
+            ActTool.Hand => now + (new Vector3(-0.1f, 0.35f, 0.4f) * unit),
+            _ => Vec.Lerp(now, new Vector3(0f, 1.2f * unit, body.Skeleton.ModelPositions[Math.Max(body.Head, 0)].Z), 0.5f),
+        };
+    }
+
+    private static Vector3 OnGround(Act act, ActBody body, ActStage stage, Vector3 now)
+    {
+        Vector3 best = now;
+        float least = float.MaxValue;
+        foreach (float ahead in places)
+        {
+            var aim = new ActAim(act.Tool, false, new Vector3(now.X, (FoodHeight * body.Unit) + body.Tools.ChinBelowMouth, now.Z + (ahead * body.Unit)), act.SnoutDown, default);
+            float missing = ReachSearch.Find(stage, body, act, ActGain.Full, ref aim);
+            if (missing < 0.8f * least)
+            {
+                least = missing;
+                best = aim.Target;
+            }
+
+            if (missing < 2f * ReachSearch.Near * body.Unit)
+            {
+                break;
+            }
+        }
+
+        return best;
+    }
+}

@@ -1,0 +1,71 @@
+using System.Numerics;
+
+namespace CreatureGen.Motion.Modes;
+
+/// <summary>What an act or a mood asks of trunk and feet on top of a way of moving, before the legs are solved: feet that stand stay where they are. Model space, metres, radians; + is to the left, up, ahead, nose up.</summary>
+internal sealed class BodyLayer
+{
+    /// <summary>A layer that asks nothing of so many feet.</summary>
+    public BodyLayer(int feet) => Feet = new FootLayer[feet];
+
+    /// <summary>How far the trunk goes, metres.</summary>
+    public Vector3 Way { get; set; }
+
+    /// <summary>Turn of the trunk to the left.</summary>
+    public float Yaw { get; set; }
+
+    /// <summary>Nose up, about the hips; nose down, about the shoulders, so that the other end is lifted.</summary>
+    public float Pitch { get; set; }
+
+    /// <summary>Its left side up.</summary>
+    public float Roll { get; set; }
+
+    /// <summary>How far the chest comes down, metres. Of bodies on two legs it only bows.</summary>
+    public float ForeDown { get; set; }
+
+    /// <summary>How far the hips come down, metres.</summary>
+    public float HindDown { get; set; }
+
+    /// <summary>Bend of the back from the hips to the chest.</summary>
+    public float BackPitch { get; set; }
+
+    /// <summary>The same to the left.</summary>
+    public float BackSide { get; set; }
+
+    /// <summary>The same about its own length, left side up.</summary>
+    public float BackTwist { get; set; }
+
+    /// <summary>What is asked of each foot.</summary>
+    public FootLayer[] Feet { get; }
+
+    /// <summary>Takes over what another of as many feet asks.</summary>
+    public void CopyFrom(BodyLayer other)
+    {
+        Way = other.Way;
+        Yaw = other.Yaw;
+        Pitch = other.Pitch;
+        Roll = other.Roll;
+        ForeDown = other.ForeDown;
+        HindDown = other.HindDown;
+        BackPitch = other.BackPitch;
+        BackSide = other.BackSide;
+        BackTwist = other.BackTwist;
+        other.Feet.CopyTo(Feet, 0);
+    }
+}
+
+/// <summary>What is asked of a foot on top of its steps.</summary>
+internal struct FootLayer
+{
+    /// <summary>How far it goes from where the steps have it, metres.</summary>
+    public Vector3 Way;
+
+    /// <summary>Toes down, radians.</summary>
+    public float Pitch;
+
+    /// <summary>Where its ball is to be instead, model space.</summary>
+    public Vector3 Aim;
+
+    /// <summary>Share of that, 0..1.</summary>
+    public float AimFraction;
+}

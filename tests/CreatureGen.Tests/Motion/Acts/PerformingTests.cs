@@ -1,0 +1,201 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Acts;
+
+public class PerformingTests
+{
+    private static readonly MotionProfile dog = new(Walkers.Of(BodyPlan.Digitigrade, 5));
+
+    [Fact]
+    public void An_unknown_act_is_refused_with_a_list_of_all()
+    {
+        var problem = Assert.Throws<ArgumentException>(() => new CreatureAnimator(dog).Perform("juggle"));
+
+        Assert.Contains("\"juggle\" is no act; expected one of Bite, ", problem.Message, StringComparison.Ordinal);
+        Assert.Contains("Sleep", problem.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(float.NaN, 0f, 1f)]
+    [InlineData(0f, float.PositiveInfinity, 1f)]
+    [InlineData(0f, 0f, 1e13f)]
+    public void A_target_that_is_no_place_is_refused(float x, float y, float z) => Assert.ThrowsAny<ArgumentException>(() => ActTarget.At(new Vector3(x, y, z)));
+
+    [Fact]
+    public void What_a_body_lacks_is_said_and_nothing_begins()
+    {
+        var animator = new CreatureAnimator(new MotionProfile(Walkers.Of(BodyPlan.Legless, 5)));
+
+        ActStart start = animator.Perform("Kick");
+
+        Assert.Equal(ActStatus.Refused, start.Status);
+        Assert.Equal("it is not for a body that is on its belly", start.Reason);
+        Assert.Null(animator.Act);
+    }
+
+    [Fact]
+    public void A_target_out_of_reach_is_refused_with_how_far_it_would_be_missed()
+    {
+        var animator = new CreatureAnimator(dog);
+
+        ActStart start = animator.Perform("Bite", ActTarget.At(new Vector3(0f, 1f, 40f)));
+
+        Assert.Equal(ActStatus.OutOfReach, start.Status);
+        Assert.InRange(start.Missing, 30f, 40f);
+        Assert.Null(animator.Act);
+    }
+
+    [Fact]
+    public void A_contact_is_told_once_at_the_time_that_was_published_and_at_the_target()
+    {
+        var animator = new CreatureAnimator(dog);
+        float reach = dog.LegLength;
+        Vector3 target = new(0.1f * reach, 1.2f * reach, animator.Acts.Find("bite").Reach!.Value.Nearest + (0.2f * reach));
+        float contact = animator.Perform("Bite", ActTarget.At(target)).SecondsToContact!.Value;
+        var told = new List<(double At, ActEvent Event)>();
+        double time = 0;
+        for (int i = 0; i < 900; i++)
+        {
+            animator.Update(1f / 240f, default, FlatGround.Level);
+            time += 1.0 / 240;
+            foreach (ActEvent item in animator.ActEvents)
+            {
+                told.Add((time - item.SecondsAgo, item));
+            }
+        }
+
+        (double at, ActEvent bite) = Assert.Single(told, item => item.Event.Mark == ActMark.Contact);
+        Assert.Equal(contact, at, 2e-3);
+        Assert.InRange(Vector3.Distance(bite.Position, target), 0f, 0.03f * reach);
+        Assert.Equal([ActMark.Begin, ActMark.Commit, ActMark.Contact, ActMark.End], told.Select(item => item.Event.Mark));
+        Assert.Null(animator.Act);
+    }
+
+    [Fact]
+    public void Acts_and_updates_allocate_nothing_after_the_first()
+    {
+        var animator = new CreatureAnimator(dog);
+        ActAbility[] acts = animator.Acts.Possible.ToArray();
+        animator.Perform(acts[0]);
+
+        Assert.Equal(0, MovingPose.Allocated(Go, 1));
+
+        void Go()
+        {
+            foreach (ActAbility act in acts)
+            {
+                animator.Perform(act);
+                Walkers.Run(animator, 0.8f, 60f, new MotionInput(1f), FlatGround.Level);
+                animator.GoOn();
+                Walkers.Run(animator, 0.3f, 60f, default, FlatGround.Level);
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade)]
+    [InlineData(BodyPlan.Theropod)]
+    [InlineData(BodyPlan.Hexapod)]
+    [InlineData(BodyPlan.Legless)]
+    [InlineData(BodyPlan.Fish)]
+    public void An_act_that_is_over_leaves_no_trace(BodyPlan plan)
+    {
+        var profile = new MotionProfile(Walkers.Of(plan, 5));
+        var acting = new CreatureAnimator(profile);
+        var plain = new CreatureAnimator(profile);
+        ActAbility call = acting.Acts.Find("Sniff") is { IsPossible: true } sniff ? sniff : acting.Acts.Possible.First();
+        acting.Perform(call);
+        for (int i = 0; i < 60 * 12; i++)
+        {
+            acting.Update(1f / 60f, default, FlatGround.Level);
+            plain.Update(1f / 60f, default, FlatGround.Level);
+        }
+
+        Assert.Null(acting.Act);
+        for (int i = 0; i < profile.Creature.Skeleton.Count; i++)
+        {
+            double apart = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(plain.LocalPose.Rotations[i]), acting.LocalPose.Rotations[i]));
+            Assert.True(apart < 0.02, $"{profile.Creature.Skeleton.Joints[i].Name}: {apart}");
+        }
+    }
+
+    [Fact]
+    public void A_creature_that_goes_stops_for_an_act_on_the_spot_and_goes_on_afterwards()
+    {
+        var animator = new CreatureAnimator(dog);
+        Walkers.Run(animator, 2f, 60f, new MotionInput(1.2f), FlatGround.Level);
+        animator.Perform("Threaten");
+        Assert.Null(animator.ActPhase);
+        Walkers.Run(animator, 2.5f, 60f, new MotionInput(1.2f), FlatGround.Level);
+        Assert.NotNull(animator.ActPhase);
+        Assert.InRange(animator.Speed, -0.02f, 0.02f);
+        Walkers.Run(animator, 8f, 60f, new MotionInput(1.2f), FlatGround.Level);
+        Assert.Null(animator.Act);
+        Assert.InRange(animator.Speed, 1f, 1.4f);
+    }
+
+    [Fact]
+    public void A_call_goes_on_at_a_walk()
+    {
+        var animator = new CreatureAnimator(dog);
+        Walkers.Run(animator, 2f, 60f, new MotionInput(1.2f), FlatGround.Level);
+        animator.Perform("Call");
+        Walkers.Run(animator, 0.5f, 60f, new MotionInput(1.2f), FlatGround.Level);
+
+        Assert.NotNull(animator.ActPhase);
+        Assert.InRange(animator.Speed, 1f, 1.4f);
+    }
+
+    [Fact]
+    public void What_lasts_lasts_until_it_is_told_to_go_on()
+    {
+        var animator = new CreatureAnimator(dog);
+        ActAbility lie = animator.Acts.Find("Lie");
+        animator.Perform(lie);
+        Walkers.Run(animator, lie.Seconds + 20f, 30f, default, FlatGround.Level);
+        Assert.Equal("lie", animator.ActPhase?.Name);
+        animator.GoOn();
+        Walkers.Run(animator, lie.Seconds, 30f, default, FlatGround.Level);
+        Assert.Null(animator.Act);
+    }
+
+    [Fact]
+    public void The_same_acts_give_the_same_bits()
+    {
+        Quaternion[] first = Play();
+        Assert.Equal(first, Play());
+
+        static Quaternion[] Play()
+        {
+            var animator = new CreatureAnimator(new MotionProfile(Walkers.Of(BodyPlan.Digitigrade, 5)));
+            animator.Perform("Eat");
+            Walkers.Run(animator, 1.3f, 60f, default, FlatGround.Level);
+            animator.Perform("Bite");
+            Walkers.Run(animator, 0.7f, 37f, default, FlatGround.Level);
+            return animator.LocalPose.Rotations.ToArray();
+        }
+    }
+
+    [Fact]
+    public void A_ground_that_throws_undoes_an_act_s_update()
+    {
+        var animator = new CreatureAnimator(dog);
+        animator.Perform("Call");
+        Walkers.Run(animator, 0.5f, 60f, default, FlatGround.Level);
+        ActPhase? phase = animator.ActPhase;
+        Assert.Throws<InvalidOperationException>(() => animator.Update(0.25f, new MotionInput(1f), new Throwing()));
+        Assert.Same(phase, animator.ActPhase);
+    }
+
+    private sealed class Throwing : IGround
+    {
+        public bool Cast(Vector3 origin, Vector3 direction, float length, out GroundHit hit) => throw new InvalidOperationException("no ground today");
+    }
+}
