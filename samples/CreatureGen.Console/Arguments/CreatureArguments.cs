@@ -30,7 +30,7 @@ internal static class CreatureArguments
         new("--leg-pairs", "MIN-MAX", "pairs of legs and arms, 0 to 16 (default 0-16)"),
         new("--plans", "PLAN=W,...", "how much oftener body plans come, 0 to 1000: hexapod=5,legless=0"),
         new("--bodies", "BODY=W,...", "how much oftener base bodies come, 0 to 1000: feline=8,insect=0"),
-        new("--strangeness", "0..1", "how far from any animal: 0 animals, 1 anything of anything (default 0)"),
+        new("--strangeness", "0..1", "how far from any animal: 0 animals, 1 anything of anything (default 0.6)"),
         new("--palette", "MOOD", "any, natural, vivid, pale or dark") { Words = palettes.All },
         new("--ornaments", "LEVEL", "none, sparse, normal or rich") { Words = ornaments.All },
         new("--triangles", "N", "triangle budget, 6000 to 100000 (default 20000)"),

@@ -15,6 +15,9 @@ internal static class BodyShaper
     /// <summary>Share of the distance between two rings that a bend may take up on its inner side: below 1 rings never cross.</summary>
     private const double BendLimit = 0.75;
 
+    /// <summary>Height of the spine of a body that lies, relative to its depth: the weight presses the belly flat by the rest, and it lies on a strip instead of a line.</summary>
+    private const double Rest = 0.965;
+
     /// <summary>Exponents below this make sections with sharp edges.</summary>
     private const double Edged = 1.5;
 
@@ -74,7 +77,7 @@ internal static class BodyShaper
         LaySpine(shape, step, body.Elevation);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            shape.Y[i] = Scalar.Lerp(shape.Y[i], bottom[i], Lying(plan, i));
+            shape.Y[i] = Scalar.Lerp(shape.Y[i], Rest * bottom[i], Lying(plan, i));
         }
 
         SetExponents(shape, stations, head, tail);

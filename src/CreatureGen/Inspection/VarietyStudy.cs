@@ -129,7 +129,12 @@ public sealed class VarietyStudy
             text.Append(' ').Append(AnatomyChoices.Archetype.NameOf(leg.Archetype)).Append(leg.Stance == LegStance.Standing ? "" : "-");
         }
 
-        text.Append(' ').Append(blueprint.Wings.Count.ToString(CultureInfo.InvariantCulture)).Append(' ').Append(blueprint.InsectWings.Count.ToString(CultureInfo.InvariantCulture));
+        foreach (WingBlueprint wing in blueprint.Wings)
+        {
+            text.Append(' ').Append(AnatomyChoices.Wing.NameOf(wing.Style));
+        }
+
+        text.Append(' ').Append(blueprint.InsectWings.Count.ToString(CultureInfo.InvariantCulture));
         foreach (FinBlueprint fin in blueprint.Fins)
         {
             text.Append(' ').Append(AnatomyChoices.FinPlace.NameOf(fin.Place)).Append(AnatomyChoices.Fin.NameOf(fin.Style));

@@ -23,6 +23,15 @@ public static class BlueprintSampler
     /// <summary>How often a body may change to the plan that it can carry.</summary>
     private const int PlanChanges = 3;
 
+    /// <summary>How often a creature that does not keep the promises is drawn with less strangeness before it is drawn with none.</summary>
+    private const int Withdrawals = 5;
+
+    /// <summary>Part of the strangeness that is kept then.</summary>
+    private const double Kept = 0.75;
+
+    /// <summary>Probability at full strangeness that what goes on four legs has arms as well.</summary>
+    private const double Armed = 0.25;
+
     /// <summary>The blueprint of a seed that asks for nothing in particular.</summary>
     public static CreatureBlueprint Sample(ulong seed) => Sample(seed, CreatureOptions.Default);
 
@@ -45,13 +54,20 @@ public static class BlueprintSampler
         // First the creature that it is when nobody counts its legs.
         var free = new PlanChoice(options with { MinLegPairs = CreatureOptions.Default.MinLegPairs, MaxLegPairs = CreatureOptions.Default.MaxLegPairs });
         var root = new Seed(seed);
-        for (int attempt = 0; attempt < Attempts; attempt++)
+        for (int attempt = -1; attempt < Attempts; attempt++)
         {
-            CreatureBuilder? builder = attempt == 0 ? Stand(root, free, options) ?? Stand(root, choice, options) : Stand(root.Child("attempt").Child(attempt), choice, options);
-            if (builder != null)
+            Seed drawn = attempt <= 0 ? root : root.Child("attempt").Child(attempt);
+            double strangeness = options.Strangeness;
+            for (int withdrawal = 0; Stand(drawn, attempt < 0 ? free : choice, options, strangeness) is CreatureBuilder builder; withdrawal++)
             {
                 CreatureBlueprint type = Finish(seed, builder, options, out sockets);
-                return options.Individual is ulong individual ? IndividualSampler.Vary(type, builder, IndividualTraits.Draw(root, individual), options) : type;
+                if (strangeness == 0 || Soundness.Holds(type, builder, sockets))
+                {
+                    return options.Individual is ulong individual ? IndividualSampler.Vary(type, builder, IndividualTraits.Draw(root, individual), options) : type;
+                }
+
+                // The draws stay what they were: with less strangeness fewer of them let another parent give.
+                strangeness = withdrawal < Withdrawals ? Kept * strangeness : 0;
             }
         }
 
@@ -61,13 +77,15 @@ public static class BlueprintSampler
     }
 
     /// <summary>Draws body and legs; null when the number of limbs is not what the options ask for.</summary>
-    private static CreatureBuilder? Stand(Seed root, PlanChoice choice, CreatureOptions options)
+    private static CreatureBuilder? Stand(Seed root, PlanChoice choice, CreatureOptions options, double asked)
     {
         LocomotionKind kind = choice.Kind(root.Child("kind").Stream());
-        SpeciesProfile species = choice.Species(root.Child("family").Stream(), kind);
-        double strangeness = choice.LeavesOthers(species) ? options.Strangeness : 0;
-        Parentage parents = ParentSampler.Draw(root, kind, species, choice, strangeness);
+        SpeciesProfile mover = choice.Species(root.Child("family").Stream(), kind);
+        double strangeness = choice.LeavesOthers(mover) ? asked : 0;
+        SpeciesProfile first = choice.Stranger(root.Child("strange family").Stream(), kind, mover, strangeness);
+        Parentage parents = ParentSampler.Draw(root, kind, first, mover, choice, strangeness);
         BodyPlan plan = choice.Plan(root.Child("plan").Stream(), kind, parents.Legs);
+        plan = choice.Allows(parents.Legs, BodyPlan.Centaur) && root.Child("arms of a quadruped").Stream().Chance(Armed * strangeness) ? LegSampler.WithArms(plan) : plan;
         for (int change = 0; ; change++)
         {
             var builder = new CreatureBuilder(root, kind, Harmony.On(parents, plan), plan, strangeness) { LeastLegPairs = options.MinLegPairs, MostLegPairs = options.MaxLegPairs };

@@ -91,6 +91,9 @@ internal sealed class CreatureBuilder
     /// <summary>How far the attachment rules raised the body for its legs, metres.</summary>
     public double Raised { get; set; }
 
+    /// <summary>Whether the rules found a stance in which its legs carry it.</summary>
+    public bool IsCarried { get; set; } = true;
+
     /// <summary>The places of its standing legs and their size; null when it does not stand on legs.</summary>
     public LegStand? Stand { get; set; }
 

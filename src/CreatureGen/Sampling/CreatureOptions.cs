@@ -34,9 +34,9 @@ public sealed record CreatureOptions
 
     /// <summary>
     /// How far creatures may be from any animal, 0..1. At 0 they are animals; with more of it torso, head, tail, legs, skin, ornaments, wings and fins come from any three
-    /// bodies. Default: 0: recognisable animals, for which every promise of the library is proven on every seed; at 0.6 about one seed in 500 still breaks one, as <c>verify</c> tells.
+    /// bodies. A mix that would not stand, or has no room for its limbs, is drawn again with less of it, the same way for the same seed. Default: 0.6.
     /// </summary>
-    public double Strangeness { get; init; }
+    public double Strangeness { get; init; } = 0.6;
 
     /// <summary>Mood of the colours. Default: <see cref="PaletteMood.Any"/>.</summary>
     public PaletteMood Palette { get; init; } = PaletteMood.Any;

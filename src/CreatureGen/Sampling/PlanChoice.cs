@@ -14,6 +14,9 @@ internal sealed class PlanChoice
     /// <summary>How often kinds are drawn when any is asked for.</summary>
     private static readonly double[] kindWeights = { 0.55, 0.22, 0.23 };
 
+    /// <summary>Probability at full strangeness that the first parent is any body, and not one of those that are common among creatures of its kind.</summary>
+    private const double AnyBody = 0.8;
+
     private readonly CreatureOptions options;
 
     /// <summary>Narrows the choice.</summary>
@@ -32,6 +35,15 @@ internal sealed class PlanChoice
             throw new ArgumentException("no creature has the kind, body plans, base bodies and number of limbs that the options ask for; expected options that leave at least one", nameof(options));
         }
     }
+
+    /// <summary>Whether a body moves in a way by itself, or can be carried by the limbs of another: insects by those of insects alone, and edges as wide as wings by none.</summary>
+    private bool Carries(SpeciesProfile body, LocomotionKind kind, SpeciesProfile carrier) => kind switch
+    {
+        _ when body.FrequencyOf(kind) == 0 && body.Disc.Sweep != 0 => false,
+        LocomotionKind.Walking => Leaves(body, kind) || (body.Class != AnimalClass.Arthropod && carrier.Class != AnimalClass.Arthropod),
+        LocomotionKind.Flying => Leaves(body, kind) && (body.Legs is null || body.Wings != null),
+        _ => Leaves(body, kind) && (body.FrequencyOf(kind) > 0 || body.Class != AnimalClass.Arthropod),
+    };
 
     /// <summary>Whether options leave a plan.</summary>
     public bool Allows(SpeciesProfile species, BodyPlan plan) => FactorOf(species, plan) > 0;
@@ -79,6 +91,24 @@ internal sealed class PlanChoice
         }
 
         return all[random.Weighted(weights)];
+    }
+
+    /// <summary>
+    /// Any body in place of one that was drawn, all as often as the options ask for them: on a strange creature the trunk of a shark may stand on legs. The one that was drawn lends
+    /// it how it moves.
+    /// </summary>
+    public SpeciesProfile Stranger(RandomStream random, LocomotionKind kind, SpeciesProfile drawn, double strangeness)
+    {
+        IReadOnlyList<SpeciesProfile> all = SpeciesCatalogue.All;
+        double[] weights = new double[all.Count];
+        bool any = false;
+        for (int i = 0; i < weights.Length; i++)
+        {
+            weights[i] = Carries(all[i], kind, drawn) ? WeightOf(all[i]) : 0;
+            any |= weights[i] > 0;
+        }
+
+        return random.Chance(AnyBody * strangeness) && any ? all[random.Weighted(weights)] : drawn;
     }
 
     /// <summary>Draws a plan.</summary>

@@ -108,14 +108,14 @@ public sealed class EvolveVerbTests
         string[] words = ["evolve", "--towards", "picks", "--parents", "60-62", "--population", "4", "--out", "run", "--threads", "1"];
         Assert.Equal(ExitCode.Done, run.Run([.. words, "--generations", "0"]));
         string pick = Lineage(run).GetProperty("population")[2].GetProperty("hash").GetString()!;
-        Assert.Equal(ExitCode.Done, run.Run([.. words, "--generations", "2", "--picks", pick[..6], "--json"]));
-        double picked = run.Json().GetProperty("generations")[2].GetProperty("median").GetDouble();
-        Assert.Equal(1, run.Json().GetProperty("generations")[2].GetProperty("best").GetDouble());
+        Assert.Equal(ExitCode.Done, run.Run([.. words, "--generations", "4", "--picks", pick[..6], "--json"]));
+        double picked = run.Json().GetProperty("generations")[4].GetProperty("median").GetDouble();
+        Assert.Equal(1, run.Json().GetProperty("generations")[4].GetProperty("best").GetDouble());
         Assert.InRange(picked, 0.5, 1);
         Assert.Equal(pick, Lineage(run).GetProperty("picks")[0].GetString());
 
         // The picks stay as they are until there are others.
-        Assert.Equal(ExitCode.Done, run.Run([.. words, "--generations", "3"]));
+        Assert.Equal(ExitCode.Done, run.Run([.. words, "--generations", "5"]));
         Assert.Equal(pick, Lineage(run).GetProperty("picks")[0].GetString());
     }
 

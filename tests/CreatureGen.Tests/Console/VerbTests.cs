@@ -185,7 +185,7 @@ public sealed class VerbTests
     public void A_broken_creature_is_built_only_by_force_or_after_repair()
     {
         using var run = new ConsoleRun();
-        Assert.Equal(ExitCode.Done, run.Run("generate", "--seed", "41", "--kind", "walking", "--plans", "upright=1000", "--no-picture"));
+        Assert.Equal(ExitCode.Done, run.Run("generate", "--seed", "41", "--kind", "walking", "--plans", "upright=1000", "--strangeness", "0", "--no-picture"));
         CreatureBlueprint sound = BlueprintJson.Read(File.ReadAllText(run.At("creature-41.json"))).GetBlueprint();
         File.WriteAllText(run.At("level.json"), BlueprintJson.Write(sound with { Body = sound.Body with { Posture = sound.Body.Posture with { Torso = 0 } } }));
         Assert.Equal(ExitCode.CheckFailed, run.Run("build", "level.json", "--out", "level.glb"));

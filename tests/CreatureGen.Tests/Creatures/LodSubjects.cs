@@ -17,5 +17,5 @@ internal static class LodSubjects
 
     /// <summary>A creature of a kind with a budget of triangles.</summary>
     public static Creature Of(RequestedKind kind, int seed, int budget = 20000) =>
-        CreatureGenerator.Generate((ulong)seed, new CreatureOptions { Kind = kind, TriangleBudget = budget });
+        CreatureGenerator.Generate((ulong)seed, new CreatureOptions { Kind = kind, TriangleBudget = budget, Strangeness = 0 });
 }

@@ -9,6 +9,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
+using CreatureGen.Sampling;
 using CreatureGen.Tests.Motion;
 using Xunit;
 
@@ -161,7 +162,7 @@ public sealed class AngularEventDetectorTests
     {
         for (ulong seed = 1; ; seed++)
         {
-            Creature creature = CreatureGenerator.Generate(seed);
+            Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Strangeness = 0 });
             if (creature.Blueprint.Plan == plan)
             {
                 return creature;

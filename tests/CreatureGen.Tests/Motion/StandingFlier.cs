@@ -44,9 +44,9 @@ internal sealed class StandingFlier
 
     private (JointRole[] Roles, Skeleton Skeleton) Bones => (Creature.Skeleton.Joints.Select(joint => joint.Role).ToArray(), Creature.Skeleton);
 
-    /// <summary>Those of some seeds that stand on legs.</summary>
+    /// <summary>Those animals of some seeds that stand on legs.</summary>
     public static IEnumerable<StandingFlier> Of(int firstSeed, int count) => Enumerable.Range(firstSeed, count)
-        .Select(seed => new MotionProfile(CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying })))
+        .Select(seed => new MotionProfile(CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = 0 })))
         .Where(profile => profile.Legs != null)
         .Select(profile => new StandingFlier(profile));
 

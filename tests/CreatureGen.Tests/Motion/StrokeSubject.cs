@@ -58,14 +58,14 @@ internal sealed class StrokeSubject
     /// <summary>Largest angular velocity, rad/s.</summary>
     public float Fastest { get; private set; }
 
-    /// <summary>The first creatures that seeds give for a plan.</summary>
+    /// <summary>The first animals that seeds give for a plan.</summary>
     public static Creature[] Of(BodyPlan plan, int count = 4) => found.GetOrAdd((plan, count), key => new Lazy<Creature[]>(() => Find(key.Item1, key.Item2, 0.5, 2))).Value;
 
-    /// <summary>Creatures of a plan within a range of sizes.</summary>
+    /// <summary>Animals of a plan within a range of sizes.</summary>
     public static Creature[] Find(BodyPlan plan, int count, double min, double max)
     {
         RequestedKind kind = plan is BodyPlan.Flapping or BodyPlan.Buzzing ? RequestedKind.Flying : plan >= BodyPlan.Fish ? RequestedKind.Swimming : RequestedKind.Walking;
-        CreatureOptions options = CreatureOptions.Default with { Kind = kind, BodyPlans = BodyPlanWeight.Only(plan), MinScale = min, MaxScale = max };
+        CreatureOptions options = CreatureOptions.Default with { Kind = kind, BodyPlans = BodyPlanWeight.Only(plan), MinScale = min, MaxScale = max, Strangeness = 0 };
         return Enumerable.Range(1, count).Select(seed => CreatureGenerator.Generate((ulong)seed, options)).ToArray();
     }
 

@@ -10,19 +10,21 @@ using CreatureGen.Sampling;
 
 namespace CreatureGen.Tests.Motion;
 
-/// <summary>Creatures to walk with.</summary>
+/// <summary>Animals to walk with: bounds on motion were measured on these.</summary>
 internal static class Walkers
 {
-    /// <summary>A walking creature of a seed.</summary>
-    public static Creature Any(ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+    /// <summary>Walking animals.</summary>
+    public static CreatureOptions Options { get; } = CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 0 };
 
-    /// <summary>The walking creatures of seeds below a count that have a plan; the others are not grown.</summary>
+    /// <summary>A walking animal of a seed.</summary>
+    public static Creature Any(ulong seed) => CreatureGenerator.Generate(seed, Options);
+
+    /// <summary>The walking animals of seeds below a count that have a plan; the others are not grown.</summary>
     public static IEnumerable<(ulong Seed, Creature Creature)> WithPlan(BodyPlan plan, int count)
     {
-        CreatureOptions options = CreatureOptions.Default with { Kind = RequestedKind.Walking };
         for (ulong seed = 0; seed < (ulong)count; seed++)
         {
-            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, options);
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, Options);
             if (blueprint.Plan == plan)
             {
                 yield return (seed, CreatureGenerator.Build(blueprint));
@@ -30,10 +32,11 @@ internal static class Walkers
         }
     }
 
-    /// <summary>A creature of a plan.</summary>
+    /// <summary>An animal of a plan.</summary>
     public static Creature Of(BodyPlan plan, ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with
     {
         BodyPlans = BodyPlanWeight.Only(plan),
+        Strangeness = 0,
     });
 
     /// <summary>Lets an animator go for a time.</summary>

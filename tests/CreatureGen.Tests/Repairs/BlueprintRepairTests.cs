@@ -75,7 +75,7 @@ public sealed class BlueprintRepairTests
     [Fact]
     public void An_upright_body_laid_level_is_raised_off_its_arms()
     {
-        CreatureBlueprint b = BlueprintSampler.Sample(41, CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = new([new BodyPlanWeight(BodyPlan.Upright, 1000)]) });
+        CreatureBlueprint b = BlueprintSampler.Sample(41, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 0, BodyPlans = new([new BodyPlanWeight(BodyPlan.Upright, 1000)]) });
         Assert.Equal(BodyPlan.Upright, b.Plan);
         CreatureBlueprint level = b with { Body = b.Body with { Posture = b.Body.Posture with { Torso = 0 } } };
         Assert.Contains(CreatureInspection.Inspect(CreatureGenerator.Build(level)), violation => violation.Invariant is "grounded" or "balanced");
@@ -85,7 +85,7 @@ public sealed class BlueprintRepairTests
     [Fact]
     public void Six_legs_of_which_two_are_gone_become_another_plan()
     {
-        CreatureBlueprint b = BlueprintSampler.Sample(28, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        CreatureBlueprint b = BlueprintSampler.Sample(28, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 0 });
         Assert.Equal((BodyPlan.Hexapod, 3), (b.Plan, b.Legs.Count));
         CreatureBlueprint four = b with { Legs = new ValueList<LegBlueprint>(b.Legs.Take(2)) };
         Assert.Contains("legs = 2 pairs of standing legs; expected at least 3 for the plan hexapod", BlueprintValidator.Validate(four).Select(problem => problem.ToString()));
@@ -144,5 +144,5 @@ public sealed class BlueprintRepairTests
         Assert.InRange(broken, 2, 12);
     }
 
-    private static CreatureBlueprint Sampled(ulong seed, RequestedKind kind) => BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, TriangleBudget = 6000 });
+    private static CreatureBlueprint Sampled(ulong seed, RequestedKind kind) => BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, TriangleBudget = 6000, Strangeness = 0 });
 }

@@ -42,7 +42,7 @@ public sealed class OptionsJsonTests
               "baseBodies": [
                 { "name": "fish", "weight": 4 }
               ],
-              "strangeness": 0,
+              "strangeness": 0.6,
               "palette": "vivid",
               "ornaments": "rich",
               "triangleBudget": 20000

@@ -13,6 +13,13 @@ internal static class FeatureSampler
     /// <summary>Metres between the tip of a part and the ground.</summary>
     private const double Clearance = 0.045;
 
+    /// <summary>By which share of its length the tip of a part may be lower than its body's sections tell: the skin of a face leans as it will.</summary>
+    private const double Uncertain = 0.08;
+
+    // How a part that dips into the ground on its way to the tip is cut.
+    private const double Shortening = 0.85;
+    private const int MostCuts = 12;
+
     /// <summary>First ring of the end of the tail.</summary>
     private const int TailEndRing = 46;
 
@@ -82,7 +89,7 @@ internal static class FeatureSampler
         }
     }
 
-    /// <summary>The part of a walker, bent up until its tip clears the ground.</summary>
+    /// <summary>The part of a walker, bent up until its tip clears the ground, and shortened if it dips into it on the way.</summary>
     public static FeatureBlueprint OffGround(CreatureBuilder builder, FeatureBlueprint part)
     {
         if (!builder.IsOnGround)
@@ -97,10 +104,20 @@ internal static class FeatureSampler
         double root = s.Y[ring] + (around * Maths.PortableMath.Cos(pitch) * (around > 0 ? s.Top[ring] : s.Bottom[ring]));
         double rise = (part.Outward * around) + part.Upward + (part.Forward * Maths.PortableMath.Sin(pitch));
         double size = Math.Sqrt((part.Outward * part.Outward) + (part.Upward * part.Upward) + (part.Forward * part.Forward) + (part.Sideward * part.Sideward));
-        double tip = root + (part.Length * ((rise / size) + part.BendUp));
-        double missing = Clearance + (2 * part.Radius) - tip;
-        return missing > 0 ? part with { BendUp = Math.Min(3, part.BendUp + (missing / part.Length)) } : part;
+        double least = Clearance + (2 * part.Radius) + (Uncertain * part.Length);
+        double missing = least - root - (part.Length * ((rise / size) + part.BendUp));
+        part = missing > 0 ? part with { BendUp = Math.Min(3, part.BendUp + (missing / part.Length)) } : part;
+        for (int cut = 0; cut < MostCuts && root + (part.Length * Dip(rise / size, part.BendUp)) < least; cut++)
+        {
+            part = part with { Length = Shortening * part.Length };
+        }
+
+        return part;
     }
+
+    /// <summary>The lowest that a part of length 1 reaches, which leaves the skin with a slope and is bent up with the square of the way.</summary>
+    private static double Dip(double slope, double bend) =>
+        slope < 0 && bend > 0 && -slope < 2 * bend ? -slope * slope / (4 * bend) : Math.Min(0, slope + bend);
 
     private static bool Horns(CreatureBuilder builder, double head, double plenty, RandomStream random)
     {
@@ -208,6 +225,7 @@ internal static class FeatureSampler
     {
         bool strong = builder.Kind == LocomotionKind.Walking
             && builder.Parents.Ornaments.ArmedTail
+            && builder.Parents.Tail.Class != AnimalClass.Arthropod
             && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Theropod;
         bool club = random.Chance(0.5);
         if (!random.Chance(0.25 * plenty) || !strong)

@@ -21,6 +21,9 @@ internal static class NeckSampler
     private const double Shortening = 0.88;
     private const int MostCuts = 20;
 
+    /// <summary>Hair that would have to be cut shorter than this is left out, metres.</summary>
+    private const double LeastHair = 0.02;
+
     /// <summary>Places along a collar that are held against the ground.</summary>
     private const int FrillSteps = 12;
 
@@ -62,7 +65,11 @@ internal static class NeckSampler
         double unit = builder.HalfDepth(19);
         foreach (ManeBlueprint mane in preset.Fields)
         {
-            builder.Manes.Add(OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit }));
+            ManeBlueprint cut = OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit });
+            if (cut.Length >= LeastHair && !LiesUnder(builder, cut))
+            {
+                builder.Manes.Add(cut);
+            }
         }
     }
 
@@ -113,6 +120,10 @@ internal static class NeckSampler
 
         return frill with { Length = longest };
     }
+
+    /// <summary>Whether hair grows from below a body that lies on the ground.</summary>
+    private static bool LiesUnder(CreatureBuilder builder, ManeBlueprint mane) =>
+        builder.Plan == BodyPlan.Legless && mane.LastSegment > BodyGrid.Segments / 4 && BodyShaper.Lying(builder.Plan, (int)mane.LastRing) > 0;
 
     /// <summary>Whether the lowest hair of every row ends above the ground: as far along the body as it is long, and below the body by what it stands off and hangs down.</summary>
     private static bool Clears(BodyShape s, ManeBlueprint mane)

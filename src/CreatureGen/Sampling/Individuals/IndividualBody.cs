@@ -44,7 +44,7 @@ internal sealed class IndividualBody
         {
             CreatureBuilder builder = Shape(type, ofType, traits, strength);
             IReadOnlyList<LegBlueprint>? legs = Stand(type, ofType, builder, traits);
-            if (legs != null && ClearsTheGround(type, builder))
+            if (legs != null && !StanceSampler.Sinks(builder) && !StanceSampler.TipsOver(builder) && ClearsTheGround(type, builder))
             {
                 return new IndividualBody(builder, legs);
             }

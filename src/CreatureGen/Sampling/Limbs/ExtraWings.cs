@@ -15,10 +15,13 @@ internal static class ExtraWings
     private const double SecondPairs = 0.3;
 
     /// <summary>Probability of wings on a walker at full strangeness.</summary>
-    private const double WingedWalkers = 0.2;
+    private const double WingedWalkers = 0.3;
 
     /// <summary>Rings from the first pair to the second.</summary>
     private const int Behind = 7;
+
+    /// <summary>Segments by which raised wings sit higher on the back of what has arms below them.</summary>
+    private const int AboveArms = 2;
 
     // The second pair against the first: smaller, lower and farther back, or the two look like one thick wing.
     private const double SecondSpan = 0.75;
@@ -45,9 +48,10 @@ internal static class ExtraWings
         double span = random.Uniform(0.75, 1.05) * Math.Max(builder.TorsoLength, 0.8);
         double rise = random.Uniform(0.7, 1);
         double sweep = random.Uniform(0.2, 0.4);
-        if (winged && builder.Plan != BodyPlan.Legless && builder.Species.Class != AnimalClass.Arthropod && builder.Parents.Legs.Bird is null)
+        if (winged && builder.Species.Class != AnimalClass.Arthropod && builder.Parents.Legs.Bird is null)
         {
-            SocketBlueprint socket = FlyingRules.WingSocket;
+            bool armed = builder.Plan is BodyPlan.Upright or BodyPlan.Centaur;
+            SocketBlueprint socket = armed ? FlyingRules.WingSocket with { Segment = FlyingRules.WingSocket.Segment - AboveArms } : FlyingRules.WingSocket;
             Add(builder, new WingBlueprint(bat ? WingStyle.Bat : WingStyle.Feathered, socket, span, Scalar.Lerp(0.36, 0.4, bat ? 1 : 0) * span, rise, sweep));
         }
     }

@@ -19,7 +19,7 @@ internal static class FinSampler
             Swim(builder);
             FitPlan(builder);
         }
-        else if (builder.Species.Class == AnimalClass.Fish)
+        else if (builder.Parents.Fins.Class == AnimalClass.Fish)
         {
             Crest(builder, builder.Stream("fins"));
         }
@@ -128,7 +128,7 @@ internal static class FinSampler
         FinStyle style = CreatureBuilder.Choose(random, (FinStyle.Sail, 1), (FinStyle.Spiny, 1), (FinStyle.Shark, 1));
         var socket = new SocketBlueprint(random.Integer(24, 30), 31, 2 * random.Integer(4, 7), 2);
         double height = random.Uniform(0.14, 0.26);
-        if (builder.Sockets.TryReserve(socket, 0))
+        if (builder.Sockets.IsFree(socket, 0) && builder.Sockets.TryReserve(socket, 0))
         {
             builder.Fins.Add(new FinBlueprint(FinPlace.Dorsal, style, socket, height, 0, 0, SweepOf(style)));
         }

@@ -31,6 +31,12 @@ internal static class FlierLegs
     /// <summary>By which part of the feet's hull a flier's centre of mass is to lie inside it: that of spread wings is estimated, the less surely the stranger the body.</summary>
     private const double SafeMargin = 0.1;
 
+    /// <summary>Factor on the girth of a single pair that is not a bird's: thighs as thick as a deep body asks for would crease where they leave it.</summary>
+    private const double SlenderPair = 0.82;
+
+    /// <summary>Probability at full strangeness of any number of legs.</summary>
+    private const double AnyPairs = 0.35;
+
     /// <summary>Shortest leg relative to the body's length.</summary>
     private const double ShortestLeg = 0.05;
 
@@ -46,6 +52,7 @@ internal static class FlierLegs
         bool insect = builder.Parents.Legs.Class == AnimalClass.Arthropod;
         RandomStream random = builder.Stream("flier legs");
         int pairs = CreatureBuilder.Choose(random, builder.Parents.Legs.FlierLegPairs);
+        pairs = StrangePairs(builder, pairs, insect);
         LegArrangement arrangement = insect && random.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread;
         FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : FlierLegAnatomy.Dragon;
         if (insect && pairs <= 4)
@@ -62,9 +69,9 @@ internal static class FlierLegs
         }
 
         // Thin legs keep the feet of stout ones: these have as much to carry.
-        double girth = builder.Parents.Legs.LegGirth;
+        double girth = builder.Parents.Legs.LegGirth * (pairs == 1 && builder.Parents.Legs.Bird is null ? SlenderPair : 1);
         style = style with { FootSize = style.FootSize / girth };
-        anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = anatomy.Size.Foot / girth, Toes = insect ? 0 : style.Toes } };
+        anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = insect ? anatomy.Size.Foot / girth : style.FootSize, Toes = insect ? 0 : style.Toes } };
         WingMotion motion = builder.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
         FlyingPlacement placement = FlyingRules.Place(LegSampler.Measure(builder), motion, motion == WingMotion.Buzzing ? 2 : 1, new FlyingLegs(pairs, arrangement), anatomy, builder.Sockets, builder.Seed.Child("flier"));
         WingSampler.Add(builder, placement);
@@ -74,6 +81,15 @@ internal static class FlierLegs
             style = insect ? style with { FootSize = 1 } : style with { Toes = anatomy.Size.Toes == 0 ? style.Toes : anatomy.Size.Toes };
             Stand(builder, style, placement, anatomy);
         }
+    }
+
+    /// <summary>Now and then any number of legs: up to eight pairs under an insect, up to four under others.</summary>
+    private static int StrangePairs(CreatureBuilder builder, int pairs, bool insect)
+    {
+        RandomStream random = builder.Stream("strange flier legs");
+        bool strange = random.Chance(AnyPairs * builder.Strangeness);
+        int drawn = FlyingRules.DrawLegs(random).Pairs;
+        return strange ? insect ? drawn : drawn / 2 : pairs;
     }
 
     /// <summary>An insect stands with spread wings as it does with folded ones.</summary>
@@ -98,7 +114,7 @@ internal static class FlierLegs
             // A raised head or tail moves the centre of mass: the feet are placed under the body as it is.
             StanceSampler.Clear(builder);
             WalkingPlacement placement = LegSampler.Settle(builder, _ => set, anatomy.Size);
-            if (IsCarried(placement))
+            if (IsCarried(placement) && StanceSampler.Lowest(builder.Shape, 0, BodyGrid.Rings) > 0)
             {
                 LegSampler.AddStanding(builder, style, placement, set, anatomy.Size);
                 return;

@@ -17,6 +17,16 @@ internal static class LegSampler
     /// <summary>Rounds of placing legs and moving the body for them.</summary>
     private const int Rounds = 4;
 
+    /// <summary>Probability at full strangeness of a second pair of arms, and its size relative to the first.</summary>
+    private const double SecondArms = 0.4;
+    private const double SmallerArms = 0.85;
+
+    /// <summary>Rings between two pairs of arms: fewer would crease under both.</summary>
+    private const int ArmGap = 3;
+
+    /// <summary>How often a head or a tail that tips a walker over is made smaller.</summary>
+    private const int Lightenings = 8;
+
     /// <summary>Radius of an even cylinder as heavy as a hanging arm with its hand, relative to the radius of its root.</summary>
     private const double ArmFullness = 0.55;
 
@@ -68,14 +78,7 @@ internal static class LegSampler
         BirdPreset? bird = builder.Parents.Legs.Bird;
         style = preset != null ? OwnLegs.StyleOf(builder, style, preset) : bird != null ? OwnLegs.StyleOf(builder, style, bird) : style;
         var size = new LegSize(1, preset != null ? 1 : style.Reach, style.FootSize, style.Toes);
-        WalkingPlacement placement = Settle(builder, SetFor, size);
-        if (StanceSampler.TailSinks(builder))
-        {
-            // The body was pitched to stand, and its tail came down with it.
-            StanceSampler.Clear(builder);
-            placement = Settle(builder, SetFor, size);
-        }
-
+        WalkingPlacement placement = Carry(builder, SetFor, size);
         if (placement.PlanChange != null && placement.PlanChange != builder.Plan)
         {
             return placement.PlanChange;
@@ -86,6 +89,7 @@ internal static class LegSampler
         {
             LegStyle hand = style with { ClawLength = Math.Max(style.ClawLength, 0.6), FootSize = 1.3 };
             Add(builder, hand, LimbArchetype.Arm, LegStance.Hanging, arms.Socket, arms.RootRadius, arms.Length, arms.Length * 0.9, 0, 0, arms.Site.Bounds.Pad);
+            AddSecondArms(builder, hand, arms);
         }
 
         if (preset != null)
@@ -107,6 +111,40 @@ internal static class LegSampler
         return null;
 
         SocketSet SetFor(SpineMeasure measure) => preset != null ? OwnLegs.SetOf(builder, preset, measure) : bird != null ? OwnLegs.SetOf(builder, bird) : SetOf(builder);
+    }
+
+    /// <summary>A second, smaller pair of arms behind the first, now and then, where there is room.</summary>
+    private static void AddSecondArms(CreatureBuilder builder, LegStyle hand, ArmPlacement arms)
+    {
+        bool second = builder.Stream("second arms").Chance(SecondArms * builder.Strangeness);
+        SocketBlueprint socket = arms.Socket with { Ring = arms.Socket.Ring + arms.Socket.Rows + ArmGap };
+        if (second && builder.Sockets.IsFree(socket, arms.Site.Bounds.Pad))
+        {
+            double length = SmallerArms * arms.Length;
+            Add(builder, hand, LimbArchetype.Arm, LegStance.Hanging, socket, SmallerArms * arms.RootRadius, length, 0.9 * length, 0, 0, arms.Site.Bounds.Pad);
+        }
+    }
+
+    /// <summary>Places the legs of a walker so that they carry it: what hangs over its feet is made lighter, and what the settled body lowers into the ground is raised.</summary>
+    private static WalkingPlacement Carry(CreatureBuilder builder, Func<SpineMeasure, SocketSet> anatomy, LegSize size)
+    {
+        WalkingPlacement placement = Settle(builder, anatomy, size);
+        for (int round = 0; round < Lightenings && placement.Balance is { Remedy: BalanceRemedy.AddPairOrTail } balance; round++)
+        {
+            StanceSampler.Lighten(builder, balance.Overhang);
+            placement = Settle(builder, anatomy, size);
+        }
+
+        for (int round = 0; round < Rounds && StanceSampler.Sinks(builder); round++)
+        {
+            // The body was pitched to stand, and its tail came down with it.
+            StanceSampler.Clear(builder);
+            StanceSampler.Lift(builder);
+            placement = Settle(builder, anatomy, size);
+        }
+
+        builder.IsCarried = placement.RaiseBody == 0 && placement.Balance is not { Remedy: BalanceRemedy.AddPairOrTail } && !StanceSampler.Sinks(builder);
+        return placement;
     }
 
     /// <summary>Places the legs of a walker, and raises and pitches the body until it stands on them.</summary>
@@ -187,12 +225,33 @@ internal static class LegSampler
         return Math.Min(last.Site.Azimuth, PortableMath.Asin(Scalar.Clamp(sine, -0.97, 0.97)));
     }
 
+    /// <summary>The plan with arms in front of its legs; plans that have none of these stay as they are.</summary>
+    public static BodyPlan WithArms(BodyPlan plan) => IsQuadruped(plan) ? BodyPlan.Centaur : plan;
+
+    /// <summary>The plan of four legs under the body that a species has oftenest.</summary>
+    private static BodyPlan QuadrupedOf(SpeciesProfile legs)
+    {
+        BodyPlan plan = legs.IsHoofed ? BodyPlan.Unguligrade : BodyPlan.Digitigrade;
+        double most = 0;
+        foreach (Weighted<BodyPlan> own in legs.WalkingPlans)
+        {
+            if (IsQuadruped(own.Value) && own.Weight > most)
+            {
+                (plan, most) = (own.Value, own.Weight);
+            }
+        }
+
+        return plan;
+    }
+
+    private static bool IsQuadruped(BodyPlan plan) => plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar;
+
     private static SocketSet SetOf(CreatureBuilder builder)
     {
         bool bird = builder.Parents.Legs.Class == AnimalClass.Bird;
         SocketSet set = builder.Plan switch
         {
-            BodyPlan.Centaur => SocketSets.Centaur(builder.Parents.Legs.IsHoofed ? BodyPlan.Unguligrade : BodyPlan.Digitigrade),
+            BodyPlan.Centaur => SocketSets.Centaur(QuadrupedOf(builder.Parents.Legs)),
             BodyPlan.Upright => SocketSets.Upright(builder.Stream("upright legs").Chance(0.6) ? LimbArchetype.PlantigradeHind : LimbArchetype.DigitigradeHind),
             BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar => SocketSets.Quadruped(builder.Plan) with { Arms = null },
             _ => SocketSets.Of(builder.Plan),

@@ -82,7 +82,7 @@ internal static class OwnLegs
     /// <summary>Hangs the legs of a swimmer that has any.</summary>
     public static void Paddle(CreatureBuilder builder, LegStyle style)
     {
-        if (builder.Parents.Legs.Paddles is not LegPreset preset)
+        if (builder.Parents.Paddles is not LegPreset preset)
         {
             return;
         }

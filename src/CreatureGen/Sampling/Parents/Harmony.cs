@@ -13,13 +13,17 @@ internal static class Harmony
     private const double InsectHeads = 1 / 3.0;
 
     /// <summary>The parents after the rules.</summary>
-    public static Parentage Settle(Parentage parents, LocomotionKind kind, RandomStream random)
+    /// <param name="parents">The parents as drawn.</param>
+    /// <param name="mover">The parent whose own limbs carry the creature.</param>
+    /// <param name="kind">How it moves.</param>
+    /// <param name="random">Decides what may be either way.</param>
+    public static Parentage Settle(Parentage parents, SpeciesProfile mover, LocomotionKind kind, RandomStream random)
     {
         SpeciesProfile first = parents.First;
         bool insectHead = random.Chance(InsectHeads);
         if (!CanLend(parents.Legs, first, kind) || (parents.Legs.Class == AnimalClass.Arthropod) != (first.Class == AnimalClass.Arthropod))
         {
-            parents = parents with { Legs = first };
+            parents = parents with { Legs = mover };
         }
 
         // Feelers across the frame, or a head that floats before the neck.
@@ -47,7 +51,7 @@ internal static class Harmony
         }
 
         bool steers = parents.Fins.Fins is null == first.Fins is null && PairsOf(parents.Fins) >= PairsOf(first);
-        return steers && parents.Fins.Class == first.Class ? parents : parents with { Fins = first };
+        return kind != LocomotionKind.Swimming || (steers && parents.Fins.Class == first.Class) ? parents : parents with { Fins = first };
     }
 
     /// <summary>The parents on a plan: a body that lies on the ground would be tipped over by the heads of mammals and birds.</summary>

@@ -15,7 +15,10 @@ internal static class ParentSampler
     private const double Swapped = 0.72;
 
     /// <summary>The same of plan and legs: a body can stand on few other legs than its own.</summary>
-    private const double SwappedLegs = 0.5;
+    private const double SwappedLegs = 0.65;
+
+    /// <summary>Probability at full strangeness that a swimmer whose parents have none has legs.</summary>
+    private const double LeggedSwimmers = 0.35;
 
     /// <summary>Probability that the second parent gives a part that the first does not.</summary>
     private const double FromSecond = 0.6;
@@ -29,9 +32,10 @@ internal static class ParentSampler
     /// <param name="root">Its seed.</param>
     /// <param name="kind">How it moves.</param>
     /// <param name="first">Its first parent.</param>
+    /// <param name="mover">A species that moves so; where the first parent does not, it is the second and lends its limbs.</param>
     /// <param name="choice">What the options allow.</param>
     /// <param name="strangeness">0..1.</param>
-    public static Parentage Draw(Seed root, LocomotionKind kind, SpeciesProfile first, PlanChoice choice, double strangeness)
+    public static Parentage Draw(Seed root, LocomotionKind kind, SpeciesProfile first, SpeciesProfile mover, PlanChoice choice, double strangeness)
     {
         RandomStream random = root.Child("blend").Stream();
         string partner = first.Partners[random.Weighted(partnerWeights)];
@@ -44,7 +48,9 @@ internal static class ParentSampler
         }
 
         double t = strangeness;
+        bool carried = !choice.Leaves(first, kind);
         SpeciesProfile second = Stranger(root.Child("second parent").Stream(), first, null, choice, t) ?? SpeciesCatalogue.Find(partner);
+        second = carried ? mover : second;
         var rest = new List<SpeciesProfile>();
         foreach (SpeciesProfile family in SpeciesCatalogue.Families)
         {
@@ -83,12 +89,14 @@ internal static class ParentSampler
             parents = parents with { Head = second };
         }
 
+        SpeciesProfile own = carried ? mover : first;
         if (!choice.Leaves(parents.Legs, kind))
         {
-            parents = parents with { Legs = first };
+            parents = parents with { Legs = own };
         }
 
-        parents = Harmony.Settle(parents, kind, root.Child("harmony").Stream());
+        parents = Harmony.Settle(parents, own, kind, root.Child("harmony").Stream());
+        parents = kind == LocomotionKind.Swimming ? parents with { Paddles = PaddlesOf(parents, root.Child("paddles").Stream(), t) } : parents;
         return parents with { Ears = EarsOf(parents, root.Child("foreign ears").Stream(), t) };
 
         SpeciesProfile Donor(string group, double swapped)
@@ -159,6 +167,23 @@ internal static class ParentSampler
         }
 
         return parents.Head;
+    }
+
+    /// <summary>The legs that a swimmer hangs: those of its parents, or of any species that has some.</summary>
+    private static LegPreset? PaddlesOf(Parentage parents, RandomStream random, double strangeness)
+    {
+        var lenders = new List<LegPreset>();
+        foreach (SpeciesProfile species in SpeciesCatalogue.All)
+        {
+            if (species.Paddles is LegPreset paddles)
+            {
+                lenders.Add(paddles);
+            }
+        }
+
+        bool legged = random.Chance(LeggedSwimmers * strangeness);
+        LegPreset lent = lenders[random.Integer(0, lenders.Count)];
+        return parents.Legs.Paddles ?? (legged && parents.First.Disc.Sweep == 0 ? lent : null);
     }
 
     /// <summary>The class, lizards and toads taken as one.</summary>

@@ -17,6 +17,9 @@ internal sealed record Parentage(SpeciesProfile First, SpeciesProfile Second, Sp
     /// <summary>Gives plan, legs and how they stand.</summary>
     public SpeciesProfile Legs { get; init; } = First;
 
+    /// <summary>Legs that it hangs in the water; null for none.</summary>
+    public LegPreset? Paddles { get; init; }
+
     /// <summary>Gives skull, face, eyes, mouth and ears.</summary>
     public SpeciesProfile Head { get; init; } = First;
 

@@ -16,6 +16,9 @@ internal static class SpineSurvey
     /// <summary>Bones of a torso when nothing else is asked for: one for every two rings.</summary>
     public const int TorsoBones = 11;
 
+    /// <summary>Distance of the centroid of a half ellipse from its straight side, in half axes: 4 / 3π.</summary>
+    private const double HalfEllipse = 0.4244131815783876;
+
     /// <summary>Measures the torso, rings 22 to 44, as 11 bones.</summary>
     /// <inheritdoc cref="Measure(ReadOnlySpan{double}, ReadOnlySpan{double}, ReadOnlySpan{double}, ReadOnlySpan{double}, ReadOnlySpan{double}, int, int, int)"/>
     public static SpineMeasure Measure(ReadOnlySpan<double> y, ReadOnlySpan<double> z, ReadOnlySpan<double> width, ReadOnlySpan<double> top, ReadOnlySpan<double> bottom) =>
@@ -97,7 +100,7 @@ internal static class SpineSurvey
         return new SpineMeasure(measured, length, measured[centre].Height, centre, CentreOfMass(y, z, width, top, bottom, arc));
     }
 
-    /// <summary>Centre of mass of elliptic slices of equal density.</summary>
+    /// <summary>Centre of mass of slices of equal density, each of two half ellipses, one above and one below the spine.</summary>
     private static SagittalPoint CentreOfMass(
         ReadOnlySpan<double> y,
         ReadOnlySpan<double> z,
@@ -113,9 +116,13 @@ internal static class SpineSurvey
         {
             double thickness = 0.5 * (arc[Math.Min(i + 1, arc.Length - 1)] - arc[Math.Max(i - 1, 0)]);
             double slice = PortableMath.Pi * width[i] * 0.5 * (top[i] + bottom[i]) * thickness;
+            double ahead = z[Math.Max(i - 1, 0)] - z[Math.Min(i + 1, arc.Length - 1)];
+            double above = y[Math.Max(i - 1, 0)] - y[Math.Min(i + 1, arc.Length - 1)];
+            double along = Math.Sqrt((ahead * ahead) + (above * above));
+            double offset = along > 0 ? HalfEllipse * (top[i] - bottom[i]) / along : 0;
             mass += slice;
-            momentY += slice * y[i];
-            momentZ += slice * z[i];
+            momentY += slice * (y[i] + (offset * ahead));
+            momentZ += slice * (z[i] - (offset * above));
         }
 
         if (!(mass > 0))

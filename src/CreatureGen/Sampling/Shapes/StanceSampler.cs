@@ -19,11 +19,23 @@ internal static class StanceSampler
     /// <summary>Metres by which the feathers of a lowered tail reach below its spine.</summary>
     private const double FanDrop = 0.06;
 
+    /// <summary>Metres between the head of one that crawls and the ground, without its face.</summary>
+    private const double CrawlingHead = 0.03;
+
     /// <summary>The same of a flier's tail that hangs steeply, relative to its fan.</summary>
     private const double HangingFan = 0.6;
 
-    /// <summary>Least size of a head that is made smaller.</summary>
+    /// <summary>Least size of a head that is made smaller, and least length of a neck.</summary>
     private const double LeastHead = 0.6;
+
+    /// <summary>Least length and girth of a tail that is made smaller.</summary>
+    private const double LeastTail = 0.45;
+
+    /// <summary>Factor on what is made lighter.</summary>
+    private const double Lighter = 0.93;
+
+    /// <summary>Metres between the ground and a body that was below it.</summary>
+    private const double LiftedGap = 0.02;
 
     /// <summary>Radians by which a low head or tail is raised at a time.</summary>
     private static readonly double lift = Scalar.Radians(7);
@@ -65,8 +77,37 @@ internal static class StanceSampler
         Clear(builder);
     }
 
-    /// <summary>Whether the tail of one that stands on legs under it goes into the ground.</summary>
-    public static bool TailSinks(CreatureBuilder builder) => builder.Plan is BodyPlan.Theropod or BodyPlan.Upright && Lowest(builder.Shape, FirstRaised, BodyGrid.Rings) < 0;
+    /// <summary>Whether some of a body that stands on legs is below the ground.</summary>
+    public static bool Sinks(CreatureBuilder builder) => builder.Plan != BodyPlan.Legless && builder.IsOnGround && Lowest(builder.Shape, 0, BodyGrid.Rings) < 0;
+
+    /// <summary>Whether a body that lies on the ground is tipped over by its head.</summary>
+    public static bool TipsOver(CreatureBuilder builder) => builder.Plan == BodyPlan.Legless && IsFrontHeavy(builder.Shape);
+
+    /// <summary>Raises a body that is below the ground.</summary>
+    public static void Lift(CreatureBuilder builder)
+    {
+        double missing = LiftedGap - Lowest(builder.Shape, 0, BodyGrid.Rings);
+        if (missing > LiftedGap)
+        {
+            builder.Raised += missing;
+            builder.Elevation += missing;
+            builder.Shape = ShapeOf(builder);
+        }
+    }
+
+    /// <summary>Makes lighter what hangs over the feet, and stands the body anew.</summary>
+    /// <param name="builder">The creature.</param>
+    /// <param name="overhang">How far its centre of mass lies too far to the front, metres; to the rear where negative.</param>
+    public static void Lighten(CreatureBuilder builder, double overhang)
+    {
+        BodyProportions p = builder.Proportions;
+        builder.Proportions = overhang > 0
+            ? p with { Head = Math.Max(Lighter * p.Head, Math.Min(p.Head, LeastHead)), Neck = Math.Max(Lighter * p.Neck, Math.Min(p.Neck, LeastHead)) }
+            : p with { Tail = Math.Max(Lighter * p.Tail, Math.Min(p.Tail, LeastTail)), TailGirth = Math.Max(Lighter * p.TailGirth, Math.Min(p.TailGirth, LeastTail)) };
+        builder.Posture = builder.Drawn;
+        builder.Raised = 0;
+        Settle(builder);
+    }
 
     /// <summary>Raises head and tail until they clear the ground.</summary>
     public static void Clear(CreatureBuilder builder)
@@ -189,7 +230,7 @@ internal static class StanceSampler
         double torso = builder.TorsoLength;
         bool crawls = builder.Plan is BodyPlan.Legless or BodyPlan.Hexapod || builder.Parents.Legs.Legs != null;
         double tailGap = crawls ? double.NegativeInfinity : (0.03 * torso) + (builder.Tail.Style == TailStyle.Feathers ? Math.Max(FanDrop, builder.Kind == LocomotionKind.Flying ? HangingFan * builder.Tail.Size : 0) : 0);
-        double headGap = crawls ? 0.01 : 0.06 * torso;
+        double headGap = builder.Plan == BodyPlan.Legless ? 0.01 : crawls ? CrawlingHead : 0.06 * torso;
         double tail = p.Tail;
         double neck = p.Neck;
         double bend = p.TailBend;

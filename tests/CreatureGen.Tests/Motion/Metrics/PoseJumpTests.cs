@@ -58,7 +58,7 @@ public sealed class PoseJumpTests
     [InlineData(278, "Hover")]
     public void No_flight_changes_its_pose_three_times_as_fast_as_usual(int seed, string name)
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
+        var profile = new MotionProfile(CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = 0 }));
         Movement movement = Movement.Of(profile).Single(movement => movement.GaitName == name);
         foreach (float rate in new[] { 30f, 60f, 144f })
         {

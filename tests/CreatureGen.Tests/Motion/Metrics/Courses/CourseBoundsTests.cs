@@ -26,7 +26,7 @@ public sealed class CourseBoundsTests
         var broken = new List<string>();
         foreach (ulong seed in seeds)
         {
-            var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+            var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind, Strangeness = 0 }));
             foreach (CourseRun run in MotionCourse.RunAll(profile))
             {
                 CourseReport report = run.Report;
