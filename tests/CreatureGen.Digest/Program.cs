@@ -11,11 +11,12 @@ namespace CreatureGen.Digest;
 /// <summary>Prints the entries of a golden file as the library would have them now, renews the file, or keeps blueprints in the format of now.</summary>
 internal static class Program
 {
-    private const string Usage = "usage: CreatureGen.Digest renew FILE | renew-poses FILE | save FOLDER | print FILE [THREADS [CULTURE]]";
+    private const string AssetsName = "assets.txt";
+    private const string Usage = "usage: CreatureGen.Digest renew FILE | renew-poses FILE | save FOLDER | print FILE [THREADS [CULTURE]] | print-others FOLDER THREADS CULTURE";
 
     private static int Main(string[] arguments)
     {
-        if (arguments is not (["renew", _] or ["renew-poses", _] or ["save", _] or ["print", _] or ["print", _, _] or ["print", _, _, _]))
+        if (arguments is not (["renew", _] or ["renew-poses", _] or ["save", _] or ["print", _] or ["print", _, _] or ["print", _, _, _] or ["print-others", _, _, _]))
         {
             Console.Error.WriteLine(Usage);
             return 2;
@@ -32,10 +33,16 @@ internal static class Program
             return 0;
         }
 
+        if (arguments[0] == "print-others")
+        {
+            return PrintOthers(arguments[1]);
+        }
+
         string old = File.ReadAllText(arguments[1]);
         if (arguments[0] == "renew-poses")
         {
             File.WriteAllText(arguments[1], PoseEntry.Format(old, PoseEntry.Parse(old).Select(e => PoseEntry.Compute(e.Plan, e.Seed))));
+            RenewAssets(arguments[1]);
             return 0;
         }
 
@@ -67,6 +74,25 @@ internal static class Program
         }
 
         File.WriteAllText(file, GoldenEntry.Format(old, entries));
+        RenewAssets(file);
+        return 0;
+    }
+
+    /// <summary>Renews the golden file of assets beside another golden file: what changes those changes it.</summary>
+    private static void RenewAssets(string file)
+    {
+        string assets = Path.Combine(Path.GetDirectoryName(Path.GetFullPath(file))!, AssetsName);
+        File.WriteAllText(assets, AssetEntry.Renew(File.ReadAllText(assets)));
+    }
+
+    /// <summary>What the golden files of poses and of assets in a folder would hold now.</summary>
+    private static int PrintOthers(string folder)
+    {
+        Console.OutputEncoding = new System.Text.UTF8Encoding(false);
+        Console.Out.Write("# " + Surroundings.Describe() + "\n");
+        string poses = File.ReadAllText(Path.Combine(folder, "poses.txt"));
+        Console.Out.Write(PoseEntry.Format(poses, PoseEntry.Parse(poses).Select(e => PoseEntry.Compute(e.Plan, e.Seed))));
+        Console.Out.Write(AssetEntry.Renew(File.ReadAllText(Path.Combine(folder, AssetsName))));
         return 0;
     }
 

@@ -17,6 +17,13 @@ internal static class GoldenFile
     /// <summary>Where the list of versions is.</summary>
     public const string VersionsPlace = "tests/CreatureGen.Tests/Golden/versions.txt";
 
+    /// <summary>Where the hashes of poses and of assets are.</summary>
+    public const string PosesPlace = "tests/CreatureGen.Tests/Golden/poses.txt";
+    public const string AssetsPlace = "tests/CreatureGen.Tests/Golden/assets.txt";
+
+    /// <summary>The folder of all.</summary>
+    public static string Folder => Path.Combine(RepositoryFiles.Root, "tests/CreatureGen.Tests/Golden");
+
     /// <summary>Its text.</summary>
     public static string Text { get; } = RepositoryFiles.Text(Place);
 

@@ -8,6 +8,7 @@ using System.Runtime.Versioning;
 using System.Threading;
 using System.Threading.Tasks;
 using CreatureGen.Digest;
+using CreatureGen.Tests.Conventions;
 using Xunit;
 
 namespace CreatureGen.Tests.Golden;
@@ -58,12 +59,53 @@ public sealed class GoldenProcessTests
     [InlineData("5")]
     public async Task Threads_and_the_order_of_creatures_do_not_matter(string threads) => await RunAsync([threads, "tr-TR"], []);
 
+    /// <summary>Poses, textures, PNG files and clips.</summary>
+    [Theory]
+    [InlineData("tr-TR", "", "")]
+    [InlineData("th-TH", "DOTNET_JITMinOpts", "1", Explicit = true)]
+    [InlineData("ar-SA", "DOTNET_EnableHWIntrinsic", "0")]
+    [InlineData("fa-IR", "DOTNET_TieredCompilation", "0", Explicit = true)]
+    [InlineData("sv-SE", "DOTNET_EnableAVX2", "0", Explicit = true)]
+    [InlineData("hi-IN", "DOTNET_ReadyToRun", "0", Explicit = true)]
+    [InlineData("tr-TR", "DOTNET_SYSTEM_GLOBALIZATION_INVARIANT", "1", Explicit = true)]
+    public async Task Motion_pictures_and_clips_are_the_same_in_any_culture_and_on_any_processor(string culture, string name, string value)
+    {
+        Dictionary<string, string> environment = name.Length == 0 ? [] : new() { [name] = value };
+        AssertOthers(await PrintAsync(typeof(GoldenEntry).Assembly.Location, ["print-others", GoldenFile.Folder, "1", culture], environment));
+    }
+
+    /// <summary>Of the library itself compiled without optimisation, which <c>.ci/run</c> builds.</summary>
+    [Fact]
+    public async Task A_debug_build_gives_the_same_bits()
+    {
+        string program = typeof(GoldenEntry).Assembly.Location;
+        string debug = System.IO.Path.Combine(RepositoryFiles.Root, "tests", program.Contains("NetStandard", StringComparison.Ordinal) ? "CreatureGen.Digest.NetStandard" : "CreatureGen.Digest", "bin", "Debug", "net10.0", System.IO.Path.GetFileName(program));
+        Assert.SkipUnless(System.IO.File.Exists(debug), "needs dotnet build -c Debug tests/CreatureGen.Digest");
+        AssertOthers(await PrintAsync(debug, ["print-others", GoldenFile.Folder, "1", "th-TH"], []));
+        GoldenFile.AssertSame(GoldenEntry.Parse(await PrintAsync(debug, ["print", GoldenFile.FullPath], [])), Advice);
+    }
+
+    private static void AssertOthers(string printed)
+    {
+        string expected = RepositoryFiles.Text(GoldenFile.PosesPlace) + RepositoryFiles.Text(GoldenFile.AssetsPlace);
+        Assert.Equal(expected.ReplaceLineEndings("\n"), printed[(printed.IndexOf('\n', StringComparison.Ordinal) + 1)..]);
+    }
+
     /// <summary>Runs the program that lies beside the tests, compares what it prints with the golden file, and returns its remark about its surroundings.</summary>
     private static async Task<string> RunAsync(string[] arguments, Dictionary<string, string> environment)
     {
+        string text = await PrintAsync(typeof(GoldenEntry).Assembly.Location, ["print", GoldenFile.FullPath, .. arguments], environment);
+        string remark = text.Split('\n')[0];
+        Assert.StartsWith("# library=" + typeof(CreatureGenerator).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName + " ", remark, StringComparison.Ordinal);
+        GoldenFile.AssertSame(GoldenEntry.Parse(text), Advice);
+        return remark;
+    }
+
+    private static async Task<string> PrintAsync(string program, string[] arguments, Dictionary<string, string> environment)
+    {
         CancellationToken cancellation = TestContext.Current.CancellationToken;
         string dotnet = Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") is { Length: > 0 } host ? host : "dotnet";
-        var start = new ProcessStartInfo(dotnet, [typeof(GoldenEntry).Assembly.Location, "print", GoldenFile.FullPath, .. arguments])
+        var start = new ProcessStartInfo(dotnet, [program, .. arguments])
         {
             RedirectStandardOutput = true,
             RedirectStandardError = true,
@@ -80,10 +122,6 @@ public sealed class GoldenProcessTests
         Task<string> errors = process.StandardError.ReadToEndAsync(cancellation);
         await process.WaitForExitAsync(cancellation);
         Assert.True(process.ExitCode == 0, await errors);
-        string text = await output;
-        string remark = text.Split('\n')[0];
-        Assert.StartsWith("# library=" + typeof(CreatureGenerator).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName + " ", remark, StringComparison.Ordinal);
-        GoldenFile.AssertSame(GoldenEntry.Parse(text), Advice);
-        return remark;
+        return await output;
     }
 }
