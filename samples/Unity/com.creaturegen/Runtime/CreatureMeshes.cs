@@ -12,7 +12,8 @@ namespace CreatureGen.Unity
         /// <summary>The skinned mesh; a sub-mesh for each material of the creature.</summary>
         public static Mesh Skinned(Creature creature)
         {
-            EngineMesh source = creature.Mesh.Textured().For(EngineAxes.Unity);
+            CreatureMesh textured = creature.Mesh.Textured();
+            EngineMesh source = textured.For(EngineAxes.Unity);
             int count = source.VertexCount;
             var positions = new System.Numerics.Vector3[count];
             var normals = new System.Numerics.Vector3[count];
@@ -27,6 +28,12 @@ namespace CreatureGen.Unity
             source.FillTangents(tangents);
             source.FillTexcoords(texcoords);
             source.FillColours(colours);
+            for (int i = 0; i < count; i++)
+            {
+                // What the atlas paints is white; eyes, claws and teeth lie on white texels and keep their colours.
+                colours[i] = CreatureTextures.KeepsItsColour(textured.Texcoords[i]) ? colours[i] : System.Numerics.Vector4.One;
+            }
+
             source.FillInfluences(joints, weights);
             source.FillIndices(indices);
 
