@@ -50,7 +50,7 @@ internal static partial class Exports
     [JSExport]
     internal static string GrowChild(int slot, string first, string second, string seed, double mutation, double age)
     {
-        CreatureBlueprint child = Breeding.Child(DesignText.Read(first), DesignText.Read(second), DesignText.Seed(seed), BreedingSettings.Default with { Mutation = mutation }).Blueprint;
+        CreatureBlueprint child = ShortNumbers.Of(Breeding.Child(DesignText.Read(first), DesignText.Read(second), DesignText.Seed(seed), BreedingSettings.Default with { Mutation = mutation }).Blueprint);
         RepairReport report = Ageing.At(child, age);
         stage.Settle(slot, report.Creature, child);
         return Facts.Of(slot, stage[slot], report.Changes, report.Violations);
@@ -75,16 +75,15 @@ internal static partial class Exports
     [JSExport]
     internal static byte[] TexturedMesh(int slot) => MeshBytes.Of(stage[slot].Creature, stage[slot].Creature.Mesh.Textured());
 
-    /// <summary>Base colour, then normals, then roughness: three pictures of four bytes a texel, one after the other.</summary>
+    /// <summary>Base colour, then normals: two pictures of four bytes a texel, one after the other.</summary>
     [JSExport]
     internal static byte[] Textures(int slot, int size)
     {
         CreatureTextures textures = CreatureTextures.Bake(stage[slot].Creature, size);
-        byte[] all = new byte[textures.BaseColour.Length + textures.Normal.Length + textures.Roughness.Length];
-        textures.BaseColour.CopyTo(all);
-        textures.Normal.CopyTo(all.AsSpan(textures.BaseColour.Length));
-        textures.Roughness.CopyTo(all.AsSpan(textures.BaseColour.Length + textures.Normal.Length));
-        return all;
+        byte[] texels = new byte[2 * 4 * size * size];
+        Widen(textures.BaseColour, texels);
+        Widen(textures.Normal, texels.AsSpan(texels.Length / 2));
+        return texels;
     }
 
     /// <summary>The creature's bones' capsules: joint, start, end, radius; eight floats each.</summary>
@@ -145,6 +144,18 @@ internal static partial class Exports
 
     [JSExport]
     internal static string Memory() => FormattableString.Invariant($"{GC.GetTotalMemory(true)}");
+
+    /// <summary>Three bytes a texel become four, as graphics libraries want them.</summary>
+    private static void Widen(ReadOnlySpan<byte> colours, Span<byte> texels)
+    {
+        for (int from = 0, to = 0; from < colours.Length; from += 3, to += 4)
+        {
+            texels[to] = colours[from];
+            texels[to + 1] = colours[from + 1];
+            texels[to + 2] = colours[from + 2];
+            texels[to + 3] = 255;
+        }
+    }
 
     private static string Settle(int slot, CreatureBlueprint design)
     {

@@ -10,14 +10,13 @@ using CreatureGen.Skinning;
 namespace CreatureGen.Lab;
 
 /// <summary>
-/// The creature that the page shows before the library runs in it: its mesh, textured, and how it stands and breathes for a while. Whole numbers of the lengths of the parts come first (mesh, texture, frames, joints), then mesh, base colour,
-/// and matrices of all joints, frame by frame, as floats of half precision.
+/// The creature that the page shows before the library runs in it: its mesh, and how it stands and breathes for a while. Whole numbers come first (bytes of the mesh, frames, joints, 0), then the mesh and the matrices
+/// of all joints, frame by frame, as floats of half precision.
 /// </summary>
 internal static class FirstCreature
 {
     /// <summary>The same seed and kind as in the page's own code.</summary>
-    private const ulong Seed = 42;
-    private const int TextureSize = 512;
+    private const ulong Seed = 3;
     private const int Frames = 48;
     private const float Rate = 12f;
     private const float SettleSeconds = 2f;
@@ -25,15 +24,13 @@ internal static class FirstCreature
     public static byte[] Bake()
     {
         Creature creature = CreatureGenerator.Generate(Seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
-        byte[] mesh = MeshBytes.Of(creature, creature.Mesh.Textured());
-        CreatureTextures textures = CreatureTextures.Bake(creature, TextureSize);
+        byte[] mesh = MeshBytes.Of(creature, creature.Mesh);
         byte[] poses = Poses(creature);
         using var all = new MemoryStream();
         Span<byte> head = stackalloc byte[16];
-        MemoryMarshal.Cast<int, byte>([mesh.Length, textures.BaseColour.Length, Frames, creature.Skeleton.Count]).CopyTo(head);
+        MemoryMarshal.Cast<int, byte>([mesh.Length, Frames, creature.Skeleton.Count, 0]).CopyTo(head);
         all.Write(head);
         all.Write(mesh);
-        all.Write(textures.BaseColour);
         all.Write(poses);
         return all.ToArray();
     }

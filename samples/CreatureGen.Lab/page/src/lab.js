@@ -217,14 +217,14 @@ export class Lab extends EventTarget {
       const seed = BigInt.asUintN(64, base * 31n + BigInt(n + 1) * 7919n);
       let design = ofSeed(seed % 1000000n, kind);
       let facts = await this.#grow(slot, design);
-      const wanted = unit * (0.8 + 0.22 * (n % 4));
+      const wanted = unit * (0.55 + 0.17 * (n % 4));
       const size = Math.max(facts.height, 0.42 * facts.length) / 1.15;
-      if (size > 1.5 * wanted || size < 0.55 * wanted) {
+      if (size > 1.3 * wanted || size < 0.7 * wanted) {
         design = { ...design, traits: { size: Math.min(2.5, Math.max(0.4, wanted / size)) } };
         facts = await this.#grow(slot, design);
       }
-      const angle = this.orbit.azimuth + Math.PI + (n - (neighbourCount - 1) / 2) * 0.34 + 0.12 * Math.sin(n * 5);
-      const r = (4.6 + 2.6 * ((n * 2) % 3)) * unit;
+      const angle = this.orbit.azimuth + Math.PI + (n - (neighbourCount - 1) / 2) * 0.3 + 0.12 * Math.sin(n * 5);
+      const r = (5.4 + 2.3 * ((n * 2) % 3)) * unit;
       const [x, z] = [r * Math.sin(angle), r * Math.cos(angle)];
       await this.library.call('Place', slot, x, (kind === 'flying' ? 1 : 0.5) * unit, z, angle + Math.PI + n);
       await this.library.call('Habit', slot, 'wander', x, z, 2.4 * unit);
@@ -253,9 +253,9 @@ export async function showFirst(herd, world, orbit) {
     return () => {};
   }
   const buffer = await answer.arrayBuffer();
-  const [meshBytes, textureBytes, frames, joints] = new Int32Array(buffer, 0, 4);
+  const [meshBytes, frames, joints] = new Int32Array(buffer, 0, 4);
   const body = new Body(readMesh(buffer, 16));
-  const poses = new Uint16Array(buffer, 16 + meshBytes + textureBytes, frames * joints * 16);
+  const poses = new Uint16Array(buffer, 16 + meshBytes, frames * joints * 16);
   const matrices = new Float32Array(16 * joints);
   let height = 0;
   let length = 0;

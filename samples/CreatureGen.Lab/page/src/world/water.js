@@ -22,7 +22,7 @@ void main() {
   vec2 slope = vec2(0.0);
   slope += vec2(0.8, 0.6) * wave(p, vec2(0.8, 0.6), 2.1, 1.1) + vec2(-0.5, 0.87) * wave(p, vec2(-0.5, 0.87), 3.4, 1.5);
   slope += vec2(0.3, -0.95) * wave(p, vec2(0.3, -0.95), 6.3, 2.1) + vec2(-0.9, -0.4) * wave(p, vec2(-0.9, -0.4), 11.0, 2.9);
-  vec3 normal = normalize(vec3(-slope.x * 0.006, 1.0, -slope.y * 0.006));
+  vec3 normal = normalize(vec3(-slope.x * 0.0028, 1.0, -slope.y * 0.0028));
   vec3 eye = normalize(cameraPosition - place);
   float facing = max(dot(normal, eye), 0.0);
   float fresnel = 0.04 + 0.96 * pow(1.0 - facing, 4.0);
