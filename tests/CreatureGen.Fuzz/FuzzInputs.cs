@@ -92,10 +92,11 @@ internal sealed class FuzzInputs
         return parent;
     }
 
-    /// <summary>The creature of the first seed of a parent's own that is sound: what is broken later was broken by the fuzzer.</summary>
+    /// <summary>The creature of the first seed of a parent's own that is sound: what is broken later was broken by the fuzzer. Half of them are animals, the others strange by 0.6 to 1.</summary>
     private CreatureBlueprint Sound(int number)
     {
-        CreatureOptions options = CreatureOptions.Default with { Kind = kinds[number % kinds.Length], TriangleBudget = 6000, MinScale = 0.1, MaxScale = 8 };
+        double strangeness = number / kinds.Length % 2 == 0 ? 0 : 0.6 + (0.4 * number / count);
+        CreatureOptions options = CreatureOptions.Default with { Kind = kinds[number % kinds.Length], TriangleBudget = 6000, MinScale = 0.1, MaxScale = 8, Strangeness = strangeness };
         for (ulong seed = FirstSeed + (ulong)number; ; seed += (ulong)count)
         {
             CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, options);

@@ -1,9 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using CreatureGen.Blueprints;
-using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Repairs;
 
@@ -17,6 +17,9 @@ internal enum FuzzVerdict
 
     /// <summary>It was accepted and its creature keeps all promises.</summary>
     Sound,
+
+    /// <summary>The validator accepted it, the inspection of the creature told what is broken; nobody tried to repair it.</summary>
+    Told,
 
     /// <summary>The validator accepted it; the inspection of the creature told what is broken, and the repair cured it.</summary>
     Repaired,
@@ -42,8 +45,20 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
     /// <summary>Most bytes allocated for an accepted input.</summary>
     private const long MostBytes = 200 << 20;
 
-    /// <summary>Reads, builds, inspects, repairs.</summary>
-    public static FuzzTrial Of(FuzzInput input)
+    /// <summary>Reads, builds, inspects, and repairs what is broken.</summary>
+    public static FuzzTrial Of(FuzzInput input) => Of(input, Repair);
+
+    /// <summary>Reads alone: refused or not.</summary>
+    public static bool IsRefused(FuzzInput input)
+    {
+        using var stream = new MemoryStream(input.Text);
+        return BlueprintJson.Read(stream).Blueprint is null;
+    }
+
+    /// <summary>Reads, builds and inspects.</summary>
+    public static FuzzTrial WithoutRepair(FuzzInput input) => Of(input, (_, violations) => new FuzzTrial(FuzzVerdict.Told, NamesOf(violations)));
+
+    private static FuzzTrial Of(FuzzInput input, Func<CreatureBlueprint, IReadOnlyList<InvariantViolation>, FuzzTrial> onBroken)
     {
         try
         {
@@ -56,8 +71,7 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
                 return new FuzzTrial(FuzzVerdict.Refused, "");
             }
 
-            Creature creature = CreatureAssembler.Assemble(blueprint);
-            InvariantViolation[] violations = CreatureInspection.Inspect(creature).ToArray();
+            IReadOnlyList<InvariantViolation> violations = Build(blueprint);
             double seconds = (Process.GetCurrentProcess().TotalProcessorTime - start).TotalSeconds;
             bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
             if (seconds > MostSeconds || bytes > MostBytes)
@@ -65,7 +79,7 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
                 return new FuzzTrial(FuzzVerdict.Dear, $"{seconds:F2} s, {bytes >> 20} MiB");
             }
 
-            return violations.Length == 0 ? new FuzzTrial(FuzzVerdict.Sound, "") : Repair(blueprint, violations);
+            return violations.Count == 0 ? new FuzzTrial(FuzzVerdict.Sound, "") : onBroken(blueprint, violations);
         }
         catch (Exception problem) when (problem is not OutOfMemoryException)
         {
@@ -73,10 +87,26 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
         }
     }
 
-    private static FuzzTrial Repair(CreatureBlueprint blueprint, InvariantViolation[] violations)
+    private static string NamesOf(IReadOnlyList<InvariantViolation> violations) => string.Join(", ", violations.Select(v => v.Invariant));
+
+    /// <summary>What the front door says of a blueprint that the validator accepts.</summary>
+    private static IReadOnlyList<InvariantViolation> Build(CreatureBlueprint blueprint)
+    {
+        try
+        {
+            CreatureGenerator.BuildSound(blueprint);
+            return [];
+        }
+        catch (UnsoundCreatureException unsound)
+        {
+            return unsound.Violations;
+        }
+    }
+
+    private static FuzzTrial Repair(CreatureBlueprint blueprint, IReadOnlyList<InvariantViolation> violations)
     {
         RepairReport report = BlueprintRepair.Repair(blueprint);
-        string broken = string.Join(", ", violations.Select(v => v.Invariant));
+        string broken = NamesOf(violations);
         return report.IsSound
             ? new FuzzTrial(FuzzVerdict.Repaired, broken)
             : new FuzzTrial(FuzzVerdict.Beyond, broken + " -> " + string.Join(", ", report.Violations.Select(v => v.Invariant + ": " + v.Detail)));

@@ -10,6 +10,8 @@ public sealed class FuzzSampleTests
 {
     private const int Parents = 12;
     private const int Inputs = 150;
+    private const int ManyParents = 40;
+    private const int BuildEvery = 30;
 
     [Fact]
     public void Any_text_is_refused_or_builds_a_sound_creature_or_is_told_broken_and_nearly_always_cured()
@@ -27,6 +29,29 @@ public sealed class FuzzSampleTests
         Assert.InRange(found.Count(f => f.Trial.Verdict == FuzzVerdict.Refused), Inputs / 10, Inputs);
         Assert.InRange(found.Count(f => f.Trial.Verdict == FuzzVerdict.Repaired), 1, Inputs);
         Assert.InRange(found.Count(f => f.Trial.Verdict == FuzzVerdict.Beyond), 0, 1);
+    }
+
+    /// <summary>Most inputs are only read; every thirtieth of those that are accepted is built as well.</summary>
+    [Theory]
+    [InlineData(2_000)]
+    [InlineData(20_000, Explicit = true)]
+    public void Of_many_inputs_none_throws_none_is_dear_and_what_is_built_is_sound_or_told_broken(int count)
+    {
+        var inputs = new FuzzInputs(ManyParents);
+        int accepted = 0;
+        var built = new List<FuzzTrial>();
+        for (long i = Inputs; i < Inputs + count; i++)
+        {
+            FuzzInput input = inputs.Of(i);
+            if (!FuzzTrial.IsRefused(input) && accepted++ % BuildEvery == 0)
+            {
+                built.Add(FuzzTrial.WithoutRepair(input));
+                Assert.True(built[^1].Verdict is FuzzVerdict.Sound or FuzzVerdict.Told, $"{input.Index}: {built[^1]}");
+            }
+        }
+
+        Assert.InRange(accepted, count / 2, count * 4 / 5);
+        Assert.InRange(built.Count(b => b.Verdict == FuzzVerdict.Sound), built.Count * 4 / 5, built.Count);
     }
 
     [Fact]
