@@ -258,6 +258,13 @@ public sealed class CreatureAnimator
         Finish(0f);
     }
 
+    /// <summary>Lets it go limp with the next update, at the velocities that it has: it falls as a ragdoll and lies in the pose in which it comes to rest until <see cref="GetUp"/>. Nothing happens to what lies already.</summary>
+    public void GoLimp() => Mode?.GoLimp();
+
+    /// <summary>Has it get up as soon as it lies still: by phases, with its feet planted, and nothing of it in the ground. <see cref="State"/> is <see cref="BodyState.Supported"/> again when it stands.</summary>
+    /// <returns>Whether it lies; what stands has nothing to get up from.</returns>
+    public bool GetUp() => Mode?.GetUp() ?? false;
+
     /// <summary>Moves the origin of the world: everything that is remembered in it moves by the offset, and nothing else changes.</summary>
     /// <param name="offset">Added to all places, metres.</param>
     /// <exception cref="ArgumentException">A number is not finite.</exception>
@@ -373,8 +380,9 @@ public sealed class CreatureAnimator
     private void Finish(float dt)
     {
         ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
-        Performer? performer = actor?.Performer is { IsActive: true } active ? active : null;
-        bool looks = performer is not { HoldsHead: true };
+        bool awake = State is not (BodyState.Limp or BodyState.Rising);
+        Performer? performer = awake && actor?.Performer is { IsActive: true } active ? active : null;
+        bool looks = awake && performer is not { HoldsHead: true };
         attention?.Update(looks ? lookAt : null, GazeSettings, Root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
         if (performer != null)
         {
@@ -382,6 +390,13 @@ public sealed class CreatureAnimator
             actor!.Tell(Root, ModelPose);
         }
 
-        secondary.Update(Root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
+        if (awake)
+        {
+            secondary.Update(Root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
+        }
+        else
+        {
+            secondary.Reset();
+        }
     }
 }

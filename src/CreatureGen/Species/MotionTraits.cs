@@ -12,6 +12,9 @@ internal sealed record MotionTraits
     /// <summary>Whether its back and shoulder blades are as supple as a cat's.</summary>
     public bool IsSupple { get; init; }
 
+    /// <summary>Whether it gets up with its hind legs first, on its wrists, as cattle and camels do; others get up with their fore legs first.</summary>
+    public bool RisesHindFirst { get; init; }
+
     /// <summary>Whether its head bobs as it walks, where it is light.</summary>
     public bool BobsHead { get; init; }
 }

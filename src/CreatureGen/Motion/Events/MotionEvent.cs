@@ -19,6 +19,15 @@ public enum MotionEventKind
 
     /// <summary>A fall came to the ground.</summary>
     Landed,
+
+    /// <summary>It went limp.</summary>
+    WentLimp,
+
+    /// <summary>It began to get up.</summary>
+    Rises,
+
+    /// <summary>It is up again.</summary>
+    Rose,
 }
 
 /// <summary>Something that happened in an update: for sounds, dust and prints. Each happens in exactly one update.</summary>

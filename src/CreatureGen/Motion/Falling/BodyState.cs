@@ -11,4 +11,10 @@ public enum BodyState
 
     /// <summary>Its feet, which have come down and take up the fall.</summary>
     Landed,
+
+    /// <summary>The ground, on which it lies, or will: nothing holds its joints.</summary>
+    Limp,
+
+    /// <summary>The ground still, but it is getting up.</summary>
+    Rising,
 }

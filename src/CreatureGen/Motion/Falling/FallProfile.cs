@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
@@ -6,6 +7,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
@@ -18,7 +20,7 @@ internal sealed class FallProfile
     private const float LeastCrouch = 0.06f;
 
     /// <summary>How far a foot may be from its place in a crouch, and its skin in the ground, leg lengths.</summary>
-    private const float MaxMiss = 0.015f;
+    private const float MaxMiss = 0.025f;
     private const float MaxSunk = 0.02f;
 
     /// <summary>Part of a step by which the body has to come down in it: folded legs let it down no farther.</summary>
@@ -31,8 +33,24 @@ internal sealed class FallProfile
     private const float LeastFraction = 0.5f;
     private const float GreatestFraction = 1.2f;
 
+    /// <summary>Length by which the times of bodies without legs go, part of their size.</summary>
+    private const float BodyHeight = 0.25f;
+
+    private static readonly TimeWindow head = new(0f, 0.45f);
+    private static readonly TimeWindow limbs = new(0f, 0.5f);
+    private static readonly TimeWindow rest = new(0.1f, 0.9f);
+
     private FallProfile(Creature creature, LeggedBody? legs, GaitSet? gaits)
     {
+        Skeleton = creature.Skeleton;
+        Ragdoll = new RagdollRig(creature.Skeleton, creature.Bones);
+        Manner = RisingManner.Of(creature);
+        Mass = Math.Max(creature.Mass.Mass, 1e-4f);
+        Swims = creature.Blueprint.Kind == LocomotionKind.Swimming;
+        Windows = WindowsOf(creature.Skeleton);
+        Neck = ChainOf(creature.Skeleton, JointRole.Neck, JointRole.Head);
+        Tail = ChainOf(creature.Skeleton, JointRole.Tail, JointRole.Tail);
+        Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
         Body = Math.Max(creature.Skeleton.IndexOf("Body"), 0);
         Support = SupportPoints.Of(creature);
         if (legs != null)
@@ -41,6 +59,33 @@ internal sealed class FallProfile
             Braking = HardestBraking * (float)Scalar.Clamp(PortableMath.Pow(legs.Mass / UsualMass, BrakingPower), LeastFraction, GreatestFraction);
         }
     }
+
+    /// <summary>Its joints.</summary>
+    public Skeleton Skeleton { get; }
+
+    /// <summary>Its parts when it is limp.</summary>
+    public RagdollRig Ragdoll { get; }
+
+    /// <summary>How it gets up.</summary>
+    public RisingManner Manner { get; }
+
+    /// <summary>Kilograms.</summary>
+    public float Mass { get; }
+
+    /// <summary>Whether water carries it.</summary>
+    public bool Swims { get; }
+
+    /// <summary>When each joint moves as it gathers itself: the head first, the legs before the body rolls over them, then the rest.</summary>
+    public TimeWindow[] Windows { get; }
+
+    /// <summary>Joints of neck and head.</summary>
+    public int[] Neck { get; }
+
+    /// <summary>Joints of the tail.</summary>
+    public int[] Tail { get; }
+
+    /// <summary>Length by which its times go, metres: of its legs, or part of its size.</summary>
+    public float Height { get; }
 
     /// <summary>The joint that carries the body.</summary>
     public int Body { get; }
@@ -54,8 +99,48 @@ internal sealed class FallProfile
     /// <summary>How hard its legs brake a fall at most, 1/τ with τ = √(ℓ/g).</summary>
     public float Braking { get; }
 
+    /// <summary>Raises the whole of a pose.</summary>
+    /// <param name="local">In the parents' space.</param>
+    /// <param name="height">Metres of the model.</param>
+    public void Raise(in Pose local, float height)
+    {
+        int parent = Skeleton.Parents[Body];
+        var way = new Vector3(0f, height, 0f);
+        local.Positions[Body] += parent < 0 ? way : Rotation.Rotate(Rotation.Inverse(Skeleton.ModelRotations[parent]), way);
+    }
+
     /// <summary>Works it out.</summary>
     public static FallProfile Of(Creature creature, LeggedBody? legs, GaitSet? gaits) => new(creature, legs, gaits);
+
+    private static int[] ChainOf(Skeleton skeleton, JointRole role, JointRole last)
+    {
+        var chain = new List<int>();
+        for (int j = 0; j < skeleton.Count; j++)
+        {
+            if (skeleton.Joints[j].Role == role || skeleton.Joints[j].Role == last)
+            {
+                chain.Add(j);
+            }
+        }
+
+        return chain.ToArray();
+    }
+
+    private static TimeWindow[] WindowsOf(Skeleton skeleton)
+    {
+        var windows = new TimeWindow[skeleton.Count];
+        for (int j = 0; j < windows.Length; j++)
+        {
+            JointRole role = skeleton.Joints[j].Role;
+            int parent = skeleton.Parents[j];
+            windows[j] = role is JointRole.Neck or JointRole.Head ? head
+                : role is JointRole.Girdle or JointRole.Hip or JointRole.Wing or JointRole.Fin ? limbs
+                : role is JointRole.Knee or JointRole.Ankle or JointRole.Ball or JointRole.End or JointRole.Jaw or JointRole.Ear or JointRole.Antenna && parent >= 0 ? windows[parent]
+                : rest;
+        }
+
+        return windows;
+    }
 
     /// <summary>The deepest crouch that brings the body down, keeps the feet in their places and the skin out of the ground.</summary>
     private static float DepthOf(LeggedBody body, GaitSet gaits, SupportPoints support)
@@ -68,6 +153,7 @@ internal sealed class FallProfile
         legs.Stand(RootPlace.Identity, settings, FlatGround.Level, pose.Local);
         pose.Finish();
         float start = support.Lowest(pose.Model);
+        Vector3[] stands = Array.ConvertAll(body.Legs, leg => pose.Model.Positions[leg.Ball]);
         float height = pose.Model.Positions[body.Trunk[0]].Y;
         float depth = 0f;
         for (int i = 1; i * CrouchStep <= MaxCrouch; i++)
@@ -79,7 +165,8 @@ internal sealed class FallProfile
             float miss = 0f;
             for (int foot = 0; foot < legs.FootCount; foot++)
             {
-                miss = Math.Max(miss, legs.Report(foot).Residual);
+                int ball = body.Legs[foot].Ball;
+                miss = Math.Max(miss, Vec.Distance(pose.Model.Positions[ball], stands[foot]));
             }
 
             float now = pose.Model.Positions[body.Trunk[0]].Y;

@@ -25,6 +25,10 @@ internal sealed class FallingMode : ILocomotionMode
     private readonly EventQueue events;
     private Footing footing;
     private FreeFall? fall;
+    private LimpBody? limp;
+    private GettingUp? up;
+    private bool goesLimp;
+    private bool getsUp;
 
     /// <summary>Wraps a way of moving.</summary>
     /// <param name="creature">Whose.</param>
@@ -74,7 +78,26 @@ internal sealed class FallingMode : ILocomotionMode
     /// <summary>Whether feet, wings or water carry it.</summary>
     private bool IsUp => State is BodyState.Supported or BodyState.Landed;
 
+    private LimpBody Lying => limp ??= new LimpBody(profile.Value);
+
+    private GettingUp Up => up ??= new GettingUp(profile.Value, inner, legs);
+
     private FreeFall Fall => fall ??= new FreeFall(body!, profile.Value, legs!);
+
+    /// <summary>Has it go limp with the next update.</summary>
+    public void GoLimp()
+    {
+        goesLimp = State != BodyState.Limp;
+        getsUp = false;
+    }
+
+    /// <summary>Has it get up as soon as it lies still.</summary>
+    /// <returns>Whether it lies, or will with the next update.</returns>
+    public bool GetUp()
+    {
+        getsUp = State == BodyState.Limp || goesLimp;
+        return getsUp;
+    }
 
     /// <inheritdoc/>
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
@@ -84,16 +107,26 @@ internal sealed class FallingMode : ILocomotionMode
             Begin(place, local, settings);
         }
 
-        local.SetToRest(creature.Skeleton);
-        switch (State)
+        if (goesLimp)
         {
-            case BodyState.Falling:
-                return Falling(place, dt, settings, ground, local);
-            case BodyState.Landed:
-                return Landed(place, dt, input, settings, ground, local);
-            default:
-                return inner.Drive(place, dt, input, settings, ground, local);
+            Lying.Keep(local);
         }
+
+        if (getsUp && State == BodyState.Limp && Lying.IsCalm(place.Scale, settings.Gravity))
+        {
+            place = Rise(place, settings, ground);
+        }
+
+        RootPlace next = Move(place, dt, input, settings, ground, local);
+        if (goesLimp)
+        {
+            goesLimp = false;
+            Lying.Begin(next, local, place, dt, ground);
+            State = BodyState.Limp;
+            Tell(MotionEventKind.WentLimp, next, settings.Up, 0f, 0f);
+        }
+
+        return next;
     }
 
     /// <inheritdoc/>
@@ -113,7 +146,11 @@ internal sealed class FallingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public void Rebase(Vector3 offset) => inner.Rebase(offset);
+    public void Rebase(Vector3 offset)
+    {
+        inner.Rebase(offset);
+        limp?.Rebase(offset);
+    }
 
     /// <inheritdoc/>
     public void CopyFrom(ILocomotionMode other)
@@ -121,10 +158,62 @@ internal sealed class FallingMode : ILocomotionMode
         var mode = (FallingMode)other;
         inner.CopyFrom(mode.inner);
         (State, footing) = (mode.State, mode.footing);
+        (goesLimp, getsUp) = (mode.goesLimp, mode.getsUp);
         if (mode.fall != null)
         {
             Fall.CopyFrom(mode.fall);
         }
+
+        if (mode.limp != null)
+        {
+            Lying.CopyFrom(mode.limp);
+        }
+
+        if (mode.up != null)
+        {
+            Up.CopyFrom(mode.up);
+        }
+    }
+
+    /// <summary>Moves on in the present state and writes the pose.</summary>
+    private RootPlace Move(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    {
+        switch (State)
+        {
+            case BodyState.Falling:
+                local.SetToRest(creature.Skeleton);
+                return Falling(place, dt, settings, ground, local);
+            case BodyState.Landed:
+                local.SetToRest(creature.Skeleton);
+                return Landed(place, dt, input, settings, ground, local);
+            case BodyState.Limp:
+                place = Lying.Advance(place, dt, settings, ground);
+                Lying.Show(place, dt, settings, ground, local);
+                return place;
+            case BodyState.Rising:
+                if (Up.Advance(place, dt, settings, ground, local))
+                {
+                    Recover();
+                    Tell(MotionEventKind.Rose, place, settings.Up, 0f, 0f);
+                }
+
+                return place;
+            default:
+                local.SetToRest(creature.Skeleton);
+                return inner.Drive(place, dt, input, settings, ground, local);
+        }
+    }
+
+    /// <summary>Begins to get up from where it lies.</summary>
+    private RootPlace Rise(in RootPlace place, in MotionSettings settings, IGround ground)
+    {
+        RootPlace stand = Lying.PlaceUnder(place, settings, ground);
+        Up.Begin(Lying, stand, settings, ground);
+        Lying.Stop();
+        getsUp = false;
+        State = BodyState.Rising;
+        Tell(MotionEventKind.Rises, stand, settings.Up, 0f, 0f);
+        return stand;
     }
 
     private void Begin(in RootPlace place, in Pose shown, in MotionSettings settings)
@@ -165,7 +254,14 @@ internal sealed class FallingMode : ILocomotionMode
     {
         State = BodyState.Supported;
         footing = default;
-        fall?.Stop();
+        goesLimp = false;
+        getsUp = false;
+        limp?.Stop();
+        if (legs != null)
+        {
+            legs.Sink = 0f;
+            legs.Bow = 0f;
+        }
     }
 
     private void Tell(MotionEventKind kind, in RootPlace place, Vector3 up, float speed, float strength) =>

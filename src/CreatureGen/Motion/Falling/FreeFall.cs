@@ -177,13 +177,6 @@ internal sealed class FreeFall
         (sink, velocity, turn, sinkRate, braking) = (other.sink, other.velocity, other.turn, other.sinkRate, other.braking);
     }
 
-    /// <summary>Stands as if nothing had been.</summary>
-    public void Stop()
-    {
-        legs.Sink = 0f;
-        legs.Bow = 0f;
-    }
-
     /// <summary>How far legs are to be drawn up: much in the air, not at all as the ground comes.</summary>
     private double Goal(in RootPlace place, float tau, in MotionSettings settings, IGround ground)
     {

@@ -66,7 +66,7 @@ internal sealed class SupportPoints
         {
             if (v >= 0 && known.Add(v))
             {
-                chosen.Add(new SupportPoint(positions[v], mesh.Weights[v]));
+                chosen.Add(new SupportPoint(positions[v], mesh.Weights[v], PartOf(skeleton, mesh.Weights[v].Joint0)));
             }
         }
 
@@ -79,26 +79,33 @@ internal sealed class SupportPoints
     /// <param name="model">Its pose.</param>
     /// <param name="up">Unit, world space.</param>
     /// <param name="ground">What it is on. Where there is none a point is as high as the creature is large.</param>
-    public float Lowest(in RootPlace root, in Pose model, Vector3 up, IGround ground)
+    public float Lowest(in RootPlace root, in Pose model, Vector3 up, IGround ground) => Lowest(BodyPart.All, root, model, up, ground, out _);
+
+    /// <summary>The same of some parts.</summary>
+    /// <param name="parts">Which.</param>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="model">Its pose.</param>
+    /// <param name="up">Unit, world space.</param>
+    /// <param name="ground">What it is on.</param>
+    /// <param name="place">Receives where that point is, model space.</param>
+    public float Lowest(BodyPart parts, in RootPlace root, in Pose model, Vector3 up, IGround ground, out Vector3 place)
     {
         float lowest = size;
         float reach = Lookout * size * root.Scale;
-        bool plane = ground is IPlaneGround;
-        GroundHit hit = default;
-        bool found = plane && ground.Cast(root.Position + (up * reach), -up, 2f * reach, out hit);
+        place = Vector3.Zero;
         foreach (ref readonly SupportPoint point in points.AsSpan())
         {
-            Vector3 place = root.ToWorld(At(point, model));
-            if (!plane)
+            if ((point.Part & parts) == 0)
             {
-                found = ground.Cast(place + (up * reach), -up, 2f * reach, out hit);
+                continue;
             }
 
-            if (found)
+            Vector3 at = At(point, model);
+            Vector3 world = root.ToWorld(at);
+            if (ground.Cast(world + (up * reach), -up, 2f * reach, out GroundHit hit) && Vec.Dot(world - hit.Point, up) is float height && height / root.Scale < lowest)
             {
-                // Along up, so that the whole body raised by it is out of the ground.
-                float height = plane ? Vec.Dot(place - hit.Point, hit.Normal) / Math.Max(Vec.Dot(hit.Normal, up), 0.1f) : Vec.Dot(place - hit.Point, up);
-                lowest = Math.Min(lowest, height / root.Scale);
+                lowest = height / root.Scale;
+                place = at;
             }
         }
 
@@ -115,6 +122,25 @@ internal sealed class SupportPoints
         }
 
         return lowest;
+    }
+
+    /// <summary>What the nearest joint with a part of its own says.</summary>
+    private static BodyPart PartOf(Skeleton skeleton, int joint)
+    {
+        for (int j = joint; j >= 0; j = skeleton.Parents[j])
+        {
+            switch (skeleton.Joints[j].Role)
+            {
+                case JointRole.Neck or JointRole.Head:
+                    return BodyPart.Head;
+                case JointRole.Tail:
+                    return BodyPart.Tail;
+                case JointRole.Hip or JointRole.Wing or JointRole.Pelvis or JointRole.Spine or JointRole.Chest:
+                    return BodyPart.Trunk;
+            }
+        }
+
+        return BodyPart.Trunk;
     }
 
     private static Vector3[] Directions()
@@ -154,5 +180,23 @@ internal sealed class SupportPoints
     /// <summary>A vertex.</summary>
     /// <param name="Rest">At rest, model space.</param>
     /// <param name="Weights">The joints that move it.</param>
-    private readonly record struct SupportPoint(Vector3 Rest, SkinWeights Weights);
+    /// <param name="Part">What it is of.</param>
+    private readonly record struct SupportPoint(Vector3 Rest, SkinWeights Weights, BodyPart Part);
+}
+
+/// <summary>What parts of a body do about the ground.</summary>
+[Flags]
+internal enum BodyPart
+{
+    /// <summary>Trunk and limbs: they carry it.</summary>
+    Trunk = 1,
+
+    /// <summary>Neck, head and what is on it: they are lifted out of the ground.</summary>
+    Head = 2,
+
+    /// <summary>The tail: it is too.</summary>
+    Tail = 4,
+
+    /// <summary>All of it.</summary>
+    All = Trunk | Head | Tail,
 }

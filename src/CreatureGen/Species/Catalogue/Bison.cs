@@ -36,6 +36,7 @@ internal static class Bison
         Kinship = 0,
         Partners = new[] { "bovine", "bovine", "canine", "bovine" },
         HipHeight = (0.72, 0.80),
+        Motion = new MotionTraits { RisesHindFirst = true },
         WalkingPlans = Weights.Of((BodyPlan.Unguligrade, 1)),
         HeadSize = (1.06, 0.6),
         EyeSize = 0.26,

@@ -35,6 +35,7 @@ internal static class Bovine
         IsHoofed = true, HornsBesideEars = true, Antlered = true, Tusked = true, FallingMane = 0.3, Shelled = true, FlierLegPairs = Weights.Of((2, 1)),
         Frequency = (0.45, 0, 0),
         Partners = new[] { "canine", "amphibian", "reptile", "feline" },
+        Motion = new MotionTraits { RisesHindFirst = true },
         WalkingPlans = Weights.Of((BodyPlan.Unguligrade, 0.56), (BodyPlan.Columnar, 0.4), (BodyPlan.Centaur, 0.04)),
         SwimmingPlans = Weights.Of((BodyPlan.Whale, 1)),
         Eye = (9.6, 6.0), EyeSize = 0.35, EyeSink = 0.64, EyeForward = 0.4, LidDegrees = (50, 64), Bone = 0.8,

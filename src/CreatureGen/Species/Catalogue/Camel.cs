@@ -36,6 +36,7 @@ internal static class Camel
         Kinship = 0,
         Partners = new[] { "bovine", "bovine", "canine", "bovine" },
         HipHeight = (0.92, 1.12),
+        Motion = new MotionTraits { RisesHindFirst = true },
         WalkingPlans = Weights.Of((BodyPlan.Unguligrade, 1)),
         HeadSize = (1.0, 0.6),
         EyeSize = 0.36, BarPupils = 0.8, Ears = Weights.Of((EarShape.Pointed, 1)),

@@ -80,6 +80,13 @@ public sealed class RagdollRig
     /// <summary>Largest distance between joints and the first part's joint, model metres.</summary>
     public float Size { get; }
 
+    /// <summary>The joint of the first part, on which all others hang.</summary>
+    public int FirstJoint => parts[0].Joint;
+
+    /// <summary>Mass of the part that a joint belongs to, share of the whole.</summary>
+    /// <param name="joint">Skeleton index.</param>
+    internal float MassOf(int joint) => 1f / parts[partOfJoint[joint]].InverseMass;
+
     /// <summary>The parts, parents first.</summary>
     internal ReadOnlySpan<RagdollPart> Parts => parts;
 

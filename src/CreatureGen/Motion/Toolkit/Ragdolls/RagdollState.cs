@@ -74,6 +74,32 @@ public sealed class RagdollState
     /// <summary>How deep each ball may still be in the ground, since it started there; model metres.</summary>
     internal float[] Allowances { get; }
 
+    /// <summary>World position of the centre of mass of the part that a joint belongs to, metres.</summary>
+    /// <param name="joint">Skeleton index.</param>
+    internal Vector3 CentreOf(int joint) => Anchor + Positions[Rig.PartOfJoint[joint]];
+
+    /// <summary>World position of the first part's joint, metres.</summary>
+    internal Vector3 FirstPlace => Anchor + Positions[0] - (Rotation.Rotate(Rotations[0], Rig.Parts[0].Centre) * Scale);
+
+    /// <summary>Turn of the first part from rest, world axes.</summary>
+    internal Quaternion FirstTurn => Rotation.Multiply(Rotations[0], Rotation.Inverse(Rig.Skeleton.ModelRotations[Rig.FirstJoint]));
+
+    /// <summary>Goes on from where another of the same rig is.</summary>
+    internal void CopyFrom(RagdollState other)
+    {
+        (IsActive, IsAsleep, Speed, Anchor, Scale, Debt, Calm) = (other.IsActive, other.IsAsleep, other.Speed, other.Anchor, other.Scale, other.Debt, other.Calm);
+        other.Positions.CopyTo(Positions, 0);
+        other.Rotations.CopyTo(Rotations, 0);
+        other.Velocities.CopyTo(Velocities, 0);
+        other.Spins.CopyTo(Spins, 0);
+        other.PastPositions.CopyTo(PastPositions, 0);
+        other.PastRotations.CopyTo(PastRotations, 0);
+        other.Targets.CopyTo(Targets, 0);
+        other.Excesses.CopyTo(Excesses, 0);
+        other.Slides.CopyTo(Slides, 0);
+        other.Allowances.CopyTo(Allowances, 0);
+    }
+
     /// <summary>Ends the ragdoll.</summary>
     public void Stop() => IsActive = false;
 

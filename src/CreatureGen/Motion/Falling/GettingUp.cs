@@ -1,0 +1,142 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>
+/// Gets up by phases: the head rises first, legs are gathered, the body rolls onto its belly by the shorter side, lying on whatever of it is lowest; then it rises from its crouch with its feet planted.
+/// What has no legs rights itself only.
+/// </summary>
+internal sealed class GettingUp
+{
+    /// <summary>Seconds of the two parts, τ = √(ℓ/g).</summary>
+    private const float GatherTime = 5f;
+    private const float RiseTime = 4.5f;
+
+    /// <summary>Parts of the gathering at whose beginning and end the body is as high as it lay and as it will stand, wherever its skin touches.</summary>
+    private const float Settled = 0.12f;
+
+    private readonly FallProfile profile;
+    private readonly ILocomotionMode inner;
+    private readonly WalkingMode? legs;
+    private readonly PoseBuffer from;
+    private readonly PoseBuffer to;
+    private readonly PoseBuffer shown;
+    private BodyTurn fromTurn;
+    private BodyTurn toTurn;
+    private float gather;
+    private float rise;
+    private float elapsed;
+    private float gap;
+
+    public GettingUp(FallProfile profile, ILocomotionMode inner, WalkingMode? legs)
+    {
+        this.profile = profile;
+        this.inner = inner;
+        this.legs = legs;
+        from = new PoseBuffer(profile.Skeleton);
+        to = new PoseBuffer(profile.Skeleton);
+        shown = new PoseBuffer(profile.Skeleton);
+    }
+
+    /// <summary>Begins.</summary>
+    /// <param name="limp">How it lies.</param>
+    /// <param name="place">Where it will stand.</param>
+    /// <param name="settings">Up and gravity.</param>
+    /// <param name="ground">What it lies on.</param>
+    public void Begin(LimpBody limp, in RootPlace place, in MotionSettings settings, IGround ground)
+    {
+        limp.Show(place, 0f, settings, ground, from.Local);
+        from.Finish();
+        to.Clear();
+        inner.Stand(place, settings, ground, to.Local);
+        bool crouches = legs != null && inner.IsOnFeet;
+        if (crouches)
+        {
+            legs!.Sink = profile.CrouchDepth;
+            legs.Bow = 0f;
+            legs.Hold(place, 0f, settings, to.Local);
+        }
+
+        to.Finish();
+        fromTurn = BodyTurn.Of(profile, from.Local);
+        toTurn = BodyTurn.Of(profile, to.Local);
+        gap = profile.Support.Lowest(place, from.Model, settings.Up, ground);
+        float tau = (float)Math.Sqrt(profile.Height * place.Scale / settings.Gravity) * profile.Manner.Tempo;
+        gather = GatherTime * tau;
+        rise = crouches ? RiseTime * tau : 0f;
+        elapsed = 0f;
+    }
+
+    /// <summary>Goes on.</summary>
+    /// <param name="place">Where it will stand.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="settings">Up and gravity.</param>
+    /// <param name="ground">What it lies on.</param>
+    /// <param name="local">Receives the pose.</param>
+    /// <returns>Whether it is over.</returns>
+    public bool Advance(in RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
+    {
+        elapsed += dt;
+        if (elapsed < gather)
+        {
+            Gather(elapsed / gather, place, settings, ground, local);
+            return false;
+        }
+
+        float u = rise > 0f ? (elapsed - gather) / rise : 1f;
+        to.Local.Rotations.CopyTo(local.Rotations);
+        to.Local.Positions.CopyTo(local.Positions);
+        if (rise > 0f)
+        {
+            (float fore, float hind) = profile.Manner.At(Math.Min(u, 1f));
+            legs!.Sink = hind * profile.CrouchDepth;
+            legs.Bow = (fore - hind) * profile.CrouchDepth;
+            legs.Hold(place, dt, settings, local);
+            shown.Take(local);
+            GroundClearance.BendUp(profile, shown, place, settings.Up, ground);
+            shown.Local.Rotations.CopyTo(local.Rotations);
+        }
+
+        return u >= 1f;
+    }
+
+    /// <summary>Goes on from where another is.</summary>
+    public void CopyFrom(GettingUp other)
+    {
+        from.Take(other.from.Local);
+        to.Take(other.to.Local);
+        (fromTurn, toTurn, gather, rise, elapsed, gap) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap);
+    }
+
+    /// <summary>Rolls onto the belly and gathers the legs.</summary>
+    private void Gather(float u, in RootPlace place, in MotionSettings settings, IGround ground, in Pose local)
+    {
+        for (int j = 0; j < profile.Skeleton.Count; j++)
+        {
+            float w = profile.Windows[j].At(u);
+            shown.Local.Rotations[j] = Rotation.Slerp(from.Local.Rotations[j], to.Local.Rotations[j], w);
+            shown.Local.Positions[j] = Vec.Lerp(from.Local.Positions[j], to.Local.Positions[j], w);
+        }
+
+        SwingTwistLimit.ClampPose(profile.Skeleton, shown.Local);
+        int body = profile.Body;
+        BodyTurn.Between(fromTurn, toTurn, u).Set(profile, shown.Local);
+        shown.Local.Positions[body] = Vec.Lerp(from.Local.Positions[body], to.Local.Positions[body], Scalar.Smooth(u));
+        shown.Finish();
+        if (!profile.Swims)
+        {
+            // It lies on whatever is lowest: from where it lay to where its soles will be.
+            float allowed = Math.Min(gap, 0f) * (1f - Scalar.Smooth(u / Settled));
+            GroundClearance.Lay(profile, shown, place, allowed, 1f - Scalar.Smooth((u - 1f + Settled) / Settled), settings.Up, ground);
+        }
+
+        shown.Local.Rotations.CopyTo(local.Rotations);
+        shown.Local.Positions.CopyTo(local.Positions);
+    }
+}

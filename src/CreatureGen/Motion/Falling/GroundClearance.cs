@@ -1,0 +1,90 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>Lays a pose on the ground: trunk and limbs lie on it, head and tail are bent up out of it, and what is in it still lifts the whole body.</summary>
+internal static class GroundClearance
+{
+    private const int Rounds = 4;
+
+    /// <summary>Radians by which a chain is bent in a round at most.</summary>
+    private const float MaxBend = 0.4f;
+
+    /// <summary>Least lever of a chain, part of its length.</summary>
+    private const float LeastLever = 0.4f;
+
+    /// <summary>Lays it.</summary>
+    /// <param name="profile">Whose.</param>
+    /// <param name="pose">Its local pose is changed, that in model space brought up to date.</param>
+    /// <param name="place">Where the creature is.</param>
+    /// <param name="depth">How far below the ground its lowest point may be, metres of the model, not positive.</param>
+    /// <param name="settles">How far the body comes down onto what is lowest, 0..1; it is lifted out of the ground in any case.</param>
+    /// <param name="up">Unit, world space.</param>
+    /// <param name="ground">What it lies on.</param>
+    public static void Lay(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, float settles, Vector3 up, IGround ground)
+    {
+        float lowest = profile.Support.Lowest(BodyPart.Trunk, place, pose.Model, up, ground, out _);
+        float shift = depth - lowest;
+        profile.Raise(pose.Local, shift > 0f ? shift : settles * shift);
+        pose.Finish();
+        Bend(profile, profile.Neck, BodyPart.Head, pose, place, depth, up, ground);
+        Bend(profile, profile.Tail, BodyPart.Tail, pose, place, depth, up, ground);
+        float left = depth - profile.Support.Lowest(place, pose.Model, up, ground);
+        if (left > 0f)
+        {
+            profile.Raise(pose.Local, left);
+            pose.Finish();
+        }
+    }
+
+    /// <summary>Bends head and tail up out of the ground; the body stays.</summary>
+    public static void BendUp(FallProfile profile, PoseBuffer pose, in RootPlace place, Vector3 up, IGround ground)
+    {
+        Bend(profile, profile.Neck, BodyPart.Head, pose, place, 0f, up, ground);
+        Bend(profile, profile.Tail, BodyPart.Tail, pose, place, 0f, up, ground);
+    }
+
+    /// <summary>Bends a chain up out of the ground, as far as its joints go.</summary>
+    private static void Bend(FallProfile profile, int[] chain, BodyPart part, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
+    {
+        if (chain.Length == 0)
+        {
+            return;
+        }
+
+        float length = 0f;
+        foreach (int joint in chain)
+        {
+            length += profile.Skeleton.Joints[joint].Length;
+        }
+
+        for (int round = 0; round < Rounds; round++)
+        {
+            float sunk = depth - profile.Support.Lowest(part, place, pose.Model, up, ground, out Vector3 point);
+            if (!(sunk > 1e-4f * length))
+            {
+                return;
+            }
+
+            Vector3 lever = point - pose.Model.Positions[chain[0]];
+            lever.Y = 0f;
+            float reach = Math.Max(Vec.Length(lever), LeastLever * length);
+            Vector3 axis = Vec.Normalize(Vec.Cross(lever, Vector3.UnitY), Vector3.UnitX);
+            Quaternion turn = Rotation.FromAxisAngle(axis, Math.Min(sunk / reach, MaxBend) / chain.Length);
+            foreach (int joint in chain)
+            {
+                int parent = profile.Skeleton.Parents[joint];
+                Quaternion carrier = parent < 0 ? Quaternion.Identity : pose.Model.Rotations[parent];
+                Quaternion own = Rotation.Multiply(Rotation.Inverse(carrier), Rotation.Multiply(turn, carrier));
+                Quaternion bent = Rotation.Normalize(Rotation.Multiply(own, pose.Local.Rotations[joint]));
+                pose.Local.Rotations[joint] = SwingTwistLimit.ClampLocal(bent, profile.Skeleton.Joints[joint]);
+            }
+
+            pose.Finish();
+        }
+    }
+}

@@ -1,0 +1,159 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>A body that nothing holds up: a ragdoll that takes over pose and velocities, and the place that goes along with it.</summary>
+internal sealed class LimpBody
+{
+    /// <summary>What is left of the tone of muscles as a body goes limp, per second, and how long it takes to go, seconds.</summary>
+    private const float StartTone = 4f;
+    private const float ToneSeconds = 0.35f;
+
+    /// <summary>What of its weight water does not carry, and how much it slows, per second.</summary>
+    private const float SunkWeight = 0.03f;
+    private const float WaterDamping = 2.5f;
+
+    /// <summary>How quickly the body is lifted out of the ground by its skin, per second.</summary>
+    private const float LiftRate = 12f;
+
+    /// <summary>Least time that it lies, τ = √(ℓ/g), and speed below which it can begin to get up, √(gℓ).</summary>
+    private const float FallTime = 3f;
+    private const float CalmSpeed = 0.12f;
+
+    private readonly FallProfile profile;
+    private readonly RagdollState ragdoll;
+    private readonly PoseBuffer before;
+    private readonly PoseBuffer now;
+    private float seconds;
+    private float lift;
+
+    public LimpBody(FallProfile profile)
+    {
+        this.profile = profile;
+        ragdoll = new RagdollState(profile.Ragdoll);
+        before = new PoseBuffer(profile.Skeleton);
+        now = new PoseBuffer(profile.Skeleton);
+    }
+
+    /// <summary>Whether it has fallen, and lies still enough to get up.</summary>
+    /// <param name="scale">World metres per model metre.</param>
+    /// <param name="gravity">World m/s².</param>
+    public bool IsCalm(float scale, float gravity)
+    {
+        float tau = (float)Math.Sqrt(profile.Height * scale / gravity);
+        return ragdoll.IsAsleep || (seconds > FallTime * tau && ragdoll.Speed < CalmSpeed * gravity * tau);
+    }
+
+    /// <summary>Keeps the pose shown last: its velocities are those from this pose to the one in which it begins.</summary>
+    public void Keep(in Pose shown) => before.Take(shown);
+
+    /// <summary>Goes limp.</summary>
+    /// <param name="place">Where the root is.</param>
+    /// <param name="shown">The pose, in the parents' space.</param>
+    /// <param name="placeBefore">Where the root was when the pose was kept.</param>
+    /// <param name="dt">Seconds since then.</param>
+    /// <param name="ground">What it falls on.</param>
+    public void Begin(in RootPlace place, in Pose shown, in RootPlace placeBefore, float dt, IGround ground)
+    {
+        now.Take(shown);
+        Ragdoll.Start(profile.Ragdoll, ragdoll, place, now.Model, placeBefore, before.Model, dt, ground);
+        Ragdoll.Aim(profile.Ragdoll, ragdoll, now.Model);
+        before.Take(shown);
+        seconds = 0f;
+        lift = 0f;
+    }
+
+    /// <summary>Pushes a part.</summary>
+    /// <param name="joint">A joint of it.</param>
+    /// <param name="velocity">Change of its velocity as if it were free, world m/s.</param>
+    public void Push(int joint, Vector3 velocity) => ragdoll.Push(joint, velocity, ragdoll.CentreOf(joint));
+
+    /// <summary>Falls on, or lies.</summary>
+    /// <returns>Where the root is then: under the body, facing as it did.</returns>
+    public RootPlace Advance(in RootPlace place, float dt, in MotionSettings settings, IGround ground)
+    {
+        seconds += dt;
+        bool swims = profile.Swims;
+        float weight = swims ? SunkWeight : 1f;
+        float tone = StartTone * (float)PortableMath.Exp(-seconds / ToneSeconds);
+        var material = new RagdollSettings(settings.Up * (-weight * settings.Gravity), airDamping: swims ? WaterDamping : 0.5f, tone: tone < 0.01f ? 0f : tone);
+        Ragdoll.Advance(profile.Ragdoll, ragdoll, material, ground, dt);
+        return PlaceOf(place.Rotation, place.Scale, settings.Up, ground);
+    }
+
+    /// <summary>Writes the pose.</summary>
+    /// <param name="place">Where the root is.</param>
+    /// <param name="dt">Seconds since the last.</param>
+    /// <param name="settings">Up.</param>
+    /// <param name="ground">What it lies on.</param>
+    /// <param name="local">Receives it; joints that are no parts are as they were when it went limp.</param>
+    public void Show(in RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
+    {
+        now.Take(before.Local);
+        Ragdoll.Show(profile.Ragdoll, ragdoll, place, now.Local, now.Model);
+
+        // Skin stands out of the capsules that lie on the ground.
+        float wanted = Math.Max(0f, -profile.Support.Lowest(place, now.Model, settings.Up, ground));
+        lift = Damping.Approach(lift, wanted, LiftRate, dt);
+        now.Local.Rotations.CopyTo(local.Rotations);
+        now.Local.Positions.CopyTo(local.Positions);
+        profile.Raise(local, Math.Max(lift, wanted));
+    }
+
+    /// <summary>Where it gets up: under its body, facing as that does.</summary>
+    public RootPlace PlaceUnder(in RootPlace place, in MotionSettings settings, IGround ground) =>
+        PlaceOf(Facing(place, settings.Up), place.Scale, settings.Up, ground);
+
+    /// <summary>Ends it.</summary>
+    public void Stop() => ragdoll.Stop();
+
+    /// <summary>Moves the origin of the world.</summary>
+    public void Rebase(Vector3 offset) => ragdoll.Rebase(offset);
+
+    /// <summary>Goes on from where another is.</summary>
+    public void CopyFrom(LimpBody other)
+    {
+        ragdoll.CopyFrom(other.ragdoll);
+        before.Take(other.before.Local);
+        (seconds, lift) = (other.seconds, other.lift);
+    }
+
+    /// <summary>The heading of the body.</summary>
+    private Quaternion Facing(in RootPlace place, Vector3 up)
+    {
+        Quaternion turned = ragdoll.FirstTurn;
+        Vector3 ahead = Rotation.Rotate(turned, Vector3.UnitZ);
+        Vector3 level = Vec.Reject(ahead, up);
+
+        // Standing on its nose or tail it faces where its back or belly does.
+        if (Vec.LengthSquared(level) < 0.02f)
+        {
+            level = Vec.Reject(Rotation.Rotate(turned, Vector3.UnitY), up) * (Vec.Dot(ahead, up) > 0f ? -1f : 1f);
+        }
+
+        Vector3 own = Rotation.Rotate(place.Rotation, Vector3.UnitY);
+        Quaternion upright = Rotation.Multiply(Rotation.FromTo(own, up), place.Rotation);
+        Vector3 before = Rotation.Rotate(upright, Vector3.UnitZ);
+        level = Vec.Normalize(level, before);
+        double angle = PortableMath.Atan2(Vec.Dot(Vec.Cross(before, level), up), Vec.Dot(before, level));
+        return Rotation.Normalize(Rotation.Multiply(Rotation.FromAxisAngle(up, angle), upright));
+    }
+
+    private RootPlace PlaceOf(Quaternion rotation, float scale, Vector3 up, IGround ground)
+    {
+        Vector3 joint = ragdoll.FirstPlace;
+        Vector3 rest = Rotation.Rotate(rotation, profile.Skeleton.ModelPositions[profile.Ragdoll.FirstJoint]) * scale;
+        Vector3 under = joint - rest;
+        float size = profile.Ragdoll.Size * scale;
+        if (!profile.Swims && ground.Cast(joint + (up * (0.5f * size)), -up, 2.5f * size, out GroundHit hit))
+        {
+            under += up * Vec.Dot(hit.Point - under, up);
+        }
+
+        return new RootPlace(under, rotation, scale);
+    }
+}

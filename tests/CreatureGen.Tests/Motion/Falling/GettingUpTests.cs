@@ -1,0 +1,208 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using CreatureGen.Skinning;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Falling;
+
+/// <summary>Creatures that go limp and get up again.</summary>
+public sealed class GettingUpTests
+{
+    private const float Frame = 1f / 60f;
+
+    public static TheoryData<RequestedKind, ulong, int> Samples => new()
+    {
+        { RequestedKind.Walking, 600, 16 },
+        { RequestedKind.Flying, 600, 6 },
+        { RequestedKind.Swimming, 600, 6 },
+    };
+
+    [Theory]
+    [MemberData(nameof(Samples))]
+    public void Whoever_goes_limp_lies_and_gets_up_within_its_limits_and_out_of_the_ground(RequestedKind kind, ulong first, int count) => Measure(kind, first, count, 0.03f);
+
+    /// <summary>Sinking of all of them, and of those that get up, as parts of the largest extent of the body.</summary>
+    [Fact(Explicit = true)]
+    public void Hardly_anybody_of_a_hundred_of_each_kind_sinks_farther()
+    {
+        Measure(RequestedKind.Walking, 700, 100, 0.04f);
+        Measure(RequestedKind.Flying, 700, 100, 0.04f);
+        Measure(RequestedKind.Swimming, 700, 100, 0.04f);
+    }
+
+    [Fact]
+    public void A_limp_creature_lies_still_until_it_is_told_to_get_up_and_then_stands_where_it_lay()
+    {
+        MotionProfile profile = FreeFallTests.Lot(640, 1).Single();
+        var animator = new CreatureAnimator(profile);
+        Assert.False(animator.GetUp());
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        animator.GoLimp();
+        var kinds = new List<MotionEventKind>();
+        Go(600);
+        Assert.Equal(BodyState.Limp, animator.State);
+        Assert.Equal([MotionEventKind.WentLimp], kinds);
+        Vector3 lay = animator.Root.Position;
+        Assert.True(animator.GetUp());
+        Go(900);
+        Assert.Equal(BodyState.Supported, animator.State);
+        Assert.Equal([MotionEventKind.WentLimp, MotionEventKind.Rises, MotionEventKind.Rose], kinds);
+        Assert.True(Vec.Distance(lay, animator.Root.Position) < 0.1f * profile.LegLength);
+
+        void Go(int frames)
+        {
+            for (int i = 0; i < frames; i++)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+                kinds.AddRange(animator.Events.ToArray().Where(e => e.Foot < 0).Select(e => e.Kind));
+            }
+        }
+    }
+
+    /// <summary>From the moment at which the body rises no foot leaves its place.</summary>
+    [Fact]
+    public void Feet_are_planted_while_the_body_rises()
+    {
+        foreach (MotionProfile profile in FreeFallTests.Lot(650, 6))
+        {
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            animator.GoLimp();
+            animator.GetUp();
+            Vector3[] stood = [];
+            var path = new List<Vector3[]>();
+            for (int i = 0; i < 3000 && (i < 3 || animator.State != BodyState.Supported); i++)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+                if (animator.State == BodyState.Rising)
+                {
+                    path.Add(Feet(animator));
+                }
+            }
+
+            stood = Feet(animator);
+            int last = path.Count * 3 / 5;
+            for (int i = last; i < path.Count; i++)
+            {
+                for (int foot = 0; foot < stood.Length; foot++)
+                {
+                    float slip = Vec.Distance(path[i][foot], stood[foot]);
+                    Assert.True(slip < 0.06f * profile.LegLength, $"{profile.Creature.Blueprint.Seed} {profile.Creature.Blueprint.Plan}: foot {foot} is {slip / profile.LegLength} legs from its place at {i} of {path.Count}");
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void The_next_time_allocates_nothing_and_has_the_same_bits()
+    {
+        MotionProfile profile = FreeFallTests.Lot(662, 1).Single();
+        var animator = new CreatureAnimator(profile);
+        Quaternion[] first = Fall();
+        Assert.Equal(0, MovingPose.Allocated(() => Go(600), 1));
+        animator = new CreatureAnimator(profile);
+        Assert.Equal(first, Fall());
+
+        Quaternion[] Fall()
+        {
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            Go(500);
+            Quaternion[] pose = animator.LocalPose.Rotations.ToArray();
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            return pose;
+        }
+
+        void Go(int frames)
+        {
+            for (int i = 0; i < frames; i++)
+            {
+                if (i == 20)
+                {
+                    animator.GoLimp();
+                    animator.GetUp();
+                }
+
+                animator.Update(Frame, new MotionInput(1f), FlatGround.Level);
+            }
+        }
+    }
+
+    private static Vector3[] Feet(CreatureAnimator animator)
+    {
+        var feet = new Vector3[animator.FootCount];
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i] = animator.Root.ToWorld(animator.ModelPose.Positions[animator.Foot(i).Joint]);
+        }
+
+        return feet;
+    }
+
+    private static void Measure(RequestedKind kind, ulong first, int count, float deepest)
+    {
+        for (ulong seed = first; seed < first + (ulong)count; seed++)
+        {
+            Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
+            var profile = new MotionProfile(creature);
+            float height = profile.Fall.Value.Height;
+            string name = $"{seed} {creature.Blueprint.Plan}";
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(new RootPlace(new Vector3(0f, kind == RequestedKind.Walking ? 0f : 0.5f * height, 0f), Quaternion.Identity), FlatGround.Level);
+            var watch = new JointWatch(creature.Skeleton, profile.SpringRigs);
+            float sunk = 0f;
+            int i = 0;
+            for (; i < 6000 && (i <= 30 || animator.State != BodyState.Supported); i++)
+            {
+                if (i == 30)
+                {
+                    animator.GoLimp();
+                    animator.GetUp();
+                }
+
+                animator.Update(Frame, new MotionInput(0.7f * MathF.Sqrt(9.81f * height)), FlatGround.Level);
+                if (i > 30)
+                {
+                    watch.Record(animator.LocalPose.Rotations, Frame);
+                    sunk = i % 4 == 0 ? MathF.Min(sunk, Lowest(animator)) : sunk;
+                }
+            }
+
+            Assert.True(animator.State == BodyState.Supported, $"{name}: {animator.State} after {i * Frame} s");
+            Assert.True(Scalar.Degrees(watch.Excess) < 1, $"{name}: {Scalar.Degrees(watch.Excess)}° beyond {creature.Skeleton.Joints[Math.Max(watch.ExcessJoint, 0)].Name}");
+            Assert.True(kind == RequestedKind.Swimming || -sunk < deepest * Extent(creature), $"{name}: {-sunk / Extent(creature)} of its extent in the ground");
+        }
+    }
+
+    private static float Extent(Creature creature)
+    {
+        Vector3 min = new(float.MaxValue);
+        Vector3 max = new(float.MinValue);
+        foreach (Vector3 p in creature.Mesh.Positions)
+        {
+            min = Vector3.Min(min, p);
+            max = Vector3.Max(max, p);
+        }
+
+        return MathF.Max(max.X - min.X, MathF.Max(max.Y - min.Y, max.Z - min.Z));
+    }
+
+    /// <summary>Height of the lowest vertex, metres.</summary>
+    private static float Lowest(CreatureAnimator animator)
+    {
+        Creature creature = animator.Profile.Creature;
+        var matrices = new Matrix4x4[creature.Skeleton.Count];
+        SkinMatrices.Fill(creature.Skeleton, animator.ModelPose, matrices);
+        var positions = new Vector3[creature.Mesh.Positions.Length];
+        var normals = new Vector3[positions.Length];
+        CpuSkinning.Skin(matrices, creature.Mesh.Weights, creature.Mesh.Positions, creature.Mesh.Normals, positions, normals);
+        return positions.Min(p => animator.Root.ToWorld(p).Y);
+    }
+}
