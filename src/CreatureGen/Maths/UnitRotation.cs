@@ -106,4 +106,10 @@ internal static class UnitRotation
         float squared = Vec.LengthSquared(across);
         return squared > (float)(MinSine * MinSine) * Vec.LengthSquared(v) ? across / (float)Math.Sqrt(squared) : fallback;
     }
+
+    /// <summary>A rotation tilted the shortest way, so that its own up points along a direction.</summary>
+    /// <param name="rotation">Unit.</param>
+    /// <param name="up">Unit.</param>
+    public static Quaternion Upright(Quaternion rotation, Vector3 up) =>
+        Renormalize(Rotation.Multiply(FromTo(Rotation.Rotate(rotation, Vector3.UnitY), up), rotation));
 }

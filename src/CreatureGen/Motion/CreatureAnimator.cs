@@ -210,7 +210,10 @@ public sealed class CreatureAnimator
         }
     }
 
-    /// <summary>Moves on where the game itself moves the creature: speeds follow from the way it was moved.</summary>
+    /// <summary>
+    /// Moves on where the game itself moves the creature: speeds follow from the way it was moved. Where that jumps, the body of what walks catches up with 1.5 g at most while <see cref="Root"/> is where the game says; one
+    /// that is put farther than 16 legs away stands there at once.
+    /// </summary>
     /// <param name="dt">Seconds since the last update, 0..0.25; what is longer counts as 0.25.</param>
     /// <param name="placement">Where the root is now; its own up is taken for up.</param>
     /// <param name="ground">Where feet find footing.</param>

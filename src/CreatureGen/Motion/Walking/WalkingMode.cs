@@ -53,6 +53,7 @@ internal sealed class WalkingMode : ILocomotionMode
     private readonly LegPoser poser;
     private readonly FootPose[] poses;
     private RootVelocity velocity;
+    private PushedBody pushed;
     private int gait;
     private float activity;
     private float acceleration;
@@ -186,6 +187,7 @@ internal sealed class WalkingMode : ILocomotionMode
     private void Stand(in RootPlace placement, in MotionSettings settings, IGround ground)
     {
         velocity = default;
+        pushed = default;
         ticker = default;
         moving = false;
         going = false;
@@ -208,15 +210,7 @@ internal sealed class WalkingMode : ILocomotionMode
     public void Tell(MotionEventKind kind, float speed, float force) => planner.TellAll(kind, speed, force / FootCount);
 
     /// <summary>Moves the origin of the world.</summary>
-    public void Rebase(Vector3 offset)
-    {
-        for (int i = 0; i < planner.Feet.Length; i++)
-        {
-            planner.Feet[i].From.Position += offset;
-            planner.Feet[i].To.Position += offset;
-            planner.Feet[i].Wanted += offset;
-        }
-    }
+    public void Rebase(Vector3 offset) => planner.Rebase(offset);
 
     /// <inheritdoc/>
     public void CopyFrom(ILocomotionMode other)
@@ -225,7 +219,7 @@ internal sealed class WalkingMode : ILocomotionMode
         clock.CopyFrom(mode.clock);
         planner.CopyFrom(mode.planner);
         placer.CopyFrom(mode.placer);
-        (velocity, acceleration, gait, activity, seconds) = (mode.velocity, mode.acceleration, mode.gait, mode.activity, mode.seconds);
+        (velocity, pushed, acceleration, gait, activity, seconds) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.activity, mode.seconds);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
         (activityDecay, height, raiseDecay, Sink, Bow, Raised) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised);
     }
@@ -241,8 +235,18 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <inheritdoc/>
     public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
     {
-        Follow(place, dt, goal, settings, ground);
-        Pose(goal, dt, settings, local);
+        RootPlace before = pushed.At(place);
+        MotionSettings own = settings with { Gravity = GravityOf(settings, goal.Scale), Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY) };
+        if (!pushed.Follow(place, goal, dt, TravelBounds.Of(body, own), own.Gravity, body.LegLength))
+        {
+            Stand(goal, settings, ground, local);
+            return;
+        }
+
+        RootPlace at = pushed.At(goal);
+        Follow(before, dt, at, own, ground);
+        Pose(at, dt, settings, local);
+        pushed.Show(goal, body.Body, local);
     }
 
     private RootPlace Drive(RootPlace placement, float dt, in MotionInput input, MotionSettings settings, IGround ground)
@@ -251,6 +255,7 @@ internal sealed class WalkingMode : ILocomotionMode
         float scale = placement.Scale;
         settings.Gravity = GravityOf(settings, scale);
         Begin(placement, settings, ground);
+        pushed = default;
         float top = settings.Walking.Gait == null ? gaits.TopSpeed / (float)Math.Sqrt(settings.Walking.Heft) : (float)Math.Sqrt(settings.Walking.Gait.Fastest * settings.Gravity * body.LegLength);
         float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
         velocity.Bounds = TravelBounds.Of(body, settings);
@@ -268,7 +273,7 @@ internal sealed class WalkingMode : ILocomotionMode
             float h = ticker.Next(ref left);
             Vector3 way = velocity.Advance(h, out float yaw);
             Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisRotation.Yaw(yaw));
-            placement = new RootPlace(placement.ToWorld(way), Upright(rotation, settings.Up), scale);
+            placement = new RootPlace(placement.ToWorld(way), UnitRotation.Upright(rotation, settings.Up), scale);
             placement = height.Follow(placement, body.LegLength, placer, velocity.Speed, h, settings.Up);
             Step(placement, h, left, settings, ground);
         }
@@ -279,8 +284,6 @@ internal sealed class WalkingMode : ILocomotionMode
 
     private void Follow(in RootPlace placement, float dt, in RootPlace goal, MotionSettings settings, IGround ground)
     {
-        settings.Gravity = GravityOf(settings, goal.Scale);
-        settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
         Begin(goal, settings, ground);
         PlatformRide.Carry(planner.Feet, goal, ground, settings.Up);
         if (dt > 0f)
@@ -410,11 +413,4 @@ internal sealed class WalkingMode : ILocomotionMode
 
     /// <summary>Gravity in the measure of the model by which it goes: that of a creature so many times as large.</summary>
     private static float GravityOf(in MotionSettings settings, float scale) => settings.Gravity / (scale * settings.Walking.Heft);
-
-    /// <summary>Brings the body's up onto that of the world.</summary>
-    private static Quaternion Upright(Quaternion rotation, Vector3 up)
-    {
-        Vector3 own = Rotation.Rotate(rotation, Vector3.UnitY);
-        return UnitRotation.Renormalize(Rotation.Multiply(UnitRotation.FromTo(own, up), rotation));
-    }
 }

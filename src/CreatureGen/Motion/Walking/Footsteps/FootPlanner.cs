@@ -83,6 +83,17 @@ internal sealed class FootPlanner
         aimDecay = other.aimDecay;
     }
 
+    /// <summary>Moves the origin of the world.</summary>
+    public void Rebase(Vector3 offset)
+    {
+        foreach (ref Foot foot in feet.AsSpan())
+        {
+            foot.From.Position += offset;
+            foot.To.Position += offset;
+            foot.Wanted += offset;
+        }
+    }
+
     /// <summary>Whether a foot is in the air or away from its home.</summary>
     public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
     {
