@@ -1,8 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using CreatureGen.Console;
+using CreatureGen.Console.Arguments;
 using CreatureGen.Tests.Conventions;
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
@@ -14,6 +17,8 @@ public sealed class DocumentTests
 {
     private static readonly Lazy<MetadataReference[]> references = new(() =>
         ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!).Split(Path.PathSeparator).Select(path => (MetadataReference)MetadataReference.CreateFromFile(path)).ToArray());
+
+    private static readonly string[] engines = ["Unity", "Godot"];
 
     public static IEnumerable<TheoryDataRow<string>> Documents => DocumentText.All.Select(document => new TheoryDataRow<string>(document));
 
@@ -36,6 +41,43 @@ public sealed class DocumentTests
         Assert.True(DocumentText.All.Sum(document => DocumentText.Blocks(document).Count()) >= 15);
     }
 
+    /// <summary>Node says whether a piece of JavaScript can be read.</summary>
+    [Fact]
+    public void Every_piece_of_javascript_can_be_read()
+    {
+        string place = Directory.CreateTempSubdirectory("creaturegen-pieces-").FullName;
+        (string Document, string Code)[] pieces = DocumentText.All.SelectMany(document => Regex.Matches(DocumentText.Read(document).ReplaceLineEndings("\n"), "^```js\n(.*?)^```", RegexOptions.Singleline | RegexOptions.Multiline).Select(match => (document, match.Groups[1].Value))).ToArray();
+        Assert.NotEmpty(pieces);
+        foreach ((string document, string code) in pieces)
+        {
+            string path = Path.Combine(place, "piece.mjs");
+            File.WriteAllText(path, code);
+            using Process node = Process.Start(new ProcessStartInfo("node", ["--check", path]) { RedirectStandardError = true })!;
+            string problems = node.StandardError.ReadToEnd();
+            node.WaitForExit();
+            Assert.True(node.ExitCode == 0, document + ": " + problems);
+        }
+
+        Directory.Delete(place, recursive: true);
+    }
+
+    /// <summary>Each command line in a document is one that the program understands, as far as its verb and options go.</summary>
+    [Theory]
+    [MemberData(nameof(Documents))]
+    public void Commands_name_verbs_and_options_that_are_there(string document)
+    {
+        foreach (Match block in Regex.Matches(DocumentText.Read(document).ReplaceLineEndings("\n"), "^```(?:sh|bash)?\n(.*?)^```", RegexOptions.Singleline | RegexOptions.Multiline))
+        {
+            foreach (string line in block.Groups[1].Value.Split('\n').Where(line => line.StartsWith("creaturegen ", StringComparison.Ordinal)))
+            {
+                string[] words = Regex.Replace(line, "\"[^\"]*\"", "text").Split(' ', StringSplitOptions.RemoveEmptyEntries)[1..];
+                VerbSyntax? verb = Application.Verbs.Select(one => one.Syntax).FirstOrDefault(one => one.Name == words[0]);
+                Assert.True(verb != null || words[0].StartsWith("--", StringComparison.Ordinal), $"{document}: {line}");
+                Assert.All(words.Skip(1).TakeWhile(word => word is not ("#" or ">" or "|")).Where(word => Regex.IsMatch(word, "^--?[a-z]")), word => Assert.True(word == "--help" || verb!.Options.Any(option => option.Is(word.Split('=')[0]) || option.Short == word[..2]), $"{document}: {line}: no {word}"));
+            }
+        }
+    }
+
     [Theory]
     [MemberData(nameof(Documents))]
     public void Links_lead_to_files_and_headings_that_are_there(string document)
@@ -47,6 +89,27 @@ public sealed class DocumentTests
             Assert.True(Path.Exists(Path.Combine(RepositoryFiles.Root, target)), $"{document}: no {link}");
             Assert.True(parts.Length == 1 || DocumentText.Anchors(target).Contains(parts[1]), $"{document}: no heading of {link}");
         }
+    }
+
+    [Fact]
+    public void Every_document_can_be_come_to_from_the_table_of_contents()
+    {
+        var reached = new HashSet<string> { "README.md" };
+        var open = new Queue<string>(reached);
+        while (open.TryDequeue(out string? document))
+        {
+            foreach (string link in DocumentText.Links(document).Select(link => link.Split('#')[0]).Where(link => link.EndsWith(".md", StringComparison.Ordinal)))
+            {
+                string target = Path.GetRelativePath(RepositoryFiles.Root, Path.GetFullPath(Path.Combine(RepositoryFiles.Root, Path.GetDirectoryName(document)!, link))).Replace('\\', '/');
+                if (reached.Add(target))
+                {
+                    open.Enqueue(target);
+                }
+            }
+        }
+
+        string[] lost = DocumentText.All.Where(document => !reached.Contains(document)).ToArray();
+        Assert.True(lost.Length == 0, "no way from README.md leads to " + string.Join(", ", lost));
     }
 
     [Fact]
@@ -63,6 +126,13 @@ public sealed class DocumentTests
     /// <summary>Types stand for themselves and may see what is internal, as those who add species do; all else is the body of a method of a game, in C# 9 as the oldest engine has it.</summary>
     private static IReadOnlyList<Diagnostic> Compile(DocumentBlock block)
     {
+        if (engines.FirstOrDefault(engine => block.Code.StartsWith($"// {engine.ToLowerInvariant()}\n", StringComparison.Ordinal)) is string engine)
+        {
+            // With the sample for the engine, on stand-ins for its types.
+            IEnumerable<SyntaxTree> sample = RepositoryFiles.Below("samples/" + engine, "*.cs").Select(path => CSharpSyntaxTree.ParseText(RepositoryFiles.Text(path), path: path));
+            return CSharpCompilation.Create("Pieces", sample.Append(CSharpSyntaxTree.ParseText(block.Code, new CSharpParseOptions(LanguageVersion.Latest))), references.Value, new CSharpCompilationOptions(OutputKind.DynamicallyLinkedLibrary)).GetDiagnostics();
+        }
+
         bool isType = Regex.IsMatch(block.Code, @"^(internal|public) (static |sealed )?(class|record|struct)", RegexOptions.Multiline);
 
         // Rows that are left out in print.
