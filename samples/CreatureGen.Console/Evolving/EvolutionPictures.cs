@@ -30,6 +30,9 @@ internal sealed record EvolutionPictures(string Goal, View View, int Threads, Su
     private const int TreeRows = 4;
     private const int TreeColumns = 6;
 
+    /// <summary>Least part of a pedigree that is worth a line.</summary>
+    private const double LeastShare = 0.1;
+
     private static readonly Pixel best = new(190, 40, 30);
     private static readonly Pixel median = new(38, 112, 201);
 
@@ -56,19 +59,20 @@ internal sealed record EvolutionPictures(string Goal, View View, int Threads, Su
         900,
         420));
 
-    /// <summary>The champion at the bottom, and above it its ancestors a quarter, half, three quarters of the way back, and the founders.</summary>
+    /// <summary>The champion at the bottom, and above it its ancestors a quarter, half, three quarters of the way back from its birth, and the founders.</summary>
     public byte[] FamilyTree(EvolutionRun run, Func<ulong, CreatureBlueprint> find)
     {
         var pedigree = new Pedigree(run);
-        int last = run.Now.Number;
+        ulong champion = run.Now.Best.Identity;
+        int last = run.Ancestors.First(one => one.Identity == champion).Born;
         int[] generations = Enumerable.Range(0, TreeRows).Select(row => last * row / TreeRows).Distinct().Where(generation => generation < last).ToArray();
         var rows = new List<DescentRow>();
         IReadOnlyList<PedigreeEntry> above = [];
         foreach (int generation in generations.Append(last))
         {
             PedigreeEntry[] entries = generation == last
-                ? [.. pedigree.AncestorsAt(run.Now.Best.Identity, last)]
-                : [.. pedigree.AncestorsAt(run.Now.Best.Identity, generation).Take(TreeColumns)];
+                ? [.. pedigree.AncestorsAt(champion, last)]
+                : [.. pedigree.AncestorsAt(champion, generation).Take(TreeColumns)];
             Descent[] descents = entries.SelectMany((entry, place) => DescentsOf(pedigree, above, entry, place, rows.Count == 0 ? -1 : generations[rows.Count - 1])).ToArray();
             string name = generation == last ? "champion" : generation == 0 ? "founders" : string.Create(CultureInfo.InvariantCulture, $"generation {generation}");
             rows.Add(new DescentRow(name, entries.Select(entry => Cell(LabelOf(entry), find(entry.Ancestor.Identity))).ToArray(), descents));
@@ -81,7 +85,7 @@ internal sealed record EvolutionPictures(string Goal, View View, int Threads, Su
     private static IEnumerable<Descent> DescentsOf(Pedigree pedigree, IReadOnlyList<PedigreeEntry> above, PedigreeEntry entry, int place, int generation) =>
         above.Count == 0 ? [] : pedigree.AncestorsAt(entry.Ancestor.Identity, generation)
             .Select(older => new Descent(above.ToList().FindIndex(one => one.Ancestor == older.Ancestor), place, older.Share))
-            .Where(descent => descent.Ancestor >= 0);
+            .Where(descent => descent.Ancestor >= 0 && (descent.Share >= LeastShare || above.Count == 1));
 
     private static string LabelOf(PedigreeEntry entry) =>
         string.Create(CultureInfo.InvariantCulture, $"{HashText.ShortOf(entry.Ancestor.Identity)}  {entry.Ancestor.Score:0.###}  {100 * entry.Share:0} %");

@@ -28,18 +28,19 @@ public static class Breeding
         BlueprintValidator.ThrowIfInvalid(first);
         BlueprintValidator.ThrowIfInvalid(second);
         _ = settings ?? throw new ArgumentNullException(nameof(settings));
+        (ulong firstIdentity, ulong secondIdentity) = (BlueprintIdentity.Of(first), BlueprintIdentity.Of(second));
         // Other parents have other children of the same number.
-        Seed root = new Seed(seed).Child(Name(first)).Child(Name(second));
+        Seed root = new Seed(seed).Child(Name(firstIdentity)).Child(Name(secondIdentity));
         for (int attempt = 0; attempt < MaxAttempts; attempt++)
         {
-            Offspring? child = Try(first, second, seed, root.Child(attempt), settings, attempt + 1);
+            Offspring? child = Try((first, firstIdentity), (second, secondIdentity), seed, root.Child(attempt), settings, attempt + 1);
             if (child != null)
             {
                 return child;
             }
         }
 
-        return Try(first, first, seed, root.Child("alone"), BreedingSettings.Default with { Mutation = 0 }, MaxAttempts + 1)
+        return Try((first, firstIdentity), (first, firstIdentity), seed, root.Child("alone"), BreedingSettings.Default with { Mutation = 0 }, MaxAttempts + 1)
             ?? throw new ArgumentException("the first parent builds a broken creature; expected one that is sound, or repaired", nameof(first));
     }
 
@@ -62,16 +63,16 @@ public static class Breeding
         return litter;
     }
 
-    private static string Name(CreatureBlueprint parent) => BlueprintIdentity.Of(parent).ToString("x16", CultureInfo.InvariantCulture);
+    private static string Name(ulong identity) => identity.ToString("x16", CultureInfo.InvariantCulture);
 
-    private static Offspring? Try(CreatureBlueprint first, CreatureBlueprint second, ulong seed, Seed root, BreedingSettings settings, int attempt)
+    private static Offspring? Try((CreatureBlueprint Blueprint, ulong Identity) first, (CreatureBlueprint Blueprint, ulong Identity) second, ulong seed, Seed root, BreedingSettings settings, int attempt)
     {
-        CreatureBlueprint crossed = Crossover.Cross(first, second, root.Child("crossover"), out Inheritance inheritance);
+        CreatureBlueprint crossed = Crossover.Cross(first.Blueprint, second.Blueprint, root.Child("crossover"), out Inheritance inheritance);
         CreatureBlueprint mutated = Mutation.Mutate(crossed, settings.Mutation, root.Child("mutation"));
         var lineage = new LineageBlueprint(
-            1 + Math.Max(first.Lineage?.Generation ?? 0, second.Lineage?.Generation ?? 0),
-            BlueprintIdentity.Of(first),
-            BlueprintIdentity.Of(second),
+            1 + Math.Max(first.Blueprint.Lineage?.Generation ?? 0, second.Blueprint.Lineage?.Generation ?? 0),
+            first.Identity,
+            second.Identity,
             settings.Mutation,
             inheritance.Frame,
             inheritance.Head,

@@ -6,6 +6,7 @@ using System.Text.Json;
 using CreatureGen.Blueprints;
 using CreatureGen.Console;
 using CreatureGen.Console.Evolving;
+using CreatureGen.Genetics;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Png;
 using Xunit;
@@ -111,7 +112,9 @@ public sealed class EvolveVerbTests
         Assert.Equal(ExitCode.Done, run.Run([.. words, "--generations", "4", "--picks", pick[..6], "--json"]));
         double picked = run.Json().GetProperty("generations")[4].GetProperty("median").GetDouble();
         Assert.Equal(1, run.Json().GetProperty("generations")[4].GetProperty("best").GetDouble());
-        Assert.InRange(picked, 0.5, 1);
+        CreatureBlueprint Kept(string hash) => BlueprintJson.Read(File.ReadAllText(run.At($"run/creatures/creature-{hash}.json"))).GetBlueprint();
+        double[] before = Lineage(run).GetProperty("creatures").EnumerateArray().Where(one => one.GetProperty("born").GetInt32() == 0).Select(one => 1 - SpeciesDistance.Between(Kept(pick), Kept(one.GetProperty("hash").GetString()!))).Order().ToArray();
+        Assert.True(picked > before[(before.Length - 1) / 2], $"{picked}, {string.Join(' ', before)}");
         Assert.Equal(pick, Lineage(run).GetProperty("picks")[0].GetString());
 
         // The picks stay as they are until there are others.

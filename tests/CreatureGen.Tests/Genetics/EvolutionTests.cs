@@ -173,6 +173,16 @@ public sealed class EvolutionTests
     }
 
     [Fact]
+    public void Even_the_smallest_population_lets_children_live()
+    {
+        EvolutionSettings pair = Small with { Population = 2 };
+        Generation first = Evolution.Found([Founders[0], Founders[1]], Tall, pair, One);
+        Generation next = Evolution.Next(first, Tall, pair, One);
+        Assert.Equal(first.Best.Identity, next.Individuals.Single(one => one.Blueprint.Lineage == null).Identity);
+        Assert.Single(next.Individuals, one => one.Blueprint.Lineage != null);
+    }
+
+    [Fact]
     public void The_median_is_that_of_all_who_were_judged()
     {
         Individual Scored(double score, Verdict verdict) => new(Founders[0], 1, new BodyMeasures(1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1), verdict, new ValueList<double>([score]), score);

@@ -1,10 +1,11 @@
 using System;
 using CreatureGen.Blueprints;
 using CreatureGen.Inspection.Variety;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Genetics.Criteria;
 
-/// <summary>How far a creature is from any animal: parts of other animals than that which leads in its torso, and bodies in the mix of its torso. Near 0 for an animal, 1 and more for what has no name.</summary>
+/// <summary>How far a creature is from any animal: parts of other animals than that which leads in its torso, bodies in the mix of its torso, proportions unlike theirs. Near 0 for an animal, 1 and more for what has no name.</summary>
 public sealed class StrangenessCriterion : ICriterion
 {
     /// <summary>What an animal scores that is only itself: below all others, but alive.</summary>
@@ -23,7 +24,21 @@ public sealed class StrangenessCriterion : ICriterion
     public double Score(Candidate candidate)
     {
         _ = candidate ?? throw new ArgumentNullException(nameof(candidate));
-        return Animal + ChimeraDistance.Of(candidate.Blueprint) + (FurtherBody * (BodiesIn(candidate.Blueprint.Body.Blend) - 1));
+        BodyBlueprint body = candidate.Blueprint.Body;
+        return Animal + ChimeraDistance.Of(candidate.Blueprint) + (FurtherBody * (BodiesIn(body.Blend) - 1)) + Distortion(body.Proportions);
+    }
+
+    /// <summary>Mean logarithm of the factors by which proportions are more or less than those of the bodies.</summary>
+    private static double Distortion(BodyProportions p)
+    {
+        double[] factors = { p.Head, p.Snout, p.Neck, p.NeckGirth, p.Girth, p.Belly, p.Chest, p.Hump, p.Rump, p.Tail, p.TailGirth, p.Depth, p.Width };
+        double sum = 0;
+        foreach (double factor in factors)
+        {
+            sum += Math.Abs(PortableMath.Log(factor));
+        }
+
+        return sum / factors.Length;
     }
 
     /// <summary>Effective number of bodies in a torso: 1 / Σ share².</summary>

@@ -8,6 +8,9 @@ namespace CreatureGen.Genetics.Populations;
 /// <remarks>Based on: J.-B. Mouret and J. Clune, "Illuminating search spaces by mapping elites" (2015).</remarks>
 public sealed class NicheSelection : ISelection
 {
+    /// <summary>Children by mutation alone. A child of two is between them; at the rim of all forms only mutation leads on.</summary>
+    private const double Alone = 0.5;
+
     private readonly NicheGrid grid;
 
     /// <summary>Niches of size, legs and length.</summary>
@@ -26,7 +29,8 @@ public sealed class NicheSelection : ISelection
     public Couple Choose(Generation generation, RandomStream random)
     {
         _ = generation ?? throw new ArgumentNullException(nameof(generation));
-        return new Couple(Ranking.Tournament(generation.Individuals, 1, random), Ranking.Tournament(generation.Individuals, 1, random));
+        Individual first = Ranking.Tournament(generation.Individuals, 1, random);
+        return new Couple(first, random.Chance(Alone) ? first : Ranking.Tournament(generation.Individuals, 1, random));
     }
 
     /// <inheritdoc/>

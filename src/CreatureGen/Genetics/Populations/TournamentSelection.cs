@@ -22,7 +22,7 @@ public sealed class TournamentSelection : ISelection
 
     /// <summary>Sets how hard it is to become a parent.</summary>
     /// <param name="size">Creatures of a tournament, at least 1; 1 is chance alone.</param>
-    /// <param name="elites">Creatures that live on, at least 0.</param>
+    /// <param name="elites">Creatures that live on, at least 0; of a small population half at most.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is out of its range.</exception>
     public TournamentSelection(int size, int elites)
     {
@@ -52,7 +52,7 @@ public sealed class TournamentSelection : ISelection
     {
         _ = generation ?? throw new ArgumentNullException(nameof(generation));
         List<Individual> old = Ranking.ByScore(generation.Individuals);
-        List<Individual> next = old.GetRange(0, Math.Min(Math.Min(elites, room), old.Count));
+        List<Individual> next = old.GetRange(0, Math.Min(Math.Min(elites, room / 2), old.Count));
         Ranking.Fill(next, Ranking.ByScore(children), room);
         Ranking.Fill(next, old, room);
         return new Generation(generation.Number + 1, Ranking.ByScore(next), Array.Empty<Individual>());
