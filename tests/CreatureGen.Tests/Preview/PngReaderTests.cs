@@ -8,7 +8,7 @@ using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Png;
 using Xunit;
 
-namespace CreatureGen.Tests.Png;
+namespace CreatureGen.Tests.Preview;
 
 public sealed class PngReaderTests
 {
