@@ -12,6 +12,8 @@ internal sealed class MetricsVerb : IVerb
 {
     private static readonly OptionSyntax course = new("--course", null, "measure what a player can do instead: random speeds and turns on flat, hilly, stepped and moving ground, at even and uneven rates");
 
+    private static readonly OptionSyntax acts = new("--acts", null, "measure everything that they can do beside going instead: joint limits and speeds, sinking, how near contacts are to their targets, slip of planted feet");
+
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
         "metrics",
@@ -21,15 +23,25 @@ internal sealed class MetricsVerb : IVerb
             new("metrics --seeds 1-20", "slip, sinking, clearance, joint limits, reach, jumps and feet down, gait by gait"),
             new("metrics --seeds 0-299 --kind walking --threads 8 --json > motion.json", "every run of 300 walkers, for a script"),
             new("metrics --course --seeds 1-20", "joint limits and speeds, slip, lag and acceleration in starts, stops and turns"),
+            new("metrics --acts --seeds 1-20 --json", "bites, meals, dances, naps of twenty creatures"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, .. CreatureArguments.Syntax, course, CommonOptions.Threads, CommonOptions.Json]);
+        [SeedOptions.Seed, SeedOptions.Seeds, .. CreatureArguments.Syntax, course, acts, CommonOptions.Threads, CommonOptions.Json]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
     {
+        if (arguments.Has(course.Name) && arguments.Has(acts.Name))
+        {
+            throw arguments.Wrong($"{course.Name} and {acts.Name}; expected one of them");
+        }
+
         if (arguments.Has(course.Name))
         {
             Measure(arguments, surroundings, MeasuredCourse.AllOf);
+        }
+        else if (arguments.Has(acts.Name))
+        {
+            Measure(arguments, surroundings, MeasuredAct.AllOf);
         }
         else
         {

@@ -43,7 +43,7 @@ internal static class CreatureFiles
         options.TextureSize == 0 ? options : options with { Textures = CreatureTextures.Bake(creature, options.TextureSize) };
 
     /// <summary>The creature's motion, as far as it is wanted.</summary>
-    public static IReadOnlyList<Clip> Bake(Creature creature, ClipChoice clips) => clips == ClipChoice.All ? ClipBaker.Bake(creature) : [];
+    public static IReadOnlyList<Clip> Bake(Creature creature, ClipChoice clips) => clips == ClipChoice.All ? [.. ClipBaker.Bake(creature), .. ClipBaker.BakeActs(creature)] : [];
 
     /// <summary>The creature's blueprint.</summary>
     public static byte[] Json(CreatureBlueprint blueprint) => Encoding.UTF8.GetBytes(BlueprintJson.Write(blueprint));

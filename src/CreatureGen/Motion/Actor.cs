@@ -28,8 +28,8 @@ internal sealed class Actor
     {
         body = acts.Body;
         stage = acts.Stage();
-        Performer = new Performer(body);
-        kept = new Performer(body);
+        Performer = new Performer(body, acts.Room);
+        kept = new Performer(body, acts.Room);
     }
 
     /// <summary>What it shows.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Playing;
 using CreatureGen.Motion.Acts.Rehearsing;
 
 namespace CreatureGen.Motion;
@@ -53,6 +54,9 @@ public sealed class CreatureActs
     /// <exception cref="ArgumentNullException">There is no act.</exception>
     public ActAbility Rehearse(Act act) => rehearsal.Try(act ?? throw new ArgumentNullException(nameof(act)), rehearsal.Stage());
 
+    /// <summary>How far the trunk goes over planted feet.</summary>
+    internal TrunkRoom Room => rehearsal.Room;
+
     /// <summary>A stage of one's own.</summary>
     internal ActStage Stage() => rehearsal.Stage();
 
@@ -61,7 +65,7 @@ public sealed class CreatureActs
         ActStage stage = rehearsal.Stage();
         return ActLibrary.All
             .GroupBy(act => act.Name, StringComparer.Ordinal)
-            .Select(variants => rehearsal.Try(variants.FirstOrDefault(act => (act.Builds & Body.Build) != 0 && (act.Needs & ~Body.Has) == 0) ?? variants.First(), stage))
+            .Select(variants => rehearsal.Try(variants.FirstOrDefault(act => (act.Builds & Body.Build) != 0 && (act.Needs & ~Body.Has) == 0) ?? variants.FirstOrDefault(act => (act.Builds & Body.Build) != 0) ?? variants.First(), stage))
             .ToArray();
     }
 }

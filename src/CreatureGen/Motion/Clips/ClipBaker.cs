@@ -35,6 +35,20 @@ public static class ClipBaker
         return clips;
     }
 
+    /// <summary>Bakes every act that a creature can do, each from standing to standing on the spot; what lasts is there for its least time. The name is that of the act.</summary>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public static IReadOnlyList<Clip> BakeActs(Creature creature)
+    {
+        var profile = new MotionProfile(creature ?? throw new ArgumentNullException(nameof(creature)));
+        var clips = new List<Clip>();
+        foreach (ActAbility ability in profile.Acts.Possible)
+        {
+            clips.Add(RecordedAct.Bake(profile, ability));
+        }
+
+        return clips;
+    }
+
     private static Clip Bake(MotionProfile profile, Movement movement)
     {
         SteadyMotion motion = Begin(profile, movement);

@@ -35,6 +35,9 @@ internal sealed class BodyLayer
     /// <summary>The same about its own length, left side up.</summary>
     public float BackTwist { get; set; }
 
+    /// <summary>How far it puts off shifting its weight and breathing, 0..1.</summary>
+    public float Still { get; set; }
+
     /// <summary>What is asked of each foot.</summary>
     public FootLayer[] Feet { get; }
 
@@ -50,6 +53,7 @@ internal sealed class BodyLayer
         BackPitch = other.BackPitch;
         BackSide = other.BackSide;
         BackTwist = other.BackTwist;
+        Still = other.Still;
         other.Feet.CopyTo(Feet, 0);
     }
 }

@@ -310,7 +310,7 @@ internal sealed class WalkingMode : ILocomotionMode
     {
         settings.Gravity = GravityOf(settings, placement.Scale);
         seconds += dt;
-        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle);
+        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle * (1f - (Layer?.Still ?? 0f)));
         PoseFeet(placement, dt, settings);
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);

@@ -127,6 +127,39 @@ public class PerformingTests
     }
 
     [Fact]
+    public void An_act_that_is_broken_off_at_any_moment_goes_over_without_a_jump()
+    {
+        var animator = new CreatureAnimator(dog);
+        ActAbility[] acts = animator.Acts.Possible.ToArray();
+        animator.Teleport(animator.Root, FlatGround.Level);
+        Vector3[] before = animator.ModelPose.Positions.ToArray();
+        var fastest = (LegsPerSecond: 0f, Joint: "", Act: "", Phase: "");
+        for (int i = 0; i < 2400; i++)
+        {
+            if (i % 47 == 0)
+            {
+                animator.Perform(acts[i / 47 % acts.Length]);
+            }
+
+            if (i % 331 == 330)
+            {
+                animator.StopAct();
+            }
+
+            animator.Update(1f / 240f, default, FlatGround.Level);
+            for (int joint = 0; joint < before.Length; joint++)
+            {
+                float speed = Vector3.Distance(before[joint], animator.ModelPose.Positions[joint]) * 240f / dog.LegLength;
+                fastest = speed > fastest.LegsPerSecond ? (speed, dog.Creature.Skeleton.Joints[joint].Name, animator.Act?.Name ?? "", animator.ActPhase?.Name ?? "") : fastest;
+            }
+
+            animator.ModelPose.Positions.CopyTo(before);
+        }
+
+        Assert.True(fastest.LegsPerSecond < 12f, fastest.ToString());
+    }
+
+    [Fact]
     public void A_creature_that_goes_stops_for_an_act_on_the_spot_and_goes_on_afterwards()
     {
         var animator = new CreatureAnimator(dog);

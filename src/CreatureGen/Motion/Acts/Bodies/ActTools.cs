@@ -11,6 +11,9 @@ internal sealed class ActTools
 {
     private static readonly Vector3 browDirection = Vec.Normalize(new Vector3(0f, 0.55f, 0.85f));
 
+    /// <summary>How far the chin of a head without a jaw is below its mouth, parts of the head's length.</summary>
+    private const float JawlessChin = 0.3f;
+
     private readonly ActBody body;
     private readonly Vector3 mouth;
     private readonly Vector3 brow;
@@ -27,7 +30,7 @@ internal sealed class ActTools
             Vector3 snout = Extreme(Vector3.UnitZ);
             Vector3 tip = body.Jaw >= 0 ? (snout + EndOf(body.Jaw)) * 0.5f : snout;
             mouth = ToJoint(body.Head, tip);
-            ChinBelowMouth = Vec.Distance(tip, body.Jaw >= 0 ? EndOf(body.Jaw) : snout);
+            ChinBelowMouth = Vec.Distance(tip, body.Jaw >= 0 ? EndOf(body.Jaw) : Vec.Lerp(snout, body.Skeleton.ModelPositions[body.Head], JawlessChin));
             brow = ToJoint(body.Head, Extreme(browDirection));
         }
     }

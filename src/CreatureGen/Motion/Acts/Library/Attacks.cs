@@ -30,7 +30,7 @@ internal static class Attacks
             new ActPhase("shut", 0.22f, ActEase.Out).To(Jaw, 0.1f).To(Reach, 1f).Then(ActMark.Contact),
             new ActPhase("wrench", 1.5f).With(new ActWave(BackSide, 0.12f, 1.5f)).With(new ActWave(HeadRoll, 0.25f, 1.5f)),
             new ActPhase("recover", 2.0f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f))
-            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.15f).For(BodyBuild.Standing),
+            .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.15f).For(BodyBuild.Standing),
         new Act("Gore", ActKind.Strike,
             new ActPhase("lower", 1.6f).To(Ahead, -0.22f).To(ForeDown, 0.18f).To(NeckPitch, -0.45f).To(HeadPitch, -0.35f).To(Ears, 0.8f).To(TailPitch, 0.4f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("strike", 0.6f, ActEase.In).To(Ahead, 0.05f).To(Reach, 0.8f),
@@ -40,9 +40,9 @@ internal static class Attacks
             .Needing(ActNeeds.Horns | ActNeeds.Head).With(ActTool.Brow, 0.1f).For(BodyBuild.Standing),
         new Act("Claw", ActKind.Strike,
             new ActPhase("raise", 1.4f).To(ArmAhead, 1.2f).To(ArmOut, 0.7f).To(ArmBend, 0.8f).To(BackTwist, 0.15f).To(BackSide, -0.2f).To(Yaw, -0.12f).To(Jaw, 0.5f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.12f).To(ArmOut, 0.2f).To(ArmBend, 0.2f).To(BackTwist, -0.1f).To(Yaw, 0.12f).To(Reach, 0.85f),
-            new ActPhase("hit", 0.18f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("tear", 0.6f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.5f).To(ArmOut, -0.15f).To(ArmBend, 0.5f),
+            new ActPhase("strike", 0.75f, ActEase.In).To(Ahead, 0.12f).To(ArmOut, 0.2f).To(ArmBend, 0.2f).To(BackTwist, -0.1f).To(Yaw, 0.12f).To(Reach, 0.85f),
+            new ActPhase("hit", 0.3f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("tear", 0.9f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.5f).To(ArmOut, -0.15f).To(ArmBend, 0.5f),
             new ActPhase("recover", 1.8f).To(Ahead, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(ArmBend, 0f).To(BackTwist, 0f).To(BackSide, 0f).To(Yaw, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Arms | ActNeeds.Legs).With(ActTool.Hand).For(BodyBuild.Standing),
         new Act("Claw", ActKind.Strike,

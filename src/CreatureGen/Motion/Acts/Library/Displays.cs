@@ -59,8 +59,8 @@ internal static class Displays
         Dances.OfLegs,
         Dances.OfOthers,
         new Act("Flinch", ActKind.Reflex,
-            new ActPhase("start", 0.5f, ActEase.Out).To(Ahead, -0.16f).To(Aside, -0.05f).To(Yaw, -0.08f).To(ForeDown, 0.28f).To(HindDown, 0.2f).To(NeckPitch, 0.35f).To(HeadPitch, -0.3f).To(NeckSide, -0.35f).To(BackSide, -0.2f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -0.5f).To(ArmsBend, 0.8f).To(ArmsAhead, 0.4f).To(Wings, 0.35f),
+            new ActPhase("start", 0.5f, ActEase.Out).To(Ahead, -0.12f).To(ForeDown, 0.2f).To(HindDown, 0.12f).To(NeckPitch, 0.35f).To(HeadPitch, -0.3f).To(NeckSide, -0.35f).To(BackSide, -0.08f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -0.5f).To(ArmsBend, 0.8f).To(ArmsAhead, 0.4f).To(Wings, 0.35f),
             new ActPhase("freeze", 1f).To(Lids, -0.2f),
-            new ActPhase("ease", 2.6f).To(Ahead, 0f).To(Aside, 0f).To(Yaw, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(BackSide, 0f).To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsBend, 0f).To(ArmsAhead, 0f).To(Wings, 0f)),
+            new ActPhase("ease", 2.6f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(BackSide, 0f).To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsBend, 0f).To(ArmsAhead, 0f).To(Wings, 0f)),
     };
 }

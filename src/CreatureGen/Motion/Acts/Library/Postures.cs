@@ -51,7 +51,14 @@ internal static class Postures
             new ActPhase("roll", 5f).To(BackSide, 0.15f).To(Roll, 2.8f).To(NeckPitch, 0f).To(Lids, 0.8f).To(Jaw, 0.3f).To(Wings, 0.4f),
             new ActPhase("still", 5f).Lasting().With(new ActWave(Up, 0.03f, 1f)),
             new ActPhase("rise", 4f).To(BackSide, 0f).To(NeckSide, 0f).To(Roll, 0f).To(Lids, 0f).To(Jaw, 0f).To(Wings, 0f))
-            .For(BodyBuild.Swimming | BodyBuild.Airborne | BodyBuild.Legless),
+            .For(BodyBuild.Swimming | BodyBuild.Airborne),
+        new Act("Die", ActKind.Posture,
+            new ActPhase("reel", 2f).To(NeckPitch, 0.7f).To(HeadPitch, -0.3f).To(NeckSide, 0.4f).To(Jaw, 0.7f),
+            new ActPhase("drop", 1.6f, ActEase.In).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, -0.5f),
+            new ActPhase("turn over", 2f).To(HeadRoll, 0.6f).To(NeckTwist, 0.4f).To(Jaw, 0.5f).To(Lids, 0.7f),
+            new ActPhase("still", 5f).Lasting(),
+            new ActPhase("rise", 3f).To(HeadRoll, 0f).To(NeckTwist, 0f).To(NeckSide, 0f).To(Jaw, 0f).To(Lids, 0f))
+            .For(BodyBuild.Legless),
     };
 
     private static Act Lying(string name, ActPhase[] phases) => new Act(name, ActKind.Posture, phases).Needing(ActNeeds.Legs).OnTheSpot();

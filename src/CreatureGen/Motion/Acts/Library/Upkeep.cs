@@ -15,6 +15,13 @@ internal static class Upkeep
             new ActPhase("down", 2.4f).To(ArmsAhead, 0f).To(ArmsBend, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f))
             .Needing(ActNeeds.Jaw | ActNeeds.Arms).For(BodyBuild.Upright),
         new Act("Eat", ActKind.Upkeep,
+            new ActPhase("rise", 2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.4f),
+            new ActPhase("take", 1f).To(Reach, 1f).To(Jaw, 0.8f),
+            new ActPhase("bite", 0.5f).To(Jaw, 0.3f).Then(ActMark.Contact),
+            new ActPhase("swallow", 10f).To(Reach, 0.6f).With(new ActWave(Jaw, 0.25f, 5f, 0.25f)).With(new ActWave(HeadSide, 0.15f, 2.5f)).With(new ActWave(NeckPitch, 0.06f, 5f)),
+            new ActPhase("down", 3f).To(Reach, 0f).To(Jaw, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.2f).For(BodyBuild.Legless),
+        new Act("Eat", ActKind.Upkeep,
             new ActPhase("near", 3f).To(Jaw, 0.6f).To(Reach, 0.9f),
             new ActPhase("snap", 0.5f).To(Jaw, 0f).To(Reach, 1f).Then(ActMark.Contact),
             new ActPhase("chew", 5f).To(Reach, 0.5f).With(new ActWave(Jaw, 0.25f, 4f, 0.25f)),
@@ -29,7 +36,7 @@ internal static class Upkeep
             new ActPhase("bite again", 0.8f).To(Jaw, 0f),
             new ActPhase("chew again", 4f).To(Reach, 0.8f).With(new ActWave(Jaw, 0.28f, 4f, 0.25f)),
             new ActPhase("up", 2.8f).To(Reach, 0f).To(Ears, 0f))
-            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.95f).For(BodyBuild.Standing | BodyBuild.Legless),
+            .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.95f).For(BodyBuild.Standing),
         new Act("Drink", ActKind.Upkeep,
             new ActPhase("down", 3f).To(Reach, 1f).To(Jaw, 0.15f).Then(ActMark.Contact),
             new ActPhase("scoop", 0.9f).To(Jaw, 0.3f),
@@ -41,10 +48,10 @@ internal static class Upkeep
             new ActPhase("down", 3.2f).To(Reach, 1f).To(Jaw, 0.08f).To(Ears, 0.2f).Then(ActMark.Contact),
             new ActPhase("lap", 9f).With(new ActWave(Jaw, 0.15f, 8f)).With(new ActWave(HeadPitch, 0.03f, 8f, 0.2f)),
             new ActPhase("up", 2.8f).To(Reach, 0f).To(Jaw, 0f).To(Ears, 0f))
-            .Needing(ActNeeds.Jaw).With(ActTool.Mouth, 0.75f).For(BodyBuild.Standing | BodyBuild.Legless),
+            .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.75f).For(BodyBuild.Standing),
         new Act("Sniff", ActKind.Upkeep,
-            new ActPhase("towards", 2.2f).To(Reach, 0.8f).To(Ears, -0.7f).To(TailPitch, 0.1f).Then(ActMark.Contact),
-            new ActPhase("sniff", 5f).With(new ActWave(Reach, 0.05f, 7f)).With(new ActWave(Jaw, 0.05f, 7f)).With(new ActWave(HeadSide, 0.1f, 1f)),
+            new ActPhase("towards", 2.2f).To(Reach, 1f).To(Ears, -0.7f).To(TailPitch, 0.1f).Then(ActMark.Contact),
+            new ActPhase("sniff", 5f).To(Reach, 0.92f).With(new ActWave(Reach, 0.06f, 7f)).With(new ActWave(Jaw, 0.05f, 7f)).With(new ActWave(HeadSide, 0.1f, 1f)),
             new ActPhase("back", 2.2f).To(Reach, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f),
         new Act("Shake", ActKind.Upkeep,

@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Acts.Playing;
 
@@ -8,4 +9,21 @@ namespace CreatureGen.Motion.Acts.Playing;
 /// <param name="Target">World space.</param>
 /// <param name="SnoutDown">How far below level the snout points there, radians.</param>
 /// <param name="Plan">How the trunk helps.</param>
-internal readonly record struct ActAim(ActTool Tool, bool Mirrored, Vector3 Target, float SnoutDown, ReachPlan Plan);
+internal readonly record struct ActAim(ActTool Tool, bool Mirrored, Vector3 Target, float SnoutDown, ReachPlan Plan)
+{
+    /// <summary>One aim for two that are under way: between both where they bring the same, else that which is farther on its way.</summary>
+    /// <param name="a">One.</param>
+    /// <param name="shareOfA">How far it is on its way.</param>
+    /// <param name="b">The other.</param>
+    /// <param name="shareOfB">How far that is.</param>
+    public static ActAim Between(in ActAim a, float shareOfA, in ActAim b, float shareOfB)
+    {
+        if (a.Tool != b.Tool || a.Mirrored != b.Mirrored || !(shareOfA > 0f) || !(shareOfB > 0f))
+        {
+            return shareOfA > shareOfB ? a : b;
+        }
+
+        float part = shareOfB / (shareOfA + shareOfB);
+        return b with { Target = Vec.Lerp(a.Target, b.Target, part), SnoutDown = Scalar.Lerp(a.SnoutDown, b.SnoutDown, part) };
+    }
+}

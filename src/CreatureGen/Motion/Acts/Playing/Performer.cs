@@ -14,7 +14,12 @@ internal sealed class Performer
     private const int ClearingRounds = 3;
     private const float MostCleared = 0.5f;
 
+    /// <summary>How quickly what a standing creature does by itself gives way to an act, per second, and what counts as none.</summary>
+    private const float StillRate = 9f;
+    private const float Nothing = 1e-3f;
+
     private readonly ActBody body;
+    private readonly TrunkRoom room;
     private readonly ActPlayer player = new();
     private readonly ActLayer layer;
     private readonly float[] values = new float[Act.ChannelCount];
@@ -22,10 +27,13 @@ internal sealed class Performer
     private ActAim aim;
     private ActAim lastAim;
     private float side = 1f;
+    private float still;
+    private float stilling;
 
-    public Performer(ActBody body)
+    public Performer(ActBody body, TrunkRoom room)
     {
         this.body = body;
+        this.room = room;
         layer = new ActLayer(body);
     }
 
@@ -64,7 +72,7 @@ internal sealed class Performer
     public void Begin(Act act, in ActAim newAim, ActGain gain, float seconds)
     {
         float newSide = newAim.Mirrored ? -1f : 1f;
-        lastAim = Math.Abs(player.OwnReach) < Math.Abs(player.LeftReach) ? lastAim : aim;
+        lastAim = ActAim.Between(lastAim, player.LeftReach, aim, player.OwnReach);
         player.Begin(act, gain, newAim.Plan, newSide, seconds);
         aim = newAim;
         if (newSide != side)
@@ -86,6 +94,8 @@ internal sealed class Performer
     public void Reset()
     {
         player.Reset();
+        still = 0f;
+        stilling = 0f;
         Array.Clear(values, 0, values.Length);
         IsActive = false;
     }
@@ -100,6 +110,8 @@ internal sealed class Performer
         aim = other.aim;
         lastAim = other.lastAim;
         side = other.side;
+        still = other.still;
+        stilling = other.stilling;
         IsActive = other.IsActive;
     }
 
@@ -117,7 +129,8 @@ internal sealed class Performer
     public void Advance(float dt, bool stands, in RootPlace root)
     {
         player.Advance(dt, 1f, stands);
-        IsActive = player.IsActive;
+        CriticallyDampedSpring.Advance(ref still, ref stilling, player.Act == null ? 0f : 1f, StillRate, dt);
+        IsActive = player.IsActive || still > Nothing;
         if (!IsActive)
         {
             Array.Clear(values, 0, values.Length);
@@ -130,7 +143,9 @@ internal sealed class Performer
             values[i] += mood[i];
         }
 
+        room.Clamp(values);
         layer.Ask(values, side);
+        layer.Trunk.Still = still;
         layer.Aim(lastAim, root.ToModel(lastAim.Target), player.LeftReach);
         layer.Aim(aim, root.ToModel(aim.Target), player.OwnReach);
     }
@@ -143,7 +158,9 @@ internal sealed class Performer
         side = aim.Mirrored ? -1f : 1f;
         aim.Plan.AddTo(values, values[(int)ActChannel.Reach], side);
         IsActive = true;
+        room.Clamp(values);
         layer.Ask(values, side);
+        layer.Trunk.Still = 1f;
         layer.Aim(aim, root.ToModel(aim.Target), values[(int)ActChannel.Reach]);
     }
 

@@ -14,6 +14,9 @@ namespace CreatureGen.Motion.Acts.Playing;
 /// </summary>
 internal static class PointReach
 {
+    /// <summary>Joints of a chain that go only a share of the way; those beyond go all of it.</summary>
+    private const int MaxChain = 64;
+
     private const int AimRounds = 4;
     private const int Rounds = 9;
 
@@ -33,15 +36,12 @@ internal static class PointReach
     {
         int[] chain = body.Bearers;
         int head = body.Head;
-        Vector3 place = body.Tools.PlaceOf(tool, false, model);
-        Vector3 goal = Vec.Lerp(place, target, share);
-        Vector3 snout = place - model.Positions[head];
-        float length = Vec.Length(snout);
-        Vector3 now = snout / Math.Max(length, 1e-6f);
-        Vector3 wanted = Vec.Normalize(Vec.Lerp(now, direction, share), now);
+        Span<Quaternion> before = stackalloc Quaternion[MaxChain];
+        Keep(chain, local, before);
+        float length = Vec.Distance(body.Tools.PlaceOf(tool, false, model), model.Positions[head]);
         if (chain.Length > 1)
         {
-            Vector3 joint = goal - (wanted * length);
+            Vector3 joint = target - (direction * length);
             for (int round = 0; round < AimRounds; round++)
             {
                 for (int k = 0; k < chain.Length - 1; k++)
@@ -51,18 +51,18 @@ internal static class PointReach
             }
 
             Vector3 at = model.Positions[head];
-            Turn(body.Skeleton, chain, chain.Length - 1, body.Tools.PlaceOf(tool, false, model), at + (wanted * length), 1f, local, model);
+            Turn(body.Skeleton, chain, chain.Length - 1, body.Tools.PlaceOf(tool, false, model), at + (direction * length), 1f, local, model);
         }
 
         for (int round = 0; round < Rounds; round++)
         {
             for (int k = 0; k < chain.Length; k++)
             {
-                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(tool, false, model), goal, round < Rounds / 2 ? Share : LastShare, local, model);
+                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(tool, false, model), target, round < Rounds / 2 ? Share : LastShare, local, model);
             }
         }
 
-        Subtree.LocalToModel(body.Skeleton, chain[0], local, model);
+        Blend(body.Skeleton, chain, before, share, local, model);
     }
 
     /// <summary>Brings the end of a chain to a target.</summary>
@@ -75,16 +75,37 @@ internal static class PointReach
     /// <param name="model">The same in model space.</param>
     public static void Limb(ActBody body, int[] chain, in ActAim aim, Vector3 target, float share, in Pose local, in Pose model)
     {
-        Vector3 goal = Vec.Lerp(body.Tools.PlaceOf(aim.Tool, aim.Mirrored, model), target, share);
+        Span<Quaternion> before = stackalloc Quaternion[MaxChain];
+        Keep(chain, local, before);
         for (int round = 0; round < Rounds; round++)
         {
             for (int k = 0; k < chain.Length; k++)
             {
-                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(aim.Tool, aim.Mirrored, model), goal, round < Rounds / 2 ? Share : LastShare, local, model);
+                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(aim.Tool, aim.Mirrored, model), target, round < Rounds / 2 ? Share : LastShare, local, model);
             }
         }
 
-        Subtree.LocalToModel(body.Skeleton, chain[0], local, model);
+        Blend(body.Skeleton, chain, before, share, local, model);
+    }
+
+    private static void Keep(ReadOnlySpan<int> chain, in Pose local, Span<Quaternion> before)
+    {
+        for (int k = 0; k < Math.Min(chain.Length, MaxChain); k++)
+        {
+            before[k] = local.Rotations[chain[k]];
+        }
+    }
+
+    /// <summary>Goes only a share of the way from how the chain was: joint by joint, so that its end goes in an arc and never through the body.</summary>
+    private static void Blend(Skeleton skeleton, ReadOnlySpan<int> chain, ReadOnlySpan<Quaternion> before, float share, in Pose local, in Pose model)
+    {
+        for (int k = 0; k < Math.Min(chain.Length, MaxChain) && share < 1f; k++)
+        {
+            Quaternion mixed = UnitRotation.Nlerp(before[k], local.Rotations[chain[k]], share);
+            local.Rotations[chain[k]] = SwingTwistLimit.ClampLocal(UnitRotation.Renormalize(mixed), skeleton.AllJoints[chain[k]]);
+        }
+
+        Subtree.LocalToModel(skeleton, chain[0], local, model);
     }
 
     /// <summary>Turns one joint so that a point that hangs on it comes towards a goal; what is farther out in the chain goes along.</summary>

@@ -23,11 +23,11 @@ internal sealed class ActStage
     private readonly float standing;
     private readonly float[] values = new float[Act.ChannelCount];
 
-    public ActStage(ActBody body, ILocomotionMode? mode)
+    public ActStage(ActBody body, ILocomotionMode? mode, TrunkRoom room)
     {
         this.body = body;
         this.mode = mode;
-        performer = new Performer(body);
+        performer = new Performer(body, room);
         int count = body.Skeleton.Count;
         localRotations = new Quaternion[count];
         localPositions = new Vector3[count];
@@ -54,6 +54,19 @@ internal sealed class ActStage
     public void Show(Act act, int phase, double at, ActGain gain, in ActAim aim)
     {
         ActCurve.Write(act, phase, at, gain, values);
+        Show(aim);
+    }
+
+    /// <summary>Shows one channel alone.</summary>
+    public void Show(ActChannel channel, float value)
+    {
+        Array.Clear(values, 0, values.Length);
+        values[(int)channel] = value;
+        Show(default(ActAim));
+    }
+
+    private void Show(in ActAim aim)
+    {
         performer.Show(values, aim, RootPlace.Identity);
         Local.SetToRest(body.Skeleton);
         if (mode != null)

@@ -28,6 +28,9 @@ internal static class ReachSearch
     /// <summary>What an effort costs, beside the distance that is left: no more help than is needed.</summary>
     private const float Effort = 0.012f;
 
+    /// <summary>What a foot that slips, or skin in the ground, costs.</summary>
+    private const float Spoil = 50f;
+
     // Least and most of each way, in the order of the plan: ahead, yaw, back, chest, hips, pitch, aside.
     private static readonly float[] upright = { -0.35f, 0.40f, -0.35f, 0.35f, -0.5f, 0.4f, -0.15f, 0.9f, -0.15f, 0.6f, -0.25f, 0.25f, -0.15f, 0.15f };
     private static readonly float[] twoLegged = { -0.35f, 0.35f, -0.4f, 0.4f, -0.4f, 0.3f, 0f, 0f, -0.1f, 0.8f, -1.15f, 0.35f, -0.15f, 0.15f };
@@ -119,7 +122,7 @@ internal static class ReachSearch
             effort += plan[i] * plan[i];
         }
 
-        cost = (missing / body.Unit) + (Effort * effort) + (20f * Math.Max(0f, stage.Slip() - MaxSlip)) + (20f * Math.Max(0f, stage.Sunk() - MaxSunk));
+        cost = (missing / body.Unit) + (Effort * effort) + (Spoil * Math.Max(0f, stage.Slip() - MaxSlip)) + (Spoil * Math.Max(0f, stage.Sunk() - MaxSunk));
         return missing;
     }
 }

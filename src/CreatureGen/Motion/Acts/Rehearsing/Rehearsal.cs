@@ -12,14 +12,15 @@ namespace CreatureGen.Motion.Acts.Rehearsing;
 internal sealed class Rehearsal
 {
     /// <summary>Moments of a phase at which it is looked at.</summary>
-    private const int Moments = 3;
+    private const int Moments = 7;
+    private const double Offbeat = 0.37;
 
     /// <summary>How far a planted foot may be off, parts of its leg, and how deep the skin may be, parts of the body's length.</summary>
     private const float MaxSlip = 0.008f;
     private const float MaxSunk = 0.016f;
 
     /// <summary>Part of the reach by which a contact may miss.</summary>
-    public const float MaxMiss = 0.04f;
+    public const float MaxMiss = 0.025f;
 
     private const int Halvings = 5;
 
@@ -37,10 +38,14 @@ internal sealed class Rehearsal
     {
         this.body = body;
         this.mode = mode;
+        Room = RoomSearch.Find(body, new ActStage(body, mode(), TrunkRoom.Any));
     }
 
+    /// <summary>How far the trunk goes over planted feet.</summary>
+    public TrunkRoom Room { get; }
+
     /// <summary>A stage of one's own.</summary>
-    public ActStage Stage() => new(body, mode());
+    public ActStage Stage() => new(body, mode(), Room);
 
     /// <summary>Finds out how a body does an act.</summary>
     public ActAbility Try(Act act, ActStage stage)
@@ -100,7 +105,8 @@ internal sealed class Rehearsal
         {
             for (int k = 1; k <= Moments; k++)
             {
-                stage.Show(act, phase, k / (double)Moments, gain, aim);
+                // Out of step with waves; the last is the end.
+                stage.Show(act, phase, k == Moments ? 1 : (k - Offbeat) / Moments, gain, aim);
                 if (body.Legs != null && stage.Slip() > MaxSlip)
                 {
                     return "its feet would not stay where they stand";

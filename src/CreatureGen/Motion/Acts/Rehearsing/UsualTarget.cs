@@ -18,6 +18,9 @@ internal static class UsualTarget
     // Where the mouth may meet the ground, units ahead of where it is.
     private static readonly float[] places = { 0f, -0.25f, 0.25f, -0.5f, 0.5f };
 
+    // Parts of the distance at which a snap is tried, the farthest first.
+    private static readonly float[] parts = { 1f, 0.7f, 0.45f, 0.25f };
+
     /// <summary>The target, model space.</summary>
     public static Vector3 Of(Act act, ActBody body, ActStage stage)
     {
@@ -27,17 +30,41 @@ internal static class UsualTarget
         if (act.Tool is ActTool.Mouth or ActTool.Brow)
         {
             bool grounded = act.SnoutDown > GroundedSnout && (body.Legs != null || body.Build == BodyBuild.Legless);
-            return grounded ? OnGround(act, body, stage, now) : now + (new Vector3(0f, -0.12f, 0.4f) * unit);
+            return grounded ? OnGround(act, body, stage, now) : InFront(act, body, stage, now);
         }
 
         return act.Tool switch
         {
-            ActTool.ForeFoot => now + (new Vector3(-0.05f, 0.45f, 0.45f) * unit),
-            ActTool.HindFoot => now + (new Vector3(0f, 0.5f, -0.55f) * unit),
+            ActTool.ForeFoot => now + ((body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? new Vector3(-0.05f, 0.22f, 0.2f) : new Vector3(-0.05f, 0.45f, 0.45f)) * unit),
+ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, body.Legs.IsBiped ? 0.45f : -0.55f) * unit),
             ActTool.Hand => now + (new Vector3(-0.1f, 0.35f, 0.4f) * unit),
             _ => Vec.Lerp(now, new Vector3(0f, 1.2f * unit, body.Skeleton.ModelPositions[Math.Max(body.Head, 0)].Z), 0.5f),
         };
     }
+
+    /// <summary>As far in front as it reaches, of a few distances.</summary>
+    private static Vector3 InFront(Act act, ActBody body, ActStage stage, Vector3 now)
+    {
+        Vector3 way = (act.Kind == ActKind.Upkeep && body.Build == BodyBuild.Legless ? new Vector3(0f, 0.15f, -0.3f) : Before(body.Build)) * body.Unit;
+        foreach (float part in parts)
+        {
+            var aim = new ActAim(act.Tool, false, now + (way * part), act.SnoutDown, default);
+            if (ReachSearch.Find(stage, body, act, ActGain.Full, ref aim) < 1.5f * ReachSearch.Near * body.Unit)
+            {
+                return aim.Target;
+            }
+        }
+
+        return now + (way * parts[^1]);
+    }
+
+    /// <summary>What a mouth snaps at, units from where it is: ahead; of crawlers above where the head lies.</summary>
+    private static Vector3 Before(BodyBuild build) => build switch
+    {
+        BodyBuild.Legless => new Vector3(0f, 0.6f, -0.55f),
+        BodyBuild.Sprawling or BodyBuild.ManyLegged => new Vector3(0f, -0.02f, 0.2f),
+        _ => new Vector3(0f, -0.12f, 0.4f),
+    };
 
     private static Vector3 OnGround(Act act, ActBody body, ActStage stage, Vector3 now)
     {

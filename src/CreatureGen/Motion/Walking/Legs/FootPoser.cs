@@ -114,9 +114,10 @@ internal static class FootPoser
         pose.Ball += way;
         if (layer.Pitch != 0f)
         {
-            Quaternion turn = AxisRotation.About(Rotation.Rotate(foot.Heading, leg.RollAxis), layer.Pitch);
-            pose.Foot = Rotation.Multiply(turn, pose.Foot);
-            pose.Toes = Rotation.Multiply(turn, pose.Toes);
+            // On the ground the heel of a flat foot rises about its ball; others stand on their toes already.
+            Vector3 axis = Rotation.Rotate(foot.Heading, leg.RollAxis);
+            pose.Foot = Rotation.Multiply(AxisRotation.About(axis, layer.Pitch * (leg.FlatFoot ? 1f : foot.Taken)), pose.Foot);
+            pose.Toes = Rotation.Multiply(AxisRotation.About(axis, layer.Pitch * foot.Taken), pose.Toes);
         }
 
         pose.Target = leg.Traits.Linkage == LegLinkage.Pantograph ? pose.Ball : pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);

@@ -1,0 +1,50 @@
+using System;
+using System.Numerics;
+using CreatureGen.Motion.Toolkit;
+
+namespace CreatureGen.Motion.Clips;
+
+/// <summary>An act, recorded as a clip that happens once.</summary>
+internal static class RecordedAct
+{
+    /// <summary>Seconds that it goes on after the act, so that what swings comes to rest.</summary>
+    private const float Afterwards = 0.4f;
+
+    private const float SettleSeconds = 0.5f;
+
+    public static Clip Bake(MotionProfile profile, ActAbility ability)
+    {
+        const float Step = 1f / Clip.UsualRate;
+        var animator = new CreatureAnimator(profile);
+        MotionSettings settings = animator.Settings;
+
+        // Nothing but the act: a clip does not glance about.
+        settings.Idle = 0f;
+        animator.Settings = settings;
+        animator.Teleport(animator.Root, FlatGround.Level);
+        for (int i = 0; i < (int)(SettleSeconds / Step); i++)
+        {
+            animator.Update(Step, default, FlatGround.Level);
+        }
+
+        animator.Perform(ability);
+        int joints = profile.Creature.Skeleton.Count;
+        int frames = (int)Math.Ceiling((ability.Seconds + Afterwards) / Step);
+        int leaves = ability.SecondsToLast > 0f ? (int)(ability.SecondsToLast / Step) : -1;
+        var rotations = new Quaternion[(frames + 1) * joints];
+        var positions = new Vector3[(frames + 1) * joints];
+        for (int frame = 0; frame <= frames; frame++)
+        {
+            animator.LocalPose.Rotations.CopyTo(rotations.AsSpan(frame * joints, joints));
+            animator.LocalPose.Positions.CopyTo(positions.AsSpan(frame * joints, joints));
+            if (frame == leaves)
+            {
+                animator.GoOn();
+            }
+
+            animator.Update(Step, default, FlatGround.Level);
+        }
+
+        return new Clip(ability.Act.Name, ClipEnd.Stays, Clip.UsualRate, 0f, joints, rotations, positions);
+    }
+}

@@ -1,0 +1,143 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+using CreatureGen.Skinning;
+
+namespace CreatureGen.Motion;
+
+/// <summary>An act of a creature that stands on level ground, measured from its beginning until it stands again: at 240 Hz, its skin at 30 Hz. The same trial gives the same figures.</summary>
+/// <param name="Ability">What.</param>
+public sealed record ActTrial(ActAbility Ability)
+{
+    private const float Rate = 240f;
+    private const int SkinEach = 8;
+
+    /// <summary>Seconds before the act and after it.</summary>
+    private const float SettleSeconds = 0.25f;
+
+    /// <summary>A trial of everything that a creature can do.</summary>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public static IReadOnlyList<ActTrial> Of(MotionProfile profile) =>
+        (profile ?? throw new ArgumentNullException(nameof(profile))).Acts.Possible.Select(ability => new ActTrial(ability)).ToArray();
+
+    /// <summary>Runs the trial.</summary>
+    /// <param name="profile">The creature's.</param>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public ActReport Run(MotionProfile profile)
+    {
+        var animator = new CreatureAnimator(profile ?? throw new ArgumentNullException(nameof(profile)));
+        animator.Teleport(animator.Root, FlatGround.Level);
+        for (int i = 0; i < (int)(SettleSeconds * Rate); i++)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+        }
+
+        var skin = new SkinWatch(profile);
+        skin.Record(animator.ModelPose);
+        float standing = skin.Lowest;
+        var joints = new JointWatch(profile.Creature.Skeleton, profile.SpringRigs);
+        var feet = new PlantedFeet(animator);
+        joints.Record(animator.LocalPose.Rotations, 1f / Rate);
+        animator.Perform(Ability, Ability.Act.Reaches ? ActTarget.At(Ability.Usual) : default);
+        float lasting = Ability.SecondsToLast;
+        float seconds = Ability.Seconds + SettleSeconds;
+        int frames = (int)(seconds * Rate);
+        float? error = null;
+        for (int i = 1; i <= frames; i++)
+        {
+            if (lasting > 0f && i == (int)(lasting * Rate))
+            {
+                animator.GoOn();
+            }
+
+            animator.Update(1f / Rate, default, FlatGround.Level);
+            joints.Record(animator.LocalPose.Rotations, 1f / Rate);
+            feet.Record();
+            if (i % SkinEach == 0)
+            {
+                skin.Record(animator.ModelPose);
+            }
+
+            foreach (ActEvent item in animator.ActEvents)
+            {
+                error = item.Mark == ActMark.Contact && Ability.Act.Reaches ? Vec.Distance(item.Position, Ability.Usual) / profile.Acts.Body.Size : error;
+            }
+        }
+
+        bool grounded = profile.Legs != null || profile.Slither != null;
+        float sunk = Math.Max(0f, Math.Min(standing, 0f) - skin.Lowest) / profile.Acts.Body.Size;
+        return new ActReport(frames, seconds, (float)joints.Excess, joints.ExcessJoint, joints.Speed, joints.SpeedJoint, grounded ? sunk : null, error, profile.Legs == null ? null : feet.Worst);
+    }
+
+    /// <summary>Watches how low the skin comes.</summary>
+    private sealed class SkinWatch
+    {
+        private readonly Creatures.Creature creature;
+        private readonly Matrix4x4[] matrices;
+        private readonly Vector3[] positions;
+        private readonly Vector3[] normals;
+
+        public SkinWatch(MotionProfile profile)
+        {
+            creature = profile.Creature;
+            matrices = new Matrix4x4[creature.Skeleton.Count];
+            positions = new Vector3[creature.Mesh.Positions.Length];
+            normals = new Vector3[positions.Length];
+        }
+
+        /// <summary>Height of the lowest vertex of all poses, metres.</summary>
+        public float Lowest { get; private set; } = float.MaxValue;
+
+        public void Record(in Pose model)
+        {
+            SkinMatrices.Fill(creature.Skeleton, model, matrices);
+            CpuSkinning.Skin(matrices, creature.Mesh.Weights, creature.Mesh.Positions, creature.Mesh.Normals, positions, normals);
+            foreach (Vector3 place in positions)
+            {
+                Lowest = Math.Min(Lowest, place.Y);
+            }
+        }
+    }
+
+    /// <summary>Watches how far planted feet go: the ball or the middle of the sole, whichever moves less, so that rolling and turning are no slip.</summary>
+    private sealed class PlantedFeet
+    {
+        private readonly CreatureAnimator animator;
+        private readonly (Vector3 Ball, Vector3 Sole)?[] stood;
+
+        public PlantedFeet(CreatureAnimator animator)
+        {
+            this.animator = animator;
+            stood = new (Vector3, Vector3)?[animator.FootCount];
+        }
+
+        /// <summary>Leg lengths.</summary>
+        public float Worst { get; private set; }
+
+        public void Record()
+        {
+            for (int foot = 0; foot < stood.Length; foot++)
+            {
+                if (animator.Foot(foot).Phase != FootPhase.Stance)
+                {
+                    stood[foot] = null;
+                    continue;
+                }
+
+                LegRig leg = animator.Profile.Legs!.Legs[foot];
+                Pose model = animator.ModelPose;
+                Vector3 ball = model.Positions[leg.Ball];
+                Quaternion turn = Rotation.Multiply(model.Rotations[leg.Ball], Rotation.Inverse(animator.Profile.Creature.Skeleton.ModelRotations[leg.Ball]));
+                Vector3 sole = ball + Rotation.Rotate(turn, leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f));
+                stood[foot] ??= (ball, sole);
+                (Vector3 ballBefore, Vector3 soleBefore) = stood[foot]!.Value;
+                Worst = Math.Max(Worst, Math.Min(Vec.Distance(ball, ballBefore), Vec.Distance(sole, soleBefore)) / leg.Length);
+            }
+        }
+    }
+}
