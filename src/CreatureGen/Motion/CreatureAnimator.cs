@@ -26,7 +26,7 @@ namespace CreatureGen.Motion;
 /// <para>Configured by the creature's build alone. An update allocates nothing. The same calls give the same bits.</para>
 /// <para>The pose is in the creature's own space, with its root joint at rest: <see cref="Root"/> says where that is in the world.</para>
 /// </remarks>
-public sealed class CreatureAnimator
+public sealed partial class CreatureAnimator
 {
     private readonly Quaternion[] localRotations;
     private readonly Vector3[] localPositions;
@@ -119,9 +119,6 @@ public sealed class CreatureAnimator
 
     /// <summary>How many of the ground's answers in the last update counted as no hit: numbers that are not finite, a normal that is not unit, or a point far beyond the ray. More than 0 is an error of the game's ground.</summary>
     public int RefusedHits => gate.Refused;
-
-    /// <summary>What carries it at present. Where the ground ends or goes away a walker falls, reaches for the ground, and takes up the landing with its legs, all by itself.</summary>
-    public BodyState State => Mode?.State ?? BodyState.Supported;
 
     /// <summary>The gait at present; null for creatures without legs to stand on.</summary>
     public Gait? Gait => Legs?.Gait;
@@ -260,13 +257,6 @@ public sealed class CreatureAnimator
         actor?.Performer.Reset();
         Finish(0f);
     }
-
-    /// <summary>Lets it go limp with the next update, at the velocities that it has: it falls as a ragdoll and lies in the pose in which it comes to rest until <see cref="GetUp"/>. Nothing happens to what lies already.</summary>
-    public void GoLimp() => Mode?.GoLimp();
-
-    /// <summary>Has it get up as soon as it lies still: by phases, with its feet planted, and nothing of it in the ground. <see cref="State"/> is <see cref="BodyState.Supported"/> again when it stands.</summary>
-    /// <returns>Whether it lies; what stands has nothing to get up from.</returns>
-    public bool GetUp() => Mode?.GetUp() ?? false;
 
     /// <summary>Moves the origin of the world: everything that is remembered in it moves by the offset, and nothing else changes.</summary>
     /// <param name="offset">Added to all places, metres.</param>

@@ -20,6 +20,12 @@ public enum MotionEventKind
     /// <summary>A fall came to the ground.</summary>
     Landed,
 
+    /// <summary>It took off for a jump.</summary>
+    Jumped,
+
+    /// <summary>It was hit.</summary>
+    Struck,
+
     /// <summary>It went limp.</summary>
     WentLimp,
 

@@ -6,7 +6,10 @@ public enum BodyState
     /// <summary>What its way of going has carry it: its feet, its wings, the water, its belly.</summary>
     Supported,
 
-    /// <summary>Nothing: it falls, and its legs reach for the ground.</summary>
+    /// <summary>Its feet, off which it pushes itself for a jump.</summary>
+    Leaping,
+
+    /// <summary>Nothing: it falls or flies in a jump, and its legs reach for the ground.</summary>
     Falling,
 
     /// <summary>Its feet, which have come down and take up the fall.</summary>

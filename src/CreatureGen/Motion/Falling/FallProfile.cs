@@ -14,6 +14,13 @@ namespace CreatureGen.Motion.Falling;
 /// <summary>What follows from a creature's build for how it falls, lies and gets up: worked out when it is first needed, immutable, shared by all its animators.</summary>
 internal sealed class FallProfile
 {
+    /// <summary>Depth of a landing over v/ω at the damping that landings have, and part of the depth of a crouch that it takes up at most.</summary>
+    public const float DepthOfLanding = 0.424f;
+    public const float DeepestLanding = 0.95f;
+
+    /// <summary>Speed of a fall that all legs take up, √(gℓ).</summary>
+    private const float LeastBorne = 1.2f;
+
     /// <summary>Step in which the depth of its crouch is looked for, leg lengths, how deep that is at most, and what legs give in any case.</summary>
     private const float CrouchStep = 0.02f;
     private const float MaxCrouch = 0.7f;
@@ -50,13 +57,15 @@ internal sealed class FallProfile
         Windows = WindowsOf(creature.Skeleton);
         Neck = ChainOf(creature.Skeleton, JointRole.Neck, JointRole.Head);
         Tail = ChainOf(creature.Skeleton, JointRole.Tail, JointRole.Tail);
+        Gives = Recoil.GivesOf(creature.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
         Body = Math.Max(creature.Skeleton.IndexOf("Body"), 0);
         Support = SupportPoints.Of(creature);
         if (legs != null)
         {
             CrouchDepth = DepthOf(legs, gaits!, Support);
-            Braking = HardestBraking * (float)Scalar.Clamp(PortableMath.Pow(legs.Mass / UsualMass, BrakingPower), LeastFraction, GreatestFraction);
+            float braking = HardestBraking * (float)Scalar.Clamp(PortableMath.Pow(legs.Mass / UsualMass, BrakingPower), LeastFraction, GreatestFraction);
+            BorneSpeed = Math.Max(LeastBorne, DeepestLanding * CrouchDepth / legs.LegLength * braking / DepthOfLanding);
         }
     }
 
@@ -78,6 +87,9 @@ internal sealed class FallProfile
     /// <summary>When each joint moves as it gathers itself: the head first, the legs before the body rolls over them, then the rest.</summary>
     public TimeWindow[] Windows { get; }
 
+    /// <summary>For each joint how much what hangs on it resists turning, kg m²; 0 where it does not give to a blow.</summary>
+    public float[] Gives { get; }
+
     /// <summary>Joints of neck and head.</summary>
     public int[] Neck { get; }
 
@@ -96,8 +108,8 @@ internal sealed class FallProfile
     /// <summary>How far the body can be let down into its legs with its feet where they belong, metres of the model; 0 without legs.</summary>
     public float CrouchDepth { get; }
 
-    /// <summary>How hard its legs brake a fall at most, 1/τ with τ = √(ℓ/g).</summary>
-    public float Braking { get; }
+    /// <summary>Speed of a fall that its legs take up, √(gℓ).</summary>
+    public float BorneSpeed { get; }
 
     /// <summary>Raises the whole of a pose.</summary>
     /// <param name="local">In the parents' space.</param>

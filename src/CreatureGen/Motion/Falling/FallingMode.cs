@@ -17,6 +17,9 @@ internal sealed class FallingMode : ILocomotionMode
     /// <summary>Most events of the whole body in an update, those of feet that come down together not counted.</summary>
     public const int MaxEvents = 4;
 
+    /// <summary>Change of the body's speed, √(gℓ), above which a blow knocks it down.</summary>
+    private const float KnockDown = 0.6f;
+
     private readonly Creature creature;
     private readonly LeggedBody? body;
     private readonly Lazy<FallProfile> profile;
@@ -27,6 +30,10 @@ internal sealed class FallingMode : ILocomotionMode
     private FreeFall? fall;
     private LimpBody? limp;
     private GettingUp? up;
+    private Leap? leap;
+    private Recoil? recoil;
+    private Blow blow;
+    private Drift drift;
     private bool goesLimp;
     private bool getsUp;
 
@@ -45,6 +52,7 @@ internal sealed class FallingMode : ILocomotionMode
         this.inner = inner;
         this.legs = legs;
         this.events = events;
+        blow = Blow.None;
     }
 
     /// <summary>What carries the creature.</summary>
@@ -76,11 +84,15 @@ internal sealed class FallingMode : ILocomotionMode
     public float BalancedBank => inner.BalancedBank;
 
     /// <summary>Whether feet, wings or water carry it.</summary>
-    private bool IsUp => State is BodyState.Supported or BodyState.Landed;
+    private bool IsUp => State is BodyState.Supported or BodyState.Leaping or BodyState.Landed;
 
     private LimpBody Lying => limp ??= new LimpBody(profile.Value);
 
     private GettingUp Up => up ??= new GettingUp(profile.Value, inner, legs);
+
+    private Leap Leap => leap ??= new Leap(body!, profile.Value, legs!);
+
+    private Recoil Recoil => recoil ??= new Recoil(profile.Value);
 
     private FreeFall Fall => fall ??= new FreeFall(body!, profile.Value, legs!);
 
@@ -89,6 +101,52 @@ internal sealed class FallingMode : ILocomotionMode
     {
         goesLimp = State != BodyState.Limp;
         getsUp = false;
+    }
+
+    /// <summary>How far it jumps.</summary>
+    public JumpReach ReachOf(float scale, float gravity) => legs == null ? default : Leap.Reach(scale, gravity);
+
+    /// <summary>Has it jump so that its root lands at a point of the world.</summary>
+    public JumpResult Jump(Vector3 target, in RootPlace place, in MotionSettings settings)
+    {
+        if (legs == null || State != BodyState.Supported || !inner.StandsOnFeet || inner != legs)
+        {
+            return legs == null ? JumpResult.NoLegs : JumpResult.NotOnFeet;
+        }
+
+        JumpResult result = Leap.Begin(target, place, settings);
+        State = result == JumpResult.Begun ? BodyState.Leaping : State;
+        return result;
+    }
+
+    /// <summary>Hits a part: what does not carry the body gives and recovers, the body is pushed, and steps after it; above what balance takes it goes limp, and gets up by itself.</summary>
+    /// <param name="joint">Of the part.</param>
+    /// <param name="impulse">World N·s.</param>
+    /// <param name="place">Where the creature is.</param>
+    /// <param name="model">Its pose.</param>
+    /// <param name="settings">Gravity.</param>
+    public void Hit(int joint, Vector3 impulse, in RootPlace place, in Pose model, in MotionSettings settings)
+    {
+        float scale = place.Scale;
+        float tau = Tau(scale, settings.Gravity);
+        Vector3 change = impulse / (profile.Value.Mass * scale * scale * scale);
+        float speed = Vec.Length(change);
+        float balance = KnockDown * settings.Gravity * tau;
+        blow = new Blow(joint, impulse, speed / (settings.Gravity * tau));
+        if (State == BodyState.Limp)
+        {
+            Lying.Push(joint, impulse, scale, settings.Gravity);
+        }
+        else if (State == BodyState.Rising || speed > balance)
+        {
+            GoLimp();
+            getsUp = true;
+        }
+        else
+        {
+            Recoil.Strike(joint, impulse, place, model, tau);
+            Stagger(change, place);
+        }
     }
 
     /// <summary>Has it get up as soon as it lies still.</summary>
@@ -107,7 +165,7 @@ internal sealed class FallingMode : ILocomotionMode
             Begin(place, local, settings);
         }
 
-        if (goesLimp)
+        if (goesLimp || State == BodyState.Falling)
         {
             Lying.Keep(local);
         }
@@ -118,12 +176,27 @@ internal sealed class FallingMode : ILocomotionMode
         }
 
         RootPlace next = Move(place, dt, input, settings, ground, local);
+        if (recoil != null && State is not (BodyState.Limp or BodyState.Rising))
+        {
+            recoil.Apply(dt, Tau(place.Scale, settings.Gravity), local);
+        }
+
         if (goesLimp)
         {
             goesLimp = false;
             Lying.Begin(next, local, place, dt, ground);
             State = BodyState.Limp;
             Tell(MotionEventKind.WentLimp, next, settings.Up, 0f, 0f);
+            if (blow.Joint >= 0)
+            {
+                Lying.Push(blow.Joint, blow.Impulse, place.Scale, settings.Gravity);
+            }
+        }
+
+        if (blow.Joint >= 0)
+        {
+            events.Add(new MotionEvent(MotionEventKind.Struck, -1, blow.Joint, next.Position, settings.Up, 0, 0f, blow.Strength, 0f));
+            blow = Blow.None;
         }
 
         return next;
@@ -164,6 +237,17 @@ internal sealed class FallingMode : ILocomotionMode
             Fall.CopyFrom(mode.fall);
         }
 
+        (blow, drift) = (mode.blow, mode.drift);
+        if (mode.leap != null)
+        {
+            Leap.CopyFrom(mode.leap);
+        }
+
+        if (mode.recoil != null)
+        {
+            Recoil.CopyFrom(mode.recoil);
+        }
+
         if (mode.limp != null)
         {
             Lying.CopyFrom(mode.limp);
@@ -180,6 +264,9 @@ internal sealed class FallingMode : ILocomotionMode
     {
         switch (State)
         {
+            case BodyState.Leaping:
+                local.SetToRest(creature.Skeleton);
+                return Leaping(place, dt, settings, ground, local);
             case BodyState.Falling:
                 local.SetToRest(creature.Skeleton);
                 return Falling(place, dt, settings, ground, local);
@@ -200,9 +287,42 @@ internal sealed class FallingMode : ILocomotionMode
                 return place;
             default:
                 local.SetToRest(creature.Skeleton);
-                return inner.Drive(place, dt, input, settings, ground, local);
+                return inner.Drive(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, local);
         }
     }
+
+    /// <summary>Lets the body be pushed: on its legs it steps after it, else it is carried off and slows down.</summary>
+    private void Stagger(Vector3 change, in RootPlace place)
+    {
+        if (State == BodyState.Falling)
+        {
+            Fall.Push(change);
+        }
+        else if (legs != null && inner.StandsOnFeet)
+        {
+            legs.Push(Rotation.Rotate(Rotation.Inverse(place.Rotation), change) / place.Scale, 0f);
+        }
+        else
+        {
+            drift.Push(change);
+        }
+    }
+
+    private RootPlace Leaping(RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
+    {
+        place = Leap.Advance(place, dt, settings, ground, local, out bool off);
+        if (off)
+        {
+            Fall.Begin(local, Leap.Velocity, Leap.Turn);
+            State = BodyState.Falling;
+            legs!.Tell(MotionEventKind.FootUp, Vec.Length(Leap.Velocity), 1f);
+            Tell(MotionEventKind.Jumped, place, settings.Up, Vec.Length(Leap.Velocity), 0f);
+        }
+
+        return place;
+    }
+
+    private float Tau(float scale, float gravity) => (float)Math.Sqrt(profile.Value.Height * scale / gravity);
 
     /// <summary>Begins to get up from where it lies.</summary>
     private RootPlace Rise(in RootPlace place, in MotionSettings settings, IGround ground)
@@ -230,6 +350,13 @@ internal sealed class FallingMode : ILocomotionMode
         if (impact > 0f)
         {
             State = BodyState.Landed;
+            if (impact > profile.Value.BorneSpeed * settings.Gravity * Tau(place.Scale, settings.Gravity))
+            {
+                // More than its legs take: it collapses, and gets up by itself.
+                goesLimp = true;
+                getsUp = true;
+            }
+
             float force = Fall.ForceOf(impact, settings.Gravity);
             Tell(MotionEventKind.Landed, place, settings.Up, impact, force);
             legs!.Tell(MotionEventKind.FootDown, impact, force);
@@ -257,6 +384,9 @@ internal sealed class FallingMode : ILocomotionMode
         goesLimp = false;
         getsUp = false;
         limp?.Stop();
+        recoil?.Stop();
+        blow = Blow.None;
+        drift = default;
         if (legs != null)
         {
             legs.Sink = 0f;

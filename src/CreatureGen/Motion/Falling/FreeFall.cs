@@ -28,12 +28,6 @@ internal sealed class FreeFall
     private const float SoftestBraking = 2.2f;
     private const float DampingRatio = 0.8f;
 
-    /// <summary>Depth of such a landing over v/ω.</summary>
-    private const float DepthOfLanding = 0.424f;
-
-    /// <summary>Part of the depth of a crouch that a landing takes up at most.</summary>
-    private const float DeepestLanding = 0.95f;
-
     /// <summary>Depth, part of that of a crouch, and rate, the same in τ, below which a landing is over.</summary>
     private const float Over = 0.02f;
 
@@ -82,6 +76,9 @@ internal sealed class FreeFall
         sink = new CriticallyDampedSpring { Value = legs.Sink, Rate = 0 };
         fade.Keep(shown);
     }
+
+    /// <summary>Changes its velocity, world m/s.</summary>
+    public void Push(Vector3 change) => velocity += change;
 
     /// <summary>Falls on.</summary>
     /// <param name="place">Where the root is.</param>
@@ -133,7 +130,7 @@ internal sealed class FreeFall
         {
             // From here on the legs brake: the body goes on as it came.
             sinkRate = impact / place.Scale;
-            braking = Math.Max(SoftestBraking / tau, sinkRate * DepthOfLanding / Math.Max(DeepestLanding * profile.CrouchDepth, 1e-4f));
+            braking = Math.Max(SoftestBraking / tau, sinkRate * FallProfile.DepthOfLanding / (FallProfile.DeepestLanding * profile.CrouchDepth));
         }
 
         return place;
@@ -143,16 +140,6 @@ internal sealed class FreeFall
     /// <param name="impact">World m/s.</param>
     /// <param name="gravity">World m/s².</param>
     public float ForceOf(float impact, float gravity) => 1f + (2f * DampingRatio * impact * braking / gravity);
-
-    /// <summary>Whether legs take up a fall that comes down at a speed.</summary>
-    /// <param name="impact">World m/s.</param>
-    /// <param name="scale">World metres per model metre.</param>
-    /// <param name="gravity">World m/s².</param>
-    public bool Bears(float impact, float scale, float gravity)
-    {
-        float tau = (float)Math.Sqrt(body.LegLength * scale / gravity);
-        return impact / scale * DepthOfLanding <= DeepestLanding * profile.CrouchDepth * profile.Braking / tau;
-    }
 
     /// <summary>Lets the legs take up the fall; the pose is the walk's, which is driven afterwards.</summary>
     /// <param name="dt">Seconds.</param>

@@ -69,8 +69,16 @@ internal sealed class LimpBody
 
     /// <summary>Pushes a part.</summary>
     /// <param name="joint">A joint of it.</param>
-    /// <param name="velocity">Change of its velocity as if it were free, world m/s.</param>
-    public void Push(int joint, Vector3 velocity) => ragdoll.Push(joint, velocity, ragdoll.CentreOf(joint));
+    /// <param name="impulse">World N·s.</param>
+    /// <param name="scale">World metres per model metre.</param>
+    /// <param name="gravity">World m/s²: nothing is thrown faster than a fall from twice its height.</param>
+    public void Push(int joint, Vector3 impulse, float scale, float gravity)
+    {
+        Vector3 change = impulse / (profile.Mass * scale * scale * scale * profile.Ragdoll.MassOf(joint));
+        float most = 2f * (float)Math.Sqrt(gravity * profile.Height * scale);
+        float length = Vec.Length(change);
+        ragdoll.Push(joint, length > most ? change * (most / length) : change, ragdoll.CentreOf(joint));
+    }
 
     /// <summary>Falls on, or lies.</summary>
     /// <returns>Where the root is then: under the body, facing as it did.</returns>

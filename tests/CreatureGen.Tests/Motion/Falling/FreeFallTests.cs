@@ -36,6 +36,7 @@ public sealed class FreeFallTests
     {
         int fell = 0;
         int walked = 0;
+        int collapsed = 0;
         foreach (MotionProfile profile in Lot(520, 24))
         {
             float leg = profile.LegLength;
@@ -65,6 +66,14 @@ public sealed class FreeFallTests
                 continue;
             }
 
+            // Short stiff legs do not take such a fall.
+            if (states.Contains(BodyState.Limp))
+            {
+                Assert.Equal([BodyState.Supported, BodyState.Falling, BodyState.Limp, BodyState.Rising, BodyState.Supported], states);
+                collapsed++;
+                continue;
+            }
+
             fell++;
             Assert.Equal([BodyState.Supported, BodyState.Falling, BodyState.Landed, BodyState.Supported], states);
             Assert.Equal([MotionEventKind.Fell, MotionEventKind.Landed], kinds);
@@ -72,7 +81,7 @@ public sealed class FreeFallTests
             Assert.True(excess < 1, $"{name}: {excess}° beyond a limit");
         }
 
-        Assert.True(fell > 3 * walked, $"{fell} fell, {walked} walked down");
+        Assert.True(fell > walked + collapsed, $"{fell} fell, {walked} walked down, {collapsed} collapsed");
     }
 
     /// <summary>From rest a body falls ½gt²: its pelvis does, whatever its legs do meanwhile.</summary>

@@ -1,0 +1,140 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Toolkit.Ragdolls;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>A struck part that gives and recovers: joints from the struck one up to the trunk are thrown aside and come back as damped springs, on top of any motion.</summary>
+internal sealed class Recoil
+{
+    /// <summary>Springs, 1/τ with τ = √(ℓ/g), and their damping.</summary>
+    private const float Stiffness = 3.5f;
+    private const float DampingRatio = 0.55f;
+
+    /// <summary>Fastest throw of a joint, 1/τ, and what of it each joint farther in takes.</summary>
+    private const float MaxRate = 3f;
+    private const float Inward = 0.6f;
+
+    /// <summary>Radians below which it is over.</summary>
+    private const float Over = 1e-3f;
+
+    private readonly FallProfile profile;
+    private readonly Vector3[] angles;
+    private readonly Vector3[] rates;
+    private bool active;
+
+    public Recoil(FallProfile profile)
+    {
+        this.profile = profile;
+        angles = new Vector3[profile.Skeleton.Count];
+        rates = new Vector3[angles.Length];
+    }
+
+    /// <summary>Strikes a part.</summary>
+    /// <param name="joint">Of it.</param>
+    /// <param name="impulse">World N·s.</param>
+    /// <param name="place">Where the creature is.</param>
+    /// <param name="model">Its pose.</param>
+    /// <param name="tau">√(ℓ/g), seconds.</param>
+    public void Strike(int joint, Vector3 impulse, in RootPlace place, in Pose model, float tau)
+    {
+        Skeleton skeleton = profile.Skeleton;
+        Vector3 hit = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], skeleton.Joints[joint].Along * (0.5f * skeleton.Joints[joint].Length));
+        Vector3 push = Rotation.Rotate(Rotation.Inverse(place.Rotation), impulse);
+        float scale = place.Scale;
+        float share = 1f;
+        for (int j = joint; j >= 0 && profile.Gives[j] > 0f; j = skeleton.Parents[j])
+        {
+            // The moment of inertia of a larger one grows with the fifth power of its size, the lever with the first.
+            Vector3 turn = Vec.Cross(hit - model.Positions[j], push) / (profile.Gives[j] * scale * scale * scale * scale);
+            float rate = Vec.Length(turn);
+            turn *= share * Math.Min(1f, MaxRate / tau / Math.Max(rate, 1e-6f));
+            int parent = skeleton.Parents[j];
+            rates[j] += parent < 0 ? turn : Rotation.Rotate(Rotation.Inverse(model.Rotations[parent]), turn);
+            share *= Inward;
+            active = true;
+        }
+    }
+
+    /// <summary>Lays what is left of it on a pose.</summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="tau">√(ℓ/g), seconds.</param>
+    /// <param name="local">In the parents' space.</param>
+    public void Apply(float dt, float tau, in Pose local)
+    {
+        if (!active)
+        {
+            return;
+        }
+
+        var spring = new DampedSpring(Stiffness / tau, DampingRatio, dt);
+        float most = 0f;
+        for (int j = 0; j < angles.Length; j++)
+        {
+            if (angles[j] == Vector3.Zero && rates[j] == Vector3.Zero)
+            {
+                continue;
+            }
+
+            (angles[j], rates[j]) = ((angles[j] * spring.PlaceOfPlace) + (rates[j] * spring.PlaceOfVelocity), (angles[j] * spring.VelocityOfPlace) + (rates[j] * spring.VelocityOfVelocity));
+            float angle = Vec.Length(angles[j]);
+            most = Math.Max(most, Math.Max(angle, tau * Vec.Length(rates[j])));
+            if (angle > 1e-6f)
+            {
+                Quaternion turned = Rotation.Normalize(Rotation.Multiply(Rotation.FromAxisAngle(angles[j] / angle, angle), local.Rotations[j]));
+                local.Rotations[j] = SwingTwistLimit.ClampLocal(turned, profile.Skeleton.Joints[j]);
+            }
+        }
+
+        if (most < Over)
+        {
+            Stop();
+        }
+    }
+
+    /// <summary>Ends it.</summary>
+    public void Stop()
+    {
+        Array.Clear(angles, 0, angles.Length);
+        Array.Clear(rates, 0, rates.Length);
+        active = false;
+    }
+
+    /// <summary>Goes on from where another is.</summary>
+    public void CopyFrom(Recoil other)
+    {
+        other.angles.CopyTo(angles, 0);
+        other.rates.CopyTo(rates, 0);
+        active = other.active;
+    }
+
+    /// <summary>For each joint the moment of inertia of all that hangs on it about it, kg m² of the model; 0 where it does not give: it carries what stands, or does not turn.</summary>
+    public static float[] GivesOf(Skeleton skeleton, RagdollRig rig, float mass, ReadOnlySpan<int> feet)
+    {
+        var gives = new float[skeleton.Count];
+        ReadOnlySpan<RagdollPart> parts = rig.Parts;
+        for (int i = 1; i < parts.Length; i++)
+        {
+            Vector3 centre = skeleton.ModelPositions[parts[i].Joint] + Rotation.Rotate(skeleton.ModelRotations[parts[i].Joint], parts[i].Centre);
+            float reach = skeleton.Joints[parts[i].Joint].Length;
+            for (int p = i; p > 0; p = parts[p].Parent)
+            {
+                float arm = Vec.Distance(centre, skeleton.ModelPositions[parts[p].Joint]);
+                gives[parts[p].Joint] += mass / parts[i].InverseMass * ((arm * arm) + (0.1f * reach * reach));
+            }
+        }
+
+        foreach (int foot in feet)
+        {
+            for (int j = foot; j >= 0; j = skeleton.Parents[j])
+            {
+                gives[j] = 0f;
+            }
+        }
+
+        return gives;
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Falling;
+
+/// <summary>Jumps to a point, and blows.</summary>
+public sealed class JumpAndBlowTests
+{
+    private const float Frame = 1f / 60f;
+
+    [Fact]
+    public void Jumps_within_reach_land_where_they_were_asked_to_and_others_are_refused_with_the_reason()
+    {
+        int jumped = 0;
+        foreach (MotionProfile profile in FreeFallTests.Lot(680, 10))
+        {
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            JumpReach reach = animator.JumpReach;
+            if (reach.Length == 0f)
+            {
+                Assert.Equal(JumpResult.TooHeavy, animator.Jump(Vector3.UnitZ));
+                continue;
+            }
+
+            Assert.Equal(JumpResult.OutOfReach, animator.Jump(new Vector3(0f, 0f, 1.1f * reach.Length)));
+            Assert.Equal(JumpResult.OutOfReach, animator.Jump(new Vector3(0f, 1.1f * reach.Height, 0f)));
+            var target = new Vector3(0.2f * reach.Length, 0f, 0.8f * reach.Length);
+            Assert.Equal(JumpResult.Begun, animator.Jump(target));
+            Assert.Equal(JumpResult.NotOnFeet, animator.Jump(target));
+            var kinds = new List<MotionEventKind>();
+            for (int i = 0; i < 600 && !kinds.Contains(MotionEventKind.Landed); i++)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+                kinds.AddRange(animator.Events.ToArray().Where(e => e.Foot < 0).Select(e => e.Kind));
+            }
+
+            float miss = Vec.Distance(animator.Root.Position, target);
+            Assert.Equal([MotionEventKind.Jumped, MotionEventKind.Landed], kinds);
+            Assert.True(miss < 0.3f * profile.LegLength, $"{profile.Creature.Blueprint.Seed} {profile.Creature.Blueprint.Plan}: {miss / profile.LegLength} legs from its target");
+            jumped++;
+        }
+
+        Assert.True(jumped > 3, $"{jumped} jumped");
+    }
+
+    [Fact]
+    public void A_light_blow_is_stepped_after_and_a_heavy_one_knocks_down_who_then_gets_up_by_itself()
+    {
+        foreach (MotionProfile profile in FreeFallTests.Lot(690, 4))
+        {
+            float unit = profile.Creature.Mass.Mass * MathF.Sqrt(9.81f * profile.LegLength);
+            int head = profile.Creature.Skeleton.IndexOf("Head");
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            animator.Update(Frame, default, FlatGround.Level);
+            animator.Hit(Math.Max(head, 1), new Vector3(0.3f * unit, 0f, 0f));
+            animator.Update(Frame, default, FlatGround.Level);
+            Assert.Contains(animator.Events.ToArray(), e => e.Kind == MotionEventKind.Struck);
+            Run(animator, 180);
+            Assert.Equal(BodyState.Supported, animator.State);
+            Assert.True(animator.Root.Position.X > 0.01f * profile.LegLength, $"{profile.Creature.Blueprint.Seed}: pushed by {animator.Root.Position.X} m");
+            animator.Hit(Math.Max(head, 1), new Vector3(unit, 0f, 0f));
+            Run(animator, 2);
+            Assert.Equal(BodyState.Limp, animator.State);
+            Run(animator, 3000);
+            Assert.Equal(BodyState.Supported, animator.State);
+        }
+    }
+
+    [Fact]
+    public void Blows_and_targets_that_are_no_numbers_and_unknown_joints_are_refused()
+    {
+        MotionProfile profile = FreeFallTests.Lot(690, 4).First();
+        var animator = new CreatureAnimator(profile);
+        Assert.Contains("impulse", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(1, new Vector3(float.NaN, 0f, 0f))).Message, StringComparison.Ordinal);
+        Assert.Contains("joint", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(-1, Vector3.UnitX)).Message, StringComparison.Ordinal);
+        Assert.Contains("joint", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(profile.Creature.Skeleton.Count, Vector3.UnitX)).Message, StringComparison.Ordinal);
+        Assert.Contains("target", Assert.ThrowsAny<ArgumentException>(() => animator.Jump(new Vector3(0f, float.PositiveInfinity, 0f))).Message, StringComparison.Ordinal);
+    }
+
+    private static void Run(CreatureAnimator animator, int frames)
+    {
+        for (int i = 0; i < frames; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+        }
+    }
+}
