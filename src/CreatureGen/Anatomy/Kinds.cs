@@ -141,6 +141,24 @@ public enum WingStyle
 
     /// <summary>Rows of feathers, folded back along the flank.</summary>
     Folded,
+
+    /// <summary>Feathers, pointed and swept back.</summary>
+    Falcon,
+
+    /// <summary>Feathers, long and narrow.</summary>
+    Albatross,
+
+    /// <summary>Feathers, a short blade.</summary>
+    Hummingbird,
+
+    /// <summary>Feathers, broad, with slots between the outermost.</summary>
+    Owl,
+
+    /// <summary>A deep membrane between four fingers that end in hooks.</summary>
+    Dragon,
+
+    /// <summary>A narrow membrane behind one long finger.</summary>
+    Pterosaur,
 }
 
 /// <summary>Where a fin grows.</summary>

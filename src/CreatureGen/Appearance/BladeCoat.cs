@@ -1,5 +1,6 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 
@@ -43,7 +44,7 @@ internal sealed class BladeCoat
                 float rooted = Scalar.Smooth(place.Along * 1.3f);
                 return Vec.Lerp(colour, finColour, 0.85f * rooted) * Scalar.Lerp(1f, rays * margin, Scalar.Smooth(place.Along * 4f));
             case SurfaceRegion.Wing:
-                return place.Appendage >= 0 && place.Appendage < subject.WingStyles.Count && subject.WingStyles[place.Appendage] is WingStyle.Feathered or WingStyle.Folded
+                return place.Appendage >= 0 && place.Appendage < subject.WingStyles.Count && (subject.WingStyles[place.Appendage] == WingStyle.Folded || WingForm.Of(subject.WingStyles[place.Appendage]).Feathers > 0)
                     ? Feathers(colour, place)
                     : Membrane(colour, place);
             case SurfaceRegion.Ear:

@@ -54,7 +54,13 @@ internal static class AnatomyChoices
     public static readonly ChoiceNames<WingStyle> Wing = new(
         (WingStyle.Bat, "bat"),
         (WingStyle.Feathered, "feathered"),
-        (WingStyle.Folded, "folded"));
+        (WingStyle.Folded, "folded"),
+        (WingStyle.Falcon, "falcon"),
+        (WingStyle.Albatross, "albatross"),
+        (WingStyle.Hummingbird, "hummingbird"),
+        (WingStyle.Owl, "owl"),
+        (WingStyle.Dragon, "dragon"),
+        (WingStyle.Pterosaur, "pterosaur"));
 
     public static readonly ChoiceNames<FinPlace> FinPlace = new(
         (Anatomy.FinPlace.Dorsal, "dorsal"),

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
@@ -13,10 +14,28 @@ namespace CreatureGen.Limbs;
 /// <summary>Grows a pair of spread wings out of the body.</summary>
 internal static class WingGrower
 {
-    private const int Feathers = 11;
-    private const int Fingers = 4;
+    /// <summary>How far a finger stands out of its membrane to either side, in spans.</summary>
+    private const double FingerWidth = 0.016;
+
+    /// <summary>Share of the span over which the depth of the root goes over into that of the wing.</summary>
+    private const float Rooted = 0.1f;
+
+    /// <summary>How far the feathers of the tip point outwards, radians.</summary>
+    private const double FeatherTurn = 0.35;
+
+    /// <summary>Least depth of a wing, relative to its greatest: a tip of no depth has no area.</summary>
+    private const float LeastDepth = 0.03f;
+
+    private const int MembraneRows = 28;
+
+    /// <summary>Chord lines of one feather, in its widths: four, or three where there are many.</summary>
+    private static readonly float[] dense = { 0.02f, 0.35f, 0.7f, 0.99f };
+    private static readonly float[] sparse = { 0.02f, 0.5f, 0.99f };
 
     private static readonly double[] edgeKnots = { 0, 0.3, 0.52, 0.8, 1 };
+
+    /// <summary>Heights of the leading edge at the knots, for a rise of 1.</summary>
+    private static readonly double[] rises = { 0, 0.30, 0.63, 0.78, 0.75 };
 
     /// <summary>Shares of the span at shoulder, elbow, wrist, hand and tip.</summary>
     private static readonly float[] jointShares = { 0f, 0.28f, 0.53f, 0.78f, 1f };
@@ -28,16 +47,16 @@ internal static class WingGrower
         SocketLoop socket = SocketLoop.Cut(body, wing.Socket);
         int firstVertex = surface.Positions.Count;
         int firstFace = surface.Faces.Count;
-        float span = (float)wing.Span;
-        bool feathered = wing.Style == WingStyle.Feathered;
-        Func<float, Vector3> edge = LeadingEdge(wing, socket);
+        WingForm form = WingForm.Of(wing.Style);
+        Func<float, Vector3> edge = LeadingEdge(wing, form, socket);
+        Func<float, Vector3> bones = LeadingEdge(wing, HenWing.Form, socket);
         float root = 2f * socket.HalfLength;
 
         Vector3 Trail(float s)
         {
-            double turn = ((feathered ? 0.35 : 0.12) * s) + ((feathered ? 0.30 : 0.42) * Scalar.Smooth((s - 0.6) / 0.4));
+            double turn = form.Feathers > 0 ? FeatherTurn * s : 0;
             var direction = Vec.Normalize(new Vector3((float)PortableMath.Sin(turn), -0.22f - (0.16f * s), -(float)PortableMath.Cos(turn)));
-            return edge(s) + (direction * (feathered ? FeatherChord(wing, s, root) : MembraneChord(wing, s, root)));
+            return edge(s) + (direction * Scalar.Lerp(root, DepthAt(wing, form, s), Scalar.Smooth(s / Rooted)));
         }
 
         Vector3 Normal(float s)
@@ -48,12 +67,20 @@ internal static class WingGrower
             return -Vec.Normalize(n, Vector3.UnitY);
         }
 
+        // Bones lie along an arm that hardly bends, behind whatever edge is in front of them, so that all wings fold alike.
+        Vector3 Joint(float s)
+        {
+            Vector3 bone = edge(s);
+            bone.Z = Math.Min(bone.Z, Scalar.Lerp(edge(0f).Z, bones(s).Z, (float)Math.Min(1, form.Depth / HenWing.Form.Depth)));
+            return bone + ((Trail(s) - edge(s)) * (s == 0f ? 0.35f : 0.06f));
+        }
+
         float thickest = Scalar.Clamp(0.10f * (float)wing.Chord, 0.018f, 0.05f);
         var blade = new BladeSweep(edge, Trail)
         {
             Normal = Normal,
-            Thickness = (s, u) => feathered ? Thickness(thickest, s, u) : Thickness(thickest, s, u) + FingerRidge(thickest, s, u),
-            Sections = feathered ? FeatherSections() : MembraneSections(),
+            Thickness = (s, u) => Thickness(thickest, s, u) + FingerRidge(form, thickest, s, u),
+            Sections = form.Feathers > 0 ? FeatherSections(form.Feathers) : MembraneSections(form),
             Blend = 0.14f,
             Crowding = 0.85f,
             Address = new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1 },
@@ -62,58 +89,33 @@ internal static class WingGrower
         blade.Close(surface, end, wing.Socket, Vector3.UnitX);
         surface.MirrorSince(firstVertex, firstFace);
 
-        var joints = Array.ConvertAll(jointShares, s => edge(s) + ((Trail(s) - edge(s)) * (s == 0f ? 0.35f : 0.06f)));
+        var joints = Array.ConvertAll(jointShares, s => Joint(s));
         return WingAppendage.Of(socket.CentreRing, joints, jointShares);
     }
 
-    private static Func<float, Vector3> LeadingEdge(WingBlueprint wing, SocketLoop socket)
+    private static Func<float, Vector3> LeadingEdge(WingBlueprint wing, WingForm form, SocketLoop socket)
     {
         double span = wing.Span;
-        double rc = socket.HalfLength;
-        double[] x = new double[5];
-        double[] y = new double[5];
-        double[] z = new double[5];
-        double[] rise = { 0, 0.20, 0.42, 0.52, 0.50 };
-        double[] ahead = { rc, rc + (0.03 * span), rc + (0.15 * span), rc + (0.11 * span), (rc * 0.5) + (0.045 * span) };
-        for (int i = 0; i < 5; i++)
-        {
-            x[i] = socket.Centre.X + (edgeKnots[i] * span * 0.98);
-            y[i] = socket.Centre.Y + (rise[i] * wing.Rise * span * 1.5);
-            z[i] = socket.Centre.Z + ahead[i] - (wing.Sweep * span * edgeKnots[i] * 0.6);
-        }
-
-        double[] sx = new double[5];
-        double[] sy = new double[5];
-        double[] sz = new double[5];
-        MonotoneCubic.Slopes(edgeKnots, x, sx);
-        MonotoneCubic.Slopes(edgeKnots, y, sy);
-        MonotoneCubic.Slopes(edgeKnots, z, sz);
+        double[] slopes = new double[rises.Length];
+        MonotoneCubic.Slopes(edgeKnots, rises, slopes);
         return s => new Vector3(
-            (float)MonotoneCubic.Evaluate(edgeKnots, x, sx, s),
-            (float)MonotoneCubic.Evaluate(edgeKnots, y, sy, s),
-            (float)MonotoneCubic.Evaluate(edgeKnots, z, sz, s));
+            (float)(socket.Centre.X + (s * span * 0.98)),
+            (float)(socket.Centre.Y + (MonotoneCubic.Evaluate(edgeKnots, rises, slopes, s) * wing.Rise * span)),
+            (float)(socket.Centre.Z + (socket.HalfLength * (1 - (0.5 * s))) + ((form.LeadAt(s) - form.LeadAt(0)) * span) - (wing.Sweep * span * s * 0.6)));
     }
 
-    private static float MembraneChord(WingBlueprint wing, float s, float root)
+    /// <summary>Depth of the wing at a share of its span, the notches between its feathers taken off, metres.</summary>
+    private static float DepthAt(WingBlueprint wing, WingForm form, float s)
     {
-        float chord = (float)wing.Chord;
-        float depth = Piecewise(s, stackalloc float[] { 0f, 0.12f, 0.35f, 0.6f, 0.85f, 1f }, stackalloc float[] { root, chord * 0.85f, chord, chord * 0.95f, chord * 0.55f, chord * 0.02f });
-        if (s <= 0.05f)
+        float depth = Math.Max((float)(wing.Chord * (form.LeadAt(s) - form.TrailAt(s)) / form.Depth), LeastDepth * (float)wing.Chord);
+        if (form.Feathers == 0)
         {
             return depth;
         }
 
-        float phase = Scalar.Clamp((s - 0.02f) / 0.98f, 0f, 1f) * Fingers;
-        double scallop = PortableMath.Pow(Math.Abs(PortableMath.Sin(PortableMath.Pi * (phase - Math.Floor(phase)))), 0.8);
-        return depth * (1f - (0.20f * (float)scallop));
-    }
-
-    private static float FeatherChord(WingBlueprint wing, float s, float root)
-    {
-        float chord = (float)wing.Chord;
-        float depth = Piecewise(s, stackalloc float[] { 0f, 0.1f, 0.3f, 0.55f, 0.8f, 0.93f, 1f }, stackalloc float[] { root, chord * 0.72f, chord * 0.82f, chord * 0.9f, chord * 0.85f, chord * 0.62f, chord * 0.25f });
-        float tooth = Piecewise(s, stackalloc float[] { 0f, 0.4f, 0.75f, 0.88f, 1f }, stackalloc float[] { 0.06f, 0.10f, 0.28f, 0.28f, 0.08f });
-        float phase = (s * Feathers) - (float)Math.Floor(s * Feathers);
+        float slots = (float)form.Slots;
+        float tooth = Piecewise(s, stackalloc float[] { 0f, 0.4f, 0.75f, 0.9f, 1f }, stackalloc float[] { 0.05f, 0.08f, slots, slots, 0.06f });
+        float phase = (s * form.Feathers) - (float)Math.Floor(s * form.Feathers);
         return depth * (1f - (tooth * phase * phase));
     }
 
@@ -126,38 +128,48 @@ internal static class WingGrower
     }
 
     /// <summary>Fingers stand out of the membrane.</summary>
-    private static float FingerRidge(float thickest, float s, float u)
+    private static float FingerRidge(WingForm form, float thickest, float s, float u)
     {
-        if (u <= 0.1f || s <= 0.2f)
+        if (form.Digits.Length == 0 || u <= 0.1f || s <= 0.2f)
         {
             return 0f;
         }
 
-        double phase = Scalar.Clamp((s - 0.02) / 0.98, 0, 1) * Fingers;
-        double f = phase - Math.Floor(phase);
-        f = Math.Min(f, 1 - f) / 0.07;
-        return thickest * (1f - (0.65f * s)) * 0.55f * (float)PortableMath.Exp(-f * f) * (1f - (u * 0.6f));
+        double f = form.FromFingers(s, Scalar.Lerp(form.LeadAt(s), form.TrailAt(s), u)) / FingerWidth;
+        return thickest * (1f - (0.65f * s)) * 0.6f * (float)PortableMath.Exp(-f * f) * (1f - (u * 0.5f));
     }
 
-    private static float[] MembraneSections()
+    /// <summary>Even ones, and one at the tip of each finger, or ridges and corners would miss each other.</summary>
+    private static float[] MembraneSections(WingForm form)
     {
-        float[] sections = new float[29];
-        for (int i = 0; i < sections.Length; i++)
+        var sections = new List<float>();
+        for (int i = 0; i <= MembraneRows; i++)
         {
-            sections[i] = i / 28f;
+            sections.Add(i / (float)MembraneRows);
         }
 
-        return sections;
+        foreach (WingPoint tip in form.Tips)
+        {
+            int nearest = 1;
+            for (int i = 2; i < MembraneRows; i++)
+            {
+                nearest = Math.Abs(sections[i] - tip.X) < Math.Abs(sections[nearest] - tip.X) ? i : nearest;
+            }
+
+            sections[nearest] = tip.X > Rooted && tip.X < 1 ? (float)tip.X : sections[nearest];
+        }
+
+        return sections.ToArray();
     }
 
-    private static float[] FeatherSections()
+    private static float[] FeatherSections(int feathers)
     {
         var sections = new List<float> { 0f };
-        for (int q = 0; q < Feathers; q++)
+        for (int q = 0; q < feathers; q++)
         {
-            foreach (float part in new[] { 0.02f, 0.35f, 0.7f, 0.99f })
+            foreach (float part in feathers > 11 ? sparse : dense)
             {
-                sections.Add((q + part) / Feathers);
+                sections.Add((q + part) / feathers);
             }
         }
 

@@ -273,6 +273,9 @@ internal sealed record SpeciesProfile
     /// <summary>Probability that the wings of a flier are membranes instead of feathers; those of thin-winged species are neither.</summary>
     public double WingMembrane { get; init; } = 0.72;
 
+    /// <summary>Families of its spread wings; null for any of its membranes or feathers.</summary>
+    public Weighted<WingStyle>[]? WingStyles { get; init; }
+
     /// <summary>Probability of teeth when the mouth is open.</summary>
     public double Teeth { get; init; }
 

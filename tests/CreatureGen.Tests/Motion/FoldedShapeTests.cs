@@ -25,7 +25,8 @@ public sealed class FoldedShapeTests
             corners.Add(corner);
         }
 
-        Assert.True(corners.Average() < 0.13, $"{corners.Average()} rad in the mean");
+        // Narrow wings carry their wrists less far ahead, and fold with more of a corner than broad ones.
+        Assert.True(corners.Average() < 0.17, $"{corners.Average()} rad in the mean");
     }
 
     [Theory]

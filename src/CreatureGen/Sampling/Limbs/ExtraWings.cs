@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 using CreatureGen.Sampling.Placement;
@@ -44,7 +45,7 @@ internal static class ExtraWings
     {
         RandomStream random = builder.Stream("wings of a walker");
         bool winged = random.Chance(WingedWalkers * builder.Strangeness);
-        bool bat = random.Chance(builder.Parents.Wings.WingMembrane);
+        WingStyle style = WingSampler.StyleOf(builder, random);
         double span = random.Uniform(0.75, 1.05) * Math.Max(builder.TorsoLength, 0.8);
         double rise = random.Uniform(0.7, 1);
         double sweep = random.Uniform(0.2, 0.4);
@@ -52,7 +53,9 @@ internal static class ExtraWings
         {
             bool armed = builder.Plan is BodyPlan.Upright or BodyPlan.Centaur;
             SocketBlueprint socket = armed ? FlyingRules.WingSocket with { Segment = FlyingRules.WingSocket.Segment - AboveArms } : FlyingRules.WingSocket;
-            Add(builder, new WingBlueprint(bat ? WingStyle.Bat : WingStyle.Feathered, socket, span, Scalar.Lerp(0.36, 0.4, bat ? 1 : 0) * span, rise, sweep));
+            WingForm form = WingForm.Of(style);
+            span *= form.Span;
+            Add(builder, new WingBlueprint(style, socket, span, form.Depth * span, rise, sweep));
         }
     }
 

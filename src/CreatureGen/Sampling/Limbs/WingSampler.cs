@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
@@ -18,6 +19,10 @@ internal static class WingSampler
 
     /// <summary>Those of heavier bodies: long and broad, or they would look too small to carry them.</summary>
     private static readonly ThinWing[] fairyWings = { new(0, 1.45, 0.44, 6, 32), new(0, 1.0, 0.36, -40, 20) };
+
+    private static readonly Weighted<WingStyle>[] membranes = Weights.Of((WingStyle.Bat, 0.4), (WingStyle.Dragon, 0.4), (WingStyle.Pterosaur, 0.2));
+    private static readonly Weighted<WingStyle>[] feathers =
+        Weights.Of((WingStyle.Feathered, 0.25), (WingStyle.Falcon, 0.2), (WingStyle.Owl, 0.25), (WingStyle.Albatross, 0.15), (WingStyle.Hummingbird, 0.15));
 
     /// <summary>Adds thin wings of a species' own.</summary>
     public static void AddThin(CreatureBuilder builder, ThinWing[] wings)
@@ -46,11 +51,21 @@ internal static class WingSampler
         }
     }
 
+    /// <summary>The family of its spread wings: one of those of the parent that gives them.</summary>
+    public static WingStyle StyleOf(CreatureBuilder builder, RandomStream random)
+    {
+        SpeciesProfile species = builder.Parents.Wings;
+        bool membrane = random.Chance(species.WingMembrane);
+        Weighted<WingStyle>[] styles = species.WingStyles ?? (membrane ? membranes : feathers);
+        return CreatureBuilder.Choose(builder.Stream("wing style"), styles);
+    }
+
     /// <summary>Adds the wings of a placement to the creature.</summary>
     public static void Add(CreatureBuilder builder, FlyingPlacement placement)
     {
         RandomStream random = builder.Stream("wings");
-        bool bat = random.Chance(builder.Parents.Wings.WingMembrane);
+        WingStyle style = StyleOf(builder, random);
+        WingForm form = WingForm.Of(style);
         double rise = random.Uniform(0.42, 0.75);
         double sweep = random.Uniform(0.05, 0.25);
         foreach (WingPlacement wing in placement.Wings)
@@ -59,9 +74,9 @@ internal static class WingSampler
             {
                 if (builder.Sockets.TryReserve(socket, 0))
                 {
-                    double span = 1.36 * wing.Scale.X * Math.Max(builder.TorsoLength, 0.8);
-                    double chord = (bat ? 0.40 : 0.36) * span * random.Uniform(0.9, 1.15);
-                    builder.Wings.Add(new WingBlueprint(bat ? WingStyle.Bat : WingStyle.Feathered, socket, span, chord, rise, sweep));
+                    double span = 1.36 * form.Span * wing.Scale.X * Math.Max(builder.TorsoLength, 0.8);
+                    double chord = form.Depth * span * random.Uniform(0.9, 1.15);
+                    builder.Wings.Add(new WingBlueprint(style, socket, span, chord, rise, sweep));
                 }
             }
             else

@@ -43,6 +43,7 @@ internal static class Bat
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
         Parts = System.Array.Empty<PartSlot>(),
         Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Saddle, 0.4) },
+        WingStyles = Weights.Of((WingStyle.Bat, 1)),
         Colourings = new[]
         {
             new Colouring(new Tint(0.40, 0.05, 55)) { Kind = PatternKind.Plain, Accent = new Tint(0.3, 0.04, 40) },

@@ -36,6 +36,7 @@ internal static class Duck
         Eye = (10.2, 6.2), EyeSize = 0.30,
         Bird = new BirdPreset { HipHeight = (0.46, 0.55), Thigh = (0.46, 0.58), Foot = 1.15, Claw = 0.3, HipSegment = 9.6, FoldRing = 46.5, Fan = 0.10 },
         Parts = new[] { new PartSlot(new PartChoice(1, BirdParts.Crest(0.6)), new PartChoice(3)) },
+        WingStyles = Weights.Of((WingStyle.Falcon, 0.5), (WingStyle.Feathered, 0.5)),
         Colourings = new[]
         {
             new Colouring(new Tint(0.80, 0.02, 90)) { Kind = PatternKind.Plain, Limb = new Tint(0.66, 0.14, 55), Muzzle = new Tint(0.72, 0.15, 62) },

@@ -36,6 +36,7 @@ internal static class Heron
         Eye = (9.8, 6.2), EyeSize = 0.375,
         Bird = new BirdPreset { HipHeight = (1.0, 1.33), Thigh = (0.36, 0.46), Foot = 1.5, FoldRing = 47, Fan = 0, FlightPitch = (-14, -6) },
         Parts = new[] { new PartSlot(new PartChoice(1.5, BirdParts.Plumes()), new PartChoice(1)) },
+        WingStyles = Weights.Of((WingStyle.Albatross, 0.4), (WingStyle.Owl, 0.6)),
         Colourings = new[]
         {
             new Colouring(new Tint(0.68, 0.02, 245)) { Pattern = new Tint(0.3, 0.02, 250), Kind = PatternKind.Saddle, Limb = new Tint(0.55, 0.06, 90), Muzzle = new Tint(0.72, 0.13, 75) },

@@ -37,6 +37,7 @@ internal static class Parrot
         Bird = new BirdPreset { HipHeight = (0.44, 0.52), Thigh = (0.48, 0.60), Foot = 0.9, FoldRing = 47.5, Fan = 0.11, FlightPitch = (-34, -40) },
         Parts = new[] { new PartSlot(new PartChoice(1.2, BirdParts.Crest(1)), new PartChoice(1)) },
         Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Saddle, 0.7), new Weighted<PatternKind>(PatternKind.Patches, 0.4) },
+        WingStyles = Weights.Of((WingStyle.Feathered, 0.6), (WingStyle.Falcon, 0.4)),
         Colourings = new[]
         {
             new Colouring(new Tint(0.58, 0.20, 28)) { Kind = PatternKind.Plain, Accent = new Tint(0.55, 0.16, 255), Muzzle = new Tint(0.25, 0.02, 60) },

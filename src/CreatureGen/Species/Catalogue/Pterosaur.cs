@@ -48,6 +48,7 @@ internal static class Pterosaur
                 new PartChoice(0.8)),
         },
         Patterns = Weights.Of((PatternKind.Saddle, 1), (PatternKind.Bands, 0.6), (PatternKind.Mottle, 0.6), (PatternKind.Plain, 0.6)),
+        WingStyles = Weights.Of((WingStyle.Pterosaur, 1)),
         Colourings = new[]
         {
             new Colouring(new Tint(0.50, 0.06, 60)) { Pattern = new Tint(0.34, 0.05, 50), Kind = PatternKind.Saddle, Accent = new Tint(0.58, 0.17, 35) },

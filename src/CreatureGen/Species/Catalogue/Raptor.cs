@@ -36,6 +36,7 @@ internal static class Raptor
         Eye = (9.8, 5.6), EyeSize = 0.36, Bone = 1.15, Mood = 0.55, LidDegrees = (50, 72),
         Bird = new BirdPreset { HipHeight = (0.57, 0.72), Thigh = (0.68, 0.80), Foot = 1.15, Claw = 1.8, FoldRing = 48, Fan = 0.17, FlightPitch = (-16, -4) },
         Parts = new[] { new PartSlot(new PartChoice(1, BirdParts.Crest(0.7)), new PartChoice(2.2)) },
+        WingStyles = Weights.Of((WingStyle.Falcon, 0.6), (WingStyle.Owl, 0.4)),
         Colourings = new[]
         {
             new Colouring(new Tint(0.42, 0.05, 58)) { Pattern = new Tint(0.26, 0.03, 50), Kind = PatternKind.Mottle, Limb = new Tint(0.80, 0.13, 90), Muzzle = new Tint(0.78, 0.15, 85) },

@@ -37,6 +37,7 @@ internal static class Toucan
         Eye = (10.6, 6.2), EyeSize = 0.28,
         Bird = new BirdPreset { HipHeight = (0.44, 0.52), Thigh = (0.48, 0.60), Foot = 0.9, FoldRing = 47, Fan = 0.11, FlightPitch = (-34, -34) },
         Parts = System.Array.Empty<PartSlot>(),
+        WingStyles = Weights.Of((WingStyle.Feathered, 1)),
         Colourings = new[]
         {
             new Colouring(new Tint(0.24, 0.015, 270)) { Kind = PatternKind.Plain, Belly = new Tint(0.93, 0.03, 95), Limb = new Tint(0.45, 0.06, 240), Accent = new Tint(0.36, 0.06, 270), Muzzle = new Tint(0.74, 0.17, 65) },

@@ -72,7 +72,6 @@ public sealed class LegOverlapTests
     /// <summary>Bears and their like, whose thighs touch at rest.</summary>
     [Theory]
     [InlineData(55)]
-    [InlineData(68)]
     [InlineData(2108)]
     [InlineData(2297)]
     [InlineData(7011)]
