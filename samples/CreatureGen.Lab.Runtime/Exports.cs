@@ -20,7 +20,11 @@ internal static partial class Exports
         // A page calls the methods below; there is nothing else to run.
     }
 
-    /// <summary>The file of a seed, as <c>creaturegen generate</c> writes it.</summary>
+    /// <summary>What a seed would be, without building it: for filters.</summary>
+    [JSExport]
+    internal static string Glance(string seed, string kind, double strangeness) => Facts.AtAGlance(DesignText.Sample(seed, kind, strangeness));
+
+    /// <summary>The file of a seed, as <c>creaturegen generate --textures none</c> writes it.</summary>
     [JSExport]
     internal static byte[] GlbOfSeed(string seed, string kind)
     {

@@ -42,6 +42,17 @@ internal static class Facts
         return text.Append("\"end\":0}").ToString();
     }
 
+    /// <summary>What is known of a creature before it is built.</summary>
+    public static string AtAGlance(CreatureBlueprint design)
+    {
+        var text = new StringBuilder("{");
+        Word(text, "kind", Name(design.Kind.ToString()));
+        Word(text, "plan", Name(design.Plan.ToString()));
+        Word(text, "body", design.Body.Blend.First);
+        Number(text, "scale", design.Scale);
+        return text.Append("\"end\":0}").ToString();
+    }
+
     /// <summary>The sliders, for the page to draw.</summary>
     public static string OfTraits()
     {

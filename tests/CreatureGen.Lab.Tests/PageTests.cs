@@ -45,6 +45,9 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void Sixty_creatures_leave_the_memory_as_it_was() => page.Holds("sixty creatures leave the memory as it was");
 
     [Fact]
+    public void The_grid_shows_creatures_that_live_by_kind() => page.Holds("the grid shows creatures that live, by kind");
+
+    [Fact]
     public void Axe_finds_no_serious_issue_on_any_tab() => page.Holds("axe finds no serious issue on any tab");
 
     [Fact]

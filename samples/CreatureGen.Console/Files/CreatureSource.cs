@@ -7,6 +7,7 @@ using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
+using CreatureGen.Pictures;
 
 namespace CreatureGen.Console.Files;
 
@@ -18,6 +19,9 @@ internal enum SourceForm
 
     /// <summary>A creature as GLB.</summary>
     Glb,
+
+    /// <summary>A picture that holds a blueprint.</summary>
+    Picture,
 }
 
 /// <summary>A file in which a creature is kept.</summary>
@@ -29,7 +33,7 @@ internal enum SourceForm
 /// <param name="Clips">Whether its motion was written too.</param>
 internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, CreatureBlueprint Blueprint, GltfOptions Export, ClipChoice Clips)
 {
-    private const string Expectation = "a blueprint (.json) or a creature (.glb) written by creaturegen";
+    private const string Expectation = "a blueprint (.json) or a creature (.glb) written by creaturegen, or a picture (.png) of the creature lab";
 
     /// <summary>What was read, if it cannot be read again.</summary>
     private byte[]? Content { get; init; }
@@ -52,7 +56,9 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
         try
         {
             using Stream stream = SourceFile.Open(path, Expectation, surroundings);
-            CreatureSource source = IsGlb(stream) || path.EndsWith(".glb", StringComparison.OrdinalIgnoreCase) ? ReadGlb(path, stream, take) : ReadBlueprint(path, stream, take);
+            CreatureSource source = Begins(stream, "glTF"u8) || path.EndsWith(".glb", StringComparison.OrdinalIgnoreCase) ? ReadGlb(path, stream, take)
+                : Begins(stream, [0x89, (byte)'P', (byte)'N', (byte)'G']) ? ReadPicture(path, stream, take)
+                : ReadBlueprint(path, stream, take);
             return stream is MemoryStream memory ? source with { Content = memory.ToArray() } : source;
         }
         catch (Exception problem) when (Reason.IsOfFiles(problem))
@@ -68,12 +74,12 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
         return expected.Length == Bytes && (Content ?? File.ReadAllBytes(Path)).AsSpan().SequenceEqual(expected);
     }
 
-    private static bool IsGlb(Stream stream)
+    private static bool Begins(Stream stream, ReadOnlySpan<byte> with)
     {
         Span<byte> start = stackalloc byte[4];
         int read = stream.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
         stream.Position = 0;
-        return start[..read].SequenceEqual("glTF"u8);
+        return start[..read].SequenceEqual(with);
     }
 
     private static CreatureSource ReadGlb(string path, Stream stream, Func<BlueprintReading, CreatureBlueprint?> take)
@@ -86,6 +92,9 @@ internal sealed record CreatureSource(string Path, SourceForm Form, long Bytes, 
 
     private static CreatureSource ReadBlueprint(string path, Stream stream, Func<BlueprintReading, CreatureBlueprint?> take) =>
         new(path, SourceForm.Blueprint, stream.Length, Require(path, "blueprint", BlueprintJson.Read(stream), take), GlbExport.Default, ClipChoice.None);
+
+    private static CreatureSource ReadPicture(string path, Stream stream, Func<BlueprintReading, CreatureBlueprint?> take) =>
+        new(path, SourceForm.Picture, stream.Length, Require(path, "creature", BlueprintPicture.Read(stream), take), GlbExport.Default, ClipChoice.None);
 
     private static CreatureBlueprint Require(string path, string what, BlueprintReading reading, Func<BlueprintReading, CreatureBlueprint?> take) =>
         take(reading) ?? throw new UsageError($"'{path}' holds no {what} that can be built:", reading.Problems.Select(problem => problem.ToString()));

@@ -40,7 +40,7 @@ internal static class InspectionJson
         CreatureSource source = inspected.Source;
         json.WriteStartObject("file");
         json.WriteString("path", source.Path);
-        json.WriteString("form", source.Form == SourceForm.Glb ? "glb" : "blueprint");
+        json.WriteString("form", source.Form switch { SourceForm.Glb => "glb", SourceForm.Picture => "picture", _ => "blueprint" });
         json.WriteNumber("bytes", source.Bytes);
         if (source.Form == SourceForm.Glb)
         {

@@ -27,6 +27,7 @@ internal sealed class BuildVerb : IVerb
             new("build creature-101.glb --out again.glb", "build the creature in a file anew: the same bytes"),
             new("build - --out - > creature-101.glb", "from the standard input to the standard output"),
             new("build creature-101.glb --flat --out flat.glb", "the same creature with flat shading"),
+            new("build picture.png --out found.glb", "the creature that a picture of the creature lab holds"),
             new("build edited.json --repair --out edited.glb", "legs, stance and parts made to fit what was edited"),
         ],
         [CommonOptions.OutFile, repair, force, .. ExportOptions.Syntax, CommonOptions.Quiet]);

@@ -2,8 +2,12 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using CreatureGen.Blueprints;
 using CreatureGen.Console;
 using CreatureGen.Console.Files;
+using CreatureGen.Pictures;
+using CreatureGen.Png;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Console;
@@ -133,5 +137,25 @@ public sealed class FileTests
         Assert.NotEmpty(seeds);
         Assert.DoesNotContain(run.Files, name => name.EndsWith(".tmp", StringComparison.Ordinal));
         Assert.All(seeds, seed => Assert.Contains($"creature-{seed}.glb", run.Files));
+    }
+
+    [Fact]
+    public void A_picture_that_holds_a_blueprint_builds_the_same_file_as_the_blueprint()
+    {
+        using var run = new ConsoleRun();
+        CreatureBlueprint blueprint = BlueprintSampler.Sample(12);
+        using var picture = new MemoryStream();
+        PngEncoder.Write(new byte[12], 2, 2, PngPixels.Rgb, picture);
+        picture.Position = 0;
+        using (FileStream file = File.Create(run.At("me.png")))
+        {
+            BlueprintPicture.Write(picture, blueprint, file);
+        }
+
+        File.WriteAllText(run.At("me.json"), BlueprintJson.Write(blueprint));
+        Assert.Equal(ExitCode.Done, run.Run("build", "me.png", "--out", "a.glb", "--textures", "none"));
+        Assert.Equal(ExitCode.Done, run.Run("build", "me.json", "--out", "b.glb", "--textures", "none"));
+
+        Assert.Equal(File.ReadAllBytes(run.At("b.glb")), File.ReadAllBytes(run.At("a.glb")));
     }
 }

@@ -28,7 +28,7 @@ async function visit(address, size = { width: 900, height: 640 }) {
   page.on('pageerror', error => troubles.push(String(error)));
   page.on('console', message => {
     // Reading pixels back for a picture makes the driver of software drawing grumble.
-    if (['error', 'warning'].includes(message.type()) && !/GPU stall|preloaded using link preload/.test(message.text())) {
+    if (['error', 'warning'].includes(message.type()) && !/GPU stall/.test(message.text())) {
       troubles.push(message.text());
     }
   });
@@ -275,6 +275,14 @@ await claim('sixty creatures leave the memory as it was', async () => {
   });
   require(memory.at(-1) < memory[0] + 6e6, memory.join(', '));
   return memory.join(', ');
+});
+
+await claim('the grid shows creatures that live, by kind', async () => {
+  await page.click('[aria-label="Many at once"]');
+  await page.waitForFunction(() => creatureLab.lab.grid?.herd?.members.size >= 4);
+  await page.click('.many [data-value=swimming]');
+  await page.waitForFunction(() => [...(creatureLab.lab.grid?.herd?.members.values() ?? [])].filter(member => member.moved && member.facts.kind === 'swimming').length >= 4);
+  await page.evaluate(() => document.querySelector('.many').close());
 });
 
 await claim('axe finds no serious issue on any tab', async () => {

@@ -1,6 +1,236 @@
-import { h, choices, icon } from '../dom.js';
-import { texts } from '../texts.js';
+import { DirectionalLight, HemisphereLight, NeutralToneMapping, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { Body, readMesh } from '../creature/body.js';
+import { Herd } from '../creature/herd.js';
+import { ofSeed } from '../design.js';
+import { choices, h, icon } from '../dom.js';
+import { nameOf } from '../names.js';
+import { texts, words } from '../texts.js';
+
+const firstSlot = 4;
+const slots = 24;
+const batch = 12;
+const margin = 300;
+const apart = 1000;
+const captionHeight = 50;
+
+// Metres of scale at which creatures count as small and as large.
+const sizes = { all: () => true, small: scale => scale < 0.7, medium: scale => scale >= 0.7 && scale <= 1.4, large: scale => scale > 1.4 };
+
+/** Creatures of consecutive seeds, without end, alive while they are seen. They live in the second worker. */
 export class Grid {
-  constructor() {}
-  open() {}
+  #next = 1n;
+  #filling = false;
+  #round = 0;
+  #cards = new Map();
+  #free = [];
+  #filters = { kind: 'walking', size: 'all', plan: 'all', strangeness: 0 };
+  #plans = new Set();
+
+  constructor(studio, choose) {
+    this.studio = studio;
+    this.choose = choose;
+  }
+
+  async open(design) {
+    this.library = await this.studio();
+    this.#filters.kind = design.kind === 'any' ? 'walking' : design.kind;
+    this.#build();
+    this.dialog.showModal();
+    this.#begin();
+    requestAnimationFrame(now => this.#draw(now, now));
+  }
+
+  #build() {
+    if (this.dialog) {
+      return;
+    }
+    this.canvas = h('canvas', { className: 'cards', 'aria-hidden': 'true' });
+    this.list = h('ul', { className: 'grid' });
+    this.end = h('p', { className: 'hint', role: 'status' }, texts.working);
+    this.plan = h('select', { 'aria-label': texts.filters.plan, onchange: () => { this.#filters.plan = this.plan.value; this.#begin(); } });
+    const strange = h('input', { type: 'range', min: 0, max: 1, step: 0.1, value: 0, 'aria-label': texts.filters.strange, onchange: () => { this.#filters.strangeness = Number(strange.value); this.#begin(); } });
+    this.scroller = h('div', { className: 'scroller', tabIndex: 0 }, this.list, this.end);
+    this.dialog = h('dialog', { className: 'many', 'aria-label': texts.grid },
+      h('div', { className: 'filters' },
+        h('h2', {}, texts.grid),
+        this.kind = choices(texts.kind, texts.kinds, this.#filters.kind, kind => { this.#filters.kind = kind; this.#filters.plan = 'all'; this.#plans.clear(); this.#begin(); }),
+        choices(texts.filters.size, { all: texts.filters.all, small: texts.filters.small, medium: texts.filters.medium, large: texts.filters.large }, 'all', size => { this.#filters.size = size; this.#begin(); }),
+        this.plan,
+        h('label', { className: 'strange' }, texts.filters.strange, strange),
+        h('button', { type: 'button', className: 'quiet', 'aria-label': texts.close, onclick: () => this.dialog.close() }, icon('close'))),
+      this.scroller, this.canvas);
+    this.dialog.addEventListener('close', () => { this.#round++; this.#clear(); });
+    document.body.append(this.dialog);
+
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.setScissorTest(true);
+    this.scene = new Scene();
+    const sun = new DirectionalLight('#fff3da', 3);
+    sun.position.set(0.6, 1, 0.7);
+    this.scene.add(sun, new HemisphereLight('#d8ecf6', '#9aa86a', 2.2));
+    this.herd = new Herd(this.library, this.scene);
+    this.herd.eye = -1;
+    this.camera = new PerspectiveCamera(28, 1, 0.01, 500);
+    new IntersectionObserver(entries => entries.some(entry => entry.isIntersecting) && this.#fill(), { root: this.scroller, rootMargin: `${margin}px` }).observe(this.end);
+    this.seen = new IntersectionObserver(entries => {
+      for (const { target, isIntersecting } of entries) {
+        const card = this.#cards.get(target);
+        if (card) {
+          card.seen = isIntersecting;
+        }
+      }
+      this.#wake();
+    }, { root: this.scroller });
+  }
+
+  async #begin() {
+    this.#round++;
+    await this.#clear();
+    this.kind.take(this.#filters.kind);
+    this.#next = 1n;
+    this.#fill();
+  }
+
+  async #clear() {
+    const gone = [...this.herd.members.keys()];
+    this.#cards.clear();
+    this.seen.disconnect();
+    this.list.replaceChildren();
+    this.#free = Array.from({ length: slots }, (_, n) => firstSlot + n);
+    for (const slot of gone) {
+      await this.herd.remove(slot);
+    }
+  }
+
+  /** Adds the next creatures that pass the filters. */
+  async #fill() {
+    if (this.#filling) {
+      return;
+    }
+    this.#filling = true;
+    const round = this.#round;
+    const before = this.#cards.size;
+    const { kind, size, plan, strangeness } = this.#filters;
+    for (let added = 0, tries = 0; added < batch && tries < 400 && round === this.#round; tries++) {
+      const design = ofSeed(this.#next++, kind, strangeness);
+      let glance;
+      try {
+        glance = JSON.parse(await this.library.call('Glance', design.seed, kind, strangeness));
+      } catch {
+        continue;
+      }
+      if (!this.#plans.has(glance.plan)) {
+        this.#plans.add(glance.plan);
+        this.plan.replaceChildren(h('option', { value: 'all' }, texts.filters.anyBuild), ...[...this.#plans].sort().map(name => h('option', { value: name }, words(name))));
+        this.plan.value = plan;
+      }
+      if (sizes[size](glance.scale) && (plan === 'all' || plan === glance.plan)) {
+        this.#add(design, glance);
+        added++;
+      }
+    }
+    this.#filling = false;
+    const more = this.end.getBoundingClientRect().top < this.scroller.getBoundingClientRect().bottom + margin;
+    if (round !== this.#round || (more && this.#cards.size > before && this.dialog.open)) {
+      this.#fill();
+    }
+  }
+
+  #add(design, glance) {
+    const name = nameOf(design.seed, design.kind);
+    const button = h('button', { type: 'button', className: 'card', onclick: () => { this.dialog.close(); this.choose(design); } },
+      h('b', {}, name), h('span', {}, `${words(glance.body)} · ${design.seed}`));
+    const item = h('li', {}, button);
+    this.#cards.set(item, { design, item, seen: false, slot: null });
+    this.list.append(item);
+    this.seen.observe(item);
+  }
+
+  /** Grows those that are seen, one after the other, in the slots of those that are not. */
+  async #wake() {
+    if (this.waking) {
+      return;
+    }
+    this.waking = true;
+    const round = this.#round;
+    for (let card; round === this.#round && (card = [...this.#cards.values()].find(c => c.seen && c.slot === null && !c.failed));) {
+      if (this.#free.length === 0) {
+        const asleep = [...this.#cards.values()].find(c => !c.seen && c.slot !== null);
+        if (!asleep) {
+          break;
+        }
+        await this.herd.remove(asleep.slot);
+        this.#free.push(asleep.slot);
+        asleep.slot = null;
+      }
+      const slot = this.#free.pop();
+      try {
+        const { seed, kind, strangeness } = card.design;
+        const facts = JSON.parse(await this.library.call('Grow', slot, seed, kind, strangeness, ''));
+        await this.library.call('Place', slot, apart * slot, 0, 0, 0);
+        await this.library.call('Habit', slot, 'stay', apart * slot, 0, 1);
+        const bytes = await this.library.call('Mesh', slot);
+        if (round === this.#round) {
+          this.herd.put(slot, facts, new Body(readMesh(bytes.buffer, bytes.byteOffset)));
+          card.slot = slot;
+        }
+      } catch {
+        card.failed = true;
+        this.#free.push(slot);
+      }
+    }
+    this.waking = false;
+    if (round !== this.#round) {
+      this.#wake();
+    }
+  }
+
+  #draw(now, before) {
+    if (!this.dialog.open) {
+      return;
+    }
+    const milliseconds = now - before;
+    const rest = milliseconds > 60 ? Math.min(milliseconds, 500) : 0;
+    setTimeout(() => requestAnimationFrame(next => this.#draw(next, now)), rest);
+    this.herd.step(Math.min(milliseconds / 1000, 0.1));
+    this.render();
+  }
+
+  /** Each card's creature, drawn where its card lies. */
+  render() {
+    const frame = this.scroller.getBoundingClientRect();
+    const { renderer, camera } = this;
+    this.canvas.style.height = `${frame.height}px`;
+    renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    renderer.setSize(frame.width, frame.height, false);
+    renderer.setScissor(0, 0, frame.width, frame.height);
+    renderer.setClearAlpha(0);
+    renderer.clear();
+    for (const card of this.#cards.values()) {
+      const member = this.herd.members.get(card.slot);
+      if (!card.seen || !member?.moved) {
+        continue;
+      }
+      const whole = card.item.getBoundingClientRect();
+      const rect = { width: whole.width, height: whole.height - captionHeight };
+      const [x, y] = [whole.left - frame.left, frame.bottom - whole.bottom + captionHeight];
+      for (const other of this.herd.members.values()) {
+        other.body.group.visible = other === member;
+      }
+      const { position } = member.body.group;
+      const { height, length, medium } = member.facts;
+      const focus = new Vector3(position.x, position.y + (medium === 'ground' ? 0.48 : 0.25) * height, position.z);
+      const far = 2.5 * Math.max(0.72 * length, height);
+      camera.aspect = rect.width / rect.height;
+      camera.near = far / 50;
+      camera.far = far * 20;
+      camera.position.set(focus.x + far * 0.62, focus.y + far * 0.26, focus.z + far * 0.74);
+      camera.lookAt(focus);
+      camera.updateProjectionMatrix();
+      renderer.setViewport(x, y, rect.width, rect.height);
+      renderer.setScissor(x, y, rect.width, rect.height);
+      renderer.render(this.scene, camera);
+    }
+  }
 }

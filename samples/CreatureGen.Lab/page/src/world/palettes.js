@@ -40,8 +40,7 @@ export const sea = {
   dry: '#b9b48e',
   shore: '#e8dfb8',
   rock: '#5d8f98',
-  blade: { root: '#1d5a45', tip: '#7fc47a', height: 0.5, width: 0.03, bend: 0.9 },
+  blade: { root: '#2f6b58', tip: '#9ccf8a', height: 0.5, width: 0.03, bend: 0.9 },
   flowers: ['#ff7b6b', '#ffb05e', '#f7e27a', '#f28fc1', '#b18cff'],
   trees: ['#e0685f', '#e99a5a', '#c86aa0', '#8d6cc0'],
-  trunk: '#a86f78',
 };

@@ -112,7 +112,8 @@ function plain(positions, colours, indices) {
 function tree(palette, random) {
   const parts = [];
   const trunk = new IcosahedronGeometry(0.09, 1).scale(0.8, 4.2, 0.8).translate(0, 0.3, 0);
-  parts.push(tint(trunk, () => new Color(palette.trunk)));
+  // Corals take one colour from foot to top.
+  parts.push(tint(trunk, y => (palette.wet ? new Color(1, 1, 1).multiplyScalar(0.45 + 0.3 * y) : new Color(palette.trunk))));
   const puffs = palette.wet ? 7 : 6;
   for (let n = 0; n < puffs; n++) {
     const a = (2 * Math.PI * n) / puffs + random();
