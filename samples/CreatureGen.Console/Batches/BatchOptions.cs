@@ -18,6 +18,16 @@ internal enum Existing
     Skip,
 }
 
+/// <summary>Whether a manifest is kept that nobody asked for.</summary>
+internal enum ManifestNeed
+{
+    /// <summary>It is not.</summary>
+    AsAskedFor,
+
+    /// <summary>It is: what is made needs an index.</summary>
+    Always,
+}
+
 /// <summary>The options that make a batch of many creatures one that may be shared between tasks, ended at any time, and taken up again.</summary>
 /// <param name="Shard">The part of this task; null if no manifest is kept.</param>
 /// <param name="Existing">What becomes of creatures that are there already.</param>
@@ -41,7 +51,7 @@ internal sealed record BatchOptions(Shard? Shard, Existing Existing)
 
     /// <summary>What was asked for.</summary>
     /// <exception cref="UsageError">The options contradict one another, or what a scheduler tells.</exception>
-    public static BatchOptions Read(ParsedArguments arguments, Surroundings surroundings)
+    public static BatchOptions Read(ParsedArguments arguments, ManifestNeed need, Surroundings surroundings)
     {
         OptionSyntax[] given = new[] { manifest, shard, shards, resume }.Where(option => arguments.Has(option.Name)).ToArray();
         if (arguments.Has(skip.Name))
@@ -49,7 +59,7 @@ internal sealed record BatchOptions(Shard? Shard, Existing Existing)
             return given.Length == 0 ? new BatchOptions(null, Existing.Skip) : throw arguments.Wrong($"{given[0].Name} and {skip.Name}; expected one of them: a manifest lists only creatures whose bytes are known");
         }
 
-        return given.Length == 0 ? new BatchOptions(null, Existing.Replace) : new BatchOptions(ReadShard(arguments, surroundings), arguments.Has(resume.Name) ? Existing.Resume : Existing.Replace);
+        return given.Length == 0 && need == ManifestNeed.AsAskedFor ? new BatchOptions(null, Existing.Replace) : new BatchOptions(ReadShard(arguments, surroundings), arguments.Has(resume.Name) ? Existing.Resume : Existing.Replace);
     }
 
     private static Shard ReadShard(ParsedArguments arguments, Surroundings surroundings)

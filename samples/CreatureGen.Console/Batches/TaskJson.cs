@@ -44,6 +44,11 @@ internal static class TaskJson
         json.WriteNumber("height", task.Pictures.Height);
         json.WriteString("backdrop", WordList<BackdropKind>.Instance[task.Pictures.Backdrop]);
         json.WriteEndObject();
+        json.WriteStartObject("dataset");
+        json.WriteNumber("views", task.Dataset.Views);
+        json.WriteNumber("width", task.Dataset.Width);
+        json.WriteNumber("height", task.Dataset.Height);
+        json.WriteEndObject();
         json.WriteEndObject();
     }
 
@@ -68,7 +73,8 @@ internal static class TaskJson
                 pictures.GetProperty("views").EnumerateArray().Select(word => Views.TryParse(word.GetString()!, out View view) ? view : throw new FormatException("views: " + word)).ToArray(),
                 pictures.GetProperty("width").GetInt32(),
                 pictures.GetProperty("height").GetInt32(),
-                Word<BackdropKind>(pictures, "backdrop")));
+                Word<BackdropKind>(pictures, "backdrop")),
+            new DatasetOrder(json.GetProperty("dataset").GetProperty("views").GetInt32(), json.GetProperty("dataset").GetProperty("width").GetInt32(), json.GetProperty("dataset").GetProperty("height").GetInt32()));
     }
 
     private static T Word<T>(JsonElement json, string name)

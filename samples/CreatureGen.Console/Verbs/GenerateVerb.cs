@@ -32,6 +32,7 @@ internal sealed class GenerateVerb : IVerb
             new("generate -s 7 --views all --picture-size 512x512 --transparent", "its pictures from five sides, to be put on anything"),
             new("generate -s 7 -k flying -o - > flier.glb", "one GLB to the standard output"),
             new("generate --seeds 0xBEEF,12 --options herd.json --no-picture --json", "options from a file, results as JSON"),
+            new("generate --seeds 1-1000 --dataset 8 --out set", "a data set: eight sides of each with depth, normals, parts and joints"),
             new("generate --seeds 1-100000 --out farm --shard 3/64 --resume", "one of 64 tasks; what it did before it was ended stays"),
         ],
         [
@@ -43,12 +44,12 @@ internal sealed class GenerateVerb : IVerb
     public int Run(ParsedArguments arguments, Surroundings surroundings)
     {
         SeedList seeds = SeedOptions.Read(arguments);
-        var task = new CreatureTask(CreatureArguments.Read(arguments, surroundings), ExportOptions.Read(arguments, GlbExport.Default), ExportOptions.ReadClips(arguments, ClipChoice.None), PictureOptions.Read(arguments));
+        var task = new CreatureTask(CreatureArguments.Read(arguments, surroundings), ExportOptions.Read(arguments, GlbExport.Default), ExportOptions.ReadClips(arguments, ClipChoice.None), PictureOptions.Read(arguments), PictureOptions.ReadDataset(arguments));
         var work = new Work(
             SeedOptions.Specimens(arguments, seeds, task.Options),
             task,
             surroundings.Locate(arguments.Value(folder.Name) ?? "."),
-            BatchOptions.Read(arguments, surroundings),
+            BatchOptions.Read(arguments, PictureOptions.WantsDataset(arguments) ? ManifestNeed.Always : ManifestNeed.AsAskedFor, surroundings),
             CommonOptions.ReadThreads(arguments),
             arguments.Has(failFast.Name) ? AtProblem.End : AtProblem.GoOn,
             arguments.Has(CommonOptions.Json.Name) ? ReportForm.Json : ReportForm.Text);

@@ -15,14 +15,30 @@ internal static class PictureOptions
 {
     private const int LeastSide = 16;
     private const int MostSide = 4096;
+    private const int MostViews = 64;
+    private const int DatasetSide = 256;
 
     private static readonly OptionSyntax none = new("--no-picture", null, "write no PNG");
     private static readonly OptionSyntax size = new("--picture-size", "WxH", "pixels of a picture, 16x16 to 4096x4096 (default 1024x768)");
     private static readonly OptionSyntax views = new("--views", "LIST", "a picture from each: three-quarter (the default), side, front, back, top, or all") { Words = [.. Array.ConvertAll(Enum.GetValues<View>(), Views.Word), "all"] };
     private static readonly OptionSyntax transparent = new("--transparent", null, "pictures with nothing behind the creature");
 
+    private static readonly OptionSyntax dataset = new("--dataset", "VIEWS", "what training needs, from 1 to 64 sides: pictures of --picture-size (default 256x256), distances, normals and parts of their pixels, joints, poses; with a manifest");
+
     /// <summary>All of them.</summary>
-    public static OptionSyntax[] Syntax { get; } = [none, size, views, transparent];
+    public static OptionSyntax[] Syntax { get; } = [none, size, views, transparent, dataset];
+
+    /// <summary>Whether a data set is wanted.</summary>
+    public static bool WantsDataset(ParsedArguments arguments) => arguments.Has(dataset.Name);
+
+    /// <summary>Which data set is wanted, if any.</summary>
+    /// <exception cref="UsageError">A value is out of its range.</exception>
+    public static DatasetOrder ReadDataset(ParsedArguments arguments)
+    {
+        int count = arguments.Whole(dataset.Name, 1, MostViews, 0);
+        (int width, int height) = arguments.Value(size.Name) is string text ? SizeOf(arguments, text) : (DatasetSide, DatasetSide);
+        return count == 0 ? DatasetOrder.None : new DatasetOrder(count, width, height);
+    }
 
     /// <summary>What was asked for.</summary>
     /// <exception cref="UsageError">A value is none of the known ones, or there is to be no picture of that size.</exception>
@@ -30,7 +46,7 @@ internal static class PictureOptions
     {
         if (arguments.Has(none.Name))
         {
-            OptionSyntax? other = Syntax.FirstOrDefault(option => option != none && arguments.Has(option.Name));
+            OptionSyntax? other = new[] { size, views, transparent }.FirstOrDefault(option => !arguments.Has(dataset.Name) && arguments.Has(option.Name));
             return other is null ? PictureOrder.None : throw arguments.Wrong($"{none.Name} and {other.Name}; expected one of them");
         }
 

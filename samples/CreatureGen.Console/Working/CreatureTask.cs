@@ -16,10 +16,11 @@ namespace CreatureGen.Console.Working;
 /// <param name="Export">How they are written as GLB.</param>
 /// <param name="Clips">Whether their motion is written too.</param>
 /// <param name="Pictures">Which pictures are taken.</param>
-internal sealed record CreatureTask(CreatureOptions Options, GltfOptions Export, ClipChoice Clips, PictureOrder Pictures)
+/// <param name="Dataset">What else of each, for training.</param>
+internal sealed record CreatureTask(CreatureOptions Options, GltfOptions Export, ClipChoice Clips, PictureOrder Pictures, DatasetOrder Dataset)
 {
     /// <summary>The forms of a creature's files (<see cref="CreatureFile.Form"/>).</summary>
-    public IEnumerable<string> Forms => ["glb", .. Pictures.Forms, "json"];
+    public IEnumerable<string> Forms => ["glb", .. Pictures.Forms, "json", .. Dataset.Forms];
 
     /// <summary>Makes a creature and all that is in its files.</summary>
     /// <param name="specimen">Which.</param>
@@ -45,6 +46,12 @@ internal sealed record CreatureTask(CreatureOptions Options, GltfOptions Export,
         }
 
         contents.Add(("json", CreatureFiles.Json(blueprint)));
+        if (Dataset.Views > 0)
+        {
+            contents.AddRange(Dataset.Make(creature, export.Textures, Clips == ClipChoice.All ? clips : CreatureFiles.Bake(creature, ClipChoice.All), specimen.Name, Pictures.Backdrop, threads));
+            times.Finished("dataset");
+        }
+
         return new MadeCreature(CreatureFacts.Of(creature, specimen), clips.Select(clip => new ClipFacts(clip.Name, clip.Duration, clip.Speed, clip.End)).ToArray(), contents, times);
     }
 }

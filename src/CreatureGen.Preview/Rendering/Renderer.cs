@@ -31,7 +31,8 @@ public static class Renderer
         return picture;
     }
 
-    private static void Check(RenderOptions options)
+    /// <summary>Throws if an option is out of its range.</summary>
+    internal static void Check(RenderOptions options)
     {
         CheckRange(options.Width, 1, LargestSide, nameof(options.Width));
         CheckRange(options.Height, 1, LargestSide, nameof(options.Height));

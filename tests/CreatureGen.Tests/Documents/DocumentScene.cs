@@ -32,7 +32,7 @@ internal static class DocumentScene
         static int hip, knee, ankle, ball, joint;
         static int[] tailJoints = null!;
         static float[] totals = null!, armMask = null!;
-        static Vector3 start, position, target, ballTarget, grabPoint, playerModel, playerWorld, hitPoint, originShift;
+        static Vector3 ledge, start, position, target, ballTarget, grabPoint, playerModel, playerWorld, hitPoint, originShift;
         static Quaternion heading, rotation;
         static float scale;
         static RootPlace place, newPlace, placeBefore, gamePlace;

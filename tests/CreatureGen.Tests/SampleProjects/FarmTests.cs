@@ -18,7 +18,7 @@ public sealed class FarmTests
 {
     private const string Small = "--no-picture --textures none --triangles 6000";
 
-    private static readonly string[] scripts = ["samples/farm/farm.sbatch", "samples/farm/run-local.sh", "samples/farm/slurm-rehearsal.sh", "samples/Unity/build.sh", "samples/Unity/metas.sh", "tools/site/build.sh", "docs/pictures.sh", "pack.sh"];
+    private static readonly string[] scripts = ["samples/farm/farm.sbatch", "samples/farm/run-local.sh", "samples/farm/slurm-rehearsal.sh", "samples/dataset/make.sh", "samples/Unity/build.sh", "samples/Unity/metas.sh", "tools/site/build.sh", "docs/pictures.sh", "pack.sh"];
 
     [Fact]
     public void The_line_of_the_kubernetes_job_makes_everything_once()
