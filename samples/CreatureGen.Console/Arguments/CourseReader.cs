@@ -29,6 +29,7 @@ internal sealed class CourseReader
     private bool escapes;
     private ActAbility? act;
     private ActOrder order;
+    private BodyCommand body;
 
     private CourseReader(MotionProfile profile)
     {
@@ -39,6 +40,10 @@ internal sealed class CourseReader
         words.Add("act", command => act = ActArguments.Find(profile, command.Next(), command.Wrong));
         words.Add("go-on", _ => order = ActOrder.GoOn);
         words.Add("break-off", _ => order = ActOrder.Stop);
+        words.Add("limp", _ => body = BodyCommand.GoLimp);
+        words.Add("get-up", _ => body = BodyCommand.GetUp);
+        words.Add("jump", _ => body = BodyCommand.Jump);
+        words.Add("hit", command => body = command.Side() > 0f ? BodyCommand.HitLeft : BodyCommand.HitRight);
         words.Add("turn", command => input = input with { YawRate = command.Side() * command.At(DefaultYaw) });
         words.Add("straight", _ => input = input with { YawRate = 0f, Sideways = 0f, ClimbRate = 0f });
         words.Add("reverse", command => input = new MotionInput(-command.At(ReverseShare * Pace()), Medium: input.Medium));
@@ -108,6 +113,7 @@ internal sealed class CourseReader
     private CourseCommand Command(Words command)
     {
         escapes = false;
+        body = BodyCommand.None;
         act = null;
         order = ActOrder.None;
         if (!words.TryGetValue(command.Word, out Action<Words>? apply))
@@ -121,7 +127,7 @@ internal sealed class CourseReader
         command.End();
         MotionInput asked = input;
         input = escapes ? input with { Escape = EscapeTurn.None } : input;
-        return new CourseCommand(seconds, asked) { Name = command.Name, Act = act, Order = order };
+        return new CourseCommand(seconds, asked) { Name = command.Name, Act = act, Order = order, Body = body };
     }
 
     /// <summary>Words for what the creature does by itself, at its own speed or at one that is given.</summary>

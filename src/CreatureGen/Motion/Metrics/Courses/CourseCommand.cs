@@ -21,6 +21,9 @@ public readonly record struct CourseCommand(float Seconds, MotionInput Input, Ga
     /// <summary>What pictures call it; null to tell it by what is asked.</summary>
     public string? Name { get; init; }
 
+    /// <summary>What is done to the body as it begins.</summary>
+    public BodyCommand Body { get; init; }
+
     /// <summary>Its name, or what is asked: <c>2.1 m/s left 1.5</c>.</summary>
     public override string ToString()
     {

@@ -1,4 +1,7 @@
+using System;
 using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Maths;
 using CreatureGen.Seeding;
 
 namespace CreatureGen.Motion.Metrics.Courses;
@@ -6,6 +9,10 @@ namespace CreatureGen.Motion.Metrics.Courses;
 /// <summary>Drives an animator along a course, from standing at the origin.</summary>
 internal sealed class CourseDrive
 {
+    /// <summary>How far jumps go, part of what the creature can, and how hard blows are, part of what throws its body at √(gℓ).</summary>
+    private const float JumpFraction = 0.7f;
+    private const float BlowFraction = 0.4f;
+
     private readonly CourseScript script;
     private readonly IEnumerable<double> steps;
 
@@ -73,5 +80,39 @@ internal sealed class CourseDrive
         {
             Animator.Perform(command.Act, command.Target);
         }
+
+        Do(command.Body);
+    }
+
+    /// <summary>Does to the body what a command says.</summary>
+    private void Do(BodyCommand command)
+    {
+        switch (command)
+        {
+            case BodyCommand.GoLimp:
+                Animator.GoLimp();
+                break;
+            case BodyCommand.GetUp:
+                Animator.GetUp();
+                break;
+            case BodyCommand.Jump:
+                Animator.Jump(Animator.Root.ToWorld(new Vector3(0f, 0f, JumpFraction * Animator.JumpReach.Length)));
+                break;
+            case BodyCommand.HitLeft:
+                Hit(-1f);
+                break;
+            case BodyCommand.HitRight:
+                Hit(1f);
+                break;
+        }
+    }
+
+    /// <summary>Hits the head, or what carries the body, to its left by 1, to its right by −1.</summary>
+    private void Hit(float side)
+    {
+        MotionProfile profile = Animator.Profile;
+        float speed = (float)Math.Sqrt(Animator.Settings.Gravity * profile.Fall.Value.Height);
+        int head = Math.Max(profile.Creature.Skeleton.IndexOf("Head"), profile.Fall.Value.Body);
+        Animator.Hit(head, Rotation.Rotate(Animator.Root.Rotation, Vector3.UnitX) * (side * BlowFraction * speed * profile.Fall.Value.Mass));
     }
 }
