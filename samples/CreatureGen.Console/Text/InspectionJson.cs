@@ -130,6 +130,7 @@ internal static class InspectionJson
         }
 
         json.WriteEndArray();
-        json.WriteNumber("selfIntersections", checks.SelfIntersections);
+        json.WriteNumber("selfIntersections", checks.Crossings.Body);
+        json.WriteNumber("pieceIntersections", checks.Crossings.Pieces);
     }
 }

@@ -99,6 +99,6 @@ internal static class InspectionText
         }
 
         output.WriteLine();
-        output.WriteLine(FormattableString.Invariant($"The surface crosses itself in {checks.SelfIntersections} pairs of triangles."));
+        output.WriteLine(FormattableString.Invariant($"The surface crosses itself in {checks.Crossings.Body} pairs of triangles, single pieces that are set into it in {checks.Crossings.Pieces}."));
     }
 }

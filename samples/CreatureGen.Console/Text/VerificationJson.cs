@@ -1,4 +1,5 @@
 using System.IO;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Working;
@@ -15,6 +16,14 @@ internal static class VerificationJson
         json.WriteNumber("checked", verification.Checked);
         json.WriteNumber("failed", verification.Failed);
         json.WriteNumber("selfIntersecting", verification.SelfIntersecting);
+        json.WriteNumber("piecesCrossing", verification.PiecesCrossing);
+        if (verification.Looked.Count > 0)
+        {
+            json.WriteNumber("levelsCrossing", verification.Looked.Count(creature => creature.Everywhere!.Levels.All > 0));
+            json.WriteNumber("posesCrossing", verification.Looked.Sum(creature => creature.Everywhere!.CrossingPoses));
+            json.WriteNumber("poses", verification.Looked.Sum(creature => creature.Everywhere!.Poses));
+        }
+
         json.WriteStartArray("problems");
         foreach (VerificationProblem problem in verification.Problems)
         {

@@ -26,6 +26,14 @@ internal static class VerificationText
         Row("checked", kinds.Select(verification.CheckedOf), verification.Checked);
         Row("failed", kinds.Select(verification.FailedOf), verification.Failed);
         Row("self-intersecting", kinds.Select(verification.SelfIntersectingOf), verification.SelfIntersecting);
+        Row("pieces crossing", kinds.Select(verification.PiecesCrossingOf), verification.PiecesCrossing);
+        if (verification.Looked.Count > 0)
+        {
+            Counts("levels crossing", creature => creature.Everywhere!.Levels.All > 0 ? 1 : 0);
+            Counts("poses crossing", creature => creature.Everywhere!.CrossingPoses);
+            Counts("of poses", creature => creature.Everywhere!.Poses);
+        }
+
         output.WriteLine();
         output.WriteLine(ink.Heading("Broken invariants (creatures)"));
         foreach (string invariant in rows)
@@ -54,6 +62,9 @@ internal static class VerificationText
         output.WriteLine(verification.Failed == 0
             ? ink.Good("All invariants hold.")
             : ink.Bad($"{Units.Count(verification.Failed)} of {Units.Count(verification.Checked)} creatures break an invariant."));
+
+        void Counts(string label, Func<VerifiedCreature, long> count) =>
+            Row(label, kinds.Select(kind => verification.Looked.Where(creature => creature.Kind == kind).Sum(count)), verification.Looked.Sum(count));
 
         void Row(string label, IEnumerable<long> counts, long all) =>
             output.WriteLine(label.PadRight(width) + string.Concat(counts.Append(all).Select(count => Units.Count(count).PadLeft(ColumnWidth))));

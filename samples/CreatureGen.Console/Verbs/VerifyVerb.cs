@@ -7,6 +7,7 @@ using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Text;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
+using CreatureGen.Motion;
 using CreatureGen.Sampling;
 
 namespace CreatureGen.Console.Verbs;
@@ -20,6 +21,8 @@ internal sealed class VerifyVerb : IVerb
     /// <summary>The invariant that every limb that the rules ask for has a socket of its own.</summary>
     public const string Sockets = "sockets";
 
+    private static readonly OptionSyntax poses = new("--poses", "N", "look for crossings on all levels of detail and in N poses of each clip as well, 1 to 256: seconds for each creature");
+
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
         "verify",
@@ -32,7 +35,7 @@ internal sealed class VerifyVerb : IVerb
             new("verify --manifest farm --grow", "whether they are what would be made now"),
             new("verify --seeds 1-100000 --kind walking --threads 8 --json > report.json", "a long run, for a script"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, .. CreatureArguments.Syntax, .. ManifestVerification.Syntax, CommonOptions.Threads, CommonOptions.Json]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, .. CreatureArguments.Syntax, .. ManifestVerification.Syntax, poses, CommonOptions.Threads, CommonOptions.Json]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -46,10 +49,11 @@ internal sealed class VerifyVerb : IVerb
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
         SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);
         int threads = CommonOptions.ReadThreads(arguments);
+        int deep = arguments.Has(poses.Name) ? arguments.Whole(poses.Name, 1, CrossingTrial.MostPoses, 0) : 0;
         var verification = new Verification();
         using (var progress = new ProgressLine(surroundings, "creatures checked", specimens.Count, ProgressKind.Shown))
         {
-            OrderedWork<Specimen, VerifiedCreature>.Run(specimens, threads, specimen => Verify(specimen, options, surroundings.Checks), creature =>
+            OrderedWork<Specimen, VerifiedCreature>.Run(specimens, threads, specimen => Verify(specimen, options, surroundings.Checks, deep), creature =>
             {
                 verification.Add(creature);
                 progress.Step();
@@ -68,25 +72,26 @@ internal sealed class VerifyVerb : IVerb
         return verification.Failed == 0 ? ExitCode.Done : ExitCode.CheckFailed;
     }
 
-    private static VerifiedCreature Verify(Specimen specimen, CreatureOptions options, CreatureChecks checks)
+    private static VerifiedCreature Verify(Specimen specimen, CreatureOptions options, CreatureChecks checks, int deep)
     {
         CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, specimen.Of(options), out SocketTally sockets);
         if (sockets.LimbRefusals > 0)
         {
             string detail = FormattableString.Invariant($"{sockets.LimbRefusals} sockets of legs, wings or fins ran into others; expected none");
-            return new VerifiedCreature(blueprint.Kind, specimen, [new VerificationProblem(blueprint.Kind, specimen, Sockets, detail)], false);
+            return new VerifiedCreature(blueprint.Kind, specimen, [new VerificationProblem(blueprint.Kind, specimen, Sockets, detail)], default, null);
         }
 
         try
         {
-            CheckResult result = CheckResult.Of(CreatureAssembler.Assemble(blueprint), checks);
+            Creature creature = CreatureAssembler.Assemble(blueprint);
+            CheckResult result = CheckResult.Of(creature, checks);
             VerificationProblem[] problems = result.Violations.Select(violation => new VerificationProblem(blueprint.Kind, specimen, violation.Invariant, violation.Detail)).ToArray();
-            return new VerifiedCreature(blueprint.Kind, specimen, problems, result.SelfIntersections > 0);
+            return new VerifiedCreature(blueprint.Kind, specimen, problems, result.Crossings, deep > 0 ? CrossingTrial.Run(creature, deep) : null);
         }
         catch (Exception problem) when (problem is not OutOfMemoryException)
         {
             // Whatever a stage throws is a defect of the creature, to be reported with all others.
-            return new VerifiedCreature(blueprint.Kind, specimen, [new VerificationProblem(blueprint.Kind, specimen, Builds, problem.GetType().Name + ": " + problem.Message)], false);
+            return new VerifiedCreature(blueprint.Kind, specimen, [new VerificationProblem(blueprint.Kind, specimen, Builds, problem.GetType().Name + ": " + problem.Message)], default, null);
         }
     }
 }

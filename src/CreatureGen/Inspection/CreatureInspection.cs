@@ -50,6 +50,18 @@ public static class CreatureInspection
         return found.All;
     }
 
+    /// <summary>How often the surface at rest cuts through itself: the body, and each piece that is set into it, thin wings and hair too.</summary>
+    /// <exception cref="ArgumentNullException">There is no creature.</exception>
+    public static SurfaceCrossings CountCrossings(Creature creature)
+    {
+        if (creature is null)
+        {
+            throw new ArgumentNullException(nameof(creature));
+        }
+
+        return new CrossingCounter(creature.Mesh, creature.Mesh.Triangles).Count();
+    }
+
     /// <summary>
     /// Pairs of triangles of the body and its limbs that cut one another without sharing a vertex. Eyes, teeth, claws and what else is set into the skin are left aside.
     /// </summary>

@@ -18,7 +18,7 @@ public sealed class VerbTests
     private static readonly CreatureChecks refuseWalkers = new(
         ["StandsStill", "FliesWell"],
         creature => creature.Blueprint.Kind == LocomotionKind.Walking ? [new InvariantViolation("StandsStill", "it walks \"away\"")] : [],
-        creature => creature.Blueprint.Kind == LocomotionKind.Flying ? 3 : 0);
+        creature => creature.Blueprint.Kind == LocomotionKind.Flying ? new SurfaceCrossings(3, 0) : default);
 
     [Fact]
     public void Without_arguments_there_is_creature_101_and_what_it_is()
@@ -242,7 +242,7 @@ public sealed class VerbTests
         string[] walkers = Enumerable.Range(1, 40).Where(seed => kinds[seed - 1] == "Walking").Select(seed => seed.ToString(System.Globalization.CultureInfo.InvariantCulture)).ToArray();
         Assert.Equal(ExitCode.CheckFailed, run.Run("verify", "--seeds", "1-40", "--kind", "any", "--threads", "3", "--json"));
         JsonElement told = run.Json();
-        Assert.Equal(["checked", "failed", "selfIntersecting", "problems"], told.EnumerateObject().Select(member => member.Name));
+        Assert.Equal(["checked", "failed", "selfIntersecting", "piecesCrossing", "problems"], told.EnumerateObject().Select(member => member.Name));
         Assert.Equal(40, told.GetProperty("checked").GetInt32());
         Assert.Equal(walkers.Length, told.GetProperty("failed").GetInt32());
         Assert.Equal(kinds.Count(kind => kind == "Flying"), told.GetProperty("selfIntersecting").GetInt32());
@@ -270,7 +270,7 @@ public sealed class VerbTests
     [Fact]
     public void What_a_check_throws_is_a_problem_like_any_other()
     {
-        using var run = new ConsoleRun { Checks = new(["A"], _ => throw new InvalidOperationException("broken"), _ => 0) };
+        using var run = new ConsoleRun { Checks = new(["A"], _ => throw new InvalidOperationException("broken"), _ => default) };
         Assert.Equal(ExitCode.CheckFailed, run.Run("verify", "--seed", "1", "--json"));
         JsonElement problem = run.Json().GetProperty("problems")[0];
         Assert.Equal("builds", problem.GetProperty("invariant").GetString());
