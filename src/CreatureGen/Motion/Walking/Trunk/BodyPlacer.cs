@@ -192,17 +192,17 @@ internal sealed class BodyPlacer
 
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
-        float push = Scalar.Clamp(context.Acceleration / settings.Gravity, -0.5f, 0.5f);
+        Effort effort = Effort.Of(body, context.Acceleration / settings.Gravity);
         float stoop = Scalar.Smooth(act);
-        hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - (0.06f * push * length);
-        foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) + (0.06f * push * length);
+        hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - effort.HindDrop;
+        foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) - effort.ForeDrop;
         Level(ref hindRise, ref foreRise);
-        float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + (0.35f * push) : 0f;
+        float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + effort.Lean : 0f;
         float raised = body.Posture.Raised * context.Upright;
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
-            Pelvis = new Vector3(rest.X + sway + inward + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * NeutralFootholds.Shortening(Climb))),
+            Pelvis = new Vector3(rest.X + sway + inward + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + effort.Shift + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * NeutralFootholds.Shortening(Climb))),
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
             PelvisRoll = pelvisRoll - bank + slope,

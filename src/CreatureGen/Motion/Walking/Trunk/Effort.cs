@@ -1,0 +1,41 @@
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Walking.Trunk;
+
+/// <summary>How a body shows what speeds it up or slows it down: it crouches and leans into a start, and sits back on its hind legs, which brace, as it brakes.</summary>
+/// <param name="HindDrop">How far its rear comes down, metres.</param>
+/// <param name="ForeDrop">The same of its front, negative for up.</param>
+/// <param name="Shift">How far it goes ahead over its feet, metres.</param>
+/// <param name="Lean">How far two-legged ones lean ahead, radians.</param>
+internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shift, float Lean)
+{
+    /// <summary>Most that counts, parts of gravity.</summary>
+    private const float Most = 0.5f;
+
+    // Leg lengths for each part of gravity.
+    private const float CrouchOfStart = 0.16f;
+    private const float RiseOfStart = 0.02f;
+    private const float SitOfBraking = 0.24f;
+    private const float RiseOfBraking = 0.04f;
+    private const float ShiftOfStart = 0.14f;
+    private const float ShiftOfBraking = 0.20f;
+    private const float LeanOfStart = 0.40f;
+    private const float LeanOfBraking = 0.45f;
+
+    // What of it low bodies and pillars show.
+    private const float LateralFraction = 0.3f;
+    private const float ColumnarFraction = 0.6f;
+
+    /// <summary>The effort of an acceleration.</summary>
+    /// <param name="body">Gives build and size.</param>
+    /// <param name="acceleration">Ahead, parts of gravity.</param>
+    public static Effort Of(LeggedBody body, float acceleration)
+    {
+        float push = Scalar.Clamp(acceleration, -Most, Most);
+        float shown = body.LegLength * (body.Legs[0].Lateral ? LateralFraction : body.Creature.Blueprint.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
+        return push > 0f
+            ? new Effort(CrouchOfStart * push * shown, -RiseOfStart * push * shown, ShiftOfStart * push * shown, LeanOfStart * push)
+            : new Effort(-SitOfBraking * push * shown, RiseOfBraking * push * shown, ShiftOfBraking * push * shown, LeanOfBraking * push);
+    }
+}
