@@ -40,6 +40,7 @@ public sealed partial class CreatureAnimator
     private readonly CheckedMovingGround movingGround = new();
     private CheckedGround gate;
     private Actor? actor;
+    private Emotion emotion;
     private Vector3? lookAt;
     private MotionSettings settings = MotionSettings.Default;
 
@@ -278,6 +279,23 @@ public sealed partial class CreatureAnimator
 
     /// <summary>The phase of the act; null for none, and while it waits until the creature stands.</summary>
     public ActPhase? ActPhase => actor?.Performer.Phase;
+
+    /// <summary>What it feels: it shows in posture, ears, lids, tail, jaw and wings, and in the tempo of acts, and comes and goes within about a second.</summary>
+    /// <exception cref="ArgumentException">A number is not finite or not within −1..1.</exception>
+    public Emotion Emotion
+    {
+        get => emotion;
+        set
+        {
+            value.ThrowIfInvalid();
+            if (value != emotion)
+            {
+                emotion = value;
+                actor ??= new Actor(Acts);
+                actor.Performer.Feel(value);
+            }
+        }
+    }
 
     /// <summary>Moments of acts in the last update.</summary>
     public ReadOnlySpan<ActEvent> ActEvents => actor == null ? default : actor.Events;

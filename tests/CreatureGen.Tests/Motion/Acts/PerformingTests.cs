@@ -200,6 +200,24 @@ public class PerformingTests
     }
 
     [Fact]
+    public void Fear_crouches_and_a_threat_does_not_and_calm_is_as_before()
+    {
+        Vector3 calm = PelvisOf(default);
+        Vector3 fear = PelvisOf(new Emotion(1f, -1f, -1f));
+        Vector3 threat = PelvisOf(new Emotion(1f, -1f, 1f));
+        Assert.True(fear.Y < calm.Y - (0.1f * dog.LegLength), $"{fear} {calm}");
+        Assert.True(threat.Y > calm.Y - (0.1f * dog.LegLength) && threat.Z > fear.Z, $"{threat} {fear}");
+        Assert.ThrowsAny<ArgumentException>(() => new CreatureAnimator(dog).Emotion = new Emotion(float.NaN, 0f, 0f));
+
+        static Vector3 PelvisOf(Emotion emotion)
+        {
+            var animator = new CreatureAnimator(dog) { Emotion = emotion };
+            Walkers.Run(animator, 3f, 60f, default, FlatGround.Level);
+            return animator.ModelPose.Positions[dog.Creature.Skeleton.IndexOf("Pelvis")];
+        }
+    }
+
+    [Fact]
     public void The_same_acts_give_the_same_bits()
     {
         Quaternion[] first = Play();

@@ -23,7 +23,7 @@ internal sealed class Performer
     private readonly ActPlayer player = new();
     private readonly ActLayer layer;
     private readonly float[] values = new float[Act.ChannelCount];
-    private readonly float[] mood = new float[Act.ChannelCount];
+    private readonly Mood mood = new();
     private ActAim aim;
     private ActAim lastAim;
     private float side = 1f;
@@ -84,6 +84,13 @@ internal sealed class Performer
         IsActive = true;
     }
 
+    /// <summary>Feels something from now on.</summary>
+    public void Feel(Emotion emotion)
+    {
+        mood.Feel(emotion);
+        IsActive = true;
+    }
+
     /// <summary>Leaves a phase that lasts.</summary>
     public void GoOn() => player.GoOn();
 
@@ -106,7 +113,7 @@ internal sealed class Performer
         player.CopyFrom(other.player);
         layer.CopyFrom(other.layer);
         other.values.CopyTo(values, 0);
-        other.mood.CopyTo(mood, 0);
+        mood.CopyFrom(other.mood);
         aim = other.aim;
         lastAim = other.lastAim;
         side = other.side;
@@ -128,9 +135,9 @@ internal sealed class Performer
     /// <param name="root">Where the creature is.</param>
     public void Advance(float dt, bool stands, in RootPlace root)
     {
-        player.Advance(dt, 1f, stands);
+        player.Advance(dt, mood.Pace, stands);
         CriticallyDampedSpring.Advance(ref still, ref stilling, player.Act == null ? 0f : 1f, StillRate, dt);
-        IsActive = player.IsActive || still > Nothing;
+        IsActive = player.IsActive || still > Nothing || mood.IsShown;
         if (!IsActive)
         {
             Array.Clear(values, 0, values.Length);
@@ -138,10 +145,7 @@ internal sealed class Performer
         }
 
         player.Values.CopyTo(values, 0);
-        for (int i = 0; i < values.Length; i++)
-        {
-            values[i] += mood[i];
-        }
+        mood.Advance(dt, values);
 
         room.Clamp(values);
         layer.Ask(values, side);

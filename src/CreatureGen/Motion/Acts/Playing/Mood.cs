@@ -1,0 +1,72 @@
+using System;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Acts.Playing;
+
+/// <summary>How an emotion shows in posture, face and tail, all the time: it comes and goes slowly.</summary>
+internal sealed class Mood
+{
+    /// <summary>How quickly it comes and goes, per second.</summary>
+    private const float Rate = 3f;
+
+    private const float Nothing = 1e-4f;
+
+    private readonly float[] goal = new float[Act.ChannelCount];
+    private readonly float[] shown = new float[Act.ChannelCount];
+
+    /// <summary>Factor on the speed of acts.</summary>
+    public float Pace { get; private set; } = 1f;
+
+    /// <summary>Whether anything is shown, or is to be.</summary>
+    public bool IsShown { get; private set; }
+
+    /// <summary>Feels something from now on.</summary>
+    public void Feel(Emotion emotion)
+    {
+        float aroused = Math.Max(emotion.Arousal, 0f);
+        float drowsy = Math.Max(-emotion.Arousal, 0f);
+        float good = Math.Max(emotion.Valence, 0f);
+        float bad = Math.Max(-emotion.Valence, 0f);
+        float threat = aroused * bad * Math.Max(emotion.Boldness, 0f);
+        float fear = aroused * bad * Math.Max(-emotion.Boldness, 0f);
+        float play = aroused * good;
+        float calm = drowsy * good;
+        float sad = drowsy * bad;
+        float alert = aroused * Math.Max(1f - threat - fear, 0f);
+        Set(ActChannel.NeckPitch, (0.35f * alert) - (0.15f * threat) - (0.35f * fear) - (0.6f * sad) + (0.12f * calm));
+        Set(ActChannel.ForeDown, (0.08f * threat) + (0.18f * fear) + (0.07f * sad));
+        Set(ActChannel.HindDown, (0.3f * fear) + (0.04f * sad));
+        Set(ActChannel.Ahead, (0.08f * threat) - (0.14f * fear));
+        Set(ActChannel.Ears, (-0.5f * alert) + (0.9f * threat) + fear + (0.5f * sad) - (0.2f * calm));
+        Set(ActChannel.Lids, (-0.1f * aroused) + (0.35f * threat) + (0.35f * calm) + (0.65f * sad) - (0.05f * fear));
+        Set(ActChannel.TailPitch, (0.3f * aroused) + (0.2f * threat) - (1.2f * fear) - (0.4f * sad) + (0.2f * calm) + (0.3f * play));
+        Set(ActChannel.Jaw, 0.4f * threat);
+        Set(ActChannel.Wings, 0.5f * threat);
+        Pace = 1f + (0.35f * emotion.Arousal) - (0.15f * sad);
+        IsShown = true;
+    }
+
+    /// <summary>Goes on, and adds what is shown to values.</summary>
+    public void Advance(float dt, float[] values)
+    {
+        float fraction = 1f - (float)PortableMath.Exp(-Rate * dt);
+        IsShown = false;
+        for (int i = 0; i < shown.Length; i++)
+        {
+            shown[i] += (goal[i] - shown[i]) * fraction;
+            values[i] += shown[i];
+            IsShown |= goal[i] != 0f || Math.Abs(shown[i]) > Nothing;
+        }
+    }
+
+    /// <summary>Takes over what another feels.</summary>
+    public void CopyFrom(Mood other)
+    {
+        other.goal.CopyTo(goal, 0);
+        other.shown.CopyTo(shown, 0);
+        Pace = other.Pace;
+        IsShown = other.IsShown;
+    }
+
+    private void Set(ActChannel channel, float value) => goal[(int)channel] = value;
+}
