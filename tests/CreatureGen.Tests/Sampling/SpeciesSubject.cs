@@ -9,10 +9,11 @@ namespace CreatureGen.Tests.Sampling;
 /// <summary>Creatures of one species: subjects that stay the same kind of creature when the catalogue grows.</summary>
 internal static class SpeciesSubject
 {
-    /// <summary>Options that leave one species and kind.</summary>
+    /// <summary>Options that leave one species and kind, as the animal is.</summary>
     public static CreatureOptions Only(string body, RequestedKind kind) => CreatureOptions.Default with
     {
         Kind = kind,
+        Strangeness = 0,
         BaseBodies = new ValueList<BaseBodyWeight>(BaseBodyNames.All.Select(name => new BaseBodyWeight(name, name == body ? 1 : 0))),
     };
 

@@ -78,7 +78,41 @@ internal static class StanceSampler
     }
 
     /// <summary>Whether some of a body that stands on legs is below the ground.</summary>
-    public static bool Sinks(CreatureBuilder builder) => builder.Plan != BodyPlan.Legless && builder.IsOnGround && Lowest(builder.Shape, 0, BodyGrid.Rings) < 0;
+    public static bool Sinks(CreatureBuilder builder) => builder.Plan != BodyPlan.Legless && builder.IsOnGround
+        && (Lowest(builder.Shape, 0, BodyGrid.Rings) < 0 || Lowest(builder.Shape, BodyGrid.Rings - 1, BodyGrid.Rings) < FanReach(builder) || LowestFeeler(builder) < 0);
+
+    /// <summary>How far the feathers of a tail reach below its end as it hangs, metres.</summary>
+    private static double FanReach(CreatureBuilder builder)
+    {
+        BodyShape s = builder.Shape;
+        const int End = BodyGrid.Rings - 1;
+        double along = Math.Abs(s.Z[End] - s.Z[End - 6]);
+        double down = Math.Max(0, s.Y[End - 6] - s.Y[End]);
+        return builder.Tail.Style != TailStyle.Feathers || down == 0 ? 0 : builder.Tail.Size * (0.3 + (1.5 * down / Math.Sqrt((along * along) + (down * down))));
+    }
+
+    /// <summary>The lowest end of feelers on the head, metres, reckoned as if they bent down all the way.</summary>
+    private static double LowestFeeler(CreatureBuilder builder)
+    {
+        BodyShape s = builder.Shape;
+        double lowest = double.MaxValue;
+        foreach (FeatureBlueprint feeler in builder.Features)
+        {
+            int ring = (int)Scalar.Clamp(Math.Round(feeler.Ring), 1, BodyGrid.Rings - 2);
+            if (feeler.Kind != FeatureKind.Antenna || ring > 20)
+            {
+                continue;
+            }
+
+            double ahead = s.Z[ring - 1] - s.Z[ring + 1];
+            double rise = s.Y[ring - 1] - s.Y[ring + 1];
+            double length = Math.Sqrt((ahead * ahead) + (rise * rise));
+            double up = ((feeler.Forward * rise) + (feeler.Upward * ahead)) / length;
+            lowest = Math.Min(lowest, s.Y[ring] + (feeler.Length * (up + Math.Min(0, feeler.BendUp))));
+        }
+
+        return lowest;
+    }
 
     /// <summary>Whether a body that lies on the ground is tipped over by its head.</summary>
     public static bool TipsOver(CreatureBuilder builder) => builder.Plan == BodyPlan.Legless && IsFrontHeavy(builder.Shape);

@@ -8,8 +8,8 @@ internal static class SwimmerParts
 {
     public static LegPreset Paddling(double thickness, double claw) => new()
     {
-        Sites = new[] { new LegSite(LimbArchetype.Sprawl, 27, 9.7, -0.7, 0.95, 0.88), new LegSite(LimbArchetype.Sprawl, 41, 9.8, -0.8, 1, 1) },
-        Reach = (0.24, 0.28), HangingLength = 0.12, Thickness = thickness, Claw = claw,
+        Sites = new[] { new LegSite(LimbArchetype.Sprawl, 27, 9.7, -0.1, 0.95, 0.88), new LegSite(LimbArchetype.Sprawl, 41, 9.8, -0.3, 1, 1) },
+        Reach = (0.24, 0.28), HangingLength = 0.2, Thickness = thickness, Claw = claw,
     };
 
     public static PartPreset[] Scutes()
