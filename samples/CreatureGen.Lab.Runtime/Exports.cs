@@ -6,6 +6,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Genetics;
 using CreatureGen.Gltf;
+using CreatureGen.Sampling;
 using CreatureGen.Repairs;
 
 namespace CreatureGen.Lab.Runtime;
@@ -24,12 +25,12 @@ internal static partial class Exports
     [JSExport]
     internal static string Glance(string seed, string kind, double strangeness) => Facts.AtAGlance(DesignText.Sample(seed, kind, strangeness));
 
-    /// <summary>The file of a seed, as <c>creaturegen generate --textures none</c> writes it.</summary>
+    /// <summary>The file of a seed, as the library makes and writes it by default.</summary>
     [JSExport]
     internal static byte[] GlbOfSeed(string seed, string kind)
     {
         using var file = new MemoryStream();
-        GlbWriter.Write(CreatureGenerator.Build(DesignText.Sample(seed, kind, 0)), GltfOptions.Default, file);
+        GlbWriter.Write(CreatureGenerator.Build(DesignText.Sample(seed, kind, CreatureOptions.Default.Strangeness)), GltfOptions.Default, file);
         return file.ToArray();
     }
 

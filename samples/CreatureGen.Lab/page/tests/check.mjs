@@ -278,6 +278,7 @@ await claim('sixty creatures leave the memory as it was', async () => {
 });
 
 await claim('the grid shows creatures that live, by kind', async () => {
+  await page.evaluate(() => document.querySelector('.alert:not([hidden]) button')?.click());
   await page.click('[aria-label="Many at once"]');
   await page.waitForFunction(() => creatureLab.lab.grid?.herd?.members.size >= 4);
   await page.click('.many [data-value=swimming]');
