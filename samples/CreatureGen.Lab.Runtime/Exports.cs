@@ -6,8 +6,8 @@ using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Genetics;
 using CreatureGen.Gltf;
-using CreatureGen.Sampling;
 using CreatureGen.Repairs;
+using CreatureGen.Sampling;
 
 namespace CreatureGen.Lab.Runtime;
 
