@@ -35,20 +35,8 @@ internal sealed record MeasuredAct(LocomotionKind Kind, BodyPlan Plan, ulong See
 
     /// <summary>Measures all that a creature can do.</summary>
     /// <exception cref="InvalidOperationException">Its motion failed.</exception>
-    public static IReadOnlyList<MeasuredAct> AllOf(ulong seed, CreatureOptions options)
-    {
-        CreatureBlueprint blueprint = Growing.Sample(seed, options);
-        try
-        {
-            var profile = new MotionProfile(CreatureAssembler.Assemble(blueprint));
-            return ActTrial.Of(profile).Select(trial => Of(profile, trial)).ToArray();
-        }
-        catch (ArgumentException problem)
-        {
-            // Nothing that a trial is made of comes from outside.
-            throw new InvalidOperationException($"{WordList<LocomotionKind>.Instance[blueprint.Kind]} {SeedText.Of(blueprint.Seed)}: {problem.Message}", problem);
-        }
-    }
+    public static IReadOnlyList<MeasuredAct> AllOf(ulong seed, CreatureOptions options) =>
+        Growing.Measure(seed, options, profile => ActTrial.Of(profile).Select(trial => Of(profile, trial)));
 
     /// <inheritdoc/>
     public void WriteName(Utf8JsonWriter json)
@@ -75,8 +63,6 @@ internal sealed record MeasuredAct(LocomotionKind Kind, BodyPlan Plan, ulong See
     {
         CreatureBlueprint blueprint = profile.Creature.Blueprint;
         ActReport report = trial.Run(profile);
-        return new MeasuredAct(blueprint.Kind, blueprint.Plan, blueprint.Seed, trial.Ability, NameOf(report.LimitExcessJoint), NameOf(report.JointSpeedJoint), report);
-
-        string? NameOf(int joint) => joint < 0 ? null : profile.Creature.Skeleton.Joints[joint].Name;
+        return new MeasuredAct(blueprint.Kind, blueprint.Plan, blueprint.Seed, trial.Ability, Growing.JointName(profile, report.LimitExcessJoint), Growing.JointName(profile, report.JointSpeedJoint), report);
     }
 }

@@ -37,21 +37,8 @@ internal sealed record MeasuredCourse(LocomotionKind Kind, BodyPlan Plan, ulong 
 
     /// <summary>Measures a creature on all courses.</summary>
     /// <exception cref="InvalidOperationException">Its motion failed.</exception>
-    public static IReadOnlyList<MeasuredCourse> AllOf(ulong seed, CreatureOptions options)
-    {
-        CreatureBlueprint blueprint = Growing.Sample(seed, options);
-        Creature creature = CreatureAssembler.Assemble(blueprint);
-        try
-        {
-            var profile = new MotionProfile(creature);
-            return MotionCourse.RunAll(profile).Select(run => Of(profile, run)).ToArray();
-        }
-        catch (ArgumentException problem)
-        {
-            // Nothing that a course is made of comes from outside.
-            throw new InvalidOperationException($"{WordList<LocomotionKind>.Instance[blueprint.Kind]} {SeedText.Of(blueprint.Seed)}: {problem.Message}", problem);
-        }
-    }
+    public static IReadOnlyList<MeasuredCourse> AllOf(ulong seed, CreatureOptions options) =>
+        Growing.Measure(seed, options, profile => MotionCourse.RunAll(profile).Select(run => Of(profile, run)));
 
     /// <inheritdoc/>
     public void WriteName(Utf8JsonWriter json)
@@ -94,10 +81,8 @@ internal sealed record MeasuredCourse(LocomotionKind Kind, BodyPlan Plan, ulong 
             blueprint.Seed,
             profile.LegLength > 0f ? profile.LegLength : null,
             run.Course,
-            NameOf(profile, run.Report.LimitExcessJoint),
-            NameOf(profile, run.Report.JointSpeedJoint),
+            Growing.JointName(profile, run.Report.LimitExcessJoint),
+            Growing.JointName(profile, run.Report.JointSpeedJoint),
             run.Report);
     }
-
-    private static string? NameOf(MotionProfile profile, int joint) => joint < 0 ? null : profile.Creature.Skeleton.Joints[joint].Name;
 }

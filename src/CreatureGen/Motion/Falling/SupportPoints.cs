@@ -9,13 +9,11 @@ using CreatureGen.Skinning;
 
 namespace CreatureGen.Motion.Falling;
 
-/// <summary>Places of the skin that a creature can lie on: for each joint those of its vertices that are farthest out in 26 directions. Immutable.</summary>
+/// <summary>Places of the skin that a creature can lie on: the outermost vertices of each joint. Immutable.</summary>
 internal sealed class SupportPoints
 {
     /// <summary>How far above and below a point the ground is looked for, parts of the creature's size.</summary>
     private const float Lookout = 2f;
-
-    private static readonly Vector3[] directions = Directions();
 
     private readonly SupportPoint[] points;
     private readonly Vector3[] bindPositions;
@@ -38,36 +36,18 @@ internal sealed class SupportPoints
     {
         Skeleton skeleton = creature.Skeleton;
         CreatureMesh mesh = creature.Mesh;
-        var farthest = new float[skeleton.Count * directions.Length];
-        var vertices = new int[farthest.Length];
-        Array.Fill(vertices, -1);
-        ReadOnlySpan<Vector3> positions = mesh.Positions;
         Vector3 min = new(float.MaxValue);
         Vector3 max = new(float.MinValue);
-        for (int v = 0; v < positions.Length; v++)
+        foreach (Vector3 position in mesh.Positions)
         {
-            min = Vec.Min(min, positions[v]);
-            max = Vec.Max(max, positions[v]);
-            int first = mesh.Weights[v].Joint0 * directions.Length;
-            for (int d = 0; d < directions.Length; d++)
-            {
-                float along = Vec.Dot(positions[v], directions[d]);
-                if (vertices[first + d] < 0 || along > farthest[first + d])
-                {
-                    vertices[first + d] = v;
-                    farthest[first + d] = along;
-                }
-            }
+            min = Vec.Min(min, position);
+            max = Vec.Max(max, position);
         }
 
         var chosen = new List<SupportPoint>();
-        var known = new HashSet<int>();
-        foreach (int v in vertices)
+        foreach (int v in OutermostVertices.Of(mesh.Positions, mesh.Weights, skeleton.Count))
         {
-            if (v >= 0 && known.Add(v))
-            {
-                chosen.Add(new SupportPoint(positions[v], mesh.Weights[v], PartOf(skeleton, mesh.Weights[v].Joint0)));
-            }
+            chosen.Add(new SupportPoint(mesh.Positions[v], mesh.Weights[v], PartOf(skeleton, mesh.Weights[v].Joint0)));
         }
 
         Vector3 extent = max - min;
@@ -141,27 +121,6 @@ internal sealed class SupportPoints
         }
 
         return BodyPart.Trunk;
-    }
-
-    private static Vector3[] Directions()
-    {
-        var all = new List<Vector3>();
-        for (int x = -1; x <= 1; x++)
-        {
-            for (int y = -1; y <= 1; y++)
-            {
-                for (int z = -1; z <= 1; z++)
-                {
-                    var direction = new Vector3(x, y, z);
-                    if (direction != Vector3.Zero)
-                    {
-                        all.Add(Vec.Normalize(direction));
-                    }
-                }
-            }
-        }
-
-        return all.ToArray();
     }
 
     /// <summary>Where the pose takes a point, model space.</summary>

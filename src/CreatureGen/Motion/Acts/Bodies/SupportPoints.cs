@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
+using CreatureGen.Skinning;
 
 namespace CreatureGen.Motion.Acts.Bodies;
 
@@ -14,36 +15,16 @@ internal sealed class SupportPoints
 
     private SupportPoints((int, Vector3)[] points) => this.points = points;
 
-    /// <summary>Finds them: for each joint the farthest vertex in 26 directions.</summary>
+    /// <summary>Those of a creature.</summary>
     public static SupportPoints Of(Creature creature)
     {
         Skeleton skeleton = creature.Skeleton;
-        Vector3[] directions = Directions();
-        int[] farthest = new int[skeleton.Count * directions.Length];
-        Array.Fill(farthest, -1);
-        ReadOnlySpan<Vector3> positions = creature.Mesh.Positions;
-        for (int v = 0; v < positions.Length; v++)
-        {
-            int row = creature.Mesh.Weights[v].Joint0 * directions.Length;
-            for (int d = 0; d < directions.Length; d++)
-            {
-                int known = farthest[row + d];
-                if (known < 0 || Vec.Dot(positions[v], directions[d]) > Vec.Dot(positions[known], directions[d]))
-                {
-                    farthest[row + d] = v;
-                }
-            }
-        }
-
+        CreatureMesh mesh = creature.Mesh;
         var points = new List<(int, Vector3)>();
-        var taken = new HashSet<int>();
-        for (int i = 0; i < farthest.Length; i++)
+        foreach (int v in OutermostVertices.Of(mesh.Positions, mesh.Weights, skeleton.Count))
         {
-            if (farthest[i] >= 0 && taken.Add(farthest[i]))
-            {
-                int joint = i / directions.Length;
-                points.Add((joint, Rotation.Rotate(Rotation.Inverse(skeleton.ModelRotations[joint]), positions[farthest[i]] - skeleton.ModelPositions[joint])));
-            }
+            int joint = mesh.Weights[v].Joint0;
+            points.Add((joint, Rotation.Rotate(Rotation.Inverse(skeleton.ModelRotations[joint]), mesh.Positions[v] - skeleton.ModelPositions[joint])));
         }
 
         return new SupportPoints(points.ToArray());
@@ -82,25 +63,5 @@ internal sealed class SupportPoints
         }
 
         return lowest;
-    }
-
-    private static Vector3[] Directions()
-    {
-        var all = new List<Vector3>();
-        for (int x = -1; x <= 1; x++)
-        {
-            for (int y = -1; y <= 1; y++)
-            {
-                for (int z = -1; z <= 1; z++)
-                {
-                    if (x != 0 || y != 0 || z != 0)
-                    {
-                        all.Add(new Vector3(x, y, z));
-                    }
-                }
-            }
-        }
-
-        return all.ToArray();
     }
 }
