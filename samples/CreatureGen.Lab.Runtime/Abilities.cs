@@ -49,7 +49,7 @@ internal sealed record Abilities(Medium Medium, bool CanFly, float Length, float
         float pace = 0f;
         float run = 0f;
         float flight = 0f;
-        foreach (Movement movement in Movement.Of(profile))
+        foreach (Movement movement in Movement.OfGoing(profile))
         {
             float speed = movement.Input.Speed;
             if (movement.Name == "Fly")

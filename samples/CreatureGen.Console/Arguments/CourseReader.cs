@@ -133,7 +133,7 @@ internal sealed class CourseReader
     /// <summary>Words for what the creature does by itself, at its own speed or at one that is given.</summary>
     private void AddMovements()
     {
-        foreach (Movement movement in Movement.Of(profile))
+        foreach (Movement movement in Movement.OfGoing(profile))
         {
             foreach (string name in new[] { movement.Name, movement.GaitName })
             {

@@ -25,7 +25,7 @@ internal static class MovementArguments
     public static Movement Read(ParsedArguments arguments, MotionProfile profile)
     {
         float? speed = ReadSpeed(arguments);
-        IReadOnlyList<Movement> all = Movement.Of(profile);
+        IReadOnlyList<Movement> all = Movement.OfGoing(profile);
         Movement movement = arguments.Value(Gait.Name) is string word ? Find(arguments, all, word) : Suitable(profile, all, speed);
         return speed is float metres ? movement.At(metres) : movement;
     }

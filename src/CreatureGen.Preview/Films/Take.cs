@@ -40,7 +40,7 @@ internal sealed class Take
     public Take(MotionProfile profile, Movement movement, GroundRelief relief)
     {
         this.profile = profile;
-        OnGround = movement.Gait != null || profile.Slither != null || movement.Kind is ClipKind.TakeOff or ClipKind.Landing;
+        OnGround = movement.Gait != null || profile.Slither != null || movement.Kind is ClipKind.TakeOff or ClipKind.Landing || (movement.Act != null && profile.Legs != null);
         var level = new SteadyMotion(profile, movement, FlatGround.Level);
         level.Settle(SteadyMotion.SettleSeconds);
         float seconds = level.CycleSeconds();

@@ -22,6 +22,7 @@ internal sealed class Actor
     private readonly ActStage stage;
     private readonly ActEvent[] events = new ActEvent[MaxEvents];
     private Performer kept;
+    private bool keptAll;
     private int eventCount;
 
     public Actor(CreatureActs acts)
@@ -35,8 +36,16 @@ internal sealed class Actor
     /// <summary>What it shows.</summary>
     public Performer Performer { get; private set; }
 
+    /// <summary>What it does by itself; null for nothing.</summary>
+    public IdleActs? IdleActs { get; set; }
+
     /// <summary>Goes back to what it performed before the update that failed.</summary>
-    public void Undo() => (Performer, kept) = (kept, Performer);
+    public void Undo()
+    {
+        (Performer, kept) = (kept, Performer);
+        keptAll = false;
+        IdleActs?.Undo();
+    }
 
     /// <summary>Moments of acts in the last update.</summary>
     public ReadOnlySpan<ActEvent> Events => events.AsSpan(0, eventCount);
@@ -49,15 +58,19 @@ internal sealed class Actor
     /// <param name="root">Where the creature is.</param>
     /// <param name="locomotion">How it moves.</param>
     /// <param name="input">What it is asked to do.</param>
+    /// <param name="settings">Gravity.</param>
+    /// <param name="idles">How readily it does something by itself; 0 not at all.</param>
     /// <returns>What it is to do: to stand, where an act needs that.</returns>
-    public MotionInput Begin(float dt, in RootPlace root, Locomotion locomotion, in MotionInput input)
+    public MotionInput Begin(float dt, in RootPlace root, Locomotion locomotion, in MotionInput input, in MotionSettings settings, float idles)
     {
-        kept.CopyFrom(Performer);
+        Keep();
         FallingMode? mode = locomotion.Mode;
         if (mode == null)
         {
             return input;
         }
+
+        Idle(dt, root, locomotion, settings, idles);
 
         if (mode.State != BodyState.Supported)
         {
@@ -72,6 +85,18 @@ internal sealed class Actor
 
         mode.Layer = Performer.Trunk;
         return holds ? new MotionInput(0f) : input;
+    }
+
+    /// <summary>Breaks off what it performs, as the creature is put somewhere else.</summary>
+    public void Reset(Locomotion locomotion)
+    {
+        kept.CopyFrom(Performer);
+        keptAll = false;
+        Performer.Reset();
+        if (locomotion.Mode != null)
+        {
+            locomotion.Mode.Layer = Performer.Trunk;
+        }
     }
 
     /// <summary>Tells what happened, once the pose is written.</summary>
@@ -99,11 +124,15 @@ internal sealed class Actor
         Act act = ability.Act;
         float unit = body.TimeUnit(gravity / root.Scale) * ActTempo.Of(act, body);
         float? toContact = SecondsToContact(act, unit);
-        var aim = new ActAim(act.Tool, false, ability.Usual, act.SnoutDown, default);
-        if (act.Reaches)
+        ActAim aim = ability.UsualAim;
+        if (act.Reaches && target.Point is not Vector3)
         {
-            Vector3 there = target.Point is Vector3 point ? root.ToModel(point) : ability.Usual;
-            aim = aim with { Target = there, Mirrored = there.X < -RightOf * body.Unit };
+            aim = aim with { Target = root.ToWorld(aim.Target) };
+        }
+        else if (act.Reaches)
+        {
+            Vector3 there = root.ToModel(target.Point!.Value);
+            aim = new ActAim(act.Tool, there.X < -RightOf * body.Unit, there, act.SnoutDown, default);
             float missing = ReachSearch.Find(stage, body, act, ability.Parts, ref aim);
             if (missing > Rehearsal.MaxMiss * Rehearsal.ReachLength(act, body))
             {
@@ -116,6 +145,42 @@ internal sealed class Actor
 
         Performer.Begin(act, aim, ability.Parts, unit);
         return new ActStart(ActStatus.Started, null, toContact, 0f);
+    }
+
+    /// <summary>Keeps what was before. What performs nothing stays as it is, and is kept once.</summary>
+    private void Keep()
+    {
+        if (Performer.IsActive || !keptAll)
+        {
+            kept.CopyFrom(Performer);
+            keptAll = !Performer.IsActive;
+        }
+
+        IdleActs?.Keep();
+    }
+
+    /// <summary>Begins, leaves and breaks off what it does by itself.</summary>
+    private void Idle(float dt, in RootPlace root, Locomotion locomotion, in MotionSettings settings, float idles)
+    {
+        if (IdleActs == null)
+        {
+            return;
+        }
+
+        FallingMode mode = locomotion.Mode!;
+        bool stands = mode.State == BodyState.Supported && (locomotion.Legs == null ? body.Build != BodyBuild.Airborne : locomotion.Legs.Stands && mode.StandsOnFeet);
+        switch (IdleActs.Advance(dt, stands ? idles : 0f, Performer.Act, out ActAbility? next))
+        {
+            case IdleChange.Begins:
+                Begin(next!, default, root, settings.Gravity);
+                break;
+            case IdleChange.GoesOn:
+                Performer.GoOn();
+                break;
+            case IdleChange.BreaksOff:
+                Performer.Stop();
+                break;
+        }
     }
 
     private static float? SecondsToContact(Act act, float unit)

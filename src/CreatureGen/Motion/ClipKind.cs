@@ -14,4 +14,7 @@ public enum ClipKind
 
     /// <summary>Out of swimming round to one side, and on from there.</summary>
     Escape,
+
+    /// <summary>An act, from standing to standing.</summary>
+    Act,
 }

@@ -40,7 +40,6 @@ public sealed partial class CreatureAnimator
     private readonly CheckedMovingGround movingGround = new();
     private CheckedGround gate;
     private Actor? actor;
-    private Emotion emotion;
     private Vector3? lookAt;
     private MotionSettings settings = MotionSettings.Default;
 
@@ -87,6 +86,12 @@ public sealed partial class CreatureAnimator
         {
             value.ThrowIfInvalid();
             settings = value;
+            if (value.IdleActs > 0f)
+            {
+                // Here and not in an update, for it takes a while.
+                actor ??= new Actor(Acts);
+                actor.IdleActs ??= new IdleActs(Acts, Habits(Profile.Creature.Blueprint).Child("acts"));
+            }
         }
     }
 
@@ -193,7 +198,7 @@ public sealed partial class CreatureAnimator
         CheckedGround sound = Check(ref dt, ground);
         if (Mode != null)
         {
-            MotionInput asked = actor == null ? input : actor.Begin(dt, Root, locomotion, input);
+            MotionInput asked = actor == null ? input : actor.Begin(dt, Root, locomotion, input, settings, IdlesOf(input));
             try
             {
                 Root = locomotion.Drive(Root, dt, asked, settings, sound, LocalPose);
@@ -222,7 +227,7 @@ public sealed partial class CreatureAnimator
     {
         placement.Require(nameof(placement));
         CheckedGround sound = Check(ref dt, ground);
-        actor?.Begin(dt, Root, locomotion, default);
+        actor?.Begin(dt, Root, locomotion, default, settings, IdlesOf(default));
         try
         {
             locomotion.Follow(Root, dt, placement, settings, sound, LocalPose);
@@ -251,11 +256,20 @@ public sealed partial class CreatureAnimator
         placement.Require(nameof(placement));
         CheckedGround sound = Gate(ground);
         events.Clear();
-        locomotion.Stand(placement, settings, sound, LocalPose);
+        actor?.Reset(locomotion);
+        try
+        {
+            locomotion.Stand(placement, settings, sound, LocalPose);
+        }
+        catch when (sound.MayThrow)
+        {
+            actor?.Undo();
+            throw;
+        }
+
         Root = placement;
         secondary.Reset();
         attention?.Reset();
-        actor?.Performer.Reset();
         Finish(0f);
     }
 
@@ -270,68 +284,6 @@ public sealed partial class CreatureAnimator
         actor?.Performer.Rebase(offset);
         secondary.Rebase(offset);
     }
-
-    /// <summary>What the creature can do beside going; see <see cref="MotionProfile.Acts"/>.</summary>
-    public CreatureActs Acts => Profile.Acts;
-
-    /// <summary>The act that it performs at present; null for none.</summary>
-    public Act? Act => actor?.Performer.Act;
-
-    /// <summary>The phase of the act; null for none, and while it waits until the creature stands.</summary>
-    public ActPhase? ActPhase => actor?.Performer.Phase;
-
-    /// <summary>What it feels: it shows in posture, ears, lids, tail, jaw and wings, and in the tempo of acts, and comes and goes within about a second.</summary>
-    /// <exception cref="ArgumentException">A number is not finite or not within −1..1.</exception>
-    public Emotion Emotion
-    {
-        get => emotion;
-        set
-        {
-            value.ThrowIfInvalid();
-            if (value != emotion)
-            {
-                emotion = value;
-                actor ??= new Actor(Acts);
-                actor.Performer.Feel(value);
-            }
-        }
-    }
-
-    /// <summary>Moments of acts in the last update.</summary>
-    public ReadOnlySpan<ActEvent> ActEvents => actor == null ? default : actor.Events;
-
-    /// <summary>Begins an act that comes with the library, in place of what it performs; see <see cref="Perform(ActAbility, in ActTarget)"/>.</summary>
-    /// <param name="act">Its name, whatever its case.</param>
-    /// <param name="target">What it goes for.</param>
-    /// <exception cref="ArgumentException">There is no act of that name; the message lists all.</exception>
-    public ActStart Perform(string act, in ActTarget target = default) => Perform(Acts.Find(act), target);
-
-    /// <summary>Begins an act in place of what it performs: on top of whatever it does, from whatever pose it is in. Acts that need standing feet stop it first. The first act of an animator allocates what it needs; those after it, and all updates, nothing.</summary>
-    /// <param name="act">One of <see cref="Acts"/>, or of the game's own (<see cref="CreatureActs.Rehearse"/>).</param>
-    /// <param name="target">What it goes for; acts without a target take no notice.</param>
-    /// <returns>Whether it has begun, or why not: nothing has changed then.</returns>
-    /// <exception cref="ArgumentNullException">There is no act.</exception>
-    public ActStart Perform(ActAbility act, in ActTarget target = default)
-    {
-        if (act == null)
-        {
-            throw new ArgumentNullException(nameof(act));
-        }
-
-        if (act.Refusal != null)
-        {
-            return new ActStart(ActStatus.Refused, act.Refusal, act.SecondsToContact, 0f);
-        }
-
-        actor ??= new Actor(Acts);
-        return actor.Begin(act, target, Root, settings.Gravity);
-    }
-
-    /// <summary>Leaves a phase that lasts, as of sitting or sleeping: the act goes on to its end. Others take no notice.</summary>
-    public void GoOn() => actor?.Performer.GoOn();
-
-    /// <summary>Breaks the act off where it is: what is left of it dies away.</summary>
-    public void StopAct() => actor?.Performer.Stop();
 
     /// <summary>Holds lids and ears; null to let the creature blink and flick its ears by itself.</summary>
     internal void Hold(StandingAct? act)
@@ -394,7 +346,13 @@ public sealed partial class CreatureAnimator
         bool awake = State is not (BodyState.Limp or BodyState.Rising);
         Performer? performer = awake && actor?.Performer is { IsActive: true } active ? active : null;
         bool looks = awake && performer is not { HoldsHead: true };
-        attention?.Update(looks ? lookAt : null, GazeSettings, Root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
+        if (attention != null)
+        {
+            attention.Lids = performer?.Lids ?? 0f;
+            attention.IsLimp = State == BodyState.Limp;
+            attention.Update(looks ? lookAt : null, GazeSettings, Root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
+        }
+
         if (performer != null)
         {
             performer.Pose(Root, StandsOnFeet, LocalPose, ModelPose);

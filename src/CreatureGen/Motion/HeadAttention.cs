@@ -20,6 +20,10 @@ internal sealed class HeadAttention
 
     private const float FishPitch = 0.1f;
 
+    /// <summary>How far shut the lids of a limp body are, and how quickly they come there, per second.</summary>
+    private const float LimpLids = 0.85f;
+    private const float SlackRate = 2.5f;
+
     private readonly GazeRig rig;
     private readonly Seed habits;
     private readonly Seed blinks;
@@ -31,6 +35,7 @@ internal sealed class HeadAttention
     private readonly float blinkPeriod;
     private GazeState state;
     private double seconds;
+    private float slack;
 
     /// <summary>Gives a creature habits.</summary>
     /// <param name="rig">Its head.</param>
@@ -59,6 +64,12 @@ internal sealed class HeadAttention
     /// <summary>How lids and ears are held; null when the creature blinks and flicks its ears by itself.</summary>
     public StandingAct? Held { get; set; }
 
+    /// <summary>How far an act or a mood shuts the lids: 0 as at rest, 1 shut, below 0 wide open. Blinks shut what is left.</summary>
+    public float Lids { get; set; }
+
+    /// <summary>Whether the body is limp: its lids sink, and it does not blink.</summary>
+    public bool IsLimp { get; set; }
+
     /// <summary>Turns head and eyes.</summary>
     /// <param name="target">A point in the world to look at; null for none.</param>
     /// <param name="settings">How they follow; null for what suits the creature.</param>
@@ -72,7 +83,7 @@ internal sealed class HeadAttention
     {
         seconds += dt;
         bool still = weight > 0f && System.Math.Abs(speed) < Still;
-        float shut = lids == null ? 0f : Held?.Lids ?? Blinks.At(blinks, seconds, blinkPeriod);
+        float shut = lids == null ? 0f : Shut(dt);
         if (shut != 0f)
         {
             lids!.Close(shut, local, model);
@@ -109,6 +120,16 @@ internal sealed class HeadAttention
         }
     }
 
+    /// <summary>How far lids are shut: held by the game, or by act, mood and limpness, and what is left by blinks.</summary>
+    private float Shut(float dt)
+    {
+        slack += ((IsLimp ? LimpLids : 0f) - slack) * (1f - (float)PortableMath.Exp(-SlackRate * dt));
+        slack = slack < SlackRate * 1e-4f && !IsLimp ? 0f : slack;
+        float shut = slack + ((1f - slack) * Lids);
+        float blink = Held?.Lids ?? (IsLimp ? 0f : Blinks.At(blinks, seconds, blinkPeriod));
+        return shut + ((1f - shut) * blink);
+    }
+
     private StandingAct Flicked(float weight)
     {
         (float left, float right) = EarFlicks.At(flicks, seconds, flickPeriod);
@@ -116,5 +137,9 @@ internal sealed class HeadAttention
     }
 
     /// <summary>Looks straight ahead again, at once.</summary>
-    public void Reset() => state = default;
+    public void Reset()
+    {
+        state = default;
+        slack = 0f;
+    }
 }

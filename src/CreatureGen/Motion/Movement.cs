@@ -4,7 +4,7 @@ using CreatureGen.Motion.Swimming;
 
 namespace CreatureGen.Motion;
 
-/// <summary>Something that a creature does by itself: standing, one of its gaits, flight, swimming, each way of crawling; and what leads fliers from standing to flight and back, and what a startled fish does. Immutable.</summary>
+/// <summary>Something that a creature does: standing, one of its gaits, flight, swimming, each way of crawling; what leads fliers from standing to flight and back, what a startled fish does, and acts. Immutable.</summary>
 public sealed class Movement
 {
     private const float PassageSpeed = 0.3f;
@@ -13,8 +13,9 @@ public sealed class Movement
     /// <summary>Part of the cruise of an undulating crawler that it makes straight on: waves of the belly are slow.</summary>
     private const float RectilinearSpeed = 0.3f;
 
-    private Movement(string name, MotionInput input, Gait? gait, ClipKind kind = ClipKind.Lasting, SlitherGait crawl = SlitherGait.Undulating)
+    private Movement(string name, MotionInput input, Gait? gait, ClipKind kind = ClipKind.Lasting, SlitherGait crawl = SlitherGait.Undulating, ActAbility? act = null)
     {
+        Act = act;
         Name = name;
         Input = input;
         Gait = gait;
@@ -22,7 +23,7 @@ public sealed class Movement
         Crawl = crawl;
     }
 
-    /// <summary>What games call it: <c>Idle</c>, <c>Walk</c>, <c>Run</c>, the name of another gait, <c>Fly</c>, <c>Hover</c>, <c>TakeOff</c>, <c>Land</c>, <c>Swim</c>, <c>CStart</c>, <c>Slither</c>, <c>Sidewind</c> or <c>Rectilinear</c>. Unique among those of a creature.</summary>
+    /// <summary>What games call it: <c>Idle</c>, <c>Walk</c>, <c>Run</c>, the name of another gait, <c>Fly</c>, <c>Hover</c>, <c>TakeOff</c>, <c>Land</c>, <c>Swim</c>, <c>CStart</c>, <c>Slither</c>, <c>Sidewind</c>, <c>Rectilinear</c> or the name of an act. Unique among those of a creature.</summary>
     public string Name { get; }
 
     /// <summary>What the creature is asked to do.</summary>
@@ -37,15 +38,33 @@ public sealed class Movement
     /// <summary>How a creature without legs crawls; others take no notice.</summary>
     public SlitherGait Crawl { get; }
 
+    /// <summary>What it performs; null for what goes or stands.</summary>
+    public ActAbility? Act { get; }
+
     /// <summary>The name of its gait, such as <c>BipedWalk</c>; <see cref="Name"/> where there is no gait.</summary>
     public string GaitName => Gait?.Name ?? Name;
 
     /// <summary>Whether the motion repeats at the beat of a gait or a stroke; standing still has none.</summary>
     public bool IsCyclic => Kind == ClipKind.Lasting && (Input.Speed != 0f || Input.Medium == MotionMedium.Air);
 
-    /// <summary>Everything a creature does by itself: Idle, each of its gaits at its most comfortable speed, flight, taking off and landing, swimming, the start of a startled fish to its left, all ways of crawling.</summary>
+    /// <summary>Everything that a creature does: all ways of going, then every act that it can do.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
     public static IReadOnlyList<Movement> Of(MotionProfile profile)
+    {
+        List<Movement> movements = Going(profile);
+        foreach (ActAbility ability in profile.Acts.Possible)
+        {
+            movements.Add(new Movement(ability.Act.Name, default, null, ClipKind.Act, act: ability));
+        }
+
+        return movements;
+    }
+
+    /// <summary>All ways of going, without the acts, which take a while to find out: Idle, each of its gaits at its most comfortable speed, flight, taking off and landing, swimming, the start of a startled fish to its left, all ways of crawling.</summary>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public static IReadOnlyList<Movement> OfGoing(MotionProfile profile) => Going(profile);
+
+    private static List<Movement> Going(MotionProfile profile)
     {
         if (profile == null)
         {
@@ -102,7 +121,7 @@ public sealed class Movement
     public Movement At(float speed)
     {
         Maths.Finite.Require(speed, nameof(speed));
-        return new Movement(Name, Input with { Speed = speed }, Gait, Kind, Crawl);
+        return new Movement(Name, Input with { Speed = speed }, Gait, Kind, Crawl, Act);
     }
 
     /// <summary>An animator of a creature that stands at the origin and keeps to the movement's gait or way of crawling from its first step.</summary>

@@ -236,11 +236,11 @@ public sealed class CrawlAndEscapeTests
     public void Movements_and_clips_know_every_way()
     {
         Creature serpent = StrokeSubject.Of(BodyPlan.Legless)[0];
-        Assert.Equal(new[] { "Idle", "Slither", "Sidewind", "Rectilinear" }, Movement.Of(new MotionProfile(serpent)).Select(movement => movement.Name));
+        Assert.Equal(new[] { "Idle", "Slither", "Sidewind", "Rectilinear" }, Movement.OfGoing(new MotionProfile(serpent)).Select(movement => movement.Name));
         Assert.All(ClipBaker.Bake(serpent), clip => Assert.Equal(ClipEnd.Loops, clip.End));
         Creature fish = StrokeSubject.Of(BodyPlan.Fish)[0];
-        Assert.Equal(new[] { "Idle", "Swim", "CStart" }, Movement.Of(new MotionProfile(fish)).Select(movement => movement.Name));
-        Assert.DoesNotContain(Movement.Of(new MotionProfile(StrokeSubject.Of(BodyPlan.Whale)[0])), movement => movement.Kind == ClipKind.Escape);
+        Assert.Equal(new[] { "Idle", "Swim", "CStart" }, Movement.OfGoing(new MotionProfile(fish)).Select(movement => movement.Name));
+        Assert.DoesNotContain(Movement.OfGoing(new MotionProfile(StrokeSubject.Of(BodyPlan.Whale)[0])), movement => movement.Kind == ClipKind.Escape);
         Clip dart = ClipBaker.Bake(fish).Single(clip => clip.Name == "CStart");
         Assert.Equal(ClipEnd.Stays, dart.End);
 

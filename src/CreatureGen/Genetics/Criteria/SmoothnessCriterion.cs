@@ -24,7 +24,7 @@ public sealed class SmoothnessCriterion : ICriterion
     {
         _ = candidate ?? throw new ArgumentNullException(nameof(candidate));
         double faults = 0;
-        foreach (Movement movement in Movement.Of(candidate.Profile))
+        foreach (Movement movement in Movement.OfGoing(candidate.Profile))
         {
             if (movement.IsCyclic)
             {

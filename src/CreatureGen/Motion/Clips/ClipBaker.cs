@@ -27,7 +27,7 @@ public static class ClipBaker
     {
         var profile = new MotionProfile(creature ?? throw new ArgumentNullException(nameof(creature)));
         var clips = new List<Clip>();
-        foreach (Movement movement in Movement.Of(profile))
+        foreach (Movement movement in Movement.OfGoing(profile))
         {
             clips.Add(Bake(profile, movement));
         }

@@ -59,6 +59,13 @@ internal sealed class SteadyMotion
             Advance(1f / 60f, before);
         }
 
+        if (movement.Act != null)
+        {
+            // What lasts is there for its least time.
+            Animator.Perform(movement.Act);
+            Animator.GoOn();
+        }
+
         for (float time = 0f; movement.Kind == ClipKind.Landing && Height > PassageHeight && time < LongestPassage; time += 1f / 60f)
         {
             Advance(1f / 60f);
@@ -70,6 +77,7 @@ internal sealed class SteadyMotion
     {
         ClipKind.TakeOff => Height > PassageHeight,
         ClipKind.Escape => !Animator.Escapes,
+        ClipKind.Act => Animator.Act == null,
         _ => Animator.IsAtRest,
     };
 

@@ -23,6 +23,9 @@ internal sealed class BuzzPair
     private const double NarrowLag = 0.25;
     private const double BroadLag = 0.03;
 
+    /// <summary>How far wings are raised that are shown, radians.</summary>
+    private const double Shown = 0.3;
+
     private readonly PairedChain chain;
     private readonly FoldedWing folded;
     private readonly double level;
@@ -55,7 +58,7 @@ internal sealed class BuzzPair
         double a = stroke.Amplitude * (1 - (0.15 * inside));
         double angle = 2 * PortableMath.Pi * (stroke.Phase - lag);
         PortableMath.SinCos(angle, out double sine, out double cosine);
-        double raise = level + (a * StrokeAngle * cosine);
+        double raise = level + (Shown * stroke.Shown) + (a * StrokeAngle * cosine);
         double sweep = a * Deviation * 2 * sine * cosine;
         double twist = a * Flip * sine;
         double bend = a * TipBend * PortableMath.Sin(angle - TipLag);

@@ -27,7 +27,7 @@ internal static class FlightMotion
 
         local.Require(profile.Skeleton);
         BodyVelocity root = FlightControl.Advance(profile, input, ref state, StepCheck.Step(dt));
-        FlightPose.Write(profile, state, input.Gravity, local);
+        FlightPose.Write(profile, state, input, local);
         return root;
     }
 }

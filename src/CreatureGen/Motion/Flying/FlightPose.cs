@@ -19,7 +19,7 @@ internal static class FlightPose
     private const double GlideRounding = 0.5;
 
     /// <summary>Writes what the state says.</summary>
-    public static void Write(FlightProfile profile, in FlightState state, double gravity, in Pose local)
+    public static void Write(FlightProfile profile, in FlightState state, in FlightInput input, in Pose local)
     {
         double hover = FlightControl.Hover(state.Cruises);
         double beats = state.Cycle * profile.BeatsPerCycle;
@@ -32,7 +32,8 @@ internal static class FlightPose
             Phase = beats,
             Amplitude = amplitude,
             Glide = glide,
-            Spread = state.Spread.Value,
+            Spread = 1 - ((1 - state.Spread.Value) * (1 - Math.Min(input.ShownWings, 1f))),
+            Shown = input.ShownWings,
             Flare = Scalar.Clamp(state.Flare.Value, 0, 1),
             Steer = steer,
             Hover = hover,
@@ -48,7 +49,7 @@ internal static class FlightPose
             wing.Write(local, wings);
         }
 
-        Body(profile, state, hover, glide, slow, gravity, local);
+        Body(profile, state, hover, glide, slow, input.Gravity, local);
     }
 
     /// <summary>How much the wings are held still: all the time in a descent, part of the slow cycle at level flight, never in a climb.</summary>

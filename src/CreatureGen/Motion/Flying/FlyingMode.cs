@@ -28,6 +28,7 @@ internal sealed class FlyingMode : ILocomotionMode
     private readonly StancePose stance;
     private readonly EventQueue events;
     private FlightState state = FlightState.OnGround;
+    private BodyLayer? layer;
     private float turn;
 
     public FlyingMode(FlightProfile profile, WalkingMode? legs, EventQueue events)
@@ -59,9 +60,10 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public BodyLayer? Layer
     {
-        get => legs?.Layer;
+        get => layer;
         set
         {
+            layer = value;
             if (legs != null)
             {
                 legs.Layer = value;
@@ -204,7 +206,7 @@ internal sealed class FlyingMode : ILocomotionMode
 
         state.RunOut = legs?.RunOut ?? 0f;
         state.Raised = legs?.Raised ?? 0f;
-        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying);
+        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying, Math.Max(layer?.Wings ?? 0f, 0f));
         BodyVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
         for (int k = state.BeatsBegun - 1; k >= 0; k--)
         {

@@ -23,6 +23,9 @@ internal sealed class WingPair
     // How late each joint unfolds, in shares of the whole.
     private static readonly double[] unfolding = { 0, 0.10, 0.2, 0.25 };
 
+    // How far each joint is raised for a wing that is shown, radians.
+    private static readonly double[] shown = { 0.5, 0.12, 0.08, 0.05 };
+
     private readonly PairedChain chain;
     private readonly FoldedWing folded;
     private readonly double dihedral;
@@ -64,7 +67,7 @@ internal sealed class WingPair
             twist = Scalar.Lerp(twist, glideTwist, stroke.Glide);
         }
 
-        Quaternion spread = chain.Stroke(k, raise, sweep, twist);
+        Quaternion spread = chain.Stroke(k, raise + (shown[k] * stroke.Shown), sweep, twist);
         if (open < Spread)
         {
             // On the way the shoulder is raised, so that the tip does not sweep over the ground.

@@ -15,6 +15,9 @@ internal struct WingStroke
     /// <summary>0 folded, 1 spread.</summary>
     public double Spread;
 
+    /// <summary>How far wings are raised to be seen, on top; 1 high.</summary>
+    public double Shown;
+
     /// <summary>0..1, spread against the air to slow down.</summary>
     public double Flare;
 

@@ -31,7 +31,7 @@ public sealed record MotionTrial(Movement Movement, GroundRelief Relief, float H
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
     public static IEnumerable<MotionTrial> Of(MotionProfile profile)
     {
-        foreach (Movement movement in Movement.Of(profile))
+        foreach (Movement movement in Movement.OfGoing(profile))
         {
             if (!movement.IsCyclic)
             {

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace CreatureGen.Motion.Modes;
 
-/// <summary>What an act or a mood asks of trunk and feet on top of a way of moving, before the legs are solved: feet that stand stay where they are. Model space, metres, radians; + is to the left, up, ahead, nose up.</summary>
+/// <summary>What an act or a mood asks of trunk, feet and wings on top of a way of moving, before the legs are solved: feet that stand stay where they are. Model space, metres, radians; + is to the left, up, ahead, nose up.</summary>
 internal sealed class BodyLayer
 {
     /// <summary>A layer that asks nothing of so many feet.</summary>
@@ -35,6 +35,9 @@ internal sealed class BodyLayer
     /// <summary>The same about its own length, left side up.</summary>
     public float BackTwist { get; set; }
 
+    /// <summary>How far folded wings are spread and raised, 0..1; beyond 1 raised higher. Of wings that are spread, only raised.</summary>
+    public float Wings { get; set; }
+
     /// <summary>How far it puts off shifting its weight and breathing, 0..1.</summary>
     public float Still { get; set; }
 
@@ -54,6 +57,7 @@ internal sealed class BodyLayer
         BackSide = other.BackSide;
         BackTwist = other.BackTwist;
         Still = other.Still;
+        Wings = other.Wings;
         other.Feet.CopyTo(Feet, 0);
     }
 }

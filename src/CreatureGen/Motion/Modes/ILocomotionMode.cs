@@ -33,7 +33,7 @@ internal interface ILocomotionMode
     /// <summary>How far the body leans to its left, radians, so that its weight and the turn that it flies balance: what hangs on it feels no push to the side. 0 where the ground or water carries it.</summary>
     float BalancedBank { get; }
 
-    /// <summary>What an act asks of trunk and feet that stand; null for nothing. Who goes without feet takes no notice.</summary>
+    /// <summary>What an act asks of trunk and feet that stand, and of wings; null for nothing. Who has none of them takes no notice.</summary>
     BodyLayer? Layer { get; set; }
 
     /// <summary>Moves on as asked and writes the pose.</summary>

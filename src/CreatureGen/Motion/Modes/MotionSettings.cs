@@ -15,6 +15,7 @@ public struct MotionSettings
         Up = Vector3.UnitY,
         Gravity = StandardGravity.Acceleration,
         Idle = 1f,
+        IdleActs = 0f,
         Walking = WalkingSettings.Default,
         Flying = FlyingSettings.Default,
         Swimming = SwimmingSettings.Default,
@@ -29,6 +30,10 @@ public struct MotionSettings
 
     /// <summary>Breathing, shifting of weight, looking about and flicking ears while it stands, a factor; 0..4. Blinks stay.</summary>
     public float Idle { get; set; }
+
+    /// <summary>How often a creature that stands about begins an act by itself, from its seed: it sniffs, shakes, scratches, grooms itself, calls, sits for a while. 0..4, 0 never, 1 every quarter of a minute or so, bigger ones less often. To set it
+    /// above 0 for the first time takes what <see cref="MotionProfile.Acts"/> takes.</summary>
+    public float IdleActs { get; set; }
 
     /// <summary>On legs.</summary>
     public WalkingSettings Walking { get; set; }
@@ -54,6 +59,7 @@ public struct MotionSettings
 
         Finite.RequireWithin(Gravity, 0.1f, 1000f, nameof(Gravity));
         Finite.RequireWithin(Idle, 0f, 4f, nameof(Idle));
+        Finite.RequireWithin(IdleActs, 0f, 4f, nameof(IdleActs));
         (Walking ?? throw new ArgumentNullException(nameof(Walking))).ThrowIfInvalid();
         (Flying ?? throw new ArgumentNullException(nameof(Flying))).ThrowIfInvalid();
         (Swimming ?? throw new ArgumentNullException(nameof(Swimming))).ThrowIfInvalid();

@@ -34,7 +34,7 @@ public sealed class SteadySlopeTests
         for (ulong seed = 300; seed < 300 + (ulong)seeds; seed++)
         {
             var profile = new MotionProfile(Walkers.Any(seed));
-            foreach (Movement movement in Movement.Of(profile))
+            foreach (Movement movement in Movement.OfGoing(profile))
             {
                 if (movement.Gait == null || (movement.Gait == GaitLibrary.Leap && Math.Abs(degrees) > SteepestLeap))
                 {

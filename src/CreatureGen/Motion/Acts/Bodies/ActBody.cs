@@ -44,7 +44,7 @@ internal sealed class ActBody
         Back = new TurnedChain(Skeleton, legs == null && Build != BodyBuild.Legless ? Spine : Array.Empty<int>());
         Ears = Joints(JointRole.Ear).Where(joint => Skeleton.Joints[Skeleton.Parents[joint]].Role != JointRole.Ear).ToArray();
         Arms = creature.Limbs.Where(limb => limb.Kind == LimbKind.Arm && limb.Joints.Count == 6).ToArray();
-        Fins = creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral).ToArray();
+        Fins = creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral || (limb.Kind == LimbKind.Wing && creature.Blueprint.Kind != LocomotionKind.Flying)).ToArray();
         Size = SizeOf();
         Unit = legs?.LegLength ?? Size / LegsPerBody;
         if (legs != null)
@@ -108,7 +108,7 @@ internal sealed class ActBody
 
     public LimbChain[] Arms { get; }
 
-    /// <summary>Paired fins.</summary>
+    /// <summary>Paired fins, and wings that do not fly.</summary>
     public LimbChain[] Fins { get; }
 
     /// <summary>Left and right foot of the foremost pair, as indices of legs.</summary>

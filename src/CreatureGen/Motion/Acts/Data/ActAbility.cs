@@ -13,7 +13,7 @@ public sealed class ActAbility
     private readonly int lasting;
     private readonly ActGain gain;
 
-    internal ActAbility(Act act, string? refusal, ActGain gain, float[] ends, Vector3 usual, Func<ActReach?> reach)
+    internal ActAbility(Act act, string? refusal, ActGain gain, float[] ends, in ActAim aim, Func<ActReach?> reach)
     {
         this.ends = ends;
         lasting = -1;
@@ -27,7 +27,7 @@ public sealed class ActAbility
         this.gain = gain;
         Seconds = ends[^1];
         SecondsToContact = act.ToldIn < 0 ? null : ends[act.ToldIn];
-        Usual = usual;
+        UsualAim = aim;
         this.reach = new Lazy<ActReach?>(reach);
     }
 
@@ -63,8 +63,11 @@ public sealed class ActAbility
     /// <summary>The same, part by part.</summary>
     internal ActGain Parts => gain;
 
-    /// <summary>The target that suits the creature, model space.</summary>
-    internal Vector3 Usual { get; }
+    /// <summary>The target that suits the creature, model space, and how the trunk helps to get there.</summary>
+    internal ActAim UsualAim { get; }
+
+    /// <summary>That target alone.</summary>
+    internal Vector3 Usual => UsualAim.Target;
 
     /// <inheritdoc/>
     public override string ToString() => IsPossible ? Act.Name : FormattableString.Invariant($"{Act.Name}: {Refusal}");

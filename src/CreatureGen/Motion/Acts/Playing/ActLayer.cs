@@ -40,6 +40,7 @@ internal sealed class ActLayer
     /// <param name="side">1 for an act to the left, −1 to the right.</param>
     public void Ask(float[] values, float side)
     {
+        Trunk.Wings = values[(int)ActChannel.Wings];
         if (body.Legs == null)
         {
             return;

@@ -54,8 +54,25 @@ internal sealed class Mood
         for (int i = 0; i < shown.Length; i++)
         {
             shown[i] += (goal[i] - shown[i]) * fraction;
-            values[i] += shown[i];
             IsShown |= goal[i] != 0f || Math.Abs(shown[i]) > Nothing;
+        }
+
+        AddTo(values);
+    }
+
+    /// <summary>Shows at once what it feels.</summary>
+    public void Settle()
+    {
+        goal.CopyTo(shown, 0);
+        IsShown = Array.Exists(shown, value => value != 0f);
+    }
+
+    /// <summary>Adds what is shown to values.</summary>
+    public void AddTo(float[] values)
+    {
+        for (int i = 0; i < shown.Length; i++)
+        {
+            values[i] += shown[i];
         }
     }
 

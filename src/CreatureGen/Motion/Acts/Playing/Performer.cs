@@ -18,6 +18,9 @@ internal sealed class Performer
     private const float StillRate = 9f;
     private const float Nothing = 1e-3f;
 
+    /// <summary>How far lids are shut that see nothing.</summary>
+    private const float Asleep = 0.6f;
+
     private readonly ActBody body;
     private readonly TrunkRoom room;
     private readonly ActPlayer player = new();
@@ -49,8 +52,8 @@ internal sealed class Performer
     /// <summary>Whether feet have to stand for it.</summary>
     public bool HoldsFeet => player.Act is { Footing: ActFooting.Standing };
 
-    /// <summary>Whether it moves the head, which then looks at nothing else.</summary>
-    public bool HoldsHead => player.Act is { Tool: ActTool.Mouth or ActTool.Brow } || Math.Abs(values[(int)ActChannel.Reach]) > 0.01f;
+    /// <summary>Whether it moves the head, or has its eyes shut: it looks at nothing then.</summary>
+    public bool HoldsHead => player.Act is { Tool: ActTool.Mouth or ActTool.Brow } || Math.Abs(values[(int)ActChannel.Reach]) > 0.01f || Lids > Asleep;
 
     /// <summary>How far lids are shut.</summary>
     public float Lids => values[(int)ActChannel.Lids];
@@ -97,14 +100,19 @@ internal sealed class Performer
     /// <summary>Ends the act where it is.</summary>
     public void Stop() => player.Stop();
 
-    /// <summary>Forgets everything.</summary>
+    /// <summary>Forgets what it performs. What it feels stays, and shows as if it always had.</summary>
     public void Reset()
     {
         player.Reset();
+        mood.Settle();
         still = 0f;
         stilling = 0f;
+        IsActive = mood.IsShown;
         Array.Clear(values, 0, values.Length);
-        IsActive = false;
+        mood.AddTo(values);
+        room.Clamp(values);
+        layer.Ask(values, side);
+        layer.Trunk.Still = 0f;
     }
 
     /// <summary>Takes over what another of the same creature performs.</summary>

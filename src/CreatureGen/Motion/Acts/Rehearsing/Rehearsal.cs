@@ -53,7 +53,7 @@ internal sealed class Rehearsal
         float[] ends = ActPlayer.EndsOf(act, body.TimeUnit(MotionSettings.Default.Gravity) * ActTempo.Of(act, body));
         if (Lacks(act) is string lack)
         {
-            return new ActAbility(act, lack, default, ends, default, () => null);
+            return new ActAbility(act, lack, default, ends, default(ActAim), () => null);
         }
 
         Vector3 usual = act.Reaches ? UsualTarget.Of(act, body, stage) : default;
@@ -71,11 +71,11 @@ internal sealed class Rehearsal
             refusal ??= Spoils(act, stage, gain, aim);
             if (refusal == null)
             {
-                return new ActAbility(act, null, gain, ends, usual, () => act.Reaches ? ReachOf(act, gain, usual) : null);
+                return new ActAbility(act, null, gain, ends, aim, () => act.Reaches ? ReachOf(act, gain, usual) : null);
             }
         }
 
-        return new ActAbility(act, refusal, default, ends, usual, () => null);
+        return new ActAbility(act, refusal, default, ends, new ActAim(act.Tool, false, usual, act.SnoutDown, default), () => null);
     }
 
     /// <summary>Length by which misses are measured, metres: of the neck, the leg or the arm that reaches, and of what the trunk adds.</summary>

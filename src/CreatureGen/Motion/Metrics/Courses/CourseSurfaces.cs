@@ -45,7 +45,7 @@ internal static class CourseSurfaces
     public static float CheckLength(MotionProfile profile) => Tread * GroundLength(profile);
 
     /// <summary>Length that grounds are measured by, metres.</summary>
-    public static float GroundLength(MotionProfile profile) => profile.Legs != null ? profile.LegLength : MotionTrial.HillLength(profile, Movement.Of(profile)[0]);
+    public static float GroundLength(MotionProfile profile) => profile.Legs != null ? profile.LegLength : MotionTrial.HillLength(profile, Movement.OfGoing(profile)[0]);
 
     /// <summary>What repeats of a ground that is the same all across.</summary>
     private static Action<GroundProfile> Piece(CourseGround ground, float length) => ground switch
