@@ -1,15 +1,19 @@
 using System;
 using System.Globalization;
 using BenchmarkDotNet.Running;
+using CreatureGen.Benchmarks.Beside;
 using CreatureGen.Benchmarks.Crowds;
 using CreatureGen.Benchmarks.Table;
 
 namespace CreatureGen.Benchmarks;
 
-/// <summary><c>table</c> prints ours against the targets; <c>crowd</c> what moving many creatures costs; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
+/// <summary><c>table</c> prints ours against the targets; <c>beside COMMIT [ROW]</c> ours in turns with an earlier commit's; <c>crowd</c> what moving many creatures costs; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
 public static class Program
 {
     private const int DefaultDigestSeeds = 300;
+
+    /// <summary>The commit that the goals of speed are shares of.</summary>
+    private const string DefaultCommit = "a1261cd";
 
     /// <summary>Runs what the arguments ask for.</summary>
     public static int Main(string[] args)
@@ -19,6 +23,9 @@ public static class Program
         {
             case "table":
                 FiguresTable.Print(Console.Out);
+                return 0;
+            case "beside":
+                BesideTable.Print(args.Length > 1 ? args[1] : DefaultCommit, args.Length > 2 ? args[2] : "", Console.Out);
                 return 0;
             case "crowd":
                 CrowdTable.Print(Console.Out, args.Length > 1 ? args[1] : "");
