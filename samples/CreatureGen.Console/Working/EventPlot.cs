@@ -6,7 +6,7 @@ using CreatureGen.Preview.Pictures;
 
 namespace CreatureGen.Console.Working;
 
-/// <summary>Draws how joints turn over a clip, with the moments that a rule found: a row for each joint, its angular acceleration as columns, moments as red lines.</summary>
+/// <summary>Draws how joints turn over a clip, with the moments that a rule found: a row for each joint, its angular acceleration, or the speed of its sweep, as columns, moments as red lines.</summary>
 internal static class EventPlot
 {
     private const int Width = 900;
@@ -59,16 +59,16 @@ internal static class EventPlot
     {
         Label.Draw(picture, Label.Fit(curve.Joint, LabelSize.Small, Left - 16), 8, y + (RowHeight / 2), LabelSize.Small, ink);
         float greatest = 1e-6f;
-        foreach (float a in curve.Accelerations)
+        foreach (float a in curve.Signal)
         {
             greatest = Math.Max(greatest, Math.Abs(a));
         }
 
         int across = Width - Left - 8;
-        int count = curve.Accelerations.Length;
+        int count = curve.Signal.Length;
         for (int i = 0; i < count; i++)
         {
-            float a = curve.Accelerations[i];
+            float a = curve.Signal[i];
             int height = Math.Max(1, (int)(Math.Abs(a) / greatest * (RowHeight - 10)));
             int from = Left + (i * across / count);
             picture.Fill(a > 0f ? column : other, from, y + RowHeight - height, Math.Max(1, (Left + ((i + 1) * across / count)) - from - 1), height);

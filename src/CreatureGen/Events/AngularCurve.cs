@@ -4,11 +4,12 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Events;
 
-/// <summary>How fast a joint turns over a clip, and how fast that changes. Immutable.</summary>
+/// <summary>How fast a joint turns over a clip, and how fast that changes; or how fast a limb sweeps. Immutable.</summary>
 public sealed class AngularCurve
 {
     private readonly float[] speeds;
     private readonly float[] accelerations;
+    private readonly bool isSweep;
 
     internal AngularCurve(string joint, float rate, float[] speeds, float[] accelerations)
     {
@@ -18,17 +19,48 @@ public sealed class AngularCurve
         this.accelerations = accelerations;
     }
 
+    private AngularCurve(string joint, float rate, float[] sweep)
+        : this(joint, rate, sweep, new float[sweep.Length])
+    {
+        isSweep = true;
+        for (int i = 0; i < sweep.Length; i++)
+        {
+            accelerations[i] = (sweep[i] - sweep[i > 0 ? i - 1 : 0]) * rate;
+        }
+    }
+
     /// <summary>Name of the joint.</summary>
     public string Joint { get; }
 
     /// <summary>Samples per second.</summary>
     public float Rate { get; }
 
-    /// <summary>Radians per second from each sample to the next.</summary>
+    /// <summary>Radians per second from each sample to the next; of a sweep below 0 where it goes the other way.</summary>
     public ReadOnlySpan<float> Speeds => speeds;
 
     /// <summary>Radians/s² at each sample, by which the turning before it differs from that after it; negative where the rule does not count the change.</summary>
     public ReadOnlySpan<float> Accelerations => accelerations;
+
+    /// <summary>What the rule looks at: the accelerations, or the speeds of a sweep.</summary>
+    public ReadOnlySpan<float> Signal => isSweep ? speeds : accelerations;
+
+    /// <summary>Measures the sweep of a line.</summary>
+    /// <param name="joint">Name of the joint that it ends at.</param>
+    /// <param name="directions">Its unit directions at even steps; of a loop without the last, which is the first again.</param>
+    /// <param name="rate">Samples per second.</param>
+    /// <param name="edge">Whether the last is followed by the first.</param>
+    /// <param name="sweep">Says towards what.</param>
+    internal static AngularCurve Of(string joint, ReadOnlySpan<Vector3> directions, float rate, ClipEdge edge, AngularSweep sweep)
+    {
+        int count = directions.Length;
+        float[] speeds = new float[edge == ClipEdge.Joined ? count : count - 1];
+        for (int i = 0; i < speeds.Length; i++)
+        {
+            speeds[i] = Vec.Dot(directions[(i + 1) % count] - directions[i], sweep.Towards) * rate;
+        }
+
+        return new AngularCurve(joint, rate, speeds);
+    }
 
     /// <summary>Measures a series of rotations.</summary>
     /// <param name="joint">Name of the joint.</param>

@@ -10,7 +10,7 @@ namespace CreatureGen.Events;
 /// <summary>Finds moments in clips by an <see cref="AngularRule"/>.</summary>
 /// <remarks>
 /// The clip is sampled at an even rate. Of each joint, ω = 2 log(q₁ q₀⁻¹) / dt from sample to sample and α = |ω₁ − ω₀| / dt at each; every stretch of α above the threshold gives the place of its maximum, between
-/// samples by the parabola through it and its neighbours. A clip that loops has no ends: a stretch may begin before the last sample and end behind the first.
+/// samples by the parabola through it and its neighbours; of a rule with a <see cref="AngularRule.Sweep"/> the beginning of each stroke, between samples by a straight line. A clip that loops has no ends: a stretch may begin before the last sample and end behind the first.
 /// </remarks>
 public static class AngularEventDetector
 {
@@ -46,17 +46,48 @@ public static class AngularEventDetector
         }
 
         int steps = Math.Max(2, (int)Math.Round(wanted));
-        Quaternion[] rotations = Sample(clip, skeleton, rule.Space, joints, steps, edge, out int samples);
-        float rate = steps / clip.Duration;
-        var curves = new AngularCurve[joints.Length];
         var moments = new List<Moment>();
+        AngularCurve[] curves = rule.Sweep == null ? Turning(clip, skeleton, rule, joints, steps, edge, moments) : Sweeping(clip, skeleton, rule, joints, steps, edge, moments);
+        return new AngularFinding(Finish(moments, curves, clip, rule), curves);
+    }
+
+    private static AngularCurve[] Turning(IClip clip, Skeleton skeleton, AngularRule rule, int[] joints, int steps, ClipEdge edge, List<Moment> moments)
+    {
+        Quaternion[] rotations = Sample(clip, skeleton, rule.Space, joints, steps, edge, out int samples);
+        var curves = new AngularCurve[joints.Length];
         for (int j = 0; j < joints.Length; j++)
         {
-            curves[j] = AngularCurve.Of(skeleton.Joints[joints[j]].Name, rotations.AsSpan(j * samples, samples), rate, edge, rule);
+            curves[j] = AngularCurve.Of(skeleton.Joints[joints[j]].Name, rotations.AsSpan(j * samples, samples), steps / clip.Duration, edge, rule);
             Chunks.Find(curves[j], j, rule, edge, moments);
         }
 
-        return new AngularFinding(Finish(moments, curves, clip, rule), curves);
+        return curves;
+    }
+
+    private static AngularCurve[] Sweeping(IClip clip, Skeleton skeleton, AngularRule rule, int[] joints, int steps, ClipEdge edge, List<Moment> moments)
+    {
+        int samples = edge == ClipEdge.Joined ? steps : steps + 1;
+        SweepLine[] lines = Array.ConvertAll(joints, joint => SweepLine.Of(skeleton, joint, rule.Sweep!));
+        var directions = new Vector3[lines.Length * samples];
+        var pose = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
+        for (int i = 0; i < samples; i++)
+        {
+            clip.Sample(clip.Duration * i / steps, pose);
+            ForwardKinematics.LocalToModel(skeleton, pose, pose);
+            for (int j = 0; j < lines.Length; j++)
+            {
+                directions[(j * samples) + i] = lines[j].Direction(skeleton, pose);
+            }
+        }
+
+        var curves = new AngularCurve[lines.Length];
+        for (int j = 0; j < lines.Length; j++)
+        {
+            curves[j] = AngularCurve.Of(skeleton.Joints[lines[j].To].Name, directions.AsSpan(j * samples, samples), steps / clip.Duration, edge, rule.Sweep!);
+            Strokes.Find(curves[j], j, rule, edge, moments);
+        }
+
+        return curves;
     }
 
     /// <summary>The rotations of each joint in turn, in the space of the rule.</summary>

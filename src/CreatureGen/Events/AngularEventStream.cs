@@ -10,7 +10,7 @@ namespace CreatureGen.Events;
 /// <remarks>
 /// Latency: a moment is known when the acceleration has fallen from its maximum, one update after it at best; with a <see cref="AngularRule.ChunkGap"/> that much later, when a higher peak could still come. It is told in
 /// that update, and <see cref="AngularMoment.SecondsAgo"/> says how long ago it was: at 60 updates a second 25 ms, half an update of which is the place of the acceleration between two updates. <see cref="AngularRule.ThresholdFraction"/>
-/// is of the greatest acceleration lately, which is forgotten by half in <see cref="Memory"/> seconds. Of an interval the earliest stays, since a stronger one may come only later. <see cref="AngularRule.Offset"/> is
+/// is of the greatest acceleration lately, which is forgotten by half in <see cref="Memory"/> seconds. Beginnings of sweeps are told in the update in which they happen; the first stroke teaches how fast the limb usually sweeps. Of an interval the earliest stays, since a stronger one may come only later. <see cref="AngularRule.Offset"/> is
 /// added to <see cref="AngularMoment.SecondsAgo"/>, at most to 0.
 /// </remarks>
 public sealed class AngularEventStream
@@ -22,6 +22,8 @@ public sealed class AngularEventStream
     private readonly AngularRule rule;
     private readonly int[] joints;
     private readonly Track[] tracks;
+    private readonly SweepLine[] lines;
+    private readonly SweepTrack[] sweeps;
     private readonly AngularMoment[] found;
     private int count;
     private float time;
@@ -40,6 +42,8 @@ public sealed class AngularEventStream
         rule.Require();
         joints = RuleJoints.Of(skeleton, rule);
         tracks = new Track[joints.Length];
+        lines = rule.Sweep is { } sweep ? Array.ConvertAll(joints, joint => SweepLine.Of(skeleton, joint, sweep)) : Array.Empty<SweepLine>();
+        sweeps = new SweepTrack[lines.Length];
         found = new AngularMoment[joints.Length];
     }
 
@@ -64,6 +68,19 @@ public sealed class AngularEventStream
 
         time += dt;
         updates++;
+        for (int j = 0; j < lines.Length; j++)
+        {
+            if (sweeps[j].Passes(Vec.Dot(lines[j].Direction(skeleton, model), rule.Sweep!.Towards), dt, rule, out float strength, out float ago))
+            {
+                Tell(ref tracks[j], lines[j].To, time - ago, strength);
+            }
+        }
+
+        if (lines.Length > 0)
+        {
+            return;
+        }
+
         Span<Quaternion> rotations = rule.Space == AngularSpace.Model ? model.Rotations : local.Rotations;
         for (int j = 0; j < joints.Length; j++)
         {
@@ -75,6 +92,7 @@ public sealed class AngularEventStream
     public void Reset()
     {
         Array.Clear(tracks, 0, tracks.Length);
+        Array.Clear(sweeps, 0, sweeps.Length);
         count = 0;
         time = 0f;
         lastTogether = float.NegativeInfinity;
@@ -110,7 +128,8 @@ public sealed class AngularEventStream
         bool falls = track.Above && (acceleration < threshold || acceleration < 0.5f * track.Peak);
         if (falls && !track.IsTold && at - track.LastAbove >= (acceleration < threshold ? rule.ChunkGap : 0f))
         {
-            Tell(ref track, j);
+            track.IsTold = true;
+            Tell(ref track, joints[j], track.PeakTime, track.PeakThreshold > 0f ? track.Peak / track.PeakThreshold : 1f);
         }
 
         if (acceleration < threshold && at - track.LastAbove >= rule.ChunkGap)
@@ -123,18 +142,16 @@ public sealed class AngularEventStream
         track.Step = dt;
     }
 
-    private void Tell(ref Track track, int j)
+    private void Tell(ref Track track, int joint, float at, float strength)
     {
-        track.IsTold = true;
         float last = rule.Scope == IntervalScope.EachJoint ? track.Told : lastTogether;
-        if (track.PeakTime - last < rule.Interval)
+        if (at - last < rule.Interval)
         {
             return;
         }
 
-        track.Told = lastTogether = track.PeakTime;
-        float ago = Math.Max(time - track.PeakTime - rule.Offset, 0f);
-        found[count++] = new AngularMoment(joints[j], track.PeakThreshold > 0f ? track.Peak / track.PeakThreshold : 1f, ago);
+        track.Told = lastTogether = at;
+        found[count++] = new AngularMoment(joint, strength, Math.Max(time - at - rule.Offset, 0f));
     }
 
     private struct Track

@@ -49,6 +49,9 @@ public sealed record AngularRule
     /// <summary>Which changes of turning count.</summary>
     public AngularChange Change { get; init; }
 
+    /// <summary>Looks for the beginnings of sweeps instead of for peaks of acceleration; the threshold is then the least speed of a sweep, degrees per second, and of all else only joints, interval and offset count. None by default.</summary>
+    public AngularSweep? Sweep { get; init; }
+
     /// <summary>Seconds below the threshold that do not end a stretch: twin peaks are one moment.</summary>
     public float ChunkGap { get; init; }
 
@@ -73,17 +76,17 @@ public sealed record AngularRule
     /// <summary>Seconds by which all moments are moved; in a clip that loops around its ends, in others not beyond them.</summary>
     public float Offset { get; init; }
 
-    /// <summary>The rule with threshold, gap, interval and offset as they are for a creature whose motion takes so many times as long: angular accelerations fall with the square of the time.</summary>
+    /// <summary>The rule with threshold, gap, interval and offset as they are for a creature whose motion takes so many times as long: angular accelerations fall with the square of the time, speeds with the time.</summary>
     /// <param name="times">Above 0; about √(leg length) for walkers of one build.</param>
     /// <exception cref="ArgumentOutOfRangeException">It is not above 0.</exception>
     public AngularRule Slowed(float times)
     {
         Finite.RequireWithin(times, 1e-3f, 1e3f, nameof(times));
-        double power = 2 * PortableMath.Log(times) / 2.3025850929940457;
+        double power = (Sweep == null ? 2 : 1) * PortableMath.Log(times) / 2.3025850929940457;
         return this with { ThresholdPower = ThresholdPower - power, ChunkGap = ChunkGap * times, Quiet = Quiet * times, Interval = Interval * times, Offset = Offset * times };
     }
 
-    /// <summary>The least angular acceleration, radians/s².</summary>
+    /// <summary>The least angular acceleration, radians/s², or speed of a sweep, radians/s.</summary>
     internal double Threshold => Scalar.Radians(PortableMath.Exp(ThresholdPower * 2.3025850929940457));
 
     /// <summary>Throws unless all numbers are within their ranges.</summary>
@@ -105,6 +108,7 @@ public sealed record AngularRule
         }
 
         Finite.Require(Offset, nameof(Offset));
+        Sweep?.Require(Name);
         if (Roles.Count + Joints.Count == 0)
         {
             throw new ArgumentException($"rule {Name} names no joint; expected roles or names of joints");

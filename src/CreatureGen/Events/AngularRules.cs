@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Numerics;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Events;
@@ -6,19 +7,14 @@ namespace CreatureGen.Events;
 /// <summary>Rules for grown creatures, tuned on them.</summary>
 public static class AngularRules
 {
-    /// <summary>A foot comes down: its toes were turning and are stopped, and then rest on the ground.</summary>
+    /// <summary>A foot comes down: its leg has swung forward and is now carried back, as evenly as the body goes on over it. Of creatures that go ahead.</summary>
     public static AngularRule Footstep { get; } = new("footstep")
     {
         Track = "Footsteps",
-        Roles = new[] { JointRole.Ball },
+        Roles = new[] { JointRole.Hip },
         Excluded = new[] { "Arm_*" },
-        ThresholdPower = 2.2,
-        ThresholdFraction = 0.1f,
-        Space = AngularSpace.Model,
-        Change = AngularChange.Slowing,
-        ChunkGap = 0.04f,
-        QuietFraction = 0.7f,
-        Peak = AngularPeak.Last,
+        ThresholdPower = 0.9,
+        Sweep = new AngularSweep(new Vector3(0f, 0f, -1f)) { Ends = new[] { JointRole.Ball, JointRole.Ankle } },
         Winner = IntervalWinner.Strongest,
         Scope = IntervalScope.EachJoint,
     };

@@ -122,6 +122,44 @@ public sealed class AngularEventDetectorTests
     }
 
     [Fact]
+    public void A_sweep_begins_once_a_stroke_where_it_has_its_even_speed_however_it_wavers()
+    {
+        // A bone along +Y swings ahead for 0.6 s, is carried back from 0.6 s to 1.6 s with a halt between, and stays; twice.
+        double Angle(double t)
+        {
+            double within = t % 2.0;
+            return within < 0.6 ? within / 0.6 * 0.6 : within < 1 ? 0.6 - (within - 0.6) * 0.75 : within < 1.2 ? 0.3 : within < 1.6 ? 0.3 - ((within - 1.2) * 0.75) : 0;
+        }
+
+        Clip clip = Turning("Stroke", ClipEnd.Loops, 121, Angle);
+        AngularRule rule = Rule with { ThresholdPower = 0, Sweep = new AngularSweep(new Vector3(0f, 0f, -2f)) };
+        AngularFinding found = AngularEventDetector.Find(clip, arm, rule);
+        Assert.Equal([0.6f, 2.6f], found.Events.Select(e => MathF.Round(e.Time, 1)));
+        Assert.All(found.Events, e => Assert.Equal("J1", e.Joint));
+        Assert.True(found.Curves[0].Signal[5] < 0f && found.Curves[0].Signal[20] > 0f);
+        Assert.Empty(AngularEventDetector.Find(clip, arm, rule with { ThresholdPower = 2 }).Events);
+
+        var stream = new AngularEventStream(arm, rule);
+        var pose = new MovingPose(arm);
+        var live = new List<double>();
+        for (int frame = 0; frame <= 360; frame++)
+        {
+            clip.Sample(ClipTime.Within(frame / 60f, clip.Duration, ClipEnd.Loops), pose.Local);
+            ForwardKinematics.LocalToModel(arm, pose.Local, pose.Model);
+            stream.Update(pose.Local, pose.Model, 1f / 60f);
+            foreach (AngularMoment moment in stream.Found)
+            {
+                live.Add(Math.Round((frame / 60.0) - moment.SecondsAgo, 1));
+            }
+        }
+
+        // The first stroke teaches.
+        Assert.Equal([2.6, 4.6], live);
+        Assert.Contains("without length", Assert.Throws<ArgumentException>(() => new AngularSweep(Vector3.Zero)).Message, StringComparison.Ordinal);
+        Assert.Contains("fractions of 0 to 1", Assert.Throws<ArgumentException>(() => AngularEventDetector.Find(clip, arm, rule with { Sweep = new AngularSweep(Vector3.UnitX) { BeginsAt = float.NaN } })).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void What_a_rule_cannot_mean_is_told()
     {
         Clip clip = Turning("Swing", ClipEnd.Stays, 46, t => t);

@@ -1,0 +1,51 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Events;
+
+/// <summary>
+/// Looks at how a limb sweeps instead of at how fast its turning changes: the moments are those at which the line from a joint to the end of its limb, after going the other way, has come to sweep towards a direction. Data.
+/// </summary>
+/// <remarks>
+/// The sweep is d/dt (u · <see cref="Towards"/>), with u the unit direction of the line in model space, in radians per second where the line lies across. A leg swings forward, turns back, and is carried back evenly by the body as long as its
+/// foot rests on the ground: touch-down is where it has reached that even speed. A stretch of sweeping belongs to a stroke, which begins when the limb has gone the other way fast enough; of each stroke the beginning of
+/// its first long stretch is the moment, so that limbs that waver while they rest are told once.
+/// </remarks>
+public sealed record AngularSweep
+{
+    /// <summary>Sets the direction that is swept to.</summary>
+    /// <param name="towards">In model space, any length but none: (0, 0, −1) is back.</param>
+    /// <exception cref="ArgumentException">It is not finite or has no length.</exception>
+    public AngularSweep(Vector3 towards)
+    {
+        Finite.Require(towards, nameof(towards));
+        Towards = Vec.LengthSquared(towards) > 0f ? Vec.Normalize(towards, Vector3.UnitY) : throw new ArgumentException("a direction without length; expected one in model space", nameof(towards));
+    }
+
+    /// <summary>Unit direction in model space.</summary>
+    public Vector3 Towards { get; }
+
+    /// <summary>What ends the line, the first of these that a joint has below it; the end of the joint's own bone where there is none. The moments are told of that joint.</summary>
+    public IReadOnlyList<JointRole> Ends { get; init; } = Array.Empty<JointRole>();
+
+    /// <summary>Part of the usual speed of a sweep, the median of all, at which it has begun, 0 to 1.</summary>
+    public float BeginsAt { get; init; } = 0.55f;
+
+    /// <summary>Part of the greatest speed the other way that begins a new stroke, 0 to 1.</summary>
+    public float ReturnsAt { get; init; } = 0.4f;
+
+    /// <summary>Part of the farthest sweep below which a stroke is none, and of the longest stretch of a stroke below which a stretch is not its beginning, 0 to 1. Live streams, which do not know what is to come, do without.</summary>
+    public float LeastPart { get; init; } = 0.55f;
+
+    /// <summary>Throws unless all numbers are within their ranges.</summary>
+    internal void Require(string rule)
+    {
+        if (!(BeginsAt >= 0f && BeginsAt <= 1f) || !(ReturnsAt >= 0f && ReturnsAt <= 1f) || !(LeastPart >= 0f && LeastPart <= 1f))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"rule {rule}: sweeps begin at {BeginsAt}, return at {ReturnsAt}, the least part is {LeastPart}; expected fractions of 0 to 1"));
+        }
+    }
+}

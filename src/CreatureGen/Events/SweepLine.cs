@@ -1,0 +1,44 @@
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Events;
+
+/// <summary>The line of a limb, from a joint to its end.</summary>
+/// <param name="From">Joint that it begins at.</param>
+/// <param name="To">Joint that it ends at; the same for the bone of a joint alone.</param>
+internal readonly record struct SweepLine(int From, int To)
+{
+    /// <summary>The line that a rule looks at for one of its joints.</summary>
+    public static SweepLine Of(Skeleton skeleton, int joint, AngularSweep sweep)
+    {
+        foreach (JointRole end in sweep.Ends)
+        {
+            for (int i = joint + 1; i < skeleton.Count; i++)
+            {
+                if (skeleton.Joints[i].Role == end && HangsOn(skeleton, i, joint))
+                {
+                    return new SweepLine(joint, i);
+                }
+            }
+        }
+
+        return new SweepLine(joint, joint);
+    }
+
+    /// <summary>Unit direction of the line in model space; Y where the ends coincide.</summary>
+    public Vector3 Direction(Skeleton skeleton, in Pose model)
+    {
+        return From == To ? Rotation.Rotate(model.Rotations[From], skeleton.Joints[From].Along) : Vec.Normalize(model.Positions[To] - model.Positions[From], Vector3.UnitY);
+    }
+
+    private static bool HangsOn(Skeleton skeleton, int joint, int ancestor)
+    {
+        while (joint > ancestor)
+        {
+            joint = skeleton.Parents[joint];
+        }
+
+        return joint == ancestor;
+    }
+}
