@@ -21,8 +21,8 @@ internal sealed class ManifestJournal : IDisposable
     private readonly Shard shard;
     private readonly Surroundings surroundings;
     private readonly Stream times;
-    private readonly Dictionary<Specimen, ManifestEntry> kept = [];
     private readonly List<string> lines = [];
+    private Dictionary<Specimen, ManifestEntry> kept = [];
     private Stream? journal;
     private long creatures;
     private long missing;
@@ -63,8 +63,16 @@ internal sealed class ManifestJournal : IDisposable
         }
     }
 
+    /// <summary>Which creatures a task that takes a shard up would keep; nothing is written or held.</summary>
+    /// <exception cref="UsageError">There is the manifest of another batch.</exception>
+    public static Func<Specimen, bool> Foresee(string folder, Batch batch, Shard shard, Existing existing, Surroundings surroundings)
+    {
+        Dictionary<Specimen, ManifestEntry> kept = ReadKept(Path.Combine(folder, shard.FileName(Manifest.Stem)), batch, existing, surroundings);
+        return specimen => Keeps(kept, specimen, folder);
+    }
+
     /// <summary>Whether a creature is listed and all its files are there as they are listed. Safe to call from several threads.</summary>
-    public bool Keeps(Specimen specimen) => kept.TryGetValue(specimen, out ManifestEntry? entry) && entry.Files.All(file => file.ProblemIn(Folder) == null);
+    public bool Keeps(Specimen specimen) => Keeps(kept, specimen, Folder);
 
     /// <summary>What came of the next creature.</summary>
     /// <exception cref="WriteFailure">It cannot be written.</exception>
@@ -99,12 +107,19 @@ internal sealed class ManifestJournal : IDisposable
         if (kept.Count == 0)
         {
             Append(journal!, path, closing);
-            return;
         }
 
         journal!.Dispose();
         journal = null;
-        Write(lines.Append(closing));
+        if (kept.Count > 0)
+        {
+            Write(lines.Append(closing));
+        }
+
+        if (shard.Count == 1 && DatasetIndex.IsFor(batch))
+        {
+            DatasetIndex.Write(Folder, Manifest.Read(path, surroundings).Entries, surroundings);
+        }
     }
 
     /// <summary>Closes the files.</summary>
@@ -114,8 +129,9 @@ internal sealed class ManifestJournal : IDisposable
         times.Dispose();
     }
 
-    private void Begin(Existing existing)
+    private static Dictionary<Specimen, ManifestEntry> ReadKept(string path, Batch batch, Existing existing, Surroundings surroundings)
     {
+        var kept = new Dictionary<Specimen, ManifestEntry>();
         if (File.Exists(path))
         {
             Manifest old = Manifest.Read(path, surroundings);
@@ -134,6 +150,12 @@ internal sealed class ManifestJournal : IDisposable
             }
         }
 
+        return kept;
+    }
+
+    private void Begin(Existing existing)
+    {
+        kept = ReadKept(path, batch, existing, surroundings);
         Write(kept.Values.Select(entry => entry.Line));
         journal = Open(path);
         if (kept.Count == 0)
@@ -141,6 +163,8 @@ internal sealed class ManifestJournal : IDisposable
             times.SetLength(0);
         }
     }
+
+    private static bool Keeps(Dictionary<Specimen, ManifestEntry> kept, Specimen specimen, string folder) => kept.TryGetValue(specimen, out ManifestEntry? entry) && entry.Files.All(file => file.ProblemIn(folder) == null);
 
     private void Write(IEnumerable<string> entries) => FileSet.Write(path, stream =>
     {

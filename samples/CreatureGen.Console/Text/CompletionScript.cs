@@ -85,11 +85,11 @@ internal static class CompletionScript
 
     private static void PowerShell(TextWriter output, IReadOnlyList<VerbSyntax> verbs)
     {
+        // Of each option the words that its value may be, of one without a value nothing. Only commands of PowerShell's core are used: the script runs where its modules are not loaded.
         Lines(output, "# creaturegen in PowerShell: creaturegen completion powershell | Out-String | Invoke-Expression", "Register-ArgumentCompleter -Native -CommandName creaturegen -ScriptBlock {", "    param($current, $line, $position)", "    $verbs = [ordered]@{");
         foreach (VerbSyntax verb in verbs)
         {
-            string operands = verb.Operands.Count == 0 ? "" : $"; '' = @({string.Join(", ", verb.Operands.Select(Doubled))})";
-            Lines(output, $"        {Doubled(verb.Name)} = @{{ {string.Join("; ", verb.Options.Append(help).SelectMany(option => Names(option).Select(name => $"{Doubled(name)} = @({string.Join(", ", option.Words.Select(Doubled))})")))}{operands} }}");
+            Lines(output, $"        {Doubled(verb.Name)} = [ordered]@{{ '' = {WordArray(verb.Operands)}; {string.Join("; ", verb.Options.Append(help).SelectMany(option => Names(option).Select(name => $"{Doubled(name)} = {(option.Value is null ? "$null" : WordArray(option.Words))}")))} }}");
         }
 
         Lines(
@@ -98,16 +98,19 @@ internal static class CompletionScript
             "    $words = @($line.CommandElements | ForEach-Object { $_.ToString() })",
             "    $count = $words.Count",
             "    if ($current -ne '') { $count-- }",
-            "    if ($count -le 1) { $found = $verbs.Keys }",
-            "    else {",
+            "    $found = @()",
+            "    if ($count -le 1) { $found = @($verbs.Keys) + @('help', '--help', '--version') }",
+            "    elseif ($verbs.Contains($words[1])) {",
             "        $options = $verbs[$words[1]]",
             "        $before = $words[$count - 1]",
-            "        if ($options -and $options.Contains($before) -and $options[$before].Count) { $found = $options[$before] }",
-            "        elseif ($options) { $found = @($options.Keys | Where-Object { $_ -ne '' } | Sort-Object) + @($options['']) }",
+            "        if ($options.Contains($before) -and $null -ne $options[$before]) { $found = $options[$before] }",
+            "        else { $found = $options[''] + @($options.Keys | Where-Object { $_ -like '--*' }) }",
             "    }",
             "    $found | Where-Object { $_ -and $_.StartsWith($current) } | ForEach-Object { [System.Management.Automation.CompletionResult]::new($_, $_, 'ParameterValue', $_) }",
             "}");
     }
+
+    private static string WordArray(IReadOnlyList<string> words) => $"@({string.Join(", ", words.Select(Doubled))})";
 
     private static IEnumerable<string> Names(OptionSyntax option) => option.Short is null ? [option.Name] : [option.Short, option.Name];
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Numerics;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Batches;
 using CreatureGen.Console.Files;
@@ -13,9 +14,11 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Writes the creatures of seeds.</summary>
 internal sealed class GenerateVerb : IVerb
 {
+    private const int MostMeasured = 4;
+
     private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing (default: the current one); - for the GLB alone of one creature, to the standard output") { Short = "-o" };
     private static readonly OptionSyntax failFast = new("--fail-fast", null, "end at the first seed that gives no creature (default: tell, go on, and exit with 1)");
-    private static readonly OptionSyntax dryRun = new("--dry-run", null, "tell which files would be written, and write none");
+    private static readonly OptionSyntax dryRun = new("--dry-run", null, "tell which files would be written, how large and how soon by the measure of a few, and write none");
 
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
@@ -125,23 +128,46 @@ internal sealed class GenerateVerb : IVerb
         return new GeneratedCreature(made.Facts, made.Clips, files, made.Times);
     }
 
+    /// <summary>Tells the files that are not there yet, a line each, and how large they will be, by a few creatures that are made and not written.</summary>
     private static int Plan(Work work, Surroundings surroundings)
     {
-        foreach (Specimen specimen in work.Share)
+        Func<Specimen, bool> isKept = work.Batch switch
+        {
+            { Existing: Existing.Skip } => specimen => work.Paths(specimen).All(File.Exists),
+            { Shard: Shard shard } => ManifestJournal.Foresee(work.Folder, Batch.Of(work.Specimens, work.Task), shard, work.Batch.Existing, surroundings),
+            _ => _ => false,
+        };
+        long creatures = 0;
+        var measured = new List<Specimen>();
+        foreach (Specimen specimen in work.Share.Where(specimen => !isKept(specimen)))
         {
             surroundings.Cancellation.ThrowIfCancellationRequested();
-            if (work.Batch.Existing == Existing.Skip && work.Paths(specimen).All(File.Exists))
-            {
-                continue;
-            }
-
             foreach (string path in work.Paths(specimen))
             {
                 surroundings.Out.WriteLine(path);
             }
+
+            // The first, the second, the fourth, the eighth…
+            if (BitOperations.IsPow2(++creatures))
+            {
+                measured.Add(specimen);
+            }
         }
 
+        PlanText.Write(surroundings.Telling(Surroundings.Standard), creatures, creatures * work.Task.Forms.Count(), measured.TakeLast(MostMeasured).Select(specimen => Measure(specimen, work)).OfType<MadeCreature>().ToArray());
         return ExitCode.Done;
+    }
+
+    private static MadeCreature? Measure(Specimen specimen, Work work)
+    {
+        try
+        {
+            return work.Task.Make(specimen, 1);
+        }
+        catch (ImpossibleSeed)
+        {
+            return null;
+        }
     }
 
     /// <summary>What becomes of a batch when a seed gives no creature.</summary>

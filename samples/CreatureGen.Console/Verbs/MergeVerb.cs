@@ -18,7 +18,7 @@ internal sealed class MergeVerb : IVerb
     public VerbSyntax Syntax { get; } = new(
         "merge",
         "FOLDER",
-        "join the manifests of all shards in a folder to manifest.jsonl, and tell what is missing, doubled or different",
+        "join the manifests of all shards in a folder to manifest.jsonl, and tell what is missing, doubled or different; of a data set, write index.jsonl",
         [
             new("merge farm", "the manifest of all, as one task would have written it"),
             new("merge farm --out all.jsonl", "elsewhere"),
@@ -57,6 +57,11 @@ internal sealed class MergeVerb : IVerb
                 writer.WriteLine(line);
             }
         }, surroundings);
+        if (DatasetIndex.IsFor(merge.Batch))
+        {
+            DatasetIndex.Write(folder, merge.Entries, surroundings);
+        }
+
         surroundings.Telling(target).WriteLine($"{target}: {Units.Count(merge.Entries.Count)} creatures of {Units.Count(paths.Length)} shards");
         return ExitCode.Done;
     }

@@ -117,9 +117,10 @@ namespace Godot
         public void SetBoneRest(int bone, Transform3D rest) => Rests[bone] = rest;
         public void SetBonePoseRotation(int bone, Quaternion rotation) => rotations[bone] = rotation;
         public void SetBonePosePosition(int bone, Vector3 position) => positions[bone] = position;
+        public Transform3D GetBonePose(int bone) => new(new Basis(rotations[bone]), positions[bone]);
         public Transform3D GetBoneGlobalPose(int bone)
         {
-            var own = new Transform3D(new Basis(rotations[bone]), positions[bone]);
+            Transform3D own = GetBonePose(bone);
             return Parents[bone] < 0 ? own : GetBoneGlobalPose(Parents[bone]) * own;
         }
     }

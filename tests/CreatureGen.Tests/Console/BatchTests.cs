@@ -7,6 +7,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Console;
 using CreatureGen.Console.Batches;
 using CreatureGen.Console.Files;
+using CreatureGen.Console.Text;
 using Xunit;
 
 namespace CreatureGen.Tests.Console;
@@ -248,6 +249,28 @@ public sealed class BatchTests
         Assert.Equal(ExitCode.Done, run.Run(Words("generate --seeds 1-4 --no-picture --skip-existing --dry-run")));
         Assert.Equal(string.Concat(new[] { "creature-4.glb", "creature-4.json" }.Select(name => run.At(name) + Environment.NewLine)), run.Out);
         Assert.Equal(6, run.Files.Length);
+    }
+
+    [Fact]
+    public void A_dry_run_tells_what_is_left_and_how_large_it_will_be_and_leaves_everything_as_it_is()
+    {
+        using var run = new ConsoleRun();
+        string[] line = Words("generate --seeds 1-3 --no-picture --triangles 6000 --textures none --out farm --resume");
+        Assert.Equal(ExitCode.Done, run.Run(line));
+        long bytes = new[] { "1", "3" }.Sum(seed => run.Bytes($"farm/creature-{seed}.glb").LongLength + run.Bytes($"farm/creature-{seed}.json").LongLength);
+        File.Delete(run.At("farm/creature-1.glb"));
+        File.Delete(run.At("farm/creature-3.json"));
+        (string, DateTime)[] before = Look();
+        Assert.Equal(ExitCode.Done, run.Run([.. line, "--dry-run"]));
+        Assert.Equal(new[] { "1.glb", "1.json", "3.glb", "3.json" }.Select(name => run.At("farm/creature-" + name)), run.Out.Split(Environment.NewLine, StringSplitOptions.RemoveEmptyEntries));
+        Assert.StartsWith($"2 creatures in 4 files: {Units.Bytes(bytes)}, about ", run.Error, StringComparison.Ordinal);
+        Assert.Contains("on one processor, by 2 that were made", run.Error, StringComparison.Ordinal);
+        Assert.Equal(before, Look());
+        Assert.Equal(ExitCode.Done, run.Run(Words("generate --seeds 1-16 --no-picture --textures none --dry-run")));
+        Assert.Contains("16 creatures in 32 files: about ", run.Error, StringComparison.Ordinal);
+        Assert.Contains("is of another batch", run.Refusal(ExitCode.BadInput, [.. line, "--dry-run", "--kind", "flying"]), StringComparison.Ordinal);
+
+        (string, DateTime)[] Look() => Directory.GetFiles(run.Folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal).Select(path => (path, File.GetLastWriteTimeUtc(path))).ToArray();
     }
 
     /// <summary>All files of an unbroken run.</summary>

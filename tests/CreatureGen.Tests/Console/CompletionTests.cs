@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using CreatureGen.Console;
 using CreatureGen.Tests.Conventions;
+using CreatureGen.Tests.SampleProjects;
 using Xunit;
 
 namespace CreatureGen.Tests.Console;
@@ -47,6 +48,31 @@ public sealed class CompletionTests
         string told = bash.StandardOutput.ReadToEnd();
         bash.WaitForExit();
         Assert.Equal(expected, told.Split('\n', StringSplitOptions.RemoveEmptyEntries));
+    }
+
+    /// <summary>By the engine of PowerShell itself, as a process of its own, which asks the script as a person's Tab does. Where nothing is told, PowerShell goes on to names of files.</summary>
+    [Fact]
+    public void Powershell_completes_what_is_typed()
+    {
+        (string Typed, string[] Expected)[] cases =
+        [
+            ("gen", ["generate"]),
+            ("generate --ki", ["--kind"]),
+            ("generate --kind fl", ["flying"]),
+            ("generate -k ", ["any", "walking", "flying", "swimming"]),
+            ("generate --levels ha", ["half"]),
+            ("generate --json --s", ["--seed", "--seeds", "--scale", "--strangeness", "--shard", "--shards", "--skip-existing"]),
+            ("sheet --view th", ["three-quarter"]),
+            ("completion p", ["powershell"]),
+            ("generate --seed ", []),
+            ("nothing ", []),
+        ];
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("completion", "powershell"));
+        File.WriteAllText(run.At("completion.ps1"), run.Out);
+        string program = SampleFiles.At($"tests/CreatureGen.PowerShell/bin/{new DirectoryInfo(AppContext.BaseDirectory).Parent!.Name}/net10.0/CreatureGen.PowerShell.dll");
+        string told = SampleFiles.Run(run.Folder, "dotnet", [program, "completion.ps1", .. cases.Select(one => "creaturegen " + one.Typed)]);
+        Assert.Equal(cases.Select(one => string.Join(' ', one.Expected)), told.ReplaceLineEndings("\n").Split('\n')[..^1]);
     }
 
     [Theory]

@@ -60,6 +60,37 @@ public sealed class DatasetTests
         Assert.Equal(ExitCode.Done, run.Run("verify", "--manifest", "set", "--grow"));
     }
 
+    /// <summary>The index is what a reader of the set opens; a set made in shards gets its index, to the byte, from the merge.</summary>
+    [Fact]
+    public void The_index_names_every_file_of_every_creature_by_what_is_in_it()
+    {
+        using var run = new ConsoleRun();
+        string[] line = Line.Replace("40x32", "16x16", StringComparison.Ordinal).Split(' ');
+        Assert.Equal(ExitCode.Done, run.Run(line));
+        string[] index = File.ReadAllLines(run.At("set/index.jsonl"));
+        Assert.Equal(2, index.Length);
+        foreach ((string text, string seed) in index.Zip(["7", "9"]))
+        {
+            using JsonDocument creature = JsonDocument.Parse(text);
+            Assert.Equal(seed, creature.RootElement.GetProperty("seed").GetString());
+            Assert.Equal($"creature-{seed}.glb", creature.RootElement.GetProperty("glb").GetString());
+            Assert.Equal([$"creature-{seed}-depth-0.npy", $"creature-{seed}-depth-1.npy"], creature.RootElement.GetProperty("depth").EnumerateArray().Select(path => path.GetString()));
+            string[] named = creature.RootElement.EnumerateObject().SelectMany(part => part.Value.ValueKind == JsonValueKind.Array ? part.Value.EnumerateArray() : Enumerable.Repeat(part.Value, 1)).Select(value => value.ToString()).Where(value => value.Contains('.', StringComparison.Ordinal)).ToArray();
+            Assert.Equal(Directory.GetFiles(run.At("set"), $"creature-{seed}*").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal), named.Order(StringComparer.Ordinal));
+        }
+
+        foreach (string shard in new[] { "0/2", "1/2" })
+        {
+            Assert.Equal(ExitCode.Done, run.Run([.. line[..^1], "shards", "--shard", shard]));
+        }
+
+        Assert.False(File.Exists(run.At("shards/index.jsonl")));
+        Assert.Equal(ExitCode.Done, run.Run("merge", "shards"));
+        Assert.Equal(run.Bytes("set/index.jsonl"), run.Bytes("shards/index.jsonl"));
+        Assert.Equal(ExitCode.Done, run.Run([.. line, "--resume"]));
+        Assert.Equal(run.Bytes("shards/index.jsonl"), run.Bytes("set/index.jsonl"));
+    }
+
     /// <summary>Against a naive reference: the triangle's plane, met by the ray through the pixel's middle.</summary>
     [Fact]
     public void Maps_tell_the_distance_of_the_triangle_that_they_name()

@@ -61,6 +61,27 @@ public sealed class DocumentTests
         Directory.Delete(place, recursive: true);
     }
 
+    /// <summary>Above each picture stands its command, as <c>docs/pictures.sh</c> reads it; the blocks and the page of the lab draw theirs by one command for all, which their documents name.</summary>
+    [Fact]
+    public void Every_picture_has_the_command_beside_it_that_draws_it()
+    {
+        (string Pictures, string Command)[] others = [("docs/blocks-", "dotnet run --project samples/CreatureGen.Blocks"), ("docs/lab", "node samples/CreatureGen.Lab/page/tests/check.mjs")];
+        var drawn = new HashSet<string>();
+        foreach (string document in DocumentText.All.Where(document => document.StartsWith("docs/", StringComparison.Ordinal)))
+        {
+            string text = DocumentText.Read(document).ReplaceLineEndings("\n");
+            foreach (Match picture in Regex.Matches(text, @"!\[[^\]]*\]\(([^)]+\.png)\)"))
+            {
+                string path = "docs/" + picture.Groups[1].Value;
+                string command = others.FirstOrDefault(other => path.StartsWith(other.Pictures, StringComparison.Ordinal)).Command;
+                Assert.True(command is null ? Regex.IsMatch(text[..picture.Index], @"(?:^|\n)`creaturegen [^`\n]*--out [^`\n]*`[^\n]*\n\n$") : text.Contains(command, StringComparison.Ordinal), $"{document}: no command that draws {path}");
+                drawn.Add(path);
+            }
+        }
+
+        Assert.Equal(RepositoryFiles.Below("docs", "*.png").Order(StringComparer.Ordinal), drawn.Order(StringComparer.Ordinal));
+    }
+
     /// <summary>Each command line in a document is one that the program understands, as far as its verb and options go.</summary>
     [Theory]
     [MemberData(nameof(Documents))]

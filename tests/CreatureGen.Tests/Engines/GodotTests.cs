@@ -1,9 +1,4 @@
-using System;
 using System.Collections.Generic;
-using System.ComponentModel;
-using System.Diagnostics;
-using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Runtime.InteropServices;
@@ -14,12 +9,11 @@ using CreatureGen.Creatures;
 using CreatureGen.Engines;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
-using CreatureGen.Tests.Conventions;
 using Xunit;
 
 namespace CreatureGen.Tests.Engines;
 
-/// <summary>The buffers for Godot, judged by Godot: the program <c>godot3-server</c> or the one that the environment variable GODOT names. Skipped where there is none.</summary>
+/// <summary>The buffers for Godot, judged by Godot (<see cref="GodotEngine"/>).</summary>
 public sealed class GodotTests
 {
     /// <summary>Front faces: the normals that Godot makes from the order of corners are the library's. Tangents: those that it makes from texture coordinates (MikkTSpace) run along the library's and have the same side.</summary>
@@ -30,7 +24,7 @@ public sealed class GodotTests
     public async Task Godot_sees_the_creature_from_outside_with_its_tangents_and_its_bones(RequestedKind kind, ulong seed)
     {
         Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
-        Dictionary<string, double[]> found = await RunAsync(Buffers(creature, EngineAxes.Godot));
+        Dictionary<string, double[]> found = await GodotEngine.RunAsync("tests/CreatureGen.Tests/Engines/godot.gd", Buffers(creature, EngineAxes.Godot));
         Assert.True(found["normals"][0] > 0.95 * found["normals"][1], $"{found["normals"][0]} of {found["normals"][1]} corners look outwards");
         Assert.True(found["tangents"][0] > 0.95 * found["tangents"][2], $"{found["tangents"][0]} of {found["tangents"][2]} tangents run along Godot's");
         Assert.True(found["tangents"][1] > 0.99 * found["tangents"][2], $"{found["tangents"][1]} of {found["tangents"][2]} tangents have Godot's side");
@@ -42,7 +36,7 @@ public sealed class GodotTests
     public async Task Godot_sees_counter_clockwise_triangles_inside_out()
     {
         Creature creature = CreatureGenerator.Generate(22);
-        Dictionary<string, double[]> found = await RunAsync(Buffers(creature, EngineAxes.ThreeJs));
+        Dictionary<string, double[]> found = await GodotEngine.RunAsync("tests/CreatureGen.Tests/Engines/godot.gd", Buffers(creature, EngineAxes.ThreeJs));
         Assert.True(found["normals"][0] < 0.05 * found["normals"][1]);
     }
 
@@ -87,52 +81,4 @@ public sealed class GodotTests
 
     private static float[] Numbers<T>(T[] values)
         where T : struct => MemoryMarshal.Cast<T, float>(values).ToArray();
-
-    /// <summary>Runs the script in a project of its own; the numbers after each name that it prints with an @ before.</summary>
-    private static async Task<Dictionary<string, double[]>> RunAsync(string buffers)
-    {
-        string project = Directory.CreateTempSubdirectory("creaturegen-godot-").FullName;
-        try
-        {
-            await File.WriteAllTextAsync(Path.Combine(project, "project.godot"), "config_version=4\n\n[application]\n\nconfig/name=\"creature\"\n", TestContext.Current.CancellationToken);
-            await File.WriteAllTextAsync(Path.Combine(project, "creature.json"), buffers, TestContext.Current.CancellationToken);
-            File.Copy(Path.Combine(RepositoryFiles.Root, "tests/CreatureGen.Tests/Engines/godot.gd"), Path.Combine(project, "judge.gd"));
-            var start = new ProcessStartInfo(Environment.GetEnvironmentVariable("GODOT") ?? "godot3-server", ["--path", project, "-s", "judge.gd"])
-            {
-                RedirectStandardOutput = true,
-                RedirectStandardError = true,
-                UseShellExecute = false,
-            };
-            foreach (string folder in new[] { "HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME" })
-            {
-                start.Environment[folder] = project;
-            }
-
-            using Process process = Start(start);
-            Task<string> errors = process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
-            string output = await process.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken);
-            await process.WaitForExitAsync(TestContext.Current.CancellationToken);
-            Dictionary<string, double[]> found = output.Split('\n').Where(l => l.StartsWith('@')).Select(l => l[1..].Split(' ', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries))
-                .ToDictionary(w => w[0], w => w.Skip(1).Select(n => double.Parse(n, CultureInfo.InvariantCulture)).ToArray());
-            Assert.True(found.ContainsKey("rest"), output + await errors);
-            return found;
-        }
-        finally
-        {
-            Directory.Delete(project, true);
-        }
-    }
-
-    private static Process Start(ProcessStartInfo start)
-    {
-        try
-        {
-            return Process.Start(start)!;
-        }
-        catch (Win32Exception)
-        {
-            Assert.Skip($"{start.FileName} is not installed; it is Godot 3 without a window, and judges the buffers for Godot");
-            throw;
-        }
-    }
 }

@@ -20,6 +20,7 @@ func _initialize():
 	normals(mesh, arrays)
 	tangents(mesh)
 	skeleton(given)
+	print("@end")
 	quit()
 
 # Godot works out normals from the order of corners: those of front faces look at who sees them.
