@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using System.Runtime.InteropServices;
 using CreatureGen.Anatomy;
@@ -7,6 +8,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
 namespace CreatureGen.Lab.Runtime;
@@ -16,13 +18,15 @@ internal sealed class Actor
 {
     private const float LongestStep = 0.1f;
 
-    /// <summary>Numbers before the matrices: slot, joints, feet, place, turn, speed, phase, age.</summary>
-    private const int HeadLength = 13;
+    /// <summary>Numbers before the matrices: slot, joints, feet, place, turn, speed, phase, age, state of the body, seconds of the move.</summary>
+    private const int HeadLength = 15;
+    private const int MostMoments = 16;
     private const int FootLength = 4;
 
     private readonly Matrix4x4[] skin;
     private float waited;
     private float age;
+    private float moved;
 
     /// <param name="slot">Where it lives.</param>
     /// <param name="creature">What is seen.</param>
@@ -36,6 +40,7 @@ internal sealed class Actor
         Mind = mind;
         Profile = new MotionProfile(creature);
         Animator = new CreatureAnimator(Profile);
+        Deeds = new Deeds(Animator);
         Abilities = Abilities.Of(Profile);
         skin = new Matrix4x4[creature.Skeleton.Count];
     }
@@ -52,15 +57,23 @@ internal sealed class Actor
 
     public CreatureAnimator Animator { get; }
 
+    public Deeds Deeds { get; }
+
     public Abilities Abilities { get; }
+
+    /// <summary>The joint at which it is pushed.</summary>
+    public int Chest => Math.Max(1, Creature.Skeleton.Joints.ToList().FindIndex(joint => joint.Role is JointRole.Chest or JointRole.Spine or JointRole.Body));
 
     public Vector3 Position => Animator.Root.Position;
 
     /// <summary>From the creature that is looked at, squared; kept by the stage.</summary>
     public float Distance { get; set; }
 
-    /// <summary>Where feet came down in the last move, and how hard.</summary>
-    public List<Vector4> Footfalls { get; } = [];
+    /// <summary>What happened in the last move.</summary>
+    public List<Moment> Moments { get; } = [];
+
+    /// <summary>Seconds that it has not moved for.</summary>
+    public float Waited => waited;
 
     public int FrameLength => HeadLength + (FootLength * Animator.FootCount) + (16 * skin.Length);
 
@@ -89,14 +102,23 @@ internal sealed class Actor
     public void Move(Stage stage)
     {
         float seconds = Math.Min(waited, LongestStep);
-        waited = 0f;
+        moved = seconds;
+        waited -= seconds;
         age += seconds;
         Animator.Update(seconds, Mind.Decide(this, seconds, stage), stage.Land.Ground);
         foreach (MotionEvent moment in Animator.Events)
         {
-            if (moment.Kind == MotionEventKind.FootDown && Footfalls.Count < 16)
+            if (KindOf(moment.Kind) is { } kind)
             {
-                Footfalls.Add(new Vector4(moment.Position, moment.Strength));
+                Tell(new Moment(kind, moment.Position, moment.Strength));
+            }
+        }
+
+        foreach (ActEvent moment in Animator.ActEvents)
+        {
+            if (KindOf(moment.Mark) is { } kind)
+            {
+                Tell(new Moment(kind, moment.Position, 1f));
             }
         }
     }
@@ -118,6 +140,8 @@ internal sealed class Actor
         frame[at + 10] = Animator.Speed;
         frame[at + 11] = Animator.Phase;
         frame[at + 12] = age;
+        frame[at + 13] = (float)Animator.State;
+        frame[at + 14] = moved;
         at += HeadLength;
         for (int foot = 0; foot < feet; foot++, at += FootLength)
         {
@@ -129,5 +153,31 @@ internal sealed class Actor
         SkinMatrices.Fill(Creature.Skeleton, Animator.ModelPose, skin);
         MemoryMarshal.Cast<Matrix4x4, float>(skin).CopyTo(frame.AsSpan(at));
         return at + (16 * skin.Length);
+    }
+
+    private static MomentKind? KindOf(MotionEventKind kind) => kind switch
+    {
+        MotionEventKind.FootDown => MomentKind.Footfall,
+        MotionEventKind.WingBeat => MomentKind.WingBeat,
+        MotionEventKind.WentLimp => MomentKind.Fell,
+        MotionEventKind.Rose => MomentKind.Rose,
+        _ => null,
+    };
+
+    private static MomentKind? KindOf(ActMark mark) => mark switch
+    {
+        ActMark.SoundBegin => MomentKind.Call,
+        ActMark.SoundEnd => MomentKind.CallEnd,
+        ActMark.Contact => MomentKind.Contact,
+        ActMark.End => MomentKind.Done,
+        _ => null,
+    };
+
+    private void Tell(Moment moment)
+    {
+        if (Moments.Count < MostMoments)
+        {
+            Moments.Add(moment);
+        }
     }
 }

@@ -17,13 +17,16 @@ internal static class AddressText
     private const int MostLetters = 8192;
     private static readonly byte[] words = ReadWords();
 
-    public static string Write(CreatureBlueprint design)
+    /// <summary>The letters of a blueprint.</summary>
+    /// <param name="design">Which.</param>
+    /// <param name="like">A blueprint that whoever reads has, too: what is the same in it costs next to nothing. Null for none.</param>
+    public static string Write(CreatureBlueprint design, CreatureBlueprint? like)
     {
         using var packed = new MemoryStream();
         long start;
         using (var deflate = new DeflateStream(packed, CompressionLevel.SmallestSize, leaveOpen: true))
         {
-            deflate.Write(words);
+            deflate.Write(Known(like));
             deflate.Flush();
             start = packed.Length;
             deflate.Write(Encoding.UTF8.GetBytes(ShortNumbers.WithoutBlanks(BlueprintJson.Write(design))));
@@ -32,7 +35,10 @@ internal static class AddressText
         return Base64Url.EncodeToString(packed.ToArray().AsSpan((int)start));
     }
 
-    public static CreatureBlueprint Read(string address)
+    /// <summary>The blueprint of letters.</summary>
+    /// <param name="address">The letters.</param>
+    /// <param name="like">The blueprint that was given when they were written.</param>
+    public static CreatureBlueprint Read(string address, CreatureBlueprint? like)
     {
         if (address.Length > MostLetters)
         {
@@ -41,21 +47,30 @@ internal static class AddressText
 
         try
         {
+            byte[] known = Known(like);
             using var packed = new MemoryStream();
-            packed.Write(StoredHead(words.Length));
-            packed.Write(words);
+            for (int at = 0; at < known.Length; at += ushort.MaxValue)
+            {
+                int length = Math.Min(ushort.MaxValue, known.Length - at);
+                packed.Write(StoredHead(length));
+                packed.Write(known, at, length);
+            }
+
             packed.Write(Base64Url.DecodeFromChars(address));
             packed.Position = 0;
             using var deflate = new DeflateStream(packed, CompressionMode.Decompress);
-            byte[] text = new byte[words.Length + (1 << 18)];
-            int length = deflate.ReadAtLeast(text, text.Length, throwOnEndOfStream: false);
-            return DesignText.Read(Encoding.UTF8.GetString(text, words.Length, length - words.Length));
+            byte[] text = new byte[known.Length + (1 << 18)];
+            int read = deflate.ReadAtLeast(text, text.Length, throwOnEndOfStream: false);
+            return DesignText.Read(Encoding.UTF8.GetString(text, known.Length, read - known.Length));
         }
         catch (Exception problem) when (problem is FormatException or InvalidDataException or ArgumentOutOfRangeException or IOException)
         {
             throw new ArgumentException("it is cut off or mistyped; expected one that this page made");
         }
     }
+
+    private static byte[] Known(CreatureBlueprint? like) =>
+        like == null ? words : [.. words, .. Encoding.UTF8.GetBytes(ShortNumbers.WithoutBlanks(BlueprintJson.Write(like)))];
 
     /// <summary>The head of a block that is stored as it is and is not the last.</summary>
     private static byte[] StoredHead(int length)

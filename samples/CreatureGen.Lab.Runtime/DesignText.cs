@@ -20,8 +20,12 @@ internal static class DesignText
             ? value
             : throw new ArgumentException("\u201c" + Short(seed) + "\u201d is no seed; expected a whole number from 0 to 18446744073709551615");
 
-    public static CreatureBlueprint Sample(string seed, string kind, double strangeness) =>
-        BlueprintSampler.Sample(Seed(seed), CreatureOptions.Default with { Kind = Kind(kind), Strangeness = strangeness });
+    /// <param name="seed">Of the creature, or of its species.</param>
+    /// <param name="kind">How it gets about.</param>
+    /// <param name="strangeness">0..1.</param>
+    /// <param name="individual">Which one of the species; empty for the creature of the seed itself.</param>
+    public static CreatureBlueprint Sample(string seed, string kind, double strangeness, string individual) =>
+        BlueprintSampler.Sample(Seed(seed), CreatureOptions.Default with { Kind = Kind(kind), Strangeness = strangeness, Individual = individual.Length > 0 ? Seed(individual) : null });
 
     public static CreatureBlueprint Read(string blueprint) => Require(BlueprintJson.Read(blueprint));
 

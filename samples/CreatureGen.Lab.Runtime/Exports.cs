@@ -1,11 +1,13 @@
 using System;
 using System.IO;
+using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.InteropServices.JavaScript;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Genetics;
 using CreatureGen.Gltf;
+using CreatureGen.Motion;
 using CreatureGen.Repairs;
 using CreatureGen.Sampling;
 
@@ -15,6 +17,7 @@ namespace CreatureGen.Lab.Runtime;
 internal static partial class Exports
 {
     private static readonly Stage stage = new();
+    private static Evolving? evolving;
 
     private static void Main()
     {
@@ -23,20 +26,28 @@ internal static partial class Exports
 
     /// <summary>What a seed would be, without building it: for filters.</summary>
     [JSExport]
-    internal static string Glance(string seed, string kind, double strangeness) => Facts.AtAGlance(DesignText.Sample(seed, kind, strangeness));
+    internal static string Glance(string seed, string kind, double strangeness, string individual) => Facts.AtAGlance(DesignText.Sample(seed, kind, strangeness, individual));
 
     /// <summary>The file of a seed, as the library makes and writes it by default.</summary>
     [JSExport]
     internal static byte[] GlbOfSeed(string seed, string kind)
     {
         using var file = new MemoryStream();
-        GlbWriter.Write(CreatureGenerator.Build(DesignText.Sample(seed, kind, CreatureOptions.Default.Strangeness)), GltfOptions.Default, file);
+        GlbWriter.Write(CreatureGenerator.Build(DesignText.Sample(seed, kind, CreatureOptions.Default.Strangeness, "")), GltfOptions.Default, file);
         return file.ToArray();
     }
+
+    /// <summary>How strange creatures are if nobody says otherwise.</summary>
+    [JSExport]
+    internal static double UsualStrangeness() => CreatureOptions.Default.Strangeness;
 
     /// <summary>The sliders.</summary>
     [JSExport]
     internal static string Sliders() => Facts.OfTraits();
+
+    /// <summary>The palette of parts.</summary>
+    [JSExport]
+    internal static string Palette() => Facts.OfParts();
 
     /// <summary>Lays the ground: heights as 32-bit floats, row by row along +Z.</summary>
     [JSExport]
@@ -44,8 +55,8 @@ internal static partial class Exports
 
     /// <summary>Grows a creature of a seed with changed traits, and lets it live in a slot; the one that lived there leaves its place to it. What cannot be built is repaired, and the answer tells each change.</summary>
     [JSExport]
-    internal static string Grow(int slot, string seed, string kind, double strangeness, string traits) =>
-        Settle(slot, TraitText.Apply(DesignText.Sample(seed, kind, strangeness), traits));
+    internal static string Grow(int slot, string seed, string kind, double strangeness, string individual, string traits) =>
+        Settle(slot, TraitText.Apply(DesignText.Sample(seed, kind, strangeness, individual), traits));
 
     /// <summary>The same for a blueprint's text.</summary>
     [JSExport]
@@ -95,6 +106,44 @@ internal static partial class Exports
     [JSExport]
     internal static byte[] Capsules(int slot) => MeshBytes.Capsules(stage[slot].Creature);
 
+    /// <summary>The part of the body that each joint belongs to.</summary>
+    [JSExport]
+    internal static string Parts(int slot) => BodyParts.Of(stage[slot].Creature.Skeleton);
+
+    /// <summary>The indices of a coarser level of the mesh, 1 to 3, over the same vertices: how many are of the skin, then all, as 32-bit numbers.</summary>
+    [JSExport]
+    internal static byte[] Level(int slot, int level) => MeshBytes.Level(stage[slot].Creature.Mesh.Lods[level]);
+
+    /// <summary>A blueprint with a part of another creature, found from a seed on; repaired, as the text of the blueprint.</summary>
+    [JSExport]
+    internal static string GivePart(string blueprint, string part, string seed) => Repaired(PartBox.Give(DesignText.Read(blueprint), PartBox.Find(part), DesignText.Seed(seed)));
+
+    /// <summary>A blueprint without a part.</summary>
+    [JSExport]
+    internal static string TakePart(string blueprint, string part) => Repaired(PartBox.Find(part).Take(DesignText.Read(blueprint)));
+
+    /// <summary>Begins to breed a population towards a goal; the second founder may be empty. The answer tells where it stands.</summary>
+    [JSExport]
+    internal static string Evolve(string first, string second, string towards, int population, double mutation, string seed)
+    {
+        CreatureBlueprint founder = DesignText.Read(first);
+        evolving = new Evolving(second.Length > 0 ? [founder, DesignText.Read(second)] : [founder], towards, population, mutation, DesignText.Seed(seed));
+        return evolving.State();
+    }
+
+    /// <summary>Breeds the next generation.</summary>
+    [JSExport]
+    internal static string EvolveOn()
+    {
+        Evolving population = evolving ?? throw new InvalidOperationException("nobody evolves");
+        population.Next();
+        return population.State();
+    }
+
+    /// <summary>The blueprint of the best so far.</summary>
+    [JSExport]
+    internal static string Fittest() => BlueprintJson.Write(evolving?.Best ?? throw new InvalidOperationException("nobody evolves"));
+
     [JSExport]
     internal static string Blueprint(int slot) => BlueprintJson.Write(stage[slot].Design);
 
@@ -114,12 +163,24 @@ internal static partial class Exports
     [JSExport]
     internal static byte[] Sign(byte[] picture, int slot) => CreatureFile.Sign(picture, stage[slot].Design);
 
-    /// <summary>The blueprint as letters for an address.</summary>
+    /// <summary>The blueprint as letters for an address: where it is much like the creature of its own seed, how it differs.</summary>
     [JSExport]
-    internal static string Address(int slot) => AddressText.Write(stage[slot].Design);
+    internal static string Address(int slot)
+    {
+        CreatureBlueprint design = stage[slot].Design;
+        string whole = AddressText.Write(design, null);
+        string seed = FormattableString.Invariant($"{design.Seed}.{design.Kind}").ToLowerInvariant();
+        string difference = seed + "~" + AddressText.Write(design, OfSeed(seed));
+        return difference.Length < whole.Length ? difference : whole;
+    }
 
+    /// <summary>The text of the blueprint of such letters.</summary>
     [JSExport]
-    internal static string FromAddress(string address) => BlueprintJson.Write(AddressText.Read(address));
+    internal static string FromAddress(string address)
+    {
+        int end = address.IndexOf('~', StringComparison.Ordinal);
+        return BlueprintJson.Write(end < 0 ? AddressText.Read(address, null) : AddressText.Read(address[(end + 1)..], OfSeed(address[..end])));
+    }
 
     [JSExport]
     internal static void Place(int slot, double x, double y, double z, double yaw) => stage[slot].Place((float)x, (float)y, (float)z, (float)yaw, stage.Land);
@@ -130,10 +191,48 @@ internal static partial class Exports
     [JSExport]
     internal static void Look(int slot, double x, double y, double z) => stage[slot].LookAt((float)x, (float)y, (float)z);
 
+    /// <summary>Pushes it along the ground: 0.3 makes it stagger, 0.7 knocks most over.</summary>
     [JSExport]
-    internal static void Push(int slot, double x, double z) => stage[slot].Mind.Push((float)x, (float)z);
+    internal static void Push(int slot, int joint, double x, double z, double strength)
+    {
+        Actor actor = stage[slot];
+        actor.Animator.Hit(joint >= 0 ? joint : actor.Chest, Deeds.Impulse(actor, (float)x, (float)z, (float)strength));
+        actor.Mind.Feel(actor, new Emotion(0.9f, -0.6f, -0.4f), 3f);
+    }
 
-    /// <summary>What it does by itself: <c>stay</c> or <c>wander</c>.</summary>
+    /// <summary>Lets it go limp; it lies until it is told to get up.</summary>
+    [JSExport]
+    internal static void Faint(int slot) => stage[slot].Animator.GoLimp();
+
+    [JSExport]
+    internal static bool GetUp(int slot) => stage[slot].Animator.GetUp();
+
+    /// <summary>Begins an act of the library. The answer is empty, or tells why not.</summary>
+    [JSExport]
+    internal static string Perform(int slot, string act) => stage[slot].Deeds.Perform(act, ActTarget.Usual);
+
+    /// <summary>Leaves what lasts, as sitting.</summary>
+    [JSExport]
+    internal static void GoOn(int slot) => stage[slot].Animator.GoOn();
+
+    /// <summary>Tries an act beforehand, so that it begins at once when it is asked for. Whether the creature can do it.</summary>
+    [JSExport]
+    internal static bool Rehearse(int slot, string act) => stage[slot].Deeds.Find(act).IsPossible;
+
+    /// <summary>Food lies there: it comes and eats.</summary>
+    [JSExport]
+    internal static void Feed(int slot, double x, double y, double z) => stage[slot].Mind.Feed((float)x, (float)y, (float)z);
+
+    /// <summary>What it feels, for some seconds.</summary>
+    [JSExport]
+    internal static void Feel(int slot, double arousal, double valence, double boldness, double seconds) =>
+        stage[slot].Mind.Feel(stage[slot], new Emotion((float)arousal, (float)valence, (float)boldness), (float)seconds);
+
+    /// <summary>Jumps to a place, as far as it can. Whether it does.</summary>
+    [JSExport]
+    internal static bool Jump(int slot, double x, double z) => stage[slot].Animator.Jump(new Vector3((float)x, stage.Land.HeightAt((float)x, (float)z), (float)z)) == JumpResult.Begun;
+
+    /// <summary>What it does by itself: <c>stay</c>, <c>wander</c>, or <c>march</c> straight on.</summary>
     [JSExport]
     internal static void Habit(int slot, string habit, double x, double z, double radius) => stage[slot].Mind.Take(habit, (float)x, (float)z, (float)radius);
 
@@ -160,6 +259,19 @@ internal static partial class Exports
             texels[to + 2] = colours[from + 2];
             texels[to + 3] = 255;
         }
+    }
+
+    /// <summary>The creature of <c>31.walking</c>.</summary>
+    private static CreatureBlueprint OfSeed(string name)
+    {
+        int point = name.IndexOf('.', StringComparison.Ordinal);
+        return DesignText.Sample(name[..Math.Max(point, 0)], name[(point + 1)..], CreatureOptions.Default.Strangeness, "");
+    }
+
+    private static string Repaired(CreatureBlueprint design)
+    {
+        RepairReport report = BlueprintRepair.Repair(design);
+        return Facts.OfRepair(report);
     }
 
     private static string Settle(int slot, CreatureBlueprint design)

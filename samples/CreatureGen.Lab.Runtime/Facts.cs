@@ -35,12 +35,26 @@ internal static class Facts
         Number(text, "length", can.Length);
         Number(text, "height", can.Height);
         Number(text, "pace", can.Medium == Medium.Air || can.Pace == 0f ? can.FlightSpeed : can.Pace);
+        Words(text, "parts", PartBox.All.Where(part => part.Has(design)).Select(part => part.Name));
         Words(text, "traits", Traits.All.Where(trait => trait.Applies(design)).Select(trait => trait.Name));
         Words(text, "changes", changes.Select(change => change.ToString()));
         Words(text, "reasons", changes.Select(change => change.Reason).Distinct());
         Words(text, "violations", violations.Select(violation => violation.Detail));
         return text.Append("\"end\":0}").ToString();
     }
+
+    /// <summary>What repair made of a blueprint, and why.</summary>
+    public static string OfRepair(RepairReport report)
+    {
+        var text = new StringBuilder("{");
+        Word(text, "blueprint", BlueprintJson.Write(report.Blueprint));
+        Words(text, "parts", PartBox.All.Where(part => part.Has(report.Blueprint)).Select(part => part.Name));
+        Words(text, "reasons", report.Changes.Select(change => change.Reason).Distinct());
+        return text.Append("\"end\":0}").ToString();
+    }
+
+    /// <summary>The palette of parts, for the page to draw.</summary>
+    public static string OfParts() => "[" + string.Join(',', PartBox.All.Select(part => "\"" + part.Name + "\"")) + "]";
 
     /// <summary>What is known of a creature before it is built.</summary>
     public static string AtAGlance(CreatureBlueprint design)

@@ -64,6 +64,16 @@ internal static class MeshBytes
         return bytes;
     }
 
+    /// <summary>How many indices are of the skin, then the indices of a level, as 32-bit numbers.</summary>
+    public static byte[] Level(CreatureLod level)
+    {
+        byte[] bytes = new byte[4 + (4 * level.Triangles.Length)];
+        Span<int> numbers = MemoryMarshal.Cast<byte, int>(bytes.AsSpan());
+        numbers[0] = SkinIndices(level.Parts);
+        level.Triangles.CopyTo(numbers[1..]);
+        return bytes;
+    }
+
     /// <summary>The bones' capsules in the creature's space at rest: joint, start, end, radius; eight floats each.</summary>
     public static byte[] Capsules(Creature creature)
     {

@@ -9,7 +9,9 @@ namespace CreatureGen.Lab.Runtime;
 /// <summary>What a creature wants: to stay, to stroll about its home, or to come where it is called.</summary>
 internal sealed class Mind
 {
-    private const float PushSeconds = 0.35f;
+    /// <summary>How near to its food it tries to eat, parts of its length, from far to near.</summary>
+    private static readonly float[] tables = [0.66f, 0.58f, 0.5f, 0.42f, 0.34f];
+    private static readonly string[] pastimes = ["Sniff", "Eat", "Shake", "Scratch", "Groom", "Call"];
 
     private readonly RandomStream chance;
     private SeekState seek;
@@ -21,8 +23,11 @@ internal sealed class Mind
     private bool travels;
     private bool called;
     private bool airborne;
-    private Vector2 push;
-    private float pushed;
+    private Vector3? food;
+    private int table;
+    private bool eats;
+    private float feels;
+    private float bored = 5f;
 
     public Mind(int slot) => chance = new Seed(0x6c6162).Child("mind").Child(slot).Stream();
 
@@ -30,11 +35,12 @@ internal sealed class Mind
     {
         Stay,
         Wander,
+        March,
     }
 
     public void Take(string name, float x, float z, float homeRadius)
     {
-        habit = name == "wander" ? Habit.Wander : Habit.Stay;
+        habit = name switch { "wander" => Habit.Wander, "march" => Habit.March, _ => Habit.Stay };
         home = new Vector2(x, z);
         radius = homeRadius;
         travels = false;
@@ -52,10 +58,20 @@ internal sealed class Mind
         timer = 60f;
     }
 
-    public void Push(float x, float z)
+    /// <summary>Offers it food: it comes and eats.</summary>
+    public void Feed(float x, float y, float z)
     {
-        push = new Vector2(x, z);
-        pushed = PushSeconds;
+        GoTo(x, z);
+        food = new Vector3(x, y, z);
+        table = 0;
+        eats = false;
+    }
+
+    /// <summary>What it feels for a while.</summary>
+    public void Feel(Actor self, Emotion emotion, float seconds)
+    {
+        self.Animator.Emotion = emotion;
+        feels = seconds;
     }
 
     /// <summary>What it does now.</summary>
@@ -64,18 +80,51 @@ internal sealed class Mind
         Abilities can = self.Abilities;
         RootPlace place = self.Animator.Root;
         timer -= seconds;
-        if (pushed > 0f)
+        feels -= seconds;
+        if (feels < 0f && feels + seconds >= 0f)
         {
-            pushed -= seconds;
-            return Shoved(place, can);
+            self.Animator.Emotion = default;
         }
 
+        bool inAir = can.CanFly && (airborne || can.Medium == Medium.Air);
+        MotionMedium medium = inAir ? MotionMedium.Air : MotionMedium.Ground;
+        if (self.Animator.State is not BodyState.Supported)
+        {
+            return default;
+        }
+
+        if (habit == Habit.March)
+        {
+            return new MotionInput(inAir ? can.FlightSpeed : can.Pace, Medium: medium);
+        }
+
+        if (self.Animator.Act != null && (eats || !travels))
+        {
+            bored = (float)chance.Uniform(6.0, 16.0);
+            return new MotionInput(0f, Medium: medium);
+        }
+
+        if (eats)
+        {
+            eats = false;
+            food = null;
+            travels = false;
+            Feel(self, new Emotion(0.3f, 0.9f, 0f), 4f);
+        }
+
+        if (food is { } meal && Eats(self, meal))
+        {
+            return new MotionInput(0f, Medium: medium);
+        }
+
+        Idle(self, seconds, can);
         if (timer <= 0f && habit == Habit.Wander)
         {
             Choose(can, stage.Land);
         }
 
-        bool inAir = can.CanFly && (airborne || can.Medium == Medium.Air);
+        inAir = can.CanFly && (airborne || can.Medium == Medium.Air);
+        medium = inAir ? MotionMedium.Air : MotionMedium.Ground;
         if (!travels && !inAir && can.Medium != Medium.Water)
         {
             return default;
@@ -83,7 +132,7 @@ internal sealed class Mind
 
         Vector2 here = new(place.Position.X, place.Position.Z);
         Vector2 target = travels ? goal : habit == Habit.Wander ? home + (radius * Circle(self)) : home;
-        if (travels && Vector2.Distance(here, goal) < 0.8f * can.Length)
+        if (travels && food == null && Vector2.Distance(here, goal) < 0.8f * can.Length)
         {
             travels = false;
             called = false;
@@ -95,12 +144,12 @@ internal sealed class Mind
         Vector3 local = place.ToModel(new Vector3(bent.X, place.Position.Y, bent.Y));
         bool far = Vector2.Distance(here, target) > 5f * can.Length;
         float speed = inAir ? can.FlightSpeed : called && far ? can.Run : can.Pace;
-        var settings = new SeekSettings(speed, inAir || can.Medium == Medium.Water ? 1.2f : 1.5f, 0f, 0.6f * can.Length, 0.12f, 0.04f, 1.9f);
+        var settings = new SeekSettings(speed, inAir || can.Medium == Medium.Water ? 1.2f : 1.5f, 0f, (food == null ? 0.6f : 0.2f) * can.Length, 0.12f, 0.04f, 1.9f);
         BodyVelocity wish = Seek.Decide(ref seek, settings, local);
         float climb = inAir || can.Medium == Medium.Water ? Climb(self, place, stage.Land, inAir) : 0f;
         return hovers && Vector2.Distance(here, home) < can.Length
-            ? new MotionInput(0f, 0f, ClimbRate: climb, Medium: inAir ? MotionMedium.Air : MotionMedium.Ground)
-            : new MotionInput(wish.Linear.Z, wish.YawRate, ClimbRate: climb, Medium: inAir ? MotionMedium.Air : MotionMedium.Ground);
+            ? new MotionInput(0f, 0f, ClimbRate: climb, Medium: medium)
+            : new MotionInput(wish.Linear.Z, wish.YawRate, ClimbRate: climb, Medium: medium);
     }
 
     private static float Climb(Actor self, RootPlace place, Land land, bool inAir)
@@ -118,12 +167,36 @@ internal sealed class Mind
         return new Vector2((float)Math.Sin(angle), (float)Math.Cos(angle));
     }
 
-    private MotionInput Shoved(RootPlace place, Abilities can)
+    /// <summary>Whether it begins to eat: as soon as its mouth reaches the food, or, very near, as if it did.</summary>
+    private bool Eats(Actor self, Vector3 meal)
     {
-        Vector3 local = place.ToModel(place.Position + new Vector3(push.X, 0f, push.Y));
-        float speed = 2.2f * can.Pace;
-        float length = Math.Max((float)Math.Sqrt((local.X * local.X) + (local.Z * local.Z)), 1e-4f);
-        return new MotionInput(speed * local.Z / length, 0f, speed * local.X / length, Medium: airborne ? MotionMedium.Air : MotionMedium.Ground);
+        float apart = Vector2.Distance(new Vector2(self.Position.X, self.Position.Z), new Vector2(meal.X, meal.Z)) / self.Abilities.Length;
+        Vector3 local = self.Animator.Root.ToModel(meal);
+        if (table >= tables.Length || apart > tables[table] || local.Z <= 0f)
+        {
+            return false;
+        }
+
+        table++;
+        eats = self.Deeds.Perform("Eat", ActTarget.At(meal)).Length == 0 || (table == tables.Length && self.Deeds.PerformAny(["Eat", "Sniff"]));
+        if (table == tables.Length && !eats)
+        {
+            food = null;
+            travels = false;
+        }
+
+        return eats;
+    }
+
+    /// <summary>What it does to pass the time.</summary>
+    private void Idle(Actor self, float seconds, Abilities can)
+    {
+        bored -= seconds;
+        if (bored <= 0f && !travels && can.Medium == Medium.Ground && !airborne)
+        {
+            bored = (float)chance.Uniform(7.0, 18.0);
+            self.Deeds.PerformAny([pastimes[(int)(chance.Uniform() * pastimes.Length)], "Sniff"]);
+        }
     }
 
     private void Choose(Abilities can, Land land)

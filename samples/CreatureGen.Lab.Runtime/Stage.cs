@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Numerics;
 using System.Runtime.InteropServices;
 using CreatureGen.Blueprints;
@@ -13,14 +14,19 @@ internal sealed class Stage
 {
     public const int MostSlots = 64;
 
-    /// <summary>Creatures that move in every frame: the one that is looked at and those nearest to it. The others take turns.</summary>
+    /// <summary>Creatures that move in every frame: the one that is looked at and those nearest to it. The others take turns: those that have waited longest come first, as many as there is time for.</summary>
     private const int NearCount = 4;
-    private const int MiddleCount = 10;
+
+    /// <summary>Milliseconds of a frame after which the others wait for the next one.</summary>
+    private const double Budget = 1.6;
+
+    private const int MomentLength = 6;
+
+    private static readonly Comparer<Actor> longestWait = Comparer<Actor>.Create(static (a, b) => a.Waited != b.Waited ? b.Waited.CompareTo(a.Waited) : a.Slot.CompareTo(b.Slot));
 
     private readonly Actor?[] slots = new Actor?[MostSlots];
     private readonly List<Actor> living = [];
     private float[] frame = GC.AllocateArray<float>(1 << 15, pinned: true);
-    private int count;
 
     /// <summary>What they stand on.</summary>
     public Land Land { get; private set; } = Land.Plane;
@@ -71,42 +77,54 @@ internal sealed class Stage
         slots[slot] = null;
     }
 
-    /// <summary>Moves all on, and writes those that moved: their number, the number of footfalls, then each creature, then each footfall.</summary>
+    /// <summary>Moves those on whose turn it is, and writes them: their number, the number of moments, then each creature, then each moment as kind, slot, place and strength.</summary>
     /// <param name="seconds">Since the last call.</param>
     /// <param name="eye">The slot that is looked at.</param>
     /// <returns>How many numbers were written.</returns>
     public int Frame(float seconds, int eye)
     {
-        count++;
+        long begin = Stopwatch.GetTimestamp();
         Rank(eye);
         int at = 2;
         int moved = 0;
+        foreach (Actor actor in living)
+        {
+            actor.Wait(seconds);
+        }
+
         for (int rank = 0; rank < living.Count; rank++)
         {
-            Actor actor = living[rank];
-            actor.Wait(seconds);
-            int turns = rank < NearCount ? 1 : rank < MiddleCount ? 2 : 4;
-            if ((count + actor.Slot) % turns == 0)
+            if (rank == NearCount)
             {
-                actor.Move(this);
-                at = actor.Write(Room(at, actor.FrameLength), at);
-                moved++;
+                living.Sort(NearCount, living.Count - NearCount, longestWait);
             }
+
+            if (rank > NearCount && Stopwatch.GetElapsedTime(begin).TotalMilliseconds > Budget)
+            {
+                break;
+            }
+
+            living[rank].Move(this);
+            at = living[rank].Write(Room(at, living[rank].FrameLength), at);
+            moved++;
         }
 
         frame[0] = moved;
         frame[1] = 0f;
         foreach (Actor actor in living)
         {
-            foreach (Vector4 step in actor.Footfalls)
+            foreach (Moment moment in actor.Moments)
             {
-                Room(at, 4);
-                new Vector4(step.X, step.Y, step.Z, step.W).CopyTo(frame, at);
-                at += 4;
+                Room(at, MomentLength);
+                frame[at] = (float)moment.Kind;
+                frame[at + 1] = actor.Slot;
+                moment.Place.CopyTo(frame, at + 2);
+                frame[at + 5] = moment.Strength;
+                at += MomentLength;
                 frame[1]++;
             }
 
-            actor.Footfalls.Clear();
+            actor.Moments.Clear();
         }
 
         return at;

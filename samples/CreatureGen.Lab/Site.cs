@@ -1,6 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Security.Cryptography;
+using System.Text.Json;
 
 namespace CreatureGen.Lab;
 
@@ -9,6 +12,9 @@ internal sealed class Site
 {
     /// <summary>The creature that is seen while the runtime starts: the one that the page begins with.</summary>
     private const string FirstCreatureFile = "first.bin";
+
+    /// <summary>The list of all files, for visits without a network.</summary>
+    private const string ListFile = "files.json";
 
     public Site(string folder) => Folder = folder;
 
@@ -24,11 +30,32 @@ internal sealed class Site
         }
 
         string first = Path.Combine(Folder, FirstCreatureFile);
-        string library = typeof(CreatureGenerator).Assembly.Location;
-        if (!File.Exists(first) || File.GetLastWriteTimeUtc(first) < File.GetLastWriteTimeUtc(library) || File.GetLastWriteTimeUtc(first) < File.GetLastWriteTimeUtc(typeof(Site).Assembly.Location))
+        string list = Path.Combine(Folder, ListFile);
+        string[] makers = [typeof(CreatureGenerator).Assembly.Location, typeof(Site).Assembly.Location, .. Directory.EnumerateFiles(Folder, "*", SearchOption.AllDirectories)];
+        if (!File.Exists(list) || makers.Any(maker => maker != list && File.GetLastWriteTimeUtc(maker) > File.GetLastWriteTimeUtc(list)))
         {
             File.WriteAllBytes(first, FirstCreature.Bake());
+            Stills.Write(Path.Combine(Folder, Stills.FolderName));
+            WriteList();
         }
+    }
+
+    /// <summary>Lists all files with a number that changes when one of them does.</summary>
+    private void WriteList()
+    {
+        using var sum = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        List<string> names = [];
+        foreach (string file in Directory.EnumerateFiles(Folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
+        {
+            string name = Path.GetRelativePath(Folder, file).Replace('\\', '/');
+            if (name is not ListFile and not "sw.js")
+            {
+                names.Add(name);
+                sum.AppendData(File.ReadAllBytes(file));
+            }
+        }
+
+        File.WriteAllText(Path.Combine(Folder, ListFile), JsonSerializer.Serialize(new { version = Convert.ToHexStringLower(sum.GetHashAndReset())[..12], files = names }));
     }
 
     /// <summary>Copies all files to a folder; others that are there stay.</summary>

@@ -48,6 +48,48 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void The_grid_shows_creatures_that_live_by_kind() => page.Holds("the grid shows creatures that live, by kind");
 
     [Fact]
+    public void It_begins_as_strange_as_the_library_does() => page.Holds("it begins as strange as the library’s own default");
+
+    [Fact]
+    public void Feet_stay_where_they_stand() => page.Holds("feet stay where they stand");
+
+    [Fact]
+    public void It_staggers_when_it_is_pushed_falls_when_it_is_pushed_hard_and_gets_up() => page.Holds("it staggers when it is pushed, falls when it is pushed hard, and gets up");
+
+    [Fact]
+    public void It_is_petted_dances_and_comes_for_its_fruit() => page.Holds("it is petted, dances, and comes for its fruit");
+
+    [Fact]
+    public void Pulling_on_the_body_changes_it_and_escape_takes_it_back() => page.Holds("pulling on the body changes it, and Escape takes it back");
+
+    [Fact]
+    public void Parts_are_put_on_and_taken_off() => page.Holds("parts are put on and taken off");
+
+    [Fact]
+    public void All_changed_sliders_of_the_longest_seed_fit_into_eighty_letters() => page.Holds("all changed sliders of the longest seed fit into eighty letters");
+
+    [Fact]
+    public void A_family_can_be_walked_back_and_branches() => page.Holds("a family can be walked back, and branches");
+
+    [Fact]
+    public void A_population_is_bred_on_towards_a_goal_while_one_looks_on() => page.Holds("a population is bred on towards a goal while one looks on");
+
+    [Fact]
+    public void Its_gait_comes_as_an_animated_picture_that_holds_its_blueprint() => page.Holds("its gait comes as an animated picture that holds its blueprint");
+
+    [Fact]
+    public void A_collection_is_taken_along_and_what_is_none_is_refused() => page.Holds("a collection is taken along, and what is none is refused");
+
+    [Fact]
+    public void Twenty_creatures_live_for_a_minute_and_memory_stays() => page.Holds("twenty creatures live for a minute, and memory stays");
+
+    [Fact]
+    public void The_page_works_without_a_network_after_the_first_visit() => page.Holds("the page works without a network after the first visit");
+
+    [Fact]
+    public void A_browser_that_cannot_run_it_gets_pictures() => page.Holds("a browser that cannot run it gets pictures");
+
+    [Fact]
     public void Axe_finds_no_serious_issue_on_any_tab() => page.Holds("axe finds no serious issue on any tab");
 
     [Fact]

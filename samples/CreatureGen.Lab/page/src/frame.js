@@ -6,20 +6,28 @@ import { Orbit } from './view/orbit.js';
 import { Drawing } from './view/renderer.js';
 import { Pointer } from './view/pointer.js';
 import { Sound } from './view/sound.js';
+import { Touch } from './view/touch.js';
+import { Gaits } from './view/gaits.js';
+import { Treats } from './play/treats.js';
+import { Playmate } from './play/playmate.js';
+import { Shaping } from './play/shaping.js';
+import { Evolution } from './play/evolution.js';
 import { Lab, showFirst } from './lab.js';
-import { History, maxSeed, ofSeed, readAddress, seedAddress } from './design.js';
+import { History, maxSeed, ofSeed, ofText, readAddress, seedAddress, usualStrangeness } from './design.js';
 import { choices, h, icon } from './dom.js';
-import { nameOf } from './names.js';
-import { download, readCollection, writeCollection } from './storage.js';
+import { Keeping, largestFile, squareOf } from './keeping.js';
+import { download } from './storage.js';
 import { length, texts, weight, words } from './texts.js';
 import { makePanel } from './panels/make.js';
 import { meetPanel } from './panels/meet.js';
 import { breedPanel } from './panels/breed.js';
 import { keepPanel } from './panels/keep.js';
+import { deedsBar } from './panels/deeds.js';
 import { Grid } from './panels/grid.js';
 
-const largestFile = 32e6;
-const pictureSize = 1000;
+const farLengths = 5;
+const moods = { calm: [0, 0, 0], glad: [0.4, 1, 0.2], afraid: [1, -1, -1], angry: [1, -1, 1], sad: [-0.8, -1, -0.4], excited: [1, 1, 0.4] };
+const moodSeconds = 8;
 const first = ofSeed('3', 'walking');
 
 /** The page: panels round a stage. It passes what people do to the lab, and shows what comes of it. */
@@ -41,9 +49,13 @@ export class Frame {
     this.orbit = new Orbit();
     this.overlay = new Overlay();
     this.sound = new Sound();
+    this.gaits = new Gaits();
+    this.treats = new Treats(this.world.scene);
+    this.touch = new Touch(this.library, this.herd);
     this.lab = new Lab(this.library, () => this.studio(), this.world, this.herd, this.orbit);
+    this.play = new Playmate(this.lab, this.treats, (what, ...more) => this.#report(what, ...more));
     this.look = 'skin';
-    this.collection = readCollection();
+    this.keeping = new Keeping(this.lab, () => this.studio(), size => this.#snapshot(size));
     this.history = new History(first);
     this.still = query.has('still');
   }
@@ -70,6 +82,7 @@ export class Frame {
         if (!this.lab.design) {
           this.#stopFirst = step;
           this.#uncover();
+          performance.mark('creature:baked');
         }
       }, () => {});
     }
@@ -80,12 +93,21 @@ export class Frame {
       document.getElementById('cover').textContent = texts.stopped(problem.message);
       throw problem;
     }
-    this.#panels(JSON.parse(await this.library.call('Sliders')));
+    this.#panels(JSON.parse(await this.library.call('Sliders')), JSON.parse(await this.library.call('Palette')));
     await this.#arrive(wanted).catch(async problem => {
       this.#complain(texts.badAddress(problem.message));
       await this.#arrive(first);
     });
+    performance.mark('creature:live');
     addEventListener('hashchange', () => this.#follow());
+  }
+
+  addressOf(design) {
+    return seedAddress(design);
+  }
+
+  designOf(address) {
+    return readAddress(address);
   }
 
   async #arrive(wanted) {
@@ -110,6 +132,7 @@ export class Frame {
   /** A new creature comes, and can be taken back. */
   async #meet(design) {
     this.#work(texts.working);
+    this.treats.clear();
     try {
       const facts = await this.lab.meet(design);
       if (this.history.now !== design) {
@@ -140,11 +163,26 @@ export class Frame {
         h('button', { type: 'button', className: 'quiet today', 'aria-label': texts.today, title: texts.today, onclick: () => this.#today() }, icon('sun')),
         h('button', { type: 'button', className: 'quiet', 'aria-label': texts.grid, title: texts.grid, onclick: () => this.#openGrid() }, icon('grid'))),
       h('main', {}, h('div', { className: 'caption' }, this.title, this.subtitle, this.status), this.panel), this.alert);
-    const pointer = new Pointer(this.canvas, this.orbit, this.world, this.herd);
+    const play = this.play;
+    const bar = deedsBar({
+      pet: () => play.pet(), feed: () => play.feed(), dance: () => play.act('Dance'), jump: () => play.jump(), call: () => play.act('Call'), faint: () => play.faint(),
+      push: () => { const focus = this.lab.focus(); const { position } = this.orbit.camera; return play.push(focus.x - position.x, focus.z - position.z); },
+      sound: on => this.sound.turn(on),
+    });
+    bar.hidden = true;
+    this.bar = bar;
+    document.body.append(bar);
+    this.ghost = h('div', { className: 'ghost', hidden: true, 'aria-hidden': 'true' });
+    document.body.append(this.ghost);
+    const pointer = new Pointer(this.canvas, this.orbit, this.world, this.herd, this.touch);
+    this.pointer = pointer;
     pointer.addEventListener('look', ({ detail }) => this.#aim(detail));
     pointer.addEventListener('send', ({ detail }) => this.library.call('Go', 0, detail.x, detail.z));
     pointer.addEventListener('pick', ({ detail }) => this.#pick(detail));
-    this.herd.onFootfall = (place, strength) => this.sound.step(strength, place.distanceTo(this.orbit.focus) / this.world.scale, this.lab.facts?.mass ?? 50);
+    pointer.addEventListener('pet', () => play.pet());
+    pointer.addEventListener('push', ({ detail }) => play.push(detail.x, detail.z, detail.joint, detail.strength));
+    pointer.addEventListener('hover', ({ detail }) => { this.canvas.style.cursor = detail ? (pointer.shaping && this.shaping?.traits(detail.part) ? 'move' : 'pointer') : ''; });
+    this.herd.onMoment = moment => this.#moment(moment);
     addEventListener('dragover', event => { event.preventDefault(); document.body.classList.add('dragging'); });
     addEventListener('dragleave', event => { if (!event.relatedTarget) { document.body.classList.remove('dragging'); } });
     addEventListener('drop', event => {
@@ -157,41 +195,63 @@ export class Frame {
     document.body.append(h('div', { className: 'dropzone', 'aria-hidden': 'true' }, texts.dropHere));
   }
 
-  #panels(sliders) {
+  #panels(sliders, parts) {
     const lab = this.lab;
-    this.make = makePanel(sliders, {
+    this.bar.hidden = false;
+    this.shaping = new Shaping(lab, this.orbit.camera, sliders, {
+      value: name => lab.design.traits[name] ?? sliders.find(slider => slider.name === name).own,
+      slide: (name, value) => this.#change(this.#with(lab.design, name, value)),
+      takeBack: design => this.#change(design),
+      settle: () => this.#settle(),
+      label: (name, value, x, y) => {
+        this.ghost.hidden = name === null;
+        if (name !== null) {
+          this.ghost.textContent = texts.pulled(texts.traits[name], value);
+          this.ghost.style.transform = `translate(${Math.min(x + 18, innerWidth - 150)}px, ${Math.max(y - 46, 8)}px)`;
+        }
+      },
+    });
+    for (const name of ['grip', 'pull', 'release']) {
+      this.pointer.addEventListener(name, ({ detail }) => this.shaping[name](detail));
+    }
+    this.make = makePanel(sliders, parts, {
+      give: name => this.#part(name, 'GivePart', String(Math.floor(Math.random() * 1e6))),
+      take: name => this.#part(name, 'TakePart'),
       slide: (name, value) => this.#change(this.#with(lab.design, name, value)),
       settle: () => this.#settle(),
       undo: () => this.#travel(this.history.undo()),
       redo: () => this.#travel(this.history.redo()),
       random: free => this.#vary(free, slider => slider.least + (slider.most - slider.least) * (0.15 + 0.7 * Math.random())),
       nudge: free => this.#vary(free, (slider, value) => Math.min(slider.most, Math.max(slider.least, value + (slider.most - slider.least) * 0.24 * (Math.random() - 0.5)))),
-      reset: () => { this.#change({ ...lab.design, traits: {}, strangeness: 0 }); this.#settle(); },
+      reset: () => { this.#change({ ...lab.design, traits: {}, strangeness: usualStrangeness }); this.#settle(); },
       look: look => { this.look = look; this.#reveal(); },
     });
     this.meet = meetPanel({
       come: () => { const { camera } = this.orbit; const focus = lab.focus(); this.library.call('Go', 0, camera.position.x * 0.45 + focus.x * 0.55, camera.position.z * 0.45 + focus.z * 0.55); },
-      push: () => { const focus = lab.focus(); const { position } = this.orbit.camera; this.library.call('Push', 0, focus.x - position.x, focus.z - position.z); },
       wander: on => this.library.call('Habit', 0, on ? 'wander' : 'stay', 0, 0, 4 * this.world.scale),
       call: member => this.#pick(member),
-      sound: on => this.sound.turn(on),
+      perform: name => this.play.act(name),
+      feel: name => this.library.call('Feel', 0, ...moods[name], moodSeconds),
     });
     this.breed = breedPanel({
       litter: (other, mutation) => this.#litter(other, mutation),
       raise: member => this.#raise(member),
-      back: n => { const { design } = lab.family[n]; lab.family.length = n; this.#meet(design).catch(problem => this.#complain(problem.message)); },
+      back: member => this.#meet(member.design).catch(problem => this.#complain(problem.message)),
+      evolve: (goal, mutation, other) => (this.evolving ? this.evolving.stop() : this.#evolve(goal, mutation, other)),
     });
     this.keep = keepPanel({
       rename: name => { lab.design = { ...lab.design, name: name || undefined }; this.#caption(); },
-      save: () => this.#save(),
+      save: () => { this.keeping.save(); this.#collected(); this.status.textContent = texts.saved(this.#name()); },
       share: () => this.#share(),
-      picture: () => this.#picture(),
+      picture: () => this.#file(`${this.#name()}.png`, () => this.picture(), 'image/png'),
+      loop: () => this.#file(`${this.#name()}-loop.png`, () => this.loop(), 'image/png'),
       glb: what => this.#file(`${this.#name()}.glb`, () => this.library.call('Glb', 0, what), 'model/gltf-binary'),
       json: () => this.#file(`${this.#name()}.json`, () => lab.text(), 'application/json'),
       open: file => this.#open(file),
-      visit: n => this.#meet(this.collection[n].design).catch(problem => this.#complain(problem.message)),
-      remove: n => { this.collection.splice(n, 1); this.#collected(); },
-      exportAll: () => download('creatures.json', JSON.stringify(this.collection, null, 1), 'application/json'),
+      visit: n => this.#meet(this.keeping.collection[n].design).catch(problem => this.#complain(problem.message)),
+      remove: n => { this.keeping.remove(n); this.#collected(); },
+      importAll: file => this.importCollection(file),
+      exportAll: () => this.keeping.exportAll(),
     });
     const panels = { make: this.make, meet: this.meet, breed: this.breed, keep: this.keep };
     const tabs = h('div', { className: 'tabs', role: 'tablist', 'aria-label': texts.title });
@@ -203,6 +263,7 @@ export class Frame {
       pages.push(page);
     }
     const show = name => {
+      this.pointer.shaping = name === 'make';
       for (const tab of tabs.children) {
         const on = tab.id === `tab-${name}`;
         tab.setAttribute('aria-selected', on);
@@ -227,10 +288,89 @@ export class Frame {
     this.#collected();
     lab.addEventListener('met', () => this.#refresh());
     lab.addEventListener('changed', () => this.#refresh());
-    lab.addEventListener('dressed', () => this.#reveal());
+    lab.addEventListener('dressed', () => {
+      this.#reveal();
+      this.#thumb();
+      // The first act that is tried takes longest: it is tried before somebody asks for one.
+      this.library.call('Rehearse', 0, 'Dance').catch(() => {});
+    });
     lab.addEventListener('neighbours', () => { this.meet.people(lab.neighbours); this.breed.partners(lab.neighbours); });
     lab.addEventListener('litter', () => this.breed.litter(lab.litter));
     lab.addEventListener('trouble', ({ detail }) => this.#complain(detail.message));
+  }
+
+  /** A part of another creature is put on, or one is taken off; what repair says of it is told. */
+  async #part(name, method, ...more) {
+    this.#work(texts.working);
+    try {
+      const studio = await this.studio();
+      const { blueprint, parts, reasons } = JSON.parse(await studio.call(method, await this.lab.text(), name, ...more));
+      const { seed, kind, name: called } = this.lab.design;
+      const design = { ...ofText(blueprint, seed, kind), name: called };
+      await this.lab.mend(design);
+      this.history.push(design);
+      this.make.tell(reasons, method === 'GivePart' && !parts.includes(name) ? texts.refused(texts.parts[name]) : texts.repaired);
+      this.#refresh();
+      await this.#remember();
+    } catch (problem) {
+      this.#complain(problem.message);
+    } finally {
+      this.#work('');
+    }
+  }
+
+  /** What happened to somebody: it is heard, and seen where it matters. */
+  #moment({ kind, member, place, strength }) {
+    this.sound.play(kind, strength, place.distanceTo(this.orbit.focus) / this.world.scale, member.facts, member.slot);
+    if (member.slot !== 0) {
+      return;
+    }
+    if (kind === 'contact') {
+      this.play.bitten();
+    } else if (kind === 'done') {
+      this.play.eaten();
+    } else if (kind === 'fell' || kind === 'rose') {
+      this.#report(kind);
+    }
+  }
+
+  /** Tells in words how play goes. */
+  #report(what, reason, act) {
+    this.status.textContent = what === 'refuses' ? texts.refuses(texts.acts[act] ?? act.toLowerCase(), reason) : texts.told[what] ?? '';
+  }
+
+  /** Breeds on towards a goal until it is stopped. */
+  async #evolve(goal, mutation, other) {
+    this.evolving = new Evolution(this.lab, () => this.studio(), (generations, state) =>
+      this.breed.evolving(generations, state === null ? texts.working : generations ? texts.evolving(state.number, state.best) : texts.evolved(state.number)));
+    try {
+      this.history.push(await this.evolving.run(goal, mutation, other, () => this.#thumb()));
+      await this.#remember();
+    } catch (problem) {
+      this.breed.evolving(null, texts.evolveHint);
+      this.#complain(problem.message);
+    } finally {
+      this.evolving = null;
+    }
+  }
+
+  /** Adds the creatures of an exported collection. */
+  async importCollection(file) {
+    try {
+      const count = await this.keeping.take(file);
+      this.#collected();
+      this.status.textContent = texts.imported(count);
+    } catch (problem) {
+      this.#complain(texts.badFile(file.name, problem.message));
+    }
+  }
+
+  picture() {
+    return this.keeping.picture();
+  }
+
+  loop() {
+    return this.keeping.loop();
   }
 
   #with(design, name, value) {
@@ -322,7 +462,6 @@ export class Frame {
   async #raise(member) {
     const design = await this.lab.raise(member);
     this.history.push(design);
-    this.breed.family(this.lab.family);
     this.status.textContent = texts.picked(member.name);
     await this.#remember();
   }
@@ -361,16 +500,8 @@ export class Frame {
     }
   }
 
-  #save() {
-    const { seed, kind, strangeness, traits, text } = this.lab.design;
-    this.collection.unshift({ name: this.#name(), design: { seed: String(seed), kind, strangeness, traits, text, name: this.#name() } });
-    this.#collected();
-    this.status.textContent = texts.saved(this.#name());
-  }
-
   #collected() {
-    writeCollection(this.collection);
-    this.keep.collection(this.collection);
+    this.keep.collection(this.keeping.collection);
   }
 
   async #share() {
@@ -382,21 +513,21 @@ export class Frame {
     }
   }
 
-  /** What is seen, cut to a square about the creature, with its blueprint in it. */
-  async picture() {
+  #snapshot(size) {
     this.#render();
     const { width, height } = this.canvas;
-    const side = Math.min(width, height);
     const cover = this.#covered();
     const ratio = width / innerWidth;
-    const square = new OffscreenCanvas(pictureSize, pictureSize);
-    square.getContext('2d').drawImage(this.canvas, Math.max(0, (width - cover.right * ratio - side) / 2), Math.max(0, (height - cover.bottom * ratio - side) / 2), side, side, 0, 0, pictureSize, pictureSize);
-    const png = new Uint8Array(await (await square.convertToBlob({ type: 'image/png' })).arrayBuffer());
-    return this.library.call('Sign', png, 0);
+    return squareOf(this.canvas, { width: width - cover.right * ratio, height: height - cover.bottom * ratio }, size);
   }
 
-  #picture() {
-    return this.#file(`${this.#name()}.png`, () => this.picture(), 'image/png');
+  /** A small picture of whoever stands there, for the family tree. */
+  #thumb() {
+    const { family } = this.lab;
+    if (family.now && this.herd.members.get(0)?.moved) {
+      family.now.thumb = this.keeping.thumb();
+      this.breed.family(family);
+    }
   }
 
   async #file(name, make, type) {
@@ -412,12 +543,15 @@ export class Frame {
 
   async #openGrid() {
     this.grid ??= new Grid(() => this.studio(), design => this.#meet(design).catch(problem => this.#complain(problem.message)));
-    this.grid.open(this.lab.design);
+    try {
+      this.grid.open(this.lab.design, await this.lab.parents());
+    } catch (problem) {
+      this.#complain(problem.message);
+    }
   }
 
   #name() {
-    const { name, seed, kind } = this.lab.design;
-    return name ?? nameOf(seed, kind);
+    return this.keeping.name;
   }
 
   #caption() {
@@ -433,7 +567,9 @@ export class Frame {
     this.make.refresh(design, facts, this.history);
     this.meet.refresh(facts);
     this.breed.partners(this.lab.neighbours);
+    this.breed.family(this.lab.family);
     this.meet.people(this.lab.neighbours);
+    this.touch.learn().catch(() => {});
     this.#caption();
     this.seed.value = design.seed;
     this.kind.take(facts.kind);
@@ -444,9 +580,13 @@ export class Frame {
     const { body } = this.herd.members.get(0);
     this.overlay.clear();
     body.wireframe = this.look === 'wire';
+    body.flat = this.look === 'flat';
+    this.gaits.shown = this.look === 'feet';
     body.skin.visible = this.look !== 'capsules';
     body.skin.material.forEach(material => { material.transparent = this.look === 'bones'; material.opacity = this.look === 'bones' ? 0.55 : 1; });
-    if (this.look === 'bones') {
+    if (this.look === 'feet') {
+      this.overlay.feet(this.herd.members.get(0));
+    } else if (this.look === 'bones') {
       this.overlay.bones(body);
     } else if (this.look === 'capsules') {
       this.library.call('Capsules', 0).then(bytes => this.overlay.capsules(body, new Float32Array(bytes.buffer, bytes.byteOffset, bytes.byteLength / 4)));
@@ -508,7 +648,11 @@ export class Frame {
     if (member && this.lab.litter.length === 0 && this.lab.settled) {
       this.orbit.goal.copy(this.lab.focus());
     }
+    this.herd.glide(seconds);
     this.overlay.update();
+    this.gaits.update(seconds, member);
+    this.treats.update(seconds);
+    this.#coarsen();
     this.world.update(seconds, this.orbit.focus);
     this.orbit.update(seconds, this.world);
     if (performance.now() - this.#told > 500 && this.meet) {
@@ -516,6 +660,14 @@ export class Frame {
       this.meet.cost(this.herd.frameCost(), this.herd.members.size);
     }
     await done;
+  }
+
+  /** Those that are far are drawn with fewer triangles. */
+  #coarsen() {
+    const { position } = this.orbit.camera;
+    for (const { slot, body, facts } of this.herd.members.values()) {
+      body.far = slot !== 0 && body.group.position.distanceTo(position) > farLengths * Math.max(facts.length, facts.height);
+    }
   }
 
   #render() {

@@ -1,9 +1,11 @@
 import { Vector3 } from 'three';
 import { Body, readMesh } from './creature/body.js';
 import { ofSeed, ofText, traitText } from './design.js';
+import { Family } from './family.js';
 import { nameOf } from './names.js';
 
 const textureSize = 512;
+const coarseLevel = 2;
 const neighbourCount = innerWidth < 700 ? 4 : 7;
 const firstNeighbour = 1;
 const firstChild = 20;
@@ -23,15 +25,17 @@ export class Lab extends EventTarget {
     this.design = null;
     this.litter = [];
     this.neighbours = [];
-    this.family = [];
+    this.family = new Family();
+    this.mate = null;
+    this.dressing = true;
   }
 
   get facts() {
     return this.herd.members.get(0)?.facts;
   }
 
-  /** Lets a new creature come, in surroundings that suit it. */
-  async meet(design) {
+  /** Lets a new creature come, in surroundings that suit it; without parents, it begins a family of its own. */
+  async meet(design, parents = null) {
     const round = ++this.#round;
     const facts = await this.#grow(0, design);
     await this.clearLitter();
@@ -49,6 +53,8 @@ export class Lab extends EventTarget {
     await this.library.call('Habit', 0, 'stay', 0, 0, 3 * unit);
     await this.herd.settle(0, facts);
     this.#frame(facts);
+    this.family.add(design, nameOfDesign(design), parents);
+    this.mate = null;
     this.#tell('met');
     this.#dress(round);
     if (this.neighbours.length === 0) {
@@ -74,9 +80,20 @@ export class Lab extends EventTarget {
     await this.#grow(0, design);
     const facts = JSON.parse(await this.library.call('Mend', 0));
     await this.herd.settle(0, facts);
+    if (this.family.now) {
+      this.family.now.design = design;
+    }
     this.#tell('changed');
     this.#dress(round);
     return facts;
+  }
+
+  /** Shows a blueprint in place of the creature, without more ado: while something is bred on. */
+  async show(text, seed) {
+    ++this.#round;
+    this.design = ofText(text, seed, this.design.kind);
+    await this.herd.settle(0, await this.#grow(0, this.design));
+    this.#tell('changed');
   }
 
   text(slot = 0) {
@@ -95,6 +112,8 @@ export class Lab extends EventTarget {
     const round = ++this.#round;
     await this.clearLitter();
     const [first, second] = [await this.text(0), typeof other === 'number' ? await this.text(other) : await this.#textOf(other)];
+    const member = this.neighbours.find(neighbour => neighbour.slot === other);
+    this.mate = { design: member?.design ?? other, name: member?.name ?? nameOfDesign(other), text: second };
     const start = Number(BigInt(this.facts.seed) % 1000000n);
     const unit = this.world.scale;
     const azimuth = this.orbit.azimuth;
@@ -115,12 +134,17 @@ export class Lab extends EventTarget {
     }
   }
 
+  /** Blueprints of the creature and its mate, or a neighbour, or itself: whose children are its family. */
+  async parents() {
+    const own = await this.text(0);
+    return [own, this.mate?.text ?? (this.neighbours.length ? await this.text(this.neighbours[0].slot) : own)];
+  }
+
   /** One of the litter grows up and takes its parent's place. */
   async raise(member) {
     const text = await this.text(member.slot);
     const design = { ...ofText(text, member.facts.seed, member.facts.kind), name: member.name };
-    this.family.push({ name: this.design.name ?? nameOf(this.design.seed, this.design.kind), design: this.design });
-    await this.meet(design);
+    await this.meet(design, [this.family.now, this.mate && this.family.guest(this.mate.design, this.mate.name)]);
     return design;
   }
 
@@ -175,7 +199,7 @@ export class Lab extends EventTarget {
   async #grow(slot, design, library = this.library) {
     const traits = traitText(design.traits);
     return JSON.parse(design.text === null
-      ? await library.call('Grow', slot, design.seed, design.kind, design.strangeness, traits)
+      ? await library.call('Grow', slot, design.seed, design.kind, design.strangeness, design.individual ?? '', traits)
       : await library.call('GrowText', slot, design.text, traits));
   }
 
@@ -192,6 +216,9 @@ export class Lab extends EventTarget {
 
   /** Scales, fur and feathers, painted by a second worker, so that nobody on the stage waits. */
   async #dress(round) {
+    if (!this.dressing) {
+      return;
+    }
     const member = this.herd.members.get(0);
     const studio = await this.#studio();
     await studio.call('GrowText', 1, await this.text(0), '');
@@ -200,6 +227,16 @@ export class Lab extends EventTarget {
     if (round === this.#round && this.herd.members.get(0) === member && !this.#wanted) {
       member.body.texture(readMesh(bytes.buffer, bytes.byteOffset), pixels, textureSize);
       this.#tell('dressed');
+    }
+  }
+
+  /** A coarser level of a neighbour's mesh for when it is far, made by the second worker. */
+  async #coarsen(member) {
+    const studio = await this.#studio();
+    await studio.call('GrowText', 2, await this.text(member.slot), '');
+    const bytes = await studio.call('Level', 2, coarseLevel);
+    if (this.herd.members.get(member.slot) === member) {
+      member.body.coarsen(new Int32Array(bytes.buffer, bytes.byteOffset, bytes.byteLength / 4));
     }
   }
 
@@ -233,12 +270,20 @@ export class Lab extends EventTarget {
       this.neighbours.push(member);
       this.#tell('neighbours');
     }
+    for (const member of [...this.neighbours]) {
+      if (round === this.#round) {
+        await this.#coarsen(member);
+      }
+    }
   }
 
   #tell(name, detail) {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
 }
+
+/** What a creature is called: as somebody named it, or by its seed. */
+export const nameOfDesign = design => design.name ?? nameOf(design.individual ? `${design.seed}.${design.individual}` : design.seed, design.kind);
 
 // Seeds have more digits than the page's numbers hold.
 function readSeed(text, fallback) {

@@ -2,11 +2,11 @@ import '@fontsource-variable/fredoka/wght.css';
 import '@fontsource-variable/nunito/wght.css';
 import './style.css';
 import { Frame } from './frame.js';
-import { unfit } from './fitness.js';
+import { showStills, unfit } from './fitness.js';
 
 const problem = unfit();
 if (problem) {
-  document.getElementById('cover').textContent = problem;
+  showStills(problem).catch(() => {});
   window.creatureLab = { ready: Promise.reject(new Error(problem)) };
   window.creatureLab.ready.catch(() => {});
 } else {
@@ -18,4 +18,8 @@ if (problem) {
     count: () => frame.herd.members.size,
     lab: frame,
   };
+  // Kept for times without a network, after the first creature has come.
+  if ('serviceWorker' in navigator && !frame.still) {
+    window.creatureLab.ready.then(() => navigator.serviceWorker.register('./sw.js')).catch(() => {});
+  }
 }

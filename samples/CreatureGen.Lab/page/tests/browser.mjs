@@ -58,6 +58,6 @@ export function serveFolder(folder, below) {
     }
   });
   return new Promise(resolve => {
-    server.listen(0, '127.0.0.1', () => resolve({ address: `http://localhost:${server.address().port}${below}`, close: () => server.close() }));
+    server.listen(0, '127.0.0.1', () => resolve({ address: `http://localhost:${server.address().port}${below}`, close: () => { server.close(); server.closeAllConnections(); } }));
   });
 }

@@ -48,13 +48,15 @@ function geometryOf(mesh) {
 
 // Colours of vertices where there is no texture, and where a vertex keeps its own under one; a soft rim of skylight on top.
 function dress(material, textured) {
+  material.userData.flat = { value: 0 };
   material.onBeforeCompile = shader => {
+    shader.uniforms.flatly = material.userData.flat;
     shader.vertexShader = shader.vertexShader
       .replace('#include <common>', '#include <common>\nattribute vec4 tint;\nvarying vec4 vTint;')
       .replace('#include <begin_vertex>', '#include <begin_vertex>\nvTint = tint;');
     shader.fragmentShader = shader.fragmentShader
-      .replace('#include <common>', '#include <common>\nvarying vec4 vTint;')
-      .replace('#include <map_fragment>', textured ? '#include <map_fragment>\ndiffuseColor.rgb = mix(diffuseColor.rgb, vTint.rgb, step(0.5, vTint.a));' : 'diffuseColor.rgb = vTint.rgb;')
+      .replace('#include <common>', '#include <common>\nvarying vec4 vTint;\nuniform float flatly;')
+      .replace('#include <map_fragment>', textured ? '#include <map_fragment>\ndiffuseColor.rgb = mix(diffuseColor.rgb, vTint.rgb, max(flatly, step(0.5, vTint.a)));' : 'diffuseColor.rgb = vTint.rgb;')
       .replace(
         '#include <opaque_fragment>',
         `float rim = pow(1.0 - saturate(dot(normalize(vViewPosition), normal)), 3.0);
@@ -105,9 +107,44 @@ export class Body {
     this.skeleton.boneTexture.needsUpdate = true;
   }
 
+  /** A pose between two others. */
+  blend(from, to, share) {
+    const { boneMatrices, boneTexture } = this.skeleton;
+    for (let i = 0; i < to.length; i++) {
+      boneMatrices[i] = from[i] + (to[i] - from[i]) * share;
+    }
+    boneTexture.needsUpdate = true;
+  }
+
   /** Where a point of the creature at rest is now, in its own space. */
   carry(joint, point) {
     return point.applyMatrix4(scratch.fromArray(this.skeleton.boneMatrices, 16 * joint));
+  }
+
+  /** Takes a coarser level: how many of its indices are of the skin, then the indices. */
+  coarsen(numbers) {
+    const fine = this.skin.geometry;
+    const coarse = new BufferGeometry();
+    for (const [name, attribute] of Object.entries(fine.attributes)) {
+      coarse.setAttribute(name, attribute);
+    }
+    const indices = numbers.subarray(1);
+    coarse.setIndex(new BufferAttribute(fine.attributes.position.count > 65535 ? Uint32Array.from(indices) : Uint16Array.from(indices), 1));
+    coarse.addGroup(0, numbers[0], 0);
+    coarse.addGroup(numbers[0], indices.length - numbers[0], 1);
+    coarse.boundingSphere = fine.boundingSphere;
+    this.levels = [fine, coarse];
+  }
+
+  /** Shows the coarse level while it is far, if there is one. */
+  set far(on) {
+    if (this.levels) {
+      this.skin.geometry = this.levels[on ? 1 : 0];
+    }
+  }
+
+  get triangles() {
+    return this.skin.geometry.index.count / 3;
   }
 
   set wireframe(on) {
@@ -116,10 +153,14 @@ export class Body {
     }
   }
 
+  /** Without its texture, facet by facet, in the colours of its vertices. */
   set flat(on) {
     for (const material of this.skin.material) {
-      material.flatShading = on;
-      material.needsUpdate = true;
+      if (material.flatShading !== on) {
+        material.flatShading = on;
+        material.needsUpdate = true;
+      }
+      material.userData.flat.value = on ? 1 : 0;
     }
   }
 
@@ -155,6 +196,8 @@ export class Body {
   #drop() {
     this.group.remove(this.skin);
     this.skin.geometry.dispose();
+    this.levels?.forEach(geometry => geometry.dispose());
+    this.levels = null;
     this.skin.material.forEach(material => material.dispose());
     this.skeleton.dispose();
   }

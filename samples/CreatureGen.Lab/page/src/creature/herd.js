@@ -1,7 +1,17 @@
-import { Vector3 } from 'three';
+import { Quaternion, Vector3 } from 'three';
 import { Body, readMesh } from './body.js';
 
-const headLength = 13;
+const headLength = 15;
+const momentLength = 6;
+
+// What a moment is of; in the order of the library's side.
+const moments = ['footfall', 'wingBeat', 'call', 'callEnd', 'contact', 'done', 'fell', 'rose'];
+
+/** States of a body, in the library's order. */
+export const states = ['supported', 'leaping', 'falling', 'landed', 'limp', 'rising'];
+
+// Moves that lie farther apart than this, in seconds, are drawn one after the other without anything between.
+const smoothest = 0.02;
 
 /** Everybody who lives on the stage: their bodies, by slots, and what the library says of them in each frame. */
 export class Herd {
@@ -15,7 +25,7 @@ export class Herd {
     this.scene = scene;
     this.members = new Map();
     this.eye = 0;
-    this.onFootfall = null;
+    this.onMoment = null;
   }
 
   /** Settles what was grown in a slot. */
@@ -27,7 +37,7 @@ export class Herd {
   /** Shows a body in a slot, in place of the one that was there. */
   put(slot, facts, body) {
     const before = this.members.get(slot);
-    const member = { slot, facts, body, feet: [], speed: 0, phase: 0, moved: false };
+    const member = { slot, facts, body, feet: [], speed: 0, phase: 0, state: 'supported', moved: false };
     if (before) {
       body.group.position.copy(before.body.group.position);
       body.group.quaternion.copy(before.body.group.quaternion);
@@ -76,6 +86,19 @@ export class Herd {
     }
   }
 
+  /** Draws those that take turns between their last two moves. */
+  glide(seconds) {
+    for (const member of this.members.values()) {
+      const { glide } = member;
+      if (glide && glide.at < 1) {
+        glide.at = Math.min(1, glide.at + seconds / glide.seconds);
+        member.body.group.position.lerpVectors(glide.from.position, glide.to.position, glide.at);
+        member.body.group.quaternion.slerpQuaternions(glide.from.turn, glide.to.turn, glide.at);
+        member.body.blend(glide.from.matrices, glide.to.matrices, glide.at);
+      }
+    }
+  }
+
   #apply(numbers) {
     let at = 2;
     for (let n = 0; n < numbers[0]; n++) {
@@ -83,20 +106,36 @@ export class Herd {
       const member = this.members.get(slot);
       const matrices = at + headLength + 4 * feet;
       if (member && member.body.joints === joints) {
-        const { group } = member.body;
-        group.position.set(numbers[at + 3], numbers[at + 4], numbers[at + 5]);
-        group.quaternion.set(numbers[at + 6], numbers[at + 7], numbers[at + 8], numbers[at + 9]);
         member.speed = numbers[at + 10];
         member.phase = numbers[at + 11];
+        member.state = states[numbers[at + 13]];
         member.feet = Array.from({ length: feet }, (_, f) => numbers.slice(at + headLength + 4 * f, at + headLength + 4 * f + 4));
-        member.body.pose(numbers.subarray(matrices, matrices + 16 * joints));
-        group.visible = true;
-        member.moved = true;
+        this.#show(member, numbers, at, numbers.subarray(matrices, matrices + 16 * joints));
       }
       at = matrices + 16 * joints;
     }
-    for (let n = 0; n < numbers[1]; n++, at += 4) {
-      this.onFootfall?.(new Vector3(numbers[at], numbers[at + 1], numbers[at + 2]), numbers[at + 3]);
+    for (let n = 0; n < numbers[1]; n++, at += momentLength) {
+      const member = this.members.get(numbers[at + 1]);
+      if (member) {
+        this.onMoment?.({ kind: moments[numbers[at]], member, place: new Vector3(numbers[at + 2], numbers[at + 3], numbers[at + 4]), strength: numbers[at + 5] });
+      }
     }
+  }
+
+  #show(member, numbers, at, matrices) {
+    const { body } = member;
+    const to = { position: new Vector3().fromArray(numbers, at + 3), turn: new Quaternion().fromArray(numbers, at + 6), matrices };
+    const seconds = numbers[at + 14];
+    if (member.moved && seconds > smoothest && member.slot !== this.eye) {
+      const from = { position: body.group.position.clone(), turn: body.group.quaternion.clone(), matrices: body.skeleton.boneMatrices.slice() };
+      member.glide = { from, to: { ...to, matrices: matrices.slice() }, seconds, at: 0 };
+    } else {
+      member.glide = null;
+      body.group.position.copy(to.position);
+      body.group.quaternion.copy(to.turn);
+      body.pose(matrices);
+    }
+    body.group.visible = true;
+    member.moved = true;
   }
 }

@@ -1,4 +1,4 @@
-import { BufferAttribute, BufferGeometry, CapsuleGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Points, PointsMaterial, Quaternion, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, CapsuleGeometry, CircleGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Points, PointsMaterial, Quaternion, Vector3 } from 'three';
 
 const up = new Vector3(0, 1, 0);
 
@@ -70,6 +70,27 @@ export class Overlay {
         mesh.quaternion.copy(way.lengthSq() > 1e-12 ? turn.setFromUnitVectors(up, way.normalize()) : turn.identity());
       }
     };
+    this.update();
+  }
+
+  /** Where feet stand, and how much of the weight each carries. */
+  feet(member) {
+    this.clear();
+    const discs = member.feet.map(() => {
+      const disc = new Mesh(new CircleGeometry(1, 28).rotateX(-Math.PI / 2), new MeshBasicMaterial({ color: '#ff6a3d', transparent: true, opacity: 0.75, depthTest: false }));
+      this.group.add(disc);
+      return disc;
+    });
+    member.body.group.parent.add(this.group);
+    const size = 0.035 * Math.max(member.facts.height, 0.5 * member.facts.length);
+    this.#update = () => discs.forEach((disc, n) => {
+      const foot = member.feet[n];
+      disc.visible = !!foot && foot[3] > 0;
+      if (disc.visible) {
+        disc.position.set(foot[0], foot[1] + 0.1 * size, foot[2]);
+        disc.scale.setScalar(size * (0.6 + 2.2 * Math.sqrt(foot[3])));
+      }
+    });
     this.update();
   }
 

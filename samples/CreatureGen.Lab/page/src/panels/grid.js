@@ -1,7 +1,8 @@
 import { DirectionalLight, HemisphereLight, NeutralToneMapping, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import { Body, readMesh } from '../creature/body.js';
 import { Herd } from '../creature/herd.js';
-import { ofSeed } from '../design.js';
+import { ofSeed, ofText, usualStrangeness } from '../design.js';
+import { nameOfDesign } from '../lab.js';
 import { choices, h, icon } from '../dom.js';
 import { nameOf } from '../names.js';
 import { texts, words } from '../texts.js';
@@ -12,6 +13,7 @@ const batch = 12;
 const margin = 300;
 const apart = 1000;
 const captionHeight = 50;
+const childMutation = 0.25;
 
 // Metres of scale at which creatures count as small and as large.
 const sizes = { all: () => true, small: scale => scale < 0.7, medium: scale => scale >= 0.7 && scale <= 1.4, large: scale => scale > 1.4 };
@@ -23,18 +25,23 @@ export class Grid {
   #round = 0;
   #cards = new Map();
   #free = [];
-  #filters = { kind: 'walking', size: 'all', plan: 'all', strangeness: 0 };
+  #filters = { kind: 'walking', size: 'all', plan: 'all', strangeness: usualStrangeness };
   #plans = new Set();
+  #who = 'seeds';
 
   constructor(studio, choose) {
     this.studio = studio;
     this.choose = choose;
   }
 
-  async open(design) {
+  /** @param design whose species and family can be seen. @param family the blueprints of its parents, or of itself and another, and its name. */
+  async open(design, family) {
     this.library = await this.studio();
+    this.design = design;
+    this.family = family;
     this.#filters.kind = design.kind === 'any' ? 'walking' : design.kind;
     this.#build();
+    this.#choose(this.#who === 'species' && design.text !== null ? 'seeds' : this.#who);
     this.dialog.showModal();
     this.#begin();
     requestAnimationFrame(now => this.#draw(now, now));
@@ -48,15 +55,16 @@ export class Grid {
     this.list = h('ul', { className: 'grid' });
     this.end = h('p', { className: 'hint', role: 'status' }, texts.working);
     this.plan = h('select', { 'aria-label': texts.filters.plan, onchange: () => { this.#filters.plan = this.plan.value; this.#begin(); } });
-    const strange = h('input', { type: 'range', min: 0, max: 1, step: 0.1, value: 0, 'aria-label': texts.filters.strange, onchange: () => { this.#filters.strangeness = Number(strange.value); this.#begin(); } });
+    const strange = h('input', { type: 'range', min: 0, max: 1, step: 0.1, value: usualStrangeness, 'aria-label': texts.filters.strange, onchange: () => { this.#filters.strangeness = Number(strange.value); this.#begin(); } });
     this.scroller = h('div', { className: 'scroller', tabIndex: 0 }, this.list, this.end);
     this.dialog = h('dialog', { className: 'many', 'aria-label': texts.grid },
       h('div', { className: 'filters' },
         h('h2', {}, texts.grid),
+        this.whose = choices(texts.grid, texts.who, 'seeds', who => { this.#choose(who); this.#begin(); }),
         this.kind = choices(texts.kind, texts.kinds, this.#filters.kind, kind => { this.#filters.kind = kind; this.#filters.plan = 'all'; this.#plans.clear(); this.#begin(); }),
-        choices(texts.filters.size, { all: texts.filters.all, small: texts.filters.small, medium: texts.filters.medium, large: texts.filters.large }, 'all', size => { this.#filters.size = size; this.#begin(); }),
+        this.size = choices(texts.filters.size, { all: texts.filters.all, small: texts.filters.small, medium: texts.filters.medium, large: texts.filters.large }, 'all', size => { this.#filters.size = size; this.#begin(); }),
         this.plan,
-        h('label', { className: 'strange' }, texts.filters.strange, strange),
+        this.strange = h('label', { className: 'strange' }, texts.filters.strange, strange),
         h('button', { type: 'button', className: 'quiet', 'aria-label': texts.close, onclick: () => this.dialog.close() }, icon('close'))),
       this.scroller, this.canvas);
     this.dialog.addEventListener('close', () => { this.#round++; this.#clear(); });
@@ -82,6 +90,36 @@ export class Grid {
       }
       this.#wake();
     }, { root: this.scroller });
+  }
+
+  /** Everybody, one species, or one family: filters are for everybody. */
+  #choose(who) {
+    this.#who = who;
+    this.whose.take(who);
+    for (const filter of [this.kind, this.size, this.plan, this.strange]) {
+      filter.hidden = who !== 'seeds';
+    }
+    this.whose.querySelector('[data-value=species]').disabled = this.design.text !== null;
+  }
+
+  /** The next that may be shown; null for one that no filter lets through. */
+  async #candidate() {
+    const n = this.#next++;
+    if (this.#who === 'family') {
+      return { child: n, name: nameOf(`${this.design.seed}.${n}`, this.design.kind) };
+    }
+    const { kind, size, plan, strangeness } = this.#filters;
+    const design = this.#who === 'species' ? ofSeed(this.design.seed, this.design.kind, this.design.strangeness, n) : ofSeed(n, kind, strangeness);
+    const glance = JSON.parse(await this.library.call('Glance', design.seed, design.kind, design.strangeness, design.individual));
+    if (this.#who === 'species') {
+      return { design, glance };
+    }
+    if (!this.#plans.has(glance.plan)) {
+      this.#plans.add(glance.plan);
+      this.plan.replaceChildren(h('option', { value: 'all' }, texts.filters.anyBuild), ...[...this.#plans].sort().map(name => h('option', { value: name }, words(name))));
+      this.plan.value = plan;
+    }
+    return sizes[size](glance.scale) && (plan === 'all' || plan === glance.plan) ? { design, glance } : null;
   }
 
   async #begin() {
@@ -111,22 +149,10 @@ export class Grid {
     this.#filling = true;
     const round = this.#round;
     const before = this.#cards.size;
-    const { kind, size, plan, strangeness } = this.#filters;
     for (let added = 0, tries = 0; added < batch && tries < 400 && round === this.#round; tries++) {
-      const design = ofSeed(this.#next++, kind, strangeness);
-      let glance;
-      try {
-        glance = JSON.parse(await this.library.call('Glance', design.seed, kind, strangeness));
-      } catch {
-        continue;
-      }
-      if (!this.#plans.has(glance.plan)) {
-        this.#plans.add(glance.plan);
-        this.plan.replaceChildren(h('option', { value: 'all' }, texts.filters.anyBuild), ...[...this.#plans].sort().map(name => h('option', { value: name }, words(name))));
-        this.plan.value = plan;
-      }
-      if (sizes[size](glance.scale) && (plan === 'all' || plan === glance.plan)) {
-        this.#add(design, glance);
+      const candidate = await this.#candidate().catch(() => null);
+      if (candidate && round === this.#round) {
+        this.#add(candidate);
         added++;
       }
     }
@@ -137,14 +163,25 @@ export class Grid {
     }
   }
 
-  #add(design, glance) {
-    const name = nameOf(design.seed, design.kind);
-    const button = h('button', { type: 'button', className: 'card', onclick: () => { this.dialog.close(); this.choose(design); } },
-      h('b', {}, name), h('span', {}, `${words(glance.body)} · ${design.seed}`));
-    const item = h('li', {}, button);
-    this.#cards.set(item, { design, item, seen: false, slot: null });
-    this.list.append(item);
-    this.seen.observe(item);
+  #add({ design, glance, child, name = nameOfDesign(design) }) {
+    const card = { design, child, name, seen: false, slot: null };
+    const button = h('button', { type: 'button', className: 'card', onclick: () => this.#take(card) },
+      h('b', {}, name), h('span', {}, glance ? `${words(glance.body)} · ${design.individual || design.seed}` : texts.child));
+    card.item = h('li', {}, button);
+    this.#cards.set(card.item, card);
+    this.list.append(card.item);
+    this.seen.observe(card.item);
+  }
+
+  /** One of them is met: a child by the blueprint that it was born with. */
+  async #take({ design, name, slot }) {
+    if (!design && slot === null) {
+      return;
+    }
+    const text = design ? null : await this.library.call('Blueprint', slot);
+    const chosen = design ?? { ...ofText(text, this.herd.members.get(slot).facts.seed, this.herd.members.get(slot).facts.kind), name };
+    this.dialog.close();
+    this.choose(chosen);
   }
 
   /** Grows those that are seen, one after the other, in the slots of those that are not. */
@@ -166,8 +203,7 @@ export class Grid {
       }
       const slot = this.#free.pop();
       try {
-        const { seed, kind, strangeness } = card.design;
-        const facts = JSON.parse(await this.library.call('Grow', slot, seed, kind, strangeness, ''));
+        const facts = JSON.parse(await this.#grow(slot, card));
         await this.library.call('Place', slot, apart * slot, 0, 0, 0);
         await this.library.call('Habit', slot, 'stay', apart * slot, 0, 1);
         const bytes = await this.library.call('Mesh', slot);
@@ -184,6 +220,13 @@ export class Grid {
     if (round !== this.#round) {
       this.#wake();
     }
+  }
+
+  #grow(slot, { design, child }) {
+    if (design) {
+      return this.library.call('Grow', slot, design.seed, design.kind, design.strangeness, design.individual, '');
+    }
+    return this.library.call('GrowChild', slot, ...this.family, String(child), childMutation, 1);
   }
 
   #draw(now, before) {

@@ -5,6 +5,7 @@ import { texts } from '../texts.js';
 export function keepPanel(act) {
   const name = h('input', { id: 'name', type: 'text', maxLength: 40, autocomplete: 'off', onchange: () => act.rename(name.value.trim()) });
   const file = h('input', { type: 'file', accept: '.png,.glb,.json', hidden: true, tabIndex: -1, 'aria-hidden': 'true', onchange: () => { if (file.files[0]) { act.open(file.files[0]); } file.value = ''; } });
+  const several = h('input', { type: 'file', accept: '.json', hidden: true, tabIndex: -1, 'aria-hidden': 'true', onchange: () => { if (several.files[0]) { act.importAll(several.files[0]); } several.value = ''; } });
   const collection = h('ul', { className: 'people kept' });
   const root = h('div', {},
     h('label', { className: 'field', htmlFor: 'name' }, texts.name), name,
@@ -12,6 +13,7 @@ export function keepPanel(act) {
     h('h3', {}, texts.download),
     h('div', { className: 'row' },
       h('button', { type: 'button', onclick: act.picture }, texts.photo),
+      h('button', { type: 'button', onclick: act.loop }, texts.loop),
       h('button', { type: 'button', onclick: () => act.glb('plain') }, texts.glb),
       h('button', { type: 'button', onclick: act.json }, texts.json)),
     h('div', { className: 'row' }, h('button', { type: 'button', onclick: () => act.glb('whole') }, texts.whole)),
@@ -19,7 +21,7 @@ export function keepPanel(act) {
     h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: () => file.click() }, texts.open), file),
     h('h3', {}, texts.collection),
     collection,
-    h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: act.exportAll }, texts.exportAll)));
+    h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: act.exportAll }, texts.exportAll), h('button', { type: 'button', className: 'quiet', onclick: () => several.click() }, texts.importAll), several));
   return {
     root,
     named(value) {
@@ -27,7 +29,7 @@ export function keepPanel(act) {
     },
     collection(entries) {
       collection.replaceChildren(...(entries.length ? entries.map((entry, n) => h('li', {},
-        h('button', { type: 'button', className: 'person', onclick: () => act.visit(n) }, h('b', {}, entry.name)),
+        h('button', { type: 'button', className: 'person', onclick: () => act.visit(n) }, entry.thumb ? h('img', { src: entry.thumb, alt: '', width: 44, height: 44 }) : null, h('b', {}, entry.name)),
         h('button', { type: 'button', className: 'quiet', 'aria-label': texts.remove(entry.name), onclick: () => act.remove(n) }, '×'))) : [h('li', { className: 'hint' }, texts.empty)]));
     },
   };

@@ -1,11 +1,14 @@
 import { choices, h, icon } from '../dom.js';
+import { usualStrangeness } from '../design.js';
 import { texts } from '../texts.js';
 
-/** Sliders, and what goes with them. `act` changes the design; the panel only shows it. */
-export function makePanel(sliders, act) {
+const alwaysThere = ['eyes', 'coat'];
+
+/** Sliders, parts, and what goes with them. `act` changes the design; the panel only shows it. */
+export function makePanel(sliders, parts, act) {
   const locked = new Set();
   const rows = new Map();
-  const all = [...sliders, { name: 'strangeness', least: 0, most: 1, own: 0 }];
+  const all = [...sliders, { name: 'strangeness', least: 0, most: 1, own: usualStrangeness }];
   for (const slider of all) {
     const id = `trait-${slider.name}`;
     const label = texts.traits[slider.name];
@@ -46,14 +49,23 @@ export function makePanel(sliders, act) {
   const redo = h('button', { type: 'button', className: 'quiet', onclick: act.redo, 'aria-label': texts.redo, title: texts.redo }, icon('redo'));
   const reasons = h('div', { className: 'reasons', role: 'status' });
   const counts = h('p', { className: 'fine' });
+  const tiles = new Map(parts.map(name => {
+    const give = h('button', { type: 'button', className: 'part', onclick: () => act.give(name) }, texts.parts[name]);
+    const take = h('button', { type: 'button', className: 'take', 'aria-label': texts.takePart(texts.parts[name]), hidden: true, onclick: () => act.take(name) }, '×');
+    return [name, { give, take, tile: h('li', {}, give, take) }];
+  }));
   const root = h('div', {},
     h('div', { className: 'row' },
       h('button', { type: 'button', className: 'loud', onclick: () => act.random(all.filter(s => !locked.has(s.name))) }, texts.random),
       h('button', { type: 'button', onclick: () => act.nudge(all.filter(s => !locked.has(s.name))) }, texts.nudge),
       undo, redo),
     reasons,
+    h('p', { className: 'hint first' }, texts.dragHint),
     h('div', { className: 'sliders' }, ...[...rows.values()].map(row => row.row)),
-    h('div', { className: 'row' }, choices(texts.look, texts.looks, 'skin', act.look)),
+    h('h3', {}, texts.palette),
+    h('ul', { className: 'palette' }, ...[...tiles.values()].map(tile => tile.tile)),
+    h('h3', {}, texts.look),
+    h('div', { className: 'row looks' }, choices(texts.look, texts.looks, 'skin', act.look)),
     h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: act.reset }, texts.reset)),
     counts);
 
@@ -68,11 +80,16 @@ export function makePanel(sliders, act) {
       }
       undo.disabled = !history.canUndo;
       redo.disabled = !history.canRedo;
+      for (const [name, { give, take }] of facts ? tiles : []) {
+        const on = facts.parts.includes(name) && !alwaysThere.includes(name);
+        give.setAttribute('aria-pressed', on);
+        take.hidden = !on;
+      }
       counts.textContent = facts ? texts.counts(facts) : '';
     },
     /** Tells why the library changed something. */
-    tell(list) {
-      reasons.replaceChildren(...(list.length ? [h('strong', {}, texts.repaired), h('ul', {}, ...list.slice(0, 3).map(reason => h('li', {}, reason)))] : []));
+    tell(list, title = texts.repaired) {
+      reasons.replaceChildren(...(list.length ? [h('strong', {}, title), h('ul', {}, ...list.slice(0, 3).map(reason => h('li', {}, reason)))] : []));
     },
   };
 }

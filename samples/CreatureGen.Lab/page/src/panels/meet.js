@@ -1,26 +1,29 @@
 import { h } from '../dom.js';
 import { length, texts, weight, words } from '../texts.js';
 
-/** Who it is, and who lives round it. */
+const more = ['Sit', 'Lie', 'Sniff', 'Eat', 'Drink', 'Shake', 'Scratch', 'Groom', 'Bite', 'Claw', 'Kick', 'TailSweep', 'Threaten', 'Submit'];
+
+/** Who it is, what it can do, and who lives round it. */
 export function meetPanel(act) {
   const facts = h('dl', { className: 'facts' });
   const near = h('ul', { className: 'people' });
   const cost = h('p', { className: 'fine' });
-  const sound = h('input', { type: 'checkbox', id: 'sound', onchange: () => act.sound(sound.checked) });
+  const moods = h('div', { className: 'row' }, ...Object.entries(texts.moods).map(([name, text]) => h('button', { type: 'button', className: 'chip', onclick: () => act.feel(name) }, text)));
+  const acts = h('div', { className: 'row' }, ...more.map(name => h('button', { type: 'button', className: 'chip', onclick: () => act.perform(name) }, texts.acts[name])));
   const root = h('div', {},
     facts,
     h('div', { className: 'row' },
       h('button', { type: 'button', className: 'loud', onclick: act.come }, texts.come),
-      h('button', { type: 'button', onclick: act.push }, texts.push),
       h('button', { type: 'button', 'aria-pressed': 'false', onclick: event => {
         const on = event.currentTarget.getAttribute('aria-pressed') !== 'true';
         event.currentTarget.setAttribute('aria-pressed', on);
         act.wander(on);
       } }, texts.wander)),
     h('p', { className: 'hint' }, texts.hint),
+    h('h3', {}, texts.canDo), acts,
+    h('h3', {}, texts.mood), moods,
     h('h3', {}, texts.neighbours),
     near,
-    h('label', { className: 'check', htmlFor: 'sound' }, sound, texts.sound),
     cost);
   return {
     root,

@@ -1,0 +1,61 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Motion;
+
+namespace CreatureGen.Lab.Runtime;
+
+/// <summary>What a creature does beside going. An act is tried on its body when somebody first asks for it: all of them at once would keep everybody on the stage waiting.</summary>
+internal sealed class Deeds(CreatureAnimator animator)
+{
+    private readonly Dictionary<string, ActAbility> tried = new(StringComparer.OrdinalIgnoreCase);
+
+    /// <summary>How the creature does an act, or why it does not.</summary>
+    public ActAbility Find(string name)
+    {
+        if (!tried.TryGetValue(name, out ActAbility? ability))
+        {
+            ActAbility[] variants = [.. ActLibrary.All.Where(act => string.Equals(act.Name, name, StringComparison.OrdinalIgnoreCase)).Select(animator.Acts.Rehearse)];
+            if (variants.Length == 0)
+            {
+                throw new ArgumentException("\u201c" + name + "\u201d is no act");
+            }
+
+            ability = Array.Find(variants, variant => variant.IsPossible) ?? variants[0];
+            tried[name] = ability;
+        }
+
+        return ability;
+    }
+
+    /// <summary>Begins an act.</summary>
+    /// <returns>Empty, or why not.</returns>
+    public string Perform(string name, in ActTarget target)
+    {
+        ActAbility ability = Find(name);
+        return ability.IsPossible ? animator.Perform(ability, target).Reason ?? "" : ability.Refusal!;
+    }
+
+    /// <summary>Begins the first of some acts that the creature can do where it is.</summary>
+    public bool PerformAny(ReadOnlySpan<string> names)
+    {
+        foreach (string name in names)
+        {
+            if (Perform(name, ActTarget.Usual).Length == 0)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>A blow of a strength: 0.3 makes it stagger, 0.7 knocks most over.</summary>
+    public static Vector3 Impulse(Actor actor, float x, float z, float strength)
+    {
+        float length = (float)Math.Sqrt((x * x) + (z * z));
+        float speed = strength * (float)Math.Sqrt(9.81f * 0.5f * actor.Abilities.Height);
+        return length > 0f ? new Vector3(x / length, 0.1f, z / length) * (speed * actor.Creature.Mass.Mass) : Vector3.Zero;
+    }
+}
