@@ -16,7 +16,7 @@ namespace CreatureGen.Lab;
 internal static class FirstCreature
 {
     /// <summary>The same seed and kind as in the page's own code.</summary>
-    private const ulong Seed = 3;
+    private const ulong Seed = 25;
     private const int Frames = 48;
     private const float Rate = 12f;
     private const float SettleSeconds = 2f;

@@ -45,7 +45,7 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void Sixty_creatures_leave_the_memory_as_it_was() => page.Holds("sixty creatures leave the memory as it was");
 
     [Fact]
-    public void The_grid_shows_creatures_that_live_by_kind() => page.Holds("the grid shows creatures that live, by kind");
+    public void The_grid_shows_creatures_that_live_by_kind_of_one_species_and_of_one_family() => page.Holds("the grid shows creatures that live: by kind, of one species, of one family");
 
     [Fact]
     public void It_begins_as_strange_as_the_library_does() => page.Holds("it begins as strange as the library’s own default");

@@ -28,7 +28,7 @@ import { Grid } from './panels/grid.js';
 const farLengths = 5;
 const moods = { calm: [0, 0, 0], glad: [0.4, 1, 0.2], afraid: [1, -1, -1], angry: [1, -1, 1], sad: [-0.8, -1, -0.4], excited: [1, 1, 0.4] };
 const moodSeconds = 8;
-const first = ofSeed('3', 'walking');
+const first = ofSeed('25', 'walking');
 
 /** The page: panels round a stage. It passes what people do to the lab, and shows what comes of it. */
 export class Frame {

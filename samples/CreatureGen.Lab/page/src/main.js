@@ -19,7 +19,9 @@ if (problem) {
     lab: frame,
   };
   // Kept for times without a network, after the first creature has come.
-  if ('serviceWorker' in navigator && !frame.still) {
-    window.creatureLab.ready.then(() => navigator.serviceWorker.register('./sw.js')).catch(() => {});
+  const keep = () => navigator.serviceWorker?.register('./sw.js');
+  window.creatureLab.keep = keep;
+  if (!frame.still) {
+    window.creatureLab.ready.then(keep).catch(() => {});
   }
 }

@@ -565,12 +565,17 @@ await claim('sixty creatures leave the memory as it was', async () => {
   return memory.join(', ');
 });
 
-await claim('the grid shows creatures that live, by kind', async () => {
+await claim('the grid shows creatures that live: by kind, of one species, of one family', async () => {
   await page.evaluate(() => document.querySelector('.alert:not([hidden]) button')?.click());
   await page.click('[aria-label="Many at once"]');
   await page.waitForFunction(() => creatureLab.lab.grid?.herd?.members.size >= 4);
   await page.click('.many [data-value=swimming]');
   await page.waitForFunction(() => [...(creatureLab.lab.grid?.herd?.members.values() ?? [])].filter(member => member.moved && member.facts.kind === 'swimming').length >= 4);
+  const alive = test => page.waitForFunction(test => [...creatureLab.lab.grid.herd.members.values()].filter(member => member.moved && (test === 'species' ? member.facts.seed === creatureLab.lab.lab.facts.seed : member.facts.generation === 1)).length >= 3, test);
+  for (const who of ['species', 'family']) {
+    await page.click(`.many [data-value=${who}]`);
+    await alive(who);
+  }
   await page.evaluate(() => document.querySelector('.many').close());
 });
 
@@ -603,8 +608,8 @@ await claim('the page works without a network after the first visit', async () =
   const context = await browser.newContext();
   try {
     const other = await context.newPage();
-    await other.goto(`${host.address}?draw=least`);
-    await other.evaluate(() => navigator.serviceWorker.ready.then(() => true));
+    await other.goto(`${host.address}?still&draw=least`);
+    await other.evaluate(() => creatureLab.ready.then(() => creatureLab.keep()).then(() => navigator.serviceWorker.ready).then(() => true));
     host.close();
     await context.setOffline(true);
     await other.goto(`${host.address}?still&draw=least#31.walking`, { timeout: longest });
