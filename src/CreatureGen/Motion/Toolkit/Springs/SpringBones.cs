@@ -11,7 +11,7 @@ namespace CreatureGen.Motion.Toolkit;
 /// <remarks>
 /// <para>Each bone's tip hangs on a spring at its goal, which is where the animated pose of this very frame would have it, its parent's swing taken over by a share. The spring is stepped at 120 Hz, whatever the frame
 /// rate, by its exact solution (<see cref="DampedSpring"/>), relative to the velocity of its goal: x″ = ω²(goal − x) − 2ζω(x′ − goal′) + gravity. A damping relative to the world would bend tails back when running.
-/// Then the tip is brought into a cone about its goal, out of the colliders, and back to the length of its bone; the correction changes the velocity by itself over the step. The bone is turned by the
+/// Then the tip is brought into a cone about its goal, the whole bone as a capsule out of the colliders, and the tip back to the length of its bone; the correction changes the velocity by itself over the step. The bone is turned by the
 /// smallest rotation that points it at the tip.</para>
 /// <para>The animated pose is interpolated within the frame for the substeps; for time left over after the last of them, part of the step is taken that would follow if the goals went on as they do. So nothing lags, and nothing trembles at
 /// frame rates that are no divisor of 120 Hz.</para>
@@ -370,7 +370,7 @@ public static class SpringBones
         return (axis * cosine) + (across * sine);
     }
 
-    /// <summary>A direction of a bone that brings its tip out of all colliders.</summary>
+    /// <summary>A direction of a bone that brings it out of all colliders.</summary>
     private static Vector3 Outside(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 direction, float length, float radius)
     {
         if (colliders.Length == 0)

@@ -8,7 +8,7 @@ namespace CreatureGen.Motion.Toolkit;
 /// <summary>Something that spring bones stay out of: a sphere or capsule that a joint carries or that stands in the world, or a plane with everything behind it.</summary>
 public readonly struct SpringCollider
 {
-    // Pushing a tip out and bringing its bone back to length undo a part of each other; a few rounds settle it.
+    // Pushing a bone out and bringing its bone back to length undo a part of each other; a few rounds settle it.
     private const int Rounds = 4;
 
     private SpringCollider(SpringColliderKind kind, int joint, Vector3 start, Vector3 end, float radius)
@@ -68,11 +68,11 @@ public readonly struct SpringCollider
     /// <summary>Whether a bone's tip is certainly out of the collider as it is: told of planes only.</summary>
     internal bool Clears(Vector3 place, Vector3 bone, float radius) => Kind == SpringColliderKind.Plane && Vec.Dot((place - Start) + bone, End) >= radius;
 
-    /// <summary>A bone turned about its joint until its tip, with a radius, is out of the collider, as far as a bone of its length can be; all in one space.</summary>
+    /// <summary>A bone turned about its joint until all of it, a capsule of a radius, is out of the collider, as far as a bone of its length can be; all in one space.</summary>
     /// <param name="place">Of the joint.</param>
     /// <param name="bone">From the joint to the tip.</param>
     /// <param name="length">Of the bone.</param>
-    /// <param name="radius">Of the tip.</param>
+    /// <param name="radius">Of the bone.</param>
     internal Vector3 Turn(Vector3 place, Vector3 bone, float length, float radius)
     {
         if (Kind == SpringColliderKind.Plane)
@@ -88,31 +88,57 @@ public readonly struct SpringCollider
             return (End * min) + (along * (float)System.Math.Sqrt(System.Math.Max(0f, (length * length) - (min * min))));
         }
 
+        // A joint that lies in the collider holds its end of the bone in it: the bone's side keeps the distance that the joint has, its tip the whole.
+        float full = Radius + radius;
+        float side = System.Math.Min(full, Vec.Distance(place, NearestTo(place)));
         for (int round = 0; round < Rounds; round++)
         {
-            Vector3 pushed = Push(place + bone, radius) - place;
+            Vector3 pushed = PushSide(place, bone, side);
+            pushed = pushed == bone ? bone : Vec.Normalize(pushed, bone / length) * length;
+            Vector3 tip = place + pushed;
+            Vector3 nearest = NearestTo(tip);
+            Vector3 away = tip - nearest;
+            if (Vec.LengthSquared(away) < full * full)
+            {
+                Vector3 lifted = nearest + (Vec.Normalize(away, Vec.Perpendicular(End - Start)) * full) - place;
+                pushed = Vec.Normalize(lifted, pushed / length) * length;
+            }
+
             if (pushed == bone)
             {
                 break;
             }
 
-            bone = Vec.Normalize(pushed, bone / length) * length;
+            bone = pushed;
         }
 
         return bone;
     }
 
-    /// <summary>A point with a radius, moved out of the capsule.</summary>
-    private Vector3 Push(Vector3 point, float radius)
+    /// <summary>The point of the axis nearest to another.</summary>
+    private Vector3 NearestTo(Vector3 point)
     {
         Vector3 axis = End - Start;
         float squared = Vec.LengthSquared(axis);
         float t = squared > 0f ? Scalar.Clamp(Vec.Dot(point - Start, axis) / squared, 0f, 1f) : 0f;
-        Vector3 nearest = Start + (axis * t);
-        Vector3 away = point - nearest;
+        return Start + (axis * t);
+    }
+
+    /// <summary>A vector along which a bone lies no nearer to the axis than a distance, to first order; the bone itself where it does.</summary>
+    private Vector3 PushSide(Vector3 place, Vector3 bone, float min)
+    {
+        float part = Segments.Nearest(place, bone, Start, End - Start, out float along);
+        Vector3 nearest = Start + ((End - Start) * along);
+        Vector3 away = place + (bone * part) - nearest;
         float distance = Vec.Length(away);
-        float min = Radius + radius;
-        return distance >= min ? point : nearest + (Vec.Normalize(away, Vec.Perpendicular(axis)) * min);
+        if (distance >= min || part <= 0f)
+        {
+            return bone;
+        }
+
+        Vector3 across = Vec.Cross(bone, End - Start);
+        Vector3 direction = Vec.Normalize(away, Vec.Normalize(across, Vec.Perpendicular(bone)));
+        return (bone * part) + (direction * (min - distance));
     }
 
     /// <summary>The same with its points where they are in another space.</summary>
