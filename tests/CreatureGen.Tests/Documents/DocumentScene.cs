@@ -18,6 +18,7 @@ internal static class DocumentScene
         static CreatureBlueprint blueprint = null!, edited = null!, mother = null!, father = null!, adult = null!;
         static CreatureOptions options = null!;
         static CreatureAnimator animator = null!;
+        static MotionProfile profile = null!;
         static Skeleton skeleton = null!;
         static LimbChain limb = null!;
         static Stream stream = null!, destination = null!;

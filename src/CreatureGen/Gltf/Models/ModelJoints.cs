@@ -7,7 +7,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Gltf.Models;
 
-/// <summary>The joints of a document as a skeleton: the nodes that skins name, and all nodes above them, in the order of the tree. Scale is worked into positions, so that joints have none.</summary>
+/// <summary>The joints of a document as a skeleton: the nodes that skins and springs name, and all nodes above them, in the order of the tree. Scale is worked into positions, so that joints have none.</summary>
 internal sealed class ModelJoints
 {
     /// <summary>Most nodes of a document.</summary>
@@ -31,6 +31,9 @@ internal sealed class ModelJoints
 
     /// <summary>Scale of each joint's own space in the scene: what its children's translations are multiplied by.</summary>
     public float[] Scales { get; }
+
+    /// <summary>Number of nodes of the document.</summary>
+    public int NodeCount => jointOf.Length;
 
     /// <summary>The joint of a node, −1 if it is none.</summary>
     public int JointOf(int node) => jointOf[node];
@@ -78,7 +81,27 @@ internal sealed class ModelJoints
             }
         }
 
+        foreach (int node in VrmSprings.Nodes(document, nodes.Count))
+        {
+            MarkBelow(node, parents, used);
+        }
+
         return root < 0 ? throw new ModelFault("skins", "no joint", "a skinned model") : Build(nodes, parents, Order(nodes, parents, used, root));
+    }
+
+    /// <summary>Takes a node and those above it in, if they hang on joints.</summary>
+    private static void MarkBelow(int node, int[] parents, bool[] used)
+    {
+        int above = node;
+        while (above >= 0 && !used[above])
+        {
+            above = parents[above];
+        }
+
+        for (int i = node; above >= 0 && i != above; i = parents[i])
+        {
+            used[i] = true;
+        }
     }
 
     private static int[] ParentsOf(IReadOnlyList<JsonValue> nodes)

@@ -5,9 +5,9 @@ using CreatureGen.Json;
 
 namespace CreatureGen.Gltf.Models;
 
-/// <summary>Reads skinned characters from binary glTF 2.0 files of any program: skeleton, skin and clips; of the core features all that bears on them.</summary>
+/// <summary>Reads skinned characters from binary glTF 2.0 files of any program: skeleton, skin, clips and spring bones; of the core features all that bears on them.</summary>
 /// <remarks>
-/// <para>Joints are the nodes that skins name and all nodes above them. Their scale, the same along all axes, is worked into positions. Skinned meshes become one, of up to four joints per vertex. Materials, textures, morph
+/// <para>Joints are the nodes that skins name and all nodes above them, with those of spring bones (<c>VRMC_springBone</c>). Their scale, the same along all axes, is worked into positions. Skinned meshes become one, of up to four joints per vertex. Materials, textures, morph
 /// targets, cameras and meshes without a skin are passed over, and stay in the file that <see cref="ModelWriter"/> writes back.</para>
 /// <para>Refused are files whose buffers lie elsewhere, extensions that change what is read here (compression), scale that differs between axes, and skins that contradict each other.</para>
 /// Based on: Khronos Group, "glTF 2.0 Specification" (2021).
@@ -49,7 +49,7 @@ public static class ModelReader
             RequireCore(root);
             var document = new ModelDocument(root, binary);
             ModelJoints joints = ModelJoints.Of(document);
-            return new ModelReading(new SkinnedModel(document, joints, ModelSkin.Of(document, joints), ModelClips.Of(document, joints)), null);
+            return new ModelReading(new SkinnedModel(document, joints, ModelSkin.Of(document, joints), ModelClips.Of(document, joints), VrmSprings.Of(document, joints)), null);
         }
         catch (ModelFault fault)
         {

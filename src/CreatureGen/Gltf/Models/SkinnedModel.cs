@@ -13,15 +13,16 @@ public sealed class SkinnedModel
 {
     private readonly ModelSkin skin;
 
-    internal SkinnedModel(ModelDocument document, ModelJoints joints, ModelSkin skin, IReadOnlyList<KeyedClip> clips)
+    internal SkinnedModel(ModelDocument document, ModelJoints joints, ModelSkin skin, IReadOnlyList<KeyedClip> clips, IReadOnlyList<ModelSpring> springs)
     {
         Document = document;
         Joints = joints;
         this.skin = skin;
         Clips = clips;
+        Springs = springs;
     }
 
-    /// <summary>The joints that its skins name and all nodes above them, parents before children, without scale; what each is and on what side as its name says (<see cref="JointNames"/>).</summary>
+    /// <summary>The joints that its skins and springs name and all nodes above them, parents before children, without scale; what each is and on what side as its name says (<see cref="JointNames"/>).</summary>
     public Skeleton Skeleton => Joints.Skeleton;
 
     /// <summary>All its skinned triangles, in the space in which they were bound.</summary>
@@ -29,6 +30,9 @@ public sealed class SkinnedModel
 
     /// <summary>Its animations; joints that one does not move are in rest pose in it.</summary>
     public IReadOnlyList<KeyedClip> Clips { get; }
+
+    /// <summary>Chains that swing by themselves (<c>VRMC_springBone</c>), those that others hang on first; none in most files. Update them in this order, after the animation.</summary>
+    public IReadOnlyList<ModelSpring> Springs { get; }
 
     /// <summary>Rotation of each joint where it was bound.</summary>
     public ReadOnlySpan<Quaternion> BindRotations => skin.BindRotations;

@@ -24,6 +24,19 @@ public readonly record struct MotionInput(float Speed, float YawRate = 0f, float
     private const float Fastest = 1e4f;
     private const float FastestTurn = 1e3f;
 
+    /// <summary>Asks for a velocity, as <c>Seek</c> decides it: brought within the ranges above.</summary>
+    /// <param name="velocity">World metres per second in the creature's axes; finite.</param>
+    /// <param name="medium">Where a flier is to be.</param>
+    /// <exception cref="System.ArgumentException">A number is not finite.</exception>
+    public static MotionInput From(in BodyVelocity velocity, MotionMedium medium = MotionMedium.Ground)
+    {
+        Finite.Require(velocity.Linear, nameof(velocity));
+        Finite.Require(velocity.YawRate, nameof(velocity));
+        return new MotionInput(Within(velocity.Linear.Z), Scalar.Clamp(velocity.YawRate, -FastestTurn, FastestTurn), Within(velocity.Linear.X), Within(velocity.Linear.Y), medium);
+
+        static float Within(float speed) => Scalar.Clamp(speed, -Fastest, Fastest);
+    }
+
     /// <summary>Throws unless all numbers are finite and in their ranges.</summary>
     internal void ThrowIfInvalid()
     {

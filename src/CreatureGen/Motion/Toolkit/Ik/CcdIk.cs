@@ -22,8 +22,6 @@ namespace CreatureGen.Motion.Toolkit;
 /// </remarks>
 public static class CcdIk
 {
-    private const float Hinged = 1e-4f;
-
     /// <summary>Parts of the distance that a pass leaves: more, and the other kind of step is tried; and of a step that gains nothing.</summary>
     private const float Quick = 0.6f;
 
@@ -32,9 +30,6 @@ public static class CcdIk
 
     /// <summary>Radians by which a chain is bent that does not move any more.</summary>
     private const float Kick = 0.5f;
-
-    /// <summary>Radians from the end of a range that count as being there.</summary>
-    private const double AtLimit = 2e-3;
 
     private const int MaxOnStack = 64;
 
@@ -51,7 +46,7 @@ public static class CcdIk
         local.Require(skeleton);
         model.Require(skeleton);
         Finite.Require(target, nameof(target));
-        float length = Prove(skeleton, chain, local);
+        float length = JointChain.Prove(skeleton, chain, local);
         if (settings.Rounds < 1)
         {
             throw new ArgumentException("settings without rounds; expected CcdSettings.Default or settings made by its constructor", nameof(settings));
@@ -65,7 +60,7 @@ public static class CcdIk
         Span<Quaternion> best = count <= MaxOnStack ? stackalloc Quaternion[count] : new Quaternion[count];
         Span<float> gains = count <= MaxOnStack ? stackalloc float[count] : new float[count];
         gains.Fill(1f);
-        Keep(chain, local, best);
+        JointChain.Keep(chain, local, best);
         float least = distance;
         bool newton = false;
         int stalled = 0;
@@ -88,7 +83,7 @@ public static class CcdIk
             if (distance < least)
             {
                 least = distance;
-                Keep(chain, local, best);
+                JointChain.Keep(chain, local, best);
             }
 
             stalled = distance > Stall * before ? stalled + 1 : 0;
@@ -106,27 +101,11 @@ public static class CcdIk
             }
         }
 
-        Restore(chain, best, local);
+        JointChain.Restore(chain, best, local);
         Subtree.LocalToModel(skeleton, chain[0], local, model);
         distance = Vec.Distance(model.Positions[end], target);
-        IkStatus failed = start > length ? IkStatus.TooFar : IsAtLimit(skeleton, chain, local) ? IkStatus.Limited : IkStatus.NotConverged;
+        IkStatus failed = start > length ? IkStatus.TooFar : JointChain.IsAtLimit(skeleton, chain, local) ? IkStatus.Limited : IkStatus.NotConverged;
         return new IkResult(distance <= near ? IkStatus.Reached : failed, distance);
-    }
-
-    private static void Keep(ReadOnlySpan<int> chain, in Pose local, Span<Quaternion> best)
-    {
-        for (int k = 0; k < chain.Length; k++)
-        {
-            best[k] = local.Rotations[chain[k]];
-        }
-    }
-
-    private static void Restore(ReadOnlySpan<int> chain, ReadOnlySpan<Quaternion> best, in Pose local)
-    {
-        for (int k = 0; k < chain.Length; k++)
-        {
-            local.Rotations[chain[k]] = best[k];
-        }
     }
 
     /// <summary>Bends the chain this way and that: out of a place that neither step leads out of, such as straight in line with the target.</summary>
@@ -136,7 +115,7 @@ public static class CcdIk
         {
             Joint joint = skeleton.Joints[chain[k]];
             float angle = ((k + round) % 3) - 1f + (0.5f * ((round & 2) - 1));
-            Vector3 axis = Rotation.Rotate(BoneAxes.Of(joint), (k & 1) == 0 || IsHinge(joint.Limit) ? Vector3.UnitX : Vector3.UnitZ);
+            Vector3 axis = Rotation.Rotate(BoneAxes.Of(joint), (k & 1) == 0 || JointChain.IsHinge(joint.Limit) ? Vector3.UnitX : Vector3.UnitZ);
             Quaternion bent = Rotation.Normalize(Rotation.Multiply(local.Rotations[chain[k]], Rotation.FromAxisAngle(axis, Kick * angle)));
             local.Rotations[chain[k]] = SwingTwistLimit.ClampLocal(bent, joint);
         }
@@ -145,62 +124,6 @@ public static class CcdIk
         {
             Subtree.Place(skeleton.Parents[chain[k]], chain[k], local, model);
         }
-    }
-
-    /// <summary>Whether a joint has no room left to some side.</summary>
-    private static bool IsAtLimit(Skeleton skeleton, ReadOnlySpan<int> chain, in Pose local)
-    {
-        for (int k = 0; k < chain.Length - 1; k++)
-        {
-            Joint joint = skeleton.Joints[chain[k]];
-            if (joint.Limit == JointLimit.Free)
-            {
-                continue;
-            }
-
-            Quaternion axes = BoneAxes.Of(joint);
-            Quaternion turn = Rotation.Multiply(Rotation.Inverse(axes), Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(joint.LocalRotation), local.Rotations[chain[k]]), axes));
-            SwingTwistLimit.Split(turn, out double x, out double z, out double twist);
-            if (IsAtEnd(joint.Limit.SwingX, x) || IsAtEnd(joint.Limit.SwingZ, z) || IsAtEnd(joint.Limit.Twist, twist) || IsOnRim(joint.Limit, x, z))
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
-
-    private static bool IsAtEnd(AngleRange range, double angle) => Width(range) > Hinged && (angle <= range.Min + AtLimit || angle >= range.Max - AtLimit);
-
-    private static bool IsOnRim(JointLimit limit, double x, double z)
-    {
-        double a = Math.Max(x < 0 ? -limit.SwingX.Min : limit.SwingX.Max, 1e-6);
-        double b = Math.Max(z < 0 ? -limit.SwingZ.Min : limit.SwingZ.Max, 1e-6);
-        return (x / a * (x / a)) + (z / b * (z / b)) >= 1 - AtLimit;
-    }
-
-    /// <summary>Whether a joint turns about one axis alone, the bone's X.</summary>
-    internal static bool IsHinge(JointLimit limit) => Width(limit.SwingZ) <= Hinged && Width(limit.Twist) <= Hinged;
-
-    private static float Prove(Skeleton skeleton, ReadOnlySpan<int> chain, in Pose local)
-    {
-        if (chain.Length < 2)
-        {
-            throw new ArgumentException(FormattableString.Invariant($"a chain of {chain.Length} joints; expected a joint that turns and an end at least"), nameof(chain));
-        }
-
-        float length = 0f;
-        for (int k = 1; k < chain.Length; k++)
-        {
-            if ((uint)chain[k] >= (uint)skeleton.Count || skeleton.Parents[chain[k]] != chain[k - 1])
-            {
-                throw new ArgumentException(FormattableString.Invariant($"chain[{k - 1}] = {chain[k - 1]} is not the parent of chain[{k}] = {chain[k]}; expected a chain without gaps"), nameof(chain));
-            }
-
-            length += Vec.Length(local.Positions[chain[k]]);
-        }
-
-        return length;
     }
 
     /// <summary>Turns one joint of the chain and carries along what follows it.</summary>
@@ -213,7 +136,7 @@ public static class CcdIk
         Quaternion toJoint = Rotation.Inverse(model.Rotations[joint]);
         Vector3 from = Rotation.Rotate(toJoint, model.Positions[chain[chain.Length - 1]] - place);
         Vector3 to = Rotation.Rotate(toJoint, target - place);
-        if (IsHinge(limit))
+        if (JointChain.IsHinge(limit))
         {
             Vector3 axis = Rotation.Rotate(BoneAxes.Of(about), Vector3.UnitX);
             from = Vec.Reject(from, axis);
@@ -233,8 +156,6 @@ public static class CcdIk
             Subtree.Place(skeleton.Parents[chain[i]], chain[i], local, model);
         }
     }
-
-    private static float Width(AngleRange range) => range.Max - range.Min;
 
     private static Quaternion Bounded(Quaternion turn, float max)
     {

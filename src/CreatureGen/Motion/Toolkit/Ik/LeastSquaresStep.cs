@@ -44,7 +44,7 @@ internal static class LeastSquaresStep
             Vector3 turn = Vec.Cross(end - model.Positions[chain[k]], force) * (gains[k] * gains[k]);
             Quaternion toJoint = Rotation.Inverse(model.Rotations[chain[k]]);
             Vector3 own = Rotation.Rotate(toJoint, turn);
-            if (CcdIk.IsHinge(joint.Limit))
+            if (JointChain.IsHinge(joint.Limit))
             {
                 Vector3 axis = Rotation.Rotate(BoneAxes.Of(joint), Vector3.UnitX);
                 own = axis * Vec.Dot(axis, own);
@@ -83,7 +83,7 @@ internal static class LeastSquaresStep
             Joint joint = skeleton.Joints[chain[k]];
             Vector3 r = end - model.Positions[chain[k]];
             float gain = gains[k] * gains[k];
-            if (CcdIk.IsHinge(joint.Limit))
+            if (JointChain.IsHinge(joint.Limit))
             {
                 Vector3 axis = Rotation.Rotate(model.Rotations[chain[k]], Rotation.Rotate(BoneAxes.Of(joint), Vector3.UnitX));
                 Vector3 c = Vec.Cross(axis, r);

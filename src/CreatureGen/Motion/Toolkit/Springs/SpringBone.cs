@@ -39,6 +39,12 @@ internal struct SpringBone
     /// <summary>Square of the greatest speed of its swing as part of the width that is left of it, s⁻².</summary>
     public float Liveliness;
 
+    /// <summary>Part of the velocity through the air that is left after a substep.</summary>
+    public float Slowed;
+
+    /// <summary>Part of gravity that it feels.</summary>
+    public float GravityShare;
+
     /// <summary>One substep of its spring.</summary>
     public DampedSpring Step;
 }

@@ -233,10 +233,10 @@ public static class SpringBones
         const float PerSecond = 1f / Substep;
         int parent = rig.Parents[index];
         float length = rig.Lengths[index] * scale;
-        float radius = Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale;
-        Vector3 push = settings.Gravity * Substep;
+        float radius = Math.Max(settings.Radius.At(rig.Places[index]), 0f) * scale;
         float width = length * state.Width;
         ref SpringBone bone = ref state.Bones[index];
+        Vector3 push = settings.Gravity * (Substep * bone.GravityShare);
         DampedSpring step = bone.Step;
         for (int k = 0; k < fractions.Length; k++)
         {
@@ -251,7 +251,7 @@ public static class SpringBones
             Vector3 goalVelocity = (goal - bone.Goal) * PerSecond;
             Vector3 offset = bone.Offset;
             Vector3 velocity = Driven(bone, goalVelocity, push, width);
-            velocity = settings.Drag > 0f ? Blown(velocity, goalVelocity, settings.Wind, state.Slowed) : velocity;
+            velocity = bone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, bone.Slowed) : velocity;
             Vector3 free = (offset * step.PlaceOfPlace) + (velocity * step.PlaceOfVelocity);
             velocity = (offset * step.VelocityOfPlace) + (velocity * step.VelocityOfVelocity);
             Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
@@ -278,11 +278,11 @@ public static class SpringBones
         bone.Shown = moment.Place + tail;
         float fraction = state.Debt / Substep;
         Vector3 goalVelocity = fraction > MinFraction ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
-        Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * Substep, length * state.Width);
-        velocity = settings.Drag > 0f ? Blown(velocity, goalVelocity, settings.Wind, state.Slowed) : velocity;
+        Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * (Substep * bone.GravityShare), length * state.Width);
+        velocity = bone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, bone.Slowed) : velocity;
         Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), fraction);
         Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
-        direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Along[index]), 0f) * scale);
+        direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Places[index]), 0f) * scale);
         bone.OffsetShown = (direction * length) - tail;
         moment.Deviation = Turned(carried, squared, along, direction);
     }

@@ -25,42 +25,30 @@ public sealed class SpringRig
     /// <param name="roots">First joints that swing; none below another.</param>
     /// <exception cref="ArgumentException">There is no such joint, or one hangs on another.</exception>
     public SpringRig(Skeleton skeleton, ReadOnlySpan<int> roots)
+        : this(skeleton, Below(skeleton, roots), Array.Empty<int>())
+    {
+    }
+
+    /// <summary>Takes some joints.</summary>
+    /// <param name="skeleton">In rest pose.</param>
+    /// <param name="swings">Which joints.</param>
+    /// <param name="tips">The joint at the tip of each joint's bone; empty for the main children.</param>
+    private SpringRig(Skeleton skeleton, bool[] swings, ReadOnlySpan<int> tips)
     {
         Skeleton = skeleton;
         var chosen = new List<int>();
         int[] indexOf = new int[skeleton.Count];
         Array.Fill(indexOf, -1);
-        foreach (int root in roots)
-        {
-            if ((uint)root >= (uint)skeleton.Count)
-            {
-                throw new ArgumentException(FormattableString.Invariant($"root {root}; expected joints 0 to {skeleton.Count - 1}"), nameof(roots));
-            }
-
-            indexOf[root] = int.MaxValue;
-        }
-
+        var rigid = new List<int>();
         for (int i = 0; i < skeleton.Count; i++)
         {
-            int parent = skeleton.Parents[i];
-            bool below = parent >= 0 && indexOf[parent] >= 0;
-            if (below && indexOf[i] == int.MaxValue)
-            {
-                throw new ArgumentException(FormattableString.Invariant($"joint {i} is a root and hangs on another; expected separate chains"), nameof(roots));
-            }
-
-            if ((below || indexOf[i] == int.MaxValue) && skeleton.Joints[i].Role != JointRole.End)
+            int above = skeleton.Parents[i];
+            if (swings[i])
             {
                 indexOf[i] = chosen.Count;
                 chosen.Add(i);
             }
-        }
-
-        var rigid = new List<int>();
-        for (int i = 0; i < skeleton.Count; i++)
-        {
-            int parent = skeleton.Parents[i];
-            if (indexOf[i] < 0 && parent >= 0 && (indexOf[parent] >= 0 || rigid.Contains(parent)))
+            else if (above >= 0 && (indexOf[above] >= 0 || rigid.Contains(above)))
             {
                 rigid.Add(i);
             }
@@ -77,8 +65,9 @@ public sealed class SpringRig
         {
             int parent = skeleton.Parents[joints[i]];
             parents[i] = parent >= 0 ? indexOf[parent] : -1;
-            lengths[i] = Tail(skeleton, joints[i]);
-            directions[i] = skeleton.Joints[joints[i]].Along;
+            Vector3 way = tips.Length > 0 ? skeleton.LocalPositions[tips[joints[i]]] : Vector3.Zero;
+            lengths[i] = way == Vector3.Zero ? Tail(skeleton, joints[i]) : Vec.Length(way);
+            directions[i] = Vec.Normalize(way, skeleton.Joints[joints[i]].Along);
             end[i] = lengths[i] + (parents[i] >= 0 ? end[parents[i]] : 0f);
         }
 
@@ -124,10 +113,71 @@ public sealed class SpringRig
     internal ReadOnlySpan<int> Ends => ends;
 
     /// <summary>Place of each bone along its chain, 0 the root, 1 the outermost.</summary>
-    internal ReadOnlySpan<float> Along => along;
+    internal ReadOnlySpan<float> Places => along;
 
     /// <summary>All chains of a role, for example both ears: every joint of the role whose parent has another role.</summary>
     public static SpringRig Of(Skeleton skeleton, JointRole role) => new(skeleton, JointRelations.RootsOf(skeleton, role));
+
+    /// <summary>A single chain: each joint the parent of the next; the last is only the tip of the one before. What else hangs on them goes along without swinging.</summary>
+    /// <param name="skeleton">In rest pose.</param>
+    /// <param name="chain">Joints from the first that swings to the tip.</param>
+    /// <exception cref="ArgumentException">There are fewer than two joints, or one is not the parent of the next.</exception>
+    public static SpringRig Along(Skeleton skeleton, ReadOnlySpan<int> chain)
+    {
+        _ = skeleton ?? throw new ArgumentNullException(nameof(skeleton));
+        if (chain.Length < 2)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"a chain of {chain.Length} joints; expected one that swings and a tip at least"), nameof(chain));
+        }
+
+        bool[] swings = new bool[skeleton.Count];
+        int[] tips = new int[skeleton.Count];
+        for (int k = 0; k < chain.Length; k++)
+        {
+            if ((uint)chain[k] >= (uint)skeleton.Count || (k > 0 && skeleton.Parents[chain[k]] != chain[k - 1]))
+            {
+                throw new ArgumentException(FormattableString.Invariant($"chain[{k}] = {chain[k]} is no child of the joint before it; expected a chain without gaps"), nameof(chain));
+            }
+
+            if (k > 0)
+            {
+                swings[chain[k - 1]] = true;
+                tips[chain[k - 1]] = chain[k];
+            }
+        }
+
+        return new SpringRig(skeleton, swings, tips);
+    }
+
+    /// <summary>Which joints hang on some, those with them; joints that only end a chain excepted.</summary>
+    private static bool[] Below(Skeleton skeleton, ReadOnlySpan<int> roots)
+    {
+        bool[] isRoot = new bool[skeleton.Count];
+        foreach (int root in roots)
+        {
+            if ((uint)root >= (uint)skeleton.Count)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"root {root}; expected joints 0 to {skeleton.Count - 1}"), nameof(roots));
+            }
+
+            isRoot[root] = true;
+        }
+
+        bool[] swings = new bool[skeleton.Count];
+        for (int i = 0; i < skeleton.Count; i++)
+        {
+            int parent = skeleton.Parents[i];
+            bool below = parent >= 0 && swings[parent];
+            if (below && isRoot[i])
+            {
+                throw new ArgumentException(FormattableString.Invariant($"joint {i} is a root and hangs on another; expected separate chains"), nameof(roots));
+            }
+
+            swings[i] = (below || isRoot[i]) && skeleton.Joints[i].Role != JointRole.End;
+        }
+
+        return swings;
+    }
 
     private static float Tail(Skeleton skeleton, int joint)
     {

@@ -21,8 +21,9 @@ public readonly struct SpringSettings
     /// <param name="teleportDistance">World metres in one step beyond which the creature is taken to have been put elsewhere, not to have moved.</param>
     /// <param name="teleportAngle">Radians of turn in one step beyond which likewise.</param>
     /// <param name="maxSpeed">How fast a bone may swing, in parts of what it would swinging free over its full width: slower towards the ends of it, where it comes to rest. Not limited by default; of no effect where the frequency is 0.</param>
-    /// <param name="drag">Part of its velocity through the air that a bone loses in a second, as a rate: e^(−drag) of it is left; none by default. Apart from the damping of the spring, so that bones without stiffness come to rest too.</param>
+    /// <param name="drag">Part of its velocity through the air that a bone loses in a second, as a rate, along the chain: e^(−drag) of it is left; none by default. Apart from the damping of the spring, so that bones without stiffness come to rest too.</param>
     /// <param name="wind">Velocity of the air in world space, m/s; of effect where there is drag.</param>
+    /// <param name="gravityShare">Part of <paramref name="gravity"/> that a bone feels, along the chain; all of it by default.</param>
     /// <exception cref="ArgumentException">A number is outside its range or not finite.</exception>
     public SpringSettings(
         ChainCurve frequency,
@@ -36,8 +37,9 @@ public readonly struct SpringSettings
         float teleportDistance = 5f,
         float teleportAngle = 2.4f,
         float maxSpeed = float.MaxValue,
-        float drag = 0f,
-        Vector3 wind = default)
+        ChainCurve drag = default,
+        Vector3 wind = default,
+        ChainCurve? gravityShare = null)
     {
         Finite.Require(gravity, nameof(gravity));
         Finite.RequireWithin(maxSwing, 1e-3f, 3.1416f, nameof(maxSwing));
@@ -46,7 +48,6 @@ public readonly struct SpringSettings
         Finite.RequireWithin(weight, 0f, 1f, nameof(weight));
         Finite.RequireWithin(teleportDistance, 0f, float.MaxValue, nameof(teleportDistance));
         Finite.RequireWithin(teleportAngle, 0f, 4f, nameof(teleportAngle));
-        Finite.RequireWithin(drag, 0f, 1e4f, nameof(drag));
         Finite.Require(wind, nameof(wind));
         Finite.RequireWithin(maxSpeed, 0.01f, float.MaxValue, nameof(maxSpeed));
         Frequency = frequency;
@@ -62,6 +63,7 @@ public readonly struct SpringSettings
         MaxSpeed = maxSpeed;
         Drag = drag;
         Wind = wind;
+        GravityShare = gravityShare ?? new ChainCurve(1f);
     }
 
     /// <summary>Hz along the chain.</summary>
@@ -97,8 +99,11 @@ public readonly struct SpringSettings
     /// <summary>Parts of the speed of a free swing over the full width.</summary>
     public float MaxSpeed { get; }
 
-    /// <summary>Rate at which velocity through the air is lost, s⁻¹.</summary>
-    public float Drag { get; }
+    /// <summary>Rate at which velocity through the air is lost, s⁻¹, along the chain; below 0 counts as none.</summary>
+    public ChainCurve Drag { get; }
+
+    /// <summary>Part of <see cref="Gravity"/> along the chain.</summary>
+    public ChainCurve GravityShare { get; }
 
     /// <summary>World space, m/s.</summary>
     public Vector3 Wind { get; }

@@ -11,6 +11,8 @@ public sealed class SpringState
 {
     private ChainCurve frequency;
     private ChainCurve ratio;
+    private ChainCurve drag;
+    private ChainCurve share;
     private float swing;
     private float speed;
     private bool tuned;
@@ -46,9 +48,6 @@ public sealed class SpringState
     /// <summary>The greatest offset of a tip from its goal, lengths of its bone.</summary>
     internal float Width { get; private set; }
 
-    /// <summary>Part of the velocity through the air that is left after a substep.</summary>
-    internal float Slowed { get; private set; } = 1f;
-
     /// <summary>Colliders from the creature's place, world axes; grows to the most that were ever given.</summary>
     internal SpringCollider[] Colliders { get; set; }
 
@@ -81,8 +80,8 @@ public sealed class SpringState
     /// <summary>Works out the springs anew if the settings are not those they were worked out for.</summary>
     internal void Tune(in SpringSettings settings)
     {
-        Slowed = Damping.Left(settings.Drag, SpringBones.Substep);
-        if (tuned && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MaxSwing && speed == settings.MaxSpeed)
+        bool air = drag.Is(settings.Drag) && share.Is(settings.GravityShare);
+        if (tuned && air && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MaxSwing && speed == settings.MaxSpeed)
         {
             return;
         }
@@ -90,6 +89,8 @@ public sealed class SpringState
         tuned = true;
         frequency = settings.Frequency;
         ratio = settings.DampingRatio;
+        drag = settings.Drag;
+        share = settings.GravityShare;
         swing = settings.MaxSwing;
         speed = settings.MaxSpeed;
         PortableMath.SinCos(swing, out double sine, out double cosine);
@@ -98,10 +99,12 @@ public sealed class SpringState
         Width = (float)System.Math.Sqrt(2 * (1 - cosine));
         for (int i = 0; i < Bones.Length; i++)
         {
-            float along = Rig.Along[i];
+            float along = Rig.Places[i];
             float cycles = System.Math.Max(frequency.At(along), 0f);
             double fastest = cycles * PortableMath.Tau * speed;
             Bones[i].Liveliness = cycles > 0f && fastest < 1e9 ? (float)(fastest * fastest) : float.PositiveInfinity;
+            Bones[i].Slowed = Damping.Left(System.Math.Max(drag.At(along), 0f), SpringBones.Substep);
+            Bones[i].GravityShare = share.At(along);
             Bones[i].Step = new DampedSpring((float)(cycles * PortableMath.Tau), System.Math.Max(ratio.At(along), 0f), SpringBones.Substep);
         }
     }

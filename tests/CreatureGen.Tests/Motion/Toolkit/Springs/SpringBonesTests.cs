@@ -432,7 +432,7 @@ public sealed class SpringBonesTests
     public void Bones_without_stiffness_swing_for_ever_unless_air_slows_them(float drag)
     {
         // They stand up against gravity and fall to one side.
-        SpringSettings limp = new(new ChainCurve(0f), new ChainCurve(0f), gravity: new Vector3(0f, -9.81f, 1f), maxSwing: 3.1f, drag: drag);
+        SpringSettings limp = new(new ChainCurve(0f), new ChainCurve(0f), gravity: new Vector3(0f, -9.81f, 1f), maxSwing: 3.1f, drag: new ChainCurve(drag));
         SpringState state = new(rig);
         Vector3 before = default;
         float speed = 0f;
@@ -456,7 +456,7 @@ public sealed class SpringBonesTests
 
         static float Blown(float wind)
         {
-            SpringSettings airy = new(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f), drag: 4f, wind: new Vector3(wind, 0f, 0f));
+            SpringSettings airy = new(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f), drag: new ChainCurve(4f), wind: new Vector3(wind, 0f, 0f));
             SpringState state = new(rig);
             MovingPose pose = new(skeleton);
             for (int i = 0; i < 300; i++)
