@@ -15,6 +15,9 @@ internal enum FuzzVerdict
     /// <summary>The reader or the validator refused it and said why.</summary>
     Refused,
 
+    /// <summary>The reader and the validator accept it; its creature was not built.</summary>
+    Accepted,
+
     /// <summary>It was accepted and its creature keeps all promises.</summary>
     Sound,
 
@@ -48,11 +51,27 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
     /// <summary>Reads, builds, inspects, and repairs what is broken.</summary>
     public static FuzzTrial Of(FuzzInput input) => Of(input, Repair);
 
-    /// <summary>Reads alone: refused or not.</summary>
-    public static bool IsRefused(FuzzInput input)
+    /// <summary>Reads alone: refused with a reason, or accepted.</summary>
+    public static FuzzTrial WithoutCreature(FuzzInput input)
     {
-        using var stream = new MemoryStream(input.Text);
-        return BlueprintJson.Read(stream).Blueprint is null;
+        try
+        {
+            long start = Stopwatch.GetTimestamp();
+            using var stream = new MemoryStream(input.Text);
+            BlueprintReading reading = BlueprintJson.Read(stream);
+            if (Stopwatch.GetElapsedTime(start).TotalSeconds > MostSeconds)
+            {
+                return new FuzzTrial(FuzzVerdict.Dear, "to read");
+            }
+
+            return reading.Blueprint is not null ? new FuzzTrial(FuzzVerdict.Accepted, "")
+                : reading.Problems.Count > 0 ? new FuzzTrial(FuzzVerdict.Refused, "")
+                : new FuzzTrial(FuzzVerdict.Crashed, "refused without a reason");
+        }
+        catch (Exception problem) when (problem is not OutOfMemoryException)
+        {
+            return new FuzzTrial(FuzzVerdict.Crashed, problem.ToString());
+        }
     }
 
     /// <summary>Reads, builds and inspects.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 
@@ -7,9 +8,11 @@ namespace CreatureGen.Fuzz;
 /// <summary>Fuzzes in a folder: goes on where the last run stopped, keeps what is not as promised, tells progress.</summary>
 internal static class Program
 {
-    private const string Usage = "usage: CreatureGen.Fuzz FOLDER COUNT | crosses FOLDER COUNT: tries COUNT more inputs, or crosses of two creatures; results, progress and what went wrong are in FOLDER";
+    private const string Usage = "usage: CreatureGen.Fuzz FOLDER COUNT [EVERY] | crosses FOLDER COUNT: tries COUNT more inputs, or crosses of two creatures; results, progress and what went wrong are in FOLDER. With EVERY only the creature of every EVERY-th input is built, the others are only read";
     private const int Parents = 400;
-    private const int SaveEvery = 200;
+
+    /// <summary>Seconds between two notes of how far it is.</summary>
+    private const double SaveAfter = 5;
 
     /// <summary>Inputs that were repaired and are kept, to look at.</summary>
     private const int MostSamples = 100;
@@ -17,19 +20,21 @@ internal static class Program
     private static int Main(string[] arguments)
     {
         bool crosses = arguments.Length == 3 && arguments[0] == "crosses";
-        if ((!crosses && arguments.Length != 2) || !long.TryParse(arguments[^1], NumberStyles.None, CultureInfo.InvariantCulture, out long count))
+        long every = 1;
+        if ((!crosses && arguments.Length is not (2 or 3)) || !TryNumber(arguments[crosses ? 2 : 1], out long count) || (!crosses && arguments.Length == 3 && !TryNumber(arguments[2], out every)))
         {
             Console.Error.WriteLine(Usage);
             return 2;
         }
 
         CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
-        string folder = arguments[^2];
+        string folder = arguments[crosses ? 1 : 0];
         Directory.CreateDirectory(folder);
         string progress = Path.Combine(folder, "progress.txt");
         FuzzTally tally = File.Exists(progress) ? FuzzTally.Parse(File.ReadAllText(progress)) : new FuzzTally();
         var inputs = new FuzzInputs(Parents);
         long end = tally.Next + count;
+        long saved = Stopwatch.GetTimestamp();
         while (tally.Next < end)
         {
             if (crosses)
@@ -38,11 +43,13 @@ internal static class Program
             }
             else
             {
-                Try(inputs.Of(tally.Next), tally, folder);
+                FuzzInput input = inputs.Of(tally.Next);
+                Note(input, input.Index % every == 0 ? FuzzTrial.Of(input) : FuzzTrial.WithoutCreature(input), tally, folder);
             }
 
-            if (tally.Next % SaveEvery == 0 || tally.Next == end)
+            if (Stopwatch.GetElapsedTime(saved).TotalSeconds > SaveAfter || tally.Next == end)
             {
+                saved = Stopwatch.GetTimestamp();
                 File.WriteAllText(progress + ".new", tally.ToString());
                 File.Move(progress + ".new", progress, overwrite: true);
                 Console.Error.Write("\r" + tally.Next + " done");
@@ -53,9 +60,10 @@ internal static class Program
         return tally.IsClean ? 0 : 1;
     }
 
-    private static void Try(FuzzInput input, FuzzTally tally, string folder)
+    private static bool TryNumber(string word, out long number) => long.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out number) && number > 0;
+
+    private static void Note(FuzzInput input, FuzzTrial trial, FuzzTally tally, string folder)
     {
-        FuzzTrial trial = FuzzTrial.Of(input);
         tally.Add(input, trial);
         bool sample = trial.Verdict == FuzzVerdict.Repaired && tally.Count(FuzzVerdict.Repaired) <= MostSamples;
         if (sample || trial.Verdict is FuzzVerdict.Crashed or FuzzVerdict.Dear or FuzzVerdict.Beyond)
