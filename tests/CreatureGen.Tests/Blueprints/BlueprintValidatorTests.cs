@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Sampling;
 using CreatureGen.Seeding;
 using Xunit;
 using CreatureGen.Species;
@@ -65,6 +66,28 @@ public sealed class BlueprintValidatorTests
                 "coat.patternKind = an undefined value; expected one of plain, spots, stripes, bands, patches, mottle, saddle, rosettes, giraffe, turing",
             },
             Sentences(wrong));
+    }
+
+    [Fact]
+    public void Teeth_and_nostrils_are_none_or_have_an_area()
+    {
+        HeadBlueprint head = Samples.Small.Head;
+        Assert.Empty(Sentences(Samples.Small with { Head = head with { NostrilSize = 0, Mouth = head.Mouth with { Teeth = 0 } } }));
+        Assert.Equal(
+            ["head.nostrilSize = 0.002; expected 0 for none, or at least 0.01", "head.mouth.teeth = 0.009; expected 0 for none, or at least 0.01"],
+            Sentences(Samples.Small with { Head = head with { NostrilSize = 0.002, Mouth = head.Mouth with { Teeth = 0.009 } } }));
+    }
+
+    [Theory]
+    [InlineData(BodyPlan.Hexapod, 3)]
+    [InlineData(BodyPlan.Flipper, 2)]
+    public void A_plan_needs_all_its_pairs_of_limbs(BodyPlan plan, int pairs)
+    {
+        CreatureBlueprint whole = BlueprintSampler.Sample(5, CreatureOptions.Default with { BodyPlans = BodyPlanWeight.Only(plan), Strangeness = 0 });
+        CreatureBlueprint without = plan == BodyPlan.Hexapod
+            ? whole with { Legs = new ValueList<LegBlueprint>(whole.Legs.Take(pairs - 1)) }
+            : whole with { Fins = new ValueList<FinBlueprint>(whole.Fins.Where((fin, at) => fin.Place != FinPlace.Pectoral || at != whole.Fins.Select(f => f.Place).ToList().LastIndexOf(FinPlace.Pectoral))) };
+        Assert.Contains(Sentences(without), s => s.Contains($"at least {pairs} for the plan {AnatomyChoices.Plan.NameOf(plan)}", StringComparison.Ordinal));
     }
 
     [Fact]

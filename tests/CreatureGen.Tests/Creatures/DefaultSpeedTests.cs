@@ -3,6 +3,7 @@ using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Motion;
 using Xunit;
@@ -25,6 +26,19 @@ public sealed class DefaultSpeedTests
         {
             Movement cruise = Movement.Of(new MotionProfile(creature)).Single(item => item.Name == movement);
             Assert.Equal(creature.DefaultSpeed, cruise.Input.Speed, 1e-4f);
+        }
+    }
+
+    /// <summary>Dynamic similarity: v² = Fr·g·ℓ, with Fr of a quiet walk and the twelve hundredths by which individuals differ.</summary>
+    [Fact]
+    public void Walkers_of_all_sizes_walk_at_one_Froude_number()
+    {
+        for (ulong seed = 0; seed < 12; seed++)
+        {
+            double scale = seed % 2 == 0 ? 0.3 : 4;
+            Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, MinScale = scale, MaxScale = scale, MinLegPairs = 2 });
+            double hips = creature.Limbs.Where(l => l.Kind == LimbKind.Leg && l.Stands).Max(l => creature.Skeleton.Joints[l.Joints[1]].ModelPosition.Y);
+            Assert.InRange(creature.DefaultSpeed / Math.Sqrt(0.12 * 9.80665 * hips), 0.87, 1.13);
         }
     }
 

@@ -109,6 +109,10 @@ public sealed class BreedingTests
         Assert.Same(Walker, Mutation.Mutate(Walker, 0, new Seed(1)));
         double Mean(double strength) => Enumerable.Range(0, 30).Average(i => SpeciesDistance.Between(Walker, Mutation.Mutate(Walker, strength, new Seed((ulong)i))));
         Assert.True(Mean(0.1) < Mean(0.4) && Mean(0.4) < Mean(1), $"{Mean(0.1)}, {Mean(0.4)}, {Mean(1)}");
+
+        // The upper half of the range is for those who want to be surprised: at full strength angles spread eight times as far as at a fifth.
+        double Spread(double strength) => Math.Sqrt(Enumerable.Range(0, 800).Average(i => Math.Pow(Mutation.Mutate(Walker, strength, new Seed((ulong)i)).Body.Posture.Head - Walker.Body.Posture.Head, 2)));
+        Assert.InRange(Spread(1) / Spread(0.2), 6.5, 10);
         Assert.Throws<ArgumentOutOfRangeException>(() => Mutation.Mutate(Walker, 1.1, new Seed(1)));
         Assert.Throws<ArgumentOutOfRangeException>(() => new BreedingSettings { Mutation = double.NaN });
     }

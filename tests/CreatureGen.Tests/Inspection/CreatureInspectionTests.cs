@@ -103,6 +103,13 @@ public sealed class CreatureInspectionTests
     }
 
     [Fact]
+    public void A_foot_whose_contact_is_above_the_ground_is_not_grounded()
+    {
+        LimbChain[] limbs = Sound.Limbs.Select(l => l.Stands && l.Side == Side.Left && l.Pair == 1 ? l with { Contact = l.Contact + new Vector3(0f, 0.02f, 0f) } : l).ToArray();
+        Assert.Contains("contact is at", Found(Sound with { Limbs = limbs }, "grounded"), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_centre_of_mass_beyond_the_feet_is_not_balanced()
     {
         Creature broken = Sound with { Mass = Sound.Mass with { Centre = Sound.Mass.Centre + new Vector3(0f, 0f, 5f) } };
@@ -114,6 +121,52 @@ public sealed class CreatureInspectionTests
     {
         Creature broken = WithMesh((_, w, _) => w[5] = new SkinWeights(w[5].Joint0, w[5].Joint1, w[5].Joint2, w[5].Joint3, w[5].Weights * 0.9f));
         Assert.Contains("vertex 5", Found(broken, "weights"), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Weights_that_do_not_descend_are_found()
+    {
+        Creature broken = WithMesh((_, w, _) =>
+        {
+            int vertex = Array.FindIndex(w, one => one.Weights.X > 0.6f && one.Weights.Y > 0.05f);
+            SkinWeights sound = w[vertex];
+            w[vertex] = new SkinWeights(sound.Joint1, sound.Joint0, sound.Joint2, sound.Joint3, sound.Weights with { X = sound.Weights.Y, Y = sound.Weights.X });
+        });
+        Assert.Contains("descending", Found(broken, "weights"), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void More_joints_than_a_byte_can_number_are_found()
+    {
+        Joint[] tips = Enumerable.Range(0, 256 - Sound.Skeleton.Count)
+            .Select(k => Sound.Skeleton.Joints[0] with { Name = "Tip_" + k, Role = JointRole.Other, Parent = 0, LocalPosition = Vector3.Zero, LocalRotation = Quaternion.Identity, Length = 0f }).ToArray();
+        Creature many = Sound with { Skeleton = new Skeleton([.. Sound.Skeleton.Joints, .. tips]) };
+        Assert.Contains("256 joints", Found(many, "joints"), StringComparison.Ordinal);
+        Assert.DoesNotContain(CreatureInspection.Inspect(Sound with { Skeleton = new Skeleton([.. Sound.Skeleton.Joints, .. tips.Skip(1)]) }), v => v.Invariant == "joints");
+    }
+
+    /// <summary>The two sides of a sheet: closed, wound as it should be, without any space within.</summary>
+    [Fact]
+    public void Two_triangles_with_the_same_corners_are_found()
+    {
+        CreatureMesh mesh = Sound.Mesh;
+        int first = mesh.Positions.Length;
+        float top = mesh.Positions.ToArray().Max(p => p.Y);
+        Vector3[] positions = [.. mesh.Positions, new(-0.1f, top + 1f, 0f), new(0.1f, top + 1f, 0f), new(0f, top + 1f, 0.1f)];
+        int[] triangles = [.. mesh.Triangles, first, first + 1, first + 2, first + 1, first, first + 2];
+        MeshPart last = mesh.Parts[^1];
+        Creature broken = Sound with
+        {
+            Mesh = new CreatureMesh(
+                positions,
+                [.. mesh.Normals, Vector3.UnitY, Vector3.UnitY, Vector3.UnitY],
+                [.. mesh.Texcoords, default, default, default],
+                [.. mesh.Colours, Vector3.One, Vector3.One, Vector3.One],
+                [.. mesh.Weights, .. Enumerable.Repeat(new SkinWeights(0, 0, 0, 0, Vector4.UnitX), 3)],
+                triangles,
+                [.. mesh.Parts.SkipLast(1), last with { IndexCount = last.IndexCount + 6 }]),
+        };
+        Assert.Contains("0 open edges, 0 edges of three or more triangles", Found(broken, "closed"), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -93,6 +93,20 @@ public sealed class SocketTests
     }
 
     [Fact]
+    public void On_a_level_back_the_saddle_is_in_its_middle()
+    {
+        double[] places = new[] { BodyPlan.Digitigrade, BodyPlan.Unguligrade, BodyPlan.Columnar, BodyPlan.Sprawling }.SelectMany(RigSubject.Several).Select(subject =>
+        {
+            float z = Frame(subject.Rig, subject.Rig.Sockets.Single(s => s.Kind == SocketKind.Saddle)).Place.Z;
+            float chest = subject.Skeleton.ModelPositions[subject.Skeleton.IndexOf("Chest")].Z;
+            float pelvis = subject.Skeleton.ModelPositions[subject.Skeleton.IndexOf("Pelvis")].Z;
+            return (double)((chest - z) / (chest - pelvis));
+        }).OrderBy(t => t).ToArray();
+        Assert.InRange(places[places.Length / 2], 0.3, 0.7);
+        Assert.InRange(places.Count(t => t is > 0.2 and < 0.8), 0.8 * places.Length, places.Length);
+    }
+
+    [Fact]
     public void Upright_creatures_of_many_seeds_have_hands()
     {
         RigSubject[] uprights = RigSubject.Several(BodyPlan.Upright);

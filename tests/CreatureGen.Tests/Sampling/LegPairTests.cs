@@ -35,6 +35,17 @@ public sealed class LegPairTests
         }
     }
 
+    [Theory]
+    [InlineData(1, 5, 5)]
+    [InlineData(8, 10, 8)]
+    [InlineData(5, 7, 6)]
+    public void A_row_gives_the_number_of_pairs_that_is_nearest_to_its_own(int least, int most, int pairs)
+    {
+        var row = new LegRow(18, 51, 9.7, 0.35, -0.45);
+        var preset = new LegPreset { Row = row, Sites = row.Sites(6) };
+        Assert.Equal(pairs, preset.SitesWithin(least, most).Length);
+    }
+
     [Fact]
     public void A_row_has_its_ends_where_they_are_and_sockets_that_share_no_cell()
     {

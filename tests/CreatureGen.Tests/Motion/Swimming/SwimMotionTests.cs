@@ -39,6 +39,30 @@ public sealed class SwimMotionTests
         }
     }
 
+    /// <summary>A swimmer that is asked to be slower lets itself glide: its tail does not beat as hard as its speed alone would ask.</summary>
+    [Theory]
+    [MemberData(nameof(Plans))]
+    public void A_swimmer_that_slows_down_glides(BodyPlan plan)
+    {
+        foreach (Creature creature in StrokeSubject.Of(plan))
+        {
+            var body = new StrokeSubject(creature);
+            SwimProfile profile = SwimProfile.Of(creature);
+            SwimState cruise = Steady(profile, new SwimInput(profile.CruiseSpeed), body);
+            SwimState gliding = cruise;
+            float cycle = 1 / profile.CruiseFrequency;
+            for (int i = 0; i < 60; i++)
+            {
+                SwimMotion.Update(profile, default, ref gliding, cycle / 60, body.Local);
+            }
+
+            // It still goes at a part of its speed, and beats by less than that part.
+            double speed = gliding.Speed / cruise.Speed;
+            Assert.InRange(speed, 0.1, 1);
+            Assert.True(gliding.BeatFrequency * gliding.BeatAmplitude < 0.6 * speed * cruise.BeatFrequency * cruise.BeatAmplitude, $"{plan} {creature.Blueprint.Seed}: {speed} of the speed, beats {gliding.BeatFrequency} of {cruise.BeatFrequency}, {gliding.BeatAmplitude} of {cruise.BeatAmplitude} wide");
+        }
+    }
+
     [Theory]
     [MemberData(nameof(Plans))]
     public void The_strouhal_number_lies_between_a_fifth_and_two_fifths(BodyPlan plan)

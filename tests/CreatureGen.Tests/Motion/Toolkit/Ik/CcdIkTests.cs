@@ -55,6 +55,18 @@ public sealed class CcdIkTests(ITestOutputHelper output)
         Assert.True(CcdIk.Apply(skeleton, chain.AsSpan(0, 2), new Vector3(0f, -1f, 0f), CcdSettings.Default, pose.Local, pose.Model).Reached);
     }
 
+    /// <summary>Towards its own root a straight chain has nothing to turn by: it bends first.</summary>
+    [Fact]
+    public void A_straight_chain_reaches_what_lies_on_it()
+    {
+        Skeleton skeleton = MovingPose.Chain(6, 0.5f, JointLimit.Free);
+        foreach (float along in new[] { 0.4f, 1f, 1.9f, 2.6f })
+        {
+            MovingPose pose = new(skeleton);
+            Assert.True(CcdIk.Apply(skeleton, chain, new Vector3(0f, along, 0f), new CcdSettings(60), pose.Local, pose.Model).Reached, $"{along} m");
+        }
+    }
+
     [Fact]
     public void No_joint_ever_leaves_its_limits_however_often_it_is_solved()
     {

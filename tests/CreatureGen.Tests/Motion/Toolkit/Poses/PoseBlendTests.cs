@@ -42,6 +42,19 @@ public sealed class PoseBlendTests
     }
 
     [Fact]
+    public void Joints_that_slide_do_so_in_proportion()
+    {
+        var a = new MovingPose(skeleton);
+        var b = new MovingPose(skeleton);
+        b.LocalPositions[3] += new Vector3(0.2f, -0.4f, 1f);
+        var result = new MovingPose(skeleton);
+        PoseBlend.Slerp(a.Local, b.Local, 0.25f, result.Local);
+        Assert.Equal(0f, Vector3.Distance(a.LocalPositions[3] + new Vector3(0.05f, -0.1f, 0.25f), result.LocalPositions[3]), 1e-6f);
+        PoseBlend.Mix(a.Local, b.Local, 0.25f, result.Local);
+        Assert.Equal(0f, Vector3.Distance(a.LocalPositions[3] + new Vector3(0.05f, -0.1f, 0.25f), result.LocalPositions[3]), 1e-6f);
+    }
+
+    [Fact]
     public void Blends_go_the_shorter_way_whatever_the_signs_of_the_quaternions()
     {
         var a = new MovingPose(skeleton);

@@ -19,6 +19,16 @@ public sealed class SwingClearanceTests
     }
 
     [Fact]
+    public void A_copy_rises_as_what_it_was_taken_from()
+    {
+        SwingClearance hill = Over(along => 0.2f * along * (1f - along));
+        var copy = new SwingClearance();
+        copy.CopyFrom(hill);
+        Assert.All(new[] { 0.1f, 0.5f, 0.9f }, along => Assert.Equal(hill.Rise(along), copy.Rise(along)));
+        Assert.True(copy.Rise(0.5f) > 0.04f);
+    }
+
+    [Fact]
     public void Hollows_ask_for_no_rise()
     {
         SwingClearance way = Over(along => -0.3f * along * (1f - along));
