@@ -57,11 +57,17 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
         try
         {
             long start = Stopwatch.GetTimestamp();
-            using var stream = new MemoryStream(input.Text);
-            BlueprintReading reading = BlueprintJson.Read(stream);
+            BlueprintReading reading = Read(input);
+
+            // On a busy machine time passes without work: what seems dear is read once more, by the processor's time.
             if (Stopwatch.GetElapsedTime(start).TotalSeconds > MostSeconds)
             {
-                return new FuzzTrial(FuzzVerdict.Dear, "to read");
+                TimeSpan before = Process.GetCurrentProcess().TotalProcessorTime;
+                Read(input);
+                if ((Process.GetCurrentProcess().TotalProcessorTime - before).TotalSeconds > MostSeconds)
+                {
+                    return new FuzzTrial(FuzzVerdict.Dear, "to read");
+                }
             }
 
             return reading.Blueprint is not null ? new FuzzTrial(FuzzVerdict.Accepted, "")
@@ -74,6 +80,12 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
         }
     }
 
+    private static BlueprintReading Read(FuzzInput input)
+    {
+        using var stream = new MemoryStream(input.Text);
+        return BlueprintJson.Read(stream);
+    }
+
     /// <summary>Reads, builds and inspects.</summary>
     public static FuzzTrial WithoutRepair(FuzzInput input) => Of(input, (_, violations) => new FuzzTrial(FuzzVerdict.Told, NamesOf(violations)));
 
@@ -81,10 +93,9 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
     {
         try
         {
-            using var stream = new MemoryStream(input.Text);
             long bytes = GC.GetAllocatedBytesForCurrentThread();
             TimeSpan start = Process.GetCurrentProcess().TotalProcessorTime;
-            CreatureBlueprint? blueprint = BlueprintJson.Read(stream).Blueprint;
+            CreatureBlueprint? blueprint = Read(input).Blueprint;
             if (blueprint is null)
             {
                 return new FuzzTrial(FuzzVerdict.Refused, "");

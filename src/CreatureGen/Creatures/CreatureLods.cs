@@ -7,7 +7,7 @@ namespace CreatureGen.Creatures;
 /// The levels of detail of a creature, finest first: 100, 50, 25 and 10 % of its triangles over one set of vertices, with one skeleton and one set of weights.
 /// </summary>
 /// <remarks>
-/// Level 0 is the mesh itself. Each level is a coarsening of the one before it, closed wherever the mesh is closed, and mirror symmetric when the mesh is.
+/// Level 0 is the mesh itself. Each level is a coarsening of the one before it, closed wherever the mesh is closed, mirror symmetric when the mesh is, and nowhere crosses itself where the mesh does not.
 /// The same mesh always gives the same levels. Immutable, and safe to share between threads.
 /// </remarks>
 public sealed class CreatureLods
@@ -49,6 +49,7 @@ public sealed class CreatureLods
     {
         _ = mesh ?? throw new ArgumentNullException(nameof(mesh));
         var reduction = new MeshReduction(mesh);
+        reduction.KeepFromCrossing();
         int triangles = reduction.Triangles;
         var levels = new CreatureLod[fractions.Length];
         for (int i = 0; i < levels.Length; i++)

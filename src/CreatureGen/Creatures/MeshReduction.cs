@@ -18,6 +18,7 @@ internal sealed class MeshReduction
     private readonly CreatureMesh mesh;
     private readonly CollapsingMesh surface;
     private readonly ReductionCost cost;
+    private readonly Vector3[] positions;
     private readonly int[] corners;
     private readonly int[] vertices;
     private readonly int[] pointOf;
@@ -37,13 +38,17 @@ internal sealed class MeshReduction
     private readonly List<(int From, int To)> pairs = new();
     private readonly List<(int From, int To)> twinPairs = new();
 
+    private readonly List<int> moved = new();
+    private readonly List<int> twinMoved = new();
+    private CrossingGuard? guard;
+
     /// <summary>Prepares the reduction of a mesh; it is not changed.</summary>
     public MeshReduction(CreatureMesh mesh)
     {
         this.mesh = mesh;
         VertexWelding welding = VertexWelding.Weld(mesh.Positions);
         pointOf = welding.NewIndex.ToArray();
-        Vector3[] positions = welding.Positions.ToArray();
+        positions = welding.Positions.ToArray();
         corners = welding.Apply(mesh.Triangles);
         vertices = mesh.Triangles.ToArray();
         var normals = new Vector3[positions.Length];
@@ -89,6 +94,9 @@ internal sealed class MeshReduction
             }
         }
     }
+
+    /// <summary>From now on no step is taken after which the surface would cut through itself where it did not before.</summary>
+    public void KeepFromCrossing() => guard ??= new CrossingGuard(surface, positions, corners, pieceOf);
 
     /// <summary>Triangles that are left.</summary>
     public int Triangles => surface.Triangles;
@@ -248,6 +256,13 @@ internal sealed class MeshReduction
             return false;
         }
 
+        surface.Moved(moved);
+        if (guard != null && (guard.Cross(moved) || (twinFrom != from && guard.CrossImages(moved, twin))))
+        {
+            surface.Undo();
+            return false;
+        }
+
         if (twinFrom != from)
         {
             Match(twinFrom, twinTo, twinPairs);
@@ -257,9 +272,13 @@ internal sealed class MeshReduction
                 return false;
             }
 
+            // Mirror images cross nothing when these do not.
+            surface.Moved(twinMoved);
+            guard?.Note(twinMoved);
             Accept(twinFrom, twinTo, twinPairs);
         }
 
+        guard?.Note(moved);
         Accept(from, to, pairs);
         return true;
     }

@@ -69,6 +69,16 @@ internal sealed class CollapsingMesh
     /// <summary>Number of triangles left.</summary>
     public int Triangles { get; private set; }
 
+    /// <summary>The triangles that the last step gave another corner.</summary>
+    public void Moved(List<int> triangles)
+    {
+        triangles.Clear();
+        foreach (int corner in movedCorners)
+        {
+            triangles.Add(corner / 3);
+        }
+    }
+
     /// <summary>Whether a triangle has vanished.</summary>
     public bool IsGone(int triangle) => gone[triangle];
 

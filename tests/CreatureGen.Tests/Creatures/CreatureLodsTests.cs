@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
+using CreatureGen.Inspection;
 using CreatureGen.Maths;
 using CreatureGen.Sampling;
 using Xunit;
@@ -40,6 +41,26 @@ public sealed class CreatureLodsTests
                 Assert.All(places, p => Assert.Contains(new Vector3(0f - p.X, p.Y, p.Z), places));
             }
         }
+    }
+
+    /// <summary>Where the finest level crosses itself a coarser one may do so as well; nowhere else.</summary>
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void No_level_cuts_through_itself_where_the_finest_does_not(RequestedKind kind)
+    {
+        int without = 0;
+        for (ulong seed = 7100000; seed < 7100012; seed++)
+        {
+            CreatureMesh mesh = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }).Mesh;
+            SurfaceCrossings finest = new CrossingCounter(mesh, mesh.Triangles).Count();
+            without += finest.All == 0 ? 1 : 0;
+            for (int i = 1; i < mesh.Lods.Count && finest.All == 0; i++)
+            {
+                Assert.Equal((seed, i, default(SurfaceCrossings)), (seed, i, new CrossingCounter(mesh, mesh.Lods[i].Triangles).Count()));
+            }
+        }
+
+        Assert.InRange(without, 9, 12);
     }
 
     [Theory]

@@ -1,0 +1,82 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Geometry;
+using CreatureGen.Seeding;
+using Xunit;
+
+namespace CreatureGen.Tests.Geometry;
+
+public sealed class CrossingGuardTests
+{
+    /// <summary>Triangles of one piece anywhere: what the guard says is what a search of all pairs finds.</summary>
+    [Fact]
+    public void It_finds_what_a_search_of_all_pairs_finds()
+    {
+        RandomStream random = new Seed(3).Stream();
+        var crossing = new List<(int First, int Second)>();
+        int found = 0;
+        for (int trial = 0; trial < 20; trial++)
+        {
+            const int Count = 40;
+            Vector3 Anywhere() => new((float)random.Uniform(), (float)random.Uniform(), (float)random.Uniform());
+            var positions = new Vector3[3 * Count];
+            for (int t = 0; t < Count; t++)
+            {
+                Vector3 centre = Anywhere();
+                float size = t % 10 == 0 ? 1f : 0.4f;
+                for (int k = 0; k < 3; k++)
+                {
+                    positions[(3 * t) + k] = centre + (size * Anywhere());
+                }
+            }
+
+            int[] points = Enumerable.Range(0, 3 * Count).ToArray();
+            var surface = new CollapsingMesh(positions, new Vector3[3 * Count], points, (int[])points.Clone());
+            var guard = new CrossingGuard(surface, positions, points, new int[3 * Count]);
+            SelfIntersection.Find(positions, points, crossing);
+            for (int t = 0; t < Count; t++)
+            {
+                bool expected = crossing.Any(pair => pair.First == t || pair.Second == t);
+                Assert.Equal(expected, guard.Cross([t]));
+                found += expected ? 1 : 0;
+            }
+        }
+
+        Assert.InRange(found, 50, 790);
+    }
+
+    [Fact]
+    public void Triangles_of_other_pieces_and_those_with_a_common_point_do_not_count()
+    {
+        Vector3[] positions = [new(0, 0, 0), new(2, 0, 0), new(0, 2, 0), new(0.5f, 0.5f, -1), new(0.5f, 0.5f, 1), new(3, 3, 0)];
+        int[] apart = [0, 1, 2, 3, 4, 5];
+        Assert.True(Guard(positions, apart, new int[6]).Cross([0]));
+        Assert.False(Guard(positions, apart, [0, 0, 0, 1, 1, 1]).Cross([0]));
+        Assert.False(Guard(positions, [0, 1, 2, 3, 4, 1], new int[6]).Cross([0]));
+    }
+
+    /// <summary>Corners that a step has moved count where they are now, however often the grid has been laid since.</summary>
+    [Fact]
+    public void What_has_moved_counts_where_it_is()
+    {
+        Vector3[] positions = [new(0, 0, 0), new(2, 0, 0), new(0, 2, 0), new(0.5f, 0.5f, -1), new(0.5f, 0.5f, 1), new(3, 3, 0)];
+        int[] points = [0, 1, 2, 3, 4, 5];
+        CrossingGuard guard = Guard(positions, points, new int[6]);
+        for (int i = 0; i < 200; i++)
+        {
+            float far = i % 2 == 0 ? 10f : 0f;
+            for (int p = 3; p < 6; p++)
+            {
+                positions[p].X += i % 2 == 0 ? 10f : -10f;
+            }
+
+            guard.Note([1]);
+            Assert.Equal(far == 0f, guard.Cross([0]));
+        }
+    }
+
+    private static CrossingGuard Guard(Vector3[] positions, int[] points, int[] pieces) =>
+        new(new CollapsingMesh(positions, new Vector3[positions.Length], points, (int[])points.Clone()), positions, points, pieces);
+}
