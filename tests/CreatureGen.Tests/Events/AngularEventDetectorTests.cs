@@ -21,6 +21,20 @@ public sealed class AngularEventDetectorTests
 
     private static AngularRule Rule => new("swing") { Joints = ["J1"], ThresholdPower = 3 };
 
+    /// <summary>A quaternion and its negative are one rotation, and an angle and the same angle a full turn on are one angle.</summary>
+    [Fact]
+    public void A_turn_is_the_shorter_way_whatever_the_signs_and_full_turns_of_its_ends()
+    {
+        Quaternion from = AxisRotation.YawPitchRoll(3.1f, 0.1f, 0.2f);
+        Quaternion to = AxisRotation.YawPitchRoll(-3.1f, 0.15f, 0.2f);
+        foreach (AngularMeasure measure in Enum.GetValues<AngularMeasure>())
+        {
+            Vector3 turn = AngularCurve.Turn(from, to, measure);
+            Assert.InRange(turn.Length(), 0.05f, 0.12f);
+            Assert.True(Vec.Distance(turn, AngularCurve.Turn(from, new Quaternion(-to.X, -to.Y, -to.Z, -to.W), measure)) < 1e-4f, $"{measure}: {turn}");
+        }
+    }
+
     [Fact]
     public void A_swing_that_starts_and_stops_gives_two_moments_where_it_does()
     {

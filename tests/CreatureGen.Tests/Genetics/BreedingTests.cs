@@ -104,6 +104,13 @@ public sealed class BreedingTests
     }
 
     [Fact]
+    public void Creatures_with_one_pair_of_legs_less_are_nearer_than_those_without_any()
+    {
+        double Without(int pairs) => SpeciesDistance.Between(Walker, Walker with { Legs = new ValueList<LegBlueprint>(Walker.Legs.Skip(pairs)) });
+        Assert.InRange(Without(1), 1e-6, 0.8 * Without(Walker.Legs.Count));
+    }
+
+    [Fact]
     public void Mutants_differ_more_the_stronger_the_mutation()
     {
         Assert.Same(Walker, Mutation.Mutate(Walker, 0, new Seed(1)));

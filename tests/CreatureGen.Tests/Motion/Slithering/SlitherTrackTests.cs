@@ -60,6 +60,9 @@ public sealed class SlitherTrackTests
         track.Advance(0.73, new TrackSteering(0, 0.4, 0, 0, 0), floor);
         var copy = new SlitherTrack(2, 1);
         copy.CopyFrom(track);
+        TrackPoint neck = track.At(track.Head - 0.4);
+        TrackPoint same = copy.At(copy.Head - 0.4);
+        Assert.Equal((neck.X, neck.Y, neck.Z, neck.Normal), (same.X, same.Y, same.Z, same.Normal));
         for (int i = 0; i < 5; i++)
         {
             track.Advance(0.21, new TrackSteering(0.4, 0.1, 0, 0, 0), floor);

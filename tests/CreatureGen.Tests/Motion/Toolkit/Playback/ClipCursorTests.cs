@@ -39,6 +39,17 @@ public sealed class ClipCursorTests
         Assert.Equal(1f, cursor.Time);
     }
 
+    [Fact]
+    public void The_end_of_a_loop_is_its_beginning_and_that_of_a_clip_that_stays_is_its_end()
+    {
+        var loop = new ClipCursor(Clips.Swing("Walk", 2f, 0f, 1f));
+        loop.SeekPhase(1);
+        Assert.Equal(0f, loop.Phase);
+        var jump = new ClipCursor(Clips.Swing("Jump", 2f, 0f, 1f, ClipEnd.Stays, 0f, steps));
+        jump.SeekPhase(1);
+        Assert.Equal(1f, jump.Phase);
+    }
+
     /// <summary>Any steps, to and fro, over the same way pass the same events as one step.</summary>
     [Theory]
     [InlineData(1)]

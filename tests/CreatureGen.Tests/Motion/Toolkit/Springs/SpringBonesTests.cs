@@ -56,6 +56,33 @@ public sealed class SpringBonesTests
         Assert.True(Math.Abs(pose.ModelPositions[^1].X) < 1e-3f);
     }
 
+    /// <summary>Who is put elsewhere, or turned about at once, was not thrown there.</summary>
+    [Fact]
+    public void A_jump_of_the_root_swings_nothing_and_a_shorter_one_does()
+    {
+        var there = new RootPlace(new Vector3(6f, 0f, 0f), Quaternion.Identity);
+        Assert.True(SwingAfter(there, new SpringSettings(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f))) < 1e-3f);
+        Assert.True(SwingAfter(there, new SpringSettings(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f), teleportDistance: 20f)) > 0.05f);
+        var about = new RootPlace(Vector3.Zero, Rotation.FromAxisAngle(Vector3.UnitX, 1.2f));
+        Assert.True(SwingAfter(about, new SpringSettings(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f), teleportAngle: 1f)) < 1e-3f);
+        Assert.True(SwingAfter(about, new SpringSettings(new ChainCurve(3f, 1.5f), new ChainCurve(0.5f), teleportAngle: 1.4f)) > 0.05f);
+    }
+
+    /// <summary>How far the tip is from where the animation has it, most of a second after the root was moved in one frame.</summary>
+    private static float SwingAfter(RootPlace place, SpringSettings settings)
+    {
+        var state = new SpringState(rig);
+        Step(state, settings, RootPlace.Identity, 1f / 60f);
+        float most = 0f;
+        for (int i = 0; i < 60; i++)
+        {
+            MovingPose pose = Step(state, settings, place, 1f / 60f);
+            most = Math.Max(most, Vec.Distance(skeleton.ModelPositions[^1], pose.ModelPositions[^1]));
+        }
+
+        return most;
+    }
+
     [Fact]
     public void At_a_steady_speed_the_chain_is_straight_again()
     {

@@ -60,6 +60,17 @@ public sealed class LegStepperTests
         Assert.False(feet[0].IsStepping);
     }
 
+    /// <summary>Or the feet that lag most would step again and again, and the others be dragged along.</summary>
+    [Fact]
+    public void After_one_group_it_is_anothers_turn_however_far_the_first_is_behind()
+    {
+        SteppingFoot[] feet = [new(Vector3.Zero), new(Vector3.Zero), new(Vector3.Zero)];
+        int turn = 0;
+        LegStepper.Update(feet, [0, 1, 2], [new Vector3(0f, 0f, 2f), new Vector3(0f, 0f, 0.5f), new Vector3(0f, 0f, 0.6f)], settings, FlatGround.Level, Vector3.UnitY, 0.01f, ref turn);
+        Assert.Equal(2, turn);
+        Assert.Equal([false, false, true], feet.Select(f => f.IsStepping));
+    }
+
     [Fact]
     public void A_foot_near_its_home_rests_and_one_without_ground_does_not_step()
     {
