@@ -4,8 +4,8 @@
 #   container-rehearsal.sh FOLDER
 set -euo pipefail
 place=$(mkdir -p "$1" && realpath "$1"); here=$(dirname "$(realpath "$0")"); cd "$place"
-export BUILDAH_ISOLATION=chroot STORAGE_DRIVER=vfs CONTAINERS_REGISTRIES_CONF=$place/registries.conf
-buildah() { command buildah --root "$place/images" --runroot "$place/run" "$@"; }
+export BUILDAH_ISOLATION=chroot CONTAINERS_REGISTRIES_CONF=$place/registries.conf
+buildah() { command buildah --root "$place/images" --runroot "$place/run" --storage-driver vfs "$@"; }
 echo 'unqualified-search-registries = ["docker.io"]' > registries.conf
 
 # As the head of the Dockerfile says.

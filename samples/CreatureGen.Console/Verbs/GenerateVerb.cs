@@ -68,7 +68,7 @@ internal sealed class GenerateVerb : IVerb
         using var progress = new ProgressLine(surroundings, "creatures", work.Count, surroundings.OutIsTerminal ? ProgressKind.Hidden : ProgressKind.Shown);
         using IGenerationReport report = work.Report == ReportForm.Json ? new GenerationJson(surroundings.Out) : work.IsPlain ? new GenerationSummary(surroundings.Out) : new GenerationList(surroundings);
         int missing = 0;
-        OrderedWork<Specimen, GenerationResult>.Run(work.Share, work.Count == 1 ? 1 : work.Threads, specimen => Keeps(specimen, work, journal) ? new KeptCreature(specimen) : Try(specimen, work, surroundings), result =>
+        OrderedWork<Specimen, GenerationResult>.Run(work.Share, work.Count == 1 ? 1 : work.Threads, specimen => Keeps(specimen, work, journal) ? new KeptCreature(specimen) : Generate(specimen, work, surroundings), result =>
         {
             missing += result is MissingCreature ? 1 : 0;
             journal?.Add(result);
@@ -96,36 +96,11 @@ internal sealed class GenerateVerb : IVerb
     private static bool Keeps(Specimen specimen, Work work, ManifestJournal? journal) =>
         work.Batch.Existing == Existing.Skip ? work.Paths(specimen).All(File.Exists) : journal?.Keeps(specimen) == true;
 
-    private static GenerationResult Try(Specimen specimen, Work work, Surroundings surroundings)
+    private static GenerationResult Generate(Specimen specimen, Work work, Surroundings surroundings)
     {
-        if (work.IsPlain || work.AtProblem == AtProblem.End)
-        {
-            return Generate(specimen, work, surroundings);
-        }
-
-        try
-        {
-            return Generate(specimen, work, surroundings);
-        }
-        catch (ImpossibleSeed problem)
-        {
-            return new MissingCreature(specimen, problem.Message);
-        }
-        catch (InvalidOperationException defect)
-        {
-            // The library refuses to finish or to write a creature that is not whole.
-            return new MissingCreature(specimen, "a defect of CreatureGen: " + defect.Message);
-        }
-    }
-
-    private static GeneratedCreature Generate(Specimen specimen, Work work, Surroundings surroundings)
-    {
-        MadeCreature made = work.Task.Make(specimen, work.Count == 1 ? work.Threads : 1);
-
-        // What is in hand when the work is stopped is finished.
-        CreatureFile[] files = CreatureFiles.Write(work.Folder, specimen.Name, made.Contents, surroundings with { Cancellation = default, Durability = work.Batch.Shard is null ? Durability.OnDisk : Durability.LookedAtLater }).ToArray();
-        made.Times.Finished("files");
-        return new GeneratedCreature(made.Facts, made.Clips, files, made.Times);
+        int threads = work.Count == 1 ? work.Threads : 1;
+        Surroundings place = surroundings with { Durability = work.Batch.Shard is null ? Durability.OnDisk : Durability.LookedAtLater };
+        return work.IsPlain || work.AtProblem == AtProblem.End ? CreatureMaking.Make(specimen, work.Task, work.Folder, threads, place) : CreatureMaking.Try(specimen, work.Task, work.Folder, threads, place);
     }
 
     /// <summary>Tells the files that are not there yet, a line each, and how large they will be, by a few creatures that are made and not written.</summary>
