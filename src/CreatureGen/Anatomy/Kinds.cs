@@ -188,6 +188,21 @@ public enum FinStyle
 
     /// <summary>A rounded paddle.</summary>
     Paddle,
+
+    /// <summary>A narrow sickle on the flank, two peaks on the midline (tuna).</summary>
+    Tuna,
+
+    /// <summary>A broad rounded fan on the flank, a long one that falls off on the midline (carp).</summary>
+    Carp,
+
+    /// <summary>A long veil with a ragged edge (fighting fish).</summary>
+    Veil,
+
+    /// <summary>A wide triangle that runs along the flank, an even ribbon on the midline (ray, eel).</summary>
+    Ray,
+
+    /// <summary>A wing with rays on the flank (flying fish), a sail on the midline.</summary>
+    Flying,
 }
 
 /// <summary>The end of the tail.</summary>
@@ -210,6 +225,33 @@ public enum TailStyle
 
     /// <summary>A level fan of feathers.</summary>
     Feathers,
+
+    /// <summary>An upright crescent on a narrow stalk (tuna).</summary>
+    Lunate,
+
+    /// <summary>An upright fin whose upper half is the longer one (shark).</summary>
+    Heterocercal,
+
+    /// <summary>An upright fin, cut off straight (bass).</summary>
+    Truncate,
+
+    /// <summary>An upright veil with a ragged edge (fighting fish).</summary>
+    Veil,
+
+    /// <summary>Tapers to a thread (mouse, iguana).</summary>
+    Whip,
+
+    /// <summary>Upright and flat towards its end (newt, crocodile).</summary>
+    Paddle,
+
+    /// <summary>Ends in a thick knob (ankylosaur).</summary>
+    Club,
+
+    /// <summary>Strong to its end, which rolls up (chameleon, monkey).</summary>
+    Prehensile,
+
+    /// <summary>A row of beads that ends in a bulb with a sting (scorpion).</summary>
+    Stinger,
 }
 
 /// <summary>How an eye is made.</summary>
@@ -282,6 +324,12 @@ public enum FeatureKind
 
     /// <summary>Bony ball at the end of the tail.</summary>
     Club,
+
+    /// <summary>A further eye; on a stalk where it is longer than two radii. On the midline a single one.</summary>
+    Eye,
+
+    /// <summary>A further tail.</summary>
+    Tail,
 }
 
 /// <summary>A hard cover over the back.</summary>

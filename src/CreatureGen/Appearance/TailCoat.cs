@@ -36,6 +36,11 @@ internal sealed class TailCoat
         switch (subject.Tail)
         {
             case TailStyle.Plain:
+            case TailStyle.Whip:
+            case TailStyle.Paddle:
+            case TailStyle.Club:
+            case TailStyle.Prehensile:
+            case TailStyle.Stinger:
                 return Vec.Lerp(colour, tipColour, tipShare * Between(place, 50, 53));
             case TailStyle.Feathers:
                 return Vec.Lerp(colour, palette.Limb * 0.85f, 0.85f * Between(place, 49, 52));

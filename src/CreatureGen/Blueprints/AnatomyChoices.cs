@@ -62,6 +62,24 @@ internal static class AnatomyChoices
         (WingStyle.Dragon, "dragon"),
         (WingStyle.Pterosaur, "pterosaur"));
 
+    public static readonly ChoiceNames<ThinWingStyle> ThinWing = new(
+        (ThinWingStyle.Blade, "blade"),
+        (ThinWingStyle.DragonflyFore, "dragonflyFore"),
+        (ThinWingStyle.DragonflyHind, "dragonflyHind"),
+        (ThinWingStyle.ButterflyFore, "butterflyFore"),
+        (ThinWingStyle.ButterflyHind, "butterflyHind"),
+        (ThinWingStyle.MothFore, "mothFore"),
+        (ThinWingStyle.MothHind, "mothHind"));
+
+    public static readonly ChoiceNames<FootStyle> Foot = new(
+        (FootStyle.Plain, "plain"),
+        (FootStyle.Paw, "paw"),
+        (FootStyle.Web, "web"),
+        (FootStyle.Talon, "talon"),
+        (FootStyle.Sucker, "sucker"),
+        (FootStyle.Stump, "stump"),
+        (FootStyle.Cloven, "cloven"));
+
     public static readonly ChoiceNames<FinPlace> FinPlace = new(
         (Anatomy.FinPlace.Dorsal, "dorsal"),
         (Anatomy.FinPlace.Ventral, "ventral"),
@@ -71,7 +89,12 @@ internal static class AnatomyChoices
         (FinStyle.Sail, "sail"),
         (FinStyle.Shark, "shark"),
         (FinStyle.Spiny, "spiny"),
-        (FinStyle.Paddle, "paddle"));
+        (FinStyle.Paddle, "paddle"),
+        (FinStyle.Tuna, "tuna"),
+        (FinStyle.Carp, "carp"),
+        (FinStyle.Veil, "veil"),
+        (FinStyle.Ray, "ray"),
+        (FinStyle.Flying, "flying"));
 
     public static readonly ChoiceNames<TailStyle> Tail = new(
         (TailStyle.Plain, "plain"),
@@ -79,7 +102,16 @@ internal static class AnatomyChoices
         (TailStyle.Fan, "fan"),
         (TailStyle.Lance, "lance"),
         (TailStyle.Fluke, "fluke"),
-        (TailStyle.Feathers, "feathers"));
+        (TailStyle.Feathers, "feathers"),
+        (TailStyle.Lunate, "lunate"),
+        (TailStyle.Heterocercal, "heterocercal"),
+        (TailStyle.Truncate, "truncate"),
+        (TailStyle.Veil, "veil"),
+        (TailStyle.Whip, "whip"),
+        (TailStyle.Paddle, "paddle"),
+        (TailStyle.Club, "club"),
+        (TailStyle.Prehensile, "prehensile"),
+        (TailStyle.Stinger, "stinger"));
 
     public static readonly ChoiceNames<EyeStyle> Eye = new(
         (EyeStyle.Round, "round"),
@@ -105,7 +137,9 @@ internal static class AnatomyChoices
         (FeatureKind.Ocellus, "ocellus"),
         (FeatureKind.Antler, "antler"),
         (FeatureKind.Plate, "plate"),
-        (FeatureKind.Club, "club"));
+        (FeatureKind.Club, "club"),
+        (FeatureKind.Eye, "eye"),
+        (FeatureKind.Tail, "tail"));
 
     public static readonly ChoiceNames<ShellStyle> Shell = new(
         (ShellStyle.None, "none"),

@@ -26,7 +26,7 @@ internal static class BlueprintRules
     /// <summary>Where eyes may be along the head.</summary>
     public static readonly NumberRange EyeRings = new(0, 20);
 
-    /// <summary>Where eyes may be around the head: off the midline.</summary>
+    /// <summary>Where a pair of eyes may be around the head: off the midline. On it, at segment 0, there is a single eye.</summary>
     public static readonly NumberRange EyeSegments = new(0.5, (BodyGrid.Segments / 2) - 0.5);
 
     /// <summary>Lists what does not fit together.</summary>
@@ -110,7 +110,10 @@ internal static class BlueprintRules
         if (FieldChecker.Accepts(head?.Eyes, HeadFields.Eyes))
         {
             Require("head.eyes.ring", head!.Eyes.Ring, EyeRings, " on the head", problems);
-            Require("head.eyes.segment", head.Eyes.Segment, EyeSegments, ", or the two eyes are one", problems);
+            if (!head.Eyes.IsSingle)
+            {
+                Require("head.eyes.segment", head.Eyes.Segment, EyeSegments, " for two eyes, or 0 for a single one", problems);
+            }
         }
 
         RequireVisible("head.nostrilSize", head?.NostrilSize, problems);

@@ -26,10 +26,10 @@ public sealed record HeadBump(double Ring, double Segment, double RingSpread, do
     public override string ToString() => RecordJson.LineOf(this, HeadFields.Bump);
 }
 
-/// <summary>A pair of eyes.</summary>
+/// <summary>A pair of eyes, or a single eye on the midline.</summary>
 /// <param name="Style">How an eye is made.</param>
 /// <param name="Ring">Ring of its centre.</param>
-/// <param name="Segment">Segment of its centre.</param>
+/// <param name="Segment">Segment of its centre; 0 for a single eye.</param>
 /// <param name="Radius">Metres at scale 1.</param>
 /// <param name="Sink">How deep the centre lies below the skin, in radii.</param>
 /// <param name="Forward">Share of the head's forward direction in the gaze beside ¾ of the skin's outward direction; 0 looks straight out of the skin.</param>
@@ -38,6 +38,9 @@ public sealed record HeadBump(double Ring, double Segment, double RingSpread, do
 /// <param name="LidTilt">Roll of the lids, radians; positive frowns.</param>
 public sealed record EyeBlueprint(EyeStyle Style, double Ring, double Segment, double Radius, double Sink, double Forward, double UpperLid, double LowerLid, double LidTilt)
 {
+    /// <summary>Whether there is one eye, on the midline. The joints of both are in its place.</summary>
+    public bool IsSingle => Segment == 0;
+
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, HeadFields.Eyes);
 }

@@ -28,6 +28,7 @@ public sealed record SocketBlueprint(int Ring, int Segment, int Rows, int Column
 /// <param name="KneeRise">Factor on the height of an insect's knee.</param>
 /// <param name="Toes">Number of toes or fingers.</param>
 /// <param name="ClawLength">Length of the claws in toe radii; 0 for none.</param>
+/// <param name="Foot">What it ends in; a pillar's pad and an insect's tip stay as they are.</param>
 public sealed record LegBlueprint(
     LimbArchetype Archetype,
     LegStance Stance,
@@ -42,7 +43,8 @@ public sealed record LegBlueprint(
     double FootSize,
     double KneeRise,
     int Toes,
-    double ClawLength)
+    double ClawLength,
+    FootStyle Foot = FootStyle.Plain)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, LimbFields.Leg);
@@ -68,7 +70,8 @@ public sealed record WingBlueprint(WingStyle Style, SocketBlueprint Socket, doub
 /// <param name="Width">Metres at scale 1.</param>
 /// <param name="Azimuth">Direction in the level plane from straight out to the side, radians; positive forward.</param>
 /// <param name="Elevation">Angle above the level plane, radians.</param>
-public sealed record InsectWingBlueprint(double Ring, double Segment, double Length, double Width, double Azimuth, double Elevation)
+/// <param name="Style">Its outline.</param>
+public sealed record InsectWingBlueprint(double Ring, double Segment, double Length, double Width, double Azimuth, double Elevation, ThinWingStyle Style = ThinWingStyle.Blade)
 {
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, LimbFields.InsectWing);
@@ -140,7 +143,7 @@ public sealed record FeatureBlueprint(
 
 /// <summary>The end of the tail.</summary>
 /// <param name="Style">Its outline.</param>
-/// <param name="Size">Half height of an upright fin or half width of a level one, metres at scale 1.</param>
+/// <param name="Size">Half height of an upright fin or half width of a level one, metres at scale 1; of a tail without either, how far it has its form: 0 as the body tables give it, 1 all.</param>
 /// <param name="Fork">Depth of the fork; negative makes a rounded end.</param>
 /// <param name="Lobe">How much higher the upper half of an upright fin is than the lower one, as a share of its size; negative when it is lower.</param>
 public sealed record TailBlueprint(TailStyle Style, double Size, double Fork, double Lobe = 0)

@@ -38,7 +38,8 @@ internal static class LimbFields
             visit.Number("footSize", leg.FootSize, Factor),
             visit.Number("kneeRise", leg.KneeRise, new NumberRange(0, 4)),
             visit.Whole("toes", leg.Toes, new WholeRange(1, 8)),
-            visit.Number("clawLength", leg.ClawLength, new NumberRange(0, 6))));
+            visit.Number("clawLength", leg.ClawLength, new NumberRange(0, 6)),
+            visit.Since(5).Choice("foot", leg.Foot, AnatomyChoices.Foot)));
 
     /// <summary>A pair of stitched wings.</summary>
     public static readonly RecordDescription<WingBlueprint> Wing = new(
@@ -62,7 +63,8 @@ internal static class LimbFields
             visit.Number("length", wing.Length, span),
             visit.Number("width", wing.Width, new NumberRange(0.005, 10)),
             visit.Number("azimuth", wing.Azimuth, Angle),
-            visit.Number("elevation", wing.Elevation, Angle)));
+            visit.Number("elevation", wing.Elevation, Angle),
+            visit.Since(5).Choice("style", wing.Style, AnatomyChoices.ThinWing)));
 
     /// <summary>A fin or a pair of fins.</summary>
     public static readonly RecordDescription<FinBlueprint> Fin = new(

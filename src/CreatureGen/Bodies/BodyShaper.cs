@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
 using CreatureGen.Lattices;
 using CreatureGen.Maths;
@@ -64,7 +65,7 @@ internal static class BodyShaper
         }
 
         Smooth(pitch);
-        LimitCurvature(pitch, step, top, bottom, tail.Style == TailStyle.Plain ? 0 : TailOutline);
+        LimitCurvature(pitch, step, top, bottom, IsFinned(tail.Style) || tail.Style == TailStyle.Feathers ? TailOutline : 0);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             pitch[i] *= 1 - Lying(plan, i);
@@ -201,8 +202,48 @@ internal static class BodyShaper
                 }
 
                 break;
-            case TailStyle.Plain:
+            default:
+                if (TailTaper.Of(tail.Style) is TailTaper taper)
+                {
+                    Taper(taper, Math.Min(1, tail.Size), width, top, bottom);
+                }
+                else if (TailFin.Of(tail.Style) is TailFin fin)
+                {
+                    Spread(fin, tail, width, top, bottom);
+                }
+
                 break;
+        }
+    }
+
+    /// <summary>Gives the tail from its root on the thickness of a form.</summary>
+    private static void Taper(TailTaper form, double share, double[] width, double[] top, double[] bottom)
+    {
+        const int Last = BodyGrid.Rings - 1;
+        (double width0, double height0) = (width[TailRing], (top[TailRing] + bottom[TailRing]) / 2);
+        for (int i = TailRing + 1; i <= Last; i++)
+        {
+            (double w, double h) = form.At((double)(i - TailRing) / (Last - TailRing));
+            double bead = i % 2 == 1 ? 1 : 1 - form.Beads;
+            double weight = share * Scalar.Smooth((i - TailRing) / 3.0);
+            width[i] = Math.Max(ThinnestSection, Scalar.Lerp(width[i], w * bead * width0, weight));
+            top[i] = Math.Max(ThinnestSection, Scalar.Lerp(top[i], h * bead * height0, weight));
+            bottom[i] = Math.Max(ThinnestSection, Scalar.Lerp(bottom[i], h * bead * height0, weight));
+        }
+    }
+
+    /// <summary>Spreads the end of the tail into an upright fin.</summary>
+    private static void Spread(TailFin form, TailBlueprint tail, double[] width, double[] top, double[] bottom)
+    {
+        const int Start = 46;
+        (double width0, double top0, double bottom0) = (width[Start], top[Start], bottom[Start]);
+        for (int i = Start; i < BodyGrid.Rings; i++)
+        {
+            double q = Scalar.Smooth((i - 47) / 7.0);
+            double flare = tail.Size * PortableMath.Pow(q, form.Spread);
+            top[i] = Math.Max(0.03, (top0 * (1 - q)) + (form.Halves.Upper * flare * (1 + tail.Lobe)));
+            bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (form.Halves.Lower * flare * (1 - tail.Lobe)));
+            width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
         }
     }
 
@@ -308,7 +349,7 @@ internal static class BodyShaper
 
     private static void SetExponents(BodyShape shape, BodyStations stations, HeadBlueprint head, TailBlueprint tail)
     {
-        bool finned = tail.Style is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance or TailStyle.Fluke;
+        bool finned = IsFinned(tail.Style);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             double top = stations.TopExponent;
@@ -335,6 +376,9 @@ internal static class BodyShaper
             shape.BottomExponent[i] = stations.BottomExponent < Edged ? Scalar.Lerp(Scalar.Lerp(1.8, stations.BottomExponent, thin), 1.7, edge) : bottom;
         }
     }
+
+    /// <summary>Whether a tail ends in a fin.</summary>
+    private static bool IsFinned(TailStyle style) => style is TailStyle.Fork or TailStyle.Fan or TailStyle.Lance or TailStyle.Fluke || TailFin.Of(style) != null;
 
     private static int[] IntervalOfRing()
     {

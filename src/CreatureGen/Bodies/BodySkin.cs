@@ -1,8 +1,11 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
+using CreatureGen.Species;
 
 namespace CreatureGen.Bodies;
 
@@ -10,6 +13,13 @@ namespace CreatureGen.Bodies;
 internal sealed class BodySkin
 {
     private const int Half = BodyGrid.Segments / 2;
+
+    /// <summary>First ring that bumps of the torso shape, and not those of the head.</summary>
+    private const int TorsoRing = 20;
+
+    /// <summary>First ring of the tail.</summary>
+    private const int TailRing = 46;
+
     private static readonly float[] sine = Around(PortableMath.Sin);
     private static readonly float[] cosine = Around(PortableMath.Cos);
 
@@ -46,6 +56,7 @@ internal sealed class BodySkin
             tailStep += shape.Step[i] / 8;
         }
 
+        ValueList<HeadBump> relief = ReliefOf(body.Blend);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             if (shape.TopExponent[i] != topExponent || shape.BottomExponent[i] != bottomExponent)
@@ -61,9 +72,13 @@ internal sealed class BodySkin
                 y[j] = powers[(2 * j) + 1] * (float)(j < Half / 2 ? shape.Top[i] : shape.Bottom[i]);
             }
 
-            if (i < 20)
+            if (i < TorsoRing)
             {
                 ApplyBumps(head.Bumps, i, x, y);
+            }
+            else if (i < TailRing)
+            {
+                ApplyBumps(relief, i, x, y);
             }
 
             ApplyShell(body.Shell, i, x, y);
@@ -121,6 +136,22 @@ internal sealed class BodySkin
         int j = (((int)floor % BodyGrid.Segments) + BodyGrid.Segments) % BodyGrid.Segments;
         int k = (j + 1) % BodyGrid.Segments;
         return Vec.Lerp(Vec.Lerp(this[i, j], this[i, k], v), Vec.Lerp(this[i + 1, j], this[i + 1, k], v), u);
+    }
+
+    /// <summary>The relief of a mixed torso: that of each body in its share.</summary>
+    private static ValueList<HeadBump> ReliefOf(BodyBlend blend)
+    {
+        IReadOnlyList<double> shares = blend.TorsoShares;
+        var bumps = new List<HeadBump>();
+        for (int k = 0; k < blend.Bodies.Count; k++)
+        {
+            foreach (HeadBump bump in SpeciesCatalogue.Find(blend.Bodies[k].Name).Relief)
+            {
+                bumps.Add(bump with { Amount = shares[k] * bump.Amount });
+            }
+        }
+
+        return new ValueList<HeadBump>(bumps);
     }
 
     private static void Superellipse(double topExponent, double bottomExponent, Span<float> powers)
@@ -193,8 +224,16 @@ internal sealed class BodySkin
                 double q = Scalar.Smooth((ring - 46) / 8.0);
                 double edge = Math.Min(1, across);
                 double quill = Math.Min(1, tailStep / 0.055);
-                return (float)(quill * ((-q * 0.10 * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5))));
+                return (float)(quill * ((-q * (0.06 + (0.8 * tail.Size)) * (1 - (edge * edge))) + (q * 0.035 * PortableMath.Cos(across * PortableMath.Pi * 5))));
             default:
+                if (TailFin.Of(tail.Style) is TailFin fin)
+                {
+                    // As with forks: no deeper than the rings are apart.
+                    double half = y > 0 ? shape.Top[ring] : shape.Bottom[ring];
+                    double reach = Math.Min(tail.Size, 3.6 * tailStep);
+                    return (float)(-Scalar.Smooth((ring - 46) / 8.0) * reach * fin.EdgeAt(y / Math.Max(half, 1e-3)));
+                }
+
                 return 0f;
         }
     }

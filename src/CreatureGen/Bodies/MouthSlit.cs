@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
@@ -88,11 +89,12 @@ internal sealed class MouthSlit
         SurfaceBuilder surface = body.Surface;
         BodyShape shape = body.Skin.Shape;
         int last = BodyGrid.Rings - 1;
-        int rows = style switch { TailStyle.Plain => CapCells, TailStyle.Feathers or TailStyle.Fluke => 2, _ => (2 * CapCells) - 2 };
+        bool round = style == TailStyle.Plain || TailTaper.Of(style) != null;
+        int rows = style switch { _ when round => CapCells, TailStyle.Feathers or TailStyle.Fluke => 2, _ => (2 * CapCells) - 2 };
         int columns = (2 * CapCells) - rows;
-        float bulge = style == TailStyle.Plain ? (float)Math.Min(shape.Width[last], Math.Min(shape.Top[last], shape.Bottom[last])) * 0.9f : 0f;
+        float bulge = round ? (float)Math.Min(shape.Width[last], Math.Min(shape.Top[last], shape.Bottom[last])) * 0.9f : 0f;
         int[] tail = CapGrid.Vertices(surface, body.TailLoop(), rows, columns, -shape.Forward(last), bulge, Address(SurfaceRegion.Body, 1f, last));
-        if (style != TailStyle.Plain)
+        if (!round)
         {
             CapGrid.Rule(surface, tail, rows, columns);
         }

@@ -3,9 +3,11 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Features;
 using CreatureGen.Geometry;
 using CreatureGen.Limbs;
+using CreatureGen.Maths;
 using CreatureGen.Rigging;
 using CreatureGen.Species;
 
@@ -19,11 +21,20 @@ internal static class EyeSetter
 
     private const float LidShade = 0.8f;
 
+    /// <summary>How far apart the two halves of a lid on the midline may be by rounding, in radii.</summary>
+    private const float LidRounding = 5e-5f;
+
     /// <summary>The eye of a creature's left side.</summary>
     public static EyeFrame EyeOf(CreatureBlueprint blueprint, GrownSurface grown)
     {
         EyeBlueprint eye = blueprint.Head.Eyes;
-        return EyeFrame.On(grown.Skin.At(eye.Ring, eye.Segment), eye, grown.Skin.Shape.Forward((int)eye.Ring), 1f);
+        SurfacePoint skin = grown.Skin.At(eye.Ring, eye.Segment);
+        if (eye.IsSingle)
+        {
+            skin = new SurfacePoint(new Vector3(0f, skin.Position.Y, skin.Position.Z), Vec.Normalize(new Vector3(0f, skin.Normal.Y, skin.Normal.Z)));
+        }
+
+        return EyeFrame.On(skin, eye, grown.Skin.Shape.Forward((int)eye.Ring), 1f);
     }
 
     /// <summary>The left eye as the rig sees it.</summary>
@@ -65,7 +76,7 @@ internal static class EyeSetter
 
         Piece ball = builder.ToPiece(MaterialKind.Skin);
         ball.SimplificationWeight = eye.Style == EyeStyle.Compound ? 1f : EyeSimplificationWeight;
-        AddPair(pieces, ball, "Eye_L", "Eye_R");
+        AddPair(pieces, ball, "Eye_L", eye.IsSingle ? "" : "Eye_R");
         if (rim == EyeRim.Bare)
         {
             return;
@@ -78,8 +89,13 @@ internal static class EyeSetter
         {
             builder.Clear();
             LidShape.Append(builder, frame, eye, part, skin);
+            if (frame.IsMedian)
+            {
+                builder.Symmetrise(0, LidRounding * frame.Radius);
+            }
+
             bool moves = rim == EyeRim.Lids;
-            AddPair(pieces, builder.ToPiece(MaterialKind.Skin), moves ? joint + "L" : "Head", moves ? joint + "R" : "Head");
+            AddPair(pieces, builder.ToPiece(MaterialKind.Skin), moves ? joint + "L" : "Head", eye.IsSingle ? "" : moves ? joint + "R" : "Head");
         }
     }
 
@@ -93,10 +109,16 @@ internal static class EyeSetter
         return LidShade * coat.At(address, frame.Centre + (frame.Up * (1.1f * frame.Radius)), frame.Up);
     }
 
+    /// <summary>Adds a piece and, if it has a joint on the right, its mirror image.</summary>
     private static void AddPair(List<Piece> pieces, Piece left, string leftJoint, string rightJoint)
     {
         left.JointName = leftJoint;
         pieces.Add(left);
+        if (rightJoint.Length == 0)
+        {
+            return;
+        }
+
         Piece right = PieceMirror.Mirror(left);
         right.JointName = rightJoint;
         pieces.Add(right);

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
@@ -17,11 +18,21 @@ namespace CreatureGen.Creatures;
 internal sealed class FeatureSetter
 {
     private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
+    private static readonly Vector3 gumColour = new(0.42f, 0.13f, 0.13f);
     private static readonly Vector3 lureColour = new(1f, 0.96f, 0.62f);
     private static readonly Vector3 beadColour = new(0.012f, 0.011f, 0.012f);
 
     /// <summary>Wings broader than this, relative to their length, are covered with coloured scales (butterfly).</summary>
     private const double BroadWing = 0.4;
+
+    /// <summary>Radii from which on an eye sits on a stalk.</summary>
+    private const double StalkLength = 2;
+
+    /// <summary>The ring of the trunk whose coat a further tail wears.</summary>
+    private const float TailCoatRing = 47;
+
+    /// <summary>Gums are behind lips and teeth.</summary>
+    private const float GumSimplificationWeight = 0.3f;
 
     /// <summary>Hair is a mass of many locks, of which one more or less is not missed.</summary>
     private const float HairSimplificationWeight = 0.55f;
@@ -56,6 +67,7 @@ internal sealed class FeatureSetter
         setter.AddTongue();
         setter.AddTeeth();
         setter.AddClaws();
+        setter.AddWebs();
         foreach (FeatureBlueprint feature in blueprint.Features)
         {
             setter.AddFeature(feature);
@@ -138,6 +150,11 @@ internal sealed class FeatureSetter
                 points.Add(new SurfacePoint(grown.Surface.Positions[lip[k]], normals[lip[k]]));
             }
 
+            builder.Clear();
+            GumShape.Append(builder, points.ToArray(), direction, length, gumColour);
+            builder.AppendMirrored(0, 0);
+            AddRigid(joint);
+            pieces[pieces.Count - 1].SimplificationWeight = GumSimplificationWeight;
             builder.Clear(SurfaceFinish.Tooth);
             ToothRow.Append(builder, points.ToArray(), direction, length, toothColour);
             builder.AppendMirrored(0, 0);
@@ -151,7 +168,11 @@ internal sealed class FeatureSetter
         {
             float floor = tip.Position.Y < 3f * tip.Radius ? 0f : float.NegativeInfinity;
             builder.Clear(SurfaceFinish.Horn);
-            if (tip.Kind == DigitTipKind.Nail)
+            if (tip.Kind == DigitTipKind.Hallux)
+            {
+                HalluxShape.Append(builder, tip.Position, tip.Direction, tip.Radius, tip.Radius * tip.ClawLength, palette.Limb, palette.Claw);
+            }
+            else if (tip.Kind == DigitTipKind.Nail)
             {
                 NailShape.Append(builder, tip.Position, tip.Direction, tip.Radius, floor, palette.Claw);
             }
@@ -168,6 +189,44 @@ internal sealed class FeatureSetter
         }
     }
 
+    private void AddWebs()
+    {
+        foreach (ToeWeb web in grown.Webs)
+        {
+            builder.Clear();
+            WebShape.Append(builder, web.Root, web.First, web.Second, web.Thickness, web.Floor, Vec.Lerp(palette.Limb, palette.Accent, 0.3f));
+            AddOnSurface(web.Vertex);
+        }
+    }
+
+    /// <summary>An eye that looks as the two that move do, on a stalk where it is long.</summary>
+    private void AddEye(FeatureBlueprint feature, in FeatureCurve curve)
+    {
+        EyeBlueprint eyes = blueprint.Head.Eyes;
+        float radius = (float)feature.Radius;
+        bool stalked = feature.Length > StalkLength * feature.Radius;
+        bool median = feature.Segment is 0 or BodyGrid.Segments / 2;
+        SurfacePoint skin = curve.Skin;
+        Vector3 forward = grown.Skin.Shape.Forward((int)feature.Ring);
+        Vector3 look = median ? new Vector3(0f, skin.Normal.Y, skin.Normal.Z) : skin.Normal;
+        Vector3 gaze = Vec.Normalize((stalked ? Vector3.UnitX * (median ? 0f : 0.7f) : look * 0.75f) + (forward * (float)eyes.Forward), forward);
+        Vector3 centre = stalked ? curve.Point(1f) : skin.Position - (look * (radius * (float)eyes.Sink));
+        if (stalked)
+        {
+            StalkShape.Append(builder, curve, 0.5f * radius, palette.Base, palette.Limb);
+        }
+
+        EyeShape.Append(builder, new EyeFrame(centre, radius, gaze), eyes.Style, palette.Iris, palette.Base * 0.5f);
+    }
+
+    private void AddTail(FeatureBlueprint feature, in FeatureCurve curve)
+    {
+        builder.Clear();
+        var address = new VertexAddress { Region = SurfaceRegion.Body, Appendage = -1, Sign = 1, Ring = TailCoatRing, Segment = (float)feature.Segment };
+        Vector3[] joints = TailShape.Append(builder, feature, curve, (position, normal) => coat.At(address, position, normal));
+        AddChain(LimbKind.Tail, feature.Ring, joints, MaterialKind.Skin);
+    }
+
     private void AddFeature(FeatureBlueprint feature)
     {
         BodyShape shape = grown.Skin.Shape;
@@ -182,6 +241,12 @@ internal sealed class FeatureSetter
             return;
         }
 
+        if (feature.Kind == FeatureKind.Tail)
+        {
+            AddTail(feature, curve);
+            return;
+        }
+
         Vector3 colour = feature.Kind switch
         {
             FeatureKind.Tuft => palette.Accent,
@@ -192,7 +257,11 @@ internal sealed class FeatureSetter
             FeatureKind.Plate => Vec.Lerp(palette.Accent, palette.Back, 0.35f) * 0.85f,
             _ => palette.Horn,
         };
-        if (feature.Kind == FeatureKind.Lure)
+        if (feature.Kind == FeatureKind.Eye)
+        {
+            AddEye(feature, curve);
+        }
+        else if (feature.Kind == FeatureKind.Lure)
         {
             AntennaShape.Append(builder, feature, curve, 1f, palette.Back, lureColour);
         }
@@ -205,7 +274,7 @@ internal sealed class FeatureSetter
             HornShape.Append(builder, feature, curve, 1f, colour);
         }
 
-        int vertex = grown.BodyVertex(ring, (int)System.Math.Round(feature.Segment));
+        int vertex = grown.BodyVertex(ring, (int)Math.Round(feature.Segment));
         if (median)
         {
             Piece piece = builder.ToPiece(MaterialKind.Skin);
@@ -296,9 +365,9 @@ internal sealed class FeatureSetter
             Paired = true,
             RootRing = ring,
             Joints = joints,
-            JointsAlong = new[] { 0f, 0.5f, 1f },
-            Pole = Vec.Normalize(Vec.Reject(Vector3.UnitY, Vec.Normalize(joints[2] - joints[0])), Vector3.UnitZ),
-            Contact = joints[2],
+            JointsAlong = Array.ConvertAll(joints, joint => Array.IndexOf(joints, joint) / (joints.Length - 1f)),
+            Pole = Vec.Normalize(Vec.Reject(Vector3.UnitY, Vec.Normalize(joints[joints.Length - 1] - joints[0])), Vector3.UnitZ),
+            Contact = joints[joints.Length - 1],
         });
     }
 }

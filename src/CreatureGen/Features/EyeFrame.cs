@@ -42,6 +42,9 @@ internal readonly struct EyeFrame
     /// <summary>Unit direction of the gaze.</summary>
     public Vector3 Gaze { get; }
 
+    /// <summary>Whether it is a single eye in the sagittal plane.</summary>
+    public bool IsMedian => Centre.X == 0f && Gaze.X == 0f;
+
     /// <summary>Unit direction across the gaze towards the outer corner of the eye: away from the nose.</summary>
     public Vector3 Outward { get; }
 

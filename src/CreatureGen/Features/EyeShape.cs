@@ -31,6 +31,9 @@ internal static class EyeShape
     private const float BackRing = 1.85f;
     private const float CorneaEdge = 1.0f;
 
+    /// <summary>How far apart the two halves of an eye on the midline may be by rounding, in radii.</summary>
+    private const float Rounding = 5e-5f;
+
     private static readonly Vector3 pupilColour = new(0.006f, 0.006f, 0.008f);
     private static readonly Vector3 beadColour = new(0.03f, 0.026f, 0.028f);
     private static readonly Vector3 rimColour = new(0.022f, 0.018f, 0.018f);
@@ -50,6 +53,18 @@ internal static class EyeShape
     /// <param name="back">Linear RGB of the back of the ball, which shows behind shut lids where an eye stands far out.</param>
     public static void Append(PieceBuilder builder, in EyeFrame frame, EyeStyle style, Vector3 iris, Vector3 back)
     {
+        int first = builder.VertexCount;
+        AppendEye(builder, frame, style, iris, back);
+        if (frame.IsMedian)
+        {
+            builder.Symmetrise(first, Rounding * frame.Radius);
+        }
+    }
+
+    private static void AppendEye(PieceBuilder builder, in EyeFrame frame, EyeStyle style, Vector3 iris, Vector3 back)
+    {
+        // An eye on the midline is its own mirror image, with one glint on its middle.
+        float aside = frame.IsMedian ? 0f : 1f;
         if (style == EyeStyle.Compound)
         {
             AppendCompound(builder, frame, iris);
@@ -59,13 +74,16 @@ internal static class EyeShape
         if (style == EyeStyle.Bead)
         {
             AppendCompound(builder, frame, beadColour);
-            AppendGlint(builder, frame, new Vector2(-0.20f, 0.45f), 0.24f, 10, Vector3.One);
+            AppendGlint(builder, frame, new Vector2(-0.20f * aside, 0.45f), 0.24f, 10, Vector3.One);
             return;
         }
 
         AppendBall(builder, frame, style, iris, back);
-        AppendGlint(builder, frame, new Vector2(-0.20f, 0.40f), 0.19f, 10, Vector3.One);
-        AppendGlint(builder, frame, new Vector2(0.26f, -0.42f), 0.085f, 8, Vec.Lerp(iris, Vector3.One, 0.55f));
+        AppendGlint(builder, frame, new Vector2(-0.20f * aside, 0.40f), 0.19f, 10, Vector3.One);
+        if (!frame.IsMedian)
+        {
+            AppendGlint(builder, frame, new Vector2(0.26f, -0.42f), 0.085f, 8, Vec.Lerp(iris, Vector3.One, 0.55f));
+        }
     }
 
     private static void AppendBall(PieceBuilder builder, in EyeFrame frame, EyeStyle style, Vector3 iris, Vector3 socket)

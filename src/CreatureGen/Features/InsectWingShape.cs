@@ -1,5 +1,6 @@
 using System.Numerics;
 using System;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Geometry;
@@ -9,12 +10,11 @@ namespace CreatureGen.Features;
 
 /// <summary>A thin wing of an insect: a closed leaf of two layers that share their edge, veined in the colours of its vertices.</summary>
 /// <remarks>
-/// The outline follows from how broad the wing is: slender ones are straight (dragonfly), middling ones round off behind (wasp),
-/// broad ones fan out and have a dark margin (butterfly). Material <see cref="MaterialKind.Membrane"/>.
+/// The outline is that of the wing's style; without one it follows from how broad the wing is: slender ones are straight, middling ones round off behind (wasp),
+/// broad ones fan out. Broad wings have a dark margin. Material <see cref="MaterialKind.Membrane"/>.
 /// </remarks>
 internal static class InsectWingShape
 {
-    private const int Rows = 8;
     private const int Lines = 7;
     private const int Strips = Lines - 1;
 
@@ -24,13 +24,15 @@ internal static class InsectWingShape
     /// <summary>Appends a wing of the left side.</summary>
     /// <param name="builder">Where the wing goes.</param>
     /// <param name="skin">The body's surface at its root.</param>
-    /// <param name="wing">Length, width and direction.</param>
+    /// <param name="wing">Length, width, outline and direction.</param>
     /// <param name="scale">Factor from the blueprint's metres to those of <paramref name="skin"/>.</param>
     /// <param name="membrane">Linear RGB between the veins.</param>
     /// <param name="vein">Linear RGB of the veins.</param>
     public static void Append(PieceBuilder builder, SurfacePoint skin, InsectWingBlueprint wing, float scale, Vector3 membrane, Vector3 vein)
     {
-        ReadOnlySpan<float> stations = stackalloc float[Rows] { 0f, 0.10f, 0.25f, 0.42f, 0.60f, 0.77f, 0.91f, 1f };
+        ThinWingForm? form = ThinWingForm.Of(wing.Style);
+        ReadOnlySpan<float> blade = stackalloc float[] { 0f, 0.10f, 0.25f, 0.42f, 0.60f, 0.77f, 0.91f, 1f };
+        int rows = form?.Rows ?? blade.Length;
         ReadOnlySpan<float> lines = stackalloc float[Lines] { 0f, 0.07f, 0.31f, 0.345f, 0.62f, 0.65f, 1f };
         float length = (float)wing.Length * scale;
         float width = (float)wing.Width * scale;
@@ -40,15 +42,26 @@ internal static class InsectWingShape
         Vector3 up = Vec.Cross(along, back);
         Vector3 root = skin.Position - (skin.Normal * (RootDepth * scale));
 
-        Span<Vector3> grid = stackalloc Vector3[Rows * Lines];
-        for (int i = 0; i < Rows; i++)
+        Span<float> stations = stackalloc float[rows];
+        Span<Vector3> grid = stackalloc Vector3[rows * Lines];
+        for (int i = 0; i < rows; i++)
         {
+            stations[i] = form is null ? blade[i] : i / (rows - 1f);
             Outline(stations[i], aspect, out float lead, out float trail);
             for (int j = 0; j < Lines; j++)
             {
                 float u = lines[j];
                 float camber = 0.045f * length * 2f * u * (1f - u) * stations[i];
-                grid[(i * Lines) + j] = root + (along * (stations[i] * length)) + (back * (width * Scalar.Lerp(lead, trail, u))) + (up * camber);
+                float x = stations[i];
+                float y = Scalar.Lerp(lead, trail, u);
+                if (form != null)
+                {
+                    WingPoint p = form.At(i, u);
+                    x = (float)p.X;
+                    y = (float)(-p.Y / form.Depth);
+                }
+
+                grid[(i * Lines) + j] = root + (along * (x * length)) + (back * (width * y)) + (up * camber);
             }
         }
 
@@ -68,9 +81,10 @@ internal static class InsectWingShape
         PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, float aspect, Vector3 membrane, Vector3 vein)
     {
         const int RowLength = 2 * Strips;
+        int rows = stations.Length;
         int first = builder.VertexCount;
         float side = thickness > 0f ? 1f : -1f;
-        for (int i = 0; i < Rows; i++)
+        for (int i = 0; i < rows; i++)
         {
             for (int strip = 0; strip < Strips; strip++)
             {
@@ -78,14 +92,14 @@ internal static class InsectWingShape
                 {
                     // Every strip has vertices of its own, so that veins have sharp borders.
                     int j = strip + edge;
-                    bool border = i == 0 || i == Rows - 1 || j == 0 || j == Lines - 1;
+                    bool border = i == 0 || i == rows - 1 || j == 0 || j == Lines - 1;
                     Vector3 position = grid[(i * Lines) + j] + (up * (border ? 0f : thickness));
                     builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], i, aspect, membrane, vein));
                 }
             }
         }
 
-        for (int i = 0; i + 1 < Rows; i++)
+        for (int i = 0; i + 1 < rows; i++)
         {
             for (int strip = 0; strip < Strips; strip++)
             {
@@ -95,7 +109,7 @@ internal static class InsectWingShape
                 int d = thickness > 0f ? a + 1 : a + RowLength;
 
                 // At the corners of the leaf the diagonal has to leave the border, or both layers would share it.
-                if ((i == 0 && strip == Strips - 1) || (i == Rows - 2 && strip == 0))
+                if ((i == 0 && strip == Strips - 1) || (i == rows - 2 && strip == 0))
                 {
                     builder.Quad(b, c, d, a);
                 }
@@ -109,7 +123,7 @@ internal static class InsectWingShape
 
     private static Vector3 Normal(ReadOnlySpan<Vector3> grid, int i, int j)
     {
-        Vector3 alongRow = grid[(Math.Min(i + 1, Rows - 1) * Lines) + j] - grid[(Math.Max(i - 1, 0) * Lines) + j];
+        Vector3 alongRow = grid[(Math.Min(i + 1, (grid.Length / Lines) - 1) * Lines) + j] - grid[(Math.Max(i - 1, 0) * Lines) + j];
         Vector3 acrossRow = grid[(i * Lines) + Math.Min(j + 1, Lines - 1)] - grid[(i * Lines) + Math.Max(j - 1, 0)];
         return Vec.Normalize(Vec.Cross(alongRow / Vec.Length(alongRow), acrossRow / Vec.Length(acrossRow)));
     }

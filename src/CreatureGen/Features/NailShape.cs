@@ -38,7 +38,9 @@ internal static class NailShape
             }
         }
 
-        int pole = builder.Vertex(position + (outward * (0.56f * radius)), outward, colour);
+        Vector3 top = position + (outward * (0.56f * radius));
+        top.Y = Math.Max(top.Y, floor);
+        int pole = builder.Vertex(top, outward, colour);
         builder.FillBelow(first, Sides);
         builder.Band(first, first + Sides, Sides);
         builder.Band(first + Sides, first + (2 * Sides), Sides);

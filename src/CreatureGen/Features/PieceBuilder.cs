@@ -155,6 +155,32 @@ internal sealed class PieceBuilder
         }
     }
 
+    /// <summary>Makes what was added since the given vertex its own mirror image to the last bit, where it is so but for rounding.</summary>
+    /// <param name="firstVertex">The first of the vertices.</param>
+    /// <param name="tolerance">How far a vertex may be from the mirror image of another, metres; less than half the distance between neighbours.</param>
+    public void Symmetrise(int firstVertex, float tolerance)
+    {
+        for (int v = firstVertex; v < VertexCount; v++)
+        {
+            if (Math.Abs(positions[v].X) <= tolerance)
+            {
+                positions[v].X = 0f;
+            }
+        }
+
+        for (int v = firstVertex; v < VertexCount; v++)
+        {
+            for (int u = firstVertex; u < VertexCount && positions[v].X > 0f; u++)
+            {
+                Vector3 image = Vec.Mirror(positions[v]);
+                if (positions[u].X < 0f && Vec.Distance(positions[u], image) <= tolerance)
+                {
+                    positions[u] = image;
+                }
+            }
+        }
+    }
+
     /// <summary>A piece with copies of the collected arrays; the builder keeps its content.</summary>
     /// <exception cref="InvalidOperationException">A position or normal is not a finite number.</exception>
     public Piece ToPiece(MaterialKind material)

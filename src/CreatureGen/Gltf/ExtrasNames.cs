@@ -16,7 +16,8 @@ internal static class ExtrasNames
         (LimbKind.Dorsal, "dorsal"),
         (LimbKind.Ventral, "ventral"),
         (LimbKind.Ear, "ear"),
-        (LimbKind.Antenna, "antenna"));
+        (LimbKind.Antenna, "antenna"),
+        (LimbKind.Tail, "tail"));
 
     public static readonly ChoiceNames<Side> Side = new(
         (Anatomy.Side.Median, "median"),

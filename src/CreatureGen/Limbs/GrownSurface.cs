@@ -12,14 +12,15 @@ namespace CreatureGen.Limbs;
 internal sealed class GrownSurface
 {
     private readonly int[] bodyVertices;
+    private readonly LimbEnds ends;
 
-    private GrownSurface(Surface surface, SurfaceAdjacency adjacency, BodySkin skin, IReadOnlyList<Appendage> appendages, IReadOnlyList<DigitTip> tips, MouthSeam mouth, int[] bodyVertices)
+    private GrownSurface(Surface surface, SurfaceAdjacency adjacency, BodySkin skin, IReadOnlyList<Appendage> appendages, LimbEnds ends, MouthSeam mouth, int[] bodyVertices)
     {
         Surface = surface;
         Adjacency = adjacency;
         Skin = skin;
         Appendages = appendages;
-        Tips = tips;
+        this.ends = ends;
         Mouth = mouth;
         this.bodyVertices = bodyVertices;
     }
@@ -35,7 +36,10 @@ internal sealed class GrownSurface
     public IReadOnlyList<Appendage> Appendages { get; }
 
     /// <summary>Ends of toes, fingers and tips on the left; <see cref="DigitTip.Vertex"/> indexes <see cref="Surface"/>.</summary>
-    public IReadOnlyList<DigitTip> Tips { get; }
+    public IReadOnlyList<DigitTip> Tips => ends.Tips;
+
+    /// <summary>Webs between toes on the left; <see cref="ToeWeb.Vertex"/> indexes <see cref="Surface"/>.</summary>
+    public IReadOnlyList<ToeWeb> Webs => ends.Webs;
 
     /// <summary>Its lips.</summary>
     public MouthSeam Mouth { get; }
@@ -60,10 +64,10 @@ internal sealed class GrownSurface
         var body = new BodySurface(builder, skin);
         var appendages = new List<Appendage>();
         var borders = new List<int>();
-        var tips = new List<DigitTip>();
+        var ends = new LimbEnds();
         foreach (LegBlueprint leg in blueprint.Legs)
         {
-            Take(LegGrower.Grow(body, leg, appendages.Count, tips), leg.Socket);
+            Take(LegGrower.Grow(body, leg, appendages.Count, ends), leg.Socket);
         }
 
         foreach (WingBlueprint wing in blueprint.Wings)
@@ -98,10 +102,15 @@ internal sealed class GrownSurface
 
         SurfaceUntangler.Untangle(surface);
 
-        for (int i = 0; i < tips.Count; i++)
+        for (int i = 0; i < ends.Webs.Count; i++)
         {
-            DigitTip t = tips[i];
-            tips[i] = new DigitTip(t.Kind, t.Position, t.Direction, t.Radius, t.ClawLength, index[t.Vertex]);
+            ends.Webs[i] = ends.Webs[i] with { Vertex = index[ends.Webs[i].Vertex] };
+        }
+
+        for (int i = 0; i < ends.Tips.Count; i++)
+        {
+            DigitTip t = ends.Tips[i];
+            ends.Tips[i] = new DigitTip(t.Kind, t.Position, t.Direction, t.Radius, t.ClawLength, index[t.Vertex]);
         }
 
         int[] bodyVertices = new int[BodyGrid.Rings * BodyGrid.Segments];
@@ -111,7 +120,7 @@ internal sealed class GrownSurface
         }
 
         var seam = new MouthSeam(blueprint.Head.Mouth.CornerRing, Indices(mouth.UpperLip), Indices(mouth.LowerLip));
-        return new GrownSurface(surface, adjacency, skin, appendages, tips, seam, bodyVertices);
+        return new GrownSurface(surface, adjacency, skin, appendages, ends, seam, bodyVertices);
 
         void Take(Appendage appendage, SocketBlueprint socket)
         {
@@ -147,13 +156,18 @@ internal sealed class GrownSurface
             appendage.Contact = Place(appendage.Contact);
         }
 
-        var tips = new List<DigitTip>(Tips.Count);
-        foreach (DigitTip t in Tips)
+        var placed = new LimbEnds();
+        foreach (ToeWeb web in Webs)
         {
-            tips.Add(new DigitTip(t.Kind, Place(t.Position), t.Direction, t.Radius, t.ClawLength, t.Vertex));
+            placed.Webs.Add(web with { Root = Place(web.Root), First = Place(web.First), Second = Place(web.Second) });
         }
 
-        return new GrownSurface(Surface, Adjacency, Skin.Placed(shift), Appendages, tips, Mouth, bodyVertices);
+        foreach (DigitTip t in Tips)
+        {
+            placed.Tips.Add(new DigitTip(t.Kind, Place(t.Position), t.Direction, t.Radius, t.ClawLength, t.Vertex));
+        }
+
+        return new GrownSurface(Surface, Adjacency, Skin.Placed(shift), Appendages, placed, Mouth, bodyVertices);
 
         Vector3 Place(Vector3 p) => p + offset;
     }

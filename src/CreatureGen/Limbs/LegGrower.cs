@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Feet;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
@@ -18,6 +19,26 @@ internal enum DigitTipKind
 
     /// <summary>A flat nail.</summary>
     Nail,
+
+    /// <summary>A toe of its own that points back and ends in a claw; its claw length is that of the toe.</summary>
+    Hallux,
+}
+
+/// <summary>A web between two toes. Left side, model space, metres at scale 1.</summary>
+/// <param name="Root">Where the toes part.</param>
+/// <param name="First">How far it reaches along the first toe.</param>
+/// <param name="Second">How far it reaches along the second one.</param>
+/// <param name="Thickness">Half of it.</param>
+/// <param name="Vertex">A vertex of the surface at a toe, whose weights it takes.</param>
+/// <param name="Floor">Height that it stays above; negative infinity for a free foot.</param>
+internal readonly record struct ToeWeb(Vector3 Root, Vector3 First, Vector3 Second, float Thickness, int Vertex, float Floor);
+
+/// <summary>What the ends of limbs carry, collected while they grow.</summary>
+internal sealed class LimbEnds
+{
+    public List<DigitTip> Tips { get; } = new();
+
+    public List<ToeWeb> Webs { get; } = new();
 }
 
 /// <summary>The end of a toe, finger or tip, where a claw can sit. Left side, model space, metres at scale 1.</summary>
@@ -58,7 +79,7 @@ internal static class LegGrower
     private static readonly float[] insectSections = { 0f, 0.5f, 1f, 1.6f, 2.3f, 3f, 3.5f, 4f, 4.5f, 5f, 6f, 7f, 8f };
 
     /// <summary>Grows the left leg, mirrors it, and says where its joints are.</summary>
-    public static Appendage Grow(BodySurface body, LegBlueprint leg, int index, List<DigitTip> tips)
+    public static Appendage Grow(BodySurface body, LegBlueprint leg, int index, LimbEnds ends)
     {
         SurfaceBuilder surface = body.Surface;
         LegForm form = LegForms.Of(leg.Archetype);
@@ -83,12 +104,12 @@ internal static class LegGrower
             Address = new VertexAddress { Region = SurfaceRegion.Leg, Appendage = (short)index, Sign = 1 },
         };
         SweepResult grown = sweep.Grow(surface, socket.Vertices);
-        Finish(surface, form, leg, path, grown, index, tips);
+        Finish(surface, form, leg, path, grown, index, ends);
         surface.MirrorSince(firstVertex, firstFace);
         return Describe(form, leg, socket, path, grown);
     }
 
-    private static void Finish(SurfaceBuilder surface, LegForm form, LegBlueprint leg, LegPath path, SweepResult grown, int index, List<DigitTip> tips)
+    private static void Finish(SurfaceBuilder surface, LegForm form, LegBlueprint leg, LegPath path, SweepResult grown, int index, LimbEnds ends)
     {
         SweepFrame end = grown.Last;
         var address = new VertexAddress { Region = SurfaceRegion.Leg, Appendage = (short)index, Sign = 1, Along = 1f };
@@ -96,7 +117,7 @@ internal static class LegGrower
         switch (form.End)
         {
             case FootEnd.Toes:
-                Digits.Grow(surface, form, leg, path.Thickness, grown, index, tips);
+                Digits.Grow(surface, form, leg, path.Thickness, grown, index, ends);
                 return;
             case FootEnd.Hoof:
                 int hoofStart = surface.Positions.Count - (2 * grown.End.Length);
@@ -107,6 +128,7 @@ internal static class LegGrower
                     surface.Addresses[v] = a;
                 }
 
+                Cleave(surface, FootForm.Of(leg.Foot).Cleft, grown);
                 address.Region = SurfaceRegion.Hoof;
                 Cap(surface, leg, grown.End, end.Tangent, 0f, address);
                 return;
@@ -117,14 +139,32 @@ internal static class LegGrower
                     double a = q * 0.75;
                     var p = end.Centre + new Vector3((float)PortableMath.Sin(a) * end.AcrossRadius * 0.95f, 0f, (float)PortableMath.Cos(a) * end.ForeRadius * 0.93f);
                     p.Y = end.ForeRadius * 0.22f;
-                    tips.Add(new DigitTip(DigitTipKind.Nail, p, new Vector3((float)PortableMath.Sin(a), 0f, (float)PortableMath.Cos(a)), end.ForeRadius * 0.24f, 0f, grown.End[0]));
+                    ends.Tips.Add(new DigitTip(DigitTipKind.Nail, p, new Vector3((float)PortableMath.Sin(a), 0f, (float)PortableMath.Cos(a)), end.ForeRadius * 0.2f, 0f, grown.End[0]));
                 }
 
                 return;
             default:
                 Cap(surface, leg, grown.End, end.Tangent, radius, address);
-                tips.Add(new DigitTip(DigitTipKind.Claw, end.Centre, Vec.Normalize(end.Tangent), radius, (float)leg.ClawLength, grown.End[0]));
+                ends.Tips.Add(new DigitTip(DigitTipKind.Claw, end.Centre, Vec.Normalize(end.Tangent), radius, (float)leg.ClawLength, grown.End[0]));
                 return;
+        }
+    }
+
+    /// <summary>Draws a hoof in along its front and its rear, deeper in front, so that it falls into two halves.</summary>
+    private static void Cleave(SurfaceBuilder surface, float cleft, SweepResult grown)
+    {
+        int count = grown.End.Length;
+        for (int k = 0; k < count && cleft > 0f; k++)
+        {
+            double cosine = PortableMath.Cos(PortableMath.Tau * k / count);
+            float depth = cleft * (cosine > 0 ? 1f : 0.45f) * (float)PortableMath.Pow(Math.Abs(cosine), 12);
+            for (int row = 0; row < 2; row++)
+            {
+                SweepFrame frame = grown.Frames[grown.Frames.Length - 1 - row];
+                int v = grown.End[k] - (row * count);
+                float along = depth * (row == 0 ? 1f : 0.8f) * (float)cosine * frame.ForeRadius;
+                surface.Positions[v] -= frame.Fore * along;
+            }
         }
     }
 

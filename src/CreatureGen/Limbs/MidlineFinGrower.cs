@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Fins;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
@@ -30,6 +31,7 @@ internal static class MidlineFinGrower
         int count = socket.Vertices.Length;
         float side = fin.Place == FinPlace.Ventral ? -1f : 1f;
         float height = (float)fin.Length;
+        MidlineFin? form = MidlineFin.Of(fin.Style);
 
         var up = new Vector3[rows + 1];
         var ahead = new Vector3[rows + 1];
@@ -43,7 +45,7 @@ internal static class MidlineFinGrower
             meanAhead += shape.Forward(fin.Socket.Ring + r);
             Vector3 p = socket.Points[r == 0 ? 0 : r + 1];
             midline[r] = new Vector3(0f, p.Y, p.Z);
-            outline[r] = Outline(fin.Style, r, (float)r / rows);
+            outline[r] = form is null ? Outline(fin.Style, r, (float)r / rows) : (float)form.HeightAt((double)r / rows);
         }
 
         meanUp = Vec.Normalize(meanUp);
@@ -69,11 +71,10 @@ internal static class MidlineFinGrower
                 int r = RowOf(k, rows);
                 float u = (float)r / rows;
                 Vector3 p;
-                if (fin.Style == FinStyle.Shark)
+                if (fin.Style == FinStyle.Shark || form?.Overhang != null)
                 {
                     // Chord lines instead of columns: the tip overhangs without folding.
-                    float a = 0.90f * (float)PortableMath.Pow(s, 0.85);
-                    float b = 1f + (0.08f * s * s) - (0.12f * (float)PortableMath.Sin(PortableMath.Pi * s));
+                    (float a, float b) = form?.Overhang is (double Front, double Rear) over ? Veil(over, s) : Shark(s);
                     p = OnMidline(midline, a + ((b - a) * u)) + (meanUp * ((height * s) + (Lift * Scalar.Smooth(s / 0.12f))));
                 }
                 else
@@ -127,6 +128,16 @@ internal static class MidlineFinGrower
 
         return k <= rows + 2 ? rows : Math.Max(0, (2 * rows) + 3 - k);
     }
+
+    /// <summary>Where the chord of a shark's fin begins and ends over the base.</summary>
+    private static (float Front, float Rear) Shark(float s) => (
+        0.90f * (float)PortableMath.Pow(s, 0.85),
+        1f + (0.08f * s * s) - (0.12f * (float)PortableMath.Sin(PortableMath.Pi * s)));
+
+    /// <summary>The same of a fin that hangs over the rear of its base.</summary>
+    private static (float Front, float Rear) Veil((double Front, double Rear) over, float s) => (
+        (float)(over.Front * PortableMath.Pow(s, 1.4)),
+        1f + (float)(over.Rear * PortableMath.Sin(0.62 * PortableMath.Pi * s)));
 
     private static float Outline(FinStyle style, int row, float u) => style switch
     {

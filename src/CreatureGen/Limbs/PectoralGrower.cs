@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Fins;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Geometry;
@@ -12,6 +13,18 @@ namespace CreatureGen.Limbs;
 /// <summary>Grows a pair of fins or flippers out of the flanks.</summary>
 internal static class PectoralGrower
 {
+    /// <summary>Share of the length over which a fin goes over from its socket to its outline.</summary>
+    private const float Rooted = 0.3f;
+
+    /// <summary>Part of the sweep that the axis of a fin takes on whose outline is swept itself.</summary>
+    private const float SweepOfForms = 0.4f;
+
+    /// <summary>Share of the length from which on the edges draw together, so that no tip is cut off straight.</summary>
+    private const float RoundedFrom = 0.86f;
+
+    /// <summary>Sections along the fin, crowded towards its tip.</summary>
+    private const int SectionCount = 17;
+
     /// <summary>Grows the left fin, mirrors it, and says where its joints are.</summary>
     public static Appendage Grow(BodySurface body, FinBlueprint fin, int index)
     {
@@ -23,7 +36,9 @@ internal static class PectoralGrower
         float width = (float)fin.Width;
         Vector3 centre = socket.Centre;
         float root = socket.HalfLength;
-        Vector3 outward = Vec.Normalize(new Vector3(1f, -(float)fin.Drop, -(float)fin.Sweep));
+        FlankFin? form = FlankFin.Of(fin.Style);
+        float lean = form is null ? 1f : SweepOfForms;
+        Vector3 outward = Vec.Normalize(new Vector3(1f, -(float)fin.Drop, -(float)fin.Sweep * lean));
         Vector3 back = Vec.Normalize(Vec.Reject(new Vector3(0f, -0.35f, -1f), outward));
         Vector3 normal = Vec.Cross(outward, back);
         normal = normal.Y > 0f ? normal : -normal;
@@ -31,11 +46,27 @@ internal static class PectoralGrower
 
         // Both edges are lifted off the skin, or a swept fin would dive into the body.
         Vector3 Lift(float s) => skin * (0.13f * length * Scalar.Smooth(s / 0.25f));
-        Vector3 Lead(float s) => centre + Lift(s) + (outward * (length * s)) - (back * ((root * (1f - s)) + (0.05f * length * (float)PortableMath.Sin(PortableMath.Pi * s))));
-        Vector3 Trail(float s) => centre + Lift(s) + (skin * (length * 0.20f * Scalar.Smooth(s / 0.15f) * (1f - s))) + (outward * (length * s)) + (back * ((root * (1f - s)) + Depth(s)));
+        Vector3 Lead(float s) => centre + Lift(s) + (outward * (length * s)) - (back * Ahead(s));
+        Vector3 Trail(float s) => centre + Lift(s) + (skin * (length * 0.20f * Scalar.Smooth(s / 0.15f) * (1f - s))) + (outward * (length * s)) + (back * Behind(s));
+        float Ahead(float s) => Middle(s) + (Rounded(s) * (LeadOf(s) - Middle(s)));
+        float Behind(float s) => (Rounded(s) * (TrailOf(s) + Middle(s))) - Middle(s);
+        float Middle(float s) => (LeadOf(s) - TrailOf(s)) / 2f;
+        float LeadOf(float s) => form is null
+            ? (root * (1f - s)) + (0.05f * length * (float)PortableMath.Sin(PortableMath.Pi * s))
+            : Scalar.Lerp(root, -length * Stretch(form) * (float)form.LeadAt(s), Scalar.Smooth(s / Rooted));
+        float TrailOf(float s) => form is null
+            ? (root * (1f - s)) + Depth(s)
+            : Scalar.Lerp(root, length * Stretch(form) * (float)form.TrailAt(s), Scalar.Smooth(s / Rooted));
+        float Rounded(float s)
+        {
+            float x = Math.Max(0f, (s - RoundedFrom) / (1f - RoundedFrom));
+            return 1f - (0.85f * x * x);
+        }
+
+        float Stretch(FlankFin outline) => width / (float)outline.Depth;
         float Depth(float s)
         {
-            double bow = PortableMath.Pow(Math.Max(0, PortableMath.Sin(PortableMath.Pi * Math.Min(1, (s * 0.93) + 0.02))), 0.75);
+            double bow = PortableMath.Pow(Math.Max(0, PortableMath.Sin(PortableMath.Pi * Math.Min(1, (s * 0.965) + 0.02))), 0.75);
             return length * width * 0.9f * (float)bow * (1f - (0.12f * (float)Math.Abs(PortableMath.Sin(s * 14))));
         }
 
@@ -51,8 +82,8 @@ internal static class PectoralGrower
         blade.Close(surface, end, fin.Socket, outward);
         surface.MirrorSince(firstVertex, firstFace);
 
-        Vector3 Middle(float s) => Vec.Lerp(Lead(s), Trail(s), 0.35f);
-        Vector3[] joints = { centre, Middle(0.5f), Middle(1f) };
+        Vector3 Axis(float s) => Vec.Lerp(Lead(s), Trail(s), 0.35f);
+        Vector3[] joints = { centre, Axis(0.5f), Axis(1f) };
         return new Appendage
         {
             Kind = LimbKind.Pectoral,
@@ -67,10 +98,10 @@ internal static class PectoralGrower
 
     private static float[] Sections()
     {
-        float[] sections = new float[13];
+        float[] sections = new float[SectionCount];
         for (int i = 0; i < sections.Length; i++)
         {
-            sections[i] = i / 12f;
+            sections[i] = 1f - (float)PortableMath.Pow(1 - (i / (sections.Length - 1.0)), 1.5);
         }
 
         return sections;

@@ -39,9 +39,9 @@ internal static class PartRemedies
         EyeBlueprint eyes = head.Eyes with
         {
             Ring = Clamp(head.Eyes.Ring, BlueprintRules.EyeRings),
-            Segment = Clamp(head.Eyes.Segment, BlueprintRules.EyeSegments),
+            Segment = head.Eyes.IsSingle ? 0 : Clamp(head.Eyes.Segment, BlueprintRules.EyeSegments),
         };
-        log.Change(log.Blueprint with { Head = head with { Eyes = eyes } }, "eyes are two and on the head");
+        log.Change(log.Blueprint with { Head = head with { Eyes = eyes } }, "eyes are on the head, two of them apart");
         head = log.Blueprint.Head;
         log.Change(log.Blueprint with { Head = head with { NostrilSize = Visible(head.NostrilSize), Mouth = head.Mouth with { Teeth = Visible(head.Mouth.Teeth) } } }, "it was too small to have an area");
     }

@@ -33,6 +33,9 @@ public enum LimbKind
 
     /// <summary>Feeler.</summary>
     Antenna,
+
+    /// <summary>Further tail; its joints swing as those of feelers do.</summary>
+    Tail,
 }
 
 /// <summary>A limb as a chain of joints of the skeleton.</summary>

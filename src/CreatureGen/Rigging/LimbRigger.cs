@@ -94,7 +94,7 @@ internal static class LimbRigger
         {
             LimbKind.Wing or LimbKind.InsectWing => JointRole.Wing,
             LimbKind.Ear => JointRole.Ear,
-            LimbKind.Antenna => JointRole.Antenna,
+            LimbKind.Antenna or LimbKind.Tail => JointRole.Antenna,
             _ => JointRole.Fin,
         };
         Side side = appendage.Paired ? Side.Left : Side.Median;
@@ -131,6 +131,7 @@ internal static class LimbRigger
             LimbKind.Ventral => "Ventral",
             LimbKind.Ear => "Ear",
             LimbKind.Antenna => "Antenna",
+            LimbKind.Tail => "Tail",
             _ => throw new ArgumentOutOfRangeException(nameof(appendage), appendage.Kind, "expected a kind of limb"),
         };
         string letter = side switch { Side.Left => "L", Side.Right => "R", _ => "" };

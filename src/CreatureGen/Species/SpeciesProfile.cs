@@ -114,6 +114,9 @@ internal sealed record SpeciesProfile
         _ => SwimmingPlans,
     };
 
+    /// <summary>Swellings and hollows of its torso, at rings from 20 on.</summary>
+    public HeadBump[] Relief { get; init; } = Array.Empty<HeadBump>();
+
     /// <summary>Height of its hip relative to the length of the torso where the rules of the plan place its legs; null for the plan's own.</summary>
     public (double Least, double Most)? HipHeight { get; init; }
 
@@ -122,6 +125,15 @@ internal sealed record SpeciesProfile
 
     /// <summary>Whether its legs end in hooves wherever the plan leaves a choice.</summary>
     public bool IsHoofed { get; init; }
+
+    /// <summary>What its feet with toes end in; null for what is common in its class.</summary>
+    public Weighted<FootStyle>[]? Feet { get; init; }
+
+    /// <summary>Whether its hooves are split.</summary>
+    public bool IsCloven { get; init; }
+
+    /// <summary>Tails without fins and feathers that it may have, and how likely each is; the body table's own is what is left to 1.</summary>
+    public Weighted<TailStyle>[] Tails { get; init; } = Array.Empty<Weighted<TailStyle>>();
 
     /// <summary>Factor on the girth of legs that the rules of the plan, or those for fliers, place.</summary>
     public double LegGirth { get; init; } = 1;

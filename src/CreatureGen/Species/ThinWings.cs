@@ -1,17 +1,19 @@
 using System;
+using CreatureGen.Anatomy;
 
 namespace CreatureGen.Species;
 
 /// <summary>A pair of thin wings.</summary>
 internal readonly struct ThinWing
 {
-    public ThinWing(double ring, double length, double width, double azimuth, double elevation)
+    public ThinWing(double ring, double length, double width, double azimuth, double elevation, ThinWingStyle style = ThinWingStyle.Blade)
     {
         Ring = ring;
         Length = length;
         Width = width;
         Azimuth = azimuth;
         Elevation = elevation;
+        Style = style;
     }
 
     public double Ring { get; }
@@ -27,6 +29,9 @@ internal readonly struct ThinWing
 
     /// <summary>Degrees above the level plane.</summary>
     public double Elevation { get; }
+
+    /// <summary>Its outline.</summary>
+    public ThinWingStyle Style { get; }
 }
 
 /// <summary>The thin wings of a species: as its fliers spread them and as its walkers carry them.</summary>

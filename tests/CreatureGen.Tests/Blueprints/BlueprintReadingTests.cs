@@ -24,12 +24,12 @@ public sealed class BlueprintReadingTests
     [InlineData("\"kind\": \"flying\"", "\"kind\": \"Flying\"", "kind = \"Flying\"; expected one of walking, flying, swimming (line 5, column 11)")]
     [InlineData("\"kind\": \"flying\"", "\"kind\": 1", "kind = 1; expected one of walking, flying, swimming (line 5, column 11)")]
     [InlineData("\"kind\": \"flying\",", "", "kind = nothing; expected one of walking, flying, swimming (line 1, column 1)")]
-    [InlineData("\"ring\": 39,", "\"ring\": 39.5,", "legs[1].socket.ring = 39.5; expected a whole number 1..52 (line 101, column 27)")]
-    [InlineData("\"ring\": 39,", "\"ring\": 3000000000,", "legs[1].socket.ring = 3000000000; expected a whole number 1..52 (line 101, column 27)")]
-    [InlineData("\"ring\": 39,", "\"ring\": 53,", "legs[1].socket.ring = 53; expected a whole number 1..52 (line 101, column 27)")]
-    [InlineData("\"ring\": 39, \"segment\": 8, \"rows\": 4", "\"ring\": 39, \"segment\": 8, \"rows\": 3", "legs[1].socket.rows = 3; expected an even number 2..22 (line 101, column 53)")]
+    [InlineData("\"ring\": 39,", "\"ring\": 39.5,", "legs[1].socket.ring = 39.5; expected a whole number 1..52 (line 102, column 27)")]
+    [InlineData("\"ring\": 39,", "\"ring\": 3000000000,", "legs[1].socket.ring = 3000000000; expected a whole number 1..52 (line 102, column 27)")]
+    [InlineData("\"ring\": 39,", "\"ring\": 53,", "legs[1].socket.ring = 53; expected a whole number 1..52 (line 102, column 27)")]
+    [InlineData("\"ring\": 39, \"segment\": 8, \"rows\": 4", "\"ring\": 39, \"segment\": 8, \"rows\": 3", "legs[1].socket.rows = 3; expected an even number 2..22 (line 102, column 53)")]
     [InlineData("\"face\": \"canine\"", "\"face\": \"unicorn\"", "body.blend.face = \"unicorn\"; expected one of canine, bovine, feline, reptile, avian, fish, insect, serpent, amphibian, beetle, ant, wasp, mantis, hopper, spider, centipede, butterfly, dragonfly, bee, moth, shark, ray, angler, turtle, plesiosaur, crocodile, seal, newt, eel, dolphin, puffer, swordfish, duck, raptor, ostrich, parrot, heron, owl, penguin, toucan, frog, cobra, lion, hyena, boar, horse, bison, camel, bear, rhino, rabbit, bat, pterosaur, ceratops, lizard, hedgehog (line 14, column 15)")]
-    [InlineData("\"ears\": [", "\"ears\": [{}, {}, ", "ears = 3 elements; expected an array of 0..2 elements (line 146, column 11)")]
+    [InlineData("\"ears\": [", "\"ears\": [{}, {}, ", "ears = 3 elements; expected an array of 0..2 elements (line 149, column 11)")]
     [InlineData("\"fork\": 1.5", "\"fork\": 1.5, \"fork\": 1.5", "tail.fork = a second member of this name; expected one (line 80, column 57)")]
     public void A_wrong_field_is_reported_with_its_path_and_place(string good, string bad, string problem)
     {

@@ -106,7 +106,8 @@ internal static class GoldenText
               "footSize": 1,
               "kneeRise": 1,
               "toes": 3,
-              "clawLength": 0
+              "clawLength": 0,
+              "foot": "plain"
             },
             {
               "archetype": "plantigradeHind",
@@ -122,7 +123,8 @@ internal static class GoldenText
               "footSize": 1,
               "kneeRise": 1,
               "toes": 3,
-              "clawLength": 0
+              "clawLength": 0,
+              "foot": "plain"
             }
           ],
           "wings": [
@@ -142,7 +144,8 @@ internal static class GoldenText
               "length": 1,
               "width": 0.2,
               "azimuth": 0,
-              "elevation": 0.6
+              "elevation": 0.6,
+              "style": "blade"
             }
           ],
           "fins": [

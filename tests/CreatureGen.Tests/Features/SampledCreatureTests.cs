@@ -41,6 +41,14 @@ public sealed class SampledCreatureTests
                 {
                     AntlerShape.Append(builder, feature, curve, 1f, Vector3.One * 0.5f);
                 }
+                else if (feature.Kind == FeatureKind.Tail)
+                {
+                    TailShape.Append(builder, feature, curve, (_, _) => Vector3.One);
+                }
+                else if (feature.Kind == FeatureKind.Eye)
+                {
+                    StalkShape.Append(builder, curve, 0.5f * (float)feature.Radius, Vector3.One, Vector3.One);
+                }
                 else
                 {
                     HornShape.Append(builder, feature, curve, 1f, Vector3.One * 0.5f);

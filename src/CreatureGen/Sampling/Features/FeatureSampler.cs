@@ -20,6 +20,9 @@ internal static class FeatureSampler
     private const double Shortening = 0.85;
     private const int MostCuts = 12;
 
+    /// <summary>Last ring of the nape.</summary>
+    private const int NeckRing = 16;
+
     /// <summary>First ring of the end of the tail.</summary>
     private const int TailEndRing = 46;
 
@@ -27,6 +30,13 @@ internal static class FeatureSampler
     public static void Sample(CreatureBuilder builder, OrnamentLevel level)
     {
         double plenty = level switch { OrnamentLevel.None => 0, OrnamentLevel.Sparse => 0.4, OrnamentLevel.Rich => 2, _ => 1 };
+        Ornaments(builder, plenty);
+        Sting(builder);
+        StrangeParts.Add(builder);
+    }
+
+    private static void Ornaments(CreatureBuilder builder, double plenty)
+    {
         double head = builder.Shape.Width[13];
         if (builder.Parents.Ornaments.Parts is PartSlot[] slots)
         {
@@ -48,7 +58,7 @@ internal static class FeatureSampler
             Tusks(builder, head, plenty, builder.Stream("tusks"));
         }
 
-        if (!NeckSampler.Hair(builder, plenty, builder.Stream("hair")))
+        if (!IsCrested(builder) && !NeckSampler.Hair(builder, plenty, builder.Stream("hair")))
         {
             Back(builder, horned, plenty, builder.Stream("back"));
         }
@@ -70,6 +80,11 @@ internal static class FeatureSampler
 
             PartChoice choice = slot.Choices[random.Weighted(weights)];
             double size = random.Uniform();
+            if (IsCrested(builder) && OnBack(choice))
+            {
+                continue;
+            }
+
             if (choice.Mane is ManePreset mane)
             {
                 NeckSampler.Add(builder, mane, size);
@@ -86,6 +101,23 @@ internal static class FeatureSampler
                 double factor = Maths.Scalar.Lerp(preset.Least, preset.Most, size) * (part.Ring < 16 ? head : 1);
                 builder.Features.Add(OffGround(builder, part with { Length = part.Length * factor, Radius = part.Radius * Math.Sqrt(factor) }));
             }
+        }
+    }
+
+    /// <summary>Whether a creature on land wears a fin along its back already.</summary>
+    private static bool IsCrested(CreatureBuilder builder) => builder.Kind != LocomotionKind.Swimming && builder.Fins.Exists(fin => fin.Place == FinPlace.Dorsal);
+
+    /// <summary>Whether a choice stands along the midline of the back.</summary>
+    private static bool OnBack(PartChoice choice) =>
+        choice.Mane != null || Array.Exists(choice.Parts, part => part.Part.Segment < 3 && part.Part.Ring is > NeckRing and < TailEndRing);
+
+    /// <summary>The sting at the end of a scorpion's tail.</summary>
+    private static void Sting(CreatureBuilder builder)
+    {
+        if (builder.Tail.Style == TailStyle.Stinger)
+        {
+            double radius = builder.Shape.Width[BodyGrid.Rings - 2];
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 2, 0, 3.2 * radius, 0.7 * radius, 0.1, 0, -1, 0, 0, 0, 0, 1, 1));
         }
     }
 
@@ -224,6 +256,7 @@ internal static class FeatureSampler
     private static void TailEnd(CreatureBuilder builder, double plenty, RandomStream random)
     {
         bool strong = builder.Kind == LocomotionKind.Walking
+            && builder.Tail.Style == TailStyle.Plain
             && builder.Parents.Ornaments.ArmedTail
             && builder.Parents.Tail.Class != AnimalClass.Arthropod
             && builder.Plan is BodyPlan.Sprawling or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Theropod;

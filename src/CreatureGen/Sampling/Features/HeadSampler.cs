@@ -19,11 +19,28 @@ internal static class HeadSampler
     /// <summary>A mouth that is open no further shows no teeth, radians.</summary>
     public const double LeastToothed = 0.05;
 
+    // Largest eyes of strange creatures, relative to those of the animal whose head it is: on a body of its own, and on one of another.
+    private const double OwnEyes = 0.85;
+    private const double MixedEyes = 0.68;
+
+    /// <summary>Probability of a single eye at full strangeness.</summary>
+    private const double SingleEyes = 0.05;
+
+    // A single eye: its largest radius in halves of the head, how deep it sits, in radii, and how far it looks ahead.
+    private const double LargestSingle = 0.5;
+    private const double SingleSink = 0.45;
+    private const double SingleForward = 1.3;
+
     /// <summary>Mean of half the width and half the height of a head at the eyes, metres.</summary>
     public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[10] + (0.5 * (shape.Top[10] + shape.Bottom[10])));
 
     /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
-    public static double LargestEye(CreatureBuilder builder) => builder.Parents.Head.LargestEye * HalfHeight(builder.Shape);
+    public static double LargestEye(CreatureBuilder builder)
+    {
+        // On a head that is mixed with larger ones, the eyes of an insect or a frog would be goggles.
+        double mixed = builder.Parents.Head == builder.Parents.First ? Scalar.Lerp(1, OwnEyes, builder.Strangeness) : Scalar.Lerp(1, MixedEyes, Math.Min(1, 2 * builder.Strangeness));
+        return mixed * builder.Parents.Head.LargestEye * HalfHeight(builder.Shape);
+    }
 
     /// <summary>The face of the creature.</summary>
     public static HeadBlueprint Sample(CreatureBuilder builder)
@@ -112,6 +129,12 @@ internal static class HeadSampler
         bool slit = random.Chance(species.SlitPupils);
         bool bar = builder.Stream("bar pupils").Chance(species.BarPupils);
         EyeStyle style = species.EyeStyle != EyeStyle.Round ? species.EyeStyle : faceted ? EyeStyle.Compound : slit ? EyeStyle.Slit : bar ? EyeStyle.Bar : EyeStyle.Round;
+        if (builder.Stream("single eye").Chance(SingleEyes * builder.Strangeness) && species.Class != AnimalClass.Arthropod && species.Snout != SnoutKind.Beak)
+        {
+            double large = Math.Min(1.35 * radius, LargestSingle * half);
+            return new EyeBlueprint(style, species.Eye.Ring - 0.6, 0, large, SingleSink, SingleForward, Scalar.Radians(58), Scalar.Radians(60), 0);
+        }
+
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
         return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, species.EyeSink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }

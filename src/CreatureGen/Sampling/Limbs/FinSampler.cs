@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Fins;
 using CreatureGen.Blueprints;
 using CreatureGen.Sampling.Placement;
 using CreatureGen.Sampling.Shapes;
@@ -11,6 +12,12 @@ namespace CreatureGen.Sampling.Limbs;
 /// <summary>Gives swimmers, and fish out of water, their fins where the attachment rules put them.</summary>
 internal static class FinSampler
 {
+    /// <summary>Greatest depth of a fin, relative to its length.</summary>
+    private const double MostWidth = 1.6;
+
+    /// <summary>Depth of a paddle that is as deep as the plan says, relative to its length.</summary>
+    private const double PaddleWidth = 0.5;
+
     /// <summary>Fills in the fins and the tail fin of the creature.</summary>
     public static void Sample(CreatureBuilder builder)
     {
@@ -54,7 +61,8 @@ internal static class FinSampler
                     BodyPlan.Eel => (0.28, 0.55),
                     _ => front ? (0.34, 0.55) : (0.2, 0.55),
                 };
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, length * fin.Scale.X, width * fin.Scale.Z, drop, sweep));
+                double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, length * LengthOf(fin.Style) * fin.Scale.X, Math.Min(MostWidth, width * slender * fin.Scale.Z), drop, sweep));
             }
             else
             {
@@ -76,6 +84,10 @@ internal static class FinSampler
             TailStyle.Fork => 0.29 * placement.Tail.Scale.Y,
             TailStyle.Fan => 0.24 * placement.Tail.Scale.Y,
             TailStyle.Lance => 0.15 * placement.Tail.Scale.Y,
+            TailStyle.Lunate => 0.3 * placement.Tail.Scale.Y,
+            TailStyle.Heterocercal => 0.24 * placement.Tail.Scale.Y,
+            TailStyle.Truncate => 0.24 * placement.Tail.Scale.Y,
+            TailStyle.Veil => 0.26 * placement.Tail.Scale.Y,
             TailStyle.Fluke => 0.34 * placement.Tail.Scale.X,
             _ => 0,
         };
@@ -125,14 +137,25 @@ internal static class FinSampler
     /// <summary>A fish that walks or flies keeps the fin on its back.</summary>
     private static void Crest(CreatureBuilder builder, RandomStream random)
     {
-        FinStyle style = CreatureBuilder.Choose(random, (FinStyle.Sail, 1), (FinStyle.Spiny, 1), (FinStyle.Shark, 1));
+        FinStyle style = CreatureBuilder.Choose(random, (FinStyle.Sail, 1), (FinStyle.Spiny, 1), (FinStyle.Shark, 1), (FinStyle.Carp, 0.7), (FinStyle.Tuna, 0.7), (FinStyle.Ray, 0.6));
         var socket = new SocketBlueprint(random.Integer(24, 30), 31, 2 * random.Integer(4, 7), 2);
         double height = random.Uniform(0.14, 0.26);
-        if (builder.Sockets.IsFree(socket, 0) && builder.Sockets.TryReserve(socket, 0))
+        if (builder.Shell.Style == ShellStyle.None && builder.Sockets.IsFree(socket, 0) && builder.Sockets.TryReserve(socket, 0))
         {
             builder.Fins.Add(new FinBlueprint(FinPlace.Dorsal, style, socket, height, 0, 0, SweepOf(style)));
         }
     }
 
-    private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
+    private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail or FinStyle.Ray => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
+
+    /// <summary>Length of a fin of a family relative to a paddle on the same body.</summary>
+    private static double LengthOf(FinStyle style) => style switch
+    {
+        FinStyle.Shark => 1.15,
+        FinStyle.Tuna => 1.25,
+        FinStyle.Carp => 0.85,
+        FinStyle.Veil => 1.3,
+        FinStyle.Flying => 1.8,
+        _ => 1,
+    };
 }

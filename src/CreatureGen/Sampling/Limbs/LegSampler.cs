@@ -78,6 +78,13 @@ internal static class LegSampler
         BirdPreset? bird = builder.Parents.Legs.Bird;
         style = preset != null ? OwnLegs.StyleOf(builder, style, preset) : bird != null ? OwnLegs.StyleOf(builder, style, bird) : style;
         var size = new LegSize(1, preset != null ? 1 : style.Reach, style.FootSize, style.Toes);
+        int extra = ExtraLegs.PairsOf(builder);
+        if (extra > 0 && WalkingRules.Place(Measure(builder), SetFor(Measure(builder)), size, builder.Stream("arms")).PlanChange != null)
+        {
+            // No room for them between the others.
+            extra = 0;
+        }
+
         WalkingPlacement placement = Carry(builder, SetFor, size);
         if (placement.PlanChange != null && placement.PlanChange != builder.Plan)
         {
@@ -110,7 +117,9 @@ internal static class LegSampler
         builder.Legs.Sort((a, b) => a.Socket.Ring.CompareTo(b.Socket.Ring));
         return null;
 
-        SocketSet SetFor(SpineMeasure measure) => preset != null ? OwnLegs.SetOf(builder, preset, measure) : bird != null ? OwnLegs.SetOf(builder, bird) : SetOf(builder);
+        SocketSet SetFor(SpineMeasure measure) => preset is null && bird is null && extra > 0 ? ExtraLegs.Between(SetOf(builder), extra) : OrdinaryFor(measure);
+
+        SocketSet OrdinaryFor(SpineMeasure measure) => preset != null ? OwnLegs.SetOf(builder, preset, measure) : bird != null ? OwnLegs.SetOf(builder, bird) : SetOf(builder);
     }
 
     /// <summary>A second, smaller pair of arms behind the first, now and then, where there is room.</summary>
@@ -280,12 +289,20 @@ internal static class LegSampler
         }
     }
 
+    private static FootStyle FootOf(LegStyle style, LimbArchetype archetype) => archetype switch
+    {
+        LimbArchetype.UnguligradeFore or LimbArchetype.UnguligradeHind => style.Hooves,
+        LimbArchetype.Theropod or LimbArchetype.Bird when style.Foot is FootStyle.Paw or FootStyle.Stump or FootStyle.Sucker => FootStyle.Talon,
+        LimbArchetype.Arm or LimbArchetype.Column or LimbArchetype.Insect or LimbArchetype.Raptorial or LimbArchetype.Jumper => FootStyle.Plain,
+        _ => style.Foot,
+    };
+
     /// <summary>Adds a pair of legs if its cells are free.</summary>
     public static void Add(CreatureBuilder builder, LegStyle style, LimbArchetype archetype, LegStance stance, SocketBlueprint socket, double thickness, double length, double reach, double azimuth, double shear, int pad)
     {
         if (builder.Sockets.TryReserve(socket, pad))
         {
-            builder.Legs.Add(new LegBlueprint(archetype, stance, socket, thickness, length, reach, azimuth, shear, style.Slimness, style.Stoutness, style.FootSize, style.KneeRise, Math.Max(1, style.Toes), style.ClawLength));
+            builder.Legs.Add(new LegBlueprint(archetype, stance, socket, thickness, length, reach, azimuth, shear, style.Slimness, style.Stoutness, style.FootSize, style.KneeRise, Math.Max(1, style.Toes), style.ClawLength, FootOf(style, archetype)));
         }
     }
 }
@@ -308,7 +325,9 @@ internal sealed record LegStyle
         Toes = builder.Plan is BodyPlan.Theropod or BodyPlan.ManyLegged || builder.Parents.Legs.Class == AnimalClass.Bird ? 3 : random.Integer(3, 5);
         Reach = random.Uniform(0.85, 1.15);
         bool soft = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade;
-        ClawLength = soft ? CreatureBuilder.Choose(random, (0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;
+        Foot = FootSampler.Toes(builder);
+        Hooves = FootSampler.Hooves(builder);
+        ClawLength = Foot == FootStyle.Talon ? random.Uniform(1.5, 2.2) : soft ? CreatureBuilder.Choose(random, (0.0, 0.35), (0.8, 0.3), (1.3, 0.35)) : random.Chance(0.5) ? 0.9 : 1.5;
     }
 
     public double Stoutness { get; init; }
@@ -324,4 +343,10 @@ internal sealed record LegStyle
     public double ClawLength { get; init; }
 
     public double KneeRise { get; init; } = 1;
+
+    /// <summary>What feet with toes end in.</summary>
+    public FootStyle Foot { get; init; }
+
+    /// <summary>What hooves are like.</summary>
+    public FootStyle Hooves { get; init; }
 }

@@ -17,8 +17,14 @@ internal static class WingSampler
     /// <summary>Fore and hind wings of insects; where they sit is the placement's.</summary>
     private static readonly ThinWing[] insectWings = { new(0, 0.95, 0.21, -6, 36), new(0, 0.68, 0.17, -36, 26) };
 
-    /// <summary>Those of heavier bodies: long and broad, or they would look too small to carry them.</summary>
-    private static readonly ThinWing[] fairyWings = { new(0, 1.45, 0.44, 6, 32), new(0, 1.0, 0.36, -40, 20) };
+    /// <summary>Those of heavier bodies, of each family one: long and broad, or they would look too small to carry them.</summary>
+    private static readonly ThinWing[][] fairyWings =
+    {
+        new ThinWing[] { new(0, 1.45, 0.44, 6, 32), new(0, 1.0, 0.36, -40, 20) },
+        new ThinWing[] { new(0, 1.6, 0.36, 8, 28, ThinWingStyle.DragonflyFore), new(0, 1.4, 0.46, -20, 18, ThinWingStyle.DragonflyHind) },
+        new ThinWing[] { new(0, 1.3, 0.78, 4, 38, ThinWingStyle.ButterflyFore), new(0, 1.05, 0.82, -4, 26, ThinWingStyle.ButterflyHind) },
+        new ThinWing[] { new(0, 1.4, 0.7, 0, 32, ThinWingStyle.MothFore), new(0, 1.1, 0.66, -12, 20, ThinWingStyle.MothHind) },
+    };
 
     private static readonly Weighted<WingStyle>[] membranes = Weights.Of((WingStyle.Bat, 0.4), (WingStyle.Dragon, 0.4), (WingStyle.Pterosaur, 0.2));
     private static readonly Weighted<WingStyle>[] feathers =
@@ -34,7 +40,7 @@ internal static class WingSampler
         foreach (ThinWing wing in wings)
         {
             double elevation = wing.Elevation + (wing.Azimuth < -60 ? 0 : 6 * rise);
-            builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.5, wing.Length * size, wing.Width * size * breadth, Scalar.Radians(wing.Azimuth), Scalar.Radians(elevation)));
+            builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.5, wing.Length * size, wing.Width * size * breadth, Scalar.Radians(wing.Azimuth), Scalar.Radians(elevation), wing.Style));
         }
     }
 
@@ -68,6 +74,7 @@ internal static class WingSampler
         WingForm form = WingForm.Of(style);
         double rise = random.Uniform(0.42, 0.75);
         double sweep = random.Uniform(0.05, 0.25);
+        ThinWing[] thins = builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings[builder.Stream("thin wing family").Integer(0, fairyWings.Length)];
         foreach (WingPlacement wing in placement.Wings)
         {
             if (wing.Socket is SocketBlueprint socket)
@@ -81,9 +88,9 @@ internal static class WingSampler
             }
             else
             {
-                ThinWing thin = (builder.Species.Class == AnimalClass.Arthropod ? insectWings : fairyWings)[builder.InsectWings.Count == 0 ? 0 : 1];
+                ThinWing thin = thins[builder.InsectWings.Count == 0 ? 0 : 1];
                 double elevation = Scalar.Radians(thin.Elevation * wing.Scale.Y);
-                builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.6, thin.Length * wing.Scale.X, thin.Width * wing.Scale.Z, Scalar.Radians(thin.Azimuth), elevation));
+                builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.6, thin.Length * wing.Scale.X, thin.Width * wing.Scale.Z, Scalar.Radians(thin.Azimuth), elevation, thin.Style));
             }
         }
     }

@@ -52,8 +52,10 @@ internal sealed record FinAnatomy(
     IReadOnlyList<FinChoice> Paired,
     IReadOnlyList<TailChoice> Tails)
 {
-    private static readonly FinChoice[] midline = { new(FinStyle.Shark, 1), new(FinStyle.Spiny, 1), new(FinStyle.Sail, 0.8) };
+    private static readonly FinChoice[] midline = { new(FinStyle.Shark, 0.9), new(FinStyle.Spiny, 0.9), new(FinStyle.Sail, 0.6), new(FinStyle.Tuna, 0.7), new(FinStyle.Carp, 0.9), new(FinStyle.Veil, 0.6), new(FinStyle.Ray, 0.4) };
     private static readonly FinChoice[] paddle = { new(FinStyle.Paddle, 1) };
+    private static readonly FinChoice[] flippers = { new(FinStyle.Paddle, 1), new(FinStyle.Shark, 0.6), new(FinStyle.Ray, 0.3) };
+    private static readonly FinChoice[] fans = { new(FinStyle.Paddle, 0.7), new(FinStyle.Shark, 0.7), new(FinStyle.Tuna, 0.6), new(FinStyle.Carp, 1), new(FinStyle.Veil, 0.7), new(FinStyle.Ray, 0.35), new(FinStyle.Flying, 0.6) };
 
     /// <summary>One or two dorsal fins anywhere, perhaps one below; pectorals behind the head, often pelvic fins behind them; an upright tail.</summary>
     public static FinAnatomy Fish { get; } = new(
@@ -65,8 +67,12 @@ internal sealed record FinAnatomy(
         midline,
         new CountRange(1, 2),
         new[] { new FinSite(22, 10, 1), new FinSite(24, 10.5, 0.6), new FinSite(34, 12, 0.1) },
-        paddle,
-        new[] { new TailChoice(TailStyle.Fork, 1), new TailChoice(TailStyle.Fan, 0.8), new TailChoice(TailStyle.Lance, 0.3) });
+        fans,
+        new[]
+        {
+            new TailChoice(TailStyle.Fork, 1), new TailChoice(TailStyle.Fan, 0.7), new TailChoice(TailStyle.Lance, 0.4), new TailChoice(TailStyle.Lunate, 0.8),
+            new TailChoice(TailStyle.Heterocercal, 0.8), new TailChoice(TailStyle.Truncate, 0.7), new TailChoice(TailStyle.Veil, 0.7),
+        });
 
     /// <summary>One long dorsal fin, small pectorals close behind the head, a plain or pointed tail.</summary>
     public static FinAnatomy Eel { get; } = new(
@@ -75,7 +81,7 @@ internal sealed record FinAnatomy(
         new CountRange(20, 22),
         23,
         44,
-        new[] { new FinChoice(FinStyle.Sail, 1), new FinChoice(FinStyle.Spiny, 1) },
+        new[] { new FinChoice(FinStyle.Sail, 1), new FinChoice(FinStyle.Spiny, 1), new FinChoice(FinStyle.Ray, 1) },
         new CountRange(0, 1),
         new[] { new FinSite(20, 10, 1) },
         paddle,
@@ -88,10 +94,10 @@ internal sealed record FinAnatomy(
         new CountRange(6, 10),
         33,
         42,
-        new[] { new FinChoice(FinStyle.Shark, 1) },
+        new[] { new FinChoice(FinStyle.Shark, 1), new FinChoice(FinStyle.Carp, 0.3) },
         new CountRange(1, 1),
         new[] { new FinSite(24, 10, 1) },
-        paddle,
+        flippers,
         new[] { new TailChoice(TailStyle.Fluke, 1) });
 
     /// <summary>Two pairs of flippers to row with, a plain tail.</summary>
@@ -104,7 +110,7 @@ internal sealed record FinAnatomy(
         midline,
         new CountRange(2, 2),
         new[] { new FinSite(25, 10, 1), new FinSite(41, 10, 1) },
-        paddle,
+        flippers,
         new[] { new TailChoice(TailStyle.Plain, 1) });
 
     /// <summary>The fins of a swimming plan.</summary>

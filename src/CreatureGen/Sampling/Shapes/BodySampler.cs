@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
+using CreatureGen.Sampling.Limbs;
 using CreatureGen.Sampling.Parents;
 using CreatureGen.Seeding;
 using CreatureGen.Species;
@@ -12,17 +14,20 @@ namespace CreatureGen.Sampling.Shapes;
 /// <summary>Draws the body: which bases are mixed, proportions, posture, lattice slices and the end of the tail.</summary>
 internal static class BodySampler
 {
+    /// <summary>Longest tail, as a factor on that of the body tables.</summary>
+    private const double LongestTail = 2.4;
+
     /// <summary>Fills in all of the creature that does not depend on how the creature stands.</summary>
     public static void Sample(CreatureBuilder builder)
     {
         builder.Style = builder.Stream("style").Normal(0, 1);
         builder.Blend = Blend(builder);
         builder.Signature = DrawSignature(builder);
+        builder.Tail = Tail(builder);
         builder.Proportions = Proportions(builder);
         builder.Drawn = Posture(builder);
         builder.Posture = builder.Drawn;
         builder.Slices = Slices(builder);
-        builder.Tail = Tail(builder);
         builder.Disc = Disc(builder);
     }
 
@@ -173,6 +178,12 @@ internal static class BodySampler
             }
         }
 
+        if (TailTaper.Of(builder.Tail.Style) is TailTaper taper)
+        {
+            tail = Math.Min(LongestTail, tail * taper.Length);
+            tailGirth *= taper.Girth;
+        }
+
         depth = group == AnimalClass.Fish && !species.IsSpecies && builder.Kind == LocomotionKind.Swimming ? depth : 1;
         if (neck > 1.25)
         {
@@ -233,6 +244,12 @@ internal static class BodySampler
             neck += 8;
         }
 
+        if (TailTaper.Of(builder.Tail.Style) is { Curl: not 0 } curled)
+        {
+            tail = Math.Min(tail, curled.Curl / 5);
+            tailBend = curled.Curl / BodyGrid.TailBones;
+        }
+
         if (builder.Kind == LocomotionKind.Swimming)
         {
             // Swimmers keep a straight spine (S1.5).
@@ -265,6 +282,13 @@ internal static class BodySampler
                 : new LatticeSlice(1 + (spread * x), 1 + (spread * y), 1 + (spread * z));
         }
 
+        // Third and fourth pairs of legs stand below the middle slices.
+        double longer = ExtraLegs.LengthOf(builder);
+        for (int k = 4; k <= 6; k++)
+        {
+            slices[k] = slices[k] with { Length = longer * slices[k].Length };
+        }
+
         return new ValueList<LatticeSlice>(slices);
     }
 
@@ -283,6 +307,11 @@ internal static class BodySampler
         if (builder.Kind == LocomotionKind.Swimming)
         {
             return new TailBlueprint(TailStyle.Plain, 0, 0);
+        }
+
+        if (TailSampler.Draw(builder) is TailBlueprint own)
+        {
+            return own;
         }
 
         if (builder.Parents.Tail.Bird is BirdPreset bird && feathery)

@@ -45,7 +45,7 @@ internal static class Angler
             {
                 new FinSitePreset(FinPlace.Dorsal, FinStyle.Sail, 34, 0, 8, (0.13, 0.16), (0, 0), 0, 0.35),
                 new FinSitePreset(FinPlace.Ventral, FinStyle.Sail, 36, 0, 6, (0.09, 0.11), (0, 0), 0, 0.35),
-                new FinSitePreset(FinPlace.Pectoral, FinStyle.Paddle, 25, 9, 4, (0.22, 0.27), (0.7, 0.8), 0.35, 0.6),
+                new FinSitePreset(FinPlace.Pectoral, FinStyle.Carp, 25, 9, 4, (0.22, 0.27), (0.7, 0.8), 0.35, 0.6),
             },
             Tail = TailStyle.Fan, TailSize = (0.2, 0.26), TailFork = (-0.4, -0.2),
         },

@@ -52,5 +52,6 @@ internal static class Bison
             new Colouring(new Tint(0.34, 0.045, 50)) { Kind = PatternKind.Plain, Accent = new Tint(0.44, 0.07, 58) },
             new Colouring(new Tint(0.80, 0.03, 85)) { Kind = PatternKind.Plain, Accent = new Tint(0.66, 0.05, 75) },
         },
+        IsCloven = true,
     };
 }

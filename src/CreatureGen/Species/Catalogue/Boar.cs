@@ -51,5 +51,6 @@ internal static class Boar
             new Colouring(new Tint(0.78, 0.06, 25)) { Pattern = new Tint(0.28, 0.02, 50), Kind = PatternKind.Patches, Muzzle = new Tint(0.72, 0.09, 20) },
             new Colouring(new Tint(0.52, 0.09, 48)) { Kind = PatternKind.Mottle, Accent = new Tint(0.88, 0.03, 80) },
         },
+        IsCloven = true,
     };
 }

@@ -42,5 +42,7 @@ internal static class Bovine
         Swelling = (0.10, 0.08), BarPupils = 0.55, TongueTints = Weights.Of((new Tint(0.60, 0.10, 14), 1), (new Tint(0.30, 0.045, 285), 0.35)), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
         HeadOrnament = (1, 0.85), Ears = Weights.Of((EarShape.Sideways, 1)),
         Patterns = Weights.Of((PatternKind.Patches, 1.2), (PatternKind.Plain, 0.9), (PatternKind.Stripes, 0.7), (PatternKind.Saddle, 0.8), (PatternKind.Giraffe, 1), (PatternKind.Rosettes, 0.15)),
+        IsCloven = true,
+        Relief = TorsoRelief.Mammal,
     };
 }

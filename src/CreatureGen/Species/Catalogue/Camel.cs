@@ -48,5 +48,6 @@ internal static class Camel
             new Colouring(new Tint(0.50, 0.065, 60)) { Kind = PatternKind.Plain, Accent = new Tint(0.32, 0.045, 52) },
             new Colouring(new Tint(0.86, 0.03, 85)) { Kind = PatternKind.Plain, Accent = new Tint(0.74, 0.05, 78) },
         },
+        IsCloven = true,
     };
 }

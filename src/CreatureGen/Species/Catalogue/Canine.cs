@@ -41,5 +41,6 @@ internal static class Canine
         Swelling = (0.10, 0.10), MouthCorner = 8, MuzzleSquareness = 2.9, Nostril = 0.19,
         HeadOrnament = (1, 0.15), Ears = Weights.Of((EarShape.Pointed, 0.6), (EarShape.Drooping, 0.25), (EarShape.Big, 0.15)), Teeth = 0.5,
         Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Saddle, 1.2), (PatternKind.Patches, 0.8), (PatternKind.Spots, 0.5), (PatternKind.Rosettes, 0.1)),
+        Relief = TorsoRelief.Mammal,
     };
 }

@@ -51,5 +51,6 @@ internal static class Ceratops
             new Colouring(new Tint(0.50, 0.045, 240)) { Kind = PatternKind.Bands, Accent = new Tint(0.66, 0.13, 70), Muzzle = new Tint(0.3, 0.02, 240) },
             new Colouring(new Tint(0.50, 0.07, 50)) { Kind = PatternKind.Saddle, Accent = new Tint(0.50, 0.10, 195), Muzzle = new Tint(0.3, 0.02, 60) },
         },
+        Feet = Weights.Of((FootStyle.Stump, 1)),
     };
 }

@@ -46,5 +46,7 @@ internal static class Crocodile
             new Colouring(new Tint(0.38, 0.04, 85)) { Kind = PatternKind.Mottle },
             new Colouring(new Tint(0.64, 0.07, 80)) { Pattern = new Tint(0.42, 0.05, 70), Kind = PatternKind.Bands, Belly = new Tint(0.88, 0.04, 90) },
         },
+        Feet = Weights.Of((FootStyle.Web, 1)),
+        Tails = Weights.Of((TailStyle.Paddle, 0.6)),
     };
 }

@@ -43,7 +43,7 @@ internal static class Dolphin
             Fins = new[]
             {
                 new FinSitePreset(FinPlace.Dorsal, FinStyle.Shark, 29, 0, 8, (0.19, 0.3), (0, 0), 0, 0.9),
-                new FinSitePreset(FinPlace.Pectoral, FinStyle.Paddle, 24, 10.4, 4, (0.32, 0.42), (0.40, 0.48), 0.6, 0.6),
+                new FinSitePreset(FinPlace.Pectoral, FinStyle.Shark, 24, 10.4, 4, (0.32, 0.42), (0.40, 0.48), 0.6, 0.6),
             },
             Tail = TailStyle.Fluke, TailSize = (0.24, 0.3), TailFork = (0.7, 1.0),
         },

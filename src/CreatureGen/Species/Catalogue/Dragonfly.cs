@@ -41,7 +41,7 @@ internal static class Dragonfly
             },
             Reach = (0.20, 0.26), Height = (0.16, 0.22), Thickness = 0.028,
         },
-        Wings = new ThinWings { Spread = new[] { new ThinWing(25, 1.1, 0.14, 12, 14), new ThinWing(29, 1.02, 0.16, -16, 10) } },
+        Wings = new ThinWings { Spread = new[] { new ThinWing(25, 1.1, 0.24, 12, 14, ThinWingStyle.DragonflyFore), new ThinWing(29, 1.02, 0.32, -16, 10, ThinWingStyle.DragonflyHind) } },
         Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(6, 2.6, 0.13, 0.009, 0.4, 0.6, 0.6, 0, 0), 0.9, 1.1))) },
         Colourings = new[]
         {

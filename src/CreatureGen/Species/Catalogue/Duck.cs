@@ -45,5 +45,6 @@ internal static class Duck
             new Colouring(new Tint(0.30, 0.04, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.90, 0.01, 90), Limb = new Tint(0.60, 0.14, 50), Accent = new Tint(0.90, 0.01, 90), Muzzle = new Tint(0.55, 0.10, 240) },
             new Colouring(new Tint(0.50, 0.11, 40)) { Kind = PatternKind.Plain, Belly = new Tint(0.62, 0.10, 60), Limb = new Tint(0.32, 0.03, 60), Accent = new Tint(0.34, 0.08, 160), Muzzle = new Tint(0.24, 0.02, 60) },
         },
+        Feet = Weights.Of((FootStyle.Web, 1)),
     };
 }

@@ -42,5 +42,6 @@ internal static class Feline
         Swelling = (0.08, 0.13), MouthCorner = 7, MuzzleSquareness = 2.9, Nostril = 0.19,
         HeadOrnament = (1, 0.12), Ears = Weights.Of((EarShape.Pointed, 0.6), (EarShape.Round, 0.4)), Teeth = 0.5,
         Patterns = Weights.Of((PatternKind.Stripes, 1), (PatternKind.Spots, 0.8), (PatternKind.Plain, 0.6), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 1.3), (PatternKind.Giraffe, 0.3)),
+        Relief = TorsoRelief.Mammal,
     };
 }

@@ -53,5 +53,6 @@ internal static class Frog
             new Colouring(new Tint(0.50, 0.07, 85)) { Pattern = new Tint(0.32, 0.05, 70), Kind = PatternKind.Mottle },
             new Colouring(new Tint(0.78, 0.14, 95)) { Pattern = new Tint(0.25, 0.03, 80), Kind = PatternKind.Turing, Limb = new Tint(0.45, 0.05, 210) },
         },
+        Feet = Weights.Of((FootStyle.Web, 0.5), (FootStyle.Sucker, 0.5)),
     };
 }

@@ -44,5 +44,6 @@ internal static class Heron
             new Colouring(new Tint(0.80, 0.09, 20)) { Kind = PatternKind.Plain, Limb = new Tint(0.70, 0.12, 20), Muzzle = new Tint(0.4, 0.05, 20) },
             new Colouring(new Tint(0.36, 0.06, 270)) { Pattern = new Tint(0.50, 0.06, 30), Kind = PatternKind.Saddle, Limb = new Tint(0.72, 0.14, 90), Muzzle = new Tint(0.3, 0.02, 260) },
         },
+        Feet = Weights.Of((FootStyle.Talon, 1)),
     };
 }

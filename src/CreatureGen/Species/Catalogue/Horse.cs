@@ -49,5 +49,6 @@ internal static class Horse
             new Colouring(new Tint(0.86, 0.02, 85)) { Pattern = new Tint(0.42, 0.07, 50), Kind = PatternKind.Patches, Accent = new Tint(0.88, 0.02, 85) },
             new Colouring(new Tint(0.62, 0.012, 260)) { Kind = PatternKind.Mottle, Accent = new Tint(0.82, 0.01, 260) },
         },
+        IsCloven = false,
     };
 }

@@ -35,7 +35,7 @@ internal static class Moth
         Frequency = (0, 0.26, 0),
         Eye = (8.8, 6.6), EyeSize = 0.58, EyeSink = 0.55,
         Legs = new LegPreset { Sites = InsectParts.Sixth(0.45, -0.05, -0.6), Reach = (0.2, 0.24), Height = (0.14, 0.2), Thickness = 0.036 },
-        Wings = new ThinWings { Spread = new[] { new ThinWing(26, 1.0, 0.66, -10, 16), new ThinWing(30, 0.66, 0.56, -50, 10) } },
+        Wings = new ThinWings { Spread = new[] { new ThinWing(26, 1.0, 0.56, -8, 16, ThinWingStyle.MothFore), new ThinWing(30, 0.84, 0.56, -14, 10, ThinWingStyle.MothHind) } },
         Parts = new[] { new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(6, 2.6, 0.3, 0.03, 0.75, 0.8, 0.5, 0.15, 0.3, 0.2), 0.85, 1.15))) },
         Patterns = Weights.Of((PatternKind.Mottle, 1), (PatternKind.Bands, 0.6), (PatternKind.Spots, 0.6)),
         Colourings = new[]

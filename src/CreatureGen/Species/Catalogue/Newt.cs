@@ -49,5 +49,7 @@ internal static class Newt
             new Colouring(new Tint(0.48, 0.08, 110)) { Pattern = new Tint(0.25, 0.03, 100), Kind = PatternKind.Spots },
             new Colouring(new Tint(0.64, 0.13, 132)) { Pattern = new Tint(0.26, 0.03, 120), Kind = PatternKind.Turing, Accent = new Tint(0.62, 0.15, 45) },
         },
+        Feet = Weights.Of((FootStyle.Plain, 0.5), (FootStyle.Sucker, 0.5)),
+        Tails = Weights.Of((TailStyle.Paddle, 0.5)),
     };
 }

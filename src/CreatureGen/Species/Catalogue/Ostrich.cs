@@ -42,5 +42,6 @@ internal static class Ostrich
             new Colouring(new Tint(0.52, 0.04, 70)) { Kind = PatternKind.Mottle, Limb = new Tint(0.62, 0.06, 50), Muzzle = new Tint(0.6, 0.06, 60) },
             new Colouring(new Tint(0.24, 0.02, 270)) { Kind = PatternKind.Plain, Limb = new Tint(0.5, 0.03, 70), Accent = new Tint(0.50, 0.16, 250), Muzzle = new Tint(0.50, 0.15, 250) },
         },
+        Feet = Weights.Of((FootStyle.Plain, 1)),
     };
 }

@@ -44,5 +44,6 @@ internal static class Penguin
             new Colouring(new Tint(0.46, 0.05, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.94, 0.01, 220), Limb = new Tint(0.72, 0.08, 30), Accent = new Tint(0.36, 0.05, 250), Muzzle = new Tint(0.3, 0.02, 260) },
             new Colouring(new Tint(0.40, 0.015, 250)) { Kind = PatternKind.Plain, Belly = new Tint(0.93, 0.01, 90), Limb = new Tint(0.66, 0.15, 55), Accent = new Tint(0.84, 0.16, 92), Muzzle = new Tint(0.55, 0.15, 40) },
         },
+        Feet = Weights.Of((FootStyle.Web, 1)),
     };
 }

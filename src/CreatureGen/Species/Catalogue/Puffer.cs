@@ -45,7 +45,7 @@ internal static class Puffer
             {
                 new FinSitePreset(FinPlace.Dorsal, FinStyle.Sail, 38, 0, 6, (0.13, 0.17), (0, 0), 0, 0.5),
                 new FinSitePreset(FinPlace.Ventral, FinStyle.Sail, 39, 0, 6, (0.1, 0.14), (0, 0), 0, 0.5),
-                new FinSitePreset(FinPlace.Pectoral, FinStyle.Paddle, 24, 8.6, 4, (0.2, 0.26), (0.8, 0.9), 0.2, 0.6),
+                new FinSitePreset(FinPlace.Pectoral, FinStyle.Carp, 24, 8.6, 4, (0.2, 0.26), (0.8, 0.9), 0.2, 0.6),
             },
             Tail = TailStyle.Fan, TailSize = (0.16, 0.2), TailFork = (-0.4, -0.2),
         },

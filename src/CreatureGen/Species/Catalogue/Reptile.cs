@@ -40,5 +40,6 @@ internal static class Reptile
         Swelling = (0.16, 0.08), MouthCorner = 9, Nostril = 0.15, Mood = 0.55, TongueTints = Weights.Of((new Tint(0.60, 0.115, 14), 1), (new Tint(0.50, 0.13, 255), 0.25), (new Tint(0.30, 0.05, 350), 0.3)),
         HeadOrnament = (0.04, 0.4), Teeth = 0.55,
         Patterns = Weights.Of((PatternKind.Bands, 1), (PatternKind.Mottle, 1), (PatternKind.Stripes, 0.8), (PatternKind.Patches, 0.4), (PatternKind.Saddle, 0.3), (PatternKind.Rosettes, 0.12), (PatternKind.Giraffe, 0.15)),
+        Relief = TorsoRelief.Reptile,
     };
 }

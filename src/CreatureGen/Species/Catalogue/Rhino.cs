@@ -51,5 +51,6 @@ internal static class Rhino
             new Colouring(new Tint(0.44, 0.03, 45)) { Kind = PatternKind.Mottle },
             new Colouring(new Tint(0.60, 0.02, 230)) { Kind = PatternKind.Plain },
         },
+        Feet = Weights.Of((FootStyle.Stump, 1)),
     };
 }

@@ -51,5 +51,6 @@ internal static class Seal
             new Colouring(new Tint(0.36, 0.02, 60)) { Kind = PatternKind.Plain },
             new Colouring(new Tint(0.78, 0.02, 85)) { Pattern = new Tint(0.45, 0.02, 60), Kind = PatternKind.Mottle },
         },
+        Feet = Weights.Of((FootStyle.Web, 1)),
     };
 }

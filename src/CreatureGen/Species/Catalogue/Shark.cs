@@ -43,10 +43,10 @@ internal static class Shark
             {
                 new FinSitePreset(FinPlace.Dorsal, FinStyle.Shark, 27, 0, 8, (0.24, 0.32), (0, 0), 0, 0.9),
                 new FinSitePreset(FinPlace.Dorsal, FinStyle.Shark, 41, 0, 4, (0.07, 0.09), (0, 0), 0, 0.9),
-                new FinSitePreset(FinPlace.Pectoral, FinStyle.Paddle, 24, 10, 4, (0.38, 0.50), (0.40, 0.50), 0.38, 0.6),
-                new FinSitePreset(FinPlace.Pectoral, FinStyle.Paddle, 38, 11, 4, (0.15, 0.18), (0.5, 0.5), 0.4, 0.6),
+                new FinSitePreset(FinPlace.Pectoral, FinStyle.Shark, 24, 10, 4, (0.38, 0.50), (0.40, 0.50), 0.38, 0.6),
+                new FinSitePreset(FinPlace.Pectoral, FinStyle.Shark, 38, 11, 4, (0.15, 0.18), (0.5, 0.5), 0.4, 0.6),
             },
-            Tail = TailStyle.Fork, TailSize = (0.26, 0.32), TailFork = (1.1, 1.6), TailLobe = 0.38,
+            Tail = TailStyle.Heterocercal, TailSize = (0.26, 0.32),
         },
         Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Stripes, 0.5), (PatternKind.Spots, 0.4)),
         Colourings = new[]

@@ -43,9 +43,9 @@ internal static class Swordfish
             {
                 new FinSitePreset(FinPlace.Dorsal, FinStyle.Shark, 22, 0, 8, (0.22, 0.34), (0, 0), 0, 0.8),
                 new FinSitePreset(FinPlace.Ventral, FinStyle.Shark, 40, 0, 4, (0.09, 0.13), (0, 0), 0, 0.9),
-                new FinSitePreset(FinPlace.Pectoral, FinStyle.Paddle, 23, 11, 4, (0.3, 0.4), (0.26, 0.32), 0.6, 0.7),
+                new FinSitePreset(FinPlace.Pectoral, FinStyle.Tuna, 23, 11, 4, (0.3, 0.4), (0.26, 0.32), 0.6, 0.7),
             },
-            Tail = TailStyle.Fork, TailSize = (0.28, 0.34), TailFork = (1.3, 1.7),
+            Tail = TailStyle.Lunate, TailSize = (0.28, 0.34),
         },
         Patterns = Weights.Of((PatternKind.Plain, 1), (PatternKind.Bands, 0.6)),
         Colourings = new[]

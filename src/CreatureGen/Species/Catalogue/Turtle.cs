@@ -58,5 +58,7 @@ internal static class Turtle
             new Colouring(new Tint(0.52, 0.06, 210)) { Pattern = new Tint(0.34, 0.05, 220), Kind = PatternKind.Spots },
             new Colouring(new Tint(0.36, 0.03, 60)) { Pattern = new Tint(0.76, 0.14, 85), Kind = PatternKind.Turing, Accent = new Tint(0.62, 0.18, 40) },
         },
+        Feet = Weights.Of((FootStyle.Web, 1)),
+        Relief = System.Array.Empty<HeadBump>(),
     };
 }

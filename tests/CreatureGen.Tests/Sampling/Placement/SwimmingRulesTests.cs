@@ -46,7 +46,7 @@ public sealed class SwimmingRulesTests
         }
 
         Assert.True(bones.Count >= 9);
-        Assert.Equal(3, styles.Count);
+        Assert.Equal(7, styles.Count);
     }
 
     [Fact]
@@ -116,7 +116,8 @@ public sealed class SwimmingRulesTests
             Assert.Equal(TailStyle.Fluke, SwimmingRules.Place(Body, FinAnatomy.Whale, new SocketGrid(), new Seed(seed)).Tail.Style);
         }
 
-        Assert.True(styles.SetEquals(new[] { TailStyle.Fork, TailStyle.Fan, TailStyle.Lance }));
+        Assert.True(styles.SetEquals(FinAnatomy.Fish.Tails.Select(choice => choice.Style)));
+        Assert.True(styles.Count >= 6);
     }
 
     [Fact]

@@ -1,0 +1,14 @@
+namespace CreatureGen.Anatomy.Fins;
+
+/// <summary>Carps: a broad rounded fan; on the back a long one that falls off.</summary>
+internal static class CarpFin
+{
+    /// <summary>Its outline on the flank.</summary>
+    public static readonly FlankFin Flank = new(
+        new[] { -0.15, -0.21, -0.24, -0.24, -0.18, -0.08, 0.03, 0.14 },
+        new[] { 0.15, 0.27, 0.36, 0.44, 0.46, 0.42, 0.34, 0.22 });
+
+    /// <summary>Its outline on the midline.</summary>
+    public static readonly MidlineFin Midline = new(
+        (0, 0.06), (0.04, 0.6), (0.1, 1), (0.18, 0.95), (0.28, 0.76), (0.42, 0.64), (0.58, 0.6), (0.74, 0.58), (0.88, 0.5), (0.96, 0.3), (1, 0.08));
+}

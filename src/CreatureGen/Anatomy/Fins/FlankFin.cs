@@ -1,0 +1,50 @@
+using CreatureGen.Maths;
+
+namespace CreatureGen.Anatomy.Fins;
+
+/// <summary>The outline of a fin on the flank: how far its edges lie behind its axis, in lengths of the fin.</summary>
+/// <remarks>After the ratios of Wainwright, Bellwood and Westneat, Environ. Biol. Fishes 65 (2002), drawn by eye.</remarks>
+internal sealed class FlankFin
+{
+    /// <summary>Where along the axis the edges are given.</summary>
+    private static readonly double[] stations = { 0, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1 };
+
+    private readonly double[] lead;
+    private readonly double[] trail;
+    private readonly double[] leadSlopes = new double[stations.Length];
+    private readonly double[] trailSlopes = new double[stations.Length];
+
+    /// <summary>Takes both edges at 0, 15, 30, 50, 70, 85, 95 and 100 % of the length.</summary>
+    public FlankFin(double[] lead, double[] trail)
+    {
+        this.lead = lead;
+        this.trail = trail;
+        MonotoneCubic.Slopes(stations, lead, leadSlopes);
+        MonotoneCubic.Slopes(stations, trail, trailSlopes);
+        for (int i = 0; i < stations.Length; i++)
+        {
+            Depth = System.Math.Max(Depth, trail[i] - lead[i]);
+        }
+    }
+
+    /// <summary>Greatest distance between the edges, in lengths.</summary>
+    public double Depth { get; }
+
+    /// <summary>The outline of a style; null for a paddle.</summary>
+    public static FlankFin? Of(FinStyle style) => style switch
+    {
+        FinStyle.Shark => SharkFin.Flank,
+        FinStyle.Tuna => TunaFin.Flank,
+        FinStyle.Carp => CarpFin.Flank,
+        FinStyle.Veil => VeilFin.Flank,
+        FinStyle.Ray => RayFin.Flank,
+        FinStyle.Flying => FlyingFin.Flank,
+        _ => null,
+    };
+
+    /// <summary>The leading edge behind the axis.</summary>
+    public double LeadAt(double s) => MonotoneCubic.Evaluate(stations, lead, leadSlopes, s);
+
+    /// <summary>The trailing edge behind the axis.</summary>
+    public double TrailAt(double s) => MonotoneCubic.Evaluate(stations, trail, trailSlopes, s);
+}

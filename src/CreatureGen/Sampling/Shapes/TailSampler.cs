@@ -1,0 +1,49 @@
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Seeding;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Shapes;
+
+/// <summary>Draws tails without fins and feathers: those of the parent that gives the tail, or any on a strange creature.</summary>
+internal static class TailSampler
+{
+    /// <summary>Probability at full strangeness of a tail that is none of the parent's.</summary>
+    private const double AnyTail = 0.45;
+
+    private static readonly Weighted<TailStyle>[] any =
+        Weights.Of((TailStyle.Whip, 1), (TailStyle.Paddle, 1), (TailStyle.Club, 0.8), (TailStyle.Prehensile, 1), (TailStyle.Stinger, 0.8));
+
+    private static readonly Weighted<TailStyle>[] flown = Weights.Of((TailStyle.Whip, 1), (TailStyle.Paddle, 0.7));
+
+    /// <summary>The tail of a creature; null where it ends as its parents' do.</summary>
+    public static TailBlueprint? Draw(CreatureBuilder builder)
+    {
+        RandomStream random = builder.Stream("tail family");
+        SpeciesProfile donor = builder.Parents.Tail;
+        bool strange = random.Chance(AnyTail * builder.Strangeness);
+        double own = random.Uniform();
+        TailStyle other = CreatureBuilder.Choose(random, builder.Kind == LocomotionKind.Flying ? flown : any);
+        double share = random.Uniform(0.8, 1);
+        TailStyle style = strange ? other : OwnOf(donor, own);
+
+        // What lies, or balances on two legs, needs the tail that it has; on a bird's legs a long one would lie on the ground.
+        bool carried = builder.Plan is not (BodyPlan.Legless or BodyPlan.Theropod) && builder.Parents.Legs.Bird is null && builder.Parents.First.Class != AnimalClass.Arthropod
+            && builder.Parents.First.Disc.Sweep == 0;
+        return style == TailStyle.Plain || !carried ? null : new TailBlueprint(style, share, 0);
+    }
+
+    private static TailStyle OwnOf(SpeciesProfile donor, double draw)
+    {
+        foreach (Weighted<TailStyle> tail in donor.Tails)
+        {
+            draw -= tail.Weight;
+            if (draw < 0)
+            {
+                return tail.Value;
+            }
+        }
+
+        return TailStyle.Plain;
+    }
+}

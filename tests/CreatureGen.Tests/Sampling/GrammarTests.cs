@@ -1,0 +1,86 @@
+using System.Collections.Generic;
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Inspection;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Sampling;
+
+/// <summary>What a creature may be put together of beyond what its plan asks for.</summary>
+public sealed class GrammarTests
+{
+    private const ulong First = 9_600_000;
+
+    private static CreatureBlueprint[] Strange(RequestedKind kind, int count) =>
+        Enumerable.Range(0, count).Select(i => BlueprintSampler.Sample(First + (ulong)i, CreatureOptions.Default with { Kind = kind, Strangeness = 1 })).ToArray();
+
+    [Fact]
+    public void Strange_walkers_have_further_legs_eyes_and_tails_and_feet_and_tails_of_every_family()
+    {
+        CreatureBlueprint[] all = Strange(RequestedKind.Walking, 500);
+        int Standing(CreatureBlueprint b) => b.Legs.Count(leg => leg.Stance == LegStance.Standing);
+        BodyPlan[] four = [BodyPlan.Digitigrade, BodyPlan.Unguligrade, BodyPlan.Plantigrade, BodyPlan.Columnar, BodyPlan.Sprawling];
+        Assert.Contains(all, b => four.Contains(b.Plan) && Standing(b) == 3);
+        Assert.Contains(all, b => four.Contains(b.Plan) && Standing(b) == 4);
+        Assert.Contains(all, b => b.Features.Any(part => part.Kind == FeatureKind.Tail));
+        Assert.Contains(all, b => b.Features.Any(part => part.Kind == FeatureKind.Eye && part.Segment == 0));
+        Assert.Contains(all, b => b.Features.Any(part => part.Kind == FeatureKind.Eye && part.Length > 2 * part.Radius));
+        Assert.Contains(all, b => b.Features.Count(part => part.Kind == FeatureKind.Eye) >= 3);
+        Assert.Contains(all, b => b.Head.Eyes.IsSingle);
+        Assert.Equal(AnatomyChoices.Foot.Count, all.SelectMany(b => b.Legs).Select(leg => leg.Foot).Distinct().Count());
+        TailStyle[] tails = [TailStyle.Whip, TailStyle.Paddle, TailStyle.Club, TailStyle.Prehensile, TailStyle.Stinger];
+        Assert.All(tails, tail => Assert.Contains(all, b => b.Tail.Style == tail));
+    }
+
+    [Fact]
+    public void Swimmers_have_six_families_of_fins_and_more_on_flanks_backs_and_tails()
+    {
+        CreatureBlueprint[] all = Strange(RequestedKind.Swimming, 400);
+        HashSet<FinStyle> On(FinPlace place) => all.SelectMany(b => b.Fins).Where(fin => fin.Place == place).Select(fin => fin.Style).ToHashSet();
+        Assert.True(On(FinPlace.Pectoral).Count >= 6);
+        Assert.True(On(FinPlace.Dorsal).Count >= 6);
+        Assert.True(all.Select(b => b.Tail.Style).Distinct().Count() >= 6);
+    }
+
+    [Fact]
+    public void On_land_nothing_else_stands_along_a_back_with_a_fin()
+    {
+        foreach (CreatureBlueprint b in Strange(RequestedKind.Walking, 400).Where(b => b.Fins.Any(fin => fin.Place == FinPlace.Dorsal)))
+        {
+            Assert.DoesNotContain(b.Features, part => part.Segment < 3 && part.Ring is > 16 and < 46);
+            Assert.Equal(ShellStyle.None, b.Body.Shell.Style);
+        }
+    }
+
+    public static TheoryData<FootStyle> Feet => new(AnatomyChoices.Foot.Values);
+
+    [Theory]
+    [MemberData(nameof(Feet))]
+    public void Every_family_of_feet_stands_under_every_plan(FootStyle foot)
+    {
+        BodyPlan[] plans = [BodyPlan.Digitigrade, BodyPlan.Unguligrade, BodyPlan.Plantigrade, BodyPlan.Sprawling, BodyPlan.Theropod, BodyPlan.Upright];
+        foreach (BodyPlan plan in plans)
+        {
+            var options = CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = new ValueList<BodyPlanWeight>(AnatomyChoices.Plan.Values.Select(p => new BodyPlanWeight(p, p == plan ? 1 : 0))) };
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(First, options);
+            blueprint = blueprint with { Legs = new ValueList<LegBlueprint>(blueprint.Legs.Select(leg => leg with { Foot = foot })) };
+            Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Build(blueprint)));
+        }
+    }
+
+    public static TheoryData<TailStyle> Tails => new(AnatomyChoices.Tail.Values);
+
+    [Theory]
+    [MemberData(nameof(Tails))]
+    public void Every_family_of_tails_closes_a_swimmer(TailStyle tail)
+    {
+        foreach (ulong seed in new[] { First, First + 1, First + 2 })
+        {
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
+            blueprint = blueprint with { Tail = new TailBlueprint(tail, 0.25, 0.8) };
+            Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Build(blueprint)));
+        }
+    }
+}
