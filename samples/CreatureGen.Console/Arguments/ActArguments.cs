@@ -15,22 +15,26 @@ internal static class ActArguments
 
     public static readonly OptionSyntax Target = new("--target", "X,Y,Z", "with --act: where, metres left, up and ahead of the creature's root (default: what suits it)");
 
-    /// <summary>An act of a creature by its name.</summary>
+    /// <summary>An act that a creature can do, by its name.</summary>
     /// <param name="profile">Whose.</param>
     /// <param name="word">The name, with or without hyphens.</param>
     /// <param name="wrong">Makes an error of what was expected.</param>
     public static ActAbility Find(MotionProfile profile, string word, Func<string, Exception> wrong)
     {
-        string[] known = profile.Acts.Possible.Select(ability => MovementArguments.Hyphenated(ability.Act.Name)).ToArray();
+        ActAbility found = Named(profile, word, wrong);
+        return found.IsPossible ? found : throw wrong($"an act that this creature can do: {string.Join(", ", Known(profile))} (not {word}: {found.Refusal})");
+    }
+
+    /// <summary>The same, whether the creature can do it or not.</summary>
+    public static ActAbility Named(MotionProfile profile, string word, Func<string, Exception> wrong)
+    {
         string plain = word.Replace("-", "", StringComparison.Ordinal);
         ActAbility? found = profile.Acts.All.FirstOrDefault(ability => string.Equals(ability.Act.Name, plain, StringComparison.OrdinalIgnoreCase));
-        if (found == null)
-        {
-            throw wrong("an act: " + string.Join(", ", known) + Suggestion.For(word, known));
-        }
-
-        return found.IsPossible ? found : throw wrong($"an act that this creature can do: {string.Join(", ", known)} (not {word}: {found.Refusal})");
+        string[] known = Known(profile);
+        return found ?? throw wrong("an act: " + string.Join(", ", known) + Suggestion.For(word, known));
     }
+
+    private static string[] Known(MotionProfile profile) => profile.Acts.Possible.Select(ability => MovementArguments.Hyphenated(ability.Act.Name)).ToArray();
 
     /// <summary>The target asked for.</summary>
     /// <exception cref="UsageError">It cannot be read.</exception>

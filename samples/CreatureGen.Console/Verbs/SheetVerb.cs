@@ -6,6 +6,8 @@ using CreatureGen.Console.Files;
 using CreatureGen.Console.Text;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
+using CreatureGen.Motion;
+using CreatureGen.Preview.Films;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Png;
 using CreatureGen.Preview.Rendering;
@@ -39,9 +41,10 @@ internal sealed class SheetVerb : IVerb
             new("sheet --seeds 1-24 --kind swimming --view side --out swimmers.png", "swimmers from the side"),
             new("sheet --seed 101 --individuals 1-36 --out family.png", "one species, young and old"),
             new("sheet --seeds 1-12 --face --columns 4 --out faces.png", "their heads"),
+            new("sheet --seeds 1-10 --act bite --out bites.png", "ten creatures in an act, six moments of it each"),
             new("sheet --seeds 1-4 --skeleton --columns 2 --size 640 --out bones.png", "four skeletons, large"),
         ],
-        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, face, skeleton, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
+        [SeedOptions.Seed, SeedOptions.Seeds, SeedOptions.Individual, SeedOptions.Individuals, CommonOptions.OutFile with { Meaning = "the picture to write (PNG)" }, CommonOptions.View, face, skeleton, ActArguments.Act with { Meaning = "show six moments of an act, a row for each creature that can do it: " + ActArguments.Act.Meaning }, CommonOptions.Flat, columns, size, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -51,15 +54,16 @@ internal sealed class SheetVerb : IVerb
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
         SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);
         int width = arguments.Whole(size.Name, LeastSize, MostSize, DefaultSize);
+        string? act = arguments.Value(ActArguments.Act.Name);
         var layout = new ContactSheetOptions
         {
-            Columns = arguments.Whole(columns.Name, 1, 200, DefaultColumns),
+            Columns = arguments.Whole(columns.Name, 1, 200, act == null ? DefaultColumns : ActRow.Moments),
             CellWidth = width,
             CellHeight = Math.Max(1, width * 14 / 17),
             Threads = CommonOptions.ReadThreads(arguments),
             LabelSize = width >= 2 * DefaultSize ? LabelSize.Medium : LabelSize.Small,
         };
-        RequireRoom(arguments, specimens.Count, layout);
+        RequireRoom(arguments, specimens.Count * (UInt128)(act == null ? 1 : ActRow.Moments), layout);
         FileSet.RequireWritable(path, surroundings);
         bool alone = specimens.Count == 1;
         var style = new Style(
@@ -67,7 +71,9 @@ internal sealed class SheetVerb : IVerb
             ReadFigure(arguments),
             new RenderOptions { Shading = arguments.Has(CommonOptions.Flat.Name) ? ShadingMode.Faceted : ShadingMode.Smooth, Threads = alone ? layout.Threads : 1 });
         using var progress = new ProgressLine(surroundings, "creatures", specimens.Count, ProgressKind.Shown);
-        SheetCell[] cells = specimens.Select(specimen => Cell(specimen, options, style, progress)).ToArray();
+        SheetCell[] cells = act == null
+            ? specimens.Select(specimen => Cell(specimen, options, style, progress)).ToArray()
+            : specimens.SelectMany(specimen => ActCells(arguments, specimen, options, style, (act, layout), progress)).ToArray();
         Picture sheet = ContactSheet.Render(cells, layout, surroundings.Cancellation);
         byte[] png = PngWriter.ToBytes(sheet);
         progress.Dispose();
@@ -81,6 +87,11 @@ internal sealed class SheetVerb : IVerb
         if (arguments.Has(face.Name) && arguments.Has(skeleton.Name))
         {
             throw arguments.Wrong("--face and --skeleton; expected one of them");
+        }
+
+        if (arguments.Has(ActArguments.Act.Name) && (arguments.Has(face.Name) || arguments.Has(skeleton.Name)))
+        {
+            throw arguments.Wrong("--act and --face or --skeleton; expected one of them");
         }
 
         return arguments.Has(face.Name) ? Figure.Face : arguments.Has(skeleton.Name) ? Figure.Skeleton : Figure.Skin;
@@ -115,6 +126,17 @@ internal sealed class SheetVerb : IVerb
             progress.Step();
             return picture;
         });
+    }
+
+    /// <summary>A row of moments of an act; none of a creature that cannot do it.</summary>
+    private static SheetCell[] ActCells(ParsedArguments arguments, Specimen specimen, CreatureOptions options, Style style, (string Act, ContactSheetOptions Layout) of, ProgressLine progress)
+    {
+        CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, specimen.Of(options));
+        var profile = new MotionProfile(CreatureAssembler.Assemble(blueprint));
+        progress.Step();
+        var film = new FilmOptions { Width = of.Layout.CellWidth, Height = of.Layout.CellHeight, View = style.View, Shading = style.Render.Shading };
+        string label = $"{specimen.Name} {WordList<Anatomy.BodyPlan>.Instance[blueprint.Plan]} {blueprint.Body.Blend.Bodies[0].Name}";
+        return ActRow.Of(profile, of.Act, label, film, expected => arguments.Wrong(ActArguments.Act.Name, of.Act, expected));
     }
 
     /// <summary>What of a creature is drawn.</summary>

@@ -19,8 +19,9 @@ namespace CreatureGen.Console.Working;
 /// <param name="Ability">The act.</param>
 /// <param name="LimitExcessJoint">The joint that is farthest beyond its limits; null for none.</param>
 /// <param name="JointSpeedJoint">The fastest joint; null for none.</param>
+/// <param name="PenetrationJoint">The joint that carries the skin that is deepest in the ground; null for none.</param>
 /// <param name="Report">The figures.</param>
-internal sealed record MeasuredAct(LocomotionKind Kind, BodyPlan Plan, ulong Seed, ActAbility Ability, string? LimitExcessJoint, string? JointSpeedJoint, ActReport Report) : IMeasuredRun<MeasuredAct>
+internal sealed record MeasuredAct(LocomotionKind Kind, BodyPlan Plan, ulong Seed, ActAbility Ability, string? LimitExcessJoint, string? JointSpeedJoint, string? PenetrationJoint, ActReport Report) : IMeasuredRun<MeasuredAct>
 {
     /// <inheritdoc/>
     public static IReadOnlyList<Measure<MeasuredAct>> Measures => ActMeasure.All;
@@ -54,6 +55,7 @@ internal sealed record MeasuredAct(LocomotionKind Kind, BodyPlan Plan, ulong See
         json.WriteNumber("seconds", Report.Seconds);
         json.WriteString("limitExcessMaxJoint", LimitExcessJoint);
         json.WriteString("jointSpeedMaxJoint", JointSpeedJoint);
+        json.WriteString("penetrationMaxJoint", PenetrationJoint);
     }
 
     /// <inheritdoc/>
@@ -63,6 +65,6 @@ internal sealed record MeasuredAct(LocomotionKind Kind, BodyPlan Plan, ulong See
     {
         CreatureBlueprint blueprint = profile.Creature.Blueprint;
         ActReport report = trial.Run(profile);
-        return new MeasuredAct(blueprint.Kind, blueprint.Plan, blueprint.Seed, trial.Ability, Growing.JointName(profile, report.LimitExcessJoint), Growing.JointName(profile, report.JointSpeedJoint), report);
+        return new MeasuredAct(blueprint.Kind, blueprint.Plan, blueprint.Seed, trial.Ability, Growing.JointName(profile, report.LimitExcessJoint), Growing.JointName(profile, report.JointSpeedJoint), Growing.JointName(profile, report.PenetrationJoint), report);
     }
 }

@@ -8,6 +8,7 @@ namespace CreatureGen.Motion;
 /// <param name="JointSpeed">Fastest turn of a joint, radians per second.</param>
 /// <param name="JointSpeedJoint">Which; −1 for none.</param>
 /// <param name="Penetration">Deepest that the skin was below where it is as the creature stands, parts of the body's length.</param>
+/// <param name="PenetrationJoint">The joint that carries the skin there; −1 for none.</param>
 /// <param name="ContactError">How far what strikes was from its target at the contact, parts of the body's length.</param>
 /// <param name="FootSlip">Most that a planted foot went from where it stood, leg lengths.</param>
 public sealed record ActReport(
@@ -18,5 +19,6 @@ public sealed record ActReport(
     float JointSpeed,
     int JointSpeedJoint,
     float? Penetration,
+    int PenetrationJoint,
     float? ContactError,
     float? FootSlip);

@@ -71,7 +71,7 @@ public sealed record ActTrial(ActAbility Ability)
 
         bool grounded = profile.Legs != null || profile.Slither != null;
         float sunk = Math.Max(0f, Math.Min(standing, 0f) - skin.Lowest) / profile.Acts.Body.Size;
-        return new ActReport(frames, seconds, (float)joints.Excess, joints.ExcessJoint, joints.Speed, joints.SpeedJoint, grounded ? sunk : null, error, profile.Legs == null ? null : feet.Worst);
+        return new ActReport(frames, seconds, (float)joints.Excess, joints.ExcessJoint, joints.Speed, joints.SpeedJoint, grounded ? sunk : null, grounded && sunk > 0f ? skin.LowestJoint : -1, error, profile.Legs == null ? null : feet.Worst);
     }
 
     /// <summary>Watches how low the skin comes.</summary>
@@ -93,13 +93,20 @@ public sealed record ActTrial(ActAbility Ability)
         /// <summary>Height of the lowest vertex of all poses, metres.</summary>
         public float Lowest { get; private set; } = float.MaxValue;
 
+        /// <summary>The joint that moves it most.</summary>
+        public int LowestJoint { get; private set; } = -1;
+
         public void Record(in Pose model)
         {
             SkinMatrices.Fill(creature.Skeleton, model, matrices);
             CpuSkinning.Skin(matrices, creature.Mesh.Weights, creature.Mesh.Positions, creature.Mesh.Normals, positions, normals);
-            foreach (Vector3 place in positions)
+            for (int v = 0; v < positions.Length; v++)
             {
-                Lowest = Math.Min(Lowest, place.Y);
+                if (positions[v].Y < Lowest)
+                {
+                    Lowest = positions[v].Y;
+                    LowestJoint = creature.Mesh.Weights[v].Joint0;
+                }
             }
         }
     }

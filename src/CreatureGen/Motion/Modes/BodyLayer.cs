@@ -71,6 +71,9 @@ internal struct FootLayer
     /// <summary>Toes down, radians.</summary>
     public float Pitch;
 
+    /// <summary>How far it stands no longer: a leg that is folded under the body comes near its place as it can, 0..1.</summary>
+    public float Loose;
+
     /// <summary>Where its ball is to be instead, model space.</summary>
     public Vector3 Aim;
 

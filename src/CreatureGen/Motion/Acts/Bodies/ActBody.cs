@@ -131,7 +131,8 @@ internal sealed class ActBody
     /// <summary>Seconds in which acts reckon: √(unit / gravity).</summary>
     public float TimeUnit(float gravity) => (float)Math.Sqrt(Unit / gravity);
 
-    private bool Hangs(int joint, int from)
+    /// <summary>Whether a joint is, or hangs on, another.</summary>
+    public bool Hangs(int joint, int from)
     {
         while (joint >= 0 && joint != from)
         {

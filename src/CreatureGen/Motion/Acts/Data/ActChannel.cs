@@ -144,6 +144,12 @@ public enum ActChannel
     /// <summary>The hind foot of the act's side with its toes down.</summary>
     HindFootPitch,
 
+    /// <summary>The foremost pair of legs folded as under a body that lies on its belly: 0 as they are, 1 folded, with the feet wherever that takes them.</summary>
+    ForeFold,
+
+    /// <summary>All other legs folded in the same way.</summary>
+    HindFold,
+
     /// <summary>What the act strikes or eats with, on its way to the target: 0 where the other channels have it, 1 there.</summary>
     Reach,
 }

@@ -6,9 +6,6 @@ namespace CreatureGen.Motion.Acts.Library;
 /// <summary>Acts that last until the creature is told to go on: sitting, lying, sleeping, and the last.</summary>
 internal static class Postures
 {
-    /// <summary>How far the fore paws of a lying body are ahead of where they stand, leg lengths.</summary>
-    private const float PawsAhead = 0.4f;
-
     private static readonly ActPhase[] lie =
     {
         new ActPhase("lie", 10f).To(NeckPitch, 0.08f).To(Lids, 0.1f).Lasting().With(new ActWave(Up, 0.004f, 3f)).With(new ActWave(HeadSide, 0.12f, 1f)).With(new ActWave(TailSide, 0.1f, 0.5f)),
@@ -24,9 +21,11 @@ internal static class Postures
     public static readonly Act[] All =
     {
         new Act("Sit", ActKind.Posture,
-            new ActPhase("lower", 3f).To(HindDown, 0.95f).To(HindFeetPitch, 0.5f).To(BackPitch, 0.1f).To(NeckPitch, 0f).To(TailPitch, 0.9f),
+            new ActPhase("lower", 1.6f).To(HindDown, 0.4f).To(HindFold, 0.3f).To(NeckPitch, 0.1f),
+            new ActPhase("settle", 2f).To(HindDown, 0.97f).To(HindFold, 1f).To(BackPitch, 0.1f).To(NeckPitch, 0f).To(TailPitch, 0.9f),
             new ActPhase("sit", 10f).To(Ears, -0.2f).Lasting().With(new ActWave(Up, 0.004f, 3f)).With(new ActWave(TailSide, 0.25f, 1f)),
-            new ActPhase("stand", 2.6f).To(HindDown, 0f).To(ForeDown, 0f).To(HindFeetPitch, 0f).To(BackPitch, 0f).To(TailPitch, 0f).To(Ears, 0f))
+            new ActPhase("rise", 1.6f).To(HindDown, 0.4f).To(HindFold, 0.3f).To(BackPitch, 0f).To(TailPitch, 0.3f),
+            new ActPhase("stand", 1.6f).To(HindDown, 0f).To(HindFold, 0f).To(TailPitch, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Legs).For(BodyBuild.Pawed | BodyBuild.Upright).OnTheSpot(),
         Lying("Lie", GettingDownOnPaws(lie)).For(BodyBuild.Pawed),
         Lying("Lie", GettingDownOnHooves(lie)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
@@ -40,11 +39,12 @@ internal static class Postures
             new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0f).To(Wings, 0f)),
         new Act("Die", ActKind.Posture,
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
-            new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(Aside, 0f).To(NeckPitch, -0.1f),
-            new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.95f).To(HindDown, 0.95f).To(NeckPitch, -0.6f).To(Roll, 0f),
+            new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
+            new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.6f).To(Roll, 0f),
             new ActPhase("settle", 1.6f, ActEase.Out).To(NeckPitch, -0.9f).To(NeckSide, 0.5f).To(HeadRoll, 0.25f).To(HeadSide, 0.2f).To(Lids, 0.8f).To(Jaw, 0.3f).To(TailSide, 0.4f).To(TailPitch, -0.3f).To(ArmsOut, 0.3f),
             new ActPhase("still", 5f).Lasting(),
-            new ActPhase("rise", 4f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(ArmsOut, 0f))
+            new ActPhase("lift", 2.4f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckPitch, -0.4f),
+            new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(ArmsOut, 0f))
             .For(BodyBuild.Standing).OnTheSpot(),
         new Act("Die", ActKind.Posture,
             new ActPhase("jerk", 1f, ActEase.Out).To(BackSide, 0.5f).To(NeckSide, 0.5f).To(Jaw, 0.6f).To(NeckPitch, 0.5f),
@@ -63,61 +63,49 @@ internal static class Postures
 
     private static Act Lying(string name, ActPhase[] phases) => new Act(name, ActKind.Posture, phases).Needing(ActNeeds.Legs).OnTheSpot();
 
-    /// <summary>Down on the belly, what is done there, and up again.</summary>
+    /// <summary>Down on the belly, what is done there, and up again: legs fold as the body comes down on them.</summary>
     private static ActPhase[] GettingDown(params ActPhase[] there)
     {
         var phases = new List<ActPhase>
         {
-            new ActPhase("look", 1.4f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f),
-            new ActPhase("kneel", 2.6f).To(ForeDown, 0.55f).To(HindDown, 0.35f).To(NeckPitch, -0.1f).To(HeadPitch, 0f).To(HindFeetPitch, 0.2f),
-            new ActPhase("sink", 2.8f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(NeckPitch, 0f).To(HindFeetPitch, 0.5f),
+            new ActPhase("look", 1.4f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(ForeDown, 0.12f).To(HindDown, 0.12f),
+            new ActPhase("crouch", 2.4f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.35f).To(HindFold, 0.35f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
+            new ActPhase("sink", 2.8f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, 0.1f),
         };
         phases.AddRange(there);
-        phases.Add(new ActPhase("lift", 2.6f).To(ForeDown, 0.55f).To(HindDown, 0.5f).To(NeckPitch, -0.15f).To(Lids, 0f).To(HindFeetPitch, 0.2f));
-        phases.Add(new ActPhase("stand", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(HindFeetPitch, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailSide, 0f));
+        phases.Add(new ActPhase("lift", 2.6f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.35f).To(HindFold, 0.35f).To(NeckPitch, -0.15f).To(Lids, 0f));
+        phases.Add(new ActPhase("stand", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailSide, 0f));
         return phases.ToArray();
     }
 
-    /// <summary>The same on paws: the fore feet step ahead first, one after the other, and back at the end, so that the elbows come down.</summary>
+    /// <summary>The same on paws: hips last, and up fore first.</summary>
     private static ActPhase[] GettingDownOnPaws(params ActPhase[] there)
     {
-        var phases = new List<ActPhase> { new ActPhase("look", 1.4f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(ForeDown, 0.15f).To(HindDown, 0.15f) };
-        Steps(phases, 0f, PawsAhead);
-        phases.Add(new ActPhase("kneel", 2.2f).To(ForeDown, 0.6f).To(HindDown, 0.5f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HindFeetPitch, 0.2f));
-        phases.Add(new ActPhase("sink", 2.4f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(NeckPitch, 0.1f).To(HindFeetPitch, 0.4f));
+        var phases = new List<ActPhase>
+        {
+            new ActPhase("look", 1.4f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(ForeDown, 0.12f).To(HindDown, 0.12f),
+            new ActPhase("elbows", 2.2f).To(ForeDown, 0.6f).To(HindDown, 0.3f).To(ForeFold, 0.6f).To(NeckPitch, 0f).To(HeadPitch, 0f),
+            new ActPhase("sink", 2.6f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, 0.1f),
+        };
         phases.AddRange(there);
-        phases.Add(new ActPhase("lift", 2.6f).To(ForeDown, 0.15f).To(HindDown, 0.5f).To(NeckPitch, 0.1f).To(Lids, 0f).To(HindFeetPitch, 0.2f));
-        phases.Add(new ActPhase("stand", 2.2f).To(ForeDown, 0.1f).To(HindDown, 0.1f).To(NeckPitch, -0.1f).To(HindFeetPitch, 0f).To(TailSide, 0f));
-        Steps(phases, PawsAhead, 0f);
-        phases.Add(new ActPhase("settle", 1.2f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(Ears, 0f));
+        phases.Add(new ActPhase("prop", 2.4f).To(ForeDown, 0.3f).To(HindDown, 0.85f).To(ForeFold, 0.3f).To(NeckPitch, 0.2f).To(Lids, 0f));
+        phases.Add(new ActPhase("rump", 1.8f).To(ForeDown, 0.1f).To(HindDown, 0.3f).To(ForeFold, 0f).To(HindFold, 0.25f).To(NeckPitch, -0.1f));
+        phases.Add(new ActPhase("stand", 1.6f).To(ForeDown, 0f).To(HindDown, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(TailSide, 0f).To(Ears, 0f));
         return phases.ToArray();
     }
 
-    /// <summary>The same on hooves: the carpus folds under, feet back; the hind feet come ahead.</summary>
+    /// <summary>The same on hooves: down on the wrists first, and up hind first.</summary>
     private static ActPhase[] GettingDownOnHooves(params ActPhase[] there)
     {
         var phases = new List<ActPhase>
         {
-            new ActPhase("look", 1.4f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(ForeDown, 0.1f).To(HindDown, 0.1f),
-            new ActPhase("kneel", 1.6f).To(ForeDown, 0.3f).To(HindDown, 0.15f).To(ForeFootUp, 0.18f).To(ForeFootAhead, -0.28f),
-            new ActPhase("kneel deeper", 1.8f).To(ForeDown, 0.62f).To(HindDown, 0.25f).To(ForeFeetUp, 0.16f).To(ForeFootUp, 0f).To(ForeFeetAhead, -0.36f).To(ForeFootAhead, 0f),
-            new ActPhase("sink", 2.8f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFeetUp, 0.1f).To(NeckPitch, 0.1f).To(HeadPitch, 0f),
+            new ActPhase("look", 1.4f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(ForeDown, 0.1f).To(HindDown, 0.08f),
+            new ActPhase("kneel", 2.6f).To(ForeDown, 0.65f).To(HindDown, 0.2f).To(ForeFold, 0.7f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
+            new ActPhase("sink", 3f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, 0.1f),
         };
         phases.AddRange(there);
-        phases.Add(new ActPhase("lift", 2.8f).To(HindDown, 0.2f).To(ForeDown, 0.6f).To(ForeFeetUp, 0.16f).To(NeckPitch, -0.3f).To(Lids, 0f));
-        phases.Add(new ActPhase("one foot", 1.6f).To(ForeDown, 0.25f).To(ForeFeetUp, 0f).To(ForeFootUp, 0.14f).To(ForeFeetAhead, 0f).To(ForeFootAhead, -0.2f));
-        phases.Add(new ActPhase("stand", 2f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailSide, 0f));
+        phases.Add(new ActPhase("rump", 2.8f).To(HindDown, 0.2f).To(HindFold, 0f).To(ForeDown, 0.65f).To(ForeFold, 0.7f).To(NeckPitch, -0.3f).To(Lids, 0f));
+        phases.Add(new ActPhase("stand", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailSide, 0f));
         return phases.ToArray();
-    }
-
-    /// <summary>Two steps of the fore feet, first that of the act's side.</summary>
-    private static void Steps(List<ActPhase> phases, float from, float to)
-    {
-        const float Height = 0.12f;
-        float middle = 0.5f * (from + to);
-        phases.Add(new ActPhase("lift a foot", 0.7f).To(ForeFootUp, Height).To(ForeFootAhead, middle - from));
-        phases.Add(new ActPhase("set it down", 0.7f).To(ForeFootUp, 0f).To(ForeFootAhead, to - from));
-        phases.Add(new ActPhase("lift the other", 0.7f).To(ForeFeetUp, Height).To(ForeFootUp, -Height).To(ForeFeetAhead, middle).To(ForeFootAhead, to - middle));
-        phases.Add(new ActPhase("set it down", 0.7f).To(ForeFeetUp, 0f).To(ForeFootUp, 0f).To(ForeFeetAhead, to).To(ForeFootAhead, 0f));
     }
 }

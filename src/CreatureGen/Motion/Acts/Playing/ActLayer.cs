@@ -22,10 +22,12 @@ internal sealed class ActLayer
     private const float FinTurn = 0.7f;
 
     private readonly ActBody body;
+    private readonly FoldedLegs folded;
 
-    public ActLayer(ActBody body)
+    public ActLayer(ActBody body, FoldedLegs folded)
     {
         this.body = body;
+        this.folded = folded;
         Trunk = new BodyLayer(body.Legs?.Legs.Length ?? 0);
     }
 
@@ -63,6 +65,15 @@ internal sealed class ActLayer
         Array.Clear(Trunk.Feet, 0, Trunk.Feet.Length);
         Lift(body.ForeFeet, side < 0f, values, ActChannel.ForeFeetUp, ActChannel.ForeFootUp);
         Lift(body.HindFeet, side < 0f, values, ActChannel.HindFeetUp, ActChannel.HindFootUp);
+        for (int leg = 0; leg < Trunk.Feet.Length; leg++)
+        {
+            bool isFore = body.Legs.Rows > 1 && body.Legs.Legs[leg].Row == body.Legs.Rows - 1;
+            float fold = values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)];
+            if (fold > 0f)
+            {
+                folded.AddTo(ref Trunk.Feet[leg], leg, Math.Min(fold, 1f));
+            }
+        }
     }
 
     /// <summary>Takes a foot to its target.</summary>

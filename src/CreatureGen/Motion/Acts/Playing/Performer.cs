@@ -37,7 +37,7 @@ internal sealed class Performer
     {
         this.body = body;
         this.room = room;
-        layer = new ActLayer(body);
+        layer = new ActLayer(body, room.Legs);
     }
 
     /// <summary>What is performed at present; null for nothing.</summary>

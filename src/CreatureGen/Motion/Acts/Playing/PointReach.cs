@@ -115,14 +115,17 @@ internal static class PointReach
         Vector3 pivot = model.Positions[joint];
         Vector3 from = point - pivot;
         Vector3 to = goal - pivot;
-        float both = Vec.Length(from) * Vec.Length(to);
-        if (!(both > 1e-10f))
+        float lever = Vec.Length(from);
+        float way = Vec.Length(to);
+        if (!(lever * way > 1e-10f))
         {
             return;
         }
 
-        Quaternion whole = UnitRotation.FromTo(from / Vec.Length(from), to / Vec.Length(to));
-        Quaternion turn = UnitRotation.Nlerp(Quaternion.Identity, whole, share);
+        // The direction to a goal close by swings round at a touch, and the way to one behind is to either side: the joints before this one bring the point there.
+        float steady = Math.Min(1f, way / lever) * Math.Min(1f, 1f + (Vec.Dot(from, to) / (lever * way)));
+        Quaternion whole = UnitRotation.FromTo(from / lever, to / way);
+        Quaternion turn = UnitRotation.Nlerp(Quaternion.Identity, whole, share * steady);
         int parent = skeleton.Parents[joint];
         Quaternion turned = Rotation.Multiply(Rotation.Inverse(model.Rotations[parent]), Rotation.Multiply(turn, model.Rotations[joint]));
         local.Rotations[joint] = SwingTwistLimit.ClampLocal(UnitRotation.Renormalize(turned), skeleton.AllJoints[joint]);

@@ -2,15 +2,22 @@ using System;
 
 namespace CreatureGen.Motion.Acts.Playing;
 
-/// <summary>How far a trunk goes each way without lifting a planted foot: what acts and moods ask beyond is not done. Immutable.</summary>
+/// <summary>How far a trunk goes each way without lifting a planted foot: what acts and moods ask beyond is not done; and where its legs fold. Immutable once it is found.</summary>
 internal sealed class TrunkRoom
 {
     private readonly (ActChannel Channel, float Least, float Most)[] ways;
 
-    public TrunkRoom((ActChannel Channel, float Least, float Most)[] ways) => this.ways = ways;
+    public TrunkRoom((ActChannel Channel, float Least, float Most)[] ways, FoldedLegs legs)
+    {
+        this.ways = ways;
+        Legs = legs;
+    }
 
-    /// <summary>All that is asked.</summary>
-    public static TrunkRoom Any { get; } = new(Array.Empty<(ActChannel, float, float)>());
+    /// <summary>Where its legs fold.</summary>
+    public FoldedLegs Legs { get; }
+
+    /// <summary>All that is asked of a trunk, with legs that fold in these places.</summary>
+    public static TrunkRoom Any(FoldedLegs legs) => new(Array.Empty<(ActChannel, float, float)>(), legs);
 
     /// <summary>Brings values into it.</summary>
     public void Clamp(float[] values)

@@ -65,6 +65,13 @@ internal sealed class ActStage
         Show(default(ActAim));
     }
 
+    /// <summary>Shows values of all channels.</summary>
+    public void Show(float[] shown)
+    {
+        shown.CopyTo(values, 0);
+        Show(default(ActAim));
+    }
+
     private void Show(in ActAim aim)
     {
         performer.Show(values, aim, RootPlace.Identity);
@@ -98,7 +105,7 @@ internal sealed class ActStage
     public float SlipOf(int foot)
     {
         ref readonly FootLayer asked = ref performer.Trunk!.Feet[foot];
-        if (asked.Way.Y > 0f || asked.AimFraction > 0f)
+        if (asked.Way.Y > 0f || asked.AimFraction > 0f || asked.Loose > 0f)
         {
             return 0f;
         }

@@ -16,10 +16,10 @@ internal static class ReachSearch
     public const float Near = 0.012f;
 
     /// <summary>How far a planted foot may be off, parts of its leg.</summary>
-    private const float MaxSlip = 0.006f;
+    private const float MaxSlip = 0.0045f;
 
     /// <summary>How deep the skin may be, parts of the body's length.</summary>
-    private const float MaxSunk = 0.012f;
+    private const float MaxSunk = 0.009f;
 
     private const int Sweeps = 14;
     private const float FirstStep = 0.5f;

@@ -16,8 +16,8 @@ internal sealed class Rehearsal
     private const double Offbeat = 0.37;
 
     /// <summary>How far a planted foot may be off, parts of its leg, and how deep the skin may be, parts of the body's length.</summary>
-    private const float MaxSlip = 0.008f;
-    private const float MaxSunk = 0.016f;
+    private const float MaxSlip = 0.006f;
+    private const float MaxSunk = 0.011f;
 
     /// <summary>Part of the reach by which a contact may miss.</summary>
     public const float MaxMiss = 0.025f;
@@ -38,7 +38,14 @@ internal sealed class Rehearsal
     {
         this.body = body;
         this.mode = mode;
-        Room = RoomSearch.Find(body, new ActStage(body, mode(), TrunkRoom.Any));
+        var legs = new FoldedLegs(body.Legs?.Legs.Length ?? 0);
+        var stage = new ActStage(body, mode(), TrunkRoom.Any(legs));
+        if (body.Legs != null)
+        {
+            FoldSearch.Find(body, stage, legs);
+        }
+
+        Room = RoomSearch.Find(body, stage, legs);
     }
 
     /// <summary>How far the trunk goes over planted feet.</summary>

@@ -9,7 +9,7 @@ internal static class RoomSearch
 {
     /// <summary>How far a planted foot may be off, parts of its leg, and how deep the skin may be, parts of the body's length.</summary>
     private const float MaxSlip = 0.004f;
-    private const float MaxSunk = 0.014f;
+    private const float MaxSunk = 0.01f;
 
     private const int Halvings = 6;
 
@@ -26,11 +26,14 @@ internal static class RoomSearch
     };
 
     /// <summary>The room of a body that legs carry; any room for others.</summary>
-    public static TrunkRoom Find(ActBody body, ActStage stage)
+    /// <param name="body">Whose.</param>
+    /// <param name="stage">Where it is tried.</param>
+    /// <param name="legs">Where its legs fold.</param>
+    public static TrunkRoom Find(ActBody body, ActStage stage, FoldedLegs legs)
     {
         if (body.Legs == null)
         {
-            return TrunkRoom.Any;
+            return TrunkRoom.Any(legs);
         }
 
         var ways = new List<(ActChannel, float, float)>();
@@ -42,7 +45,7 @@ internal static class RoomSearch
             ways.Add((channel, least == 0f ? -to : End(stage, channel, least), to));
         }
 
-        return new TrunkRoom(ways.ToArray());
+        return new TrunkRoom(ways.ToArray(), legs);
     }
 
     private static float End(ActStage stage, ActChannel channel, float farthest)

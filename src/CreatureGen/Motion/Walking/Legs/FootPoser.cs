@@ -110,7 +110,7 @@ internal static class FootPoser
     public static void Add(LegRig leg, in FootLayer layer, ref Foot foot, ref FootPose pose)
     {
         Vector3 way = Vec.Lerp(layer.Way, layer.Aim - pose.Ball, layer.AimFraction);
-        foot.Taken = Scalar.Smooth(Math.Max(way.Y, layer.AimFraction * leg.Length) / (TakenHeight * leg.Length));
+        foot.Taken = Scalar.Smooth(Math.Max(way.Y / leg.Length, Math.Max(layer.AimFraction, layer.Loose)) / TakenHeight);
         pose.Ball += way;
         if (layer.Pitch != 0f)
         {

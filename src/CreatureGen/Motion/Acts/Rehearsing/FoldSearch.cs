@@ -1,0 +1,144 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Playing;
+using CreatureGen.Motion.Walking.Legs;
+
+namespace CreatureGen.Motion.Acts.Rehearsing;
+
+/// <summary>
+/// Finds where the legs of a body go that lies on its belly: from a few ways of folding that animals have, one number after the other a step to and fro, kept where skin is less deep in the ground and feet are nearer to it.
+/// Based on: R. Hooke and T. A. Jeeves, "Direct search solution of numerical and statistical problems" (1961).
+/// </summary>
+internal static class FoldSearch
+{
+    private const int Count = 4;
+    private const int Sweeps = 9;
+    private const float FirstStep = 0.3f;
+    private const float LastStep = 0.03f;
+
+    /// <summary>How far a body comes down at the least, and in which steps, parts of its belly's height; and how deep the skin may be, parts of the body's length.</summary>
+    private const float LeastDown = 0.65f;
+    private const float DownStep = 0.1f;
+    private const float MaxSunk = 0.009f;
+
+    // What skin in the ground, feet off it, legs that do not get there and feet far from where they stand cost, for each leg length.
+    private const float SunkCost = 12f;
+    private const float FloatingCost = 2f;
+    private const float MissCost = 0.6f;
+    private const float WayCost = 0.12f;
+
+    /// <summary>What a foot costs that its ankle does not let turn as it is asked, for each square of a radian: far beyond its limit it would come round from the other side.</summary>
+    private const float TurnCost = 0.15f;
+
+    // Ahead, out, up: parts of the leg; toes down, radians. Ways to begin with: where they stand, feet ahead as a sphinx, wrists folded and hooves behind, legs out to the side.
+    private static readonly float[][] beginnings = { new[] { 0f, 0f, 0f, 0f }, new[] { 0.45f, 0f, 0f, 0f }, new[] { -0.4f, 0f, 0.05f, 1.2f }, new[] { 0.15f, 0.4f, 0f, 0.2f } };
+    private static readonly float[] least = { -0.9f, -0.2f, 0f, -0.6f };
+    private static readonly float[] most = { 0.9f, 0.7f, 0.2f, 1.8f };
+
+    /// <summary>Finds it for all legs, those of a pair alike.</summary>
+    /// <param name="body">Whose.</param>
+    /// <param name="stage">Where it is tried.</param>
+    /// <param name="legs">Receives it; the stage shows it.</param>
+    public static void Find(ActBody body, ActStage stage, FoldedLegs legs)
+    {
+        var values = new float[Act.ChannelCount];
+        values[(int)ActChannel.ForeFold] = 1f;
+        values[(int)ActChannel.HindFold] = 1f;
+
+        // Legs that do not fold so far carry the body higher.
+        for (float down = 1f; down > LeastDown; down -= DownStep)
+        {
+            values[(int)ActChannel.ForeDown] = down;
+            values[(int)ActChannel.HindDown] = down;
+            Find(body, stage, legs, values);
+            stage.Show(values);
+            if (stage.Sunk() <= MaxSunk)
+            {
+                return;
+            }
+        }
+    }
+
+    private static void Find(ActBody body, ActStage stage, FoldedLegs legs, float[] values)
+    {
+        for (int leg = 0; leg < body.Legs!.Legs.Length; leg++)
+        {
+            LegRig rig = body.Legs.Legs[leg];
+            int other = Array.FindIndex(body.Legs.Legs, one => one.Row == rig.Row && one.Side == Side.Right);
+            if (rig.Side == Side.Left && other >= 0)
+            {
+                Find(body, stage, legs, leg, other, values);
+            }
+        }
+    }
+
+    private static void Find(ActBody body, ActStage stage, FoldedLegs legs, int left, int right, float[] values)
+    {
+        LegRig rig = body.Legs!.Legs[left];
+        SupportPoints skin = body.Skin.Of(joint => body.Hangs(joint, rig.Hip));
+        var best = new float[Count];
+        var now = new float[Count];
+        float least = float.MaxValue;
+        foreach (float[] beginning in beginnings)
+        {
+            beginning.CopyTo(now, 0);
+            float cost = Cost(now);
+            float step = FirstStep;
+            for (int sweep = 0; sweep < Sweeps && step > LastStep; sweep++)
+            {
+                bool better = false;
+                for (int number = 0; number < Count; number++)
+                {
+                    better |= Move(number, step) || Move(number, -step);
+                }
+
+                step = better ? step : 0.5f * step;
+            }
+
+            if (cost < least)
+            {
+                least = cost;
+                now.CopyTo(best, 0);
+            }
+
+            bool Move(int number, float by)
+            {
+                float before = now[number];
+                now[number] = Scalar.Clamp(before + by, FoldSearch.least[number], most[number]);
+                float tried = Cost(now);
+                if (tried < cost - 1e-4f)
+                {
+                    cost = tried;
+                    return true;
+                }
+
+                now[number] = before;
+                return false;
+            }
+        }
+
+        Set(best);
+
+        void Set(float[] numbers)
+        {
+            legs.Ways[left] = new Vector3(numbers[1], numbers[2], numbers[0]) * rig.Length;
+            legs.Ways[right] = new Vector3(-numbers[1], numbers[2], numbers[0]) * rig.Length;
+            legs.Pitches[left] = legs.Pitches[right] = numbers[3];
+        }
+
+        float Cost(float[] numbers)
+        {
+            Set(numbers);
+            stage.Show(values);
+            float lowest = skin.Lowest(stage.Model) / rig.Length;
+            float miss = Vec.Distance(stage.Model.Positions[rig.Ball], rig.Home + legs.Ways[left] + new Vector3(0f, rig.BallHeight, 0f)) / rig.Length;
+            Quaternion foot = Rotation.Multiply(stage.Model.Rotations[rig.Ball], Rotation.Inverse(body.Skeleton.ModelRotations[rig.Ball]));
+            float turned = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(AxisRotation.About(rig.RollAxis, numbers[3])), foot));
+            float way = (numbers[0] * numbers[0]) + (numbers[1] * numbers[1]) + (0.1f * numbers[3] * numbers[3]);
+            return (SunkCost * Math.Max(0f, -lowest)) + (FloatingCost * Math.Max(0f, lowest)) + (MissCost * miss) + (WayCost * way) + (TurnCost * turned * turned);
+        }
+    }
+}
