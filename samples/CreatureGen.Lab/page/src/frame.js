@@ -177,7 +177,7 @@ export class Frame {
     const pointer = new Pointer(this.canvas, this.orbit, this.world, this.herd, this.touch);
     this.pointer = pointer;
     pointer.addEventListener('look', ({ detail }) => this.#aim(detail));
-    pointer.addEventListener('send', ({ detail }) => this.library.call('Go', 0, detail.x, detail.z));
+    pointer.addEventListener('send', ({ detail }) => this.library.call('Go', 0, detail.x, detail.z).catch(() => {}));
     pointer.addEventListener('pick', ({ detail }) => this.#pick(detail));
     pointer.addEventListener('pet', () => play.pet());
     pointer.addEventListener('push', ({ detail }) => play.push(detail.x, detail.z, detail.joint, detail.strength));
@@ -240,7 +240,7 @@ export class Frame {
       evolve: (goal, mutation, other) => (this.evolving ? this.evolving.stop() : this.#evolve(goal, mutation, other)),
     });
     this.keep = keepPanel({
-      rename: name => { lab.design = { ...lab.design, name: name || undefined }; this.#caption(); },
+      rename: name => { lab.rename(name || undefined); this.#caption(); this.breed.family(lab.family); },
       save: () => { this.keeping.save(); this.#collected(); this.status.textContent = texts.saved(this.#name()); },
       share: () => this.#share(),
       picture: () => this.#file(`${this.#name()}.png`, () => this.picture(), 'image/png'),

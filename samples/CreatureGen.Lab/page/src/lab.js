@@ -96,6 +96,14 @@ export class Lab extends EventTarget {
     this.#tell('changed');
   }
 
+  /** Names the creature; its family knows it by that name. */
+  rename(name) {
+    this.design = { ...this.design, name };
+    if (this.family.now) {
+      Object.assign(this.family.now, { design: this.design, name: nameOfDesign(this.design) });
+    }
+  }
+
   text(slot = 0) {
     return this.library.call('Blueprint', slot);
   }

@@ -4,7 +4,7 @@ import { openBrowser, serveLab } from './browser.mjs';
 
 const [file, hash = ''] = process.argv.slice(2);
 const [width, height] = [640, 400];
-const rate = 12;
+const rate = 8;
 const seconds = 10;
 const quality = 0.62;
 
@@ -24,6 +24,7 @@ await page.evaluate(() => creatureLab.ready.then(() => true));
 await page.waitForFunction(() => creatureLab.count() >= 8 && creatureLab.lab.herd.members.get(0).body.textures);
 await page.evaluate(() => {
   const f = creatureLab.lab;
+  f.drawing.renderer.setPixelRatio(1);
   f.orbit.fit(innerWidth, innerHeight, { right: 0, bottom: 0 });
   f.orbit.camera.fov = 30;
   return f.library.call('Rehearse', 0, 'Dance');
