@@ -110,6 +110,13 @@ internal static class Program
             }
         }
 
+        if (threads == 1)
+        {
+            // The runtime for the browser has no other.
+            Work();
+            return entries;
+        }
+
         var workers = new Thread[threads];
         for (int i = 0; i < threads; i++)
         {
