@@ -22,8 +22,7 @@ internal static class Chains
 
         Skeleton skeleton = Skeleton.Build(joints);
         var figure = new StickFigure(6, 240, p => new Vector2(0.5f + (0.5f * p.Z), 0.3f + (0.6f * p.Y)));
-        var local = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
-        var model = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
+        Pose local = StickFigure.Room(skeleton), model = StickFigure.Room(skeleton);
         local.SetToRest(skeleton);
         ForwardKinematics.LocalToModel(skeleton, local, model);
         for (int frame = 0; frame < 6; frame++)

@@ -19,7 +19,7 @@ internal static class Gecko
     {
         Skeleton skeleton = Rig();
         var figure = new StickFigure(6, 240, p => new Vector2(0.5f - (0.55f * p.X), 0.5f + (0.55f * p.Z)));
-        Pose local = new(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]), model = new(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
+        Pose local = StickFigure.Room(skeleton), model = StickFigure.Room(skeleton);
         RootPlace place = RootPlace.Identity;
         (SteppingFoot[] feet, BodyVelocity velocity, int turn) = (Array.ConvertAll(hips, hip => new SteppingFoot(Home(hip))), default, -1);
         for (int i = 0; i < 180; i++)

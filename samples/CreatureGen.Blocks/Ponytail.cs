@@ -27,8 +27,7 @@ internal static class Ponytail
         var settings = new SpringSettings(new ChainCurve(2.5f, 1.2f), new ChainCurve(0.5f), radius: new ChainCurve(0.02f), drag: new ChainCurve(1f));
         SpringCollider[] head = [SpringCollider.Capsule(1, Vector3.Zero, new Vector3(0f, 0.08f, 0f), 0.1f)];
         var figure = new StickFigure(6, 240, p => new Vector2(0.5f - (1.4f * p.X), 0.35f + (1.4f * p.Y)));
-        var local = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
-        var model = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
+        Pose local = StickFigure.Room(skeleton), model = StickFigure.Room(skeleton);
         for (int i = 0; i < 6 * 12; i++)
         {
             local.SetToRest(skeleton);

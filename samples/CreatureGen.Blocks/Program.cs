@@ -15,6 +15,11 @@ internal static class Program
         Save("gecko", Gecko.Strip());
         Save("chains", Chains.Strip());
         Save("ponytail", Ponytail.Strip());
+        Save("footfalls", Footfalls.Plot());
+        Save("blends", Blends.Strip());
+        Save("puppet", Puppet.Strip());
+        Save("hound", Hound.Strip());
+        Save("stranger", Stranger.Strip());
         return 0;
 
         void Save(string name, Picture picture)

@@ -14,6 +14,9 @@ internal sealed class StickFigure(int frames, int side, Func<Vector3, Vector2> p
     /// <summary>The picture so far.</summary>
     public Picture Picture { get; } = Paper(frames * side, side);
 
+    /// <summary>Room for a pose of a skeleton.</summary>
+    public static Pose Room(Skeleton skeleton) => new(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
+
     /// <summary>Draws a pose into a frame.</summary>
     public void Draw(int frame, Skeleton skeleton, ReadOnlySpan<Vector3> modelPositions)
     {

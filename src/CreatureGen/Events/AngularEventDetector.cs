@@ -67,7 +67,7 @@ public static class AngularEventDetector
     private static AngularCurve[] Sweeping(IClip clip, Skeleton skeleton, AngularRule rule, int[] joints, int steps, ClipEdge edge, List<Moment> moments)
     {
         int samples = edge == ClipEdge.Joined ? steps : steps + 1;
-        SweepLine[] lines = Array.ConvertAll(joints, joint => SweepLine.Of(skeleton, joint, rule.Sweep!));
+        SweepLine[] lines = SweepLine.All(skeleton, joints, rule.Sweep!);
         var directions = new Vector3[lines.Length * samples];
         var pose = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
         for (int i = 0; i < samples; i++)

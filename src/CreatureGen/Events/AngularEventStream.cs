@@ -42,7 +42,7 @@ public sealed class AngularEventStream
         rule.Require();
         joints = RuleJoints.Of(skeleton, rule);
         tracks = new Track[joints.Length];
-        lines = rule.Sweep is { } sweep ? Array.ConvertAll(joints, joint => SweepLine.Of(skeleton, joint, sweep)) : Array.Empty<SweepLine>();
+        lines = rule.Sweep is { } sweep ? SweepLine.All(skeleton, joints, sweep) : Array.Empty<SweepLine>();
         sweeps = new SweepTrack[lines.Length];
         found = new AngularMoment[joints.Length];
     }
@@ -76,7 +76,7 @@ public sealed class AngularEventStream
             }
         }
 
-        if (lines.Length > 0)
+        if (rule.Sweep != null)
         {
             return;
         }

@@ -14,7 +14,7 @@ public static class AngularRules
         Roles = new[] { JointRole.Hip },
         Excluded = new[] { "Arm_*" },
         ThresholdPower = 0.9,
-        Sweep = new AngularSweep(new Vector3(0f, 0f, -1f)) { Ends = new[] { JointRole.Ball, JointRole.Ankle } },
+        Sweep = new AngularSweep(new Vector3(0f, 0f, -1f)) { Ends = new[] { JointRole.Ball, JointRole.Ankle }, LowestPart = 0.3f },
         Winner = IntervalWinner.Strongest,
         Scope = IntervalScope.EachJoint,
     };

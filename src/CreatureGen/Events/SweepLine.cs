@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -9,8 +10,26 @@ namespace CreatureGen.Events;
 /// <param name="To">Joint that it ends at; the same for the bone of a joint alone.</param>
 internal readonly record struct SweepLine(int From, int To)
 {
-    /// <summary>The line that a rule looks at for one of its joints.</summary>
-    public static SweepLine Of(Skeleton skeleton, int joint, AngularSweep sweep)
+    /// <summary>The lines that a rule looks at.</summary>
+    /// <param name="skeleton">In rest pose.</param>
+    /// <param name="joints">Of the rule.</param>
+    /// <param name="sweep">Of the rule.</param>
+    public static SweepLine[] All(Skeleton skeleton, int[] joints, AngularSweep sweep)
+    {
+        float lowest = float.MaxValue;
+        float highest = float.MinValue;
+        foreach (Joint joint in skeleton.Joints)
+        {
+            lowest = Math.Min(lowest, joint.ModelPosition.Y);
+            highest = Math.Max(highest, joint.ModelPosition.Y);
+        }
+
+        float most = lowest + (sweep.LowestPart * (highest - lowest));
+        return Array.FindAll(Array.ConvertAll(joints, joint => Of(skeleton, joint, sweep)), line => sweep.LowestPart >= 1f || skeleton.Joints[line.To].ModelPosition.Y <= most);
+    }
+
+    /// <summary>The line of one joint.</summary>
+    private static SweepLine Of(Skeleton skeleton, int joint, AngularSweep sweep)
     {
         foreach (JointRole end in sweep.Ends)
         {

@@ -13,13 +13,40 @@ public sealed class BlockSamplesTests
     [InlineData("Gecko")]
     [InlineData("Chains")]
     [InlineData("Ponytail")]
+    [InlineData("Blends")]
+    [InlineData("Puppet")]
+    [InlineData("Hound")]
+    [InlineData("Stranger")]
     public void Every_sample_is_short_and_draws_six_different_frames(string sample)
     {
-        Picture strip = sample switch { "Gecko" => Gecko.Strip(), "Chains" => Chains.Strip(), _ => Ponytail.Strip() };
+        Picture strip = sample switch
+        {
+            "Gecko" => Gecko.Strip(),
+            "Chains" => Chains.Strip(),
+            "Blends" => Blends.Strip(),
+            "Puppet" => Puppet.Strip(),
+            "Hound" => Hound.Strip(),
+            "Stranger" => Stranger.Strip(),
+            _ => Ponytail.Strip(),
+        };
         int side = strip.Height;
         Assert.Equal(6 * side, strip.Width);
         int[] inks = Enumerable.Range(0, 6).Select(frame => Hash(strip, frame * side, side)).ToArray();
         Assert.Equal(6, inks.Distinct().Count());
+        AssertShort(sample);
+    }
+
+    [Fact]
+    public void The_sample_of_events_is_short_and_marks_a_footstep_of_each_leg()
+    {
+        Picture plot = Footfalls.Plot();
+        AssertShort("Footfalls");
+        int marked = Enumerable.Range(0, plot.Height / 56).Count(row => Enumerable.Range(0, plot.Width).Any(x => plot[x, (row * 56) + 50] is { R: > 200, G: < 100 }));
+        Assert.InRange(marked, 4, plot.Height / 56);
+    }
+
+    private static void AssertShort(string sample)
+    {
         string file = RepositoryFiles.Below("samples", "*.cs").Single(path => Path.GetFileName(path) == sample + ".cs");
         Assert.InRange(RepositoryFiles.Text(file).Count(c => c == '\n'), 1, 60);
     }
