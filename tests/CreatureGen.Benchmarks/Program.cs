@@ -7,13 +7,16 @@ using CreatureGen.Benchmarks.Table;
 
 namespace CreatureGen.Benchmarks;
 
-/// <summary><c>table</c> prints ours against the targets; <c>beside COMMIT [ROW]</c> ours in turns with an earlier commit's; <c>crowd</c> what moving many creatures costs; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
+/// <summary><c>table</c> prints ours against the targets; <c>beside COMMIT [ROW]</c> ours in turns with an earlier commit's; <c>crowd</c> what moving many creatures costs; <c>clips</c> what clips take and lose as they are kept; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
 public static class Program
 {
     private const int DefaultDigestSeeds = 300;
 
     /// <summary>The commit that the goals of speed are shares of.</summary>
     private const string DefaultCommit = "a1261cd";
+
+    /// <summary>Of each kind.</summary>
+    private const int DefaultClipSeeds = 10;
 
     /// <summary>Runs what the arguments ask for.</summary>
     public static int Main(string[] args)
@@ -29,6 +32,9 @@ public static class Program
                 return 0;
             case "crowd":
                 CrowdTable.Print(Console.Out, args.Length > 1 ? args[1] : "");
+                return 0;
+            case "clips":
+                ClipTable.Print(Console.Out, args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) : DefaultClipSeeds);
                 return 0;
             case "digest":
                 int seeds = args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) : DefaultDigestSeeds;

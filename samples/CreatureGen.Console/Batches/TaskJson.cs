@@ -6,6 +6,7 @@ using CreatureGen.Console.Files;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Preview.Scenes;
 using CreatureGen.Sampling;
@@ -30,7 +31,22 @@ internal static class TaskJson
         json.WriteString("levels", WordList<LodChoice>.Instance[task.Export.Lods]);
         json.WriteString("materials", WordList<MaterialChoice>.Instance[task.Export.Materials]);
         json.WriteNumber("textureSize", task.Export.TextureSize);
-        json.WriteString("clips", WordList<ClipChoice>.Instance[task.Clips]);
+        json.WriteString("clips", task.Clips.Text);
+        if (task.Export.ClipPrecision is null)
+        {
+            json.WriteString("keys", "all");
+        }
+
+        if (task.Export.RootMotion != TravelChoice.InPlace)
+        {
+            json.WriteString("rootMotion", WordList<TravelChoice>.Instance[task.Export.RootMotion]);
+        }
+
+        if (task.Export.Engine != TargetEngine.Generic)
+        {
+            json.WriteString("engine", WordList<TargetEngine>.Instance[task.Export.Engine]);
+        }
+
         json.WriteEndObject();
         json.WriteStartObject("pictures");
         json.WriteStartArray("views");
@@ -66,9 +82,12 @@ internal static class TaskJson
                 Shading = Word<Shading>(export, "shading"),
                 Lods = Word<LodChoice>(export, "levels"),
                 Materials = Word<MaterialChoice>(export, "materials"),
+                ClipPrecision = export.TryGetProperty("keys", out _) ? null : ClipPrecision.Default,
+                RootMotion = export.TryGetProperty("rootMotion", out _) ? Word<TravelChoice>(export, "rootMotion") : TravelChoice.InPlace,
+                Engine = export.TryGetProperty("engine", out _) ? Word<TargetEngine>(export, "engine") : TargetEngine.Generic,
                 TextureSize = export.GetProperty("textureSize").GetInt32(),
             },
-            Word<ClipChoice>(export, "clips"),
+            ClipChoice.Read(export.GetProperty("clips").GetString()!, expected => new FormatException("clips: expected " + expected)),
             new PictureOrder(
                 pictures.GetProperty("views").EnumerateArray().Select(word => Views.TryParse(word.GetString()!, out View view) ? view : throw new FormatException("views: " + word)).ToArray(),
                 pictures.GetProperty("width").GetInt32(),

@@ -2,9 +2,11 @@ using System;
 using System.Buffers.Binary;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Text.Json;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
+using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Console.Files;
 
@@ -22,7 +24,7 @@ internal static class GlbExport
 
     /// <summary>Reads a file from which <see cref="GlbReader"/> has read a blueprint.</summary>
     /// <param name="stream">The file, from its beginning.</param>
-    /// <param name="clips">Whether there is motion in it.</param>
+    /// <param name="clips">The motion in it.</param>
     public static GltfOptions Read(Stream stream, out ClipChoice clips)
     {
         byte[] start = new byte[StartOfJson];
@@ -32,15 +34,28 @@ internal static class GlbExport
         using JsonDocument document = JsonDocument.Parse(text, new JsonDocumentOptions { MaxDepth = DeepestJson });
         JsonElement root = document.RootElement;
         JsonElement extras = root.GetProperty("asset").GetProperty("extras").GetProperty("creaturegen");
-        clips = root.TryGetProperty("animations", out JsonElement animations) && animations.ValueKind == JsonValueKind.Array && animations.GetArrayLength() > 0 ? ClipChoice.All : ClipChoice.None;
+        clips = ClipChoice.OfNames(ClipNames(root));
         return new GltfOptions
         {
             Provenance = Provenance(root),
             Shading = IsFlat(root) ? Shading.Flat : Shading.Smooth,
             Lods = Choice(extras, "levels", LodChoice.Finest),
             Materials = Choice(extras, "materials", MaterialChoice.Two),
+            ClipPrecision = extras.TryGetProperty("keys", out JsonElement keys) && keys.ValueKind == JsonValueKind.String ? null : ClipPrecision.Default,
+            RootMotion = Choice(extras, "rootMotion", TravelChoice.InPlace),
+            Engine = Choice(extras, "engine", TargetEngine.Generic),
             TextureSize = extras.TryGetProperty("textureSize", out JsonElement size) && size.ValueKind == JsonValueKind.Number && size.TryGetInt32(out int texels) && IsTextureSize(texels) ? texels : 0,
         };
+    }
+
+    private static string[] ClipNames(JsonElement root)
+    {
+        if (!root.TryGetProperty("animations", out JsonElement animations) || animations.ValueKind != JsonValueKind.Array)
+        {
+            return [];
+        }
+
+        return [.. animations.EnumerateArray().Select(animation => animation.TryGetProperty("name", out JsonElement name) ? name.ToString() : "").Select(name => name.EndsWith("-loop", StringComparison.Ordinal) ? name[..^5] : name).Where(name => name.Length > 0)];
     }
 
     private static T Choice<T>(JsonElement extras, string name, T otherwise)

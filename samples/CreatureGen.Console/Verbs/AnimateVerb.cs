@@ -12,6 +12,7 @@ using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Png;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Sampling;
+using CreatureGen.Sounds;
 
 namespace CreatureGen.Console.Verbs;
 
@@ -24,6 +25,7 @@ internal sealed class AnimateVerb : IVerb
 
     private static readonly OptionSyntax ground = new("--ground", "GROUND", "flat (the default) or rough: seeded hills; with --course also stairs, slope, gap, platform or lift");
     private static readonly OptionSyntax course = new("--course", "SCRIPT", "what to do one after the other, such as 'idle 1; walk; run 2; turn left at 1.5; stop': a word, at a speed or rate, seconds");
+    private static readonly OptionSyntax sound = new("--sound", "FILE", "the WAV file to write as well: footsteps, landings, beats of wings, bites and calls, made by the weight of the creature");
     private static readonly OptionSyntax size = new("--size", "PIXELS", "width of the moving picture, 64 to 2048 (default 640)");
 
     /// <inheritdoc/>
@@ -38,9 +40,10 @@ internal sealed class AnimateVerb : IVerb
             new("animate --seed 4 --kind swimming --gait c-start --out dart.png", "a startled fish"),
             new("animate --seed 42 --out slow.png --speed 0.5 --view side --size 400", "the gait that suits the speed, from the side"),
             new("animate --seed 42 --act bite --out bite.png", "an attack; bite-strip.png shows its phases"),
+            new("animate --seed 42 --speed 4 --out run.png --sound run.wav", "with the sound of its footsteps"),
             new("animate --seed 42 --course \"idle 1; walk; run; turn left; stop\" --ground stairs --out course.png", "starts, turns and stops; course-strip.png shows the transitions"),
         ],
-        [SeedOptions.Seed with { Short = "-s" }, MovementArguments.Gait, MovementArguments.Speed, course, ActArguments.Act, ActArguments.Target, ground, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
+        [SeedOptions.Seed with { Short = "-s" }, MovementArguments.Gait, MovementArguments.Speed, course, ActArguments.Act, ActArguments.Target, ground, sound, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -71,6 +74,17 @@ internal sealed class AnimateVerb : IVerb
         var profile = new MotionProfile(CreatureAssembler.Assemble(Growing.Sample(seed, options)));
         FileSet.RequireWritable(path, surroundings);
         FileSet.RequireWritable(stripPath, surroundings);
+        string? soundPath = arguments.Value(sound.Name) is string wav ? surroundings.Locate(wav) : null;
+        if (soundPath == Surroundings.Standard || soundPath == path)
+        {
+            throw arguments.Wrong(sound.Name, soundPath, "a file beside the moving picture");
+        }
+
+        if (soundPath != null)
+        {
+            FileSet.RequireWritable(soundPath, surroundings);
+        }
+
         surroundings.Cancellation.ThrowIfCancellationRequested();
         (IFilm film, string title) = shoot(profile);
         using var files = new FileSet(surroundings);
@@ -92,9 +106,22 @@ internal sealed class AnimateVerb : IVerb
         Picture strip = film.Strip(surroundings.Cancellation);
         byte[] png = PngWriter.ToBytes(strip);
         files.Stage(stripPath, stream => stream.Write(png));
+        float seconds = film.FrameCount * film.MillisecondsPerFrame / 1000f;
+        if (soundPath != null)
+        {
+            var settings = new SoundSettings(profile.Creature.Mass.Mass, seed);
+            float[] samples = EventSounds.Render(film.Events, seconds, settings);
+            files.Stage(soundPath, stream => WavWriter.Write(samples, settings.Rate, stream));
+        }
+
         files.Commit();
         surroundings.Out.WriteLine(FormattableString.Invariant($"{path}: {SeedText.Of(seed)} {title}, {width} x {filmOptions.Height} pixels, {Units.Bytes(bytes)}"));
         surroundings.Out.WriteLine(FormattableString.Invariant($"{stripPath}: film strip, {strip.Width} x {strip.Height} pixels, {Units.Bytes(png.Length)}"));
+        if (soundPath != null)
+        {
+            surroundings.Out.WriteLine(FormattableString.Invariant($"{soundPath}: {film.Events.Count} events in {seconds:0.0} s"));
+        }
+
         return ExitCode.Done;
     }
 

@@ -4,6 +4,7 @@ using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Files;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
+using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Console.Verbs;
 
@@ -14,20 +15,18 @@ internal static class ExportOptions
     private static readonly OptionSyntax levels = new("--levels", "CHOICE", "levels of detail in the GLB: finest (the default), half, quarter, tenth or all (MSFT_lod)") { Words = WordList<LodChoice>.Instance.All };
     private static readonly OptionSyntax materials = new("--materials", "CHOICE", "materials in the GLB at most: two (the default: solid skin, double-sided membrane) or one, double-sided, for a single draw call") { Words = WordList<MaterialChoice>.Instance.All };
 
-    private static readonly OptionSyntax clips = new("--clips", "all", "the creature's motion as clips: idle, every gait, flight, swimming, crawling (default: none)") { Words = ["none", "all"] };
+    private static readonly OptionSyntax clips = new("--clips", "NAMES", "the creature's motion as clips: all that it does, or names with commas between, such as idle,walk,turn-left,bite; what a creature cannot do is left out (default: none)") { Words = ["none", "all"] };
+    private static readonly OptionSyntax rootMotion = new("--root-motion", "CHOICE", "with --clips: in-place, the game moves the creature (the default), or travels, its root joint does") { Words = ["in-place", "travels"] };
+    private static readonly OptionSyntax keys = new("--keys", "CHOICE", "with --clips: reduced, no more than motion within a tenth of a millimetre takes (the default), or all, those of every frame") { Words = ["reduced", "all"] };
+    private static readonly OptionSyntax engine = new("--engine", "ENGINE", "with --clips: whose importer the names and extras of clips are for: generic (the default), godot, unity or unreal") { Words = WordList<TargetEngine>.Instance.All };
 
     /// <summary>All of them.</summary>
-    public static OptionSyntax[] Syntax { get; } = [textures, levels, materials, clips, CommonOptions.Flat];
+    public static OptionSyntax[] Syntax { get; } = [textures, levels, materials, clips, rootMotion, keys, engine, CommonOptions.Flat];
 
-    /// <summary>Whether motion is to be in the file.</summary>
+    /// <summary>Which motion is to be in the file.</summary>
     /// <exception cref="UsageError">A value is none of the known ones.</exception>
-    public static ClipChoice ReadClips(ParsedArguments arguments, ClipChoice otherwise) => arguments.Value(clips.Name) switch
-    {
-        null => otherwise,
-        "none" => ClipChoice.None,
-        "all" => ClipChoice.All,
-        string other => throw arguments.Wrong(clips.Name, other, "all or none"),
-    };
+    public static ClipChoice ReadClips(ParsedArguments arguments, ClipChoice otherwise) =>
+        arguments.Value(clips.Name) is string text ? ClipChoice.Read(text, expected => arguments.Wrong(clips.Name, text, expected)) : otherwise;
 
     /// <summary>What was asked for, over what holds otherwise.</summary>
     /// <exception cref="UsageError">A value is none of the known ones.</exception>
@@ -36,6 +35,21 @@ internal static class ExportOptions
         Shading = arguments.Has(CommonOptions.Flat.Name) ? Shading.Flat : otherwise.Shading,
         Lods = arguments.Choice(levels.Name, WordList<LodChoice>.Instance, otherwise.Lods),
         Materials = arguments.Choice(materials.Name, WordList<MaterialChoice>.Instance, otherwise.Materials),
+        ClipPrecision = arguments.Value(keys.Name) switch
+        {
+            null => otherwise.ClipPrecision,
+            "reduced" => ClipPrecision.Default,
+            "all" => null,
+            string other => throw arguments.Wrong(keys.Name, other, "reduced or all"),
+        },
+        RootMotion = arguments.Value(rootMotion.Name) switch
+        {
+            null => otherwise.RootMotion,
+            "in-place" => TravelChoice.InPlace,
+            "travels" => TravelChoice.Travels,
+            string other => throw arguments.Wrong(rootMotion.Name, other, "in-place or travels"),
+        },
+        Engine = arguments.Choice(engine.Name, WordList<TargetEngine>.Instance, otherwise.Engine),
         TextureSize = SizeOf(arguments, arguments.Has(CommonOptions.Flat.Name) ? 0 : otherwise.TextureSize),
     };
 

@@ -28,7 +28,7 @@ internal sealed class GenerateVerb : IVerb
         [
             new("generate --seed 7", "one creature in the current folder"),
             new("generate --seed 7 --textures none", "small: colours in the vertices alone"),
-            new("generate --seed 7 --clips all", "with its motion: idle, every gait, flight, swimming, crawling"),
+            new("generate --seed 7 --clips all", "with its motion: idle, every gait, turns, starts and stops, flight, swimming, every act"),
             new("generate --seeds 1-100 --kind flying --out birds", "a hundred fliers in a folder"),
             new("generate --seeds 1-20 --plans hexapod=1000 --palette vivid --ornaments rich", "mostly six legs, bright, with horns and spikes"),
             new("generate --seed 101 --individuals 1-12 --out herd", "twelve individuals of one species, young and old"),

@@ -8,7 +8,6 @@ using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Files;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
-using CreatureGen.Motion;
 using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Console.Working;
@@ -43,7 +42,7 @@ internal static class CreatureFiles
         options.TextureSize == 0 ? options : options with { Textures = CreatureTextures.Bake(creature, options.TextureSize) };
 
     /// <summary>The creature's motion, as far as it is wanted.</summary>
-    public static IReadOnlyList<Clip> Bake(Creature creature, ClipChoice clips) => clips == ClipChoice.All ? [.. ClipBaker.Bake(creature), .. ClipBaker.BakeActs(creature)] : [];
+    public static IReadOnlyList<Clip> Bake(Creature creature, ClipChoice clips) => clips.Bake(creature);
 
     /// <summary>The creature's blueprint.</summary>
     public static byte[] Json(CreatureBlueprint blueprint) => Encoding.UTF8.GetBytes(BlueprintJson.Write(blueprint));

@@ -5,6 +5,7 @@ using System.Numerics;
 using System.Threading;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Preview.Scenes;
@@ -86,6 +87,9 @@ public sealed class CourseFilm : IFilm
     public int MillisecondsPerFrame => 1000 / FramesPerSecond;
 
     internal CourseTake Take { get; }
+
+    /// <inheritdoc/>
+    public IReadOnlyList<ClipEvent> Events => Take.Events;
 
     private static int MomentsPerFrame => CourseTake.Rate / FramesPerSecond;
 

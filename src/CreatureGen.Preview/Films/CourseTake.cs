@@ -3,7 +3,9 @@ using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Clips;
 using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Scenes;
 using CreatureGen.Rigging;
 
@@ -23,6 +25,7 @@ internal sealed class CourseTake
 
     private readonly Creatures.Creature creature;
     private readonly List<Moment> moments = [];
+    private readonly List<ClipEvent> events = [];
     private readonly CourseSurface surface;
 
     /// <summary>Records a course from standing at the origin.</summary>
@@ -36,6 +39,7 @@ internal sealed class CourseTake
         foreach (float _ in drive.Updates())
         {
             Record(drive);
+            Listen(drive.Animator);
         }
     }
 
@@ -44,6 +48,9 @@ internal sealed class CourseTake
 
     /// <summary>Moments, the first before anything was asked.</summary>
     public int Moments => moments.Count;
+
+    /// <summary>What happened, seconds from the first moment.</summary>
+    public IReadOnlyList<ClipEvent> Events => events;
 
     /// <summary>Number of feet.</summary>
     public int Feet => moments[0].Feet.Length;
@@ -122,6 +129,26 @@ internal sealed class CourseTake
     {
         Moment at = moments[moment];
         return ContactMark.Of(at.Feet, MovedSkin.Joints(creature.Skeleton, at.Place, at.Local), surface.Ground, camera);
+    }
+
+    private void Listen(CreatureAnimator animator)
+    {
+        float now = (Moments - 1) / (float)Rate;
+        foreach (MotionEvent one in animator.Events)
+        {
+            if (ClipEvents.NameOf(one.Kind) is { } name)
+            {
+                events.Add(new ClipEvent(Math.Max(now - one.SecondsAgo, 0f), name, creature.Skeleton.Joints[one.Joint].Name, Math.Max(one.Strength, 0f)));
+            }
+        }
+
+        foreach (ActEvent one in animator.ActEvents)
+        {
+            if (ClipEvents.NameOf(one.Act, one.Mark) is { } name)
+            {
+                events.Add(new ClipEvent(Math.Max(now - one.SecondsAgo, 0f), name, one.Joint < 0 ? string.Empty : creature.Skeleton.Joints[one.Joint].Name, 1f));
+            }
+        }
     }
 
     private void Record(CourseDrive drive)

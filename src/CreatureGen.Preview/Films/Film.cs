@@ -5,6 +5,7 @@ using System.Threading;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Preview.Scenes;
@@ -77,6 +78,9 @@ public sealed class Film : IFilm
 
     /// <summary>How long a frame shows. Cycles shorter than 16 of the shortest frames, as the beats of small wings, are slowed down.</summary>
     public int MillisecondsPerFrame => Math.Max(ShortestFrame, (int)Math.Round(1000f * Take.FrameSeconds));
+
+    /// <inheritdoc/>
+    public IReadOnlyList<ClipEvent> Events => Array.ConvertAll(Take.Events, one => new ClipEvent(one.Time * MillisecondsPerFrame / 1000f, one.Name, one.Joint, one.Strength));
 
     /// <summary>How much slower than life the film is; 1 in most cases.</summary>
     public float Slowness => Math.Max(1f, MillisecondsPerFrame / (1000f * Take.FrameSeconds));

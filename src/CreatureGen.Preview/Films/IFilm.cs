@@ -1,4 +1,6 @@
+using System.Collections.Generic;
 using System.Threading;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Pictures;
 
 namespace CreatureGen.Preview.Films;
@@ -11,6 +13,9 @@ public interface IFilm
 
     /// <summary>How long a frame shows.</summary>
     int MillisecondsPerFrame { get; }
+
+    /// <summary>What happens in it, at its own seconds: for its sound.</summary>
+    IReadOnlyList<ClipEvent> Events { get; }
 
     /// <summary>A frame of the moving picture.</summary>
     /// <param name="index">0 up to <see cref="FrameCount"/>.</param>

@@ -1,8 +1,10 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Clips;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;
 
@@ -113,6 +115,21 @@ internal sealed class Take
 
     /// <summary>Way from the first moment to the last, metres along +Z.</summary>
     public float Way => drift.Z;
+
+    /// <summary>What happens, at times counted in frames.</summary>
+    public ClipEvent[] Events
+    {
+        get
+        {
+            var events = new List<ClipEvent>();
+            foreach (ClipEvent one in cycle.EventsAt(1))
+            {
+                events.Add(new ClipEvent(one.Time / MomentsPerFrame, one.Name, one.Joint, one.Strength));
+            }
+
+            return [.. events];
+        }
+    }
 
     /// <summary>What the camera has gone by, world space, metres.</summary>
     public Vector3 CameraAt(int moment) => start + (drift * (moment / (float)cycle.Frames));

@@ -4,73 +4,88 @@ using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Gltf;
 
-/// <summary>The JSON of clips: one animation each, plain linear keys, with speed and looping in its extras.</summary>
+/// <summary>The JSON of clips: one animation each, with speed, looping and events in its extras.</summary>
 internal static class ClipWriter
 {
     /// <summary>Writes all animations.</summary>
-    public static void Write(JsonWriter json, ClipBuffers buffers)
+    public static void Write(JsonWriter json, ClipBuffers buffers, TargetEngine engine)
     {
         json.Name("animations").BeginArray();
         for (int c = 0; c < buffers.Clips.Count; c++)
         {
-            Write(json, buffers, c);
+            Write(json, buffers, c, engine);
         }
 
         json.EndArray();
     }
 
-    private static void Write(JsonWriter json, ClipBuffers buffers, int c)
+    /// <summary>Writes what is to know of all clips as a member of the root joint's extras, for importers that drop those of animations.</summary>
+    public static void WriteMirror(JsonWriter json, ClipBuffers buffers, TargetEngine engine)
+    {
+        if (engine == TargetEngine.Generic || buffers.Clips.Count == 0)
+        {
+            return;
+        }
+
+        json.Name("clips").BeginArray();
+        foreach (Clip clip in buffers.Clips)
+        {
+            json.BeginObject();
+            json.Name("name").Text(clip.Name);
+            Facts(json, buffers, clip);
+            json.EndObject();
+        }
+
+        json.EndArray();
+    }
+
+    /// <summary>The name of an animation, as an engine's importer tells loops by it.</summary>
+    public static string NameOf(Clip clip, TargetEngine engine) => engine == TargetEngine.Godot && clip.End == ClipEnd.Loops ? clip.Name + "-loop" : clip.Name;
+
+    private static void Write(JsonWriter json, ClipBuffers buffers, int c, TargetEngine engine)
     {
         Clip clip = buffers.Clips[c];
         json.BeginObject();
-        json.Name("name").Text(clip.Name);
+        json.Name("name").Text(NameOf(clip, engine));
         json.Name("channels").BeginArray();
         int sampler = 0;
-        foreach (int joint in buffers.Turning)
+        foreach (ClipChannel channel in buffers.Channels(c))
         {
-            Channel(json, sampler++, joint, "rotation");
-        }
-
-        foreach (int joint in buffers.Sliding)
-        {
-            Channel(json, sampler++, joint, "translation");
+            json.BeginObject();
+            json.Name("sampler").Number(sampler++);
+            json.Name("target").BeginObject().Name("node").Number(NodeTree.FirstJointNode + channel.Joint).Name("path").Text(channel.Path).EndObject();
+            json.EndObject();
         }
 
         json.EndArray();
         json.Name("samplers").BeginArray();
-        for (int k = 0; k < buffers.Turning.Count; k++)
+        foreach (ClipChannel channel in buffers.Channels(c))
         {
-            Sampler(json, buffers.TimesOf(c), buffers.RotationsOf(c, k));
-        }
-
-        for (int k = 0; k < buffers.Sliding.Count; k++)
-        {
-            Sampler(json, buffers.TimesOf(c), buffers.PositionsOf(c, k));
+            json.BeginObject();
+            json.Name("input").Number(channel.Times.Index);
+            json.Name("interpolation").Text(WordFor(channel.Interpolation));
+            json.Name("output").Number(channel.Values.Index);
+            json.EndObject();
         }
 
         json.EndArray();
         json.Name("extras").BeginObject();
+        Facts(json, buffers, clip);
+        json.EndObject();
+        json.EndObject();
+    }
+
+    private static void Facts(JsonWriter json, ClipBuffers buffers, Clip clip)
+    {
         json.Name("loop").Boolean(clip.End == ClipEnd.Loops);
-        json.Name("speed").Number(clip.Speed);
+        json.Name("speed").Number(buffers.SpeedOf(clip));
         Models.EventExtras.Write(json, clip.Events);
-        json.EndObject();
-        json.EndObject();
     }
 
-    private static void Channel(JsonWriter json, int sampler, int joint, string path)
+    private static string WordFor(KeyInterpolation interpolation) => interpolation switch
     {
-        json.BeginObject();
-        json.Name("sampler").Number(sampler);
-        json.Name("target").BeginObject().Name("node").Number(NodeTree.FirstJointNode + joint).Name("path").Text(path).EndObject();
-        json.EndObject();
-    }
-
-    private static void Sampler(JsonWriter json, Accessor input, Accessor output)
-    {
-        json.BeginObject();
-        json.Name("input").Number(input.Index);
-        json.Name("interpolation").Text("LINEAR");
-        json.Name("output").Number(output.Index);
-        json.EndObject();
-    }
+        KeyInterpolation.Step => "STEP",
+        KeyInterpolation.Linear => "LINEAR",
+        _ => "CUBICSPLINE",
+    };
 }

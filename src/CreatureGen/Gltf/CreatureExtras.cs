@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Creatures;
@@ -9,8 +10,8 @@ namespace CreatureGen.Gltf;
 /// <summary>What glTF has no place for, as extras of the nodes: colliders, limbs, mass, sockets.</summary>
 internal static class CreatureExtras
 {
-    /// <summary>Writes the extras of a joint if it has any: its capsules, in its own space, and on the root joint what belongs to the whole creature, in model space.</summary>
-    public static void WriteJoint(JsonWriter json, Creature creature, int index)
+    /// <summary>Writes the extras of a joint if it has any: its capsules, in its own space, and on the root joint what belongs to the whole creature, in model space, and more.</summary>
+    public static void WriteJoint(JsonWriter json, Creature creature, int index, Action more)
     {
         bool carries = false;
         foreach (CapsuleCollider capsule in creature.Bones)
@@ -41,6 +42,7 @@ internal static class CreatureExtras
         if (index == 0)
         {
             WriteWhole(json, creature);
+            more();
         }
 
         json.EndObject();

@@ -6,6 +6,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Json;
+using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Gltf;
 
@@ -40,7 +41,7 @@ internal static class DocumentWriter
         json.Name("nodes").BeginArray().Number(NodeTree.MeshNode).Number(NodeTree.FirstJointNode).EndArray();
         json.EndObject().EndArray();
         json.Name("nodes");
-        NodeTree.Write(json, creature, levels.Count);
+        NodeTree.Write(json, creature, levels.Count, () => ClipWriter.WriteMirror(json, clips, options.Engine));
         json.Name("meshes").BeginArray();
         for (int i = 0; i < levels.Count; i++)
         {
@@ -63,7 +64,7 @@ internal static class DocumentWriter
 
         if (clips.Clips.Count > 0)
         {
-            ClipWriter.Write(json, clips);
+            ClipWriter.Write(json, clips, options.Engine);
         }
 
         WriteAccessors(json, plan, buffers.Positions, clips, box);
@@ -100,9 +101,40 @@ internal static class DocumentWriter
             json.Name("textureSize").Number(options.TextureSize);
         }
 
+        if (options.Clips.Count > 0)
+        {
+            WriteClipChoices(json, options);
+        }
+
         json.Name(BlueprintName);
         WriteBlueprint(json, blueprint);
         json.EndObject().EndObject().EndObject();
+    }
+
+    private static void WriteClipChoices(JsonWriter json, GltfOptions options)
+    {
+        if (options.ClipPrecision is not { } precision)
+        {
+            json.Name("keys").Text("every frame");
+        }
+        else if (precision != ClipPrecision.Default)
+        {
+            json.Name("keys").BeginObject();
+            json.Name("error").Number(precision.Error);
+            json.Name("distance").Number(precision.Distance);
+            json.Name("interpolation").Text(precision.Interpolation.ToString().ToLowerInvariant());
+            json.EndObject();
+        }
+
+        if (options.RootMotion != TravelChoice.InPlace)
+        {
+            json.Name("rootMotion").Text(options.RootMotion.ToString().ToLowerInvariant());
+        }
+
+        if (options.Engine != TargetEngine.Generic)
+        {
+            json.Name("engine").Text(options.Engine.ToString().ToLowerInvariant());
+        }
     }
 
     private static void WriteBlueprint(JsonWriter json, CreatureBlueprint blueprint)

@@ -49,7 +49,7 @@ public static class GlbWriter
         levels = images == null ? levels : levels.Over(levels.Mesh.Textured());
         var plan = new BufferPlan();
         var buffers = new MeshBuffers(levels.Mesh, creature.Skeleton, plan);
-        var clips = new ClipBuffers(options.Clips, creature.Skeleton, plan);
+        var clips = new ClipBuffers(options, creature.Skeleton, plan);
         foreach (byte[] file in images?.Files ?? Array.Empty<byte[]>())
         {
             plan.AddBlock(file.Length);

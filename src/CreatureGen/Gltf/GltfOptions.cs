@@ -33,6 +33,15 @@ public sealed record GltfOptions
     /// <summary>Motion in the file, one animation for each clip. Default: none.</summary>
     public IReadOnlyList<Clip> Clips { get; init; } = Array.Empty<Clip>();
 
+    /// <summary>How near clips of fewer keys are to what was recorded; null keeps the keys of every frame. Default: <see cref="ClipPrecision.Default"/>.</summary>
+    public ClipPrecision? ClipPrecision { get; init; } = Motion.Toolkit.ClipPrecision.Default;
+
+    /// <summary>Who moves the creature while a clip plays. Default: <see cref="TravelChoice.InPlace"/>.</summary>
+    public TravelChoice RootMotion { get; init; }
+
+    /// <summary>For whose importer names and extras of clips are. Default: <see cref="TargetEngine.Generic"/>.</summary>
+    public TargetEngine Engine { get; init; }
+
     /// <summary>
     /// The options that the creature was generated with, as text, kept in the file as <c>asset.extras.creaturegen.options</c>; null leaves it out.
     /// The writer does not read it: it should depend on nothing but the options, or equal creatures get different files.

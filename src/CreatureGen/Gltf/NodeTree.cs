@@ -33,7 +33,11 @@ internal static class NodeTree
     public static string NameOfLevel(int level) => level == 0 ? MeshName : FormattableString.Invariant($"{MeshName}_LOD{level}");
 
     /// <summary>Writes the array of nodes.</summary>
-    public static void Write(JsonWriter json, Creature creature, int levels)
+    /// <param name="json">Receives it.</param>
+    /// <param name="creature">Whose.</param>
+    /// <param name="levels">Number of levels of detail.</param>
+    /// <param name="more">Writes more members into the extras of the root joint.</param>
+    public static void Write(JsonWriter json, Creature creature, int levels, Action more)
     {
         IReadOnlyList<Joint> joints = creature.Skeleton.Joints;
         json.BeginArray();
@@ -41,7 +45,7 @@ internal static class NodeTree
         List<int>[] children = Children(creature);
         for (int i = 0; i < joints.Count; i++)
         {
-            WriteJoint(json, creature, i, children[i]);
+            WriteJoint(json, creature, i, children[i], more);
         }
 
         foreach (AttachmentPoint point in creature.AttachmentPoints)
@@ -82,7 +86,7 @@ internal static class NodeTree
         json.EndObject();
     }
 
-    private static void WriteJoint(JsonWriter json, Creature creature, int index, List<int> children)
+    private static void WriteJoint(JsonWriter json, Creature creature, int index, List<int> children, Action more)
     {
         Joint joint = creature.Skeleton.Joints[index];
         json.BeginObject();
@@ -99,7 +103,7 @@ internal static class NodeTree
         }
 
         WritePose(json, joint.LocalPosition, joint.LocalRotation);
-        CreatureExtras.WriteJoint(json, creature, index);
+        CreatureExtras.WriteJoint(json, creature, index, more);
         json.EndObject();
     }
 

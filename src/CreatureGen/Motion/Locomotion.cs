@@ -20,8 +20,7 @@ internal sealed class Locomotion
 {
     private readonly MotionProfile profile;
     private readonly EventQueue events;
-    private readonly Quaternion[] rotations;
-    private readonly Vector3[] positions;
+    private readonly LocalPose poseBefore;
     private WalkingMode? keptLegs;
     private FallingMode? kept;
 
@@ -29,8 +28,7 @@ internal sealed class Locomotion
     {
         this.profile = profile;
         this.events = events;
-        rotations = new Quaternion[profile.Creature.Skeleton.Count];
-        positions = new Vector3[rotations.Length];
+        poseBefore = new LocalPose(profile.Creature.Skeleton);
         (Legs, Mode) = Make();
         (keptLegs, kept) = Make();
     }
@@ -102,8 +100,7 @@ internal sealed class Locomotion
     {
         if (ground.MayThrow && Mode != null)
         {
-            local.Rotations.CopyTo(rotations);
-            local.Positions.CopyTo(positions);
+            poseBefore.Take(local);
             kept!.CopyFrom(Mode);
         }
     }
@@ -112,8 +109,8 @@ internal sealed class Locomotion
     {
         (Legs, keptLegs) = (keptLegs, Legs);
         (Mode, kept) = (kept, Mode);
-        rotations.AsSpan().CopyTo(local.Rotations);
-        positions.AsSpan().CopyTo(local.Positions);
+        poseBefore.Pose.Rotations.CopyTo(local.Rotations);
+        poseBefore.Pose.Positions.CopyTo(local.Positions);
         events.Clear();
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using CreatureGen.Maths;
 using CreatureGen.Motion.Swimming;
 
 namespace CreatureGen.Motion;
@@ -12,6 +13,22 @@ public sealed class Movement
 
     /// <summary>Part of the cruise of an undulating crawler that it makes straight on: waves of the belly are slow.</summary>
     private const float RectilinearSpeed = 0.3f;
+
+    /// <summary>Turn on the spot, radians in the time √(ℓ/g) of legs ℓ long.</summary>
+    private const float SpotTurn = 0.3f;
+
+    /// <summary>Aside and back, parts of a walk.</summary>
+    private const float AsideSpeed = 0.35f;
+    private const float BackSpeed = 0.45f;
+
+    /// <summary>Turn of what has no legs to turn on, radians per second.</summary>
+    private const float CruiseTurn = 0.6f;
+
+    /// <summary>How much farther it turns its head when it looks around than while it idles.</summary>
+    private const double WideGlances = 2;
+
+    /// <summary>Sinking of a glide: metres for each ahead. Steeper than what lift and drag leave, so that no beat is needed.</summary>
+    private const float GlideSink = 0.25f;
 
     private Movement(string name, MotionInput input, Gait? gait, ClipKind kind = ClipKind.Lasting, SlitherGait crawl = SlitherGait.Undulating, ActAbility? act = null)
     {
@@ -44,8 +61,11 @@ public sealed class Movement
     /// <summary>The name of its gait, such as <c>BipedWalk</c>; <see cref="Name"/> where there is no gait.</summary>
     public string GaitName => Gait?.Name ?? Name;
 
+    /// <summary>How wide it looks about while it stands, 1 for the usual.</summary>
+    internal double Glances { get; private init; } = 1;
+
     /// <summary>Whether the motion repeats at the beat of a gait or a stroke; standing still has none.</summary>
-    public bool IsCyclic => Kind == ClipKind.Lasting && (Input.Speed != 0f || Input.Medium == MotionMedium.Air);
+    public bool IsCyclic => Kind == ClipKind.Lasting && (Input.Speed != 0f || Input.Sideways != 0f || Input.YawRate != 0f || Input.Medium == MotionMedium.Air);
 
     /// <summary>Everything that a creature does: all ways of going, then every act that it can do.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
@@ -115,12 +135,51 @@ public sealed class Movement
         return movements;
     }
 
+    /// <summary>What a player has it do beside them, and that repeats: turning, going aside, backing up, gliding.</summary>
+    internal static IReadOnlyList<Movement> Manoeuvres(MotionProfile profile)
+    {
+        var movements = new List<Movement>();
+        if (profile.Gaits is { } gaits && profile.Legs is { } legs)
+        {
+            Gait walk = gaits.Speeds[0].Gait;
+            float speed = gaits.Speeds[0].Comfortable;
+            float turn = SpotTurn / (float)Math.Sqrt(legs.LegLength / StandardGravity.Acceleration);
+            movements.Add(new Movement("TurnLeft", new MotionInput(0f, turn), walk));
+            movements.Add(new Movement("TurnRight", new MotionInput(0f, -turn), walk));
+            movements.Add(new Movement("StrafeLeft", new MotionInput(0f, Sideways: AsideSpeed * speed), walk));
+            movements.Add(new Movement("StrafeRight", new MotionInput(0f, Sideways: -AsideSpeed * speed), walk));
+            movements.Add(new Movement("Reverse", new MotionInput(-BackSpeed * speed), walk));
+        }
+        else
+        {
+            float cruise = profile.Swim?.CruiseSpeed ?? profile.Slither?.CruiseSpeed ?? profile.Flight?.CruiseSpeed ?? 0f;
+            MotionMedium medium = profile.Flight != null ? MotionMedium.Air : MotionMedium.Ground;
+            if (cruise > 0f)
+            {
+                movements.Add(new Movement("TurnLeft", new MotionInput(cruise, CruiseTurn, Medium: medium), null));
+                movements.Add(new Movement("TurnRight", new MotionInput(cruise, -CruiseTurn, Medium: medium), null));
+            }
+        }
+
+        if (profile.Gaze != null && (profile.Legs != null || profile.Slither != null))
+        {
+            movements.Add(new Movement("LookAround", default, null) { Glances = WideGlances });
+        }
+
+        if (profile.Flight is { GlidesBetweenBeats: true } flight)
+        {
+            movements.Add(new Movement("Glide", new MotionInput(flight.CruiseSpeed, ClimbRate: -GlideSink * flight.CruiseSpeed, Medium: MotionMedium.Air), null));
+        }
+
+        return movements;
+    }
+
     /// <summary>The same at another speed. Creatures go no faster than they can, whatever is asked.</summary>
     /// <param name="speed">Metres per second ahead.</param>
     /// <exception cref="ArgumentException">The speed is not finite.</exception>
     public Movement At(float speed)
     {
-        Maths.Finite.Require(speed, nameof(speed));
+        Finite.Require(speed, nameof(speed));
         return new Movement(Name, Input with { Speed = speed }, Gait, Kind, Crawl, Act);
     }
 

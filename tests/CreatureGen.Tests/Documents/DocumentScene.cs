@@ -20,6 +20,7 @@ internal static class DocumentScene
         static CreatureAnimator animator = null!;
         static MotionProfile profile = null!;
         static Skeleton skeleton = null!;
+        static Skeleton human = null!;
         static LimbChain limb = null!;
         static Stream stream = null!, destination = null!;
         static IGround ground = null!;

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
@@ -18,10 +19,23 @@ public static class ClipBaker
     private const int FewestFrames = 8;
     private const int HighestRate = 240;
 
+    /// <summary>Metres of air below what sinks as it goes.</summary>
+    private const float Depth = 1000f;
+
     /// <summary>Most that a joint may turn from frame to frame, radians; about twelve frames make a beat of a wing.</summary>
     private const float FarthestTurn = 0.5f;
 
-    /// <summary>Bakes every clip of a creature.</summary>
+    private static readonly string[] ways =
+    {
+        "Idle", "Walk", "DiagonalWalk", "Amble", "Crawl", "Trot", "SprawlTrot", "Pace", "Canter", "TransverseGallop", "RotaryGallop", "Bound", "Pronk", "Run", "Hop", "Leap", "Wave", "Tripod", "Tetrapod",
+        "SlowWave", "BackwardWave", "Fly", "Hover", "Glide", "TakeOff", "Land", "Swim", "CStart", "Slither", "Sidewind", "Rectilinear",
+        "TurnLeft", "TurnRight", "StrafeLeft", "StrafeRight", "Reverse", "LookAround", "Start", "Stop", "Jump", "Fall", "Dart",
+    };
+
+    /// <summary>Every name that a clip of a creature with the library's own gaits and acts can have.</summary>
+    public static IReadOnlyList<string> Names { get; } = ways.Concat(ActLibrary.All.Select(act => act.Name)).Distinct(StringComparer.Ordinal).ToArray();
+
+    /// <summary>Bakes all that a creature does by itself: idling, each of its gaits, flight, swimming, crawling, and what leads from one to another by itself. All that can be baked is in <see cref="RecipesOf"/>.</summary>
     /// <exception cref="ArgumentNullException">There is no creature.</exception>
     public static IReadOnlyList<Clip> Bake(Creature creature)
     {
@@ -33,6 +47,31 @@ public static class ClipBaker
         }
 
         return clips;
+    }
+
+    /// <summary>Everything that can be baked of a creature, each clip by its name: what <see cref="Bake(Creature)"/> bakes, turning, going aside and back, looking around, gliding, starting, stopping, jumping, falling, landing, darting, and every act that it can do.</summary>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    public static IReadOnlyList<ClipRecipe> RecipesOf(MotionProfile profile)
+    {
+        _ = profile ?? throw new ArgumentNullException(nameof(profile));
+        var recipes = new List<ClipRecipe>();
+        foreach (Movement movement in Movement.OfGoing(profile))
+        {
+            recipes.Add(new ClipRecipe(movement.Name, () => Bake(profile, movement)));
+        }
+
+        foreach (Movement movement in Movement.Manoeuvres(profile))
+        {
+            recipes.Add(new ClipRecipe(movement.Name, () => Bake(profile, movement)));
+        }
+
+        recipes.AddRange(Passages.Of(profile));
+        foreach (ActAbility ability in profile.Acts.Possible)
+        {
+            recipes.Add(new ClipRecipe(ability.Act.Name, () => RecordedAct.Bake(profile, ability)));
+        }
+
+        return recipes;
     }
 
     /// <summary>Bakes every act that a creature can do, each from standing to standing on the spot; what lasts is there for its least time. The name is that of the act.</summary>
@@ -67,12 +106,14 @@ public static class ClipBaker
             Carry(profile, cycle);
         }
 
-        return new Clip(movement.Name, motion.Closes ? ClipEnd.Loops : ClipEnd.Stays, rate, (float)(cycle.MeanSpeed * cycle.Step * rate), cycle.Joints, cycle.Rotations, cycle.Positions).WithEvents(cycle.EventsAt(rate));
+        var clip = new Clip(movement.Name, motion.Closes ? ClipEnd.Loops : ClipEnd.Stays, rate, (float)(cycle.MeanSpeed * cycle.Step * rate), cycle.Joints, cycle.Rotations, cycle.Positions);
+        return clip.WithEvents(cycle.EventsAt(rate)).WithPath(movement.Input == default ? Array.Empty<ClipPlace>() : cycle.Path());
     }
 
     private static SteadyMotion Begin(MotionProfile profile, Movement movement)
     {
-        var motion = new SteadyMotion(profile, movement, FlatGround.Level);
+        bool sinks = movement.Kind == ClipKind.Lasting && movement.Input.ClimbRate < 0f;
+        var motion = new SteadyMotion(profile, movement, sinks ? new FlatGround(new Vector3(0f, -Depth, 0f), Vector3.UnitY) : FlatGround.Level);
         motion.Settle(SteadyMotion.SettleSeconds);
         return motion;
     }

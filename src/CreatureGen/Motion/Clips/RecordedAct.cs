@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Motion.Clips;
@@ -33,6 +35,7 @@ internal static class RecordedAct
         int leaves = ability.SecondsToLast > 0f ? (int)(ability.SecondsToLast / Step) : -1;
         var rotations = new Quaternion[(frames + 1) * joints];
         var positions = new Vector3[(frames + 1) * joints];
+        var events = new List<ClipEvent>();
         for (int frame = 0; frame <= frames; frame++)
         {
             animator.LocalPose.Rotations.CopyTo(rotations.AsSpan(frame * joints, joints));
@@ -43,8 +46,16 @@ internal static class RecordedAct
             }
 
             animator.Update(Step, default, FlatGround.Level);
+            foreach (ActEvent one in animator.ActEvents)
+            {
+                float at = ((frame + 1) * Step) - one.SecondsAgo;
+                if (frame < frames && ClipEvents.NameOf(one.Act, one.Mark) is { } name)
+                {
+                    events.Add(new ClipEvent(Scalar.Clamp(at, 0f, frames / (float)Clip.UsualRate), name, one.Joint < 0 ? string.Empty : profile.Creature.Skeleton.Joints[one.Joint].Name, 1f));
+                }
+            }
         }
 
-        return new Clip(ability.Act.Name, ClipEnd.Stays, Clip.UsualRate, 0f, joints, rotations, positions);
+        return new Clip(ability.Act.Name, ClipEnd.Stays, Clip.UsualRate, 0f, joints, rotations, positions).WithEvents(events);
     }
 }

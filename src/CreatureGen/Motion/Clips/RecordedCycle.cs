@@ -14,7 +14,8 @@ internal sealed class RecordedCycle
     private readonly RootPlace[] places;
     private readonly FootReport[] feet;
     private readonly int footCount;
-    private readonly List<(float Time, MotionEvent Event)> happened = new();
+    private readonly bool closes;
+    private readonly List<(float Time, string Name, MotionEvent Event)> happened = new();
 
     /// <summary>Records from now on.</summary>
     /// <param name="motion">What has settled.</param>
@@ -24,6 +25,7 @@ internal sealed class RecordedCycle
     {
         CreatureAnimator animator = motion.Animator;
         Frames = frames;
+        closes = motion.Closes;
         skeleton = animator.Profile.Creature.Skeleton;
         Joints = skeleton.Count;
         Step = step;
@@ -49,7 +51,10 @@ internal sealed class RecordedCycle
                 motion.Advance(step);
                 foreach (MotionEvent one in animator.Events)
                 {
-                    happened.Add((((frame + 1) * step) - one.SecondsAgo, one));
+                    if (ClipEvents.NameOf(one.Kind) is { } name)
+                    {
+                        happened.Add((((frame + 1) * step) - one.SecondsAgo, name, one));
+                    }
                 }
 
                 speed += animator.Speed / frames;
@@ -104,16 +109,38 @@ internal sealed class RecordedCycle
     /// <summary>Where the root was.</summary>
     public RootPlace PlaceAt(int frame) => places[frame];
 
+    /// <summary>The way over the ground, seen from where it began; without headings where the poses hold them.</summary>
+    public IReadOnlyList<ClipPlace> Path()
+    {
+        var path = new ClipPlace[Frames + 1];
+        Quaternion back = Rotation.Inverse(places[0].Rotation);
+        float heading = 0f;
+        for (int frame = 0; frame <= Frames; frame++)
+        {
+            Vector3 way = Rotation.Rotate(back, places[frame].Position - places[0].Position);
+            if (frame > 0 && closes)
+            {
+                // From frame to frame, so that a turn may be more than a round.
+                Quaternion step = Rotation.Multiply(Rotation.Inverse(places[frame - 1].Rotation), places[frame].Rotation);
+                heading += (float)(2 * PortableMath.Atan2(step.W < 0f ? -step.Y : step.Y, Math.Abs(step.W)));
+            }
+
+            path[frame] = new ClipPlace(new Vector3(way.X, closes ? way.Y : 0f, way.Z), heading);
+        }
+
+        return path;
+    }
+
     /// <summary>What happened, as events of a clip of so many frames per second. What happened just before the first frame of a cycle happens at its end.</summary>
     public IReadOnlyList<ClipEvent> EventsAt(int rate)
     {
         float duration = Frames / (float)rate;
         var events = new List<ClipEvent>();
-        foreach ((float time, MotionEvent one) in happened)
+        foreach ((float time, string name, MotionEvent one) in happened)
         {
             float at = time / (Step * rate);
             at = at < 0f ? at + duration : at;
-            events.Add(new ClipEvent(Scalar.Clamp(at, 0f, duration), NameOf(one.Kind), skeleton.Joints[one.Joint].Name, Math.Max(one.Strength, 0f)));
+            events.Add(new ClipEvent(Scalar.Clamp(at, 0f, duration), name, skeleton.Joints[one.Joint].Name, Math.Max(one.Strength, 0f)));
         }
 
         return events;
@@ -121,13 +148,6 @@ internal sealed class RecordedCycle
 
     /// <summary>How a foot was.</summary>
     public FootReport FootAt(int frame, int foot) => feet[(frame * footCount) + foot];
-
-    private static string NameOf(MotionEventKind kind) => kind switch
-    {
-        MotionEventKind.FootDown => "footstep",
-        MotionEventKind.FootUp => "liftoff",
-        _ => "flap",
-    };
 
     /// <summary>Spreads the difference of the last and the first frame of a joint over all frames.</summary>
     private void Close(int joint)

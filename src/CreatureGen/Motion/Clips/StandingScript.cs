@@ -37,13 +37,14 @@ internal static class StandingScript
 
     /// <summary>Where the head looks.</summary>
     /// <param name="fraction">Part of the recording, 0..1.</param>
-    public static LookAngles LookAt(double fraction)
+    /// <param name="width">How wide its glances are, 1 for the usual.</param>
+    public static LookAngles LookAt(double fraction, double width = 1)
     {
         LookAngles look = default;
         foreach ((double at, LookAngles next) in glances)
         {
             double t = Scalar.Smooth(Scalar.Clamp((fraction - at) / Turning, 0, 1));
-            look = new LookAngles((float)Scalar.Lerp(look.Yaw, next.Yaw, t), (float)Scalar.Lerp(look.Pitch, next.Pitch, t));
+            look = new LookAngles((float)Scalar.Lerp(look.Yaw, width * next.Yaw, t), (float)Scalar.Lerp(look.Pitch, width * next.Pitch, t));
         }
 
         return look;

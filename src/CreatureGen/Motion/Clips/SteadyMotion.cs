@@ -102,7 +102,7 @@ internal sealed class SteadyMotion
     public void Live(float seconds, float whole)
     {
         bool stands = Closes && !movement.IsCyclic && movement.Input.Speed == 0f;
-        look = stands ? StandingScript.LookAt(seconds / whole) : default;
+        look = stands ? StandingScript.LookAt(seconds / whole, movement.Glances) : default;
         Animator.Hold(movement.IsCyclic ? default : StandingScript.ActAt(seconds, whole));
     }
 

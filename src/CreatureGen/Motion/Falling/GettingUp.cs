@@ -25,7 +25,7 @@ internal sealed class GettingUp
     private readonly ILocomotionMode inner;
     private readonly WalkingMode? legs;
     private readonly PoseBuffer from;
-    private readonly PoseBuffer to;
+    private readonly LocalPose to;
     private readonly PoseBuffer shown;
     private BodyTurn fromTurn;
     private BodyTurn toTurn;
@@ -40,7 +40,7 @@ internal sealed class GettingUp
         this.inner = inner;
         this.legs = legs;
         from = new PoseBuffer(profile.Skeleton);
-        to = new PoseBuffer(profile.Skeleton);
+        to = new LocalPose(profile.Skeleton);
         shown = new PoseBuffer(profile.Skeleton);
     }
 
@@ -53,19 +53,18 @@ internal sealed class GettingUp
     {
         limp.Show(place, 0f, settings, ground, from.Local);
         from.Finish();
-        to.Clear();
-        inner.Stand(place, settings, ground, to.Local);
+        to.SetToRest();
+        inner.Stand(place, settings, ground, to.Pose);
         bool crouches = legs != null && inner.IsOnFeet;
         if (crouches)
         {
             legs!.Sink = profile.CrouchDepth;
             legs.Bow = 0f;
-            legs.Hold(place, 0f, settings, to.Local);
+            legs.Hold(place, 0f, settings, to.Pose);
         }
 
-        to.Finish();
         fromTurn = BodyTurn.Of(profile, from.Local);
-        toTurn = BodyTurn.Of(profile, to.Local);
+        toTurn = BodyTurn.Of(profile, to.Pose);
         gap = profile.Support.Lowest(place, from.Model, settings.Up, ground);
         float tau = (float)Math.Sqrt(profile.Height * place.Scale / settings.Gravity) * profile.Manner.Tempo;
         gather = GatherTime * tau;
@@ -90,8 +89,8 @@ internal sealed class GettingUp
         }
 
         float u = rise > 0f ? (elapsed - gather) / rise : 1f;
-        to.Local.Rotations.CopyTo(local.Rotations);
-        to.Local.Positions.CopyTo(local.Positions);
+        to.Pose.Rotations.CopyTo(local.Rotations);
+        to.Pose.Positions.CopyTo(local.Positions);
         if (rise > 0f)
         {
             (float fore, float hind) = profile.Manner.At(Math.Min(u, 1f));
@@ -99,6 +98,7 @@ internal sealed class GettingUp
             legs.Bow = (fore - hind) * profile.CrouchDepth;
             legs.Hold(place, dt, settings, local);
             shown.Take(local);
+            shown.Finish();
             GroundClearance.BendUp(profile, shown, place, settings.Up, ground);
             shown.Local.Rotations.CopyTo(local.Rotations);
         }
@@ -110,7 +110,7 @@ internal sealed class GettingUp
     public void CopyFrom(GettingUp other)
     {
         from.Take(other.from.Local);
-        to.Take(other.to.Local);
+        to.Take(other.to.Pose);
         (fromTurn, toTurn, gather, rise, elapsed, gap) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap);
     }
 
@@ -120,14 +120,14 @@ internal sealed class GettingUp
         for (int j = 0; j < profile.Skeleton.Count; j++)
         {
             float w = profile.Windows[j].At(u);
-            shown.Local.Rotations[j] = Rotation.Slerp(from.Local.Rotations[j], to.Local.Rotations[j], w);
-            shown.Local.Positions[j] = Vec.Lerp(from.Local.Positions[j], to.Local.Positions[j], w);
+            shown.Local.Rotations[j] = Rotation.Slerp(from.Local.Rotations[j], to.Pose.Rotations[j], w);
+            shown.Local.Positions[j] = Vec.Lerp(from.Local.Positions[j], to.Pose.Positions[j], w);
         }
 
         SwingTwistLimit.ClampPose(profile.Skeleton, shown.Local);
         int body = profile.Body;
         BodyTurn.Between(fromTurn, toTurn, u).Set(profile, shown.Local);
-        shown.Local.Positions[body] = Vec.Lerp(from.Local.Positions[body], to.Local.Positions[body], Scalar.Smooth(u));
+        shown.Local.Positions[body] = Vec.Lerp(from.Local.Positions[body], to.Pose.Positions[body], Scalar.Smooth(u));
         shown.Finish();
         if (!profile.Swims)
         {

@@ -60,6 +60,8 @@ internal sealed class LimpBody
     public void Begin(in RootPlace place, in Pose shown, in RootPlace placeBefore, float dt, IGround ground)
     {
         now.Take(shown);
+        now.Finish();
+        before.Finish();
         Ragdoll.Start(profile.Ragdoll, ragdoll, place, now.Model, placeBefore, before.Model, dt, ground);
         Ragdoll.Aim(profile.Ragdoll, ragdoll, now.Model);
         before.Take(shown);
@@ -102,6 +104,7 @@ internal sealed class LimpBody
     public void Show(in RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
     {
         now.Take(before.Local);
+        now.Finish();
         Ragdoll.Show(profile.Ragdoll, ragdoll, place, now.Local, now.Model);
 
         // Skin stands out of the capsules that lie on the ground.

@@ -8,7 +8,7 @@ namespace CreatureGen.Motion.Falling;
 internal sealed class PoseFade
 {
     private readonly Skeleton skeleton;
-    private readonly PoseBuffer shown;
+    private readonly LocalPose shown;
     private readonly InertialOffset[] offsets;
     private bool begins;
     private float elapsed;
@@ -17,7 +17,7 @@ internal sealed class PoseFade
     public PoseFade(Skeleton skeleton)
     {
         this.skeleton = skeleton;
-        shown = new PoseBuffer(skeleton);
+        shown = new LocalPose(skeleton);
         offsets = new InertialOffset[skeleton.Count];
     }
 
@@ -31,7 +31,7 @@ internal sealed class PoseFade
     /// <summary>Goes on from where another is.</summary>
     public void CopyFrom(PoseFade other)
     {
-        shown.Take(other.shown.Local);
+        shown.Take(other.shown.Pose);
         other.offsets.CopyTo(offsets, 0);
         (begins, elapsed, duration) = (other.begins, other.elapsed, other.duration);
     }
@@ -44,7 +44,7 @@ internal sealed class PoseFade
     {
         if (begins)
         {
-            Inertialisation.Start(shown.Local, shown.Local, local, local, 0f, seconds, offsets);
+            Inertialisation.Start(shown.Pose, shown.Pose, local, local, 0f, seconds, offsets);
             begins = false;
             elapsed = 0f;
             duration = seconds;

@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 
@@ -11,16 +10,12 @@ internal sealed class StancePose
     /// <summary>Share from which on it counts as all.</summary>
     private const double Whole = 0.9995;
 
-    private readonly Skeleton skeleton;
-    private readonly Quaternion[] rotations;
-    private readonly Vector3[] positions;
+    private readonly LocalPose local;
     private readonly float[] mask;
 
     public StancePose(Skeleton skeleton)
     {
-        this.skeleton = skeleton;
-        rotations = new Quaternion[skeleton.Count];
-        positions = new Vector3[skeleton.Count];
+        local = new LocalPose(skeleton);
         mask = new float[skeleton.Count];
         for (int i = 0; i < mask.Length; i++)
         {
@@ -28,43 +23,35 @@ internal sealed class StancePose
             bool end = skeleton.Joints[i].Role == JointRole.End && parent >= 0 && skeleton.Joints[parent].Role == JointRole.Wing;
             mask[i] = end || skeleton.Joints[i].Role == JointRole.Wing ? 0f : 1f;
         }
-
-        Local.SetToRest(skeleton);
     }
-
-    /// <summary>The pose in the parents' space.</summary>
-    public Pose Local => new(rotations, positions);
 
     /// <summary>Whether a share is all of the pose.</summary>
     public static bool IsWhole(double fraction) => fraction >= Whole;
 
     /// <summary>Takes over how another was posed.</summary>
-    public void CopyFrom(StancePose other)
-    {
-        other.rotations.CopyTo(rotations, 0);
-        other.positions.CopyTo(positions, 0);
-    }
+    public void CopyFrom(StancePose other) => local.Take(other.local.Pose);
 
     /// <summary>The pose, at rest, to be written anew.</summary>
     public Pose Cleared()
     {
-        Local.SetToRest(skeleton);
-        return Local;
+        local.SetToRest();
+        return local.Pose;
     }
 
     /// <summary>Mixes the pose into another.</summary>
     /// <param name="fraction">0 leaves the other as it is, 1 all but its wings is replaced.</param>
-    /// <param name="local">The other.</param>
-    public void Mix(double fraction, in Pose local)
+    /// <param name="other">In the parents' space.</param>
+    public void Mix(double fraction, in Pose other)
     {
         if (fraction <= 0)
         {
             return;
         }
 
+        Pose own = local.Pose;
         if (!IsWhole(fraction))
         {
-            PoseBlend.Mix(local, Local, (float)fraction, mask, local);
+            PoseBlend.Mix(other, own, (float)fraction, mask, other);
             return;
         }
 
@@ -72,8 +59,8 @@ internal sealed class StancePose
         {
             if (mask[i] != 0f)
             {
-                local.Rotations[i] = rotations[i];
-                local.Positions[i] = positions[i];
+                other.Rotations[i] = own.Rotations[i];
+                other.Positions[i] = own.Positions[i];
             }
         }
     }

@@ -134,10 +134,14 @@ internal sealed class NaiveGltf(byte[] file)
 
         if (turns)
         {
-            double dot = a.Zip(b, (x, y) => x * y).Sum();
-            double angle = Math.Acos(Math.Min(Math.Abs(dot), 1));
+            // By the chord, since the arc cosine of what is rounded to floats is wrong by up to 5e-4 radians near 1.
+            double sign = a.Zip(b, (x, y) => x * y).Sum() < 0 ? -1 : 1;
+            double lengthA = Math.Sqrt(a.Sum(x => x * x));
+            double lengthB = sign * Math.Sqrt(b.Sum(x => x * x));
+            double chord = Math.Sqrt(a.Zip(b, (x, y) => (x / lengthA) - (y / lengthB)).Sum(x => x * x));
+            double angle = 2 * Math.Asin(Math.Min(chord / 2, 1));
             double sine = Math.Sin(angle);
-            return sine < 1e-9 ? a : a.Zip(b, (x, y) => ((x * Math.Sin((1 - u) * angle)) + (Math.Sign(dot) * y * Math.Sin(u * angle))) / sine).ToArray();
+            return sine < 1e-9 ? a : a.Zip(b, (x, y) => ((x / lengthA * Math.Sin((1 - u) * angle)) + (y / lengthB * Math.Sin(u * angle))) / sine).ToArray();
         }
 
         return a.Zip(b, (x, y) => x + ((y - x) * u)).ToArray();

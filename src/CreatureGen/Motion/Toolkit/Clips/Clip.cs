@@ -93,6 +93,12 @@ public sealed class Clip : IClip
     /// <inheritdoc/>
     public IReadOnlyList<ClipEvent> Events { get; private init; } = Array.Empty<ClipEvent>();
 
+    /// <inheritdoc/>
+    public float EventSpan => Duration;
+
+    /// <summary>Where the creature is in each frame, for games that let a clip carry it (<see cref="Travelling"/>); empty for a clip on the spot. The poses themselves are in place.</summary>
+    public IReadOnlyList<ClipPlace> Path { get; private init; } = Array.Empty<ClipPlace>();
+
     /// <summary>Frames per second.</summary>
     public int Rate { get; }
 
@@ -145,7 +151,65 @@ public sealed class Clip : IClip
     public Clip WithEvents(IReadOnlyList<ClipEvent> events) => new(Name, End, Rate, Speed, Joints, rotations, positions)
     {
         Events = ClipTime.Ordered(events ?? throw new ArgumentNullException(nameof(events)), Duration, Name),
+        Path = Path,
     };
+
+    /// <summary>The same motion with a way over the ground.</summary>
+    /// <param name="path">Where the creature is in each frame; the first is where the clip begins. Empty for a clip on the spot.</param>
+    /// <exception cref="ArgumentNullException">There is no path.</exception>
+    /// <exception cref="ArgumentException">It has another number of places than the clip has frames, or a number is not finite.</exception>
+    public Clip WithPath(IReadOnlyList<ClipPlace> path)
+    {
+        _ = path ?? throw new ArgumentNullException(nameof(path));
+        if (path.Count != 0 && path.Count != Frames)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"a path of {path.Count} places for clip {Name}; expected {Frames}, one for each frame, or none"), nameof(path));
+        }
+
+        var kept = new ClipPlace[path.Count];
+        for (int i = 0; i < kept.Length; i++)
+        {
+            Finite.Require(path[i].Position, nameof(path));
+            Finite.Require(path[i].Heading, nameof(path));
+            kept[i] = path[i];
+        }
+
+        return new Clip(Name, End, Rate, Speed, Joints, rotations, positions) { Events = Events, Path = kept };
+    }
+
+    /// <summary>The same motion as keys, in which joint 0 goes along the <see cref="Path"/>: root motion. Its speed is 0, because it travels by itself.</summary>
+    public KeyedClip Travelling()
+    {
+        float[] times = new float[Frames];
+        for (int frame = 0; frame < times.Length; frame++)
+        {
+            times[frame] = TimeOf(frame);
+        }
+
+        var turns = new KeyTrack[Joints];
+        var places = new KeyTrack[Joints];
+        var turn = new Quaternion[Frames];
+        var place = new Vector3[Frames];
+        for (int joint = 0; joint < Joints; joint++)
+        {
+            for (int frame = 0; frame < times.Length; frame++)
+            {
+                int at = (frame * Joints) + joint;
+                (turn[frame], place[frame]) = (rotations[at], positions[at]);
+                if (joint == 0 && Path.Count > 0)
+                {
+                    Quaternion heading = AxisRotation.Yaw(Path[frame].Heading);
+                    turn[frame] = Rotation.Normalize(Rotation.Multiply(heading, turn[frame]));
+                    place[frame] = Path[frame].Position + Rotation.Rotate(heading, place[frame]);
+                }
+            }
+
+            turns[joint] = KeyTrack.OfRotations(times, turn, KeyInterpolation.Linear);
+            places[joint] = KeyTrack.OfPositions(times, place, KeyInterpolation.Linear);
+        }
+
+        return new KeyedClip(Name, End, Duration, Path.Count > 0 ? 0f : Speed, turns, places, Events);
+    }
 
     /// <summary>The rotations of a frame, one per joint.</summary>
     public ReadOnlySpan<Quaternion> RotationsAt(int frame) => rotations.AsSpan(frame * Joints, Joints);

@@ -25,6 +25,9 @@ public interface IClip
     /// <summary>What happens in it, in the order of time.</summary>
     IReadOnlyList<ClipEvent> Events { get; }
 
+    /// <summary>Seconds over which <see cref="Events"/> lie: <see cref="Duration"/>, but in a clip that plays the events of another one at a pace of its own, that one's.</summary>
+    float EventSpan { get; }
+
     /// <summary>The pose at a time. Nothing is allocated.</summary>
     /// <param name="time">Seconds from its beginning; before the beginning and after the end it is as <see cref="ClipTime.Within"/> says.</param>
     /// <param name="local">Receives the pose in the parents' space.</param>

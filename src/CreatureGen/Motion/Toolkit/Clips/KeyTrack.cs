@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Clips;
 
 namespace CreatureGen.Motion.Toolkit;
 
@@ -20,10 +21,7 @@ public sealed class KeyTrack
             throw new ArgumentException(FormattableString.Invariant($"{times.Length} times and {values.Length} values; expected {each} for each time, and one time at least"), nameof(values));
         }
 
-        if (!Enum.IsDefined(typeof(KeyInterpolation), interpolation))
-        {
-            throw new ArgumentException(FormattableString.Invariant($"interpolation {(int)interpolation}; expected step, linear or cubic"), nameof(interpolation));
-        }
+        Require(interpolation);
 
         for (int i = 0; i < times.Length; i++)
         {
@@ -45,6 +43,9 @@ public sealed class KeyTrack
 
     /// <summary>Seconds, ascending.</summary>
     public ReadOnlySpan<float> Times => times;
+
+    /// <summary>Values as they are kept: those of cubic tracks between their tangents.</summary>
+    internal ReadOnlySpan<Vector4> Values => values;
 
     /// <summary>Number of keys.</summary>
     public int Count => times.Length;
@@ -79,6 +80,18 @@ public sealed class KeyTrack
         }
 
         return new KeyTrack(times ?? throw new ArgumentNullException(nameof(times)), values, interpolation, turns: false);
+    }
+
+    /// <summary>A track of values as they are kept: those of cubic tracks between their tangents.</summary>
+    internal static KeyTrack Of(float[] times, Vector4[] values, KeyInterpolation interpolation, bool turns) => new(times, values, interpolation, turns);
+
+    /// <summary>Throws unless there is such an interpolation.</summary>
+    internal static void Require(KeyInterpolation interpolation)
+    {
+        if (!Enum.IsDefined(typeof(KeyInterpolation), interpolation))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"interpolation {(int)interpolation}; expected step, linear or cubic"), nameof(interpolation));
+        }
     }
 
     /// <summary>The last key at or before a time, 0 if there is none.</summary>
@@ -124,7 +137,7 @@ public sealed class KeyTrack
     {
         if (IsHeld(time, key, out float fraction, out float seconds))
         {
-            return ToQuaternion(Value(key));
+            return ToQuaternion(ValueAt(key));
         }
 
         if (Interpolation == KeyInterpolation.Linear)
@@ -140,7 +153,7 @@ public sealed class KeyTrack
     {
         if (IsHeld(time, key, out float fraction, out float seconds))
         {
-            return ToVector(Value(key));
+            return ToVector(ValueAt(key));
         }
 
         return Interpolation == KeyInterpolation.Linear
@@ -152,7 +165,8 @@ public sealed class KeyTrack
 
     private static Vector3 ToVector(Vector4 v) => new(v.X, v.Y, v.Z);
 
-    private Vector4 Value(int key) => values[Interpolation == KeyInterpolation.Cubic ? (3 * key) + 1 : key];
+    /// <summary>The value of a key.</summary>
+    internal Vector4 ValueAt(int key) => values[Interpolation == KeyInterpolation.Cubic ? (3 * key) + 1 : key];
 
     /// <summary>Whether the value at a time is that of a key; otherwise how far it is towards the next key.</summary>
     private bool IsHeld(float time, int key, out float fraction, out float seconds)
@@ -168,20 +182,8 @@ public sealed class KeyTrack
         return false;
     }
 
-    private Vector4 Curve(int key, float t, float seconds)
-    {
-        float tt = t * t;
-        float ttt = tt * t;
-        float h1 = (2f * ttt) - (3f * tt) + 1f;
-        float h2 = seconds * (ttt - (2f * tt) + t);
-        float h3 = (3f * tt) - (2f * ttt);
-        float h4 = seconds * (ttt - tt);
-        Vector4 a = values[(3 * key) + 1];
-        Vector4 leaving = values[(3 * key) + 2];
-        Vector4 arriving = values[(3 * key) + 3];
-        Vector4 b = values[(3 * key) + 4];
-        return (a * h1) + (leaving * h2) + (b * h3) + (arriving * h4);
-    }
+    private Vector4 Curve(int key, float t, float seconds) =>
+        KeyCurve.At(values[(3 * key) + 1], values[(3 * key) + 2], values[(3 * key) + 3], values[(3 * key) + 4], t, seconds);
 
     private void Prove(int each)
     {

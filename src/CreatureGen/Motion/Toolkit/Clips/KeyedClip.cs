@@ -66,6 +66,9 @@ public sealed class KeyedClip : IClip
     /// <inheritdoc/>
     public IReadOnlyList<ClipEvent> Events { get; }
 
+    /// <inheritdoc/>
+    public float EventSpan => Duration;
+
     /// <summary>The rotations of each joint.</summary>
     public IReadOnlyList<KeyTrack> Rotations => rotations;
 

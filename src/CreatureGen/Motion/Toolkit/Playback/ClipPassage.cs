@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace CreatureGen.Motion.Toolkit;
 
@@ -12,11 +13,16 @@ public readonly struct ClipPassage
     /// <summary>Most rounds in a step that are told; a step of more is none of a game.</summary>
     internal const int MaxRounds = 1000;
 
-    private readonly IClip clip;
+    // Kept at the time: in a blend whose weights change, other events may count in the next step.
+    private readonly IReadOnlyList<ClipEvent> events;
+    private readonly float span;
+    private readonly ClipEnd end;
 
     internal ClipPassage(IClip clip, double from, double to, int rounds)
     {
-        this.clip = clip;
+        events = clip.Events;
+        span = clip.EventSpan;
+        end = clip.End;
         From = from;
         To = to;
         Rounds = rounds;
@@ -31,9 +37,6 @@ public readonly struct ClipPassage
     /// <summary>How often the clip's end was passed; below 0 for its beginning, backwards.</summary>
     public int Rounds { get; }
 
-    /// <summary>The clip whose events count: of several that are blended, the heaviest.</summary>
-    private IClip Source => clip is PhaseBlend blend ? blend.Heaviest : clip;
-
     /// <summary>The events on the way, in the order in which they were passed. Nothing is allocated.</summary>
     public Enumerator GetEnumerator() => new(this);
 
@@ -41,7 +44,6 @@ public readonly struct ClipPassage
     public struct Enumerator
     {
         private readonly ClipPassage passage;
-        private readonly IClip source;
         private readonly int direction;
 
         // Events at the very end of a loop, which belong to its beginning.
@@ -52,16 +54,15 @@ public readonly struct ClipPassage
         internal Enumerator(in ClipPassage passage)
         {
             this.passage = passage;
-            source = passage.Source;
             direction = passage.Rounds < 0 || (passage.Rounds == 0 && passage.To < passage.From) ? -1 : 1;
             ends = 0;
-            while (source.End == ClipEnd.Loops && ends < source.Events.Count && source.Events[source.Events.Count - 1 - ends].Time >= source.Duration)
+            while (passage.end == ClipEnd.Loops && ends < passage.events.Count && passage.events[passage.events.Count - 1 - ends].Time >= passage.span)
             {
                 ends++;
             }
 
             round = 0;
-            index = direction > 0 ? -1 : source.Events.Count;
+            index = direction > 0 ? -1 : passage.events.Count;
         }
 
         /// <summary>The event that was found.</summary>
@@ -70,14 +71,14 @@ public readonly struct ClipPassage
             get
             {
                 int listed = index - ends;
-                return source.Events[listed < 0 ? listed + source.Events.Count : listed];
+                return passage.events[listed < 0 ? listed + passage.events.Count : listed];
             }
         }
 
         /// <summary>Looks for the next event.</summary>
         public bool MoveNext()
         {
-            int count = source.Events.Count;
+            int count = passage.events.Count;
             while (true)
             {
                 index += direction;
@@ -102,7 +103,7 @@ public readonly struct ClipPassage
 
         private readonly bool Holds()
         {
-            double at = index < ends ? 0 : Current.Time / (double)source.Duration;
+            double at = index < ends ? 0 : Current.Time / (double)passage.span;
             if (at >= 1)
             {
                 return direction > 0 && passage.To >= 1 && passage.From < 1;

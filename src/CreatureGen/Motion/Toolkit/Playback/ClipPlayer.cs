@@ -29,10 +29,10 @@ public sealed class ClipPlayer
     private readonly int root;
     private readonly List<ClipLayer> layers = new();
     private readonly List<ClipEvent> events = new(UsualEvents);
-    private readonly Buffer shown;
-    private readonly Buffer before;
-    private readonly Buffer sampled;
-    private readonly Buffer reference;
+    private readonly LocalPose shown;
+    private readonly LocalPose before;
+    private readonly LocalPose sampled;
+    private readonly LocalPose reference;
     private readonly InertialOffset[] offsets;
     private PlayingClip playing;
     private PlayingClip leaving;
@@ -56,10 +56,10 @@ public sealed class ClipPlayer
             throw new ArgumentException($"no joint is called {rootJoint}; expected one of the skeleton's", nameof(rootJoint));
         }
 
-        shown = new Buffer(skeleton);
-        before = new Buffer(skeleton);
-        sampled = new Buffer(skeleton);
-        reference = new Buffer(skeleton);
+        shown = new LocalPose(skeleton);
+        before = new LocalPose(skeleton);
+        sampled = new LocalPose(skeleton);
+        reference = new LocalPose(skeleton);
         offsets = new InertialOffset[skeleton.Count];
         playing = Begin(clip, 0f);
     }
@@ -239,26 +239,6 @@ public sealed class ClipPlayer
         if (clip.Joints != skeleton.Count)
         {
             throw new ArgumentException(FormattableString.Invariant($"clip {clip.Name} has {clip.Joints} joints; expected the {skeleton.Count} of the skeleton"), nameof(clip));
-        }
-    }
-
-    private sealed class Buffer
-    {
-        private readonly Quaternion[] rotations;
-        private readonly Vector3[] positions;
-
-        public Buffer(Skeleton skeleton)
-        {
-            rotations = skeleton.LocalRotations.ToArray();
-            positions = skeleton.LocalPositions.ToArray();
-        }
-
-        public Pose Pose => new(rotations, positions);
-
-        public void Take(in Pose pose)
-        {
-            pose.Rotations.CopyTo(rotations);
-            pose.Positions.CopyTo(positions);
         }
     }
 }

@@ -76,8 +76,11 @@ public sealed class PhaseBlend : IClip
     /// <summary>The clip of the largest weight, the first of equal ones: its events happen.</summary>
     public IClip Heaviest { get; private set; }
 
-    /// <summary>The events of the heaviest clip, at that clip's own times; a passage knows them by their part of the cycle.</summary>
+    /// <summary>The events of the heaviest clip, at that clip's own times.</summary>
     public IReadOnlyList<ClipEvent> Events => Heaviest.Events;
+
+    /// <inheritdoc/>
+    public float EventSpan => Heaviest.EventSpan;
 
     /// <inheritdoc/>
     public float Duration

@@ -1,0 +1,20 @@
+namespace CreatureGen.Motion.Toolkit.Clips;
+
+/// <summary>What the first byte of a track in a <see cref="CompressedClip"/> says.</summary>
+internal static class PackedTrack
+{
+    /// <summary>It stays as the skeleton is at rest; nothing follows.</summary>
+    public const byte Rest = 0;
+
+    /// <summary>It stays at one value, which follows with its range.</summary>
+    public const byte Constant = 1;
+
+    /// <summary>It moves: range, number of keys, the frame of each key, the value of each key.</summary>
+    public const byte Moving = 2;
+
+    /// <summary>Bytes of a value.</summary>
+    public const int ValueBytes = 6;
+
+    /// <summary>Bytes of a frame's number.</summary>
+    public static int FrameBytes(int frames) => frames <= 256 ? 1 : 2;
+}

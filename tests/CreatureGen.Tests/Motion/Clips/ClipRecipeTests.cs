@@ -1,0 +1,184 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Gltf;
+using CreatureGen.Gltf.Models;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using CreatureGen.Tests.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Clips;
+
+public sealed class ClipRecipeTests
+{
+    [Theory]
+    [InlineData("feline", RequestedKind.Walking, "Idle Walk Trot Start Stop TurnLeft TurnRight StrafeLeft StrafeRight Reverse Jump Fall Land LookAround Bite Die")]
+    [InlineData("raptor", RequestedKind.Flying, "Idle Fly Hover Glide TakeOff Land Start Stop TurnLeft TurnRight Jump Dart LookAround Die")]
+    [InlineData("fish", RequestedKind.Swimming, "Idle Swim Start Stop TurnLeft TurnRight Dart")]
+    [InlineData("cobra", RequestedKind.Walking, "Idle Slither Sidewind Start Stop TurnLeft TurnRight LookAround Bite")]
+    public void All_that_games_ask_for_is_baked(string body, RequestedKind kind, string names)
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of(body, kind));
+        string[] all = [.. ClipBaker.RecipesOf(profile).Select(recipe => recipe.Name)];
+        Assert.Empty(names.Split(' ').Except(all));
+        Assert.Equal(all.Length, all.Distinct(StringComparer.Ordinal).Count());
+        Assert.Empty(all.Except(ClipBaker.Names));
+    }
+
+    [Theory]
+    [InlineData("feline", RequestedKind.Walking)]
+    [InlineData("raptor", RequestedKind.Flying)]
+    [InlineData("fish", RequestedKind.Swimming)]
+    [InlineData("cobra", RequestedKind.Walking)]
+    public void Every_clip_is_the_same_twice_closes_if_it_loops_and_nothing_jumps(string body, RequestedKind kind)
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of(body, kind));
+        foreach (ClipRecipe recipe in ClipBaker.RecipesOf(profile))
+        {
+            Clip clip = recipe.Bake();
+            Clip again = recipe.Bake();
+            Assert.Equal(recipe.Name, clip.Name);
+            Assert.Equal((again.Frames, again.Speed, again.End), (clip.Frames, clip.Speed, clip.End));
+            for (int frame = 0; frame < clip.Frames; frame++)
+            {
+                Assert.True(clip.RotationsAt(frame).SequenceEqual(again.RotationsAt(frame)), clip.Name);
+                for (int joint = 0; frame > 0 && joint < clip.Joints; joint++)
+                {
+                    float dot = Math.Abs(Quaternion.Dot(clip.RotationsAt(frame)[joint], clip.RotationsAt(frame - 1)[joint]));
+                    Assert.True(dot > 0.6f, $"{clip.Name}, frame {frame}, {profile.Creature.Skeleton.Joints[joint].Name}");
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void A_walker_starts_as_it_stands_and_comes_to_where_its_walk_begins()
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
+        Clip Baked(string name) => ClipBaker.RecipesOf(profile).First(recipe => recipe.Name == name).Bake();
+        Clip start = Baked("Start");
+        Clip stop = Baked("Stop");
+        Clip walk = Baked("Walk");
+        Assert.True(FarthestApart(profile, start, start.Frames - 1, walk, 0) < 0.12f * profile.LegLength, $"{FarthestApart(profile, start, start.Frames - 1, walk, 0) / profile.LegLength}");
+        Assert.True(FarthestApart(profile, stop, 0, walk, 0) < 0.12f * profile.LegLength, $"{FarthestApart(profile, stop, 0, walk, 0) / profile.LegLength}");
+        Assert.True(FarthestApart(profile, start, 0, stop, stop.Frames - 1) < 0.12f * profile.LegLength, $"{FarthestApart(profile, start, 0, stop, stop.Frames - 1) / profile.LegLength}");
+    }
+
+    [Fact]
+    public void Paths_go_where_their_names_say()
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
+        ClipPlace End(string name)
+        {
+            Clip clip = ClipBaker.RecipesOf(profile).First(recipe => recipe.Name == name).Bake();
+            Assert.Equal(clip.Frames, clip.Path.Count);
+            return clip.Path[^1];
+        }
+
+        Assert.True(End("TurnLeft").Heading > 0.2f);
+        Assert.True(End("TurnRight").Heading < -0.2f);
+        Assert.True(End("StrafeLeft").Position.X > 0.05f * profile.LegLength);
+        Assert.True(End("StrafeRight").Position.X < -0.05f * profile.LegLength);
+        Assert.True(End("Reverse").Position.Z < -0.2f * profile.LegLength);
+        Assert.True(End("Walk").Position.Z > 0.5f * profile.LegLength);
+        Assert.True(End("Jump").Position.Z > 0.5f * profile.LegLength);
+    }
+
+    [Fact]
+    public void A_jump_leaves_the_ground_and_comes_back()
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
+        Clip jump = ClipBaker.RecipesOf(profile).First(recipe => recipe.Name == "Jump").Bake();
+        int body = profile.Creature.Skeleton.IndexOf("Body");
+        float highest = Enumerable.Range(0, jump.Frames).Max(frame => jump.PositionsAt(frame)[body].Y);
+        Assert.True(highest > jump.PositionsAt(0)[body].Y + (0.2f * profile.LegLength));
+        Assert.Equal(jump.PositionsAt(0)[body].Y, jump.PositionsAt(jump.Frames - 1)[body].Y, 0.05f * profile.LegLength);
+    }
+
+    [Fact]
+    public void With_root_motion_the_root_joint_travels_in_the_file_and_a_player_takes_it_up()
+    {
+        Creature creature = SpeciesSubject.Of("feline", RequestedKind.Walking);
+        Clip walk = ClipBaker.Bake(creature).First(clip => clip.Name == "Walk");
+        SkinnedModel model = Written(creature, GltfOptions.Default with { Clips = [walk], RootMotion = TravelChoice.Travels });
+        KeyedClip read = model.Clips[0];
+        Assert.Equal((ClipEnd.Loops, 0f), (read.End, read.Speed));
+        var player = new ClipPlayer(model.Skeleton, read, model.Skeleton.Joints[0].Name);
+        var pose = new Pose(new Quaternion[model.Skeleton.Count], new Vector3[model.Skeleton.Count]);
+        float way = 0f;
+        for (int i = 0; i < 200; i++)
+        {
+            player.Update(walk.Duration / 50f, pose);
+            way += player.Root.Shift.Z;
+        }
+
+        Assert.Equal(4f * walk.Path[^1].Position.Z, way, 1e-3f);
+        Assert.Equal(0f, pose.Positions[0].Z, 1e-4f);
+    }
+
+    [Fact]
+    public void Engines_find_loops_and_events_where_they_look()
+    {
+        Creature creature = SpeciesSubject.Of("feline", RequestedKind.Walking);
+        Clip[] clips = [.. ClipBaker.RecipesOf(new MotionProfile(creature)).Where(recipe => recipe.Name is "Walk" or "Jump").Select(recipe => recipe.Bake())];
+        Assert.Equal(["Walk-loop", "Jump"], Written(creature, GltfOptions.Default with { Clips = clips, Engine = TargetEngine.Godot }).Clips.Select(clip => clip.Name));
+        Assert.Equal(["Walk", "Jump"], Written(creature, GltfOptions.Default with { Clips = clips, Engine = TargetEngine.Unity }).Clips.Select(clip => clip.Name));
+        foreach (TargetEngine engine in Enum.GetValues<TargetEngine>())
+        {
+            var stream = new MemoryStream();
+            GlbWriter.Write(creature, GltfOptions.Default with { Clips = clips, Engine = engine }, stream);
+            string json = System.Text.Encoding.UTF8.GetString(stream.ToArray().AsSpan(20, 200_000).ToArray());
+            Assert.Equal(engine != TargetEngine.Generic, json.Contains("\"clips\":[{\"name\":\"Walk\",\"loop\":true", StringComparison.Ordinal));
+        }
+    }
+
+    [Fact]
+    public void A_file_of_fewer_keys_is_smaller_and_plays_the_same_within_a_tenth_of_a_millimetre()
+    {
+        Creature creature = SpeciesSubject.Of("feline", RequestedKind.Walking);
+        IReadOnlyList<Clip> clips = ClipBaker.Bake(creature);
+        SkinnedModel all = Written(creature, GltfOptions.Default with { Clips = clips, ClipPrecision = null });
+        SkinnedModel few = Written(creature, GltfOptions.Default with { Clips = clips });
+        for (int i = 0; i < clips.Count; i++)
+        {
+            Assert.True(ClipError.Between(clips[i], all.Clips[i], creature.Skeleton, clips[i].Frames).Worst < 1e-6f, clips[i].Name);
+            Assert.True(ClipError.Between(clips[i], few.Clips[i], creature.Skeleton, clips[i].Frames).P99 <= 1e-4f, clips[i].Name);
+        }
+
+        Assert.True(Bytes(creature, GltfOptions.Default with { Clips = clips }) < Bytes(creature, GltfOptions.Default with { Clips = clips, ClipPrecision = null }));
+    }
+
+    private static int Bytes(Creature creature, GltfOptions options)
+    {
+        var stream = new MemoryStream();
+        GlbWriter.Write(creature, options, stream);
+        return (int)stream.Length;
+    }
+
+    private static SkinnedModel Written(Creature creature, GltfOptions options)
+    {
+        var stream = new MemoryStream();
+        GlbWriter.Write(creature, options, stream);
+        stream.Position = 0;
+        return ModelReader.Read(stream).Model!;
+    }
+
+    private static float FarthestApart(MotionProfile profile, Clip a, int frameOfA, Clip b, int frameOfB)
+    {
+        Skeleton skeleton = profile.Creature.Skeleton;
+        Vector3[] Places(Clip clip, int frame)
+        {
+            var pose = new Pose(clip.RotationsAt(frame).ToArray(), clip.PositionsAt(frame).ToArray());
+            ForwardKinematics.LocalToModel(skeleton, pose, pose);
+            return pose.Positions.ToArray();
+        }
+
+        return Places(a, frameOfA).Zip(Places(b, frameOfB), Vector3.Distance).Where((_, joint) => skeleton.Joints[joint].Role is JointRole.Hip or JointRole.Knee or JointRole.Ankle or JointRole.Spine or JointRole.Chest).Max();
+    }
+}
