@@ -70,6 +70,9 @@ internal sealed class GaitClock
     /// <summary>Cycles per second.</summary>
     public float Frequency { get; private set; }
 
+    /// <summary>Seconds of a cycle, 10 at most.</summary>
+    public float Cycle => 1f / Math.Max(Frequency, 0.1f);
+
     /// <summary>How long steps are, of those that go straight ahead at the same speed, 0..1: in a turn they come quicker, and are shorter for it.</summary>
     public float Length { get; private set; } = 1f;
 

@@ -399,7 +399,8 @@ internal sealed class WalkingMode : ILocomotionMode
 
     private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings)
     {
-        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, activity * clock.Length, dt);
+        float roll = activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength);
+        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, roll, clock.Cycle, dt);
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);

@@ -52,6 +52,9 @@ internal struct Foot
     /// <summary>How far its leg reached when that was last looked at, metres.</summary>
     public float Reached;
 
+    /// <summary>By how much it missed its place then, metres.</summary>
+    public float Missed;
+
     /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
     public float Yield;
 
@@ -88,6 +91,9 @@ internal struct Foot
 
     /// <summary>How far the body was lowered then, metres.</summary>
     public float Lowered;
+
+    /// <summary>The hip of its leg, when last posed. Model space.</summary>
+    public Vector3 Hip;
 
     /// <summary>Length that the leg would need, as part of its reach, when last posed.</summary>
     public float Stretch;

@@ -37,8 +37,6 @@ internal sealed class FootPlanner
     /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
     private const float AimRate = 15f;
 
-    private const float MaxSlope = 0.5f;
-
     /// <summary>How far the gait's own swing may have come for a foot to join it: with less time left it would be hurled.</summary>
     private const float LatestJoin = 0.6f;
 
@@ -104,7 +102,7 @@ internal sealed class FootPlanner
                 return true;
             }
 
-            Vector3 away = frame.ToModel(feet[i].From.Position) - Home(i, activity, clock, 0f, 0f);
+            Vector3 away = frame.ToModel(feet[i].From.Position) - NeutralFootholds.Under(body, i, activity, clock, 0f, 0f);
             away.Y = 0f;
             if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(YawOf(frame, feet[i].From.Heading)) > 2f * MinTurn)
             {
@@ -122,6 +120,7 @@ internal sealed class FootPlanner
         {
             feet[i] = default;
             ref Foot foot = ref feet[i];
+            foot.Hip = body.Legs[i].HipRest;
             foot.HasTarget = search.Find(step, i, body.Legs[i].Home, body.Legs[i].Home, 0f, ref foot.Nudge, out foot.To);
             foot.To.Heading = step.Frame.Rotation;
             foot.To.Attach(step.Ground as IMovingGround);
@@ -139,7 +138,8 @@ internal sealed class FootPlanner
         {
             float p = step.Clock.LegPhase(i);
             feet[i] = default;
-            Aim(i, step, ((0.5f * duty) - p) * cycle);
+            feet[i].Hip = body.Legs[i].HipRest;
+            Aim(i, step, ((0.5f * duty) - p) * cycle, 0f);
             feet[i].From = feet[i].To;
             feet[i].Stance = Math.Min(p / duty, 1f);
             if (p >= duty)
@@ -147,7 +147,7 @@ internal sealed class FootPlanner
                 feet[i].Phase = FootPhase.Swing;
                 feet[i].Swing = (p - duty) / (1f - duty);
                 feet[i].Aimed = false;
-                Aim(i, step, (1f - p + (0.5f * duty)) * cycle);
+                Aim(i, step, (1f - p + (0.5f * duty)) * cycle, (1f - p) * cycle);
             }
         }
     }
@@ -169,7 +169,7 @@ internal sealed class FootPlanner
             float u = (p - duty) / (1f - duty);
             float ahead = ((1f - p) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
             foot.Steps = false;
-            if (FootRelease.IsDue(ref foot, body.Legs[i], step))
+            if (FootRelease.IsDue(ref foot, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead)))
             {
                 Release(i, step, (1f - duty) * cycle);
             }
@@ -181,7 +181,7 @@ internal sealed class FootPlanner
             {
                 Lift(i, step, u);
                 foot.Posture.Begin();
-                Aim(i, step, ahead);
+                Aim(i, step, ahead, (1f - p) * cycle);
             }
         }
     }
@@ -193,7 +193,7 @@ internal sealed class FootPlanner
         feet[leg].Posture.Begin();
         feet[leg].Correcting = true;
         feet[leg].Flight = FootRelease.Flight(swing);
-        Aim(leg, step, feet[leg].Flight);
+        Aim(leg, step, feet[leg].Flight, feet[leg].Flight);
     }
 
     /// <summary>Moves all feet on by a step of time; the clock has been moved already.</summary>
@@ -220,7 +220,7 @@ internal sealed class FootPlanner
                 {
                     // Steps so quick that a whole swing has passed unseen: it stepped all the same.
                     Lift(i, step, 0f);
-                    Aim(i, step, ((0.5f * duty) - p) * cycle);
+                    Aim(i, step, ((0.5f * duty) - p) * cycle, 0f);
                     Land(i, step, Math.Min(p * cycle, step.Step));
                 }
 
@@ -262,14 +262,15 @@ internal sealed class FootPlanner
             // For the middle of what is left of its stance, or of the next one.
             float flight = (1f - foot.Swing) * foot.Flight;
             float stance = Math.Max(((p < duty ? duty - p : 1f - p + duty) * cycle) - flight, 0f);
-            Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f));
+            Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f), flight);
         }
     }
 
     private void Swing(int leg, in StepContext step, float u, float duty, float cycle)
     {
         ref Foot foot = ref feet[leg];
-        float ahead = ((1f - u) * (1f - duty) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
+        float flight = (1f - u) * (1f - duty) * cycle;
+        float ahead = flight + (step.Moving ? 0.5f * duty * cycle : 0f);
         if (foot.Phase == FootPhase.Swing && u - foot.LiftAt < (foot.Swing - 0.5f) * (1f - foot.LiftAt))
         {
             // Steps so quick that a whole stance has passed unseen: it stood all the same.
@@ -292,7 +293,7 @@ internal sealed class FootPlanner
         foot.Swing = (u - foot.LiftAt) / (1f - foot.LiftAt);
         if ((foot.LiftAt < 0f ? u : foot.Swing) < Frozen)
         {
-            Aim(leg, step, ahead);
+            Aim(leg, step, ahead, flight);
         }
     }
 
@@ -322,7 +323,7 @@ internal sealed class FootPlanner
     {
         Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);
-        Vector3 next = there + Rotation.Rotate(turn, Home(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
+        Vector3 next = there + Rotation.Rotate(turn, NeutralFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
         Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
         away.Y = 0f;
         return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(YawOf(step.Frame, feet[leg].From.Heading) - yaw) > MinTurn;
@@ -349,6 +350,8 @@ internal sealed class FootPlanner
         foot.Correcting = false;
         foot.From = foot.To;
         foot.Swing = 0f;
+        foot.Reached = float.MaxValue;
+        foot.Missed = foot.Residual;
         if (foot.HasTarget)
         {
             Tell(MotionEventKind.FootDown, leg, step, foot.From, ago);
@@ -377,13 +380,20 @@ internal sealed class FootPlanner
     }
 
     /// <summary>Sets the target of a swing.</summary>
-    private void Aim(int leg, in StepContext step, float ahead)
+    /// <param name="leg">Whose.</param>
+    /// <param name="step">The moment.</param>
+    /// <param name="ahead">Seconds to the middle of the stance to come.</param>
+    /// <param name="flight">Seconds until it comes down.</param>
+    private void Aim(int leg, in StepContext step, float ahead, float flight)
     {
         ref Foot foot = ref feet[leg];
         Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);
-        Vector3 home = Home(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
-        Vector3 next = step.Frame.ToWorld(there + Rotation.Rotate(turn, home));
+        Vector3 home = NeutralFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
+        Vector3 wanted = there + Rotation.Rotate(turn, home);
+
+        // Who stands shifts its weight, and its feet go home whatever its hips do.
+        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body.Legs[leg], foot.Hip, step.RootVelocity, flight, wanted) : wanted);
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
         float fraction = foot.Swing > 0f && foot.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
         foot.Wanted += (next - foot.Wanted) * fraction;
@@ -393,20 +403,6 @@ internal sealed class FootPlanner
         foot.To.Attach(step.Ground as IMovingGround);
         search.Survey(step, leg, foot, ways[leg]);
         foot.Aimed = true;
-    }
-
-    /// <summary>Where a foot belongs under the body: its rest place, drawn in towards the middle and shifted ahead or back with the gait.</summary>
-    private Vector3 Home(int leg, float activity, GaitClock clock, float speed, float slope)
-    {
-        LegRig shape = body.Legs[leg];
-        Vector3 home = shape.Home + ((body.GoingHomes[leg] - shape.Home) * activity);
-        float track = shape.Track(clock.Shape.Track, body.IsBiped ? clock.Shape.Lift : 0f);
-        home.X *= 1f - ((1f - track) * activity);
-        bool sprawls = shape.Traits.Archetype == Anatomy.LimbArchetype.Sprawl && body.Rows == 2;
-        float bias = sprawls ? 0f : body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
-        home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
-        home.Z += NeutralFootholds.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MaxSlope, MaxSlope)) * activity;
-        return home;
     }
 
     /// <summary>Yaw of a heading from that of the body, radians, small angles.</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Legs;
@@ -7,14 +8,23 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 /// <summary>When a standing foot gives up its place out of step with the gait: a turn, a push or a platform takes it out of reach. In steady gaits none does.</summary>
 internal static class FootRelease
 {
-    /// <summary>Part of its reach at which a leg that is stretched farther and farther gives up its place.</summary>
-    private const float MaxStretch = 1f;
+    /// <summary>Part of its reach at which a leg that is stretched farther and farther gives up its place: from there on it falls short of it.</summary>
+    private const float MaxStretch = 0.99f;
 
-    /// <summary>How far it may ask the body to come down, leg lengths.</summary>
+    /// <summary>The same of legs out to the side, for which the body does not come down.</summary>
+    private const float LateralStretch = 0.98f;
+
+    /// <summary>How much more than at rest that has to be, parts of its reach: who stands stretched goes on standing so.</summary>
+    private const float BeyondRest = 0.01f;
+
+    /// <summary>How far the joints of a leg may keep its foot off its place when it is decided next, as it goes on, leg lengths.</summary>
+    private const float MaxMiss = 0.006f;
+
+    /// <summary>How far it may ask the body to come down, and how far as it is stretched farther and farther, leg lengths.</summary>
     private const float MaxDrop = 0.16f;
+    private const float MaxGrowingDrop = 0.10f;
 
     /// <summary>The same late in a stance, when the foot is about to leave the ground, and of a body that stands.</summary>
-    private const float LateStretch = 1.08f;
     private const float LateDrop = 0.24f;
     private const float LateStance = 0.8f;
 
@@ -32,8 +42,17 @@ internal static class FootRelease
         float reached = Vec.Length(chord + new Vector3(0f, foot.Lowered, 0f));
         bool late = foot.Stance > LateStance || !step.Moving;
         bool grows = reached > foot.Reached;
+        float slides = foot.Residual - foot.Missed;
         foot.Reached = reached;
-        return (grows && reached > (late ? LateStretch : MaxStretch) * leg.Reach) || LegRoom.Asked(leg, chord, Vec.Length(chord)) > (late ? LateDrop : MaxDrop) * leg.Length;
+        foot.Missed = foot.Residual;
+        if (slides > 0f && foot.Residual + slides > MaxMiss * leg.Length)
+        {
+            return true;
+        }
+
+        float drop = LegRoom.Asked(leg, chord, Vec.Length(chord)) / leg.Length;
+        return drop > (late ? LateDrop : MaxDrop)
+            || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
 
     /// <summary>Seconds that such a swing takes.</summary>

@@ -24,6 +24,9 @@ internal sealed class FootingSearch
     /// <summary>Drop at toe or heel that counts as an edge, part of the leg's length.</summary>
     private const float EdgeDrop = 0.12f;
 
+    /// <summary>Rise at toe or heel that counts as a wall where it is too steep to be stood on, part of the leg's length.</summary>
+    private const float WallRise = 0.06f;
+
     /// <summary>Part of the sole's extent at which the ground under its ends is felt.</summary>
     private const float EndFraction = 0.95f;
 
@@ -173,13 +176,15 @@ internal sealed class FootingSearch
     /// <summary>Rise of a plane along each level axis.</summary>
     private static Vector3 Slope(Vector3 normal) => new Vector3(-normal.X, 0f, -normal.Z) / Math.Max(normal.Y, Steepest);
 
-    /// <summary>Moves a foot back from an edge under its toes, or ahead from one under its heel, a little in each update.</summary>
+    /// <summary>Moves a foot back from an edge or a wall at its toes, or ahead from one at its heel, a little in each update. On a tread that is shorter than the foot an end hangs: no end goes into a wall.</summary>
     private static void KeepOffEdges(LegRig shape, in Sole sole, ref float nudge)
     {
         float max = 0.5f * (shape.Toe + shape.Heel);
-        if (sole.ToesHang != sole.HeelHangs)
+        bool walls = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
+        SoleEnd bad = walls ? SoleEnd.Wall : SoleEnd.Hangs;
+        if ((sole.Toes == bad) != (sole.Heel == bad))
         {
-            nudge = Scalar.Clamp(nudge + (sole.ToesHang ? -0.25f * max : 0.25f * max), -1.5f * max, 1.5f * max);
+            nudge = Scalar.Clamp(nudge + (sole.Toes == bad ? -0.25f * max : 0.25f * max), -1.5f * max, 1.5f * max);
         }
     }
 
@@ -204,8 +209,8 @@ internal sealed class FootingSearch
     private void Feel(in StepContext step, LegRig shape, Vector3 target, in GroundHit hit, ref Sole sole)
     {
         float end = EndFraction * shape.Toe;
-        float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.ToesHang);
-        float heel = Rise(step, shape, target, sole.At(-EndFraction * shape.Heel, 0f), hit, out sole.HeelHangs);
+        float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.Toes);
+        float heel = Rise(step, shape, target, sole.At(-EndFraction * shape.Heel, 0f), hit, out sole.Heel);
         sole.Slope = (toe - heel) / (EndFraction * (shape.Toe + shape.Heel));
         sole.StandOn(toe, end, 0f);
         if (shape.Toe > LongSole * shape.Length)
@@ -233,9 +238,9 @@ internal sealed class FootingSearch
     }
 
     /// <summary>How much higher the ground is beside a foot's place than the plane of that place goes on, metres of the model; none where an edge or a wall is.</summary>
-    private float Rise(in StepContext step, LegRig shape, Vector3 target, Vector3 beside, in GroundHit under, out bool hangs)
+    private float Rise(in StepContext step, LegRig shape, Vector3 target, Vector3 beside, in GroundHit under, out SoleEnd end)
     {
-        hangs = true;
+        end = SoleEnd.Hangs;
         if (!Down(step, target + beside, out GroundHit hit))
         {
             return 0f;
@@ -244,7 +249,10 @@ internal sealed class FootingSearch
         Vector3 up = step.Settings.Up;
         Vector3 way = hit.Point - under.Point;
         float scale = step.Frame.Scale;
-        hangs = -Vec.Dot(way, up) > (EdgeDrop * shape.Length * scale) + (2f * Vec.Length(Vec.Reject(way, up)));
+        float height = Vec.Dot(way, up);
+        float away = Vec.Length(Vec.Reject(way, up));
+        end = -height > (EdgeDrop * shape.Length * scale) + (2f * away) ? SoleEnd.Hangs
+            : height > (WallRise * shape.Length * scale) && height > 2f * BendOfGround * away ? SoleEnd.Wall : SoleEnd.Stands;
         float rise = Vec.Dot(way, under.Normal) / (Vec.Dot(under.Normal, up) * scale);
         float bend = Math.Abs(rise) / Math.Max(BendOfGround * Vec.Length(beside), 1e-6f);
         return rise * Scalar.Clamp(2f - bend, 0f, 1f);
@@ -289,8 +297,9 @@ internal sealed class FootingSearch
         /// <summary>Height above the place.</summary>
         public float Raise;
 
-        public bool ToesHang;
-        public bool HeelHangs;
+        /// <summary>What is below the ends.</summary>
+        public SoleEnd Toes;
+        public SoleEnd Heel;
 
         /// <summary>A place of it from the ball's place.</summary>
         /// <param name="along">From its ball towards the toes.</param>
@@ -303,5 +312,18 @@ internal sealed class FootingSearch
         /// <param name="across">To the side.</param>
         public void StandOn(float height, float along, float across) =>
             Raise = Math.Max(Raise, height - ((along + Vec.Dot(offset, Ahead)) * Slope) - ((across + Vec.Dot(offset, Aside)) * Tilt));
+    }
+
+    /// <summary>What is below an end of a sole.</summary>
+    private enum SoleEnd
+    {
+        /// <summary>Ground that goes on.</summary>
+        Stands,
+
+        /// <summary>Nothing, or ground below an edge.</summary>
+        Hangs,
+
+        /// <summary>Ground above a wall, in which it would be.</summary>
+        Wall,
     }
 }

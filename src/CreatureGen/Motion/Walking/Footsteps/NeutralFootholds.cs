@@ -27,6 +27,9 @@ internal static class NeutralFootholds
     /// <summary>The same of legs out to the side, which carry the body low.</summary>
     private const float LateralSlopeBias = 1f;
 
+    /// <summary>Rise of the ground that counts at most.</summary>
+    private const float MaxSlope = 0.5f;
+
     /// <summary>How far ahead of its place on the level a foot belongs on a slope, metres: so much for its hip, and nearer to the middle, as the trunk is seen from above; none on two legs, whose trunk stays upright.</summary>
     /// <param name="leg">Gives the hip.</param>
     /// <param name="rows">Number of pairs.</param>
@@ -34,6 +37,26 @@ internal static class NeutralFootholds
     /// <param name="slope">Rise of the ground along the way.</param>
     public static float Ahead(LegRig leg, int rows, float place, float slope) =>
         rows == 1 ? 0f : ((leg.Lateral ? LateralSlopeBias : SlopeBias) * leg.HipRest.Y * slope) - (place * Shortening(slope));
+
+    /// <summary>Where a foot belongs under the body: its rest place, drawn in towards the middle and shifted ahead or back with the gait, model space.</summary>
+    /// <param name="body">Gives the legs.</param>
+    /// <param name="leg">Which.</param>
+    /// <param name="activity">0 stands, 1 walks.</param>
+    /// <param name="clock">Gives the gait.</param>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="slope">Rise of the ground along the way.</param>
+    public static Vector3 Under(LeggedBody body, int leg, float activity, GaitClock clock, float speed, float slope)
+    {
+        LegRig shape = body.Legs[leg];
+        Vector3 home = shape.Home + ((body.GoingHomes[leg] - shape.Home) * activity);
+        float track = shape.Track(clock.Shape.Track, body.IsBiped ? clock.Shape.Lift : 0f);
+        home.X *= 1f - ((1f - track) * activity);
+        bool sprawls = shape.Traits.Archetype == LimbArchetype.Sprawl && body.Rows == 2;
+        float bias = sprawls ? 0f : body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
+        home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
+        home.Z += Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MaxSlope, MaxSlope)) * activity;
+        return home;
+    }
 
     /// <summary>By what part a way along a slope is shorter, seen from above.</summary>
     public static float Shortening(float slope) => 1f - (1f / (float)Math.Sqrt(1f + (slope * slope)));

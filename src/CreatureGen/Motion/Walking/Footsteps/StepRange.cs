@@ -21,8 +21,9 @@ internal readonly record struct StepRange(float Aside, float Ahead)
     /// <summary>Cosine of how far a leg out to the side is swept about the vertical at most (41°).</summary>
     private const float SweepCosine = 0.75f;
 
-    /// <summary>How far a leg under the body leans aside at most (tan 17°).</summary>
-    private const float AsideTangent = 0.30f;
+    /// <summary>How far a leg under the body leans aside at most, radians (17°), and part of what its hip turns: the rest is for the roll of the body.</summary>
+    private const float Lean = 0.29f;
+    private const float LeanFraction = 0.8f;
 
     /// <summary>Least range, and the step in which it is measured, leg lengths.</summary>
     private const float Min = 0.06f;
@@ -36,7 +37,16 @@ internal readonly record struct StepRange(float Aside, float Ahead)
         Vector3 chord = leg.Thigh + leg.Shank + (leg.Traits.Linkage == LegLinkage.Pantograph ? leg.Metatarsus : Vector3.Zero) + (home - leg.Home);
         float aside = Math.Min(Way(leg, chord, Vector3.UnitX), Way(leg, chord, -Vector3.UnitX));
         float ahead = Math.Min(Way(leg, chord, Vector3.UnitZ), Way(leg, chord, -Vector3.UnitZ));
-        return new StepRange(leg.Lateral ? aside : Math.Min(aside, Math.Max(AsideTangent * leg.HipRest.Y, Min * leg.Length)), ahead);
+        return new StepRange(leg.Lateral ? aside : Math.Min(aside, Math.Max(Leaning(leg), Min * leg.Length)), ahead);
+    }
+
+    /// <summary>How far aside a leg under the body goes from where it stands before its hip ends.</summary>
+    private static float Leaning(LegRig leg)
+    {
+        float inward = Math.Abs(leg.HipRest.X) - Math.Abs(leg.Home.X);
+        float inner = leg.AsideRange(Math.Min(Lean, LeanFraction * leg.DrawsIn)) - inward;
+        float outer = leg.AsideRange(Math.Min(Lean, LeanFraction * leg.DrawsOut)) + inward;
+        return Math.Min(inner, outer);
     }
 
     private static float Way(LegRig leg, Vector3 rest, Vector3 direction)

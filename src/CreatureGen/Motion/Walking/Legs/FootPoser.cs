@@ -130,5 +130,6 @@ internal static class FootPoser
 /// <param name="ForceDip">How far the force of a foot dips in the middle of its stance, 0..1.</param>
 /// <param name="Activity">0 stands, 1 walks.</param>
 /// <param name="Roll">How far feet roll and fold, 0..1: less in short steps.</param>
+/// <param name="Cycle">Seconds of the cycle.</param>
 /// <param name="Step">Seconds since the last pose.</param>
-internal readonly record struct GaitNumbers(float Duty, float Lift, float ForceDip, float Activity, float Roll, float Step);
+internal readonly record struct GaitNumbers(float Duty, float Lift, float ForceDip, float Activity, float Roll, float Cycle, float Step);

@@ -31,6 +31,9 @@ internal struct PostureFade
     private const float ShortestTime = 0.08f;
     private const float LongestTime = 0.3f;
 
+    /// <summary>Radians per second at which a foot pitches at most: where a change of gait hurries its stance on, it would be thrown up.</summary>
+    private const float FastestPitch = 50f;
+
     private FootPosture difference;
     private float fraction;
     private float age;
@@ -66,7 +69,9 @@ internal struct PostureFade
             fraction = 1f - Scalar.Smooth(age / seconds);
         }
 
-        Shown = fraction > 0f ? posture.With(difference, fraction) : posture;
+        FootPosture next = fraction > 0f ? posture.With(difference, fraction) : posture;
+        float most = dt > 0f ? FastestPitch * dt : float.MaxValue;
+        Shown = next with { Pitch = Shown.Pitch + Scalar.Clamp(next.Pitch - Shown.Pitch, -most, most) };
         return Shown;
     }
 }

@@ -38,12 +38,23 @@ internal static class FootRoll
     /// <summary>Part of the pitch that toes off the ground make.</summary>
     private const float ToeFraction = 0.8f;
 
+    /// <summary>Radians per second at which toes leave the ground at most: in the short stances of a fast gallop they roll off less far.</summary>
+    private const float FastestRoll = 45f;
+
+    /// <summary>Speed backwards, of √(gℓ), from which on feet do not roll over their toes.</summary>
+    private const float BackingSpeed = 0.08f;
+
     /// <summary>Load of a foot that stands at rest.</summary>
     public const float RestLoad = 0.7f;
 
+    /// <summary>How far feet roll at a speed, 0..1: who backs up comes down on the toes and leaves the ground with the whole sole.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="unit">Square of the speed of creatures of its size, gℓ.</param>
+    public static float Going(float speed, float unit) => Scalar.Clamp(1f + (speed / (BackingSpeed * (float)Math.Sqrt(unit))), 0f, 1f);
+
     /// <summary>What a foot does at its place in the cycle.</summary>
     public static FootPosture At(in Foot foot, LegRig leg, in GaitNumbers gait) => new(
-        Pitch(foot, leg, gait.Duty) * gait.Roll,
+        Pitch(foot, leg, gait.Duty, gait.Cycle) * gait.Roll,
         leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits) * gait.Roll : 0f,
         foot.Phase == FootPhase.Swing ? 0f : Scalar.Lerp(RestLoad, Force(Math.Min(foot.Stance, 1f), gait.ForceDip), gait.Activity));
 
@@ -60,11 +71,12 @@ internal static class FootRoll
     /// <param name="foot">Its place in the cycle.</param>
     /// <param name="leg">Its build.</param>
     /// <param name="duty">Part of the cycle that it is down.</param>
-    public static float Pitch(in Foot foot, LegRig leg, float duty)
+    /// <param name="cycle">Seconds of the cycle.</param>
+    public static float Pitch(in Foot foot, LegRig leg, float duty, float cycle)
     {
         LegGaitParameters traits = leg.Traits;
-        float off = traits.ToeOff * leg.RollFraction;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
+        float off = Math.Min(traits.ToeOff * leg.RollFraction, 0.5f * FastestRoll * rising * duty * cycle);
         if (foot.Phase == FootPhase.Stance)
         {
             float rise = Scalar.Clamp(1f - ((1f - foot.Stance) / rising), 0f, 1f);

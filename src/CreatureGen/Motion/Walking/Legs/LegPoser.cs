@@ -23,6 +23,9 @@ internal sealed class LegPoser
     /// <summary>Part of a swing from which on a foot turns onto the edge of the sole that it will stand on.</summary>
     private const float Arrival = 0.85f;
 
+    /// <summary>How often a foot that yields to its joints is laid on the ground anew at most.</summary>
+    private const int YieldRounds = 3;
+
     /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
     private const float TrailedPitch = 0.9f;
 
@@ -79,12 +82,16 @@ internal sealed class LegPoser
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
         float fraction = excess > 0f ? YieldFraction(leg, foot, excess) : 0f;
-        if (fraction > 0f)
+
+        float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Posture.Shown.Pitch) : foot.Posture.Shown.Pitch;
+
+        // As the ankle comes up for it the shank leans farther, and asks for a little more.
+        for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? YieldRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
-            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, fraction, ref wanted);
+            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, pitch, fraction, ref wanted);
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
-            PoseFoot(leg, solved, wanted, local, out _);
+            metatarsus = PoseFoot(leg, solved, wanted, local, out excess);
         }
     }
 
@@ -117,6 +124,7 @@ internal sealed class LegPoser
         LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, tolerance, out solved);
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
+        foot.Hip = hip;
         turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
         local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
         if (Bound(local.Rotations, leg.Hip, leg.HipJoint, tolerance) > tolerance)
@@ -124,6 +132,7 @@ internal sealed class LegPoser
             // The foot keeps its own turn where the thigh cannot go.
             solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
             solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
+            foot.Residual = Vec.Distance(Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank), chord);
         }
     }
 
@@ -160,12 +169,21 @@ internal sealed class LegPoser
             FoldBack(leg, ref local.Rotations[leg.Ankle]);
         }
 
-        // The toes go along with a foot that its ankle turns.
+        // The toes go along with a foot that its ankle turns; those of a flat foot stay on the ground as its heel comes off.
         Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f);
         Quaternion kept = local.Rotations[leg.Ankle];
         float ankle = asked == kept ? 0f : Chord(asked, kept);
+        if (ankle > 0f)
+        {
+            metatarsus = Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle));
+            if (leg.FlatFoot && !leg.Lateral)
+            {
+                turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
+            }
+        }
+
         excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f));
-        return ankle > 0f ? Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle)) : metatarsus;
+        return metatarsus;
     }
 
     /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>

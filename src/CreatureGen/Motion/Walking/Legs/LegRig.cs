@@ -14,7 +14,6 @@ internal sealed class LegRig
 {
     private readonly LegSegments parts;
 
-
     /// <summary>Part of the reach that a step may take up.</summary>
     private const float Stretch = 0.97f;
 
@@ -135,6 +134,7 @@ internal sealed class LegRig
         double la = Vec.Length(a);
         double lb = Vec.Length(b);
         Reach = (float)Math.Sqrt((la * la) + (lb * lb) + (2 * la * lb * MinBendCosine));
+        RestStretch = Vec.Length(upper + Shank) / Reach;
         double folds = BendSign > 0 ? fold.Max : -fold.Min;
         FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(BendRange.Max, bend + folds)))));
         Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
@@ -144,6 +144,10 @@ internal sealed class LegRig
         Vector3 behind = Lateral ? new Vector3(Side == Side.Left ? TrailedAside : -TrailedAside, TrailedDown, -1f) : TrailedUpright;
         Trailed = Vec.Normalize(behind, -Vector3.UnitZ) * (TrailedFraction * Reach);
     }
+
+    /// <summary>How far beside its hip the leg brings its foot when it is turned aside, metres.</summary>
+    /// <param name="angle">Radians, below a right angle.</param>
+    public float AsideRange(float angle) => HipRest.Y * (float)(PortableMath.Sin(angle) / PortableMath.Cos(angle));
 
     private float WidestOf(IReadOnlyList<CapsuleCollider> bones)
     {
@@ -347,6 +351,9 @@ internal sealed class LegRig
     /// <summary>How far the hip draws the leg in towards the middle, radians.</summary>
     public float DrawsIn => Side == Side.Left ? HipJoint.Limit.SwingZ.Max : -HipJoint.Limit.SwingZ.Min;
 
+    /// <summary>The same away from the middle.</summary>
+    public float DrawsOut => Side == Side.Left ? -HipJoint.Limit.SwingZ.Min : HipJoint.Limit.SwingZ.Max;
+
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
 
@@ -393,6 +400,9 @@ internal sealed class LegRig
 
     /// <summary>Greatest distance that the two solved parts span, the knee at its straightest.</summary>
     public float Reach { get; }
+
+    /// <summary>Part of that reach that the leg takes up at rest.</summary>
+    public float RestStretch { get; }
 
     /// <summary>Least distance from the hip to their end, folded as far as the knee's limit goes.</summary>
     public float FoldedReach { get; }

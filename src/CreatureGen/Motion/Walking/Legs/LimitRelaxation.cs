@@ -5,21 +5,27 @@ using CreatureGen.Motion.Walking.Footsteps;
 
 namespace CreatureGen.Motion.Walking.Legs;
 
-/// <summary>A foot that the joints of its leg do not let lie on the ground as it should: it stands on an edge of its sole, whose middle stays where it is.</summary>
+/// <summary>A foot that the joints of its leg do not let lie on the ground as it should: it stands on an edge of its sole, and what of it is on the ground stays where it is: the middle, or the tip of the toes as it rolls off.</summary>
 internal static class LimitRelaxation
 {
     private const float MinRise = 0.3f;
+
+    /// <summary>Pitch at which a foot stands on nothing but the tip of its toes, radians.</summary>
+    private const float Rolled = 0.2f;
 
     /// <summary>Turns a foot as far as its joints let it.</summary>
     /// <param name="leg">Gives the sole.</param>
     /// <param name="normal">Of the ground under it, unit, model space.</param>
     /// <param name="foot">Turn of the foot from rest that the ankle allows.</param>
     /// <param name="toes">Turn of the toes from rest that the ball allows.</param>
+    /// <param name="pitch">Of what it stands on, radians, toes down: rolled off, it stays on the tip of its toes.</param>
     /// <param name="fraction">Share of all this, 0..1: none in the middle of a swing.</param>
     /// <param name="pose">Where the leg has to bring the foot.</param>
-    public static void Turn(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, float fraction, ref FootPose pose)
+    public static void Turn(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, float pitch, float fraction, ref FootPose pose)
     {
-        Vector3 middle = leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f);
+        float rolled = Scalar.Smooth(pitch / Rolled);
+        Vector3 tip = leg.ToeDirection * (leg.Toe - Vec.Dot(leg.SoleMiddle, leg.ToeDirection));
+        Vector3 middle = leg.SoleMiddle + (tip * rolled) - new Vector3(0f, leg.BallHeight, 0f);
         Vector3 before = Rotation.Rotate(pose.Toes, middle);
         Vector3 after = Rotation.Rotate(toes, middle);
         float sunk = Lowest(leg, normal, pose.Foot, pose.Toes) - Vec.Dot(normal, before) - Lowest(leg, normal, foot, toes) + Vec.Dot(normal, after);

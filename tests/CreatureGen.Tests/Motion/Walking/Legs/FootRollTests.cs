@@ -39,14 +39,14 @@ public sealed class FootRollTests
             foreach (float duty in new[] { 0.35f, 0.45f, 0.55f, 0.65f, 0.8f })
             {
                 float begins = 0.2f;
-                while (FootRoll.Pitch(Standing(begins), leg, duty) <= 0f)
+                while (FootRoll.Pitch(Standing(begins), leg, duty, 1f) <= 0f)
                 {
                     begins += 0.005f;
                 }
 
                 Assert.True(begins >= last, $"duty {duty}: {begins} after {last}");
                 Assert.InRange(begins, 0.495f, 0.63f);
-                Assert.Equal(leg.Traits.ToeOff * leg.RollFraction, FootRoll.Pitch(Standing(1f), leg, duty), 1e-5f);
+                Assert.Equal(leg.Traits.ToeOff * leg.RollFraction, FootRoll.Pitch(Standing(1f), leg, duty, 1f), 1e-5f);
                 first = Math.Min(first, begins);
                 last = begins;
             }

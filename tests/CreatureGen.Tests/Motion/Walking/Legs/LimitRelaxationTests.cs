@@ -16,7 +16,7 @@ public sealed class LimitRelaxationTests
         LegRig leg = Leg(42);
         FootPose pose = Flat(leg);
         FootPose before = pose;
-        LimitRelaxation.Turn(leg, Vector3.UnitY, pose.Foot, pose.Toes, 1f, ref pose);
+        LimitRelaxation.Turn(leg, Vector3.UnitY, pose.Foot, pose.Toes, 0f, 1f, ref pose);
         Assert.True(Vec.Distance(before.Ball, pose.Ball) < 1e-6f);
         Assert.True(Vec.Distance(before.Target, pose.Target) < 1e-6f);
     }
@@ -32,7 +32,7 @@ public sealed class LimitRelaxationTests
             FootPose pose = Flat(leg);
             Vector3 middle = Middle(leg, pose);
             Quaternion turn = Rotation.FromAxisAngle(leg.ToeDirection, tilt);
-            LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 1f, ref pose);
+            LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, 1f, ref pose);
             Vector3 moved = Middle(leg, pose) - middle;
             Assert.True(Math.Abs(moved.X) + Math.Abs(moved.Z) < 1e-5f * leg.Length, $"{seed}: the middle of the sole goes aside by {moved}");
             Vector3 aside = Vec.Cross(leg.ToeDirection, Vector3.UnitY) * leg.HalfWidth;
@@ -52,9 +52,9 @@ public sealed class LimitRelaxationTests
         FootPose half = none;
         FootPose whole = none;
         Vector3 ball = none.Ball;
-        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, ref none);
-        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0.5f, ref half);
-        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 1f, ref whole);
+        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, 0f, ref none);
+        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, 0.5f, ref half);
+        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, 1f, ref whole);
         Assert.True(Vec.Distance(none.Ball, ball) < 1e-7f);
         Assert.True(Vec.Distance(half.Ball, (ball + whole.Ball) * 0.5f) < 1e-6f);
     }

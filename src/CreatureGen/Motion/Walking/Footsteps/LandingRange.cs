@@ -1,0 +1,65 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Legs;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>Where a foot can come down so that its leg takes it: in a turn, or beside a platform that moves, the middle of the stance to come may be within its range and the landing not.</summary>
+internal static class LandingRange
+{
+    /// <summary>Part of its reach that a leg out to the side takes up at most as its foot comes down.</summary>
+    private const float LateralStretch = 0.95f;
+
+    /// <summary>How far a body comes down at most for a leg below it that is about to stand, leg lengths.</summary>
+    private const float Drop = 0.12f;
+
+    /// <summary>Part of its level distance from the hip to which a place is drawn in at most.</summary>
+    private const float NearestFraction = 0.5f;
+
+    /// <summary>Part of what its hip turns to either side that a leg under the body takes up at most: the rest is for the roll of the body.</summary>
+    private const float AsideFraction = 0.85f;
+
+    /// <summary>The place that a foot goes to, no farther away than its leg takes it as it comes down.</summary>
+    /// <param name="leg">Its leg.</param>
+    /// <param name="hip">Where its hip is at present, model space.</param>
+    /// <param name="velocity">How the body goes.</param>
+    /// <param name="flight">Seconds until the foot comes down.</param>
+    /// <param name="wanted">Where it belongs, model space at present.</param>
+    public static Vector3 Within(LegRig leg, Vector3 hip, in RootVelocity velocity, float flight, Vector3 wanted)
+    {
+        Vector3 way = velocity.Predict(flight, out float yaw);
+        Vector3 place = Rotation.Rotate(AxisRotation.Yaw(-yaw), wanted - way);
+        Vector3 rest = leg.Parts.Upper + leg.Shank;
+        Vector3 chord = rest + (place - leg.Home);
+        Vector3 bounded = leg.Lateral
+            ? Reached(leg, chord - (hip - leg.HipRest), Math.Max(LateralStretch, leg.RestStretch) * leg.Reach, -rest.Y - leg.Stoop, place)
+            : Reached(leg, chord, Math.Max(1f, leg.RestStretch) * leg.Reach, -rest.Y - (Drop * leg.Length), Beside(leg, place));
+        return bounded == place ? wanted : way + Rotation.Rotate(AxisRotation.Yaw(yaw), bounded);
+    }
+
+    /// <summary>Draws a place in that is too far from the hip.</summary>
+    private static Vector3 Reached(LegRig leg, Vector3 chord, float max, float height, Vector3 place)
+    {
+        float most = Math.Max((max * max) - (height * height), 0f);
+        float level = (chord.X * chord.X) + (chord.Z * chord.Z);
+        if (level <= most)
+        {
+            return place;
+        }
+
+        float fraction = 1f - Math.Max((float)Math.Sqrt(most / level), NearestFraction);
+        return place - (new Vector3(chord.X, 0f, chord.Z) * fraction);
+    }
+
+    private static Vector3 Beside(LegRig leg, Vector3 place)
+    {
+        float inward = leg.Side == Side.Left ? -1f : 1f;
+        float home = inward * (leg.Home.X - leg.HipRest.X);
+        float aside = inward * (place.X - leg.HipRest.X);
+        float outer = Math.Min(home, -leg.AsideRange(leg.DrawsOut * AsideFraction));
+        float bounded = Scalar.Clamp(aside, outer, Math.Max(home, leg.AsideRange(leg.DrawsIn * AsideFraction)));
+        return bounded == aside ? place : new Vector3(leg.HipRest.X + (inward * bounded), place.Y, place.Z);
+    }
+}

@@ -1,0 +1,35 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using CreatureGen.Motion;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Metrics.Courses;
+
+/// <summary>Whole stances of creatures that a player drives over the flat: feet that their legs cannot keep in place any more are let go before they slide.</summary>
+public sealed class StanceSlipTests
+{
+    private const float Rate = 120f;
+
+    [Theory]
+    [InlineData(7100000UL)]
+    [InlineData(7100004UL)]
+    [InlineData(7100005UL)]
+    [InlineData(7100006UL)]
+    [InlineData(7100009UL)]
+    [InlineData(7100012UL)]
+    public void Feet_of_unseen_walkers_stay_where_they_stand_while_speeds_and_turns_change(ulong seed)
+    {
+        var profile = new MotionProfile(Walkers.Any(seed));
+        var courses = new List<MotionCourse>
+        {
+            new(CourseScripts.Random(profile, 12f, 2.5f), CourseGround.Flat, CourseRate.Of(Rate)),
+            new(CourseScripts.Spin(profile), CourseGround.Flat, CourseRate.Of(Rate)),
+        };
+        foreach (CourseReport report in courses.Select(course => course.Run(profile)))
+        {
+            Assert.True(report.StanceSlip99 <= 0.012f, $"{seed}: one stance of a hundred slips by {report.StanceSlip99}");
+            Assert.True(report.StanceSlip <= 0.035f, $"{seed}: a stance slips by {report.StanceSlip}");
+        }
+    }
+}
