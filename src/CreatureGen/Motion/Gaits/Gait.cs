@@ -62,6 +62,12 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
     /// <summary>How far the hindmost legs are stretched out behind in the air before they are drawn in, 0..1. Default: 0, their feet go from place to place.</summary>
     public float Trail { get; init; }
 
+    /// <summary>How far legs that push off and come down are stretched, part of what they stand bent by, 0..1: the body flies higher by as much. Default: 0, the body is at its height as feet come down.</summary>
+    public float Stretch { get; init; }
+
+    /// <summary>How far the trunk of bipeds is thrown up with the push and dips to the landing, radians. Default: 0.</summary>
+    public float Rock { get; init; }
+
     /// <summary>Whether the feet of a girdle do different things on the left and on the right for ever: such a gait leads with the side that the creature turns to.</summary>
     public GaitSymmetry Symmetry { get; init; } = GaitSymmetry.Symmetric;
 
@@ -95,6 +101,8 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
         Finite.RequireWithin(ElbowBend, 0f, 2f, Name + ".ElbowBend");
         Finite.RequireWithin(Tuck, 0f, 1f, Name + ".Tuck");
         Finite.RequireWithin(Trail, 0f, 1f, Name + ".Trail");
+        Finite.RequireWithin(Stretch, 0f, 1f, Name + ".Stretch");
+        Finite.RequireWithin(Rock, 0f, 1f, Name + ".Rock");
     }
 }
 

@@ -88,7 +88,7 @@ public static class GaitLibrary
     /// <summary>Both feet together: kangaroos. The tail counters the legs.</summary>
     public static Gait Hop { get; } = new("Hop", new ListedPhases(0f, 0f), new DutyLaw(0.40f, 0.07f, 0.21f, 0.36f), new StrideLaw(2.3f, 0.40f))
     {
-        MaxRows = 1, Comfortable = 1.4f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.045f, Bounce = 0.85f, BounceCap = 0.34f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f, Trail = 0.6f,
+        MaxRows = 1, Comfortable = 1.4f, Fastest = 8f, Lift = 2.6f, Track = 0.95f, Crouch = 0.045f, Bounce = 0.85f, BounceCap = 0.34f, HindBias = 0f, Lean = 6f, ElbowBend = 0.6f, Trail = 0.85f, Stretch = 0.9f, Rock = 0.15f,
     };
 
     /// <summary>The hind pair pushes, all other legs catch: grasshoppers and frogs.</summary>

@@ -16,6 +16,8 @@ internal struct GaitShape
     public float ElbowBend;
     public float Tuck;
     public float Trail;
+    public float Stretch;
+    public float Rock;
 
     public static GaitShape Of(Gait gait) => new()
     {
@@ -32,6 +34,8 @@ internal struct GaitShape
         ElbowBend = gait.ElbowBend,
         Tuck = gait.Tuck,
         Trail = gait.Trail,
+        Stretch = gait.Stretch,
+        Rock = gait.Rock,
     };
 
     /// <summary>Goes a share of the way to those of a gait.</summary>
@@ -50,5 +54,7 @@ internal struct GaitShape
         ElbowBend += (gait.ElbowBend - ElbowBend) * fraction;
         Tuck += (gait.Tuck - Tuck) * fraction;
         Trail += (gait.Trail - Trail) * fraction;
+        Stretch += (gait.Stretch - Stretch) * fraction;
+        Rock += (gait.Rock - Rock) * fraction;
     }
 }

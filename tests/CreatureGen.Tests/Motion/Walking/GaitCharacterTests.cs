@@ -117,6 +117,32 @@ public sealed class GaitCharacterTests
     }
 
     [Theory]
+    [InlineData(5010)]
+    public void A_hopper_pushes_its_hips_up_and_throws_its_trunk_up_with_it(int seed)
+    {
+        var cycle = new GaitCycle((ulong)seed, GaitLibrary.Hop);
+        int hip = Hind(cycle.Creature).Joints[0];
+        int neck = cycle.Creature.Skeleton.AllJoints.ToArray().Select((joint, at) => (joint, at)).First(pair => pair.joint.Role == JointRole.Neck).at;
+        FootPhase before = Feet(cycle.Animator)[0].Phase;
+        float height = 0f;
+        double pushed = 0;
+        double landed = 0;
+        cycle.Watch(() =>
+        {
+            FootPhase now = Feet(cycle.Animator)[0].Phase;
+            Vector3 at = cycle.Animator.ModelPose.Positions[hip];
+            Vector3 trunk = cycle.Animator.ModelPose.Positions[neck] - at;
+            double pitch = Math.Atan2(trunk.Y, trunk.Z);
+            height = before == FootPhase.Stance && now == FootPhase.Swing ? at.Y : height;
+            pushed = before == FootPhase.Stance && now == FootPhase.Swing ? pitch : pushed;
+            landed = before == FootPhase.Swing && now == FootPhase.Stance ? pitch : landed;
+            before = now;
+        });
+        Assert.True(height > 1.02f * cycle.Creature.Skeleton.ModelPositions[hip].Y, $"hips at {height}, standing at {cycle.Creature.Skeleton.ModelPositions[hip].Y} m");
+        Assert.True(pushed > landed + 0.15, $"trunk at {pushed} rad as it pushes off, {landed} as it lands");
+    }
+
+    [Theory]
     [InlineData(5022)]
     [InlineData(109)]
     [InlineData(113)]

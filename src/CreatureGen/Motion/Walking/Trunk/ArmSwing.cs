@@ -10,6 +10,10 @@ internal static class ArmSwing
 {
     private const float SwingPerScissor = 0.68f;
     private const float CarriedSwing = 0.10f;
+
+    /// <summary>Radians that both arms are thrown up for each that the trunk is.</summary>
+    private const float ThrowPerRock = 2.5f;
+
     private const float Forearm = 0.25f;
     private const float Wrist = 0.3f;
 
@@ -22,6 +26,7 @@ internal static class ArmSwing
             float size = body.IsBiped ? SwingPerScissor : CarriedSwing;
             float swing = Scalar.Clamp(size * placer.Scissor * side, -0.7f, 0.7f) * context.Activity;
             float bend = (Forearm * (swing > 0f ? swing : 0f)) + (context.Clock.Shape.ElbowBend * 0.5f * context.Activity);
+            swing += ThrowPerRock * placer.Rock;
             turns.Set(local, arm.Shoulder, AxisRotation.Pitch(-swing));
             turns.Set(local, arm.Elbow, AxisRotation.Pitch(-bend));
             turns.Set(local, arm.Wrist, AxisRotation.Pitch(Wrist * swing));

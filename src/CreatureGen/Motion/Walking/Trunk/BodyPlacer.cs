@@ -45,6 +45,7 @@ internal sealed class BodyPlacer
     private readonly FourierSums track = new();
     private readonly FourierSums all = new();
     private readonly SteadyGait summed;
+    private readonly LegSlack slack;
     private float slope;
     private CriticallyDampedSpring turnBend;
     private GroundSlope way;
@@ -56,6 +57,7 @@ internal sealed class BodyPlacer
         this.body = body;
         Trunk = new TrunkChain(body);
         summed = new SteadyGait(body.Legs.Length);
+        slack = LegSlack.Of(body);
     }
 
     /// <summary>The trunk as last placed.</summary>
@@ -81,6 +83,9 @@ internal sealed class BodyPlacer
     /// <summary>Passive nod of the neck, radians.</summary>
     public float Nod { get; private set; }
 
+    /// <summary>How far the trunk of a biped is thrown up by its push, radians; negative where it dips to the landing.</summary>
+    public float Rock { get; private set; }
+
     /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
     public float Scissor { get; private set; }
 
@@ -93,6 +98,7 @@ internal sealed class BodyPlacer
         Flexion = other.Flexion;
         Nod = other.Nod;
         Scissor = other.Scissor;
+        Rock = other.Rock;
         SlideFraction = other.SlideFraction;
         slope = other.slope;
         turnBend = other.turnBend;
@@ -139,28 +145,29 @@ internal sealed class BodyPlacer
         float bounce = clock.Shape.Bounce * settings.Walking.Bounce * act;
         float hindRise;
         float foreRise;
+        float nod;
         if (body.Rows == 2)
         {
             hindRise = response.Height(hind, 2, scale, cap, out _) * bounce;
-            foreRise = response.Height(fore, 2, scale, cap, out float nod) * bounce;
-            Nod = nod * act;
+            foreRise = response.Height(fore, 2, scale, cap, out nod) * bounce;
         }
         else
         {
-            hindRise = foreRise = response.Height(all, feet.Length, scale, cap, out float nod) * bounce;
-            Nod = nod * act;
+            hindRise = foreRise = response.Height(all, feet.Length, scale, cap, out nod) * bounce;
         }
 
         // Feet that come down at once find the body at its height: all of them, or in a leap those of each girdle.
         float poise = Math.Min(-response.Touchdown * scale, cap) * bounce;
-        float together = Together(all, feet.Length);
+        float together = all.Together(feet.Length);
         float leap = body.Rows == 2 ? clock.Shape.Trail : 0f;
-        hindRise += poise * Math.Max(together, leap * Together(hind, 2));
-        foreRise += poise * Math.Max(together, leap * Together(fore, 2));
+        hindRise += poise * Math.Max(together, leap * hind.Together(2));
+        foreRise += poise * Math.Max(together, leap * fore.Together(2));
+        hindRise += clock.Shape.Stretch * act * slack.Hind;
+        foreRise += clock.Shape.Stretch * act * slack.Fore;
         float steadied = 0.5f * LeapSteadiness * leap * (foreRise - hindRise);
         hindRise += steadied;
         foreRise -= steadied;
-        Nod = Scalar.Clamp(Nod * traits.Nod / body.NeckLength, -0.5f, 0.5f);
+        Nod = Scalar.Clamp(nod * act * traits.Nod / body.NeckLength, -0.5f, 0.5f);
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Walking.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
@@ -184,7 +191,7 @@ internal sealed class BodyPlacer
         pelvisYaw += context.Idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
         chestYaw += (body.IsBiped ? 0.35f : 0.5f) * bend;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
-        float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * Together(hind, 2)));
+        float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * hind.Together(2)));
         float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
         float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Walking.Bank;
@@ -198,13 +205,14 @@ internal sealed class BodyPlacer
         foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) - effort.ForeDrop;
         Level(ref hindRise, ref foreRise);
         float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + effort.Lean : 0f;
+        Rock = clock.Shape.Rock * act * all.Sines[1] / feet.Length;
         float raised = body.Posture.Raised * context.Upright;
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
             Pelvis = new Vector3(rest.X + sway + inward + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + effort.Shift + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * NeutralFootholds.Shortening(Climb))),
             PelvisYaw = pelvisYaw,
-            PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion),
+            PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion) - (body.IsBiped ? Rock : 0f),
             PelvisRoll = pelvisRoll - bank + slope,
             BendYaw = Scalar.Clamp(chestYaw - pelvisYaw, -body.MaxBendYaw, body.MaxBendYaw),
             BendPitch = flexion,
@@ -256,14 +264,6 @@ internal sealed class BodyPlacer
     {
         float part = x * x / Math.Max(max * max, 1e-12f);
         return x / (float)Math.Sqrt(Math.Sqrt(1f + (part * part)));
-    }
-
-    /// <summary>How much feet come down at once, 0..1: then the body is at its height as they do, and in the mean above it.</summary>
-    private static float Together(FourierSums sums, int legs)
-    {
-        float c = sums.Cosines[1];
-        float s = sums.Sines[1];
-        return Math.Max(0f, (2f * ((c * c) + (s * s)) / (legs * legs)) - 1f);
     }
 
     /// <summary>Sums up the legs for the moment: anew if the gait has changed, else as the cycle has gone on.</summary>

@@ -51,4 +51,7 @@ internal sealed class FourierSums
             (c, s) = ((c * cosine) - (s * sine), (s * cosine) + (c * sine));
         }
     }
+
+    /// <summary>How much of a number of equal terms fall together, 0..1.</summary>
+    public float Together(int terms) => Math.Max(0f, (2f * ((Cosines[1] * Cosines[1]) + (Sines[1] * Sines[1])) / (terms * terms)) - 1f);
 }
