@@ -233,6 +233,7 @@ await claim('it is petted, dances, and comes for its fruit', async () => {
 await claim('pulling on the body changes it, and Escape takes it back', async () => {
   const seen = await page.evaluate(async () => {
     const frame = creatureLab.lab;
+    await frame.lab.meet({ seed: '3', kind: 'walking', strangeness: 0, traits: {}, text: null });
     frame.show('make');
     await frame.touch.learn();
     await frame.portrait(1);
@@ -613,6 +614,7 @@ await claim('the page works without a network after the first visit', async () =
     host.close();
     await context.setOffline(true);
     await other.goto(`${host.address}?still&draw=least#31.walking`, { timeout: longest });
+    await other.reload({ timeout: longest });
     await other.evaluate(() => creatureLab.ready.then(() => true));
     require(await other.evaluate(() => creatureLab.lab.lab.facts.seed) === '31', 'another creature came');
   } finally {
