@@ -28,7 +28,9 @@ internal static class FootSampler
         bool strange = random.Chance(AnyFeet * builder.Strangeness);
         FootStyle own = CreatureBuilder.Choose(random, legs.Feet ?? OfClass(legs.Class));
         FootStyle other = CreatureBuilder.Choose(random, any);
-        return strange ? other : own;
+
+        // Neighbours on many legs stand too near for long toes.
+        return builder.Plan == BodyPlan.ManyLegged ? FootStyle.Plain : strange ? other : own;
     }
 
     /// <summary>The hooves of a creature.</summary>

@@ -51,7 +51,7 @@ internal static class OwnLegs
             places.Add(new LimbSocket(site.Ring, site.Segment, site.Archetype, girth, reach * site.Reach / measure.BodyLength, site.Azimuth, jointed ? SocketBounds.Insect : SocketBounds.Limb));
         }
 
-        var stance = new StanceLimits(0.01, 0.5, -0.3, 0.3, 3, 1.5, builder.Plan, builder.Plan);
+        var stance = new StanceLimits(0.01, 0.5, -0.3, 0.3, 3, 1.5, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin(builder) };
         return new SocketSet(builder.Plan, places, places.Count, null, stance) { TakesAll = true };
     }
 
@@ -65,7 +65,7 @@ internal static class OwnLegs
             hips.Add(new LimbSocket(ring, preset.HipSegment, LimbArchetype.Bird, girth, 0, 0, SocketBounds.Limb));
         }
 
-        var stance = new StanceLimits(0.12, 0.45, -0.05, 0.5, 22, 1.6, BodyPlan.Theropod, BodyPlan.Theropod);
+        var stance = new StanceLimits(0.12, 0.45, -0.05, 0.5, 22, 1.6, BodyPlan.Theropod, BodyPlan.Theropod) { BalanceMargin = SafeMargin(builder) };
         return new SocketSet(BodyPlan.Theropod, hips, 1, null, stance);
     }
 
@@ -101,4 +101,7 @@ internal static class OwnLegs
     }
 
     private static bool IsJointed(LimbArchetype archetype) => archetype is LimbArchetype.Insect or LimbArchetype.Jumper or LimbArchetype.Raptorial;
+
+    /// <summary>Parts of other parents weigh what the estimate does not know.</summary>
+    private static double SafeMargin(CreatureBuilder builder) => Balance.LeastMargin * (1 + (2 * builder.Strangeness));
 }
