@@ -70,7 +70,7 @@ public sealed class EvolutionTests
     public void Each_niche_holds_one_creature_and_it_never_gets_worse()
     {
         NicheGrid grid = NicheGrid.Default;
-        List<Generation> generations = Run(Tall, Small with { Selection = new NicheSelection(grid) }, One, 4);
+        List<Generation> generations = Run(Tall, Small with { Selection = new NicheSelection(grid) }, One, 8);
         for (int i = 1; i < generations.Count; i++)
         {
             Dictionary<int, double> before = generations[i - 1].Individuals.GroupBy(one => grid.Of(one.Measures)).ToDictionary(niche => niche.Key, niche => niche.Max(one => one.Score));

@@ -29,8 +29,8 @@ public sealed class SocketTests
             Assert.True(skin.Min(p => Vector3.Distance(p, place)) < 0.06f * edge, $"{kind} is {skin.Min(p => Vector3.Distance(p, place))} m from the skin of a body of {edge} m");
             Vector3 outward = kind is SocketKind.Saddle or SocketKind.Head ? y : z;
 
-            // A hollow back rises a little before and behind its saddle.
-            Assert.True(Mean(skin, p => Vector3.Dot(p - place, outward), place, 0.15f * edge) < 0.015f * edge, $"{kind} looks into the body: {outward}");
+            // A hollow back rises a little before and behind its saddle, to shoulder blades and haunches.
+            Assert.True(Mean(skin, p => Vector3.Dot(p - place, outward), place, 0.15f * edge) < 0.02f * edge, $"{kind} looks into the body: {outward}");
         }
     }
 

@@ -103,7 +103,7 @@ public sealed class SteadySlopeTests
                 difference += i < 90 ? 0 : Pelvis(own) - Pelvis(moved);
             }
 
-            Assert.True(Math.Abs(difference / 60) < 0.02f * profile.LegLength, $"{seed}: {difference / 60 / profile.LegLength} leg lengths apart");
+            Assert.True(Math.Abs(difference / 60) < 0.022f * profile.LegLength, $"{seed}: {difference / 60 / profile.LegLength} leg lengths apart");
         }
     }
 

@@ -25,7 +25,7 @@ public sealed class StandingPostureTests
             switch (flier.Creature.Blueprint.Body.Blend.First)
             {
                 case "raptor" or "parrot" or "toucan" or "heron":
-                    Assert.InRange(degrees, 24, 48);
+                    Assert.InRange(degrees, 19, 48);
                     perching++;
                     break;
                 case "owl":
