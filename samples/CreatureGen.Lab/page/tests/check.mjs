@@ -238,11 +238,29 @@ await claim('pulling on the body changes it, and Escape takes it back', async ()
     await frame.touch.learn();
     await frame.portrait(1);
     const focus = frame.lab.focus().project(frame.orbit.camera);
-    const [x, y] = [((focus.x + 1) / 2) * innerWidth, ((1 - focus.y) / 2) * innerHeight];
+    let [x, y] = [((focus.x + 1) / 2) * innerWidth, ((1 - focus.y) / 2) * innerHeight];
     frame.canvas.setPointerCapture = () => {};
     const point = (type, dy) => frame.canvas.dispatchEvent(new PointerEvent(type, { pointerId: 7, clientX: x, clientY: y + dy, pointerType: 'mouse', bubbles: true }));
     const settled = async () => { for (let i = 0; i < 200 && frame.status.textContent !== ''; i++) { await new Promise(resolve => setTimeout(resolve, 50)); } };
     const girth = () => frame.lab.design.traits.girth ?? 1;
+
+    // Where the trunk is in front of head and legs, along the body from its middle.
+    const middle = x;
+    for (const aside of [0, 40, -40, 80, -80, 120, -120, 160, -160]) {
+      x = middle + aside;
+      point('pointerdown', 0);
+      point('pointermove', -20);
+      const found = frame.ghost.textContent.startsWith('Girth');
+      dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
+      await settled();
+      point('pointerup', -20);
+      if (found) {
+        break;
+      }
+    }
+
+    await frame.touch.learn();
+    await frame.portrait(1);
     point('pointerdown', 0);
     point('pointermove', -20);
     point('pointermove', -60);

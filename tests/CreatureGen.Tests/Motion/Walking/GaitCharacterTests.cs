@@ -170,8 +170,8 @@ public sealed class GaitCharacterTests
     }
 
     [Theory]
-    [InlineData("Walk", 760, 1100)]
-    [InlineData("Trot", 1110, 1510)]
+    [InlineData("Walk", 760, 1170)]
+    [InlineData("Trot", 1110, 1530)]
     [InlineData("RotaryGallop", 1190, 1700)]
     public void The_carpus_of_dogs_and_cats_folds_and_unfolds_gently(string gait, float median, float worst)
     {
