@@ -235,32 +235,32 @@ await claim('pulling on the body changes it, and Escape takes it back', async ()
     const frame = creatureLab.lab;
     await frame.lab.meet({ seed: '3', kind: 'walking', strangeness: 0, traits: {}, text: null });
     frame.show('make');
-    await frame.touch.learn();
-    await frame.portrait(1);
-    const focus = frame.lab.focus().project(frame.orbit.camera);
-    let [x, y] = [((focus.x + 1) / 2) * innerWidth, ((1 - focus.y) / 2) * innerHeight];
     frame.canvas.setPointerCapture = () => {};
+    let [x, y] = [0, 0];
     const point = (type, dy) => frame.canvas.dispatchEvent(new PointerEvent(type, { pointerId: 7, clientX: x, clientY: y + dy, pointerType: 'mouse', bubbles: true }));
     const settled = async () => { for (let i = 0; i < 200 && frame.status.textContent !== ''; i++) { await new Promise(resolve => setTimeout(resolve, 50)); } };
     const girth = () => frame.lab.design.traits.girth ?? 1;
 
-    // Where the trunk is in front of head and legs, along the body from its middle.
-    const middle = x;
-    for (const aside of [0, 40, -40, 80, -80, 120, -120, 160, -160]) {
-      x = middle + aside;
-      point('pointerdown', 0);
-      point('pointermove', -20);
-      const found = frame.ghost.textContent.startsWith('Girth');
-      dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
-      await settled();
-      point('pointerup', -20);
-      if (found) {
-        break;
+    // Where the trunk is in front of head and legs, as near the middle of the body as it is.
+    const aim = async () => {
+      await frame.touch.learn();
+      await frame.portrait(1);
+      const focus = frame.lab.focus().project(frame.orbit.camera);
+      let part = null;
+      const listen = ({ detail }) => { part = detail?.part; };
+      frame.pointer.addEventListener('hover', listen);
+      for (const [aside, up] of [0, 30, -30, 60, -60, 90, -90, 120, -120].flatMap(aside => [0, 25, 50, -25].map(up => [aside, up]))) {
+        [x, y] = [((focus.x + 1) / 2) * innerWidth + aside, ((1 - focus.y) / 2) * innerHeight - up];
+        point('pointermove', 0);
+        if (part === 'trunk') {
+          break;
+        }
       }
-    }
+      frame.pointer.removeEventListener('hover', listen);
+      return part;
+    };
 
-    await frame.touch.learn();
-    await frame.portrait(1);
+    const first = await aim();
     point('pointerdown', 0);
     point('pointermove', -20);
     point('pointermove', -60);
@@ -269,8 +269,7 @@ await claim('pulling on the body changes it, and Escape takes it back', async ()
     await settled();
     const pulled = girth();
     const { mass } = frame.lab.facts;
-    await frame.touch.learn();
-    await frame.portrait(1);
+    const second = await aim();
     point('pointerdown', 0);
     point('pointermove', 20);
     point('pointermove', 60);
@@ -278,7 +277,7 @@ await claim('pulling on the body changes it, and Escape takes it back', async ()
     dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
     await settled();
     point('pointerup', 60);
-    return { label, pulled, between, back: girth(), mass, same: frame.lab.facts.mass };
+    return { first, second, label, pulled, between, back: girth(), mass, same: frame.lab.facts.mass };
   });
   require(seen.label.startsWith('Girth') && seen.pulled > 1.2 && seen.between < seen.pulled && seen.back === seen.pulled && seen.same === seen.mass, JSON.stringify(seen));
 });
