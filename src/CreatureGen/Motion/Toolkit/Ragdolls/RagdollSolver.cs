@@ -19,6 +19,9 @@ internal static class RagdollSolver
     // Muscles reach the speed they want so many times faster than they reach their pose, so that they do not swing through.
     private const float FirmnessPerTone = 4f;
 
+    // Falls of a creature's own size, in whose speed it comes out of ground that it is found in: flung out at once it would fly as high as it was deep, many times over.
+    private const float EmergenceFraction = 0.3f;
+
     /// <summary>Advances by a substep.</summary>
     public static void Advance<TGround>(RagdollState state, in RagdollSettings settings, float h, int rounds, TGround ground)
         where TGround : IGround
@@ -26,7 +29,9 @@ internal static class RagdollSolver
         ReadOnlySpan<RagdollPart> parts = state.Rig.Parts;
         float air = Damping.Left(settings.AirDamping, h);
         Vector3 up = Vec.Normalize(-settings.Gravity, Vector3.UnitY);
-        float maxShift = MaxShift * state.Rig.Size * state.Scale;
+        float size = state.Rig.Size * state.Scale;
+        float maxShift = MaxShift * size;
+        float emergence = EmergenceFraction * (float)Math.Sqrt(size * Vec.Length(settings.Gravity)) * h;
         for (int i = 0; i < parts.Length; i++)
         {
             Vector3 v = (state.Velocities[i] + (settings.Gravity * h)) * air;
@@ -49,7 +54,7 @@ internal static class RagdollSolver
                 Attach(state, parts, i);
             }
 
-            Touch(state, settings.Friction, up, ground);
+            Touch(state, settings.Friction, emergence, up, ground);
             for (int i = parts.Length - 1; i > 0; i--)
             {
                 Attach(state, parts, i);
@@ -154,8 +159,8 @@ internal static class RagdollSolver
         Move(state, parent, p, armParent, -push);
     }
 
-    /// <summary>Brings all balls out of the ground, and holds them back along it.</summary>
-    private static void Touch<TGround>(RagdollState state, float friction, Vector3 up, TGround ground)
+    /// <summary>Keeps all balls from going into the ground, brings those that are in it out by no more than so many metres, and holds them back along it.</summary>
+    private static void Touch<TGround>(RagdollState state, float friction, float emergence, Vector3 up, TGround ground)
         where TGround : IGround
     {
         ReadOnlySpan<RagdollContact> contacts = state.Rig.Contacts;
@@ -180,11 +185,16 @@ internal static class RagdollSolver
                 continue;
             }
 
+            // How far the touching point went into the ground and along it in this substep; friction takes the second back, at most its share of the push.
             Vector3 arm = centre - (normal * radius);
-            Move(state, part, i, arm, normal * (depth / Weight(part, state.Rotations[i], arm, normal, state.Scale)));
-
-            // How far the touching point went along the ground in this substep; friction takes it back, at most its share of the push.
             Vector3 past = state.PastPositions[i] + Rotation.Rotate(Rotation.Multiply(state.PastRotations[i], Rotation.Inverse(state.Rotations[i])), arm);
+            depth = Math.Min(depth, Vec.Dot(past - (state.Positions[i] + arm), normal) + emergence);
+            if (!(depth > 0f))
+            {
+                continue;
+            }
+
+            Move(state, part, i, arm, normal * (depth / Weight(part, state.Rotations[i], arm, normal, state.Scale)));
             Vector3 slip = Vec.Reject(state.Positions[i] + arm - past, normal);
             float slid = Vec.Length(slip);
             if (slid > 1e-9f)
