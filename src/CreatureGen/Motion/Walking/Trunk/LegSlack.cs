@@ -20,6 +20,6 @@ internal readonly record struct LegSlack(float Hind, float Fore)
             fore = leg.IsHind(body.Rows) ? fore : Math.Min(fore, slack);
         }
 
-        return new LegSlack(hind, Math.Min(fore, body.Rows == 1 ? hind : fore));
+        return new LegSlack(hind, body.Rows == 1 ? hind : fore);
     }
 }
