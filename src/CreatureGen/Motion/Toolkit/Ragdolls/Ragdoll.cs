@@ -30,6 +30,8 @@ public static class Ragdoll
     private const float TurningArm = 0.1f;
     private const float TiredFraction = 4f;
     private const float TiredDamping = 3f;
+    private const float RestlessFraction = 20f;
+    private const float RestlessSeconds = 3f;
 
     /// <summary>Takes over from a motion.</summary>
     /// <param name="rig">The parts.</param>
@@ -54,6 +56,7 @@ public static class Ragdoll
         state.Scale = root.Scale;
         state.Debt = 0f;
         state.Calm = 0f;
+        state.Restless = 0f;
         state.Speed = 0f;
         state.IsActive = true;
         state.IsAsleep = false;
@@ -246,10 +249,11 @@ public static class Ragdoll
     private static float CalmSpeed(RagdollRig rig, RagdollState state, in RagdollSettings settings) =>
         CalmFraction * (float)Math.Sqrt(rig.Size * state.Scale * Vec.Length(settings.Gravity));
 
-    /// <summary>Slow motion dies faster than fast motion: flesh rolls and rocks badly.</summary>
+    /// <summary>Slow motion dies faster than fast motion: flesh rolls and rocks badly. So does what still moves seconds after a fall: joints, limits and ground that contradict one another can shake parts or push the whole along for ever.</summary>
     private static RagdollSettings Tired(RagdollRig rig, RagdollState state, in RagdollSettings settings) =>
-        state.Speed > TiredFraction * CalmSpeed(rig, state, settings) ? settings : settings.Slowed(TiredDamping);
+        state.Speed > TiredFraction * CalmSpeed(rig, state, settings) && state.Restless < RestlessSeconds ? settings : settings.Slowed(TiredDamping * (1f + state.Restless));
 
+    /// <summary>Whether it has been still for long enough to sleep; the longer it has been restless, the more counts as still.</summary>
     private static bool Rests(RagdollRig rig, RagdollState state, in RagdollSettings settings)
     {
         float size = rig.Size * state.Scale;
@@ -264,7 +268,9 @@ public static class Ragdoll
 
         speed = (float)Math.Sqrt(speed / mass);
         state.Speed = speed;
-        state.Calm = speed <= CalmSpeed(rig, state, settings) ? state.Calm + Substep : 0f;
+        float calm = CalmSpeed(rig, state, settings);
+        state.Restless = speed <= RestlessFraction * calm ? state.Restless + Substep : 0f;
+        state.Calm = speed <= calm * Math.Max(1f, state.Restless / RestlessSeconds) ? state.Calm + Substep : 0f;
         state.IsAsleep = state.Calm > CalmSeconds;
         if (state.IsAsleep)
         {

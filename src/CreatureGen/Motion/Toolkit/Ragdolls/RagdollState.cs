@@ -48,6 +48,9 @@ public sealed class RagdollState
     /// <summary>Seconds for which it has hardly moved.</summary>
     internal float Calm { get; set; }
 
+    /// <summary>Seconds since it last moved as fast as in a fall, or was pushed.</summary>
+    internal float Restless { get; set; }
+
     /// <summary>Centres of mass, from the anchor, world axes.</summary>
     internal Vector3[] Positions { get; }
 
@@ -130,5 +133,6 @@ public sealed class RagdollState
         RagdollSolver.Push(this, part, velocity, point - Anchor);
         IsAsleep = false;
         Calm = 0f;
+        Restless = 0f;
     }
 }

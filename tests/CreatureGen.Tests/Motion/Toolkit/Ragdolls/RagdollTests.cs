@@ -19,7 +19,7 @@ public sealed class RagdollTests
 
     [Theory]
     [InlineData(12)]
-    [InlineData(100, Explicit = true)]
+    [InlineData(300, Explicit = true)]
     public void Creatures_of_every_kind_fall_stay_whole_above_ground_and_within_their_limits_and_come_to_rest(int count)
     {
         var complaints = new List<string>();
