@@ -20,8 +20,8 @@ internal static class Blends
         IClip cheer = Keys("Cheer", skeleton, ("Left Arm", Vector3.UnitZ, [2.2, 2.7, 2.2]), ("Right Arm", Vector3.UnitZ, [-2.2, -2.7, -2.2]), ("Head", Vector3.UnitX, [-0.3, 0.0, -0.3]));
         float[] mask = new float[skeleton.Count];
         Subtree.FillMask(skeleton, skeleton.IndexOf("Left Arm"), 1f, mask);
-        var figure = new StickFigure(6, 240, p => new Vector2(0.5f - (0.35f * p.X) + (0.3f * p.Z), 0.08f + (0.42f * p.Y)));
-        Pose walking = StickFigure.Room(skeleton), cheering = StickFigure.Room(skeleton), mixed = StickFigure.Room(skeleton);
+        var figure = new BoneStrip(35, 8, new Vector3(-0.6f, 0f, -0.4f), new Vector3(0.6f, 2.1f, 0.4f), 0.06f);
+        Pose walking = BoneStrip.Room(skeleton), cheering = BoneStrip.Room(skeleton), mixed = BoneStrip.Room(skeleton);
         for (int i = 0; i < 6; i++)
         {
             walk.Sample(0.2f * i, walking);
@@ -29,7 +29,7 @@ internal static class Blends
             PoseBlend.Slerp(walking, cheering, i / 5f, mixed);
             PoseBlend.Mix(mixed, cheering, 1f, mask, mixed);
             ForwardKinematics.LocalToModel(skeleton, mixed, mixed);
-            figure.Draw(i, skeleton, mixed.Positions);
+            figure.Draw(i, figure.Bones(skeleton, mixed.Positions));
         }
 
         return figure.Picture;

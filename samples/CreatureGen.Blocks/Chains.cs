@@ -21,16 +21,15 @@ internal static class Chains
         }
 
         Skeleton skeleton = Skeleton.Build(joints);
-        var figure = new StickFigure(6, 240, p => new Vector2(0.5f + (0.5f * p.Z), 0.3f + (0.6f * p.Y)));
-        Pose local = StickFigure.Room(skeleton), model = StickFigure.Room(skeleton);
+        var figure = new BoneStrip(-70, 8, new Vector3(-0.1f, 0f, -0.1f), new Vector3(0.1f, 0.75f, 0.7f), 0.03f);
+        Pose local = BoneStrip.Room(skeleton), model = BoneStrip.Room(skeleton);
         local.SetToRest(skeleton);
         ForwardKinematics.LocalToModel(skeleton, local, model);
         for (int frame = 0; frame < 6; frame++)
         {
-            var target = new Vector3(0f, 0.45f - (0.1f * frame), 0.55f - (0.05f * frame));
+            var target = new Vector3(0f, 0.55f - (0.08f * frame), 0.55f - (0.05f * frame));
             CcdIk.Apply(skeleton, chain, target, CcdSettings.Default, local, model);
-            figure.Draw(frame, skeleton, model.Positions);
-            figure.Dot(frame, target);
+            figure.Draw(frame, figure.Bones(skeleton, model.Positions, new BoneStrip.Thing(target, target, 0.05f, new Vector3(0.75f, 0.14f, 0.07f))));
         }
 
         return figure.Picture;

@@ -13,6 +13,7 @@ internal static class Footfalls
 {
     private const int Width = 1440;
     private const int Row = 56;
+    private const int Left = 130;
     private static readonly Pixel[] ink = [new(52, 62, 84), new(120, 150, 190), new(214, 60, 50), new(90, 160, 90)];
 
     /// <summary>A row for each curve.</summary>
@@ -30,7 +31,7 @@ internal static class Footfalls
             Draw(picture, clip, curve, top);
             foreach (ClipEvent found in finding.Events.Where(e => e.Joint == curve.Joint))
             {
-                picture.Fill(ink[2], (int)(found.Time / clip.Duration * (Width - 3)), top + 6, 3, Row - 8);
+                picture.Fill(ink[2], Left + (int)(found.Time / clip.Duration * (Width - Left - 3)), top + 4, 3, Row - 8);
             }
 
             top += Row;
@@ -43,13 +44,14 @@ internal static class Footfalls
     {
         float most = curve.Signal.ToArray().Max(MathF.Abs);
         int middle = top + (Row / 2);
-        for (int x = 0; x < Width; x++)
+        for (int x = Left; x < Width; x++)
         {
-            float value = curve.Signal[Math.Min((int)(x * (long)curve.Signal.Length / Width), curve.Signal.Length - 1)] / most * ((Row / 2) - 6);
+            float at = (x - Left) * (float)curve.Signal.Length / (Width - Left);
+            float value = float.Lerp(curve.Signal[(int)at], curve.Signal[((int)at + 1) % curve.Signal.Length], at % 1f) / most * ((Row / 2) - 4);
             picture.Fill(ink[1], x, value > 0f ? middle - (int)value : middle, 1, Math.Max(1, (int)MathF.Abs(value)));
         }
 
-        picture.Fill(ink[0], 0, middle, Width, 1);
-        Label.Draw(picture, $"{clip.Name} {curve.Joint}", 6, top + 4, LabelSize.Small, ink[0]);
+        picture.Fill(ink[0], Left, middle, Width - Left, 1);
+        Label.Draw(picture, curve.Joint, 8, middle - 4, LabelSize.Small, ink[0]);
     }
 }

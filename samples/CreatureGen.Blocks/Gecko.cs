@@ -18,8 +18,8 @@ internal static class Gecko
     public static Picture Strip()
     {
         Skeleton skeleton = Rig();
-        var figure = new StickFigure(6, 240, p => new Vector2(0.5f - (0.55f * p.X), 0.5f + (0.55f * p.Z)));
-        Pose local = StickFigure.Room(skeleton), model = StickFigure.Room(skeleton);
+        var figure = new BoneStrip(-150, 42, new Vector3(-0.4f, 0f, -0.5f), new Vector3(0.4f, 0.2f, 0.6f), 0.035f);
+        Pose local = BoneStrip.Room(skeleton), model = BoneStrip.Room(skeleton);
         RootPlace place = RootPlace.Identity;
         (SteppingFoot[] feet, BodyVelocity velocity, int turn) = (Array.ConvertAll(hips, hip => new SteppingFoot(Home(hip))), default, -1);
         for (int i = 0; i < 180; i++)
@@ -48,10 +48,11 @@ internal static class Gecko
         var joints = new List<JointPlacement> { new("Body", -1, Quaternion.Identity, new Vector3(0f, 0.15f, 0f)), new("Head", 0, Quaternion.Identity, new Vector3(0f, 0.02f, 0.4f)), new("Nose", 1, Quaternion.Identity, new Vector3(0f, 0f, 0.15f)) };
         for (int leg = 0; leg < 4; leg++)
         {
+            string side = hips[leg].X > 0f ? "Left" : "Right";
             float aside = 1.4f * hips[leg].X;
-            joints.Add(new JointPlacement($"Hip {leg}", 0, Quaternion.Identity, hips[leg]));
-            joints.Add(new JointPlacement($"Knee {leg}", 3 + (3 * leg), Quaternion.Identity, new Vector3(aside, 0.06f, 0f)));
-            joints.Add(new JointPlacement($"Foot {leg}", 4 + (3 * leg), Quaternion.Identity, new Vector3(aside, -0.12f, 0f)));
+            joints.Add(new JointPlacement($"{side} Hip {leg}", 0, Quaternion.Identity, hips[leg]));
+            joints.Add(new JointPlacement($"{side} Knee {leg}", 3 + (3 * leg), Quaternion.Identity, new Vector3(aside, 0.06f, 0f)));
+            joints.Add(new JointPlacement($"{side} Foot {leg}", 4 + (3 * leg), Quaternion.Identity, new Vector3(aside, -0.12f, 0f)));
         }
 
         return Skeleton.Build(joints);

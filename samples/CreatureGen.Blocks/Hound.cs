@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Maths;
@@ -16,25 +17,26 @@ internal static class Hound
     public static Picture Strip()
     {
         Skeleton skeleton = Rig();
-        SpringRig tail = SpringRig.Along(skeleton, [4, 5, 6, 7, 8]), ears = new(skeleton, [9, 12]);
+        SpringRig tail = SpringRig.Along(skeleton, [4, 5, 6, 7, 8]), ears = new(skeleton, [9, 18]);
         (SpringState tailState, SpringState earState) = (new SpringState(tail), new SpringState(ears));
         var limber = new SpringSettings(ChainCurve.Through([0f, 0.5f, 1f], [4f, 2.6f, 1.8f]), new ChainCurve(0.45f), gravity: new Vector3(0f, -3f, 0f), maxSwing: 1f, drag: new ChainCurve(0.5f, 2f));
         var floppy = new SpringSettings(new ChainCurve(1.6f, 1.2f), new ChainCurve(0.25f), new ChainCurve(0.01f), new Vector3(0f, -6f, 0f), maxSwing: 1.6f, drag: new ChainCurve(1f));
         SpringCollider[] skull = [SpringCollider.Capsule(2, new Vector3(0f, -0.01f, 0f), new Vector3(0f, -0.03f, 0.16f), 0.07f)];
-        var figure = new StickFigure(6, 240, p => new Vector2(0.47f + (0.66f * p.Z) - (0.3f * p.X), 0.3f + (0.66f * p.Y)));
-        Pose local = StickFigure.Room(skeleton), model = StickFigure.Room(skeleton);
-        float ahead = 0f;
+        var figure = new BoneStrip(-60, 10, new Vector3(-0.2f, 0f, -0.5f), new Vector3(0.2f, 1.12f, 0.75f), 0.035f);
+        Pose local = BoneStrip.Room(skeleton), model = BoneStrip.Room(skeleton);
         for (int i = 0; i < 150; i++)
         {
-            double bound = Math.Sin(i * 0.35);
-            ahead += i < 50 ? 4f / 60f : 0f;
-            var place = new RootPlace(new Vector3(0f, i < 50 ? 0.12f * (float)Math.Abs(bound) : 0f, ahead), Rotation.FromAxisAngle(Vector3.UnitX, i < 50 ? 0.15 * bound : 0));
+            double bound = i < 50 ? Math.Sin(i * 0.35) : 0;
+            float ahead = Math.Min(i, 50) / 15f;
+            var place = new RootPlace(new Vector3(0f, 0.12f * (float)Math.Abs(bound), ahead), Rotation.FromAxisAngle(Vector3.UnitX, 0.15 * bound));
+            Quaternion stride = Rotation.FromAxisAngle(Vector3.UnitX, 1.2 * bound * Math.Cos(i * 0.35));
             local.SetToRest(skeleton);
             local.Rotations[2] = Rotation.FromAxisAngle(Vector3.UnitZ, i >= 100 ? 0.5 * Math.Sin(i * 0.5) : 0);
+            (local.Rotations[12], local.Rotations[21], local.Rotations[15], local.Rotations[24]) = (stride, stride, Rotation.Inverse(stride), Rotation.Inverse(stride));
             ForwardKinematics.LocalToModel(skeleton, local, model);
             SpringBones.Update(tail, tailState, limber, place, ReadOnlySpan<SpringCollider>.Empty, 1f / 60f, local, model);
             SpringBones.Update(ears, earState, floppy, place, skull, 1f / 60f, local, model);
-            figure.DrawEvery(25, i, skeleton, model.Positions);
+            figure.DrawEvery(25, i, skeleton, Array.ConvertAll(model.Positions.ToArray(), p => place.ToWorld(p) - new Vector3(0f, 0f, ahead)));
         }
 
         return figure.Picture;
@@ -42,14 +44,17 @@ internal static class Hound
 
     private static Skeleton Rig()
     {
-        var ear = new Vector3(0.06f, -0.02f, -0.03f);
-        (int Parent, Vector3 At)[] bones =
-        [
-            (-1, Vector3.Zero), (0, new(0f, 0.02f, 0.42f)), (1, new(0f, 0.22f, 0.14f)), (2, new(0f, -0.03f, 0.2f)),
-            (0, new(0f, 0.02f, -0.05f)), (4, new(0f, 0.03f, -0.12f)), (5, new(0f, 0.03f, -0.12f)), (6, new(0f, 0.03f, -0.12f)), (7, new(0f, 0.03f, -0.12f)),
-            (2, new(0.06f, 0.06f, 0f)), (9, ear), (10, new(0.04f, -0.06f, -0.01f)),
-            (2, new(-0.06f, 0.06f, 0f)), (12, new(-ear.X, ear.Y, ear.Z)), (13, new(-0.04f, -0.06f, -0.01f)),
-        ];
-        return Skeleton.Build([.. bones.Select((bone, i) => new JointPlacement($"Bone {i}", bone.Parent, Quaternion.Identity, bone.At))]);
+        List<JointPlacement> joints = [];
+        void Add(string name, int parent, params Vector3[] at) => joints.AddRange(at.Select((offset, i) => new JointPlacement($"{name} {i}", i == 0 ? parent : joints.Count + i - 1, Quaternion.Identity, offset)).ToArray());
+        Add("Trunk", -1, new(0f, 0.55f, 0f), new(0f, 0.02f, 0.42f), new(0f, 0.22f, 0.14f), new(0f, -0.03f, 0.2f));
+        Add("Tail", 0, new(0f, 0.02f, -0.05f), new(0f, 0.03f, -0.12f), new(0f, 0.03f, -0.12f), new(0f, 0.03f, -0.12f), new(0f, 0.03f, -0.12f));
+        foreach ((string side, float x) in new[] { ("Left", 1f), ("Right", -1f) })
+        {
+            Add(side + " Ear", 2, new(0.06f * x, 0.06f, 0f), new(0.06f * x, -0.02f, -0.03f), new(0.04f * x, -0.06f, -0.01f));
+            Add(side + " Hind Leg", 0, new(0.08f * x, -0.03f, 0f), new(0f, -0.24f, 0.06f), new(0f, -0.26f, -0.06f));
+            Add(side + " Fore Leg", 1, new(0.08f * x, -0.05f, 0f), new(0f, -0.25f, -0.03f), new(0f, -0.25f, 0.03f));
+        }
+
+        return Skeleton.Build(joints);
     }
 }

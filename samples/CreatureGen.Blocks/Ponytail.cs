@@ -5,6 +5,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Pictures;
+using CreatureGen.Preview.Rendering;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Blocks;
@@ -26,15 +27,15 @@ internal static class Ponytail
         var state = new SpringState(rig);
         var settings = new SpringSettings(new ChainCurve(2.5f, 1.2f), new ChainCurve(0.5f), radius: new ChainCurve(0.02f), drag: new ChainCurve(1f));
         SpringCollider[] head = [SpringCollider.Capsule(1, Vector3.Zero, new Vector3(0f, 0.08f, 0f), 0.1f)];
-        var figure = new StickFigure(6, 240, p => new Vector2(0.5f - (1.4f * p.X), 0.35f + (1.4f * p.Y)));
-        Pose local = StickFigure.Room(skeleton), model = StickFigure.Room(skeleton);
+        var figure = new BoneStrip(160, 6, new Vector3(-0.3f, -0.1f, -0.3f), new Vector3(0.3f, 0.38f, 0.1f), 0.025f, GroundKind.None);
+        Pose local = BoneStrip.Room(skeleton), model = BoneStrip.Room(skeleton);
         for (int i = 0; i < 6 * 12; i++)
         {
             local.SetToRest(skeleton);
             local.Rotations[1] = Rotation.FromAxisAngle(Vector3.UnitY, 0.7 * Sway(i / 72f));
             ForwardKinematics.LocalToModel(skeleton, local, model);
             SpringBones.Update(rig, state, settings, RootPlace.Identity, head, 1f / 60f, local, model);
-            figure.DrawEvery(12, i, skeleton, model.Positions);
+            figure.DrawEvery(12, i, skeleton, model.Positions, new BoneStrip.Thing(model.Positions[1], model.Positions[1] + new Vector3(0f, 0.08f, 0f), 0.1f, new Vector3(0.5f, 0.2f, 0.11f)));
         }
 
         return figure.Picture;

@@ -20,6 +20,7 @@ internal static class Program
         Save("puppet", Puppet.Strip());
         Save("hound", Hound.Strip());
         Save("stranger", Stranger.Strip());
+        Save("borrowed", Borrowed.Strip());
         return 0;
 
         void Save(string name, Picture picture)

@@ -17,12 +17,12 @@ internal static class Puppet
         Skeleton skeleton = Rig();
         var rig = new RagdollRig(skeleton, [.. Enumerable.Range(0, skeleton.Count).Where(i => skeleton.Joints[i].Length > 0f).Select(i => new CapsuleCollider(i, Vector3.Zero, skeleton.Joints[i].Along * skeleton.Joints[i].Length, 0.06f))]);
         var state = new RagdollState(rig);
-        Pose local = StickFigure.Room(skeleton), model = StickFigure.Room(skeleton);
+        Pose local = BoneStrip.Room(skeleton), model = BoneStrip.Room(skeleton);
         model.SetToRest(skeleton);
         ForwardKinematics.LocalToModel(skeleton, model, model);
         Ragdoll.Start(rig, state, RootPlace.Identity, model, RootPlace.Identity, model, 1f / 60f, FlatGround.Level);
         state.Push(skeleton.IndexOf("Chest"), new Vector3(1.5f, 0f, 7f), model.Positions[skeleton.IndexOf("Chest")] + new Vector3(0.05f, 0.2f, 0f));
-        var figure = new StickFigure(6, 240, p => new Vector2(0.3f + (0.32f * p.Z) - (0.08f * p.X), 0.1f + (0.42f * p.Y)));
+        var figure = new BoneStrip(-70, 10, new Vector3(-0.4f, 0f, -0.3f), new Vector3(0.4f, 1.75f, 1.5f), 0.06f);
         for (int i = 0; i < 6 * 14; i++)
         {
             Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, 1f / 60f);
