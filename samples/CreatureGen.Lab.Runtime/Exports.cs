@@ -33,7 +33,7 @@ internal static partial class Exports
     internal static byte[] GlbOfSeed(string seed, string kind)
     {
         using var file = new MemoryStream();
-        GlbWriter.Write(CreatureGenerator.Build(DesignText.Sample(seed, kind, CreatureOptions.Default.Strangeness, "")), GltfOptions.Default, file);
+        GlbWriter.Write(CreatureAssembler.Assemble(DesignText.Sample(seed, kind, CreatureOptions.Default.Strangeness, "")), GltfOptions.Default, file);
         return file.ToArray();
     }
 
@@ -151,7 +151,7 @@ internal static partial class Exports
     internal static byte[] Glb(int slot, string what)
     {
         using var file = new MemoryStream();
-        GlbWriter.Write(CreatureGenerator.Build(stage[slot].Design), DesignText.Files(what, stage[slot]), file);
+        GlbWriter.Write(CreatureAssembler.Assemble(stage[slot].Design), DesignText.Files(what, stage[slot]), file);
         return file.ToArray();
     }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Sampling;
 using CreatureGen.Seeding;
@@ -100,7 +101,7 @@ internal sealed class FuzzInputs
         for (ulong seed = FirstSeed + (ulong)number; ; seed += (ulong)count)
         {
             CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, options);
-            if (BlueprintValidator.Validate(blueprint).Count == 0 && CreatureInspection.Inspect(CreatureGenerator.Build(blueprint)).Count == 0)
+            if (BlueprintValidator.Validate(blueprint).Count == 0 && CreatureInspection.Inspect(CreatureAssembler.Assemble(blueprint)).Count == 0)
             {
                 return blueprint;
             }

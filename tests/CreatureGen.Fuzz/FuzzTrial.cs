@@ -124,7 +124,7 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
     {
         try
         {
-            CreatureGenerator.BuildSound(blueprint);
+            CreatureGenerator.Build(blueprint);
             return [];
         }
         catch (UnsoundCreatureException unsound)

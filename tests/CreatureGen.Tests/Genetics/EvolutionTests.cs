@@ -4,6 +4,7 @@ using System.Linq;
 using System.Threading;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
 using CreatureGen.Genetics;
 using CreatureGen.Genetics.Criteria;
 using CreatureGen.Genetics.Populations;
@@ -131,12 +132,12 @@ public sealed class EvolutionTests
     public void Freaks_are_told_apart_and_are_no_parents()
     {
         CreatureBlueprint walker = BlueprintSampler.Sample(20, CreatureOptions.Default with { Kind = RequestedKind.Walking });
-        Assert.Empty(FreakCheck.FaultsOf(CreatureGenerator.Build(walker)));
+        Assert.Empty(FreakCheck.FaultsOf(CreatureAssembler.Assemble(walker)));
         CreatureBlueprint cased = walker with { Body = walker.Body with { Shell = walker.Body.Shell with { Style = ShellStyle.Elytra, Rows = 6 } } };
-        Assert.Contains("wing cases", Assert.Single(FreakCheck.FaultsOf(CreatureGenerator.Build(cased))), StringComparison.Ordinal);
+        Assert.Contains("wing cases", Assert.Single(FreakCheck.FaultsOf(CreatureAssembler.Assemble(cased))), StringComparison.Ordinal);
         BodyProportions p = walker.Body.Proportions;
         CreatureBlueprint headed = walker with { Body = walker.Body with { Proportions = p with { Head = 9, Girth = 0, Depth = 0, Width = 0, Chest = 0, Belly = 0, Rump = 0, Hump = 0 } } };
-        Assert.Contains(FreakCheck.FaultsOf(CreatureGenerator.Build(FieldLimiter.Limit(headed, CreatureFields.Creature))), fault => fault.StartsWith("its head is", StringComparison.Ordinal));
+        Assert.Contains(FreakCheck.FaultsOf(CreatureAssembler.Assemble(FieldLimiter.Limit(headed, CreatureFields.Creature))), fault => fault.StartsWith("its head is", StringComparison.Ordinal));
     }
 
     [Fact]

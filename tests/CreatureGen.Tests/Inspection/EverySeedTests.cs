@@ -43,7 +43,7 @@ public sealed class EverySeedTests
         Parallel.For(0, seeds, new ParallelOptions { CancellationToken = TestContext.Current.CancellationToken }, i =>
         {
             ulong seed = (ulong)i;
-            Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, options, out SocketTally sockets));
+            Creature creature = CreatureAssembler.Assemble(BlueprintSampler.Sample(seed, options, out SocketTally sockets));
             foreach (InvariantViolation violation in CreatureInspection.Inspect(creature))
             {
                 violations.Add($"{kind} {seed}: {violation.Invariant}: {violation.Detail}");
@@ -74,7 +74,7 @@ public sealed class EverySeedTests
         {
             for (ulong seed = 0; seed < 40; seed++)
             {
-                Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking + (int)kind, Strangeness = 0 }) with { Scale = scale, TriangleBudget = budget });
+                Creature creature = CreatureAssembler.Assemble(BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking + (int)kind, Strangeness = 0 }) with { Scale = scale, TriangleBudget = budget });
                 IEnumerable<InvariantViolation> found = CreatureInspection.Inspect(creature);
                 Assert.Empty(found);
             }
@@ -96,7 +96,7 @@ public sealed class EverySeedTests
             }
 
             armed++;
-            Creature creature = CreatureGenerator.Build(blueprint with { Legs = new(blueprint.Legs.Select(leg => leg with { ClawLength = 0 }).ToArray()) });
+            Creature creature = CreatureAssembler.Assemble(blueprint with { Legs = new(blueprint.Legs.Select(leg => leg with { ClawLength = 0 }).ToArray()) });
             float[] soles = creature.Mesh.Positions.ToArray().Where(p => p.Y <= 0.004f * creature.StandingHeight).Select(p => p.Z).ToArray();
             float along = (creature.Mass.Centre.Z - soles.Min()) / (soles.Max() - soles.Min());
             Assert.True(along is > 0.185f and < 0.8f, $"{seed}: {along} of the way from heel to toe");
@@ -111,5 +111,5 @@ public sealed class EverySeedTests
     [InlineData(53362)]
     [InlineData(81008)]
     public void Heavy_heads_do_not_tip_a_serpent_over(ulong seed) =>
-        Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Build(BlueprintSampler.Sample(seed, LocomotionKind.Walking))));
+        Assert.Empty(CreatureInspection.Inspect(CreatureAssembler.Assemble(BlueprintSampler.Sample(seed, LocomotionKind.Walking))));
 }

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Sampling;
 using Xunit;
@@ -66,7 +67,7 @@ public sealed class GrammarTests
             var options = CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = new ValueList<BodyPlanWeight>(AnatomyChoices.Plan.Values.Select(p => new BodyPlanWeight(p, p == plan ? 1 : 0))) };
             CreatureBlueprint blueprint = BlueprintSampler.Sample(First, options);
             blueprint = blueprint with { Legs = new ValueList<LegBlueprint>(blueprint.Legs.Select(leg => leg with { Foot = foot })) };
-            Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Build(blueprint)));
+            Assert.Empty(CreatureInspection.Inspect(CreatureAssembler.Assemble(blueprint)));
         }
     }
 
@@ -80,7 +81,7 @@ public sealed class GrammarTests
         {
             CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
             blueprint = blueprint with { Tail = new TailBlueprint(tail, 0.25, 0.8) };
-            Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Build(blueprint)));
+            Assert.Empty(CreatureInspection.Inspect(CreatureAssembler.Assemble(blueprint)));
         }
     }
 }

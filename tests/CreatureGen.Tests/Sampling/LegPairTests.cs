@@ -1,6 +1,7 @@
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Sampling;
 using CreatureGen.Species;
@@ -21,7 +22,7 @@ public sealed class LegPairTests
         {
             CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, Asking(pairs, pairs));
             Assert.Equal(pairs, blueprint.Legs.Count);
-            Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Build(blueprint)));
+            Assert.Empty(CreatureInspection.Inspect(CreatureAssembler.Assemble(blueprint)));
         }
     }
 

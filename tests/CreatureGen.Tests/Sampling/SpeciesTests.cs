@@ -121,7 +121,7 @@ public sealed class SpeciesTests
         Parallel.For(0, Seeds, new ParallelOptions { CancellationToken = TestContext.Current.CancellationToken }, i =>
         {
             CreatureBlueprint blueprint = BlueprintSampler.Sample((ulong)i, options, out SocketTally sockets);
-            Creature creature = CreatureGenerator.Build(blueprint);
+            Creature creature = CreatureAssembler.Assemble(blueprint);
             foreach (InvariantViolation violation in CreatureInspection.Inspect(creature))
             {
                 violations.Add($"{body} {i}: {violation.Invariant}: {violation.Detail}");

@@ -113,7 +113,7 @@ public sealed class OldBlueprintTests
     private static void AssertSound(string path, CreatureBlueprint blueprint)
     {
         // The bodies of the catalogue were drawn better since: what stood on older ones may need its feet set anew, and nothing else.
-        IReadOnlyList<InvariantViolation> violations = CreatureInspection.Inspect(CreatureGenerator.Build(blueprint));
+        IReadOnlyList<InvariantViolation> violations = CreatureInspection.Inspect(CreatureAssembler.Assemble(blueprint));
         Assert.All(violations, violation => Assert.Contains(violation.Invariant, new[] { "balanced", "grounded" }));
         RepairReport repaired = BlueprintRepair.Repair(blueprint);
         Assert.True(repaired.IsSound, path + ":\n" + string.Join('\n', repaired.Violations));

@@ -2,6 +2,7 @@ using System;
 using System.Buffers.Binary;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Numerics;
 using System.Text.Json;
 using System.Text.Json.Nodes;
@@ -105,6 +106,37 @@ internal sealed class HumanoidFile
     public JsonObject Json { get; }
 
     public static HumanoidFile Create() => new();
+
+    /// <summary>Lays the attributes of its vertices one vertex after the other, as many programs do, with room between them that says nothing.</summary>
+    public HumanoidFile Interleave()
+    {
+        const int gap = 4;
+        (string Name, int Size)[] layout = [("WEIGHTS_0", 4), ("POSITION", 12), ("JOINTS_0", 4)];
+        int stride = layout.Sum(part => part.Size) + gap;
+        JsonNode attributes = Json["meshes"]![0]!["primitives"]![0]!["attributes"]!;
+        int count = (int)accessors[(int)attributes["POSITION"]!]!["count"]!;
+        byte[] vertices = new byte[stride * count];
+        vertices.AsSpan().Fill(0x5A);
+        int offset = 0;
+        foreach ((string name, int size) in layout)
+        {
+            JsonNode accessor = accessors[(int)attributes[name]!]!;
+            int start = (int)(long)views[(int)accessor["bufferView"]!]!["byteOffset"]!;
+            for (int i = 0; i < count; i++)
+            {
+                binary.GetBuffer().AsSpan(start + (size * i), size).CopyTo(vertices.AsSpan((stride * i) + offset));
+            }
+
+            accessor["bufferView"] = views.Count;
+            accessor["byteOffset"] = offset;
+            offset += size;
+        }
+
+        views.Add(new JsonObject { ["buffer"] = 0, ["byteOffset"] = binary.Length, ["byteLength"] = vertices.Length, ["byteStride"] = stride });
+        binary.Write(vertices);
+        Json["buffers"]![0]!["byteLength"] = binary.Length;
+        return this;
+    }
 
     /// <summary>The file as it is now.</summary>
     public byte[] Write()

@@ -43,6 +43,15 @@ public sealed class ModelReaderTests
     }
 
     [Fact]
+    public void A_character_whose_vertices_are_interleaved_is_the_same_character()
+    {
+        SkinnedModel apart = Read(HumanoidFile.Create().Write());
+        SkinnedModel woven = Read(HumanoidFile.Create().Interleave().Write());
+        Assert.Equal(apart.Mesh.Positions.ToArray(), woven.Mesh.Positions.ToArray());
+        Assert.Equal(apart.Mesh.Weights.ToArray(), woven.Mesh.Weights.ToArray());
+    }
+
+    [Fact]
     public void A_clip_written_back_is_read_again_and_all_else_stays()
     {
         SkinnedModel model = Read(HumanoidFile.Create().Write());

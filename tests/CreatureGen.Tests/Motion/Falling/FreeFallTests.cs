@@ -113,6 +113,30 @@ public sealed class FreeFallTests
         }
     }
 
+    /// <summary>The air takes the turning: half of it is gone in ln 2 / 1.5 s, whatever the player asks for meanwhile.</summary>
+    [Fact]
+    public void Who_turns_as_the_ground_vanishes_turns_ever_slower_in_the_air()
+    {
+        foreach (MotionProfile profile in Lot(550, 4))
+        {
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            var circle = new MotionInput(0.3f * MathF.Sqrt(Gravity * profile.LegLength), 1f);
+            Walk(animator, 60, FlatGround.Level, circle);
+            while (animator.State == BodyState.Supported)
+            {
+                Walk(animator, 1, new Nothing(), circle);
+            }
+
+            float begun = TurnOfFrame(animator, circle);
+            Walk(animator, 29, new Nothing(), circle);
+            float left = TurnOfFrame(animator, circle);
+            string name = $"{profile.Creature.Blueprint.Seed}: {begun / Frame} rad/s, half a second later {left / Frame}";
+            Assert.True(begun > 0.1f * Frame, name);
+            Assert.True(Math.Abs((left / begun) - MathF.Exp(-1.5f * 30 * Frame)) < 0.02f, name);
+        }
+    }
+
     [Fact]
     public void Nobody_falls_on_ground_that_goes_on()
     {
@@ -158,12 +182,21 @@ public sealed class FreeFallTests
         }
     }
 
-    private static void Walk(CreatureAnimator animator, int frames, IGround ground)
+    private static void Walk(CreatureAnimator animator, int frames, IGround ground, MotionInput input = default)
     {
         for (int i = 0; i < frames; i++)
         {
-            animator.Update(Frame, default, ground);
+            animator.Update(Frame, input, ground);
         }
+    }
+
+    /// <summary>Radians by which the root turns in the next frame of a fall.</summary>
+    private static float TurnOfFrame(CreatureAnimator animator, MotionInput input)
+    {
+        Quaternion before = animator.Root.Rotation;
+        Walk(animator, 1, new Nothing(), input);
+        Quaternion turned = Rotation.Multiply(animator.Root.Rotation, Rotation.Inverse(before));
+        return 2f * MathF.Asin(MathF.Abs(turned.Y));
     }
 
     private static float Height(CreatureAnimator animator, int joint) => animator.Root.ToWorld(animator.ModelPose.Positions[joint]).Y;

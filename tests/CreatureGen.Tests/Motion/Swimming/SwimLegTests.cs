@@ -170,7 +170,7 @@ public sealed class SwimLegTests
     public void Legs_of_any_form_go_back_as_far_as_their_joints_let_them(LimbArchetype archetype)
     {
         var blueprint = BlueprintSampler.Sample(0, SpeciesSubject.Only("newt", RequestedKind.Swimming));
-        Creature creature = CreatureGenerator.Build(blueprint with { Legs = new(blueprint.Legs.Select(leg => leg with { Archetype = archetype })) });
+        Creature creature = CreatureAssembler.Assemble(blueprint with { Legs = new(blueprint.Legs.Select(leg => leg with { Archetype = archetype })) });
         SwimProfile profile = SwimProfile.Of(creature);
         var body = new StrokeSubject(creature);
         Steady(profile, default, body);

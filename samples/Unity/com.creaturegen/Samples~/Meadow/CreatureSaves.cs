@@ -1,5 +1,5 @@
 using CreatureGen.Blueprints;
-using CreatureGen.Creatures;
+using CreatureGen.Repairs;
 using CreatureGen.Unity;
 using UnityEngine;
 
@@ -24,7 +24,7 @@ namespace CreatureGen.Meadow
                 return false;
             }
 
-            into.Show(CreatureGenerator.Build(reading.Blueprint));
+            into.Show(BlueprintRepair.Repair(reading.Blueprint).Creature);
             return true;
         }
     }

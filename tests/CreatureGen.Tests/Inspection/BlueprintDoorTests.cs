@@ -11,7 +11,7 @@ using Xunit;
 namespace CreatureGen.Tests.Inspection;
 
 /// <summary>What comes out of this door is sound, whatever went in.</summary>
-public sealed class BuildSoundTests
+public sealed class BlueprintDoorTests
 {
     private static readonly CreatureBlueprint Animal = BlueprintSampler.Sample(42, LocomotionKind.Walking);
 
@@ -20,24 +20,24 @@ public sealed class BuildSoundTests
     [Fact]
     public void A_sound_creature_is_the_one_that_is_built_without_a_look()
     {
-        Creature sound = CreatureGenerator.BuildSound(Animal);
-        Assert.True(CreatureGenerator.Build(Animal).Mesh.Positions.SequenceEqual(sound.Mesh.Positions));
+        Creature sound = CreatureGenerator.Build(Animal);
+        Assert.True(CreatureAssembler.Assemble(Animal).Mesh.Positions.SequenceEqual(sound.Mesh.Positions));
     }
 
     [Fact]
     public void A_creature_in_the_ground_is_refused_with_all_that_is_broken()
     {
         Assert.Empty(BlueprintValidator.Validate(Sunk));
-        var refusal = Assert.Throws<UnsoundCreatureException>("blueprint", () => CreatureGenerator.BuildSound(Sunk));
-        Assert.Equal(CreatureInspection.Inspect(CreatureGenerator.Build(Sunk)), refusal.Violations);
+        var refusal = Assert.Throws<UnsoundCreatureException>("blueprint", () => CreatureGenerator.Build(Sunk));
+        Assert.Equal(CreatureInspection.Inspect(CreatureAssembler.Assemble(Sunk)), refusal.Violations);
         Assert.All(refusal.Violations, v => Assert.Contains(v.Detail, refusal.Message, StringComparison.Ordinal));
         Assert.Contains("BlueprintRepair", refusal.Message, StringComparison.Ordinal);
     }
 
     [Fact]
-    public void What_was_refused_and_repaired_is_let_in() => CreatureGenerator.BuildSound(BlueprintRepair.Repair(Sunk).Blueprint);
+    public void What_was_refused_and_repaired_is_let_in() => CreatureGenerator.Build(BlueprintRepair.Repair(Sunk).Blueprint);
 
     [Fact]
     public void A_blueprint_with_problems_is_refused_as_always() =>
-        Assert.IsNotType<UnsoundCreatureException>(Assert.ThrowsAny<ArgumentException>(() => CreatureGenerator.BuildSound(Animal with { Scale = 1e9 })));
+        Assert.IsNotType<UnsoundCreatureException>(Assert.ThrowsAny<ArgumentException>(() => CreatureGenerator.Build(Animal with { Scale = 1e9 })));
 }
