@@ -9,9 +9,13 @@ namespace CreatureGen.Console;
 
 internal static class Program
 {
+    // What is in hand may go on for so long after a signal; then it is given up at its next clip or picture.
+    private static readonly TimeSpan grace = TimeSpan.FromMilliseconds(200);
+
     private static int Main(string[] arguments)
     {
         using var stop = new CancellationTokenSource();
+        using var abandon = new CancellationTokenSource();
         using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
         using PosixSignalRegistration terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
         Stream data = StandardStreams.Output();
@@ -27,6 +31,7 @@ internal static class Program
             ErrorIsTerminal = !System.Console.IsErrorRedirected,
             AllowsColour = !plain,
             Cancellation = stop.Token,
+            Abandonment = abandon.Token,
         });
 
         // The first signal lets the work end tidily, the second one ends it as it is.
@@ -34,6 +39,7 @@ internal static class Program
         {
             context.Cancel = !stop.IsCancellationRequested;
             stop.Cancel();
+            abandon.CancelAfter(grace);
         }
     }
 }

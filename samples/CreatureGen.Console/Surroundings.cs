@@ -46,8 +46,11 @@ internal sealed record Surroundings(TextWriter Out, TextWriter Error)
     /// <summary>Whether that person may be shown colours, and lines that are written over.</summary>
     public bool AllowsColour { get; init; }
 
-    /// <summary>Stops the work.</summary>
+    /// <summary>Stops the work: nothing else is begun.</summary>
     public CancellationToken Cancellation { get; init; }
+
+    /// <summary>Stops what is in hand too: a creature whose clips and pictures take longer is left out as if it had not been begun. Comes after <see cref="Cancellation"/>, if at all.</summary>
+    public CancellationToken Abandonment { get; init; }
 
     /// <summary>What creatures are checked with.</summary>
     public CreatureChecks Checks { get; init; } = CreatureChecks.OfLibrary;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Threading;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Working;
 
@@ -40,7 +41,10 @@ internal sealed class ManifestCheck
     }
 
     /// <summary>What is wrong with the files of a creature; nothing if all is well.</summary>
-    public IReadOnlyList<string> ProblemsOf(ManifestEntry entry)
+    /// <param name="entry">The creature.</param>
+    /// <param name="cancellation">Gives a creature up that is made anew.</param>
+    /// <exception cref="OperationCanceledException">It was given up.</exception>
+    public IReadOnlyList<string> ProblemsOf(ManifestEntry entry, CancellationToken cancellation)
     {
         var problems = new List<string>();
         foreach (ListedFile file in entry.Files)
@@ -53,7 +57,7 @@ internal sealed class ManifestCheck
 
         if (task != null && entry.IsThere)
         {
-            problems.AddRange(Regrown(entry));
+            problems.AddRange(Regrown(entry, cancellation));
         }
 
         return problems;
@@ -66,9 +70,9 @@ internal sealed class ManifestCheck
         return manifest.Shard.Of(manifest.Batch.Specimens).Where(specimen => !listed.Contains(specimen)).Select(specimen => $"creature {specimen.Name} is not listed").ToArray();
     }
 
-    private IEnumerable<string> Regrown(ManifestEntry entry)
+    private IEnumerable<string> Regrown(ManifestEntry entry, CancellationToken cancellation)
     {
-        IReadOnlyList<(string Form, byte[] Content)> contents = task!.Make(entry.Specimen, 1).Contents;
+        IReadOnlyList<(string Form, byte[] Content)> contents = task!.Make(entry.Specimen, 1, cancellation).Contents;
         foreach ((string form, byte[] content) in contents)
         {
             CreatureFile grown = CreatureFile.Of(form, CreatureFiles.PathOf("", entry.Specimen.Name, form), content);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
@@ -48,7 +49,8 @@ internal sealed record ClipChoice(string Text)
     public static ClipChoice OfNames(IReadOnlyCollection<string> names) => names.Count == 0 ? None : new ClipChoice(string.Join(',', names.Select(MovementArguments.Hyphenated)));
 
     /// <summary>Bakes what of it the creature does.</summary>
-    public IReadOnlyList<Clip> Bake(Creature creature)
+    /// <exception cref="OperationCanceledException">It was stopped between two clips.</exception>
+    public IReadOnlyList<Clip> Bake(Creature creature, CancellationToken cancellation)
     {
         if (this == None)
         {
@@ -56,7 +58,14 @@ internal sealed record ClipChoice(string Text)
         }
 
         string[] wanted = Array.ConvertAll(Text.Split(','), Plain);
-        return [.. ClipBaker.RecipesOf(new MotionProfile(creature)).Where(recipe => this == All || wanted.Contains(Plain(recipe.Name))).Select(recipe => recipe.Bake())];
+        var clips = new List<Clip>();
+        foreach (ClipRecipe recipe in ClipBaker.RecipesOf(new MotionProfile(creature)).Where(recipe => this == All || wanted.Contains(Plain(recipe.Name))))
+        {
+            cancellation.ThrowIfCancellationRequested();
+            clips.Add(recipe.Bake());
+        }
+
+        return clips;
     }
 
     private static string Plain(string word) => word.Trim().Replace("-", "", StringComparison.Ordinal).ToLowerInvariant();

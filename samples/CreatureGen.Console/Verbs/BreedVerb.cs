@@ -92,7 +92,7 @@ internal sealed class BreedVerb : IVerb
         IReadOnlyList<CreatureFile> files = CreatureFiles.Write(
             folder,
             name,
-            [("glb", CreatureFiles.Glb(creature, export, ClipChoice.None)), .. PictureOrder.Portrait.Take(creature, export, 1), ("json", CreatureFiles.Json(creature.Blueprint))],
+            [("glb", CreatureFiles.Glb(creature, export, ClipChoice.None)), .. PictureOrder.Portrait.Take(creature, export, 1, surroundings.Abandonment), ("json", CreatureFiles.Json(creature.Blueprint))],
             surroundings);
         return new Child(name, creature, offspring, files);
     }

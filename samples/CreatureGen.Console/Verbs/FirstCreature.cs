@@ -28,7 +28,7 @@ internal static class FirstCreature
         GltfOptions export = CreatureFiles.WithAtlas(creature, GlbExport.Default with { Provenance = OptionsJson.Write(CreatureOptions.Default) });
         byte[] glb = CreatureFiles.Glb(creature, export, ClipChoice.None);
         times.Finished("glb");
-        (string, byte[])[] pictures = PictureOrder.Portrait.Take(creature, export, Environment.ProcessorCount).ToArray();
+        (string, byte[])[] pictures = PictureOrder.Portrait.Take(creature, export, Environment.ProcessorCount, surroundings.Abandonment).ToArray();
         times.Finished("picture");
         IReadOnlyList<CreatureFile> files = CreatureFiles.Write(surroundings.Folder, new Specimen(Seed, null).Name, [("glb", glb), .. pictures, ("json", CreatureFiles.Json(blueprint))], surroundings);
         times.Finished("files");

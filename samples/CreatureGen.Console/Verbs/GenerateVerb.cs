@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Numerics;
+using System.Threading;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Batches;
 using CreatureGen.Console.Files;
@@ -88,7 +89,7 @@ internal sealed class GenerateVerb : IVerb
             throw arguments.Wrong($"{folder.Name} {Surroundings.Standard} takes one GLB; expected one seed, and neither a batch, {dryRun.Name} nor {CommonOptions.Json.Name}");
         }
 
-        MadeCreature made = (work.Task with { Pictures = PictureOrder.None }).Make(work.Specimens.First(), work.Threads);
+        MadeCreature made = (work.Task with { Pictures = PictureOrder.None }).Make(work.Specimens.First(), work.Threads, surroundings.Abandonment);
         FileSet.Write(Surroundings.Standard, stream => stream.Write(made.Contents.First(content => content.Form == "glb").Content), surroundings);
         return ExitCode.Done;
     }
@@ -129,15 +130,15 @@ internal sealed class GenerateVerb : IVerb
             }
         }
 
-        PlanText.Write(surroundings.Telling(Surroundings.Standard), creatures, creatures * work.Task.Forms.Count(), measured.TakeLast(MostMeasured).Select(specimen => Measure(specimen, work)).OfType<MadeCreature>().ToArray());
+        PlanText.Write(surroundings.Telling(Surroundings.Standard), creatures, creatures * work.Task.Forms.Count(), measured.TakeLast(MostMeasured).Select(specimen => Measure(specimen, work, surroundings.Abandonment)).OfType<MadeCreature>().ToArray());
         return ExitCode.Done;
     }
 
-    private static MadeCreature? Measure(Specimen specimen, Work work)
+    private static MadeCreature? Measure(Specimen specimen, Work work, CancellationToken cancellation)
     {
         try
         {
-            return work.Task.Make(specimen, 1);
+            return work.Task.Make(specimen, 1, cancellation);
         }
         catch (ImpossibleSeed)
         {

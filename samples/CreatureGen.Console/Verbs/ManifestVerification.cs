@@ -38,7 +38,7 @@ internal static class ManifestVerification
         var problems = new List<string>();
         using (var progress = new ProgressLine(surroundings, "creatures checked", (UInt128)read.Entries.Count, ProgressKind.Shown))
         {
-            OrderedWork<ManifestEntry, IReadOnlyList<string>>.Run(read.Entries, CommonOptions.ReadThreads(arguments), check.ProblemsOf, found =>
+            OrderedWork<ManifestEntry, IReadOnlyList<string>>.Run(read.Entries, CommonOptions.ReadThreads(arguments), entry => check.ProblemsOf(entry, surroundings.Abandonment), found =>
             {
                 problems.AddRange(found);
                 progress.Step();

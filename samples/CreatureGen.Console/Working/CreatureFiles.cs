@@ -3,12 +3,12 @@ using System.Collections.Generic;
 using System.IO;
 using System.Security.Cryptography;
 using System.Text;
+using System.Threading;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Files;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
-using CreatureGen.Motion.Toolkit;
 
 namespace CreatureGen.Console.Working;
 
@@ -27,7 +27,7 @@ internal sealed record CreatureFile(string Form, string Path, int Bytes, string 
 internal static class CreatureFiles
 {
     /// <summary>The creature's surface, skeleton and skin.</summary>
-    public static byte[] Glb(Creature creature, GltfOptions options, ClipChoice clips) => Glb(creature, options with { Clips = Bake(creature, clips) });
+    public static byte[] Glb(Creature creature, GltfOptions options, ClipChoice clips) => Glb(creature, options with { Clips = clips.Bake(creature, CancellationToken.None) });
 
     /// <summary>The creature's surface, skeleton, skin, and the motion that is in the options.</summary>
     public static byte[] Glb(Creature creature, GltfOptions options)
@@ -40,9 +40,6 @@ internal static class CreatureFiles
     /// <summary>The same options with the atlas painted, where there is to be one: file and picture share it.</summary>
     public static GltfOptions WithAtlas(Creature creature, GltfOptions options) =>
         options.TextureSize == 0 ? options : options with { Textures = CreatureTextures.Bake(creature, options.TextureSize) };
-
-    /// <summary>The creature's motion, as far as it is wanted.</summary>
-    public static IReadOnlyList<Clip> Bake(Creature creature, ClipChoice clips) => clips.Bake(creature);
 
     /// <summary>The creature's blueprint.</summary>
     public static byte[] Json(CreatureBlueprint blueprint) => Encoding.UTF8.GetBytes(BlueprintJson.Write(blueprint));

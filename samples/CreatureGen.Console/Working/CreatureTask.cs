@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using CreatureGen.Blueprints;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Files;
@@ -25,30 +26,34 @@ internal sealed record CreatureTask(CreatureOptions Options, GltfOptions Export,
     /// <summary>Makes a creature and all that is in its files.</summary>
     /// <param name="specimen">Which.</param>
     /// <param name="threads">Threads that share the work of a picture.</param>
+    /// <param name="cancellation">Gives the creature up.</param>
     /// <exception cref="ImpossibleSeed">This seed's creature cannot meet the options.</exception>
     /// <exception cref="UsageError">No creature meets the options.</exception>
     /// <exception cref="InvalidOperationException">The creature is not whole: a defect of the library.</exception>
-    public MadeCreature Make(Specimen specimen, int threads)
+    /// <exception cref="OperationCanceledException">It was stopped between two clips, pictures or files.</exception>
+    public MadeCreature Make(Specimen specimen, int threads, CancellationToken cancellation)
     {
         var times = new StageTimes();
         CreatureOptions options = specimen.Of(Options);
         CreatureBlueprint blueprint = Growing.Sample(specimen.Seed, options);
         times.Finished("blueprint");
         Creature creature = CreatureAssembler.Assemble(blueprint, times);
-        IReadOnlyList<Clip> clips = CreatureFiles.Bake(creature, Clips);
-        GltfOptions export = CreatureFiles.WithAtlas(creature, Export with { Provenance = OptionsJson.Write(options), Clips = clips });
+        IReadOnlyList<Clip> clips = Clips.Bake(creature, cancellation);
+        cancellation.ThrowIfCancellationRequested();
+        GltfOptions export = CreatureFiles.WithAtlas(creature, Export with { Provenance = OptionsJson.Write(options), Clips = new StoppableList<Clip>(clips, cancellation) });
+        cancellation.ThrowIfCancellationRequested();
         var contents = new List<(string Form, byte[] Content)> { ("glb", CreatureFiles.Glb(creature, export)) };
         times.Finished("glb");
         if (Pictures.Views.Count > 0)
         {
-            contents.AddRange(Pictures.Take(creature, export, threads));
+            contents.AddRange(Pictures.Take(creature, export, threads, cancellation));
             times.Finished("picture");
         }
 
         contents.Add(("json", CreatureFiles.Json(blueprint)));
         if (Dataset.Views > 0)
         {
-            contents.AddRange(Dataset.Make(creature, export.Textures, Clips == ClipChoice.All ? clips : CreatureFiles.Bake(creature, ClipChoice.All), specimen.Name, Pictures.Backdrop, threads));
+            contents.AddRange(Dataset.Make(creature, export.Textures, Clips == ClipChoice.All ? clips : ClipChoice.All.Bake(creature, cancellation), specimen.Name, Pictures.Backdrop, threads, cancellation));
             times.Finished("dataset");
         }
 

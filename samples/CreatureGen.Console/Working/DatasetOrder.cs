@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using System.Text;
 using System.Text.Json;
+using System.Threading;
 using CreatureGen.Console.Files;
 using CreatureGen.Console.Text;
 using CreatureGen.Creatures;
@@ -36,7 +37,9 @@ internal sealed record DatasetOrder(int Views, int Width, int Height)
     /// <param name="name">What its files are called after.</param>
     /// <param name="backdrop">What is behind it.</param>
     /// <param name="threads">Threads that share the work.</param>
-    public IEnumerable<(string Form, byte[] Content)> Make(Creature creature, CreatureTextures? textures, IReadOnlyList<Clip> clips, string name, BackdropKind backdrop, int threads)
+    /// <param name="cancellation">Stops between two pictures.</param>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public IEnumerable<(string Form, byte[] Content)> Make(Creature creature, CreatureTextures? textures, IReadOnlyList<Clip> clips, string name, BackdropKind backdrop, int threads, CancellationToken cancellation)
     {
         if (Views == 0)
         {
@@ -49,6 +52,7 @@ internal sealed record DatasetOrder(int Views, int Width, int Height)
         var cameras = new Camera[Views];
         for (int view = 0; view < Views; view++)
         {
+            cancellation.ThrowIfCancellationRequested();
             Camera camera = cameras[view] = Camera.Fit(new CameraAngle(360.0 * view / Views, elevations[view % elevations.Length]), plain.Positions, (float)Width / Height);
             SurfaceMaps maps = SurfaceMaps.Find(plain, camera, Width, Height, threads);
             var options = new RenderOptions { Width = Width, Height = Height, Backdrop = backdrop, Ground = backdrop == BackdropKind.Transparent ? GroundKind.None : GroundKind.Shadows, Threads = threads };
@@ -58,6 +62,7 @@ internal sealed record DatasetOrder(int Views, int Width, int Height)
             yield return (Form("parts", view, "npy"), NumberArray.Of(PartsSeen(maps, parts), Height, Width));
         }
 
+        cancellation.ThrowIfCancellationRequested();
         yield return ("poses.npy", Poses(creature.Skeleton.Count, clips));
         yield return ("labels.json", Encoding.UTF8.GetBytes(Labels(creature, clips, cameras, name)));
     }

@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 using CreatureGen.Preview.Png;
@@ -22,9 +24,17 @@ internal sealed record PictureOrder(IReadOnlyList<View> Views, int Width, int He
     public static PictureOrder None { get; } = Portrait with { Views = [] };
 
     /// <summary>The pictures of what is written, as files: <c>png</c>, or of several one for each view, such as <c>side.png</c>.</summary>
-    public IEnumerable<(string Form, byte[] Content)> Take(Creature creature, GltfOptions export, int threads) => Views.Select(view => (Form(view), Take(creature, view, export, threads)));
+    /// <exception cref="OperationCanceledException">It was stopped between two pictures.</exception>
+    public IEnumerable<(string Form, byte[] Content)> Take(Creature creature, GltfOptions export, int threads, CancellationToken cancellation)
+    {
+        foreach (View view in Views)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            yield return (Form(view), Take(creature, view, export, threads));
+        }
+    }
 
-    /// <summary>The forms of the files that <see cref="Take(Creature, GltfOptions, int)"/> gives.</summary>
+    /// <summary>The forms of the files that <see cref="Take(Creature, GltfOptions, int, CancellationToken)"/> gives.</summary>
     public IEnumerable<string> Forms => Views.Select(Form);
 
     private string Form(View view) => Views.Count == 1 ? "png" : Preview.Scenes.Views.Word(view) + ".png";

@@ -113,6 +113,31 @@ public sealed class BatchTests
         Assert.Equal(made, listed);
     }
 
+    /// <summary>What takes longer than a signal leaves it is left out between two of its clips, pictures or files.</summary>
+    [Theory]
+    [InlineData("--clips all --no-picture --textures none")]
+    [InlineData("--dataset 3 --no-picture --textures none --picture-size 32x32")]
+    [InlineData("--views all --picture-size 32x32 --textures none")]
+    public void A_creature_that_is_abandoned_leaves_no_file_and_no_line_and_the_next_run_makes_it(string heavy)
+    {
+        using var whole = new ConsoleRun();
+        using var run = new ConsoleRun();
+        string words = $"generate --seeds 1-3 --triangles 6000 {heavy} --threads 1 --out farm";
+        Assert.Equal(ExitCode.Done, whole.Run(Words(words + " --manifest")));
+        string manifest = run.At("farm/manifest.jsonl");
+        using (var stop = new StopWhen(() => File.Exists(run.At("farm/creature-1.glb"))))
+        {
+            Assert.Equal(ExitCode.Interrupted, run.Run(run.Surroundings() with { Cancellation = stop.Token, Abandonment = stop.Token }, Words(words + " --resume")));
+        }
+
+        Assert.Equal("creaturegen: interrupted; no unfinished file is left" + Environment.NewLine, run.Error);
+        string[] listed = File.ReadAllLines(manifest).Skip(1).SelectMany(line => Json(line).GetProperty("files").EnumerateArray()).Select(file => file.GetProperty("path").GetString()!).Order(StringComparer.Ordinal).ToArray();
+        Assert.Equal(Directory.GetFiles(run.At("farm"), "creature-*").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal), listed);
+        Assert.DoesNotContain(listed, name => name.StartsWith("creature-3", StringComparison.Ordinal));
+        Assert.Equal(ExitCode.Done, run.Run(Words(words + " --resume")));
+        Assert.Equal(WithoutTimes(whole), WithoutTimes(run));
+    }
+
     [Fact]
     public void A_manifest_lists_each_creature_with_its_versions_files_and_looks()
     {

@@ -37,12 +37,14 @@ internal sealed class ConsoleRun : IDisposable
 
     public int Run(params string[] arguments) => Run(CancellationToken.None, arguments);
 
-    public int Run(CancellationToken cancellation, params string[] arguments)
+    public int Run(CancellationToken cancellation, params string[] arguments) => Run(Surroundings() with { Cancellation = cancellation }, arguments);
+
+    public int Run(Surroundings surroundings, params string[] arguments)
     {
         var output = new StringWriter();
         var error = new StringWriter();
         var data = new MemoryStream();
-        int code = Application.Run(arguments, Surroundings() with { Out = output, Error = error, Data = data, Cancellation = cancellation });
+        int code = Application.Run(arguments, surroundings with { Out = output, Error = error, Data = data });
         Data = data.ToArray();
         Out = output.ToString();
         Error = error.ToString();

@@ -129,6 +129,44 @@ public sealed class FarmTests
         Assert.Equal(3 * Listed(manifest), Directory.GetFiles(run.At("farm"), "creature-*").Length);
     }
 
+    /// <summary>All that can be asked of one creature, on one thread; the second counts from the signal, in time of the processor, and the program translates itself in it.</summary>
+    [Theory]
+    [InlineData(2)]
+    [InlineData(7)]
+    public void A_task_that_is_terminated_over_a_creature_with_clips_and_a_data_set_ends_within_a_second_of_the_processor(int seed)
+    {
+        RequireShell();
+        Assert.SkipUnless(OperatingSystem.IsLinux(), "only Linux tells the time of a process that has ended");
+        using var run = new ConsoleRun();
+        using Process task = SampleFiles.Start(run.Folder, SampleFiles.Console(run.Folder), $"generate --seeds {seed}-{seed + 40} --threads 1 --resume --clips all --dataset 8 --out farm".Split(' '));
+        Await(() => Listed(run.At("farm/manifest.jsonl")) >= 1);
+        TimeSpan before = task.TotalProcessorTime;
+        using (Process signal = Process.Start("/bin/kill", ["-TERM", task.Id.ToString(CultureInfo.InvariantCulture)]))
+        {
+            signal.WaitForExit();
+        }
+
+        TimeSpan after = before;
+        while (!task.HasExited)
+        {
+            try
+            {
+                task.Refresh();
+                after = task.TotalProcessorTime;
+            }
+            catch (InvalidOperationException)
+            {
+                // It ended between the question and the look.
+            }
+
+            Thread.Sleep(1);
+        }
+
+        Assert.Equal(ExitCode.Interrupted, task.ExitCode);
+        Assert.InRange((after - before).TotalSeconds, 0, 1);
+        Assert.Equal(Listed(run.At("farm/manifest.jsonl")), Directory.GetFiles(run.At("farm"), "creature-*.glb").Length);
+    }
+
     private static void Terminate(Process task)
     {
         using Process signal = Process.Start("/bin/kill", ["-TERM", task.Id.ToString(CultureInfo.InvariantCulture)]);
