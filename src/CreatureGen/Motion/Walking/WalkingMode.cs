@@ -352,7 +352,7 @@ internal sealed class WalkingMode : ILocomotionMode
         float walking = (float)Math.Sqrt(0.06f * unit);
         if (ticker.Decides)
         {
-            moving = speed > 0.05f * walking || Math.Abs(velocity.Turn) > 0.03f;
+            moving = speed > 0.05f * walking || Math.Abs(velocity.Turn) > 0.03f || placer.IsBent;
             going = moving || planner.IsUnsettled(placement, activity, clock);
             ChooseGait(speed * speed / unit, settings);
         }

@@ -20,6 +20,9 @@ internal sealed class BodyPlacer
     /// <summary>How quickly the trunk bends into a turn, per second.</summary>
     private const float TurnBendRate = 4f;
 
+    /// <summary>How far an end of the trunk is aside of the other from which on feet step after it, leg lengths.</summary>
+    private const float BentWay = 0.1f;
+
     private const float SlopeRate = 6f;
     private const float SlopeFraction = 0.8f;
     private const float LateralSlopeFraction = 1f;
@@ -73,6 +76,9 @@ internal sealed class BodyPlacer
 
     /// <summary>Bend of the trunk into a turn, radians.</summary>
     public float TurnBend => (float)turnBend.Value;
+
+    /// <summary>Whether the trunk has so far to go until it is straight that it takes its hips away from their feet.</summary>
+    public bool IsBent => Math.Abs(TurnBend) * body.TrunkLength > BentWay * body.LegLength;
 
     /// <summary>Yaw of the pelvis with the feet, radians.</summary>
     public float PelvisYaw { get; private set; }

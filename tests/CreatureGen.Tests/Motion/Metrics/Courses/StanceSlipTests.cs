@@ -13,6 +13,7 @@ public sealed class StanceSlipTests
 
     [Theory]
     [InlineData(7100000UL)]
+    [InlineData(7100001UL)]
     [InlineData(7100004UL)]
     [InlineData(7100005UL)]
     [InlineData(7100006UL)]
