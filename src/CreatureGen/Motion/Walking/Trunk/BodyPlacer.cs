@@ -17,12 +17,6 @@ internal sealed class BodyPlacer
     private const float GroundRate = 9f;
     private const float GroundRateOfWay = 1f;
 
-    /// <summary>How quickly the trunk bends into a turn, per second.</summary>
-    private const float TurnBendRate = 4f;
-
-    /// <summary>How far an end of the trunk is aside of the other from which on feet step after it, leg lengths.</summary>
-    private const float BentWay = 0.1f;
-
     private const float SlopeRate = 6f;
     private const float SlopeFraction = 0.8f;
     private const float LateralSlopeFraction = 1f;
@@ -50,7 +44,7 @@ internal sealed class BodyPlacer
     private readonly SteadyGait summed;
     private readonly LegSlack slack;
     private float slope;
-    private CriticallyDampedSpring turnBend;
+    private TurnBend turnBend;
     private GroundSlope way;
     private ExponentialDecay groundDecay;
     private ExponentialDecay slopeDecay;
@@ -75,10 +69,10 @@ internal sealed class BodyPlacer
     public float Climb => way.Rise;
 
     /// <summary>Bend of the trunk into a turn, radians.</summary>
-    public float TurnBend => (float)turnBend.Value;
+    public float TurnBend => turnBend.Angle;
 
     /// <summary>Whether the trunk has so far to go until it is straight that it takes its hips away from their feet.</summary>
-    public bool IsBent => Math.Abs(TurnBend) * body.TrunkLength > BentWay * body.LegLength;
+    public bool IsBent => turnBend.IsBent(body);
 
     /// <summary>Yaw of the pelvis with the feet, radians.</summary>
     public float PelvisYaw { get; private set; }
@@ -183,9 +177,7 @@ internal sealed class BodyPlacer
 
         Spread(feet, out Girdle rear, out Girdle front);
         Scissor = rear.Left - rear.Right;
-        float walking = (float)Math.Sqrt(0.12f * settings.Gravity * length);
-        float curve = Scalar.Clamp(context.RootVelocity.Turn / Math.Max(Math.Abs(context.RootVelocity.Speed), 0.35f * walking) * body.TrunkLength * 0.7f, -0.5f, 0.5f);
-        turnBend.Step(curve, TurnBendRate, context.Step);
+        turnBend.Follow(body, context.RootVelocity, settings.Gravity, context.Step);
         float bend = TurnBend;
         float spine = settings.Walking.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
@@ -205,7 +197,7 @@ internal sealed class BodyPlacer
 
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
-        Effort effort = Effort.Of(body, context.Acceleration / settings.Gravity);
+        Effort effort = Effort.Of(body, context.Acceleration / settings.Gravity, Climb);
         float stoop = Scalar.Smooth(act);
         hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - effort.HindDrop;
         foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) - effort.ForeDrop;

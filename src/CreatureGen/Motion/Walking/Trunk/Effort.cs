@@ -1,3 +1,4 @@
+using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 
@@ -30,9 +31,10 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     /// <summary>The effort of an acceleration.</summary>
     /// <param name="body">Gives build and size.</param>
     /// <param name="acceleration">Ahead, parts of gravity.</param>
-    public static Effort Of(LeggedBody body, float acceleration)
+    /// <param name="climb">Rise of the ground along the way: uphill the weight brakes, downhill it speeds up, and what it does the legs need not.</param>
+    public static Effort Of(LeggedBody body, float acceleration, float climb)
     {
-        float push = Scalar.Clamp(acceleration, -Most, Most);
+        float push = Scalar.Clamp(acceleration < 0f ? Math.Min(acceleration + Math.Max(climb, 0f), 0f) : Math.Max(acceleration + Math.Min(climb, 0f), 0f), -Most, Most);
         float shown = body.LegLength * (body.Legs[0].Lateral ? LateralFraction : body.Creature.Blueprint.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
         return push > 0f
             ? new Effort(CrouchOfStart * push * shown, -RiseOfStart * push * shown, ShiftOfStart * push * shown, LeanOfStart * push)
