@@ -26,8 +26,8 @@ internal static class BlueprintRules
     /// <summary>Where eyes may be along the head.</summary>
     public static readonly NumberRange EyeRings = new(0, 20);
 
-    /// <summary>Where a pair of eyes may be around the head: off the midline. On it, at segment 0, there is a single eye.</summary>
-    public static readonly NumberRange EyeSegments = new(0.5, (BodyGrid.Segments / 2) - 0.5);
+    /// <summary>Where the left one of a pair may be around the body: off the midline. A single eye is on it, at segment 0.</summary>
+    public static readonly NumberRange SideSegments = new(0.5, (BodyGrid.Segments / 2) - 0.5);
 
     /// <summary>Lists what does not fit together.</summary>
     public static void Check(CreatureBlueprint blueprint, ProblemList problems)
@@ -36,6 +36,7 @@ internal static class BlueprintRules
         CheckMovers(blueprint, problems);
         CheckTwins("insectWings", blueprint.InsectWings, wing => wing, problems);
         CheckTwins("features", blueprint.Features, SolidOf, problems);
+        CheckPairs(blueprint.Features, problems);
         CheckTwins("manes", blueprint.Manes, mane => mane, problems);
         CheckTwins("frills", blueprint.Frills, frill => frill, problems);
         CheckFace(blueprint.Head, problems);
@@ -101,8 +102,25 @@ internal static class BlueprintRules
     /// <summary>What a small part builds, without what makes no difference to its surface: its kind, and on the midline what leans to a side. Two parts that are equal in this are one in the other.</summary>
     public static FeatureBlueprint SolidOf(FeatureBlueprint part)
     {
-        bool midline = part.Segment is 0 or BodyGrid.Segments / 2;
+        bool midline = IsOnMidline(part);
         return part with { Kind = FeatureKind.Spike, Sideward = midline ? 0 : part.Sideward, BendSide = midline ? 0 : part.BendSide };
+    }
+
+    /// <summary>Whether a part has joints of its own on either side, so that on the midline its two halves would be one in the other.</summary>
+    public static bool IsDoubled(FeatureBlueprint part) => part.Kind is FeatureKind.Antenna or FeatureKind.Tail && IsOnMidline(part);
+
+    private static bool IsOnMidline(FeatureBlueprint part) => part.Segment is 0 or BodyGrid.Segments / 2;
+
+    private static void CheckPairs(ValueList<FeatureBlueprint>? features, ProblemList problems)
+    {
+        for (int i = 0; i < (features?.Count ?? 0); i++)
+        {
+            FeatureBlueprint part = features![i];
+            if (IsDoubled(part))
+            {
+                problems.Add(PathOf("features", i, "segment"), NumberText.Of(part.Segment), "off the midline, since parts of kind " + AnatomyChoices.Feature.NameOf(part.Kind) + " are pairs");
+            }
+        }
     }
 
     private static void CheckFace(HeadBlueprint? head, ProblemList problems)
@@ -112,7 +130,7 @@ internal static class BlueprintRules
             Require("head.eyes.ring", head!.Eyes.Ring, EyeRings, " on the head", problems);
             if (!head.Eyes.IsSingle)
             {
-                Require("head.eyes.segment", head.Eyes.Segment, EyeSegments, " for two eyes, or 0 for a single one", problems);
+                Require("head.eyes.segment", head.Eyes.Segment, SideSegments, " for two eyes, or 0 for a single one", problems);
             }
         }
 

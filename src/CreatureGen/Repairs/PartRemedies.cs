@@ -39,7 +39,7 @@ internal static class PartRemedies
         EyeBlueprint eyes = head.Eyes with
         {
             Ring = Clamp(head.Eyes.Ring, BlueprintRules.EyeRings),
-            Segment = head.Eyes.IsSingle ? 0 : Clamp(head.Eyes.Segment, BlueprintRules.EyeSegments),
+            Segment = head.Eyes.IsSingle ? 0 : Clamp(head.Eyes.Segment, BlueprintRules.SideSegments),
         };
         log.Change(log.Blueprint with { Head = head with { Eyes = eyes } }, "eyes are on the head, two of them apart");
         head = log.Blueprint.Head;
@@ -73,6 +73,8 @@ internal static class PartRemedies
                 }),
             },
             "a field of hair ended before it began");
+        b = log.Blueprint;
+        log.Change(b with { Features = Each(b.Features, part => BlueprintRules.IsDoubled(part) ? part with { Segment = Clamp(part.Segment, BlueprintRules.SideSegments) } : part) }, "the two of a pair stood in one another");
         b = log.Blueprint;
         log.Change(
             b with

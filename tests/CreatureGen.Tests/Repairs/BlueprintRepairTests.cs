@@ -73,6 +73,23 @@ public sealed class BlueprintRepairTests
         Assert.Contains(report.Changes, change => change.ToString() == "features: 2 elements became 1 element, equal parts lay in one another");
     }
 
+    /// <summary>Antennae and further tails have joints on either side: on the midline left and right would be the same surface twice.</summary>
+    [Theory]
+    [InlineData(FeatureKind.Antenna, 0, 0.5)]
+    [InlineData(FeatureKind.Tail, 16, 15.5)]
+    public void A_pair_of_feelers_or_tails_stands_apart(FeatureKind kind, double segment, double repaired)
+    {
+        CreatureBlueprint animal = Sampled(11, RequestedKind.Walking);
+        FeatureBlueprint part = LimbFields.Feature.Neutral with { Kind = kind, Ring = kind == FeatureKind.Tail ? 52 : 4, Segment = segment, Length = 0.3, Radius = 0.012, Upward = 0.6, Sideward = 0.4 };
+        CreatureBlueprint b = animal with { Features = new ValueList<FeatureBlueprint>([part]) };
+        string name = AnatomyChoices.Feature.NameOf(kind)!;
+        Assert.Equal($"features[0].segment = {segment}; expected off the midline, since parts of kind {name} are pairs", Assert.Single(BlueprintValidator.Validate(b)).ToString());
+        RepairReport report = BlueprintRepair.Repair(b);
+        Assert.True(report.IsSound, string.Join('\n', report.Violations));
+        Assert.Equal(repaired, report.Blueprint.Features[0].Segment);
+        Assert.Empty(BlueprintValidator.Validate(b with { Features = new ValueList<FeatureBlueprint>([part with { Kind = FeatureKind.Horn }]) }));
+    }
+
     [Fact]
     public void An_upright_body_laid_level_is_raised_off_its_arms()
     {
