@@ -72,8 +72,8 @@ internal sealed class Actor
     /// <summary>What happened in the last move.</summary>
     public List<Moment> Moments { get; } = [];
 
-    /// <summary>Seconds that it has not moved for.</summary>
-    public float Waited => waited;
+    /// <summary>Frames in a row in which others moved and it did not; those that have just come go first.</summary>
+    public int Passed { get; private set; } = int.MaxValue / 2;
 
     public int FrameLength => HeadLength + (FootLength * Animator.FootCount) + (16 * skin.Length);
 
@@ -81,7 +81,8 @@ internal sealed class Actor
     {
         float ground = land.HeightAt(x, z);
         var turn = new Quaternion(0f, (float)Math.Sin(0.5 * yaw), 0f, (float)Math.Cos(0.5 * yaw));
-        Animator.Teleport(new RootPlace(new Vector3(x, Abilities.Medium == Medium.Ground ? ground : ground + Math.Max(y, Abilities.Rise), z), turn), land.Ground);
+        float level = Abilities.Medium == Medium.Ground ? ground : ground + Math.Max(y, Abilities.Rise);
+        Animator.Teleport(new RootPlace(new Vector3(x, Abilities.Medium == Medium.Water ? Math.Min(level, land.Surface) : level, z), turn), land.Ground);
     }
 
     public void TakePlaceOf(Actor other, Land land)
@@ -97,11 +98,16 @@ internal sealed class Actor
 
     public void LookAt(float x, float y, float z) => Animator.LookAt = float.IsFinite(x + y + z) ? new Vector3(x, y, z) : null;
 
-    public void Wait(float seconds) => waited = Math.Min(waited + Math.Max(seconds, 0f), 0.25f);
+    public void Wait(float seconds)
+    {
+        waited = Math.Min(waited + Math.Max(seconds, 0f), 0.25f);
+        Passed++;
+    }
 
     public void Move(Stage stage)
     {
         float seconds = Math.Min(waited, LongestStep);
+        Passed = 0;
         moved = seconds;
         waited -= seconds;
         age += seconds;

@@ -49,9 +49,10 @@ internal static partial class Exports
     [JSExport]
     internal static string Palette() => Facts.OfParts();
 
-    /// <summary>Lays the ground: heights as 32-bit floats, row by row along +Z.</summary>
+    /// <summary>Lays the ground: heights as 32-bit floats, row by row along +Z; and the height of the water's surface, infinite in the sea.</summary>
     [JSExport]
-    internal static void Ground(byte[] heights, int columns, double cell, double corner) => stage.Lay(MemoryMarshal.Cast<byte, float>(heights), columns, (float)cell, (float)corner);
+    internal static void Ground(byte[] heights, int columns, double cell, double corner, double surface) =>
+        stage.Lay(MemoryMarshal.Cast<byte, float>(heights), columns, (float)cell, (float)corner, (float)surface);
 
     /// <summary>Grows a creature of a seed with changed traits, and lets it live in a slot; the one that lived there leaves its place to it. What cannot be built is repaired, and the answer tells each change.</summary>
     [JSExport]
@@ -186,7 +187,7 @@ internal static partial class Exports
     internal static void Place(int slot, double x, double y, double z, double yaw) => stage[slot].Place((float)x, (float)y, (float)z, (float)yaw, stage.Land);
 
     [JSExport]
-    internal static void Go(int slot, double x, double z) => stage[slot].Mind.GoTo((float)x, (float)z);
+    internal static void Go(int slot, double x, double z) => stage.Send(slot, (float)x, (float)z);
 
     [JSExport]
     internal static void Look(int slot, double x, double y, double z) => stage[slot].LookAt((float)x, (float)y, (float)z);

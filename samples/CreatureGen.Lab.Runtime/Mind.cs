@@ -11,6 +11,9 @@ internal sealed class Mind
 {
     /// <summary>How near to its food it tries to eat, parts of its length, from far to near.</summary>
     private static readonly float[] tables = [0.66f, 0.58f, 0.5f, 0.42f, 0.34f];
+    /// <summary>How far a swimmer's lowest point is below the surface of a lake at least, parts of its height: its back shows.</summary>
+    private const float SwimmingDepth = 0.8f;
+
     private static readonly string[] pastimes = ["Sniff", "Eat", "Shake", "Scratch", "Groom", "Call"];
 
     private readonly RandomStream chance;
@@ -56,6 +59,16 @@ internal sealed class Mind
         travels = true;
         called = true;
         timer = 60f;
+    }
+
+    /// <summary>Calls it towards a place, no farther from its home than it strays.</summary>
+    public void ComeNear(float x, float z)
+    {
+        Vector2 way = new Vector2(x, z) - home;
+        Vector2 from = home;
+        Vector2 near = home + (way * Math.Min(1f, radius / Math.Max(way.Length(), 1e-3f)));
+        GoTo(near.X, near.Y);
+        home = from;
     }
 
     /// <summary>Offers it food: it comes and eats.</summary>
@@ -155,7 +168,8 @@ internal sealed class Mind
     private static float Climb(Actor self, RootPlace place, Land land, bool inAir)
     {
         Abilities can = self.Abilities;
-        float level = land.HeightAt(place.Position.X, place.Position.Z) + (inAir ? Math.Max(1.6f * can.Length, can.Rise) : can.Rise * (1.2f + (0.5f * (self.Slot % 4))));
+        float ground = land.HeightAt(place.Position.X, place.Position.Z);
+        float level = inAir ? ground + Math.Max(1.6f * can.Length, can.Rise) : Math.Min(ground + (can.Rise * (1.2f + (0.5f * (self.Slot % 4)))), land.Surface - (SwimmingDepth * can.Height));
         float most = 0.35f * Math.Max(can.Pace, can.FlightSpeed);
         return Math.Clamp(0.8f * (level - place.Position.Y), -most, most);
     }
@@ -220,17 +234,16 @@ internal sealed class Mind
         Vector2 bend = Vector2.Zero;
         foreach (Actor other in stage.Living)
         {
-            if (other == self)
-            {
-                continue;
-            }
-
-            Vector2 from = here - new Vector2(other.Position.X, other.Position.Z);
-            float apart = from.Length();
+            // Written out: most are far, and all ask about all.
+            Vector3 there = other.Position;
+            float x = here.X - there.X;
+            float z = here.Y - there.Z;
             float room = 0.75f * (self.Abilities.Length + other.Abilities.Length);
-            if (apart < room && apart > 1e-4f)
+            float apart = (x * x) + (z * z);
+            if (apart < room * room && other != self)
             {
-                bend += from * (3f * (room - apart) / apart);
+                apart = Math.Max((float)Math.Sqrt(apart), 1e-4f);
+                bend += new Vector2(x, z) * (3f * (room - apart) / apart);
             }
         }
 

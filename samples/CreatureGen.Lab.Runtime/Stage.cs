@@ -22,7 +22,7 @@ internal sealed class Stage
 
     private const int MomentLength = 6;
 
-    private static readonly Comparer<Actor> longestWait = Comparer<Actor>.Create(static (a, b) => a.Waited != b.Waited ? b.Waited.CompareTo(a.Waited) : a.Slot.CompareTo(b.Slot));
+    private static readonly Comparer<Actor> longestWait = Comparer<Actor>.Create(static (a, b) => a.Passed != b.Passed ? b.Passed.CompareTo(a.Passed) : a.Slot.CompareTo(b.Slot));
 
     private readonly Actor?[] slots = new Actor?[MostSlots];
     private readonly List<Actor> living = [];
@@ -39,9 +39,9 @@ internal sealed class Stage
 
     public IReadOnlyList<Actor> Living => living;
 
-    public void Lay(ReadOnlySpan<float> heights, int columns, float cell, float corner)
+    public void Lay(ReadOnlySpan<float> heights, int columns, float cell, float corner, float surface)
     {
-        Land = new Land(heights, columns, cell, corner);
+        Land = new Land(heights, columns, cell, corner, surface);
         foreach (Actor actor in living)
         {
             actor.StandAnew(Land);
@@ -75,6 +75,20 @@ internal sealed class Stage
     {
         living.Remove(this[slot]);
         slots[slot] = null;
+    }
+
+    /// <summary>Calls a creature to a place; one that swims in a lake comes as near as the lake lets it.</summary>
+    public void Send(int slot, float x, float z)
+    {
+        Actor actor = this[slot];
+        if (actor.Abilities.Medium == Medium.Water && float.IsFinite(Land.Surface))
+        {
+            actor.Mind.ComeNear(x, z);
+        }
+        else
+        {
+            actor.Mind.GoTo(x, z);
+        }
     }
 
     /// <summary>Moves those on whose turn it is, and writes them: their number, the number of moments, then each creature, then each moment as kind, slot, place and strength.</summary>

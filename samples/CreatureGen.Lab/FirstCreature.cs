@@ -4,6 +4,9 @@ using System.Numerics;
 using System.Runtime.InteropServices;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Preview.Png;
+using CreatureGen.Preview.Rendering;
+using CreatureGen.Preview.Scenes;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
 
@@ -20,10 +23,17 @@ internal static class FirstCreature
     private const int Frames = 48;
     private const float Rate = 12f;
     private const float SettleSeconds = 2f;
+    private const int StillWidth = 640;
+    private const int StillHeight = 560;
 
+    /// <summary>It, as it is seen first of all: on nothing but its shadow.</summary>
+    public static byte[] Still() =>
+        PngWriter.ToBytes(Portrait.Take(Grow(), View.ThreeQuarter, new RenderOptions { Width = StillWidth, Height = StillHeight, Backdrop = BackdropKind.Transparent }));
+
+    /// <summary>Its mesh and poses.</summary>
     public static byte[] Bake()
     {
-        Creature creature = CreatureGenerator.Generate(Seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        Creature creature = Grow();
         byte[] mesh = MeshBytes.Of(creature, creature.Mesh);
         byte[] poses = Poses(creature);
         using var all = new MemoryStream();
@@ -34,6 +44,8 @@ internal static class FirstCreature
         all.Write(poses);
         return all.ToArray();
     }
+
+    private static Creature Grow() => CreatureGenerator.Generate(Seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
 
     private static byte[] Poses(Creature creature)
     {

@@ -13,6 +13,9 @@ internal sealed class Site
     /// <summary>The creature that is seen while the runtime starts: the one that the page begins with.</summary>
     private const string FirstCreatureFile = "first.bin";
 
+    /// <summary>A picture of it, for before anything can be drawn.</summary>
+    private const string FirstStillFile = "first.png";
+
     /// <summary>The list of all files, for visits without a network.</summary>
     private const string ListFile = "files.json";
 
@@ -35,6 +38,7 @@ internal sealed class Site
         if (!File.Exists(list) || makers.Any(maker => maker != list && File.GetLastWriteTimeUtc(maker) > File.GetLastWriteTimeUtc(list)))
         {
             File.WriteAllBytes(first, FirstCreature.Bake());
+            File.WriteAllBytes(Path.Combine(Folder, FirstStillFile), FirstCreature.Still());
             Stills.Write(Path.Combine(Folder, Stills.FolderName));
             WriteList();
         }

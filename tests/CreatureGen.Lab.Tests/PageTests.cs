@@ -30,6 +30,12 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void Two_creatures_have_a_litter_of_nine_and_a_child_grows_up() => page.Holds("two creatures have a litter of nine, and a child grows up");
 
     [Fact]
+    public void Two_parents_stand_side_by_side_where_one_breeds_and_part_where_one_does_not() => page.Holds("two parents stand side by side where one breeds, and part where one does not");
+
+    [Fact]
+    public void A_picture_is_seen_first_then_the_baked_creature_moves_then_the_live_one() => page.Holds("a picture is seen first, then the baked creature moves, then the live one");
+
+    [Fact]
     public void The_address_of_a_child_brings_it_back() => page.Holds("a child’s address brings it back");
 
     [Fact]
@@ -42,7 +48,11 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void Names_bring_no_markup() => page.Holds("names bring no markup");
 
     [Fact]
-    public void Sixty_creatures_leave_the_memory_as_it_was() => page.Holds("sixty creatures leave the memory as it was");
+    public void Five_hundred_creatures_leave_the_memory_as_it_was() => page.Holds("five hundred creatures leave the memory as it was");
+
+    [Fact]
+    public void Sounds_begin_and_end_without_a_click_do_not_clip_and_are_deeper_the_heavier_who_makes_them() =>
+        page.Holds("sounds begin and end without a click, do not clip, and are deeper the heavier who makes them");
 
     [Fact]
     public void The_grid_shows_creatures_that_live_by_kind_of_one_species_and_of_one_family() => page.Holds("the grid shows creatures that live: by kind, of one species, of one family");

@@ -85,12 +85,12 @@ export class History {
   #past = [];
   #future = [];
 
-  constructor(now) {
-    this.now = now;
-  }
+  now = null;
 
   push(design) {
-    this.#past.push(this.now);
+    if (this.now) {
+      this.#past.push(this.now);
+    }
     this.#future.length = 0;
     this.now = design;
     if (this.#past.length > 200) {

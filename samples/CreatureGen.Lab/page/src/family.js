@@ -21,9 +21,9 @@ export class Family {
   }
 
   /** The other parent, from outside of the family. */
-  guest(design, name) {
+  guest({ design, name, thumb }) {
     const known = this.members.find(member => member.design === design);
-    return known ?? Object.assign(this.#join(design, name, []), { generation: this.now?.generation ?? 0 });
+    return known ?? Object.assign(this.#join(design, name, []), { thumb, generation: this.now?.generation ?? 0 });
   }
 
   /** Its generations, the oldest first. */

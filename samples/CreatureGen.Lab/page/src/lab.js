@@ -1,13 +1,11 @@
 import { Vector3 } from 'three';
-import { Body, readMesh } from './creature/body.js';
-import { ofSeed, ofText, traitText } from './design.js';
+import { readMesh } from './creature/body.js';
+import { ofText, traitText } from './design.js';
 import { Family } from './family.js';
 import { nameOf } from './names.js';
+import { Neighbourhood } from './neighbourhood.js';
 
 const textureSize = 512;
-const coarseLevel = 2;
-const neighbourCount = innerWidth < 700 ? 4 : 7;
-const firstNeighbour = 1;
 const firstChild = 20;
 export const litterSize = 9;
 
@@ -15,6 +13,7 @@ export const litterSize = 9;
 export class Lab extends EventTarget {
   #busy = false;
   #wanted = null;
+  #following = null;
   #round = 0;
   #studio = null;
 
@@ -24,7 +23,8 @@ export class Lab extends EventTarget {
     this.#studio = studio;
     this.design = null;
     this.litter = [];
-    this.neighbours = [];
+    this.neighbourhood = new Neighbourhood(library, studio, world, herd, (slot, design) => this.grow(slot, design));
+    this.neighbourhood.addEventListener('came', () => this.#tell('neighbours'));
     this.family = new Family();
     this.mate = null;
     this.dressing = true;
@@ -34,17 +34,21 @@ export class Lab extends EventTarget {
     return this.herd.members.get(0)?.facts;
   }
 
+  get neighbours() {
+    return this.neighbourhood.members;
+  }
+
   /** Lets a new creature come, in surroundings that suit it; without parents, it begins a family of its own. */
   async meet(design, parents = null) {
     const round = ++this.#round;
-    const facts = await this.#grow(0, design);
+    const facts = await this.grow(0, design);
     await this.clearLitter();
     this.design = design;
     const habitat = facts.medium === 'water' ? 'sea' : 'meadow';
     const unit = Math.max(facts.height, 0.42 * facts.length) / 1.15;
     const moves = habitat !== this.world.name || Math.abs(Math.log(unit / this.world.scale)) > 0.25;
     if (moves || !this.settled) {
-      await this.clearNeighbours();
+      await this.neighbourhood.clear();
       this.world.show(habitat, unit);
       await this.#lay();
       this.settled = true;
@@ -52,13 +56,14 @@ export class Lab extends EventTarget {
     await this.library.call('Place', 0, 0, 0, 0, 0.12);
     await this.library.call('Habit', 0, 'stay', 0, 0, 3 * unit);
     await this.herd.settle(0, facts);
-    this.#frame(facts);
+    this.frame(facts);
+    this.orbit.jump();
     this.family.add(design, nameOfDesign(design), parents);
     this.mate = null;
     this.#tell('met');
     this.#dress(round);
     if (this.neighbours.length === 0) {
-      this.#settleNeighbours(round).catch(problem => this.#tell('trouble', problem));
+      this.neighbourhood.settle(design, this.orbit.azimuth + Math.PI, () => round === this.#round).catch(problem => this.#tell('trouble', problem));
     }
     return facts;
   }
@@ -68,7 +73,7 @@ export class Lab extends EventTarget {
     this.design = design;
     this.#wanted = design;
     if (!this.#busy) {
-      this.#follow();
+      this.#following = this.#follow();
     }
   }
 
@@ -77,7 +82,7 @@ export class Lab extends EventTarget {
     this.#wanted = null;
     this.design = design;
     const round = ++this.#round;
-    await this.#grow(0, design);
+    await this.grow(0, design);
     const facts = JSON.parse(await this.library.call('Mend', 0));
     await this.herd.settle(0, facts);
     if (this.family.now) {
@@ -92,7 +97,7 @@ export class Lab extends EventTarget {
   async show(text, seed) {
     ++this.#round;
     this.design = ofText(text, seed, this.design.kind);
-    await this.herd.settle(0, await this.#grow(0, this.design));
+    await this.herd.settle(0, await this.grow(0, this.design));
     this.#tell('changed');
   }
 
@@ -120,8 +125,8 @@ export class Lab extends EventTarget {
     const round = ++this.#round;
     await this.clearLitter();
     const [first, second] = [await this.text(0), typeof other === 'number' ? await this.text(other) : await this.#textOf(other)];
-    const member = this.neighbours.find(neighbour => neighbour.slot === other);
-    this.mate = { design: member?.design ?? other, name: member?.name ?? nameOfDesign(other), text: second };
+    const { design = other, name, thumb = null } = this.herd.members.get(other) ?? {};
+    this.mate = { design, name: name ?? nameOfDesign(design), text: second, thumb };
     const start = Number(BigInt(this.facts.seed) % 1000000n);
     const unit = this.world.scale;
     const azimuth = this.orbit.azimuth;
@@ -130,7 +135,7 @@ export class Lab extends EventTarget {
       told(n + 1);
       const slot = firstChild + n;
       const facts = JSON.parse(await this.library.call('GrowChild', slot, first, second, String(start + 7919 * n + this.litter.length), mutation, 0));
-      const spread = (n - (litterSize - 1) / 2) * 0.27;
+      const spread = (n - (litterSize - 1) / 2) * 0.2;
       const r = 2.5 * unit * (n % 2 ? 1.22 : 1);
       const [x, z] = [r * Math.sin(azimuth + spread), r * Math.cos(azimuth + spread)];
       await this.library.call('Place', slot, x, 0.3 * unit, z, azimuth + 0.4 * Math.sin(9 * n));
@@ -152,7 +157,7 @@ export class Lab extends EventTarget {
   async raise(member) {
     const text = await this.text(member.slot);
     const design = { ...ofText(text, member.facts.seed, member.facts.kind), name: member.name };
-    await this.meet(design, [this.family.now, this.mate && this.family.guest(this.mate.design, this.mate.name)]);
+    await this.meet(design, [this.family.now, this.mate && this.family.guest(this.mate)]);
     return design;
   }
 
@@ -166,17 +171,10 @@ export class Lab extends EventTarget {
     }
   }
 
-  async clearNeighbours() {
-    for (const member of this.neighbours.splice(0)) {
-      await this.herd.remove(member.slot);
-    }
-  }
-
   /** Puts the eye before the creature again. */
-  #frame(facts) {
+  frame(facts = this.facts) {
     const unit = this.world.scale;
     this.orbit.frame(this.focus(), Math.max(facts.length, facts.height), 2.1 * Math.max(0.72 * facts.length, facts.height) + 1.5 * unit);
-    this.orbit.jump();
   }
 
   /** The middle of the creature that is looked at. */
@@ -188,13 +186,18 @@ export class Lab extends EventTarget {
     return new Vector3(position.x, level + lift, position.z);
   }
 
+  /** Comes when the newest wish is built. */
+  async idle() {
+    await this.#following;
+  }
+
   async #follow() {
     this.#busy = true;
     while (this.#wanted) {
       const design = this.#wanted;
       this.#wanted = null;
       try {
-        const facts = await this.#grow(0, design);
+        const facts = await this.grow(0, design);
         await this.herd.settle(0, facts);
         this.#tell('changed');
       } catch (problem) {
@@ -204,7 +207,8 @@ export class Lab extends EventTarget {
     this.#busy = false;
   }
 
-  async #grow(slot, design, library = this.library) {
+  /** Grows a design in a slot of the stage, or of another library: its facts. */
+  async grow(slot, design, library = this.library) {
     const traits = traitText(design.traits);
     return JSON.parse(design.text === null
       ? await library.call('Grow', slot, design.seed, design.kind, design.strangeness, design.individual ?? '', traits)
@@ -213,13 +217,13 @@ export class Lab extends EventTarget {
 
   async #textOf(design) {
     const studio = await this.#studio();
-    await this.#grow(0, design, studio);
+    await this.grow(0, design, studio);
     return studio.call('Blueprint', 0);
   }
 
   async #lay() {
     const { heights, columns, cell, corner } = this.world.heightField();
-    await this.library.call('Ground', new Uint8Array(heights.buffer), columns, cell, corner);
+    await this.library.call('Ground', new Uint8Array(heights.buffer), columns, cell, corner, this.world.waterLevel);
   }
 
   /** Scales, fur and feathers, painted by a second worker, so that nobody on the stage waits. */
@@ -238,53 +242,6 @@ export class Lab extends EventTarget {
     }
   }
 
-  /** A coarser level of a neighbour's mesh for when it is far, made by the second worker. */
-  async #coarsen(member) {
-    const studio = await this.#studio();
-    await studio.call('GrowText', 2, await this.text(member.slot), '');
-    const bytes = await studio.call('Level', 2, coarseLevel);
-    if (this.herd.members.get(member.slot) === member) {
-      member.body.coarsen(new Int32Array(bytes.buffer, bytes.byteOffset, bytes.byteLength / 4));
-    }
-  }
-
-  async #settleNeighbours(round) {
-    const base = BigInt(this.design.seed);
-    const wet = this.world.name === 'sea';
-    const unit = this.world.scale;
-    for (let n = 0; n < neighbourCount; n++) {
-      await new Promise(resolve => setTimeout(resolve, 250));
-      if (round !== this.#round) {
-        return;
-      }
-      const slot = firstNeighbour + n;
-      const kind = wet ? 'swimming' : n % 4 === 3 ? 'flying' : 'walking';
-      const seed = BigInt.asUintN(64, base * 31n + BigInt(n + 1) * 7919n);
-      let design = ofSeed(seed % 1000000n, kind);
-      let facts = await this.#grow(slot, design);
-      const wanted = unit * (0.55 + 0.17 * (n % 4));
-      const size = Math.max(facts.height, 0.42 * facts.length) / 1.15;
-      if (size > 1.3 * wanted || size < 0.7 * wanted) {
-        design = { ...design, traits: { size: Math.min(2.5, Math.max(0.4, wanted / size)) } };
-        facts = await this.#grow(slot, design);
-      }
-      const angle = this.orbit.azimuth + Math.PI + (n - (neighbourCount - 1) / 2) * 0.3 + 0.12 * Math.sin(n * 5);
-      const r = (5.4 + 2.3 * ((n * 2) % 3)) * unit;
-      const [x, z] = [r * Math.sin(angle), r * Math.cos(angle)];
-      await this.library.call('Place', slot, x, (kind === 'flying' ? 1 : 0.5) * unit, z, angle + Math.PI + n);
-      await this.library.call('Habit', slot, 'wander', x, z, 2.4 * unit);
-      const member = await this.herd.settle(slot, facts);
-      Object.assign(member, { design, name: nameOf(design.seed, kind) });
-      this.neighbours.push(member);
-      this.#tell('neighbours');
-    }
-    for (const member of [...this.neighbours]) {
-      if (round === this.#round) {
-        await this.#coarsen(member);
-      }
-    }
-  }
-
   #tell(name, detail) {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
@@ -297,49 +254,4 @@ export const nameOfDesign = design => design.name ?? nameOf(design.individual ? 
 function readSeed(text, fallback) {
   const digits = /"seed":\s*"?([0-9]{1,20})/.exec(text);
   return BigInt(digits ? digits[1] : fallback);
-}
-
-/** The baked creature that is seen while the library starts. Returns what stops it. */
-export async function showFirst(herd, world, orbit) {
-  const answer = await fetch('./first.bin');
-  if (!answer.ok) {
-    return () => {};
-  }
-  const buffer = await answer.arrayBuffer();
-  const [meshBytes, frames, joints] = new Int32Array(buffer, 0, 4);
-  const body = new Body(readMesh(buffer, 16));
-  const poses = new Uint16Array(buffer, 16 + meshBytes, frames * joints * 16);
-  const matrices = new Float32Array(16 * joints);
-  let height = 0;
-  let length = 0;
-  const p = body.mesh.positions;
-  for (let i = 0; i < p.length; i += 3) {
-    height = Math.max(height, p[i + 1]);
-    length = Math.max(length, 2 * Math.abs(p[i + 2]));
-  }
-  const unit = Math.max(height, 0.42 * length) / 1.15;
-  world.show('meadow', unit);
-  const member = herd.put(0, { height, length, medium: 'ground' }, body);
-  body.group.position.set(0, world.heightAt(0, 0), 0);
-  body.group.rotation.y = 0.12;
-  body.group.visible = true;
-  orbit.frame(new Vector3(0, body.group.position.y + 0.52 * height, 0), Math.max(length, height), 2.1 * Math.max(0.72 * length, height) + 1.5 * unit);
-  orbit.jump();
-  const begin = performance.now();
-  return () => {
-    if (herd.members.get(0) === member) {
-      const frame = Math.floor(((performance.now() - begin) / 1000) * 12) % frames;
-      for (let i = 0; i < matrices.length; i++) {
-        matrices[i] = half(poses[frame * matrices.length + i]);
-      }
-      body.pose(matrices);
-    }
-  };
-}
-
-function half(bits) {
-  const exponent = (bits >> 10) & 31;
-  const fraction = bits & 1023;
-  const value = exponent === 0 ? fraction / 16777216 : (1 + fraction / 1024) * 2 ** (exponent - 15);
-  return bits & 32768 ? -value : value;
 }

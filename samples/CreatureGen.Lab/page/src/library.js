@@ -35,6 +35,11 @@ export class Library {
     return this.#send('frame', { seconds, eye, buffer }, [buffer]);
   }
 
+  /** Bytes of the memory in which the library runs; it only ever grows. */
+  heapSize() {
+    return this.#send('heapSize', [], []);
+  }
+
   #send(name, values, moved) {
     const id = this.#next++;
     return new Promise((resolve, reject) => {

@@ -1,8 +1,9 @@
 import '@fontsource-variable/fredoka/wght.css';
 import '@fontsource-variable/nunito/wght.css';
 import './style.css';
-import { Frame } from './frame.js';
-import { showStills, unfit } from './fitness.js';
+import { unfit, showStills } from './fitness.js';
+import { Library } from './library.js';
+import { showStill } from './still.js';
 
 const problem = unfit();
 if (problem) {
@@ -10,18 +11,29 @@ if (problem) {
   window.creatureLab = { ready: Promise.reject(new Error(problem)) };
   window.creatureLab.ready.catch(() => {});
 } else {
-  const frame = new Frame();
-  window.creatureLab = {
-    ready: frame.start(),
-    glb: (seed, kind) => frame.library.call('GlbOfSeed', String(seed), kind),
-    frameCost: () => frame.herd.frameCost(),
-    count: () => frame.herd.members.size,
-    lab: frame,
-  };
+  begin();
+}
+
+/** The library starts first: it takes longest. Then a picture is seen, then comes what draws. */
+function begin() {
+  const library = new Library();
+  showStill();
+  const page = import('./frame.js').then(({ Frame }) => {
+    const frame = new Frame(library);
+    window.creatureLab.lab = frame;
+    return frame;
+  });
+
   // Kept for times without a network, after the first creature has come.
   const keep = () => navigator.serviceWorker?.register('./sw.js');
-  window.creatureLab.keep = keep;
-  if (!frame.still) {
-    window.creatureLab.ready.then(keep).catch(() => {});
-  }
+  window.creatureLab = {
+    ready: page.then(frame => frame.start()),
+    glb: (seed, kind) => library.call('GlbOfSeed', String(seed), kind),
+    frameCost: () => window.creatureLab.lab?.herd.frameCost() ?? 0,
+    count: () => window.creatureLab.lab?.herd.members.size ?? 0,
+    keep,
+    lab: null,
+  };
+  window.creatureLab.ready.then(() => window.creatureLab.lab.theatre.still || keep()).catch(() => {});
+  page.catch(showStills);
 }

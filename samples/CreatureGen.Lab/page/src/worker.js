@@ -53,7 +53,7 @@ function frame({ seconds, eye, buffer }) {
 self.onmessage = async ({ data: { id, name, values } }) => {
   try {
     await started;
-    const value = name === 'frame' ? frame(values) : library[name](...values);
+    const value = name === 'frame' ? frame(values) : name === 'heapSize' ? heap().byteLength : library[name](...values);
     const moved = value?.buffer instanceof ArrayBuffer ? [value.buffer] : [];
     self.postMessage({ id, value }, moved);
   } catch (problem) {

@@ -1,60 +1,95 @@
-// Films the stage for the README: ten seconds of a creature's life as an animated WebP. node film.mjs FILE [HASH]
+// Films the page for the README: ten seconds of a creature's life, with what one does on the page, as an animated WebP. node film.mjs FILE [HASH [MATE]]: HASH tells the creature as an address does, MATE is a seed.
 import { writeFileSync } from 'node:fs';
 import { openBrowser, serveLab } from './browser.mjs';
 
-const [file, hash = ''] = process.argv.slice(2);
-const [width, height] = [640, 400];
+const [file, hash = '#22.walking', mate = '25'] = process.argv.slice(2);
+const window_ = { width: 960, height: 600 };
+const [width, height] = [600, 376];
 const rate = 8;
 const seconds = 10;
-const quality = 0.62;
+const quality = 0.5;
 
-// What happens, at which second.
+// What happens, at which second: `f` is the page, `u` the unit of its world, `t` goes from 0 to 1 between the first second and the second.
 const script = [
-  [0.2, 'f.library.call("Go", 0, -0.9 * u, 1.3 * u)'],
-  [2.4, 'f.play.feed()'],
-  [6.6, 'f.play.act("Dance")'],
+  [0, 0, 'f.library.call("Go", 0, 1.3 * u, 2.2 * u)'],
+  [1.4, 1.4, 'f.play.pet()'],
+  [2.3, 3.5, 'slide("neck", 1 + 1.1 * t)'],
+  [3.5, 4.4, 'slide("colour", 1.9 * t)'],
+  [4.5, 4.5, 'settle()'],
+  [4.9, 4.9, 'document.getElementById("tab-breed").click(), court()'],
+  [5.8, 7.3, 'born(Math.ceil(9 * t))'],
+  [8.3, 8.3, 'f.lab.raise(f.lab.litter[4])'],
+  [8.7, 8.7, 'f.play.act("Dance")'],
 ];
 
 const lab = await serveLab();
 const browser = await openBrowser();
-const page = await browser.newPage({ viewport: { width, height } });
+const page = await browser.newPage({ viewport: window_ });
 page.setDefaultTimeout(300_000);
 await page.goto(`${lab.address}?still&draw=best${hash}`);
 await page.evaluate(() => creatureLab.ready.then(() => true));
-await page.waitForFunction(() => creatureLab.count() >= 8 && creatureLab.lab.herd.members.get(0).body.textures);
-await page.evaluate(() => {
+await page.waitForFunction(() => creatureLab.count() >= 13 && creatureLab.lab.herd.members.get(0).body.textures);
+await page.evaluate(mate => {
   const f = creatureLab.lab;
   f.drawing.renderer.setPixelRatio(1);
-  f.orbit.fit(innerWidth, innerHeight, { right: 0, bottom: 0 });
-  f.orbit.camera.fov = 30;
+  const until = async test => { while (!test()) { await new Promise(resolve => setTimeout(resolve, 20)); } };
+  const act = window.filmed = {
+    f,
+    async slide(name, value) {
+      const range = document.getElementById(`trait-${name}`);
+      range.value = value;
+      range.dispatchEvent(new Event('input'));
+      await f.lab.idle();
+    },
+    settle: () => f.making.settle(),
+    async court() {
+      const seed = document.getElementById('partner-seed');
+      document.getElementById('partner').value = 'seed';
+      seed.value = mate;
+      seed.dispatchEvent(new Event('change'));
+      await until(() => f.courtship.mate?.design.seed === mate && f.courtship.mate.moved !== undefined);
+    },
+    async born(count) {
+      act.brood ??= f.nursery.litter(mate, 0.3);
+      await until(() => f.lab.litter.length >= count);
+    },
+  };
   return f.library.call('Rehearse', 0, 'Dance');
-});
-const frames = [];
-for (let n = 0; n < rate * seconds; n++) {
-  const begun = script.filter(([at]) => at >= n / rate && at < (n + 1) / rate).map(([, act]) => act);
-  for (const act of begun) {
-    await page.evaluate(`((f, u) => ${act})(creatureLab.lab, creatureLab.lab.world.scale)`);
-  }
-  frames.push(Buffer.from(await page.evaluate(async ([dt, quality]) => {
-    const f = creatureLab.lab;
-    for (let i = 0; i < 3; i++) {
-      await f.advance(dt / 3);
-    }
-    const { canvas } = f;
-    f.drawing.renderer.render(f.world.scene, f.orbit.camera);
-    const flat = document.createElement('canvas');
-    [flat.width, flat.height] = [640, 400];
-    flat.getContext('2d', { alpha: false }).drawImage(canvas, 0, 0, 640, 400);
-    const blob = await new Promise(resolve => flat.toBlob(resolve, 'image/webp', quality));
-    const bytes = new Uint8Array(await blob.arrayBuffer());
-    let text = '';
-    for (const byte of bytes) {
-      text += String.fromCharCode(byte);
-    }
-    return btoa(text);
-  }, [1 / rate, quality]), 'base64'));
+}, mate);
+for (let n = 0; n < 2 * rate; n++) {
+  await page.evaluate(dt => creatureLab.lab.theatre.advance(dt), 1 / rate);
 }
-writeFileSync(file, animatedWebp(frames, width, height, Math.round(1000 / rate)));
+const pictures = [];
+for (let n = 0; n < rate * seconds; n++) {
+  const now = n / rate;
+  for (const [from, till, act] of script) {
+    if (from === till ? now >= from && now - 1 / rate < from : now >= from && now <= till) {
+      await page.evaluate(`(async ({ f, slide, settle, court, born }, u, t) => { await (${act}); })(filmed, creatureLab.lab.world.scale, ${from === till ? 1 : (now - from) / (till - from)})`);
+    }
+  }
+  await page.evaluate(async dt => {
+    const { theatre } = creatureLab.lab;
+    for (let i = 0; i < 3; i++) {
+      await theatre.advance(dt / 3);
+    }
+    for (let i = 0; i < 4; i++) {
+      theatre.render();
+    }
+  }, 1 / rate);
+  const seen = await page.screenshot({ type: 'jpeg', quality: 92, timeout: 300_000 });
+  pictures.push(Buffer.from(await page.evaluate(async ([text, width, height, quality]) => {
+    const image = new Image();
+    image.src = `data:image/jpeg;base64,${text}`;
+    await image.decode();
+    const flat = new OffscreenCanvas(width, height);
+    const pen = flat.getContext('2d', { alpha: false });
+    pen.imageSmoothingQuality = 'high';
+    pen.drawImage(image, 0, 0, width, height);
+    const bytes = new Uint8Array(await (await flat.convertToBlob({ type: 'image/webp', quality })).arrayBuffer());
+    return btoa(Array.from(bytes, byte => String.fromCharCode(byte)).join(''));
+  }, [seen.toString('base64'), width, height, quality]), 'base64'));
+}
+writeFileSync(file, animatedWebp(pictures, width, height, Math.round(1000 / rate)));
 await browser.close();
 lab.close();
 process.exit(0);

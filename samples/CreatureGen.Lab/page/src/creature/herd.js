@@ -109,7 +109,12 @@ export class Herd {
         member.speed = numbers[at + 10];
         member.phase = numbers[at + 11];
         member.state = states[numbers[at + 13]];
-        member.feet = Array.from({ length: feet }, (_, f) => numbers.slice(at + headLength + 4 * f, at + headLength + 4 * f + 4));
+        for (let f = 0; f < feet; f++) {
+          const foot = (member.feet[f] ??= new Float32Array(4));
+          for (let k = 0, from = at + headLength + 4 * f; k < 4; k++) {
+            foot[k] = numbers[from + k];
+          }
+        }
         this.#show(member, numbers, at, numbers.subarray(matrices, matrices + 16 * joints));
       }
       at = matrices + 16 * joints;
@@ -124,18 +129,29 @@ export class Herd {
 
   #show(member, numbers, at, matrices) {
     const { body } = member;
-    const to = { position: new Vector3().fromArray(numbers, at + 3), turn: new Quaternion().fromArray(numbers, at + 6), matrices };
     const seconds = numbers[at + 14];
     if (member.moved && seconds > smoothest && member.slot !== this.eye) {
-      const from = { position: body.group.position.clone(), turn: body.group.quaternion.clone(), matrices: body.skeleton.boneMatrices.slice() };
-      member.glide = { from, to: { ...to, matrices: matrices.slice() }, seconds, at: 0 };
+      // The same room is used for every move: nothing is left for the collector.
+      const glide = (member.glide ??= { from: place(body.joints), to: place(body.joints), seconds, at: 0 });
+      glide.from.position.copy(body.group.position);
+      glide.from.turn.copy(body.group.quaternion);
+      glide.from.matrices.set(body.skeleton.boneMatrices.subarray(0, matrices.length));
+      glide.to.position.fromArray(numbers, at + 3);
+      glide.to.turn.fromArray(numbers, at + 6);
+      glide.to.matrices.set(matrices);
+      glide.seconds = seconds;
+      glide.at = 0;
     } else {
-      member.glide = null;
-      body.group.position.copy(to.position);
-      body.group.quaternion.copy(to.turn);
+      if (member.glide) {
+        member.glide.at = 1;
+      }
+      body.group.position.fromArray(numbers, at + 3);
+      body.group.quaternion.fromArray(numbers, at + 6);
       body.pose(matrices);
     }
     body.group.visible = true;
     member.moved = true;
   }
 }
+
+const place = joints => ({ position: new Vector3(), turn: new Quaternion(), matrices: new Float32Array(16 * joints) });

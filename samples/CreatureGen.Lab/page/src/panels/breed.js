@@ -1,15 +1,23 @@
-import { h } from '../dom.js';
+import { h, icon } from '../dom.js';
 import { texts, words } from '../texts.js';
+import { face } from './face.js';
 import { treeOf } from './tree.js';
 
 const drawnGenerations = 400;
 
 /** Two parents, nine children; a family to walk through; and breeding towards a goal. */
 export function breedPanel(act) {
-  const partner = h('select', { id: 'partner' });
-  const seed = h('input', { id: 'partner-seed', type: 'text', inputMode: 'numeric', value: '7', maxLength: 20, 'aria-label': texts.partnerSeed, hidden: true });
-  partner.addEventListener('change', () => { seed.hidden = partner.value !== 'seed'; });
+  let wished = false;
+  const court = () => {
+    wished = true;
+    seed.hidden = partner.value !== 'seed';
+    act.court(other());
+  };
+  const partner = h('select', { id: 'partner', onchange: court });
+  const seed = h('input', { id: 'partner-seed', type: 'text', inputMode: 'numeric', value: '7', maxLength: 20, 'aria-label': texts.partnerSeed, hidden: true, onchange: court });
   const other = () => (partner.value === 'seed' ? seed.value.trim() : Number(partner.value));
+  const waits = () => !wished && partner.value === 'seed';
+  const pair = h('div', { className: 'pair' });
   const mutation = h('input', { id: 'mutation', type: 'range', min: 0, max: 1, step: 0.05, value: 0.25 });
   const go = h('button', { type: 'button', className: 'loud', onclick: () => act.litter(other(), Number(mutation.value)) }, texts.litter);
   const state = h('p', { className: 'hint', role: 'status' }, texts.litterHint);
@@ -26,6 +34,7 @@ export function breedPanel(act) {
   const progress = h('p', { className: 'hint', role: 'status' }, texts.evolveHint);
 
   const root = h('div', {},
+    pair,
     h('label', { className: 'field', htmlFor: 'partner' }, texts.partner), h('div', { className: 'row' }, partner, seed),
     h('label', { className: 'field', htmlFor: 'mutation' }, texts.mutation), mutation,
     h('div', { className: 'row' }, go),
@@ -35,16 +44,32 @@ export function breedPanel(act) {
     progress, chart);
   return {
     root,
-    partners(neighbours, chosen) {
-      const before = chosen ?? partner.value;
+    /** The other parent as somebody wants it; null while nobody has come who could be. */
+    other: () => (waits() ? null : other()),
+    /** Who could be the other parent; whoever came first is taken until somebody says otherwise. */
+    partners(neighbours) {
+      const before = wished ? partner.value : String(neighbours[0]?.slot ?? 'seed');
       partner.replaceChildren(...neighbours.map(member => h('option', { value: member.slot }, `${member.name}, ${words(member.facts.body)}`)), h('option', { value: 'seed' }, texts.partnerSeed));
-      if ([...partner.options].some(option => option.value === String(before))) {
+      if ([...partner.options].some(option => option.value === before)) {
         partner.value = before;
+      } else {
+        wished = false;
       }
       seed.hidden = partner.value !== 'seed';
     },
+    choose(slot) {
+      if ([...partner.options].some(option => option.value === String(slot))) {
+        partner.value = slot;
+        court();
+      }
+    },
+    /** Shows the two, side by side. */
+    pair(...two) {
+      pair.replaceChildren(...two.map(one => h('figure', {}, one?.thumb ? h('img', { src: one.thumb, alt: '', width: 96, height: 96 }) : h('i', {}), h('figcaption', {}, one?.name ?? '…'))));
+      pair.firstChild.after(icon('heart'));
+    },
     litter(members) {
-      children.replaceChildren(...members.map(member => h('li', {}, h('button', { type: 'button', className: 'person', onclick: () => act.raise(member), 'aria-label': texts.pick(member.name) }, h('b', {}, member.name), h('span', {}, words(member.facts.plan))))));
+      children.replaceChildren(...members.map(member => h('li', {}, h('button', { type: 'button', className: 'person', onclick: () => act.raise(member), 'aria-label': texts.pick(member.name) }, face(member), h('b', {}, member.name), h('span', {}, words(member.facts.plan))))));
     },
     busy(text) {
       go.disabled = text !== null;

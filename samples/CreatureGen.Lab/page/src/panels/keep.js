@@ -1,4 +1,5 @@
 import { h } from '../dom.js';
+import { face } from './face.js';
 import { texts } from '../texts.js';
 
 /** Names, files, addresses and the collection. */
@@ -9,19 +10,19 @@ export function keepPanel(act) {
   const collection = h('ul', { className: 'people kept' });
   const root = h('div', {},
     h('label', { className: 'field', htmlFor: 'name' }, texts.name), name,
-    h('div', { className: 'row' }, h('button', { type: 'button', className: 'loud', onclick: act.save }, texts.save), h('button', { type: 'button', onclick: act.share }, texts.share)),
+    h('div', { className: 'row' }, h('button', { type: 'button', className: 'loud', onclick: () => act.save() }, texts.save), h('button', { type: 'button', onclick: () => act.share() }, texts.share)),
     h('h3', {}, texts.download),
     h('div', { className: 'row' },
-      h('button', { type: 'button', onclick: act.picture }, texts.photo),
-      h('button', { type: 'button', onclick: act.loop }, texts.loop),
+      h('button', { type: 'button', onclick: () => act.picture() }, texts.photo),
+      h('button', { type: 'button', onclick: () => act.loop() }, texts.loop),
       h('button', { type: 'button', onclick: () => act.glb('plain') }, texts.glb),
-      h('button', { type: 'button', onclick: act.json }, texts.json)),
+      h('button', { type: 'button', onclick: () => act.json() }, texts.json)),
     h('div', { className: 'row' }, h('button', { type: 'button', onclick: () => act.glb('whole') }, texts.whole)),
     h('p', { className: 'hint' }, texts.pictureHint),
     h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: () => file.click() }, texts.open), file),
     h('h3', {}, texts.collection),
     collection,
-    h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: act.exportAll }, texts.exportAll), h('button', { type: 'button', className: 'quiet', onclick: () => several.click() }, texts.importAll), several));
+    h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: () => act.exportAll() }, texts.exportAll), h('button', { type: 'button', className: 'quiet', onclick: () => several.click() }, texts.importAll), several));
   return {
     root,
     named(value) {
@@ -29,7 +30,7 @@ export function keepPanel(act) {
     },
     collection(entries) {
       collection.replaceChildren(...(entries.length ? entries.map((entry, n) => h('li', {},
-        h('button', { type: 'button', className: 'person', onclick: () => act.visit(n) }, entry.thumb ? h('img', { src: entry.thumb, alt: '', width: 44, height: 44 }) : null, h('b', {}, entry.name)),
+        h('button', { type: 'button', className: 'person', onclick: () => act.visit(n) }, face(entry), h('b', {}, entry.name)),
         h('button', { type: 'button', className: 'quiet', 'aria-label': texts.remove(entry.name), onclick: () => act.remove(n) }, '×'))) : [h('li', { className: 'hint' }, texts.empty)]));
     },
   };

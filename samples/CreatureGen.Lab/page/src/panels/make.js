@@ -4,8 +4,8 @@ import { texts } from '../texts.js';
 
 const alwaysThere = ['eyes', 'coat'];
 
-/** Sliders, parts, and what goes with them. `act` changes the design; the panel only shows it. */
-export function makePanel(sliders, parts, act) {
+/** Sliders, parts, and what goes with them. `act` changes the design; the panel only shows it. `take` takes a way of looking at it. */
+export function makePanel(sliders, parts, act, take) {
   const locked = new Set();
   const rows = new Map();
   const all = [...sliders, { name: 'strangeness', least: 0, most: 1, own: usualStrangeness }];
@@ -45,14 +45,14 @@ export function makePanel(sliders, parts, act) {
     range.setAttribute('aria-valuetext', told.value);
   }
 
-  const undo = h('button', { type: 'button', className: 'quiet', onclick: act.undo, 'aria-label': texts.undo, title: texts.undo }, icon('undo'));
-  const redo = h('button', { type: 'button', className: 'quiet', onclick: act.redo, 'aria-label': texts.redo, title: texts.redo }, icon('redo'));
+  const undo = h('button', { type: 'button', className: 'quiet', onclick: () => act.undo(), 'aria-label': texts.undo, title: texts.undo }, icon('undo'));
+  const redo = h('button', { type: 'button', className: 'quiet', onclick: () => act.redo(), 'aria-label': texts.redo, title: texts.redo }, icon('redo'));
   const reasons = h('div', { className: 'reasons', role: 'status' });
   const counts = h('p', { className: 'fine' });
   const tiles = new Map(parts.map(name => {
     const give = h('button', { type: 'button', className: 'part', onclick: () => act.give(name) }, texts.parts[name]);
-    const take = h('button', { type: 'button', className: 'take', 'aria-label': texts.takePart(texts.parts[name]), hidden: true, onclick: () => act.take(name) }, '×');
-    return [name, { give, take, tile: h('li', {}, give, take) }];
+    const off = h('button', { type: 'button', className: 'take', 'aria-label': texts.takePart(texts.parts[name]), hidden: true, onclick: () => act.take(name) }, '×');
+    return [name, { give, off, tile: h('li', {}, give, off) }];
   }));
   const root = h('div', {},
     h('div', { className: 'row' },
@@ -65,8 +65,8 @@ export function makePanel(sliders, parts, act) {
     h('h3', {}, texts.palette),
     h('ul', { className: 'palette' }, ...[...tiles.values()].map(tile => tile.tile)),
     h('h3', {}, texts.look),
-    h('div', { className: 'row looks' }, choices(texts.look, texts.looks, 'skin', act.look)),
-    h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: act.reset }, texts.reset)),
+    h('div', { className: 'row looks' }, choices(texts.look, texts.looks, 'skin', take)),
+    h('div', { className: 'row' }, h('button', { type: 'button', className: 'quiet', onclick: () => act.reset() }, texts.reset)),
     counts);
 
   return {
@@ -80,10 +80,10 @@ export function makePanel(sliders, parts, act) {
       }
       undo.disabled = !history.canUndo;
       redo.disabled = !history.canRedo;
-      for (const [name, { give, take }] of facts ? tiles : []) {
+      for (const [name, { give, off }] of facts ? tiles : []) {
         const on = facts.parts.includes(name) && !alwaysThere.includes(name);
         give.setAttribute('aria-pressed', on);
-        take.hidden = !on;
+        off.hidden = !on;
       }
       counts.textContent = facts ? texts.counts(facts) : '';
     },

@@ -1,4 +1,5 @@
 import { h } from '../dom.js';
+import { face } from './face.js';
 import { length, texts, weight, words } from '../texts.js';
 
 const more = ['Sit', 'Lie', 'Sniff', 'Eat', 'Drink', 'Shake', 'Scratch', 'Groom', 'Bite', 'Claw', 'Kick', 'TailSweep', 'Threaten', 'Submit'];
@@ -41,7 +42,7 @@ export function meetPanel(act) {
     },
     people(neighbours) {
       near.replaceChildren(...neighbours.map(member => h('li', {},
-        h('button', { type: 'button', className: 'person', onclick: () => act.call(member) }, h('b', {}, member.name), h('span', {}, words(member.facts.body))))));
+        h('button', { type: 'button', className: 'person', onclick: () => act.call(member) }, face(member), h('b', {}, member.name), h('span', {}, words(member.facts.body))))));
     },
     cost(ms, count) {
       cost.textContent = texts.cost(ms, count);

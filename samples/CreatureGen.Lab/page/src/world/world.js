@@ -3,7 +3,7 @@ import { makeGround } from './ground.js';
 import { makePlants } from './plants.js';
 import { makeLake } from './water.js';
 import { makeSky } from './sky.js';
-import { heightAt, heightField } from './terrain.js';
+import { heightAt, heightField, lake } from './terrain.js';
 import { sequence } from './noise.js';
 import * as palettes from './palettes.js';
 
@@ -47,8 +47,8 @@ export class World {
     this.plants = habitat.plants;
     this.scale = scale;
     habitat.group.scale.setScalar(scale);
-    if (habitat.lake) {
-      habitat.lake.material.uniforms.unit.value = scale;
+    if (habitat.water) {
+      habitat.water.material.uniforms.unit.value = scale;
     }
     this.scene.fog.color.set(palette.haze);
     this.scene.fog.near = palette.hazeNear * scale;
@@ -71,6 +71,11 @@ export class World {
   /** Height of the land at a place, metres. */
   heightAt(x, z) {
     return this.scale * heightAt(x / this.scale, z / this.scale, this.palette.wet);
+  }
+
+  /** Height of the water's surface, metres; without end in the sea. */
+  get waterLevel() {
+    return this.palette.wet ? Infinity : lake.level * this.scale;
   }
 
   /** The land as the library takes it. */
@@ -99,16 +104,16 @@ export class World {
     const group = new Group();
     const plants = makePlants(palette, this.#clock);
     group.add(...makeGround(palette), ...plants.all, motes(palette));
-    let lake = null;
+    let water = null;
     if (!palette.wet) {
-      lake = makeLake(palette, sunWay, this.#clock);
-      group.add(lake);
+      water = makeLake(palette, sunWay, this.#clock);
+      group.add(water);
     }
     const sky = makeSky(palette, sunWay);
     const maker = new PMREMGenerator(this.#renderer);
     const light = maker.fromScene(new Scene().add(makeSky(palette, sunWay)), 0.02, 0.1, 10, { size: 64 }).texture;
     maker.dispose();
-    return { group, plants, lake, sky, light };
+    return { group, plants, water, sky, light };
   }
 }
 

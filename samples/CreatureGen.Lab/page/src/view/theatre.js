@@ -1,0 +1,105 @@
+import { squareOf } from '../keeping.js';
+
+const farLengths = 5;
+const narrowest = 760;
+const longestStep = 0.1;
+
+// Pictures that take longer than this, in milliseconds, are drawn half the time at most: the library is to live, too.
+const slowPicture = 60;
+const longestRest = 500;
+
+/** Lets time go on upon the stage and draws it. Everything in `things` has an `update(seconds)`. */
+export class Theatre extends EventTarget {
+  #before = 0;
+
+  constructor(canvas, drawing, world, herd, orbit, lab, courtship, portraits, things) {
+    super();
+    Object.assign(this, { canvas, drawing, world, herd, orbit, lab, courtship, portraits, things });
+    this.still = false;
+
+    /** Moves the baked creature on; until the live one comes. */
+    this.prologue = () => {};
+  }
+
+  start() {
+    this.size();
+    addEventListener('resize', () => this.size());
+    requestAnimationFrame(now => this.#draw(now));
+  }
+
+  /** Lets time go on. */
+  async advance(seconds) {
+    this.prologue();
+    const { lab, herd, orbit, world, courtship } = this;
+    const done = lab.settled ? herd.step(seconds) : null;
+    if (herd.members.get(0) && lab.litter.length === 0 && lab.settled) {
+      orbit.goal.copy(courtship.focus());
+    }
+    herd.glide(seconds);
+    for (const thing of this.things) {
+      thing.update(seconds, herd.members.get(0));
+    }
+    this.#coarsen();
+    world.update(seconds, orbit.focus);
+    orbit.update(seconds, world);
+    this.dispatchEvent(new Event('advanced'));
+    await done;
+  }
+
+  render() {
+    this.portraits.draw();
+    this.drawing.renderer.render(this.world.scene, this.orbit.camera);
+  }
+
+  /** One picture with the whole drawing, for tests of the looks: lets time go on in even steps, then draws once. */
+  async portrait(steps) {
+    for (let i = 0; i < steps; i++) {
+      await this.advance(1 / 30);
+    }
+    this.orbit.jump();
+    this.orbit.update(0, this.world);
+    this.render();
+  }
+
+  /** What is seen, as a square canvas about the creature. */
+  snapshot(size) {
+    this.render();
+    const { width, height } = this.canvas;
+    const cover = covered();
+    const ratio = width / innerWidth;
+    return squareOf(this.canvas, { width: width - cover.right * ratio, height: height - cover.bottom * ratio }, size);
+  }
+
+  size() {
+    this.drawing.apply(this.world, innerWidth, innerHeight);
+    this.orbit.fit(innerWidth, innerHeight, covered());
+  }
+
+  #draw(now) {
+    const milliseconds = now - this.#before;
+    this.#before = now;
+    setTimeout(() => requestAnimationFrame(next => this.#draw(next)), milliseconds > slowPicture ? Math.min(milliseconds, longestRest) : 0);
+    if (this.still || !this.herd.members.get(0)) {
+      return;
+    }
+    this.advance(Math.min(milliseconds / 1000, longestStep));
+    this.render();
+    if (this.drawing.judge(milliseconds)) {
+      this.size();
+    }
+  }
+
+  /** Those that are far are drawn with fewer triangles. */
+  #coarsen() {
+    const { position } = this.orbit.camera;
+    for (const { slot, body, facts } of this.herd.members.values()) {
+      body.far = slot !== 0 && body.group.position.distanceTo(position) > farLengths * Math.max(facts.length, facts.height);
+    }
+  }
+}
+
+/** What the panel covers of the window. */
+function covered() {
+  const narrow = innerWidth < narrowest;
+  return { right: narrow ? 0 : 360, bottom: narrow ? Math.round(innerHeight * 0.42) : 0 };
+}
