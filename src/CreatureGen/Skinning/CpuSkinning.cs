@@ -34,42 +34,42 @@ public static class CpuSkinning
             throw new ArgumentException(FormattableString.Invariant($"{count} weights, {positions.Length} and {movedPositions.Length} positions, {normals.Length} and {movedNormals.Length} normals; expected one of each per vertex"));
         }
 
-        // Four rows per matrix. Multiplication and addition by component are exact on every platform.
-        ReadOnlySpan<Vector4> rows = MemoryMarshal.Cast<Matrix4x4, Vector4>(matrices);
+        // Multiplication and addition by component are exact on every platform.
+        ReadOnlySpan<Rows> rows = MemoryMarshal.Cast<Matrix4x4, Rows>(matrices);
         for (int i = 0; i < count; i++)
         {
             ref readonly SkinWeights s = ref weights[i];
             Vector4 w = s.Weights;
-            ReadOnlySpan<Vector4> m = rows.Slice(4 * s.Joint0, 4);
-            Vector4 r0 = m[0];
-            Vector4 r1 = m[1];
-            Vector4 r2 = m[2];
-            Vector4 r3 = m[3];
+            ref readonly Rows m = ref rows[s.Joint0];
+            Vector4 r0 = m.R0;
+            Vector4 r1 = m.R1;
+            Vector4 r2 = m.R2;
+            Vector4 r3 = m.R3;
             if (w.Y > 0f)
             {
                 r0 *= w.X;
                 r1 *= w.X;
                 r2 *= w.X;
                 r3 *= w.X;
-                m = rows.Slice(4 * s.Joint1, 4);
-                r0 += m[0] * w.Y;
-                r1 += m[1] * w.Y;
-                r2 += m[2] * w.Y;
-                r3 += m[3] * w.Y;
+                m = ref rows[s.Joint1];
+                r0 += m.R0 * w.Y;
+                r1 += m.R1 * w.Y;
+                r2 += m.R2 * w.Y;
+                r3 += m.R3 * w.Y;
                 if (w.Z > 0f)
                 {
-                    m = rows.Slice(4 * s.Joint2, 4);
-                    r0 += m[0] * w.Z;
-                    r1 += m[1] * w.Z;
-                    r2 += m[2] * w.Z;
-                    r3 += m[3] * w.Z;
+                    m = ref rows[s.Joint2];
+                    r0 += m.R0 * w.Z;
+                    r1 += m.R1 * w.Z;
+                    r2 += m.R2 * w.Z;
+                    r3 += m.R3 * w.Z;
                     if (w.W > 0f)
                     {
-                        m = rows.Slice(4 * s.Joint3, 4);
-                        r0 += m[0] * w.W;
-                        r1 += m[1] * w.W;
-                        r2 += m[2] * w.W;
-                        r3 += m[3] * w.W;
+                        m = ref rows[s.Joint3];
+                        r0 += m.R0 * w.W;
+                        r1 += m.R1 * w.W;
+                        r2 += m.R2 * w.W;
+                        r3 += m.R3 * w.W;
                     }
                 }
             }
@@ -91,5 +91,15 @@ public static class CpuSkinning
                 movedNormals[i] = n;
             }
         }
+    }
+
+    /// <summary>A matrix by its rows.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    private readonly struct Rows
+    {
+        public readonly Vector4 R0;
+        public readonly Vector4 R1;
+        public readonly Vector4 R2;
+        public readonly Vector4 R3;
     }
 }
