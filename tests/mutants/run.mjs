@@ -3,7 +3,7 @@
 // Each expression becomes a choice by the environment variable MUTANT. Before the mutants the same tests must pass without one. A run ends at the first
 // test that fails; one that takes over five minutes counts as neither killed nor survived. Exit code 1 when a mutant survives or runs out of time.
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -23,7 +23,7 @@ try {
   const stale = new Set();
   for (const [number, file, expression, replacement] of mutants) {
     const path = join(copy, 'src/CreatureGen', file);
-    const text = readFileSync(path, 'utf8');
+    const text = existsSync(path) ? readFileSync(path, 'utf8') : '';
     const at = text.indexOf(expression);
     if (at < 0 || text.indexOf(expression, at + 1) >= 0) {
       stale.add(number);

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.ComponentModel;
 using System.Diagnostics;
 using System.IO;
@@ -24,10 +25,22 @@ public sealed class BrowserRuntimeTests
     public async Task Creatures_are_the_same_to_the_last_byte(int creatures)
     {
         GoldenEntry[] expected = GoldenFile.Entries.Take(creatures).ToArray();
-        Assert.Equal(expected, GoldenEntry.Parse(await RunAsync(GoldenEntry.Format("", expected))));
+        Assert.Equal(expected, GoldenEntry.Parse(await RunAsync(new() { ["golden.txt"] = GoldenEntry.Format("", expected) }, "print", "/files/golden.txt")));
     }
 
-    private static async Task<string> RunAsync(string golden)
+    [Theory]
+    [InlineData(1, 1)]
+    [InlineData(int.MaxValue, int.MaxValue, Explicit = true)]
+    public async Task Motion_pictures_and_clips_are_the_same_to_the_last_bit(int movers, int assets)
+    {
+        string poses = PoseEntry.Format("", PoseEntry.Parse(RepositoryFiles.Text(GoldenFile.PosesPlace)).Take(movers));
+        string others = string.Concat(AssetEntry.Parse(RepositoryFiles.Text(GoldenFile.AssetsPlace)).Take(assets).Select(entry => entry + "\n"));
+        string printed = await RunAsync(new() { ["poses.txt"] = poses, ["assets.txt"] = others }, "print-others", "/files", "1", "tr-TR");
+        Assert.Equal(poses + others, printed[(printed.IndexOf('\n', StringComparison.Ordinal) + 1)..]);
+    }
+
+    /// <summary>What the program prints that gives golden files, with these in its folder.</summary>
+    private static async Task<string> RunAsync(Dictionary<string, string> files, params string[] arguments)
     {
         CancellationToken cancellation = TestContext.Current.CancellationToken;
         string version = Regex.Match(RepositoryFiles.Text(Page), "<PageRuntime>(.*)</PageRuntime>").Groups[1].Value;
@@ -37,8 +50,12 @@ public sealed class BrowserRuntimeTests
         string folder = Directory.CreateTempSubdirectory("creaturegen-browser-").FullName;
         try
         {
-            await File.WriteAllTextAsync(Path.Combine(folder, "golden.txt"), golden, cancellation);
-            var start = new ProcessStartInfo("node", [Path.Combine(RepositoryFiles.Root, Script), pack, typeof(GoldenEntry).Assembly.Location, folder, "print", "/files/golden.txt"])
+            foreach ((string name, string text) in files)
+            {
+                await File.WriteAllTextAsync(Path.Combine(folder, name), text, cancellation);
+            }
+
+            var start = new ProcessStartInfo("node", [Path.Combine(RepositoryFiles.Root, Script), pack, typeof(GoldenEntry).Assembly.Location, folder, .. arguments])
             {
                 RedirectStandardOutput = true,
                 RedirectStandardError = true,
