@@ -155,6 +155,12 @@ public sealed class DocumentTests
         }
 
         bool isType = Regex.IsMatch(block.Code, @"^(internal|public) (static |sealed )?(class|record|struct)", RegexOptions.Multiline);
+        if (!isType && block.Code.StartsWith("using ", StringComparison.Ordinal))
+        {
+            // A whole program, on no more than what a new project has in use by itself.
+            string program = $"global using System;\n#line {block.Line} \"{block.Document}\"\n{block.Code}";
+            return CSharpCompilation.Create("Program", [CSharpSyntaxTree.ParseText(program, new CSharpParseOptions(LanguageVersion.Latest))], references.Value, new CSharpCompilationOptions(OutputKind.ConsoleApplication)).GetDiagnostics();
+        }
 
         // Rows that are left out in print.
         string code = Regex.Replace(block.Code, @"^\s*…\s*$", "", RegexOptions.Multiline);
