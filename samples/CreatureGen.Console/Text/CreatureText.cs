@@ -50,8 +50,8 @@ internal static class CreatureText
         Row(output, "speed", Units.Metres(facts.Speed) + " m/s");
     }
 
-    /// <summary>A line with its label.</summary>
-    public static void Row(TextWriter output, string label, string text) => output.WriteLine("  " + label.PadRight(LabelWidth) + text);
+    /// <summary>A line with its label, at least a space from it.</summary>
+    public static void Row(TextWriter output, string label, string text) => output.WriteLine("  " + (label + " ").PadRight(LabelWidth) + text);
 
     /// <summary>How a creature moves.</summary>
     public static string Kind(CreatureFacts facts) => WordList<LocomotionKind>.Instance[facts.Kind];
