@@ -21,19 +21,32 @@ internal sealed class FootingSearch
     /// <summary>Least cosine of a slope that holds a foot (60°).</summary>
     private const float Steepest = 0.5f;
 
-    /// <summary>Drop at toe or heel that counts as an edge, part of the leg's length.</summary>
+    /// <summary>Drop at toe or heel that counts as an edge, beyond what the ground's slope there or at the ball explains, part of the leg's length.</summary>
     private const float EdgeDrop = 0.12f;
 
-    /// <summary>Rise at toe or heel that counts as a wall where it is too steep to be stood on, part of the leg's length.</summary>
+    /// <summary>The same of a rise that counts as a wall.</summary>
     private const float WallRise = 0.06f;
 
-    /// <summary>Part of the sole's extent at which the ground under its ends is felt.</summary>
-    private const float EndFraction = 0.95f;
+    /// <summary>Part of the sole's extent at which the ground under its ends is felt: just beyond them, so that no tip is in a wall.</summary>
+    private const float EndFraction = 1.05f;
+
+    /// <summary>The same of its sides.</summary>
+    private const float SideFraction = 0.95f;
+
+    /// <summary>How far a foot is moved along itself in an update, and in all, part of its length.</summary>
+    private const float NudgeStep = 0.125f;
+    private const float NudgeFraction = 1f;
+
+    /// <summary>The same of feet of legs out to the side, which sweep less far, part of the leg's length.</summary>
+    private const float LateralNudge = 0.1f;
+
+    /// <summary>Part of its toes before a wall within which a ball is that goes on onto it.</summary>
+    private const float OntoFraction = 0.3f;
 
     /// <summary>Part of the leg's length from which on a sole is long or wide.</summary>
     private const float LongSole = 0.15f;
 
-    /// <summary>Rise over its distance up to which ground is bent; from twice that on it is an edge or a wall.</summary>
+    /// <summary>Rise over its distance up to which a sole is laid on bent ground; from twice that on it is not.</summary>
     private const float BendOfGround = 0.4f;
 
     /// <summary>What a swinging foot is lifted over at most, part of the leg's length.</summary>
@@ -45,7 +58,7 @@ internal sealed class FootingSearch
     private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
 
     /// <summary>Where a sole of spread toes may stand on something, of the length of its toes and half its width.</summary>
-    private static readonly (float Along, float Across)[] fan = { (1f, 0.52f), (1f, -0.52f), (0.75f, EndFraction), (0.75f, -EndFraction) };
+    private static readonly (float Along, float Across)[] fan = { (1f, 0.52f), (1f, -0.52f), (0.75f, SideFraction), (0.75f, -SideFraction) };
 
     private readonly LeggedBody body;
 
@@ -96,7 +109,7 @@ internal sealed class FootingSearch
         {
             Sole sole = LaidOut(shape, home, ahead);
             Feel(step, shape, target, hit, ref sole);
-            KeepOffEdges(shape, sole, ref nudge);
+            KeepOffEdges(step, shape, target, hit, sole, ref nudge);
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
             place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);
@@ -176,16 +189,36 @@ internal sealed class FootingSearch
     /// <summary>Rise of a plane along each level axis.</summary>
     private static Vector3 Slope(Vector3 normal) => new Vector3(-normal.X, 0f, -normal.Z) / Math.Max(normal.Y, Steepest);
 
-    /// <summary>Moves a foot back from an edge or a wall at its toes, or ahead from one at its heel, a little in each update. On a tread that is shorter than the foot an end hangs: no end goes into a wall.</summary>
-    private static void KeepOffEdges(LegRig shape, in Sole sole, ref float nudge)
+    /// <summary>
+    /// Moves a foot back from an edge or a wall at its toes, or ahead from one at its heel, a little in each update. On a tread that is shorter than the foot an end hangs: no end goes into a
+    /// wall, also not to come off an edge. Where a wall is close ahead of the ball the foot goes on onto it.
+    /// </summary>
+    private void KeepOffEdges(in StepContext step, LegRig shape, Vector3 target, in GroundHit hit, in Sole sole, ref float nudge)
     {
-        float max = 0.5f * (shape.Toe + shape.Heel);
+        float length = shape.Toe + shape.Heel;
         bool walls = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
         SoleEnd bad = walls ? SoleEnd.Wall : SoleEnd.Hangs;
-        if ((sole.Toes == bad) != (sole.Heel == bad))
+        if ((sole.Toes == bad) == (sole.Heel == bad))
         {
-            nudge = Scalar.Clamp(nudge + (sole.Toes == bad ? -0.25f * max : 0.25f * max), -1.5f * max, 1.5f * max);
+            return;
         }
+
+        bool back = sole.Toes == bad;
+        if (walls && back)
+        {
+            Rise(step, shape, target, sole.At(OntoFraction * shape.Toe, 0f), hit, out SoleEnd close);
+            back = close != SoleEnd.Wall;
+        }
+
+        float way = (back ? -NudgeStep : NudgeStep) * length;
+        if (!walls)
+        {
+            Rise(step, shape, target, sole.At((back ? -EndFraction * shape.Heel : EndFraction * shape.Toe) + way, 0f), hit, out SoleEnd there);
+            way = there == SoleEnd.Wall ? 0f : way;
+        }
+
+        float most = shape.Lateral ? Math.Min(NudgeFraction * length, LateralNudge * shape.Length) : NudgeFraction * length;
+        nudge = Scalar.Clamp(nudge + way, -most, most);
     }
 
     /// <summary>A sole as it will lie in the middle of its stance: turned with its leg on its middle.</summary>
@@ -224,7 +257,7 @@ internal sealed class FootingSearch
         }
 
         float middle = Vec.Dot(shape.SoleMiddle, shape.ToeDirection);
-        float side = EndFraction * shape.HalfWidth;
+        float side = SideFraction * shape.HalfWidth;
         float left = Rise(step, shape, target, sole.At(middle, side), hit, out _);
         float right = Rise(step, shape, target, sole.At(middle, -side), hit, out _);
         sole.Tilt = (left - right) / (2f * side);
@@ -236,6 +269,9 @@ internal sealed class FootingSearch
             sole.StandOn(Rise(step, shape, target, sole.At(along, across), hit, out _), along, across);
         }
     }
+
+    /// <summary>Rise of the ground with a normal over its way, at the steepest.</summary>
+    private static float Steepness(Vector3 normal, Vector3 up) => Vec.Length(Vec.Reject(normal, up)) / Math.Max(Vec.Dot(normal, up), Steepest);
 
     /// <summary>How much higher the ground is beside a foot's place than the plane of that place goes on, metres of the model; none where an edge or a wall is.</summary>
     private float Rise(in StepContext step, LegRig shape, Vector3 target, Vector3 beside, in GroundHit under, out SoleEnd end)
@@ -251,8 +287,8 @@ internal sealed class FootingSearch
         float scale = step.Frame.Scale;
         float height = Vec.Dot(way, up);
         float away = Vec.Length(Vec.Reject(way, up));
-        end = -height > (EdgeDrop * shape.Length * scale) + (2f * away) ? SoleEnd.Hangs
-            : height > (WallRise * shape.Length * scale) && height > 2f * BendOfGround * away ? SoleEnd.Wall : SoleEnd.Stands;
+        float beyond = Math.Abs(height) - (Math.Max(Steepness(hit.Normal, up), Steepness(under.Normal, up)) * away);
+        end = beyond <= (height < 0f ? EdgeDrop : WallRise) * shape.Length * scale ? SoleEnd.Stands : height < 0f ? SoleEnd.Hangs : SoleEnd.Wall;
         float rise = Vec.Dot(way, under.Normal) / (Vec.Dot(under.Normal, up) * scale);
         float bend = Math.Abs(rise) / Math.Max(BendOfGround * Vec.Length(beside), 1e-6f);
         return rise * Scalar.Clamp(2f - bend, 0f, 1f);

@@ -1,0 +1,58 @@
+using System;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
+using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Skinning;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Walking.Footsteps;
+
+/// <summary>Feet on stairs that are hardly longer than they are: they are put where no end of them is in a riser.</summary>
+public sealed class StairFootingTests
+{
+    private const float Deep = 0.03f;
+    private const float Lookout = 10f;
+
+    [Theory]
+    [InlineData(7100003UL)]
+    [InlineData(7100005UL)]
+    [InlineData(7100006UL)]
+    public void Standing_feet_are_seldom_in_the_risers_of_stairs_at_a_run(ulong seed)
+    {
+        Creature creature = Walkers.Any(seed);
+        var profile = new MotionProfile(creature);
+        var drive = new CourseDrive(profile, new MotionCourse(CourseScripts.Runner(profile, 8f), CourseGround.Stairs, CourseRate.Of(60f)));
+        FootSkin[] skins = Array.ConvertAll(profile.Legs!.Legs, leg => new FootSkin(creature, leg.Ankle, leg.Ball, leg.Length));
+        var matrices = new Matrix4x4[creature.Skeleton.Count];
+        int standing = 0;
+        int deep = 0;
+        foreach (float _ in drive.Updates())
+        {
+            SkinMatrices.Fill(creature.Skeleton, drive.Animator.ModelPose, matrices);
+            for (int i = 0; i < skins.Length; i++)
+            {
+                if (drive.Animator.Foot(i).Phase == FootPhase.Stance)
+                {
+                    standing++;
+                    deep += Depth(drive, skins[i], matrices) > Deep * profile.LegLength ? 1 : 0;
+                }
+            }
+        }
+
+        Assert.True(deep <= 0.05 * standing, $"{seed}: {deep} of {standing} times a standing foot is deeper than {Deep} leg lengths in the stairs");
+    }
+
+    private static float Depth(CourseDrive drive, FootSkin skin, Matrix4x4[] matrices)
+    {
+        float depth = 0f;
+        for (int v = 0; v < skin.Count; v++)
+        {
+            Vector3 place = drive.Animator.Root.ToWorld(skin.At(v, matrices));
+            depth = Math.Max(depth, drive.Surface.HeightAt(place, Lookout * drive.Animator.Profile.LegLength) is float height ? height - place.Y : 0f);
+        }
+
+        return depth;
+    }
+}
