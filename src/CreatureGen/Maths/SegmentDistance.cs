@@ -14,7 +14,16 @@ internal static class SegmentDistance
     /// <param name="b">Its other end.</param>
     /// <param name="c">One end of the second.</param>
     /// <param name="d">Its other end.</param>
-    public static float Squared(Vector3 a, Vector3 b, Vector3 c, Vector3 d)
+    public static float Squared(Vector3 a, Vector3 b, Vector3 c, Vector3 d) => Squared(a, b, c, d, out _, out _);
+
+    /// <summary>The same, and where these points are.</summary>
+    /// <param name="a">One end of the first; segments may be points.</param>
+    /// <param name="b">Its other end.</param>
+    /// <param name="c">One end of the second.</param>
+    /// <param name="d">Its other end.</param>
+    /// <param name="s">Place on the first, 0..1 from <paramref name="a"/>.</param>
+    /// <param name="t">Place on the second, 0..1 from <paramref name="c"/>.</param>
+    public static float Squared(Vector3 a, Vector3 b, Vector3 c, Vector3 d, out float s, out float t)
     {
         Vector3 first = b - a;
         Vector3 second = d - c;
@@ -22,8 +31,6 @@ internal static class SegmentDistance
         float firstSquared = Vec.LengthSquared(first);
         float secondSquared = Vec.LengthSquared(second);
         float alongSecond = Vec.Dot(second, between);
-        float s;
-        float t;
         if (firstSquared <= Shortest)
         {
             s = 0f;

@@ -88,6 +88,7 @@ public static class Ragdoll
             }
         }
 
+        RagdollCollision.Start(state);
         Vector3 up = Rotation.Rotate(root.Rotation, Vector3.UnitY);
         ReadOnlySpan<RagdollContact> contacts = rig.Contacts;
         for (int c = 0; c < contacts.Length; c++)

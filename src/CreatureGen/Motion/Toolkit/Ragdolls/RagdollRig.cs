@@ -20,6 +20,8 @@ public sealed class RagdollRig
     private const float MinArmFraction = 1.2f;
     private readonly RagdollPart[] parts;
     private readonly RagdollContact[] contacts;
+    private readonly RagdollBone[] bones;
+    private readonly RagdollPair[] pairs;
     private readonly int[] partOfJoint;
 
     /// <summary>Takes a skeleton and its capsules.</summary>
@@ -68,6 +70,12 @@ public sealed class RagdollRig
         }
 
         contacts = balls.ToArray();
+        bones = BonesOf(capsules, owners);
+        pairs = RagdollCollision.PairsOf(
+            parts,
+            bones,
+            Array.ConvertAll(parts, part => skeleton.ModelPositions[part.Joint] + Rotation.Rotate(skeleton.ModelRotations[part.Joint], part.Centre)),
+            Array.ConvertAll(parts, part => skeleton.ModelRotations[part.Joint]));
         Size = SizeOf(skeleton);
     }
 
@@ -92,6 +100,12 @@ public sealed class RagdollRig
 
     /// <summary>What touches the ground.</summary>
     internal ReadOnlySpan<RagdollContact> Contacts => contacts;
+
+    /// <summary>What of each part touches others.</summary>
+    internal ReadOnlySpan<RagdollBone> Bones => bones;
+
+    /// <summary>The parts that may meet.</summary>
+    internal ReadOnlySpan<RagdollPair> Pairs => pairs;
 
     /// <summary>The part that each joint belongs to; 0 for those above the first part.</summary>
     internal ReadOnlySpan<int> PartOfJoint => partOfJoint;
@@ -179,6 +193,23 @@ public sealed class RagdollRig
         }
 
         return arm;
+    }
+
+    /// <summary>The thickest capsule of each part; wings and fins, which fold flat, touch nothing.</summary>
+    private RagdollBone[] BonesOf(IReadOnlyList<CapsuleCollider> capsules, List<int> owners)
+    {
+        var found = new RagdollBone[parts.Length];
+        foreach (CapsuleCollider capsule in capsules)
+        {
+            int part = partOfJoint[capsule.Joint];
+            CapsuleCollider own = InOwner(capsule, owners);
+            if (capsule.Radius > found[part].Radius && Skeleton.Joints[owners[part]].Role is not (JointRole.Wing or JointRole.Fin))
+            {
+                found[part] = new RagdollBone(own.Start - parts[part].Centre, own.End - parts[part].Centre, own.Radius);
+            }
+        }
+
+        return found;
     }
 
     /// <summary>A capsule in the axes of the joint that owns its part.</summary>

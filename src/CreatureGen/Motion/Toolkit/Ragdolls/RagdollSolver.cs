@@ -54,6 +54,11 @@ internal static class RagdollSolver
                 Attach(state, parts, i);
             }
 
+            if (round == 0)
+            {
+                RagdollCollision.Separate(state, emergence);
+            }
+
             Touch(state, settings.Friction, emergence, up, ground);
             for (int i = parts.Length - 1; i > 0; i--)
             {
@@ -235,14 +240,14 @@ internal static class RagdollSolver
     private static float Sum(Vector3 v) => v.X + v.Y + v.Z;
 
     /// <summary>Moves and turns a part as an impulse at a point would.</summary>
-    private static void Move(RagdollState state, in RagdollPart part, int i, Vector3 arm, Vector3 push)
+    internal static void Move(RagdollState state, in RagdollPart part, int i, Vector3 arm, Vector3 push)
     {
         state.Positions[i] += push * part.InverseMass;
         state.Rotations[i] = Turned(state.Rotations[i], Spun(part, state.Rotations[i], Vec.Cross(arm, push), state.Scale));
     }
 
     /// <summary>Generalised inverse mass of a part at a point, along a direction.</summary>
-    private static float Weight(in RagdollPart part, Quaternion rotation, Vector3 arm, Vector3 direction, float scale)
+    internal static float Weight(in RagdollPart part, Quaternion rotation, Vector3 arm, Vector3 direction, float scale)
     {
         Vector3 moment = Vec.Cross(arm, direction);
         return part.InverseMass + Vec.Dot(moment, Spun(part, rotation, moment, scale));

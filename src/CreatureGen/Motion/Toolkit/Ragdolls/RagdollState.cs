@@ -23,6 +23,7 @@ public sealed class RagdollState
         Excesses = new float[count];
         Slides = new Vector3[count];
         Allowances = new float[rig.Contacts.Length];
+        Aparts = new float[rig.Pairs.Length];
     }
 
     /// <summary>Whether a ragdoll is under way.</summary>
@@ -77,6 +78,9 @@ public sealed class RagdollState
     /// <summary>How deep each ball may still be in the ground, since it started there; model metres.</summary>
     internal float[] Allowances { get; }
 
+    /// <summary>How far apart the bones of each pair stay: no farther than they started; model metres.</summary>
+    internal float[] Aparts { get; }
+
     /// <summary>World position of the centre of mass of the part that a joint belongs to, metres.</summary>
     /// <param name="joint">Skeleton index.</param>
     internal Vector3 CentreOf(int joint) => Anchor + Positions[Rig.PartOfJoint[joint]];
@@ -101,6 +105,7 @@ public sealed class RagdollState
         other.Excesses.CopyTo(Excesses, 0);
         other.Slides.CopyTo(Slides, 0);
         other.Allowances.CopyTo(Allowances, 0);
+        other.Aparts.CopyTo(Aparts, 0);
     }
 
     /// <summary>Ends the ragdoll.</summary>
