@@ -17,8 +17,8 @@ internal sealed class Stage
     /// <summary>Creatures that move in every frame: the one that is looked at and those nearest to it. The others take turns: those that have waited longest come first, as many as there is time for.</summary>
     private const int NearCount = 4;
 
-    /// <summary>Milliseconds of a frame after which the others wait for the next one.</summary>
-    private const double Budget = 1.6;
+    /// <summary>Milliseconds of a frame that those who take turns are not to pass, if the next one takes as long as the ones before.</summary>
+    private const double Budget = 1.9;
 
     private const int MomentLength = 6;
 
@@ -113,7 +113,7 @@ internal sealed class Stage
                 living.Sort(NearCount, living.Count - NearCount, longestWait);
             }
 
-            if (rank > NearCount && Stopwatch.GetElapsedTime(begin).TotalMilliseconds > Budget)
+            if (rank > NearCount && Stopwatch.GetElapsedTime(begin).TotalMilliseconds * (rank + 1) > Budget * rank)
             {
                 break;
             }

@@ -48,7 +48,7 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void Names_bring_no_markup() => page.Holds("names bring no markup");
 
     [Fact]
-    public void Five_hundred_creatures_leave_the_memory_as_it_was() => page.Holds("five hundred creatures leave the memory as it was");
+    public void Creatures_come_and_go_and_the_memory_stays_as_it_was() => page.Holds("creatures come and go, and the memory stays as it was");
 
     [Fact]
     public void Sounds_begin_and_end_without_a_click_do_not_clip_and_are_deeper_the_heavier_who_makes_them() =>

@@ -3,6 +3,7 @@ import { readMesh } from './creature/body.js';
 import { ofText, traitText } from './design.js';
 import { Family } from './family.js';
 import { nameOf } from './names.js';
+import { isNarrow } from './view/narrow.js';
 import { Neighbourhood } from './neighbourhood.js';
 
 const textureSize = 512;
@@ -130,14 +131,14 @@ export class Lab extends EventTarget {
     const start = Number(BigInt(this.facts.seed) % 1000000n);
     const unit = this.world.scale;
     const azimuth = this.orbit.azimuth;
-    this.orbit.frame(new Vector3(1.5 * unit * Math.sin(azimuth), this.world.heightAt(0, 0) + 0.35 * unit, 1.5 * unit * Math.cos(azimuth)), this.facts.length, 7.4 * unit);
+    this.orbit.frame(new Vector3(1.5 * unit * Math.sin(azimuth), this.world.heightAt(0, 0) + 0.35 * unit, 1.5 * unit * Math.cos(azimuth)), this.facts.length, (isNarrow() ? 9 : 7.4) * unit);
     for (let n = 0; n < litterSize && round === this.#round; n++) {
       told(n + 1);
       const slot = firstChild + n;
       const facts = JSON.parse(await this.library.call('GrowChild', slot, first, second, String(start + 7919 * n + this.litter.length), mutation, 0));
-      const spread = (n - (litterSize - 1) / 2) * 0.2;
-      const r = 2.5 * unit * (n % 2 ? 1.22 : 1);
-      const [x, z] = [r * Math.sin(azimuth + spread), r * Math.cos(azimuth + spread)];
+      const { aside, before } = isNarrow() ? inRows(n) : inArc(n);
+      const x = unit * (before * Math.sin(azimuth) + aside * Math.cos(azimuth));
+      const z = unit * (before * Math.cos(azimuth) - aside * Math.sin(azimuth));
       await this.library.call('Place', slot, x, 0.3 * unit, z, azimuth + 0.4 * Math.sin(9 * n));
       await this.library.call('Habit', slot, 'wander', x, z, 0.5 * unit);
       const member = await this.herd.settle(slot, facts);
@@ -245,6 +246,18 @@ export class Lab extends EventTarget {
   #tell(name, detail) {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
+}
+
+/** Where the n-th of a litter stands, aside of its parents and before them: all in an arc, or where there is little room in three rows. */
+function inArc(n) {
+  const angle = 0.2 * (n - (litterSize - 1) / 2);
+  const r = 2.5 * (n % 2 ? 1.22 : 1);
+  return { aside: r * Math.sin(angle), before: r * Math.cos(angle) };
+}
+
+function inRows(n) {
+  const row = Math.floor(n / 3);
+  return { aside: 0.8 * ((n % 3) - 1) - 0.15, before: 1.5 + 0.8 * row };
 }
 
 /** What a creature is called: as somebody named it, or by its seed. */

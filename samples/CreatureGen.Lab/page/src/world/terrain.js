@@ -10,8 +10,10 @@ export const lake = { x: -11, z: -17, radius: 9.5, level: -0.62 };
 export function heightAt(x, z, wet) {
   const r = Math.hypot(x, z);
   const calm = 0.5 * (cloudy(x * 0.11 + 40, z * 0.11 + 7, 2) - 0.5);
-  const hills = smoothstep(15, 80, r) * (10.5 * cloudy(x * 0.028 + 3, z * 0.028 + 11, 4) - 3.6);
-  const mountains = smoothstep(85, 190, r) * 40 * Math.pow(cloudy(x * 0.013 + 61, z * 0.013 + 5, 5), 1.7);
+  const far = smoothstep(15, 80, r);
+  const farther = smoothstep(85, 190, r);
+  const hills = far > 0 ? far * (10.5 * cloudy(x * 0.028 + 3, z * 0.028 + 11, 4) - 3.6) : 0;
+  const mountains = farther > 0 ? farther * 40 * Math.pow(cloudy(x * 0.013 + 61, z * 0.013 + 5, 5), 1.7) : 0;
   let height = calm * (0.35 + smoothstep(4, 16, r)) + hills + mountains;
   if (!wet) {
     const wave = 1 + 0.35 * (cloudy(x * 0.13, z * 0.13 + 30, 2) - 0.5);
