@@ -167,6 +167,16 @@ public sealed partial class CreatureAnimator
         return Mode is { IsOnFeet: false } ? report with { Phase = FootPhase.Swing, Load = 0f } : report;
     }
 
+    /// <summary>The sharpest turn that it takes on its feet at a speed, with the steps of its present gait: sharper ones that are asked for are turned down to about this. For games that plan ways.</summary>
+    /// <param name="speed">Ahead, metres per second, up to 10⁶ either way; 0 for turns on the spot.</param>
+    /// <returns>Radians per second; null for what has no legs.</returns>
+    /// <exception cref="ArgumentException">The speed is not finite or out of its range.</exception>
+    public float? SharpestTurn(float speed)
+    {
+        Finite.RequireWithin(speed, -1e6f, 1e6f, nameof(speed));
+        return Legs?.SharpestTurn(speed, Root.Scale, settings);
+    }
+
     /// <summary>Where a socket is in the world as of the last update: what is worn, held or rides there. A rider of its own animator goes along by <see cref="Follow"/>.</summary>
     /// <param name="socket">Number in <see cref="Creature.Sockets"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such socket.</exception>

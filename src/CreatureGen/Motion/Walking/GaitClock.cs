@@ -33,6 +33,9 @@ internal sealed class GaitClock
     /// <summary>Times that a rate of turning is brought down to what steps can follow, by half at most.</summary>
     private const int TurnTrials = 4;
 
+    /// <summary>Radians per second from which on it is looked for how sharp a turn is possible.</summary>
+    private const float SharpestAsked = 20f;
+
     private readonly LeggedBody body;
     private readonly float[] lags;
     private readonly float quickest;
@@ -218,6 +221,23 @@ internal sealed class GaitClock
         }
 
         return turn;
+    }
+
+    /// <summary>The sharpest turn at a speed that the steps of the present gait and the grip of the feet allow, radians per second.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="bounds">Give the grip.</param>
+    /// <param name="gravity">Metres per second squared.</param>
+    public float SharpestTurn(float speed, in TravelBounds bounds, float gravity)
+    {
+        float turn = SharpestAsked;
+        float before;
+        do
+        {
+            before = turn;
+            turn = ReachableTurn(speed, before, gravity);
+        }
+        while (turn < 0.999f * before);
+        return speed == 0f ? turn : Math.Min(turn, bounds.Aside / Math.Abs(speed));
     }
 
     /// <summary>Cycles per second at which no foot goes farther in a stance than it can.</summary>

@@ -128,6 +128,9 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Fastest speed ahead at which it can come down, metres per second of the model.</summary>
     public float RunOut => RunOutFraction * gaits.TopSpeed;
 
+    /// <summary>The sharpest turn at a speed ahead, world metres per second, of a creature so many times as large as its model; radians per second.</summary>
+    public float SharpestTurn(float speed, float scale, in MotionSettings settings) => clock.SharpestTurn(speed / scale, TravelBounds.Of(body, settings with { Gravity = GravityOf(settings, scale) }), GravityOf(settings, scale));
+
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);
 
