@@ -20,6 +20,9 @@ public static class BlueprintRepair
     /// <summary>Rounds of raising and shifting; a creature that does not stand after them is too extreme.</summary>
     private const int StanceRounds = 10;
 
+    /// <summary>Round from which on fliers and swimmers do without standing.</summary>
+    private const int HangingRound = MostRounds - 4;
+
     /// <summary>Repairs a blueprint.</summary>
     /// <exception cref="ArgumentNullException">The blueprint is null.</exception>
     public static RepairReport Repair(CreatureBlueprint blueprint)
@@ -64,6 +67,11 @@ public static class BlueprintRepair
         if (log.Blueprint.Plan == BodyPlan.Legless && violation.Invariant == CreatureInspection.Grounded && SurfaceRemedy.Apply(log, violation, round))
         {
             // What lies on the ground cannot be raised off it: what sticks out below goes.
+            return true;
+        }
+
+        if (round >= HangingRound && HangingRemedy.Apply(log))
+        {
             return true;
         }
 

@@ -18,7 +18,7 @@ namespace CreatureGen.Motion;
 /// <param name="CrossingPoses">How many of them had crossings.</param>
 public sealed record CrossingReport(SurfaceCrossings Rest, SurfaceCrossings Levels, SurfaceCrossings Worst, string WorstClip, int Poses, int CrossingPoses);
 
-/// <summary>Looks for crossings at rest, on all levels of detail, and in poses of every clip. Takes some seconds.</summary>
+/// <summary>Looks for crossings at rest, on all levels of detail, and in poses of everything that can be baked. Takes some seconds.</summary>
 public static class CrossingTrial
 {
     /// <summary>Poses of a clip at most.</summary>
@@ -52,8 +52,9 @@ public static class CrossingTrial
         var matrices = new Matrix4x4[skeleton.Count];
         var positions = new Vector3[mesh.Positions.Length];
         var normals = new Vector3[positions.Length];
-        foreach (Clip clip in ClipBaker.Bake(creature))
+        foreach (ClipRecipe recipe in ClipBaker.RecipesOf(new MotionProfile(creature)))
         {
+            Clip clip = recipe.Bake();
             for (int k = 0; k < poses; k++)
             {
                 clip.Sample(clip.Duration * k / poses, local);
