@@ -44,6 +44,9 @@ public sealed class AngularCurve
     /// <summary>What the rule looks at: the accelerations, or the speeds of a sweep.</summary>
     public ReadOnlySpan<float> Signal => isSweep ? speeds : accelerations;
 
+    /// <summary>Where in a sample its signal is, parts: speeds are of the middle between two.</summary>
+    internal float Place => isSweep ? 0.5f : 0f;
+
     /// <summary>Measures the sweep of a line.</summary>
     /// <param name="joint">Name of the joint that it ends at.</param>
     /// <param name="directions">Its unit directions at even steps; of a loop without the last, which is the first again.</param>
@@ -56,7 +59,7 @@ public sealed class AngularCurve
         float[] speeds = new float[edge == ClipEdge.Joined ? count : count - 1];
         for (int i = 0; i < speeds.Length; i++)
         {
-            speeds[i] = Vec.Dot(directions[(i + 1) % count] - directions[i], sweep.Towards) * rate;
+            speeds[i] = sweep.Speed(directions[i], directions[(i + 1) % count], rate);
         }
 
         return new AngularCurve(joint, rate, speeds);
@@ -65,10 +68,11 @@ public sealed class AngularCurve
     /// <summary>Measures a series of rotations.</summary>
     /// <param name="joint">Name of the joint.</param>
     /// <param name="rotations">At even steps; of a loop without the last, which is the first again.</param>
+    /// <param name="rest">Of the joint, in the same space.</param>
     /// <param name="rate">Samples per second.</param>
     /// <param name="loops">Whether the last is followed by the first.</param>
     /// <param name="rule">Says how to measure.</param>
-    internal static AngularCurve Of(string joint, ReadOnlySpan<Quaternion> rotations, float rate, ClipEdge loops, AngularRule rule)
+    internal static AngularCurve Of(string joint, ReadOnlySpan<Quaternion> rotations, Quaternion rest, float rate, ClipEdge loops, AngularRule rule)
     {
         int count = rotations.Length;
         var turns = new Vector3[count];
@@ -87,7 +91,28 @@ public sealed class AngularCurve
             accelerations[i] = Change(turns[before], turns[i], rule) * rate;
         }
 
+        if (rule.NearRest < 1f)
+        {
+            float farthest = 0f;
+            foreach (Quaternion rotation in rotations)
+            {
+                farthest = Math.Max(farthest, FromRest(rotation, rest));
+            }
+
+            for (int i = 0; i < count; i++)
+            {
+                accelerations[i] = FromRest(rotations[i], rest) > rule.NearRest * farthest ? -Math.Abs(accelerations[i]) : accelerations[i];
+            }
+        }
+
         return new AngularCurve(joint, rate, speeds, accelerations);
+    }
+
+    /// <summary>How far a joint is turned from its rest: the sine of half of the angle.</summary>
+    internal static float FromRest(Quaternion rotation, Quaternion rest)
+    {
+        Quaternion d = Rotation.Multiply(rotation, Rotation.Inverse(rest));
+        return Vec.Length(new Vector3(d.X, d.Y, d.Z));
     }
 
     /// <summary>Rotation from one pose to the next: its vector, or the differences of its Euler angles; radians.</summary>

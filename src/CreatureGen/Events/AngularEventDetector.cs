@@ -10,7 +10,7 @@ namespace CreatureGen.Events;
 /// <summary>Finds moments in clips by an <see cref="AngularRule"/>.</summary>
 /// <remarks>
 /// The clip is sampled at an even rate. Of each joint, ω = 2 log(q₁ q₀⁻¹) / dt from sample to sample and α = |ω₁ − ω₀| / dt at each; every stretch of α above the threshold gives the place of its maximum, between
-/// samples by the parabola through it and its neighbours; of a rule with a <see cref="AngularRule.Sweep"/> the beginning of each stroke, between samples by a straight line. A clip that loops has no ends: a stretch may begin before the last sample and end behind the first.
+/// samples by the parabola through it and its neighbours; of a rule with a <see cref="AngularRule.Sweep"/> the beginning of each stroke, between samples by a straight line, or where it is fastest. A clip that loops has no ends: a stretch may begin before the last sample and end behind the first.
 /// </remarks>
 public static class AngularEventDetector
 {
@@ -57,10 +57,10 @@ public static class AngularEventDetector
         var curves = new AngularCurve[joints.Length];
         for (int j = 0; j < joints.Length; j++)
         {
-            curves[j] = AngularCurve.Of(skeleton.Joints[joints[j]].Name, rotations.AsSpan(j * samples, samples), steps / clip.Duration, edge, rule);
-            Chunks.Find(curves[j], j, rule, edge, moments);
+            curves[j] = AngularCurve.Of(skeleton.Joints[joints[j]].Name, rotations.AsSpan(j * samples, samples), rule.RestOf(skeleton, joints[j]), steps / clip.Duration, edge, rule);
         }
 
+        FindPeaks(curves, rule, edge, moments);
         return curves;
     }
 
@@ -84,10 +84,36 @@ public static class AngularEventDetector
         for (int j = 0; j < lines.Length; j++)
         {
             curves[j] = AngularCurve.Of(skeleton.Joints[lines[j].To].Name, directions.AsSpan(j * samples, samples), steps / clip.Duration, edge, rule.Sweep!);
-            Strokes.Find(curves[j], j, rule, edge, moments);
+        }
+
+        if (rule.Sweep!.IsAnyWay)
+        {
+            FindPeaks(curves, rule, edge, moments);
+        }
+        else
+        {
+            for (int j = 0; j < curves.Length; j++)
+            {
+                Strokes.Find(curves[j], j, rule, edge, moments);
+            }
         }
 
         return curves;
+    }
+
+    private static void FindPeaks(AngularCurve[] curves, AngularRule rule, ClipEdge edge, List<Moment> moments)
+    {
+        float[] most = Array.ConvertAll(curves, Chunks.MostOf);
+        float all = 0f;
+        foreach (float one in most)
+        {
+            all = Math.Max(all, one);
+        }
+
+        for (int j = 0; j < curves.Length; j++)
+        {
+            Chunks.Find(curves[j], j, rule.FractionScope == IntervalScope.Together ? all : most[j], rule, edge, moments);
+        }
     }
 
     /// <summary>The rotations of each joint in turn, in the space of the rule.</summary>

@@ -24,11 +24,13 @@ public sealed class AngularEventStream
     private readonly Track[] tracks;
     private readonly SweepLine[] lines;
     private readonly SweepTrack[] sweeps;
+    private readonly Vector3[] directions;
     private readonly AngularMoment[] found;
     private int count;
     private float time;
     private float lastTogether = float.NegativeInfinity;
     private int updates;
+    private float mostOfAll;
 
     /// <summary>Begins to listen.</summary>
     /// <param name="skeleton">Of the poses to come.</param>
@@ -44,6 +46,7 @@ public sealed class AngularEventStream
         tracks = new Track[joints.Length];
         lines = rule.Sweep is { } sweep ? SweepLine.All(skeleton, joints, sweep) : Array.Empty<SweepLine>();
         sweeps = new SweepTrack[lines.Length];
+        directions = new Vector3[lines.Length];
         found = new AngularMoment[joints.Length];
     }
 
@@ -68,9 +71,20 @@ public sealed class AngularEventStream
 
         time += dt;
         updates++;
+        mostOfAll *= Damping.Left(0.6931472f / Memory, dt);
         for (int j = 0; j < lines.Length; j++)
         {
-            if (sweeps[j].Passes(Vec.Dot(lines[j].Direction(skeleton, model), rule.Sweep!.Towards), dt, rule, out float strength, out float ago))
+            if (rule.Sweep!.IsAnyWay)
+            {
+                Vector3 direction = lines[j].Direction(skeleton, model);
+                if (updates > 1)
+                {
+                    Listen(ref tracks[j], lines[j].To, rule.Sweep.Speed(directions[j], direction, 1f / dt), time - (0.5f * dt), dt);
+                }
+
+                directions[j] = direction;
+            }
+            else if (sweeps[j].Passes(Vec.Dot(lines[j].Direction(skeleton, model), rule.Sweep.Towards), dt, rule, out float strength, out float ago))
             {
                 Tell(ref tracks[j], lines[j].To, time - ago, strength);
             }
@@ -93,10 +107,12 @@ public sealed class AngularEventStream
     {
         Array.Clear(tracks, 0, tracks.Length);
         Array.Clear(sweeps, 0, sweeps.Length);
+        Array.Clear(directions, 0, directions.Length);
         count = 0;
         time = 0f;
         lastTogether = float.NegativeInfinity;
         updates = 0;
+        mostOfAll = 0f;
     }
 
     private void Advance(ref Track track, Quaternion now, int j, float dt)
@@ -109,14 +125,30 @@ public sealed class AngularEventStream
 
         Vector3 turn = AngularCurve.Turn(track.Rotation, now, rule.Measure) / dt;
         float acceleration = updates == 2 ? 0f : AngularCurve.Change(track.Velocity, turn, rule) * 2f / (dt + track.Step);
-        float at = time - dt;
-        track.Most = Math.Max(track.Most * Damping.Left(0.6931472f / Memory, dt), acceleration);
-        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * track.Most);
-        if (acceleration >= threshold && acceleration > 0f)
+        if (rule.NearRest < 1f)
         {
-            if (!track.Above || acceleration > track.Peak)
+            float turned = AngularCurve.FromRest(track.Rotation, rule.RestOf(skeleton, joints[j]));
+            track.Farthest = Math.Max(track.Farthest * Damping.Left(0.6931472f / Memory, dt), turned);
+            acceleration = turned > rule.NearRest * track.Farthest ? -Math.Abs(acceleration) : acceleration;
+        }
+
+        Listen(ref track, joints[j], acceleration, time - dt, dt);
+        track.Rotation = now;
+        track.Velocity = turn;
+        track.Step = dt;
+    }
+
+    /// <summary>Takes the next value of what the rule looks at.</summary>
+    private void Listen(ref Track track, int joint, float signal, float at, float dt)
+    {
+        track.Most = Math.Max(track.Most * Damping.Left(0.6931472f / Memory, dt), signal);
+        mostOfAll = Math.Max(mostOfAll, signal);
+        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * (rule.FractionScope == IntervalScope.Together ? mostOfAll : track.Most));
+        if (signal >= threshold && signal > 0f)
+        {
+            if (!track.Above || signal > track.Peak)
             {
-                track.Peak = acceleration;
+                track.Peak = signal;
                 track.PeakTime = at;
                 track.PeakThreshold = threshold;
             }
@@ -125,21 +157,17 @@ public sealed class AngularEventStream
             track.LastAbove = at;
         }
 
-        bool falls = track.Above && (acceleration < threshold || acceleration < 0.5f * track.Peak);
-        if (falls && !track.IsTold && at - track.LastAbove >= (acceleration < threshold ? rule.ChunkGap : 0f))
+        bool falls = track.Above && (signal < threshold || signal < 0.5f * track.Peak);
+        if (falls && !track.IsTold && at - track.LastAbove >= (signal < threshold ? rule.ChunkGap : 0f))
         {
             track.IsTold = true;
-            Tell(ref track, joints[j], track.PeakTime, track.PeakThreshold > 0f ? track.Peak / track.PeakThreshold : 1f);
+            Tell(ref track, joint, track.PeakTime, track.PeakThreshold > 0f ? track.Peak / track.PeakThreshold : 1f);
         }
 
-        if (acceleration < threshold && at - track.LastAbove >= rule.ChunkGap)
+        if (signal < threshold && at - track.LastAbove >= rule.ChunkGap)
         {
             track.Above = track.IsTold = false;
         }
-
-        track.Rotation = now;
-        track.Velocity = turn;
-        track.Step = dt;
     }
 
     private void Tell(ref Track track, int joint, float at, float strength)
@@ -159,6 +187,7 @@ public sealed class AngularEventStream
         public Quaternion Rotation;
         public Vector3 Velocity;
         public float Step;
+        public float Farthest;
         public float Most;
         public float Peak;
         public float PeakTime;

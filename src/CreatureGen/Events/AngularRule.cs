@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -40,6 +41,9 @@ public sealed record AngularRule
     /// <summary>The least angular acceleration, as a part of the greatest that the joint has in the clip, or has had lately; 0 for none. Holds together with <see cref="ThresholdPower"/>, and for creatures of any size.</summary>
     public float ThresholdFraction { get; init; }
 
+    /// <summary>Whose greatest that is a part of: each joint's own, or that of all joints together, so that of many tails and fins only those that beat most are heard. Rules for sweeps towards a direction do without.</summary>
+    public IntervalScope FractionScope { get; init; } = IntervalScope.EachJoint;
+
     /// <summary>How turning is measured.</summary>
     public AngularMeasure Measure { get; init; }
 
@@ -49,8 +53,11 @@ public sealed record AngularRule
     /// <summary>Which changes of turning count.</summary>
     public AngularChange Change { get; init; }
 
-    /// <summary>Looks for the beginnings of sweeps instead of for peaks of acceleration; the threshold is then the least speed of a sweep, degrees per second, and of all else only joints, interval and offset count. None by default.</summary>
+    /// <summary>Looks at how limbs sweep instead of for peaks of acceleration; the threshold is then the least speed of a sweep, degrees per second. For the beginnings of sweeps only joints, interval and offset count besides. None by default.</summary>
     public AngularSweep? Sweep { get; init; }
+
+    /// <summary>Counts only where the joint is turned from its rest by at most this part of its greatest turn in the clip, or lately; 1 counts anywhere. A jaw that stops there is shut.</summary>
+    public float NearRest { get; init; } = 1f;
 
     /// <summary>Seconds below the threshold that do not end a stretch: twin peaks are one moment.</summary>
     public float ChunkGap { get; init; }
@@ -89,6 +96,9 @@ public sealed record AngularRule
     /// <summary>The least angular acceleration, radians/s², or speed of a sweep, radians/s.</summary>
     internal double Threshold => Scalar.Radians(PortableMath.Exp(ThresholdPower * 2.3025850929940457));
 
+    /// <summary>The rest of a joint in the rule's space.</summary>
+    internal Quaternion RestOf(Skeleton skeleton, int joint) => Space == AngularSpace.Model ? skeleton.Joints[joint].ModelRotation : skeleton.Joints[joint].LocalRotation;
+
     /// <summary>Throws unless all numbers are within their ranges.</summary>
     internal void Require()
     {
@@ -100,6 +110,11 @@ public sealed record AngularRule
         if (!(ThresholdFraction >= 0f && ThresholdFraction <= 1f) || !(QuietFraction >= 0f && QuietFraction <= 1f))
         {
             throw new ArgumentException(FormattableString.Invariant($"rule {Name}: {ThresholdFraction} of the greatest acceleration and {QuietFraction} of the longest quiet; expected fractions of 0 to 1"));
+        }
+
+        if (!(NearRest >= 0f && NearRest <= 1f))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"rule {Name}: near rest is {NearRest}; expected a fraction of 0 to 1"));
         }
 
         if (!(Interval >= 0f && Interval <= float.MaxValue) || !(ChunkGap >= 0f && ChunkGap <= float.MaxValue) || !(Quiet >= 0f && Quiet <= float.MaxValue))

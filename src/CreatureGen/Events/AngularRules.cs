@@ -19,15 +19,17 @@ public static class AngularRules
         Scope = IntervalScope.EachJoint,
     };
 
-    /// <summary>An arm, a leg or a tail cuts through the air.</summary>
+    /// <summary>An arm, a leg or a tail cuts through the air: its end is fastest about its root.</summary>
     public static AngularRule Whoosh { get; } = new("whoosh")
     {
         Track = "Whooshes",
         Roles = new[] { JointRole.Hip, JointRole.Tail },
-        ThresholdPower = 3.4,
+        ThresholdPower = 2.36,
         ThresholdFraction = 0.6f,
+        Sweep = AngularSweep.AnyWay with { Ends = new[] { JointRole.Ball, JointRole.Ankle, JointRole.End } },
         Interval = 0.3f,
         Winner = IntervalWinner.Strongest,
+        Scope = IntervalScope.EachJoint,
     };
 
     /// <summary>Wings begin to beat down.</summary>
@@ -35,9 +37,9 @@ public static class AngularRules
     {
         Track = "Flaps",
         Roles = new[] { JointRole.Wing },
-        ThresholdPower = 2.5,
-        ThresholdFraction = 0.6f,
-        Change = AngularChange.Any,
+        ThresholdPower = 2.1,
+        Sweep = new AngularSweep(new Vector3(0f, -1f, 0f)) { Ends = new[] { JointRole.End }, BeginsAt = 0.1f },
+        Interval = 0.05f,
         Winner = IntervalWinner.Strongest,
     };
 
@@ -45,10 +47,12 @@ public static class AngularRules
     public static AngularRule Stuff { get; } = new("stuff")
     {
         Track = "Foley",
-        Roles = new[] { JointRole.Pelvis, JointRole.Spine, JointRole.Chest },
+        Roles = new[] { JointRole.Chest },
         ThresholdPower = 2.2,
         ThresholdFraction = 0.5f,
+        Space = AngularSpace.Model,
         Interval = 0.25f,
+        Winner = IntervalWinner.Strongest,
     };
 
     /// <summary>A jaw snaps shut.</summary>
@@ -56,21 +60,24 @@ public static class AngularRules
     {
         Track = "Bites",
         Roles = new[] { JointRole.Jaw },
-        ThresholdPower = 3.0,
+        ThresholdPower = 2.8,
         ThresholdFraction = 0.5f,
         Change = AngularChange.Slowing,
-        Interval = 0.2f,
+        NearRest = 0.35f,
+        Interval = 0.15f,
         Winner = IntervalWinner.Strongest,
     };
 
-    /// <summary>A tail or a fin beats the water.</summary>
+    /// <summary>A tail or a fin beats the water: its end is fastest about its root.</summary>
     public static AngularRule Splash { get; } = new("splash")
     {
         Track = "Splashes",
-        Roles = new[] { JointRole.Tail, JointRole.Fin },
-        ThresholdPower = 2.4,
-        ThresholdFraction = 0.7f,
-        Interval = 0.2f,
+        Roles = new[] { JointRole.Tail, JointRole.Fin, JointRole.Spine },
+        ThresholdPower = 1.46,
+        ThresholdFraction = 0.65f,
+        FractionScope = IntervalScope.Together,
+        Sweep = AngularSweep.AnyWay with { Ends = new[] { JointRole.End } },
+        Interval = 0.1f,
         Winner = IntervalWinner.Strongest,
     };
 

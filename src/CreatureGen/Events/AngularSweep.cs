@@ -16,6 +16,13 @@ namespace CreatureGen.Events;
 /// </remarks>
 public sealed record AngularSweep
 {
+    private AngularSweep()
+    {
+    }
+
+    /// <summary>Looks at how fast the line turns, whichever way. Its moments are those at which it is fastest, told by the same thresholds, gaps and intervals as those of accelerations, but in degrees per second: a tail beats to one side and to the other, a limb cuts through the air.</summary>
+    public static AngularSweep AnyWay { get; } = new();
+
     /// <summary>Sets the direction that is swept to.</summary>
     /// <param name="towards">In model space, any length but none: (0, 0, −1) is back.</param>
     /// <exception cref="ArgumentException">It is not finite or has no length.</exception>
@@ -25,10 +32,10 @@ public sealed record AngularSweep
         Towards = Vec.LengthSquared(towards) > 0f ? Vec.Normalize(towards, Vector3.UnitY) : throw new ArgumentException("a direction without length; expected one in model space", nameof(towards));
     }
 
-    /// <summary>Unit direction in model space.</summary>
+    /// <summary>Unit direction in model space; of no length for any way.</summary>
     public Vector3 Towards { get; }
 
-    /// <summary>What ends the line, the first of these that a joint has below it; the end of the joint's own bone where there is none. The moments are told of that joint.</summary>
+    /// <summary>What ends the line, the first of these that a joint has below it; the end of the joint's own bone where there is none. The moments are told of that joint. <see cref="JointRole.End"/> means the end of the chain of joints that have one role, such as a tail, of which then only the first has a line.</summary>
     public IReadOnlyList<JointRole> Ends { get; init; } = Array.Empty<JointRole>();
 
     /// <summary>Part of the usual speed of a sweep, the median of all, at which it has begun, 0 to 1.</summary>
@@ -42,6 +49,15 @@ public sealed record AngularSweep
 
     /// <summary>Limbs whose end is higher at rest than this part of the skeleton's height above its lowest joint are left out, 0 to 1; 1 takes all. Hands of a standing figure are no feet.</summary>
     public float LowestPart { get; init; } = 1f;
+
+    /// <summary>Whether all ways count.</summary>
+    internal bool IsAnyWay => Towards == Vector3.Zero;
+
+    /// <summary>Speed of a line, radians per second; below 0 where it goes the other way.</summary>
+    /// <param name="from">Its unit direction.</param>
+    /// <param name="to">The same later.</param>
+    /// <param name="rate">How much later, as a rate.</param>
+    internal float Speed(Vector3 from, Vector3 to, float rate) => (IsAnyWay ? Vec.Distance(from, to) : Vec.Dot(to - from, Towards)) * rate;
 
     /// <summary>Throws unless all numbers are within their ranges.</summary>
     internal void Require(string rule)

@@ -11,15 +11,15 @@ internal static class Chunks
     private const float LastPeakFraction = 0.5f;
 
     /// <summary>Adds the moments of a curve.</summary>
-    public static void Find(AngularCurve curve, int number, AngularRule rule, ClipEdge edge, List<Moment> moments)
+    /// <param name="curve">What is looked at.</param>
+    /// <param name="number">Of the curve.</param>
+    /// <param name="most">The greatest value that the rule's fraction is of.</param>
+    /// <param name="rule">What to look for.</param>
+    /// <param name="edge">What lies beyond the ends.</param>
+    /// <param name="moments">Gets the moments.</param>
+    public static void Find(AngularCurve curve, int number, float most, AngularRule rule, ClipEdge edge, List<Moment> moments)
     {
-        ReadOnlySpan<float> a = curve.Accelerations;
-        float most = 0f;
-        foreach (float one in a)
-        {
-            most = Math.Max(most, one);
-        }
-
+        ReadOnlySpan<float> a = curve.Signal;
         float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * most);
         int gap = (int)(rule.ChunkGap * curve.Rate);
         float quiet = Math.Max(rule.Quiet, rule.QuietFraction * LongestQuiet(a, threshold, out int behind) / curve.Rate);
@@ -51,13 +51,25 @@ internal static class Chunks
 
         void Add(int from, int to, int next)
         {
-            ReadOnlySpan<float> values = curve.Accelerations;
+            ReadOnlySpan<float> values = curve.Signal;
             int best = PeakOf(values, start, from, to, threshold, rule.Peak);
             if (best >= 0 && (next == int.MaxValue || (next - to - 1) / curve.Rate >= quiet))
             {
-                moments.Add(At(values, (start + best) % values.Length, number, curve.Rate, threshold, edge));
+                moments.Add(At(curve, (start + best) % values.Length, number, threshold, edge));
             }
         }
+    }
+
+    /// <summary>The greatest value of a curve.</summary>
+    public static float MostOf(AngularCurve curve)
+    {
+        float most = 0f;
+        foreach (float one in curve.Signal)
+        {
+            most = Math.Max(most, one);
+        }
+
+        return most;
     }
 
     /// <summary>The sample that the moment of a stretch is at, −1 if no change in it counts.</summary>
@@ -119,8 +131,9 @@ internal static class Chunks
     }
 
     /// <summary>The top of the parabola through a maximum and its neighbours, at most half a sample away.</summary>
-    private static Moment At(ReadOnlySpan<float> a, int i, int number, float rate, float threshold, ClipEdge edge)
+    private static Moment At(AngularCurve curve, int i, int number, float threshold, ClipEdge edge)
     {
+        ReadOnlySpan<float> a = curve.Signal;
         float shift = 0f;
         if (edge == ClipEdge.Joined || (i > 0 && i < a.Length - 1))
         {
@@ -130,6 +143,6 @@ internal static class Chunks
             shift = curvature < 0f ? Scalar.Clamp(0.5f * (before - after) / curvature, -0.5f, 0.5f) : 0f;
         }
 
-        return new Moment(number, Math.Max(i + shift, 0f) / rate, threshold > 0f ? a[i] / threshold : 1f);
+        return new Moment(number, Math.Max(i + shift + curve.Place, 0f) / curve.Rate, threshold > 0f ? a[i] / threshold : 1f);
     }
 }

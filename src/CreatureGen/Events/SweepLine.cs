@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -25,14 +26,29 @@ internal readonly record struct SweepLine(int From, int To)
         }
 
         float most = lowest + (sweep.LowestPart * (highest - lowest));
-        return Array.FindAll(Array.ConvertAll(joints, joint => Of(skeleton, joint, sweep)), line => sweep.LowestPart >= 1f || skeleton.Joints[line.To].ModelPosition.Y <= most);
+        var lines = new List<SweepLine>();
+        foreach (int joint in joints)
+        {
+            if (Of(skeleton, joint, sweep) is { } line && (sweep.LowestPart >= 1f || skeleton.Joints[line.To].ModelPosition.Y <= most))
+            {
+                lines.Add(line);
+            }
+        }
+
+        return lines.ToArray();
     }
 
-    /// <summary>The line of one joint.</summary>
-    private static SweepLine Of(Skeleton skeleton, int joint, AngularSweep sweep)
+    /// <summary>The line of one joint; null for a joint that only goes on a chain, or begins one that goes over into something else.</summary>
+    private static SweepLine? Of(Skeleton skeleton, int joint, AngularSweep sweep)
     {
         foreach (JointRole end in sweep.Ends)
         {
+            if (end == JointRole.End)
+            {
+                int tip = Continues(skeleton, joint) ? joint : ChainEnd(skeleton, joint);
+                return tip != joint && IsLast(skeleton, tip) ? new SweepLine(joint, tip) : null;
+            }
+
             for (int i = joint + 1; i < skeleton.Count; i++)
             {
                 if (skeleton.Joints[i].Role == end && HangsOn(skeleton, i, joint))
@@ -49,6 +65,43 @@ internal readonly record struct SweepLine(int From, int To)
     public Vector3 Direction(Skeleton skeleton, in Pose model)
     {
         return From == To ? Rotation.Rotate(model.Rotations[From], skeleton.Joints[From].Along) : Vec.Normalize(model.Positions[To] - model.Positions[From], Vector3.UnitY);
+    }
+
+    private static bool IsLast(Skeleton skeleton, int joint)
+    {
+        for (int i = joint + 1; i < skeleton.Count; i++)
+        {
+            if (skeleton.Parents[i] == joint)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Whether a joint goes on a chain of its role.</summary>
+    private static bool Continues(Skeleton skeleton, int joint)
+    {
+        int parent = skeleton.Parents[joint];
+        return parent >= 0 && skeleton.Joints[parent].Role == skeleton.Joints[joint].Role;
+    }
+
+    /// <summary>The end of the chain of joints of one role that begins with a joint: a joint of the role <see cref="JointRole.End"/>, or the last of them.</summary>
+    private static int ChainEnd(Skeleton skeleton, int joint)
+    {
+        JointRole role = skeleton.Joints[joint].Role;
+        int at = joint;
+        for (int i = joint + 1; i < skeleton.Count; i++)
+        {
+            JointRole next = skeleton.Joints[i].Role;
+            if (skeleton.Parents[i] == at && (next == role || next == JointRole.End))
+            {
+                at = i;
+            }
+        }
+
+        return at;
     }
 
     private static bool HangsOn(Skeleton skeleton, int joint, int ancestor)

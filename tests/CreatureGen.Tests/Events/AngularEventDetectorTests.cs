@@ -50,6 +50,25 @@ public sealed class AngularEventDetectorTests
     }
 
     [Fact]
+    public void What_stops_away_from_its_rest_is_not_shut()
+    {
+        // Opened by 60° from 0.2 s to 0.5 s, shut again from 0.9 s to 1.2 s.
+        Clip clip = Turning("Snap", ClipEnd.Stays, 46, t => Scalar.Radians(200) * (Math.Clamp(t - 0.2, 0, 0.3) - Math.Clamp(t - 0.9, 0, 0.3)));
+        AngularRule rule = Rule with { Change = AngularChange.Slowing };
+        Assert.Equal([0.5f, 1.2f], AngularEventDetector.Find(clip, arm, rule).Events.Select(e => MathF.Round(e.Time, 2)));
+        Assert.Equal(1.2f, Assert.Single(AngularEventDetector.Find(clip, arm, rule with { NearRest = 0.3f }).Events).Time, 2);
+        Assert.Throws<ArgumentException>(() => AngularEventDetector.Find(clip, arm, rule with { NearRest = 2f }));
+    }
+
+    [Fact]
+    public void A_sweep_any_way_is_told_where_it_is_fastest_to_one_side_and_to_the_other()
+    {
+        Clip clip = Turning("Beat", ClipEnd.Loops, 61, t => 0.5 * Math.Sin(Math.PI * (t % 2)));
+        AngularRule rule = Rule with { ThresholdPower = 1, ThresholdFraction = 0.6f, Sweep = AngularSweep.AnyWay };
+        Assert.Equal([0f, 1f], AngularEventDetector.Find(clip, arm, rule).Events.Select(e => MathF.Round(e.Time, 2) % 2f).Order());
+    }
+
+    [Fact]
     public void A_loop_has_no_ends()
     {
         // The bone turns back at the seam: as a loop there is a moment there, as a clip that stays there is none.

@@ -145,7 +145,7 @@ public static class ClipCompression
         /// <summary>The same in few bytes.</summary>
         public CompressedClip Packed(float tolerance)
         {
-            var writer = new PackedWriter(frames.Count);
+            var writer = new PackedWriter(frames.Count, precision.Interpolation);
             for (int joint = 0; joint < skeleton.Count; joint++)
             {
                 float turn = tolerance / (2f * reaches[joint]);
@@ -192,21 +192,38 @@ public static class ClipCompression
 
         private KeyTrack Track(TrackFrames track, float tolerance, bool turns)
         {
-            int[] keys = track.Choose(precision.Interpolation, tolerance);
-            float[] times = Array.ConvertAll(keys, frames.TimeOf);
-            KeyInterpolation interpolation = keys.Length == 1 ? KeyInterpolation.Step : precision.Interpolation;
+            ChosenKeys keys = track.Choose(precision.Interpolation, tolerance);
+            float[] times = Array.ConvertAll(keys.Frames, frames.TimeOf);
+            KeyInterpolation interpolation = keys.Count == 1 ? KeyInterpolation.Step : precision.Interpolation;
             return KeyTrack.Of(times, track.At(keys, times, interpolation), interpolation, turns);
         }
 
-        /// <summary>Whether no more than so many cases are worse than allowed.</summary>
+        /// <summary>Whether no more than so many cases are worse than allowed: at frames, and as far after each as curves are looked at.</summary>
         private bool Keeps(IClip clip)
         {
-            int worse = 0;
-            int allowed = frames.Count * skeleton.Count * WorseOfHundred / 100;
-            for (int frame = 0; frame < frames.Count && worse <= allowed; frame++)
+            // Straight lines are farthest off at frames, curves anywhere.
+            int parts = precision.Interpolation == KeyInterpolation.Cubic ? TrackFrames.Moments : 1;
+            for (int part = 0; part < parts; part++)
             {
-                right.Sample(frames.Clip, frames.TimeOf(frame));
-                shown.Sample(clip, frames.TimeOf(frame));
+                if (!Keeps(clip, part, parts))
+                {
+                    return false;
+                }
+            }
+
+            return true;
+        }
+
+        private bool Keeps(IClip clip, int part, int parts)
+        {
+            int worse = 0;
+            int last = (frames.Count - 1) * parts;
+            int allowed = frames.Count * skeleton.Count * WorseOfHundred / 100;
+            for (int moment = part; moment <= last && worse <= allowed; moment += parts)
+            {
+                float time = ClipError.PartOf(frames.Clip.Duration, moment, last + 1);
+                right.Sample(frames.Clip, time);
+                shown.Sample(clip, time);
                 for (int joint = 0; joint < skeleton.Count; joint++)
                 {
                     worse += ClipError.At(right, shown, joint, precision.Distance) > precision.Error ? 1 : 0;

@@ -36,7 +36,7 @@ internal ref struct PackedReader
         Quaternion value = track.Turn(key);
         if (track.Between(frame, key, out float t) && interpolation != KeyInterpolation.Step)
         {
-            value = interpolation == KeyInterpolation.Linear
+            value = interpolation == KeyInterpolation.Linear || track.GoesStraight(key)
                 ? Maths.Rotation.Slerp(value, track.Turn(key + 1), t)
                 : track.Curved(key, t, loops);
         }
@@ -59,7 +59,7 @@ internal ref struct PackedReader
         Vector3 value = track.Place(key);
         if (track.Between(frame, key, out float t) && interpolation != KeyInterpolation.Step)
         {
-            value = interpolation == KeyInterpolation.Linear ? Vec.Lerp(value, track.Place(key + 1), t) : track.CurvedPlace(key, t, loops);
+            value = interpolation == KeyInterpolation.Linear || track.GoesStraight(key) ? Vec.Lerp(value, track.Place(key + 1), t) : track.CurvedPlace(key, t, loops);
         }
 
         return atRest + value;
@@ -84,8 +84,10 @@ internal ref struct PackedReader
         }
 
         int times = kind == PackedTrack.Moving ? count * frameBytes : 0;
-        var track = new Track(range, count, frameBytes, rest.Slice(at, times), rest.Slice(at + times, count * PackedTrack.ValueBytes));
-        rest = rest.Slice(at + times + (count * PackedTrack.ValueBytes));
+        int straight = kind == PackedTrack.Moving ? PackedTrack.StraightBytes(count, interpolation) : 0;
+        int values = at + times + straight;
+        var track = new Track(range, count, frameBytes, rest.Slice(at, times), rest.Slice(at + times, straight), rest.Slice(values, count * PackedTrack.ValueBytes));
+        rest = rest.Slice(values + (count * PackedTrack.ValueBytes));
         return track;
     }
 
@@ -94,13 +96,15 @@ internal ref struct PackedReader
         private readonly float range;
         private readonly int frameBytes;
         private readonly ReadOnlySpan<byte> frames;
+        private readonly ReadOnlySpan<byte> straight;
         private readonly ReadOnlySpan<byte> values;
 
-        public Track(float range, int count, int frameBytes, ReadOnlySpan<byte> frames, ReadOnlySpan<byte> values)
+        public Track(float range, int count, int frameBytes, ReadOnlySpan<byte> frames, ReadOnlySpan<byte> straight, ReadOnlySpan<byte> values)
         {
             this.range = range;
             this.frameBytes = frameBytes;
             this.frames = frames;
+            this.straight = straight;
             this.values = values;
             Count = count;
         }
@@ -110,6 +114,9 @@ internal ref struct PackedReader
         public Quaternion Turn(int key) => PackedValue.Turn(Number(key, 0), Number(key, 2), Number(key, 4), range);
 
         public Vector3 Place(int key) => PackedValue.Place(Number(key, 0), Number(key, 2), Number(key, 4), range);
+
+        /// <summary>Whether a cubic track goes straight from a key to the next.</summary>
+        public bool GoesStraight(int key) => straight.Length > 0 && (straight[key >> 3] & (1 << (key & 7))) != 0;
 
         /// <summary>The last key at or before a frame.</summary>
         public int KeyAt(float frame)

@@ -10,16 +10,22 @@ internal sealed class PackedWriter
     private readonly List<byte> bytes = new();
     private readonly int frameBytes;
 
-    public PackedWriter(int frames) => frameBytes = PackedTrack.FrameBytes(frames);
+    private readonly KeyInterpolation interpolation;
+
+    public PackedWriter(int frames, KeyInterpolation interpolation)
+    {
+        frameBytes = PackedTrack.FrameBytes(frames);
+        this.interpolation = interpolation;
+    }
 
     /// <summary>A track of rotations from the skeleton at rest.</summary>
     /// <param name="track">Its frames.</param>
     /// <param name="keys">Those that are kept.</param>
     /// <param name="still">Parts of a unit quaternion that count as rest.</param>
-    public void Turns(TrackFrames track, int[] keys, float still)
+    public void Turns(TrackFrames track, ChosenKeys keys, float still)
     {
-        var values = Array.ConvertAll(keys, key => track.Values[key]);
-        if (keys.Length == 1 && KeyCurve.SquaredDistance(values[0], new Vector4(0f, 0f, 0f, values[0].W < 0f ? -1f : 1f)) <= still * still)
+        var values = Array.ConvertAll(keys.Frames, frame => track.Values[frame]);
+        if (keys.Count == 1 && KeyCurve.SquaredDistance(values[0], new Vector4(0f, 0f, 0f, values[0].W < 0f ? -1f : 1f)) <= still * still)
         {
             bytes.Add(PackedTrack.Rest);
             return;
@@ -42,10 +48,10 @@ internal sealed class PackedWriter
     /// <param name="track">Its frames.</param>
     /// <param name="keys">Those that are kept.</param>
     /// <param name="still">Metres that count as rest.</param>
-    public void Places(TrackFrames track, int[] keys, float still)
+    public void Places(TrackFrames track, ChosenKeys keys, float still)
     {
-        var values = Array.ConvertAll(keys, key => track.Values[key]);
-        if (keys.Length == 1 && KeyCurve.SquaredDistance(values[0], default) <= still * still)
+        var values = Array.ConvertAll(keys.Frames, frame => track.Values[frame]);
+        if (keys.Count == 1 && KeyCurve.SquaredDistance(values[0], default) <= still * still)
         {
             bytes.Add(PackedTrack.Rest);
             return;
@@ -69,25 +75,36 @@ internal sealed class PackedWriter
 
     private static Quaternion ToQuaternion(Vector4 q) => new(q.X, q.Y, q.Z, q.W);
 
-    private void Header(int[] keys, float range)
+    private void Header(ChosenKeys keys, float range)
     {
-        bytes.Add(keys.Length == 1 ? PackedTrack.Constant : PackedTrack.Moving);
+        bytes.Add(keys.Count == 1 ? PackedTrack.Constant : PackedTrack.Moving);
         int bits = BitConverter.SingleToInt32Bits(range);
         Number((ushort)bits);
         Number((ushort)(bits >> 16));
-        if (keys.Length == 1)
+        if (keys.Count == 1)
         {
             return;
         }
 
-        Number((ushort)keys.Length);
-        foreach (int key in keys)
+        Number((ushort)keys.Count);
+        foreach (int key in keys.Frames)
         {
             bytes.Add((byte)key);
             if (frameBytes == 2)
             {
                 bytes.Add((byte)(key >> 8));
             }
+        }
+
+        for (int first = 0; first < 8 * PackedTrack.StraightBytes(keys.Count, interpolation); first += 8)
+        {
+            int straight = 0;
+            for (int k = 0; k < 8; k++)
+            {
+                straight |= keys.GoesStraight(first + k) ? 1 << k : 0;
+            }
+
+            bytes.Add((byte)straight);
         }
     }
 

@@ -8,6 +8,9 @@ namespace CreatureGen.Motion.Toolkit.Clips;
 /// <summary>A rotation or a position of one joint in every frame of a clip, from which the keys of a track are chosen.</summary>
 internal sealed class TrackFrames
 {
+    /// <summary>Moments in a frame at which curves are looked at.</summary>
+    public const int Moments = 4;
+
     private readonly Vector4[] values;
     private readonly bool turns;
     private readonly bool loops;
@@ -38,33 +41,33 @@ internal sealed class TrackFrames
 
     /// <summary>Chooses the frames that become keys, as few as will do; the first and the last are among them, but of a track that does not move only the first.</summary>
     /// <param name="interpolation">How the track goes from key to key.</param>
-    /// <param name="tolerance">Most by which a frame may be off: metres, or parts of a unit quaternion, which are half of radians.</param>
-    public int[] Choose(KeyInterpolation interpolation, float tolerance)
+    /// <param name="tolerance">Most by which it may be off, at frames and between them: metres, or parts of a unit quaternion, which are half of radians.</param>
+    public ChosenKeys Choose(KeyInterpolation interpolation, float tolerance)
     {
         if (Reaches(KeyInterpolation.Step, 0, values.Length, tolerance))
         {
-            return new[] { 0 };
+            return new ChosenKeys(new[] { 0 }, Array.Empty<bool>());
         }
 
-        return interpolation == KeyInterpolation.Cubic ? Insert(tolerance) : Stride(interpolation, tolerance);
+        return interpolation == KeyInterpolation.Cubic ? Insert(tolerance) : new ChosenKeys(Stride(interpolation, tolerance), Array.Empty<bool>());
     }
 
     /// <summary>Values of keys in their order, with the tangents of a cubic track around each as <see cref="KeyTrack"/> takes them.</summary>
-    public Vector4[] At(int[] keys, float[] times, KeyInterpolation interpolation)
+    public Vector4[] At(ChosenKeys keys, float[] times, KeyInterpolation interpolation)
     {
-        bool cubic = interpolation == KeyInterpolation.Cubic;
-        var chosen = new Vector4[cubic ? 3 * keys.Length : keys.Length];
-        for (int k = 0; k < keys.Length; k++)
+        int[] frames = keys.Frames;
+        if (interpolation != KeyInterpolation.Cubic)
         {
-            if (cubic)
-            {
-                chosen[(3 * k) + 1] = values[keys[k]];
-                chosen[3 * k] = chosen[(3 * k) + 2] = KeyCurve.Tangent(k, keys.Length, loops, i => values[keys[i]], i => times[i]);
-            }
-            else
-            {
-                chosen[k] = values[keys[k]];
-            }
+            return Array.ConvertAll(frames, frame => values[frame]);
+        }
+
+        var chosen = new Vector4[3 * keys.Count];
+        for (int k = 0; k < keys.Count; k++)
+        {
+            Vector4 smooth = KeyCurve.Tangent(k, keys.Count, loops, i => values[frames[i]], i => times[i]);
+            chosen[3 * k] = keys.GoesStraight(k - 1) ? Straight(frames[k - 1], frames[k]).Arriving * (1f / (times[k] - times[k - 1])) : smooth;
+            chosen[(3 * k) + 1] = values[frames[k]];
+            chosen[(3 * k) + 2] = keys.GoesStraight(k) ? Straight(frames[k], frames[k + 1]).Leaving * (1f / (times[k + 1] - times[k])) : smooth;
         }
 
         return chosen;
@@ -134,8 +137,8 @@ internal sealed class TrackFrames
         return ToVector(Rotation.Nlerp(ToQuaternion(a), ToQuaternion(b), t));
     }
 
-    /// <summary>Key by key where the curve is farthest off, until it is nowhere too far.</summary>
-    private int[] Insert(float tolerance)
+    /// <summary>Key by key where the track is farthest off, until it is nowhere too far.</summary>
+    private ChosenKeys Insert(float tolerance)
     {
         // A loop that had keys at its ends alone would stand still.
         var keys = new List<int> { 0, values.Length - 1 };
@@ -144,14 +147,17 @@ internal sealed class TrackFrames
             keys.Insert(1, values.Length / 2);
         }
 
+        var straight = new List<bool>();
         var added = new List<int>();
         do
         {
             added.Clear();
+            straight.Clear();
             for (int k = 0; k + 1 < keys.Count; k++)
             {
-                int worst = WorstOf(keys, k, tolerance);
-                if (worst >= 0)
+                bool curved = IsCurveNear(keys, k, tolerance, out int worst);
+                straight.Add(!curved && Reaches(KeyInterpolation.Linear, keys[k], keys[k + 1], tolerance));
+                if (!curved && !straight[k])
                 {
                     added.Add(worst);
                 }
@@ -162,30 +168,52 @@ internal sealed class TrackFrames
         }
         while (added.Count > 0);
 
-        return keys.ToArray();
+        return new ChosenKeys(keys.ToArray(), straight.ToArray());
     }
 
-    /// <summary>The frame between two keys that is farthest off the curve; −1 if none is too far.</summary>
-    private int WorstOf(List<int> keys, int k, float tolerance)
+    /// <summary>Whether the curve between two keys is nowhere too far off what goes straight from frame to frame.</summary>
+    /// <param name="keys">All keys.</param>
+    /// <param name="k">The first of the two.</param>
+    /// <param name="tolerance">Most by which it may be off.</param>
+    /// <param name="worst">The frame between them that is nearest to where it is farthest off.</param>
+    private bool IsCurveNear(List<int> keys, int k, float tolerance, out int worst)
     {
         int from = keys[k];
         int to = keys[k + 1];
         Vector4 leaving = KeyCurve.Tangent(k, keys.Count, loops, i => values[keys[i]], i => keys[i]);
         Vector4 arriving = KeyCurve.Tangent(k + 1, keys.Count, loops, i => values[keys[i]], i => keys[i]);
-        int worst = -1;
-        float most = tolerance * tolerance;
-        for (int i = from + 1; i < to; i++)
+        float most = 0f;
+        worst = from + 1;
+        for (int i = 1; i < (to - from) * Moments; i++)
         {
-            Vector4 shown = KeyCurve.At(values[from], leaving, arriving, values[to], (i - from) / (float)(to - from), to - from);
-            float off = Off(turns ? KeyCurve.Unit(shown) : shown, values[i]);
+            int frame = from + (i / Moments);
+            Vector4 shown = KeyCurve.At(values[from], leaving, arriving, values[to], i / (float)((to - from) * Moments), to - from);
+            Vector4 right = i % Moments == 0 ? values[frame] : Between(frame, frame + 1, i % Moments / (float)Moments);
+            float off = Off(turns ? KeyCurve.Unit(shown) : shown, right);
             if (off > most)
             {
                 most = off;
-                worst = i;
+                worst = Math.Min(Math.Max(from + ((i + (Moments / 2)) / Moments), from + 1), to - 1);
             }
         }
 
-        return worst;
+        return most <= tolerance * tolerance;
+    }
+
+    /// <summary>The tangents, per way from one frame to another, with which a cubic curve goes straight between them: along the great circle of rotations.</summary>
+    private (Vector4 Leaving, Vector4 Arriving) Straight(int from, int to)
+    {
+        Vector4 a = values[from];
+        Vector4 b = values[to];
+        if (!turns)
+        {
+            return (b - a, b - a);
+        }
+
+        double cosine = Scalar.Clamp((a.X * (double)b.X) + (a.Y * (double)b.Y) + (a.Z * (double)b.Z) + (a.W * (double)b.W), 0, 1);
+        double angle = PortableMath.Acos(cosine);
+        float longer = angle < 1e-3 ? 1f : (float)(angle / PortableMath.Sin(angle));
+        return ((b - (a * (float)cosine)) * longer, ((b * (float)cosine) - a) * longer);
     }
 
     private static Quaternion ToQuaternion(Vector4 q) => new(q.X, q.Y, q.Z, q.W);
