@@ -103,5 +103,5 @@ public sealed class SourceTests
     }
 
     private static bool IsText(string path) =>
-        !path.EndsWith(".glb", StringComparison.Ordinal) && !path.EndsWith(".npy", StringComparison.Ordinal) && !path.EndsWith(".png", StringComparison.Ordinal) && !path.EndsWith(".snk", StringComparison.Ordinal);
+        !path.EndsWith(".glb", StringComparison.Ordinal) && !path.EndsWith(".npy", StringComparison.Ordinal) && !path.EndsWith(".png", StringComparison.Ordinal) && !path.EndsWith(".snk", StringComparison.Ordinal) && !path.EndsWith(".webp", StringComparison.Ordinal);
 }
