@@ -66,8 +66,9 @@ internal static class InsectWingShape
         }
 
         float thickness = 0.004f * scale;
-        AppendLayer(builder, grid, stations, lines, up, thickness, aspect, membrane, vein);
-        AppendLayer(builder, grid, stations, lines, up, -thickness, aspect, membrane, vein);
+        int band = form is null ? 2 : 4;
+        AppendLayer(builder, grid, stations, lines, up, thickness, aspect, band, membrane, vein);
+        AppendLayer(builder, grid, stations, lines, up, -thickness, aspect, band, membrane, vein);
     }
 
     /// <summary>Root, middle and tip of the wing's axis, its joints.</summary>
@@ -78,7 +79,7 @@ internal static class InsectWingShape
     }
 
     private static void AppendLayer(
-        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, float aspect, Vector3 membrane, Vector3 vein)
+        PieceBuilder builder, ReadOnlySpan<Vector3> grid, ReadOnlySpan<float> stations, ReadOnlySpan<float> lines, Vector3 up, float thickness, float aspect, int band, Vector3 membrane, Vector3 vein)
     {
         const int RowLength = 2 * Strips;
         int rows = stations.Length;
@@ -94,7 +95,7 @@ internal static class InsectWingShape
                     int j = strip + edge;
                     bool border = i == 0 || i == rows - 1 || j == 0 || j == Lines - 1;
                     Vector3 position = grid[(i * Lines) + j] + (up * (border ? 0f : thickness));
-                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], i, aspect, membrane, vein));
+                    builder.Vertex(position, Normal(grid, i, j) * side, Shade(strip, stations[i], lines[j], Math.Abs((2f * (i % band)) - band) / band, aspect, membrane, vein));
                 }
             }
         }
@@ -128,7 +129,15 @@ internal static class InsectWingShape
         return Vec.Normalize(Vec.Cross(alongRow / Vec.Length(alongRow), acrossRow / Vec.Length(acrossRow)));
     }
 
-    private static Vector3 Shade(int strip, float s, float u, int row, float aspect, Vector3 membrane, Vector3 vein)
+    /// <summary>The colour of a vertex.</summary>
+    /// <param name="strip">Strip of the leaf, from the leading edge.</param>
+    /// <param name="s">Station along the wing, 0..1.</param>
+    /// <param name="u">0 at the leading edge, 1 at the trailing one.</param>
+    /// <param name="band">How far it lies on a dark band across the wing, 0..1.</param>
+    /// <param name="aspect">Width of the wing relative to its length.</param>
+    /// <param name="membrane">Linear RGB between the veins.</param>
+    /// <param name="vein">Linear RGB of the veins.</param>
+    private static Vector3 Shade(int strip, float s, float u, float band, float aspect, Vector3 membrane, Vector3 vein)
     {
         if ((strip & 1) == 0 && strip < 5)
         {
@@ -136,7 +145,7 @@ internal static class InsectWingShape
         }
 
         float broad = Broadness(aspect);
-        float dark = 0.22f * ((row & 1) == 0 ? 1f : 0f);
+        float dark = 0.22f * band;
         dark = Math.Max(dark, 0.45f * Scalar.Smooth((u - 0.8f) / 0.2f));
         if (strip == 1)
         {
@@ -149,7 +158,7 @@ internal static class InsectWingShape
         Vector3 sheen = membrane * (1f - (0.12f * s));
 
         // The pale patch in the middle of a butterfly's wing, and pale dots along its margin.
-        float patch = strip == 3 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / 0.2f)) : strip == 5 && (row & 1) == 1 ? 0.5f * Scalar.Smooth((0.9f - u) / 0.2f) : 0f;
+        float patch = strip == 3 ? Scalar.Smooth(1f - (Math.Abs(s - 0.52f) / 0.2f)) : strip == 5 ? 0.5f * (1f - band) * Scalar.Smooth((0.9f - u) / 0.2f) : 0f;
         sheen = Vec.Lerp(sheen, Vec.Lerp(membrane, Vector3.One, 0.75f), broad * patch);
         return Vec.Lerp(sheen, vein, dark);
     }

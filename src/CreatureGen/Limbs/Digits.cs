@@ -18,6 +18,9 @@ internal static class Digits
     /// <summary>Radians. Largest angle between the outer toes and straight ahead.</summary>
     private const float WidestSplay = 0.95f;
 
+    /// <summary>Splay of the toes of a foot that trails in the water, relative to that of one that stands.</summary>
+    private const float Closed = 0.4f;
+
     /// <summary>Radius of a nail, in those of its toe.</summary>
     private const float NailSize = 0.85f;
 
@@ -46,11 +49,14 @@ internal static class Digits
         // Who balances on one pair of feet stands over the middle of the toes of its leg's form.
         float length = (form.LongToed ? 1f : foot.Length) * form.ToeLength * (hand ? thickness * (float)leg.FootSize : size);
         float tipRadius = form.ToeRadius * (hand ? thickness : size * Math.Max((float)leg.Stoutness, 0.8f));
-        float splay = Math.Min((form.LongToed ? Math.Min(1f, foot.Splay) : foot.Splay) * form.ToeSplay, WidestSplay);
+
+        // A foot that trails is carried on edge and nearly closed; others are level.
+        bool trails = form.Archetype == LimbArchetype.Sprawl && !standing;
+        float splay = (trails ? Closed : 1f) * Math.Min((form.LongToed ? Math.Min(1f, foot.Splay) : foot.Splay) * form.ToeSplay, WidestSplay);
         var address = new VertexAddress { Region = SurfaceRegion.Toe, Appendage = (short)index, Sign = 1, Along = 1f };
         int[] grid = CapGrid.Vertices(surface, limb.End, rows, columns, end.Tangent, end.ForeRadius * 0.15f, address);
 
-        Vector3 side = Vec.Normalize(new Vector3(end.Across.X, 0f, end.Across.Z), Vector3.UnitX);
+        Vector3 side = trails ? end.Across : Vec.Normalize(new Vector3(end.Across.X, 0f, end.Across.Z), Vector3.UnitX);
         Vector3 ahead = end.Tangent;
         if (standing)
         {

@@ -82,7 +82,7 @@ internal static class LegGrower
     public static Appendage Grow(BodySurface body, LegBlueprint leg, int index, LimbEnds ends)
     {
         SurfaceBuilder surface = body.Surface;
-        LegForm form = LegForms.Of(leg.Archetype);
+        LegForm form = LegForms.Of(leg);
         SocketLoop socket = SocketLoop.Cut(body, leg.Socket);
         int firstVertex = surface.Positions.Count;
         int firstFace = surface.Faces.Count;

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Feet;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
@@ -12,6 +13,21 @@ internal sealed class LegPath
 {
     /// <summary>Metres. Least distance of a leg's inner side from the sagittal plane.</summary>
     private const float InnerGap = 0.012f;
+
+    /// <summary>Most of a leg's radius that is only to make it stout, relative to half of its socket's length.</summary>
+    private const float Balloon = 1.3f;
+
+    /// <summary>Share of the bow of a long-toed leg, seen from the front, that is left between its thigh and its foot.</summary>
+    private const float Bow = 0.25f;
+
+    /// <summary>Metres between the toes of two feet and the sagittal plane.</summary>
+    private const float FootGap = 0.02f;
+
+    /// <summary>Least and widest splay of toes that feet are set apart for, radians; half the width of a toe's end in its radii, and how far a claw reaches to the side, in its lengths.</summary>
+    private const float LeastSplay = 0.2f;
+    private const float WidestSplay = 0.95f;
+    private const float ToeTip = 0.65f;
+    private const float ClawReach = 0.5f;
 
     /// <summary>Radians. An insect's legs that are turned back further lie along its abdomen.</summary>
     private const double LaidBack = -0.65;
@@ -47,7 +63,9 @@ internal sealed class LegPath
         float thickness = Math.Min((float)leg.Thickness, socket.HalfLength * 1.12f);
         if (form.LeastThickness > 0f)
         {
-            thickness = Scalar.Clamp(thickness, form.LeastThickness * height, form.MostThickness * height);
+            // A tall leg of a slim body stays as slim as where it grows from, or it would hang there like a balloon.
+            float least = Math.Min(form.LeastThickness * height, Math.Max(thickness, Balloon * socket.HalfLength));
+            thickness = Scalar.Clamp(thickness, least, form.MostThickness * height);
         }
 
         Vector3[] joints = LayJoints(form, leg, root, height);
@@ -148,12 +166,21 @@ internal sealed class LegPath
             bool underBody = form.Archetype != LimbArchetype.Sprawl && !form.Crouched;
             if (underBody)
             {
-                float splay = form.LongToed ? form.ToeSplay : 0.2f;
-                float halfWidth = radii[last].Y + (form.ToeLength * thickness * (float)leg.FootSize * splay) + 0.02f;
+                FootForm foot = FootForm.Of(leg.Foot);
+                float size = thickness * (float)leg.FootSize;
+                float beside = size * form.ToeLength * (form.LongToed ? form.ToeSplay : foot.Length * Math.Min(foot.Splay * form.ToeSplay, WidestSplay));
+                float tip = form.LongToed || foot.Splay > 1f ? size * form.ToeRadius * (ToeTip + (ClawReach * (float)leg.ClawLength)) : 0f;
+                float least = (size * form.ToeLength * (form.LongToed ? form.ToeSplay : LeastSplay)) + FootGap;
+                float halfWidth = radii[last].Y + Math.Max(least, beside + tip);
                 float shift = Math.Max(0f, halfWidth - joints[last].X);
                 for (int k = 0; k <= last; k++)
                 {
                     joints[k].X += shift * Scalar.Smooth(form.Down[k] / 0.9f);
+                }
+
+                if (form.LongToed)
+                {
+                    Straighten(form, joints);
                 }
             }
 
@@ -172,6 +199,18 @@ internal sealed class LegPath
         {
             // A narrow tip stands on its end, pressed flat a little.
             joints[last].Y = radii[last].X * 0.5f;
+        }
+    }
+
+    /// <summary>Brings the joints below the thigh near the line to the foot as it is seen from the front: a tall leg that bows out and in again looks like a wishbone.</summary>
+    private static void Straighten(LegForm form, Vector3[] joints)
+    {
+        int last = joints.Length - 1;
+        for (int k = 2; k < last - 1; k++)
+        {
+            float share = (form.Down[k] - form.Down[1]) / (form.Down[last] - form.Down[1]);
+            float straight = Scalar.Lerp(joints[1].X, joints[last].X, share);
+            joints[k].X = Scalar.Lerp(straight, joints[k].X, Bow);
         }
     }
 

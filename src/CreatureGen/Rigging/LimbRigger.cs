@@ -55,7 +55,7 @@ internal static class LimbRigger
         LimbArchetype archetype = leg.Archetype!.Value;
         bool lateral = archetype is LimbArchetype.Insect or LimbArchetype.Sprawl;
         Vector3 hip = leg.Joints[0];
-        Vector3 hinge = lateral ? LateralHinge(leg) : Vec.Normalize(Vec.Reject(Vector3.UnitX, Vec.Normalize(leg.Joints[2] - hip, -Vector3.UnitY)), Vector3.UnitX);
+        Vector3 hinge = archetype == LimbArchetype.Sprawl && !leg.Stands ? TrailingHinge(leg) : lateral ? LateralHinge(leg) : Vec.Normalize(Vec.Reject(Vector3.UnitX, Vec.Normalize(leg.Joints[2] - hip, -Vector3.UnitY)), Vector3.UnitX);
 
         // The girdle sits half way in from the hip, so that its bone has a direction; it only slides.
         var girdle = new Vector3(hip.X / 2f, hip.Y, hip.Z);
@@ -86,6 +86,10 @@ internal static class LimbRigger
         normal = Vec.Normalize(new Vector3(normal.X, 0f, normal.Z), Vector3.UnitZ);
         return normal.Z < 0f ? -normal : normal;
     }
+
+    /// <summary>The same of a leg laid back along the flank, whose knee bends in a plane that is rather level: the side of it that would be in front if the leg were spread.</summary>
+    private static Vector3 TrailingHinge(Appendage leg) =>
+        Vec.Normalize(Vec.Cross(leg.Joints[2] - leg.Joints[0], leg.Joints[1] - leg.Joints[0]), -Vector3.UnitY);
 
     private static List<JointDraft> Chain(Appendage appendage)
     {

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Sampling.Limbs;
 using CreatureGen.Seeding;
 using CreatureGen.Species;
 
@@ -133,6 +134,7 @@ internal sealed class PlanChoice
         BodyPlan.ManyLegged => (3, 9),
         BodyPlan.Flapping => (0, 4),
         BodyPlan.Buzzing => (0, 8),
+        _ when ExtraLegs.Suits(plan) => (2, ExtraLegs.Most),
         BodyPlan.Legless or BodyPlan.Fish or BodyPlan.Eel or BodyPlan.Whale or BodyPlan.Flipper => (0, 0),
         _ => (2, 2),
     };

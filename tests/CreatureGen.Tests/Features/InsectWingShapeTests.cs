@@ -42,12 +42,12 @@ public sealed class InsectWingShapeTests
     [InlineData(ThinWingStyle.ButterflyHind)]
     [InlineData(ThinWingStyle.MothFore)]
     [InlineData(ThinWingStyle.MothHind)]
-    public void A_wing_of_a_family_is_a_closed_leaf_with_two_dozen_points_on_its_outline(ThinWingStyle style)
+    public void A_wing_of_a_family_is_a_closed_leaf_with_four_dozen_points_on_its_outline(ThinWingStyle style)
     {
         Piece wing = Build(new InsectWingBlueprint(26, 2.5, 0.8, 0.5, 0.1, 0.4, style));
         PieceChecks.IsSound(wing);
         PieceChecks.NormalsFollowFaces(wing, 0.8);
-        Assert.Equal(2 * 11 * 6 * 2, PieceChecks.TriangleCount(wing));
+        Assert.Equal(2 * 22 * 6 * 2, PieceChecks.TriangleCount(wing));
         Assert.InRange(wing.Positions.Max(p => p.X) - back.Position.X, 0.4f, 0.82f);
     }
 

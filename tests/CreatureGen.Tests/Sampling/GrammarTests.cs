@@ -4,6 +4,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Inspection;
+using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -53,6 +54,32 @@ public sealed class GrammarTests
             Assert.DoesNotContain(b.Features, part => part.Segment < 3 && part.Ring is > 16 and < 46);
             Assert.Equal(ShellStyle.None, b.Body.Shell.Style);
         }
+    }
+
+    [Fact]
+    public void Legs_of_swimmers_trail_behind_their_hips()
+    {
+        CreatureBlueprint[] legged = [.. Strange(RequestedKind.Swimming, 60).Where(b => b.Legs.Count > 0).Take(8)];
+        Assert.True(legged.Length >= 4);
+        foreach (Creature creature in legged.Select(CreatureAssembler.Assemble))
+        {
+            foreach (LimbChain leg in creature.Limbs.Where(limb => limb.Kind == LimbKind.Leg))
+            {
+                float[] along = [.. leg.Joints.Skip(1).Select(joint => creature.Skeleton.ModelPositions[joint].Z)];
+                Assert.Equal(along.OrderByDescending(z => z), along);
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade)]
+    [InlineData(BodyPlan.Plantigrade)]
+    public void Plans_of_four_legs_may_be_asked_for_with_six_and_eight(BodyPlan plan)
+    {
+        CreatureOptions six = CreatureOptions.Default with { Kind = RequestedKind.Walking, MinLegPairs = 3, MaxLegPairs = 4, BodyPlans = new ValueList<BodyPlanWeight>([.. AnatomyChoices.Plan.Values.Select(p => new BodyPlanWeight(p, p == plan ? 1 : 0))]) };
+        CreatureBlueprint sampled = BlueprintSampler.Sample(First, six);
+        Assert.Equal(plan, sampled.Plan);
+        Assert.InRange(sampled.Legs.Count, 3, 4);
     }
 
     public static TheoryData<FootStyle> Feet => new(AnatomyChoices.Foot.Values);

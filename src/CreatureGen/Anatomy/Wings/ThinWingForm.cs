@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Anatomy.Wings;
@@ -9,10 +10,10 @@ internal sealed class ThinWingForm
 {
     private readonly WingPoint[] points;
 
-    /// <summary>Takes the points, an even number of them.</summary>
+    /// <summary>Takes the points, an even number of them; between each two along the edges one more is laid on a curve through them, or the corners of broad wings would be seen.</summary>
     public ThinWingForm(params (double X, double Y)[] outline)
     {
-        points = Array.ConvertAll(outline, p => new WingPoint(p.X, p.Y));
+        points = Rounded(Array.ConvertAll(outline, p => new WingPoint(p.X, p.Y)));
         double least = double.MaxValue, most = double.MinValue;
         foreach (WingPoint p in points)
         {
@@ -40,6 +41,26 @@ internal sealed class ThinWingForm
         ThinWingStyle.MothHind => MothWing.Hind,
         _ => null,
     };
+
+    /// <summary>The points with those between them, but for the two at the tip. Based on: E. Catmull and R. Rom, "A class of local interpolating splines" (1974), at one half.</summary>
+    private static WingPoint[] Rounded(WingPoint[] drawn)
+    {
+        int last = drawn.Length - 1;
+        var points = new List<WingPoint>();
+        for (int k = 0; k <= last; k++)
+        {
+            points.Add(drawn[k]);
+            if (k < last && k != last / 2)
+            {
+                (WingPoint before, WingPoint a, WingPoint b, WingPoint after) = (drawn[Math.Max(0, k - 1)], drawn[k], drawn[k + 1], drawn[Math.Min(last, k + 2)]);
+                points.Add(new WingPoint(Between(before.X, a.X, b.X, after.X), Between(before.Y, a.Y, b.Y, after.Y)));
+            }
+        }
+
+        return points.ToArray();
+    }
+
+    private static double Between(double before, double a, double b, double after) => ((9 * (a + b)) - before - after) / 16;
 
     /// <summary>A point of a line across the wing.</summary>
     /// <param name="row">Number of the line from the shoulder.</param>

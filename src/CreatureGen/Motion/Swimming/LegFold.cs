@@ -19,6 +19,9 @@ internal sealed class LegFold
     /// <summary>First joint whose bone has to keep clear: the thigh grows out of the body.</summary>
     private const int Knee = 2;
 
+    /// <summary>Where a leg that is spread against the stream reaches: out and a little down.</summary>
+    private static readonly Vector3 against = Vec.Normalize(new Vector3(0.9f, -0.35f, -0.25f), Vector3.UnitX);
+
     private readonly Quaternion[] turns;
 
     private LegFold(Quaternion[] turns, Vector3 tip, FoldedBone[] bones)
@@ -60,6 +63,9 @@ internal sealed class LegFold
 
         return best!;
     }
+
+    /// <summary>The turns of each joint that spread a leg against the stream, about the model's axes.</summary>
+    public static Quaternion[] Spread(PairedChain chain, Creature creature) => Towards(chain, creature, against).turns;
 
     /// <summary>Turns every bone towards a direction, from the hip down, as far as its joint allows.</summary>
     private static LegFold Towards(PairedChain chain, Creature creature, Vector3 direction)

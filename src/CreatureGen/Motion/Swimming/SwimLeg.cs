@@ -14,7 +14,7 @@ namespace CreatureGen.Motion.Swimming;
 /// one to steer.
 /// </summary>
 /// <remarks>
-/// All that a leg does is one way between its rest pose and its fold (<see cref="LegFold"/>): paddling goes to and fro on it, the joints further out a little later, so that a foot is spread as the leg goes back and
+/// All that a leg does is one way between its spread and its fold (<see cref="LegFold"/>): paddling goes to and fro on it, the joints further out a little later, so that a foot is spread as the leg goes back and
 /// trails as it comes forward. Based on: Ashley-Ross and Bechtel, "Kinematics of the transition between aquatic and terrestrial locomotion in the newt Taricha torosa", J. Exp. Biol. 207 (2004): limbs held back along
 /// the body while swimming.
 /// </remarks>
@@ -56,14 +56,16 @@ internal sealed class SwimLeg
 
     private readonly PairedChain chain;
     private readonly LegFold fold;
+    private readonly Quaternion[] spread;
     private readonly int carrier;
     private readonly int beside;
     private readonly double beat;
 
-    private SwimLeg(PairedChain chain, LegFold fold, int carrier, int beside, double beat)
+    private SwimLeg(PairedChain chain, LegFold fold, Quaternion[] spread, int carrier, int beside, double beat)
     {
         this.chain = chain;
         this.fold = fold;
+        this.spread = spread;
         this.carrier = carrier;
         this.beside = beside;
         this.beat = beat;
@@ -84,7 +86,7 @@ internal sealed class SwimLeg
             beside.AddRange(fold.Bones);
             int carrier = axis.IndexOf(creature.Skeleton.Parents[pair.Limb.Joints[0]]);
             int bone = axis.BoneAt(Scalar.Lerp(pair.Points[Hip].Z, fold.Tip.Z, Beside));
-            legs[i] = new SwimLeg(pair, fold, carrier, bone, PairLead * i);
+            legs[i] = new SwimLeg(pair, fold, LegFold.Spread(pair, creature), carrier, bone, PairLead * i);
         }
 
         return legs;
@@ -144,7 +146,7 @@ internal sealed class SwimLeg
         for (int k = Hip; k < chain.Count; k++)
         {
             double fraction = middle + (way * PortableMath.Cos(phase - (backing * Lag * (k - Hip))));
-            Quaternion turn = Rotation.Nlerp(Quaternion.Identity, fold.Turns[k], fraction);
+            Quaternion turn = Rotation.Nlerp(spread[k], fold.Turns[k], fraction);
             chain.Write(local, side, k, k == Hip ? Rotation.Multiply(flank, turn) : turn);
         }
     }

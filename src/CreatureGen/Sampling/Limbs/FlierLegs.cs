@@ -34,6 +34,9 @@ internal static class FlierLegs
     /// <summary>Factor on the girth of a single pair that is not a bird's: thighs as thick as a deep body asks for would crease where they leave it.</summary>
     private const double SlenderPair = 0.82;
 
+    /// <summary>Girth below which feet get smaller with the legs: they would be as long as the body.</summary>
+    private const double LeastFeet = 0.75;
+
     /// <summary>Probability at full strangeness of any number of legs.</summary>
     private const double AnyPairs = 0.35;
 
@@ -70,8 +73,9 @@ internal static class FlierLegs
 
         // Thin legs keep the feet of stout ones: these have as much to carry.
         double girth = builder.Parents.Legs.LegGirth * (pairs == 1 && builder.Parents.Legs.Bird is null ? SlenderPair : 1);
-        style = style with { FootSize = style.FootSize / girth };
-        anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = insect ? anatomy.Size.Foot / girth : style.FootSize, Toes = insect ? 0 : style.Toes } };
+        double feet = Math.Max(girth, LeastFeet);
+        style = style with { FootSize = style.FootSize / feet };
+        anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = insect ? anatomy.Size.Foot / feet : style.FootSize, Toes = insect ? 0 : style.Toes } };
         WingMotion motion = builder.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
         FlyingPlacement placement = FlyingRules.Place(LegSampler.Measure(builder), motion, motion == WingMotion.Buzzing ? 2 : 1, new FlyingLegs(pairs, arrangement), anatomy, builder.Sockets, builder.Seed.Child("flier"));
         WingSampler.Add(builder, placement);

@@ -19,6 +19,10 @@ internal static class StanceSampler
     /// <summary>Ring at which a tail leaves the rump.</summary>
     private const int TailRoot = 44;
 
+    /// <summary>Rings between which the slope of a trunk is taken.</summary>
+    private const int Front = 20;
+    private const int Rump = 42;
+
     /// <summary>How far a tail may come down for each unit that it goes back.</summary>
     private const double SteepestTail = 1.1;
 
@@ -46,12 +50,21 @@ internal static class StanceSampler
     /// <summary>Radians by which a low head or tail is raised at a time.</summary>
     private static readonly double lift = Scalar.Radians(7);
 
+    /// <summary>Radians. Steepest trunks of what swims or sprawls, and of what stands on four legs: hyenas and giraffes slope by this.</summary>
+    private static readonly double steepestProne = Scalar.Radians(10);
+    private static readonly double steepestQuadruped = Scalar.Radians(14);
+
     /// <summary>A face does not change how a body stands: the shape is taken without one.</summary>
     private static readonly HeadBlueprint faceless = new(ValueList<HeadBump>.Empty, 2.2, new EyeBlueprint(EyeStyle.Round, 9, 5, 0.03, 0.5, 0.4, 1, 1, 0), new MouthBlueprint(0, 0, 0, 0), 0);
 
     /// <summary>Sets the elevation and the final posture.</summary>
     public static void Settle(CreatureBuilder builder)
     {
+        if (SteepestTrunk(builder) is double steepest)
+        {
+            Level(builder, steepest);
+        }
+
         double draw = Scalar.Clamp(builder.Stream("stance").Uniform() + builder.StanceShift, 0, 1);
         for (int attempt = 0; attempt < Attempts; attempt++)
         {
@@ -72,6 +85,24 @@ internal static class StanceSampler
             Measure(builder);
             Place(builder, draw);
         }
+    }
+
+    /// <summary>Radians. Steepest trunk of what swims or goes on four legs and more; null for others.</summary>
+    private static double? SteepestTrunk(CreatureBuilder builder) => builder.Plan switch
+    {
+        _ when builder.Kind == LocomotionKind.Swimming => steepestProne,
+        BodyPlan.Sprawling or BodyPlan.ManyLegged when builder.Parents.Legs.Legs is null => steepestProne,
+        BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar => steepestQuadruped,
+        _ => null,
+    };
+
+    /// <summary>Lays a trunk nearly level, whatever it is in the birds and reared up bodies that it is mixed of; the tail follows by half of it.</summary>
+    private static void Level(CreatureBuilder builder, double steepest)
+    {
+        BodyShape s = ShapeOf(builder);
+        double pitch = PortableMath.Atan2(s.Y[Front] - s.Y[Rump], s.Z[Front] - s.Z[Rump]);
+        double excess = pitch - Scalar.Clamp(pitch, -steepest, steepest);
+        builder.Posture = builder.Posture with { Trunk = builder.Posture.Trunk - excess, Tail = builder.Posture.Tail + (0.5 * excess) };
     }
 
     /// <summary>Lowers a body onto its legs, and raises its head and tail again until they clear the ground.</summary>
