@@ -100,7 +100,7 @@ internal sealed class FoldRoom
     /// <summary>Height of the pelvis, metres.</summary>
     private double Height { get; }
 
-    /// <summary>What it costs a piece of a left wing to be somewhere; 0 where it touches the body and nothing else.</summary>
+    /// <summary>What it costs a piece of a left wing to be somewhere, legs aside; 0 where it touches the body and nothing else.</summary>
     /// <param name="point">Where it is.</param>
     /// <param name="range">How its kind of wing folds.</param>
     /// <param name="clear">Share of the usual gap that it is to keep off the body: none where it grows out of it.</param>
@@ -108,16 +108,24 @@ internal sealed class FoldRoom
     {
         double off = (Off(point) / length) - (clear * Gap);
         double cost = (off < 0 ? SunkCost : range.Closeness) * off * off;
+        double across = Math.Max(0, MiddleGap - (point.X / length));
+        double beyond = Math.Max(0, ((Scalar.Lerp(tailBase, tailEnd, range.Trailing) - point.Z) / length) - Overhang);
+        double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
+        return cost + (MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+    }
+
+    /// <summary>What it costs a piece of a left wing to be in a leg or, for wings that lie over them, below one.</summary>
+    /// <param name="point">Where it is.</param>
+    /// <param name="range">How its kind of wing folds.</param>
+    public double CostOfLegs(Vector3 point, FoldRange range)
+    {
         double leg = 0;
         foreach (Rod rod in legs)
         {
             leg = Math.Max(leg, LegGap - ((range.AboveLegs ? rod.Above(point) : rod.Distance(point)) / length));
         }
 
-        double across = Math.Max(0, MiddleGap - (point.X / length));
-        double beyond = Math.Max(0, ((Scalar.Lerp(tailBase, tailEnd, range.Trailing) - point.Z) / length) - Overhang);
-        double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
-        return cost + (LegCost * leg * leg) + (MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+        return LegCost * leg * leg;
     }
 
     /// <summary>How far a point is off the body, as it stands and with its rump up: by its skin where that is seen from the side, elsewhere by its bones.</summary>

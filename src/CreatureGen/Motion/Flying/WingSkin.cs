@@ -27,6 +27,9 @@ internal sealed class WingSkin
     /// <summary>Part of its area below which a triangle is crowded: somewhat before it shrinks to a quarter.</summary>
     private const double Crowded = 0.4;
 
+    /// <summary>How much the place that is deepest in a leg counts beside the mean of all: one knee through a wing is seen.</summary>
+    private const double WorstFraction = 0.1;
+
     private readonly PairedChain chain;
     private readonly Place[] places;
     private readonly Crease[] creases;
@@ -71,10 +74,10 @@ internal sealed class WingSkin
             }
         }
 
-        return new WingSkin(chain, Some(found, thin ? 2 * MaxPlaces : MaxPlaces), Some(bent, MaxCreases));
+        return new WingSkin(chain, Some(found, thin ? 4 * MaxPlaces : MaxPlaces), Some(bent, MaxCreases));
     }
 
-    /// <summary>What it costs the places of the wing to be where they are, in the mean.</summary>
+    /// <summary>What it costs the places of the wing to be where they are, in the mean, and the one that is deepest in a leg.</summary>
     /// <param name="joints">Places of the joints.</param>
     /// <param name="turns">How they are turned in the model.</param>
     /// <param name="room">The body it is folded to.</param>
@@ -82,12 +85,16 @@ internal sealed class WingSkin
     public double Cost(ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns, FoldRoom room, FoldRange range)
     {
         double sum = 0;
+        double worst = 0;
         foreach (Place place in places)
         {
-            sum += room.Cost(At(place, joints, turns), range, place.Clear);
+            Vector3 at = At(place, joints, turns);
+            double legs = room.CostOfLegs(at, range);
+            sum += room.Cost(at, range, place.Clear) + legs;
+            worst = Math.Max(worst, legs);
         }
 
-        return sum / Math.Max(places.Length, 1);
+        return (sum / Math.Max(places.Length, 1)) + (WorstFraction * worst);
     }
 
     /// <summary>How crowded the creases are in the mean, 0..1: squares of what triangles lack.</summary>
