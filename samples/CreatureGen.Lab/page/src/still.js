@@ -1,6 +1,6 @@
 import { h } from './dom.js';
 
-/** What is seen before anything can be drawn: a picture of the first creature, which breathes; an egg where another one was asked for. */
+/** What is seen before anything can be drawn: a picture of the first creature; an egg where another one was asked for. The picture stays still: where the browser puts pictures together in software, one that moves kept the stage waiting for half a minute. */
 export async function showStill() {
   const cover = document.getElementById('cover');
   if (location.hash.length > 1) {
