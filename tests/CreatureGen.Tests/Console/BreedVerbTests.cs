@@ -37,6 +37,14 @@ public sealed class BreedVerbTests
         Assert.True(run.Json().GetProperty("sound").GetBoolean());
     }
 
+    [Fact]
+    public void A_litter_is_told_with_each_child_apart_from_where_its_parts_are_of()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("breed", "3", "16", "--litter", "1", "--out", "litter"));
+        Assert.Matches(@"(?m)^  [0-9a-f]{16} frame [AB] ", run.Out);
+    }
+
     [Theory]
     [InlineData("1 of 2 creatures", "breed", "3", "--out", "x")]
     [InlineData("'5' after '4'", "breed", "3", "4", "5", "--out", "x")]
