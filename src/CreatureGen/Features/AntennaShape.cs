@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 
@@ -8,16 +9,14 @@ namespace CreatureGen.Features;
 /// <summary>A feeler: a thin tube along its curve with a small knob at the end.</summary>
 internal static class AntennaShape
 {
-    /// <summary>Corners of a feeler's sections, and of one whose knob is seen as a ball.</summary>
+    /// <summary>Corners of a feeler's sections, and of a lure, whose end is seen as a ball.</summary>
     private const int Sides = 6;
     private const int BallSides = 12;
 
-    /// <summary>Sections of a knob, and of one that is seen as a ball.</summary>
+    /// <summary>Sections of a knob, and of a lure.</summary>
     private const int DotRows = 3;
     private const int BallRows = 8;
 
-    /// <summary>Radius of a knob, metres, from which on its corners would be seen.</summary>
-    private const float Seen = 0.02f;
     private const int Rows = 8;
 
     /// <summary>Radius of the knob relative to that of the root, when the feature asks for neither a smaller nor a larger one.</summary>
@@ -41,7 +40,7 @@ internal static class AntennaShape
         float half = Math.Min(1.3f * knobRadius / curve.Length, 0.12f);
         float neck = 1f - (2f * half);
         float start = -curve.RootDepth(radius) / curve.Length;
-        bool seen = knobRadius >= Seen;
+        bool seen = feature.Kind == FeatureKind.Lure;
         Span<TubeRow> rows = stackalloc TubeRow[Rows + (seen ? BallRows : DotRows)];
         for (int i = 0; i < Rows; i++)
         {

@@ -24,7 +24,7 @@ public sealed class HornShapeTests
         { FeatureKind.Tusk, 30, 90 },
         { FeatureKind.Tuft, 30, 60 },
         { FeatureKind.Mandible, 30, 80 },
-        { FeatureKind.Antenna, 60, 400 },
+        { FeatureKind.Antenna, 60, 150 },
     };
 
     [Theory]
