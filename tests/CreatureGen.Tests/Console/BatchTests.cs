@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Threading;
 using CreatureGen.Blueprints;
 using CreatureGen.Console;
 using CreatureGen.Console.Batches;
@@ -101,11 +102,10 @@ public sealed class BatchTests
     [Fact]
     public void A_signal_lets_the_creature_in_hand_be_finished_and_listed()
     {
-        using var run = new ConsoleRun();
-        using (var stop = new StopWhen(() => Directory.Exists(run.At("farm")) && Directory.GetFiles(run.At("farm"), "*.glb").Length > 2))
-        {
-            Assert.Equal(ExitCode.Interrupted, run.Run(stop.Token, Words("generate --seeds 1-1000000 --no-picture --triangles 6000 --textures none --threads 2 --out farm --manifest")));
-        }
+        int written = 0;
+        using var disk = new StoppingDisk(path => path.EndsWith(".glb", StringComparison.Ordinal) && Interlocked.Increment(ref written) > 2);
+        using var run = new ConsoleRun { Disk = disk };
+        Assert.Equal(ExitCode.Interrupted, run.Run(disk.Token, Words("generate --seeds 1-1000000 --no-picture --triangles 6000 --textures none --threads 2 --out farm --manifest")));
 
         string[] lines = File.ReadAllLines(run.At("farm/manifest.jsonl"));
         string[] listed = lines.Skip(1).Select(line => "creature-" + Json(line).GetProperty("seed").GetString() + ".glb").Order(StringComparer.Ordinal).ToArray();
@@ -121,15 +121,12 @@ public sealed class BatchTests
     public void A_creature_that_is_abandoned_leaves_no_file_and_no_line_and_the_next_run_makes_it(string heavy)
     {
         using var whole = new ConsoleRun();
-        using var run = new ConsoleRun();
+        using var disk = new StoppingDisk(path => path.EndsWith("creature-1.glb", StringComparison.Ordinal));
+        using var run = new ConsoleRun { Disk = disk };
         string words = $"generate --seeds 1-3 --triangles 6000 {heavy} --threads 1 --out farm";
         Assert.Equal(ExitCode.Done, whole.Run(Words(words + " --manifest")));
         string manifest = run.At("farm/manifest.jsonl");
-        using (var stop = new StopWhen(() => File.Exists(run.At("farm/creature-1.glb"))))
-        {
-            Assert.Equal(ExitCode.Interrupted, run.Run(run.Surroundings() with { Cancellation = stop.Token, Abandonment = stop.Token }, Words(words + " --resume")));
-        }
-
+        Assert.Equal(ExitCode.Interrupted, run.Run(run.Surroundings() with { Cancellation = disk.Token, Abandonment = disk.Token }, Words(words + " --resume")));
         Assert.Equal("creaturegen: interrupted; no unfinished file is left" + Environment.NewLine, run.Error);
         string[] listed = File.ReadAllLines(manifest).Skip(1).SelectMany(line => Json(line).GetProperty("files").EnumerateArray()).Select(file => file.GetProperty("path").GetString()!).Order(StringComparer.Ordinal).ToArray();
         Assert.Equal(Directory.GetFiles(run.At("farm"), "creature-*").Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal), listed);

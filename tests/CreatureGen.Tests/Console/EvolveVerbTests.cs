@@ -88,13 +88,9 @@ public sealed class EvolveVerbTests
     [Fact]
     public void A_run_that_is_interrupted_keeps_the_generations_that_are_done()
     {
-        using var run = new ConsoleRun();
-        string lineage = run.At("run/lineage.json");
-        using (var stop = new StopWhen(() => File.Exists(lineage)))
-        {
-            Assert.Equal(ExitCode.Interrupted, run.Run(stop.Token, [.. Small, "--generations", "10000"]));
-        }
-
+        using var disk = new StoppingDisk(path => path.EndsWith("lineage.json", StringComparison.Ordinal));
+        using var run = new ConsoleRun { Disk = disk };
+        Assert.Equal(ExitCode.Interrupted, run.Run(disk.Token, [.. Small, "--generations", "10000"]));
         int there = Lineage(run).GetProperty("generations").GetArrayLength() - 1;
         Assert.Equal(ExitCode.Done, run.Run([.. Small, "--generations", FormattableString.Invariant($"{there + 1}")]));
         using var whole = new ConsoleRun();

@@ -128,11 +128,11 @@ public sealed class FileTests
     [Fact]
     public void A_run_that_is_interrupted_in_the_middle_leaves_whole_creatures_alone()
     {
-        using var run = new ConsoleRun();
-
         // Far more than are under way at once, so that some have been reported.
-        using var stop = new StopWhen(() => run.Files.Count(name => name.EndsWith(".glb", StringComparison.Ordinal)) > 60);
-        Assert.Equal(ExitCode.Interrupted, run.Run(stop.Token, "generate", "--seeds", "1-1000000", "--no-picture", "--json"));
+        int written = 0;
+        using var disk = new StoppingDisk(path => path.EndsWith(".glb", StringComparison.Ordinal) && Interlocked.Increment(ref written) > 60);
+        using var run = new ConsoleRun { Disk = disk };
+        Assert.Equal(ExitCode.Interrupted, run.Run(disk.Token, "generate", "--seeds", "1-1000000", "--no-picture", "--json"));
         string[] seeds = run.Json().GetProperty("creatures").EnumerateArray().Select(creature => creature.GetProperty("seed").GetString()!).ToArray();
         Assert.NotEmpty(seeds);
         Assert.DoesNotContain(run.Files, name => name.EndsWith(".tmp", StringComparison.Ordinal));

@@ -192,8 +192,9 @@ public sealed class MotionVerbTests
         Assert.Equal(["a-strip.png"], run.Files);
 
         // As soon as the first file is under way.
-        using var stop = new StopWhen(() => run.Files.Any(name => name.EndsWith(".tmp", StringComparison.Ordinal)));
-        Assert.Equal(ExitCode.Interrupted, run.Run(stop.Token, "animate", "--seed", "42", "--out", "b.png", "--size", "640"));
+        using var disk = new StoppingDisk(path => path.EndsWith(".tmp", StringComparison.Ordinal));
+        run.Disk = disk;
+        Assert.Equal(ExitCode.Interrupted, run.Run(disk.Token, "animate", "--seed", "42", "--out", "b.png", "--size", "640"));
         Assert.Equal(["a-strip.png"], run.Files);
     }
 }
