@@ -24,6 +24,9 @@ internal sealed class HeadAttention
     private const float LimpLids = 0.85f;
     private const float SlackRate = 2.5f;
 
+    /// <summary>How quickly ears begin and leave off to flick where that is in the middle of one, per second: they would snap.</summary>
+    private const float FlickFade = 6f;
+
     private readonly GazeRig rig;
     private readonly Seed habits;
     private readonly Seed blinks;
@@ -36,6 +39,7 @@ internal sealed class HeadAttention
     private GazeState state;
     private double seconds;
     private float slack;
+    private float flickWeight;
 
     /// <summary>Gives a creature habits.</summary>
     /// <param name="rig">Its head.</param>
@@ -89,9 +93,11 @@ internal sealed class HeadAttention
             lids!.Close(shut, local, model);
         }
 
-        if (ears != null && still)
+        float flicking = still ? System.Math.Min(weight, 1f) : 0f;
+        flickWeight = Scalar.Clamp(flicking, flickWeight - (FlickFade * dt), flickWeight + (FlickFade * dt));
+        if (ears != null && (Held == null ? flickWeight > 0f : still))
         {
-            ears.Flick(Held ?? Flicked(System.Math.Min(weight, 1f)), local, model);
+            ears.Flick(Held ?? Flicked(flickWeight), local, model);
         }
 
         GazeTarget wanted = GazeTarget.None;
@@ -141,5 +147,6 @@ internal sealed class HeadAttention
     {
         state = default;
         slack = 0f;
+        flickWeight = 0f;
     }
 }

@@ -5,7 +5,6 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
-using CreatureGen.Rigging;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Acts;
@@ -135,7 +134,6 @@ public class PerformingTests
         animator.Teleport(animator.Root, FlatGround.Level);
         Vector3[] before = animator.ModelPose.Positions.ToArray();
         var fastest = (LegsPerSecond: 0f, Joint: "", Act: "", Phase: "");
-        float fastestEar = 0f;
         for (int i = 0; i < 2400; i++)
         {
             if (i % 47 == 0)
@@ -152,19 +150,13 @@ public class PerformingTests
             for (int joint = 0; joint < before.Length; joint++)
             {
                 float speed = Vector3.Distance(before[joint], animator.ModelPose.Positions[joint]) * 240f / dog.LegLength;
-                Joint moved = dog.Creature.Skeleton.Joints[joint];
-                bool ear = moved.Role == JointRole.Ear || (moved.Role == JointRole.End && dog.Creature.Skeleton.Joints[moved.Parent].Role == JointRole.Ear);
-                fastestEar = ear ? Math.Max(fastestEar, speed) : fastestEar;
-                fastest = !ear && speed > fastest.LegsPerSecond ? (speed, moved.Name, animator.Act?.Name ?? "", animator.ActPhase?.Name ?? "") : fastest;
+                fastest = speed > fastest.LegsPerSecond ? (speed, dog.Creature.Skeleton.Joints[joint].Name, animator.Act?.Name ?? "", animator.ActPhase?.Name ?? "") : fastest;
             }
 
             animator.ModelPose.Positions.CopyTo(before);
         }
 
         Assert.True(fastest.LegsPerSecond < 12f, fastest.ToString());
-
-        // Ears that the head swings against the neck go over to its other side in one frame.
-        Assert.True(fastestEar < 17f, $"an ear's tip moves {fastestEar} legs per second");
     }
 
     [Fact]
