@@ -82,7 +82,7 @@ public sealed class FarmTests
         Assert.All(scripts, script => SampleFiles.Run(RepositoryFiles.Root, "/bin/bash", ["-n", script]));
     }
 
-    /// <summary>A real process: asked to end it ends well, killed it leaves what can be gone on with.</summary>
+    /// <summary>A real process: asked to end it ends well, killed it leaves what can be gone on with. So many that a busy machine looks in time.</summary>
     [Fact]
     public void A_task_that_is_terminated_and_then_killed_is_finished_by_the_next()
     {
@@ -90,7 +90,7 @@ public sealed class FarmTests
         using var run = new ConsoleRun();
         string program = SampleFiles.Console(run.Folder);
         string manifest = run.At("farm/manifest.jsonl");
-        string[] words = $"generate --seeds 1-120 {Small} --threads 1 --resume --out farm".Split(' ');
+        string[] words = $"generate --seeds 1-200 {Small} --threads 1 --resume --out farm".Split(' ');
         using (Process task = SampleFiles.Start(run.Folder, program, words))
         {
             Await(() => Listed(manifest) >= 3);
@@ -98,7 +98,7 @@ public sealed class FarmTests
         }
 
         int first = Listed(manifest);
-        Assert.InRange(first, 3, 119);
+        Assert.InRange(first, 3, 199);
         Assert.Equal(first, Directory.GetFiles(run.At("farm"), "*.glb").Length);
         using (Process task = SampleFiles.Start(run.Folder, program, words))
         {
@@ -108,13 +108,13 @@ public sealed class FarmTests
         }
 
         Assert.Equal(ExitCode.Done, run.Run([.. words, "--json"]));
-        Assert.InRange(run.Json().GetProperty("kept").GetArrayLength(), first + 3, 119);
+        Assert.InRange(run.Json().GetProperty("kept").GetArrayLength(), first + 3, 199);
         Assert.Equal(ExitCode.Done, run.Run("verify", "--manifest", "farm"));
-        Assert.Contains("120 creatures listed, 0 problems", run.Out, StringComparison.Ordinal);
+        Assert.Contains("200 creatures listed, 0 problems", run.Out, StringComparison.Ordinal);
         Assert.DoesNotContain(Directory.GetFiles(run.At("farm")), path => path.EndsWith(".tmp", StringComparison.Ordinal));
     }
 
-    /// <summary>Creatures with their atlas and a large picture take so long that none but the one in hand can come after the signal, and at most one between the look at the manifest and the signal.</summary>
+    /// <summary>It is held while one looks how far it is and signals, so that nothing is made in between.</summary>
     [Fact]
     public void A_task_that_is_terminated_finishes_the_creature_in_hand_and_begins_no_other()
     {
@@ -123,17 +123,20 @@ public sealed class FarmTests
         string manifest = run.At("farm/manifest.jsonl");
         using Process task = SampleFiles.Start(run.Folder, SampleFiles.Console(run.Folder), "generate --seeds 1-40 --threads 1 --resume --out farm".Split(' '));
         Await(() => Listed(manifest) >= 1);
+        Signal(task, "STOP");
         int before = Listed(manifest);
-        Terminate(task);
-        Assert.InRange(Listed(manifest), before, before + 2);
+        Signal(task, "TERM");
+        Signal(task, "CONT");
+        AssertInterrupted(task);
+        Assert.InRange(Listed(manifest), before, before + 1);
         Assert.Equal(3 * Listed(manifest), Directory.GetFiles(run.At("farm"), "creature-*").Length);
     }
 
-    /// <summary>All that can be asked of one creature, on one thread; the second counts from the signal, in time of the processor, and the program translates itself in it.</summary>
+    /// <summary>All that can be asked of one creature, on one thread. Counted in time of the processor, against what the same process took until its first creature was whole: about three quarters of a second against many.</summary>
     [Theory]
     [InlineData(2)]
     [InlineData(7)]
-    public void A_task_that_is_terminated_over_a_creature_with_clips_and_a_data_set_ends_within_a_second_of_the_processor(int seed)
+    public void A_task_that_is_terminated_over_a_creature_with_clips_and_a_data_set_leaves_it_soon(int seed)
     {
         RequireShell();
         Assert.SkipUnless(OperatingSystem.IsLinux(), "only Linux tells the time of a process that has ended");
@@ -141,11 +144,7 @@ public sealed class FarmTests
         using Process task = SampleFiles.Start(run.Folder, SampleFiles.Console(run.Folder), $"generate --seeds {seed}-{seed + 40} --threads 1 --resume --clips all --dataset 8 --out farm".Split(' '));
         Await(() => Listed(run.At("farm/manifest.jsonl")) >= 1);
         TimeSpan before = task.TotalProcessorTime;
-        using (Process signal = Process.Start("/bin/kill", ["-TERM", task.Id.ToString(CultureInfo.InvariantCulture)]))
-        {
-            signal.WaitForExit();
-        }
-
+        Signal(task, "TERM");
         TimeSpan after = before;
         while (!task.HasExited)
         {
@@ -163,13 +162,24 @@ public sealed class FarmTests
         }
 
         Assert.Equal(ExitCode.Interrupted, task.ExitCode);
-        Assert.InRange((after - before).TotalSeconds, 0, 1);
+        Assert.InRange((after - before) / before, 0, 0.33);
         Assert.Equal(Listed(run.At("farm/manifest.jsonl")), Directory.GetFiles(run.At("farm"), "creature-*.glb").Length);
     }
 
     private static void Terminate(Process task)
     {
-        using Process signal = Process.Start("/bin/kill", ["-TERM", task.Id.ToString(CultureInfo.InvariantCulture)]);
+        Signal(task, "TERM");
+        AssertInterrupted(task);
+    }
+
+    private static void Signal(Process task, string name)
+    {
+        using Process signal = Process.Start("/bin/kill", ["-" + name, task.Id.ToString(CultureInfo.InvariantCulture)]);
+        signal.WaitForExit();
+    }
+
+    private static void AssertInterrupted(Process task)
+    {
         Assert.Contains("interrupted; no unfinished file is left", task.StandardError.ReadToEnd(), StringComparison.Ordinal);
         task.WaitForExit();
         Assert.Equal(ExitCode.Interrupted, task.ExitCode);
