@@ -55,6 +55,6 @@ internal static class Stranger
 
         return Skeleton.Build(joints);
 
-        static JointPlacement Named(string name, int parent, Vector3 at) => new(name, parent, Quaternion.Identity, at) { Role = JointNames.RoleOf(name), Side = JointNames.SideOf(name) };
+        static JointPlacement Named(string name, int parent, Vector3 at) => new(name, parent, Quaternion.Identity, at);
     }
 }

@@ -3,13 +3,14 @@ using CreatureGen.Anatomy;
 
 namespace CreatureGen.Rigging;
 
-/// <summary>What joints are, told from their names: those of grown creatures, and the usual ones of other programs (Mixamo, Biped, Rigify, VRM).</summary>
+/// <summary>What joints are, told from their names: those of grown creatures, and the usual ones of other programs (Mixamo, Biped, Rigify, VRM). What names leave open, <see cref="Skeleton.Build"/> tells from how joints hang on one another.</summary>
 public static class JointNames
 {
     // In the order in which they are asked; more special words first. Names are compared in lower case without digits and marks.
     private static readonly (string Word, JointRole Role)[] words =
     {
         ("end", JointRole.End), ("nub", JointRole.End),
+        ("twist", JointRole.Other), ("finger", JointRole.Other), ("thumb", JointRole.Other), ("handindex", JointRole.Other), ("handmiddle", JointRole.Other), ("handring", JointRole.Other), ("handpinky", JointRole.Other),
         ("antenna", JointRole.Antenna), ("insectwing", JointRole.Wing), ("wing", JointRole.Wing),
         ("lid", JointRole.Lid), ("eye", JointRole.Eye), ("ear", JointRole.Ear), ("jaw", JointRole.Jaw),
         ("tail", JointRole.Tail), ("pectoral", JointRole.Fin), ("dorsal", JointRole.Fin), ("ventral", JointRole.Fin), ("fin", JointRole.Fin),
@@ -20,7 +21,7 @@ public static class JointNames
         ("knee", JointRole.Knee), ("calf", JointRole.Knee), ("shin", JointRole.Knee), ("lowerleg", JointRole.Knee), ("forearm", JointRole.Knee), ("lowerarm", JointRole.Knee), ("elbow", JointRole.Knee),
         ("hips", JointRole.Pelvis), ("pelvis", JointRole.Pelvis), ("hip", JointRole.Hip),
         ("leftleg", JointRole.Knee), ("rightleg", JointRole.Knee), ("leftarm", JointRole.Hip), ("rightarm", JointRole.Hip), ("hand", JointRole.Ankle),
-        ("head", JointRole.Head), ("neck", JointRole.Neck), ("chest", JointRole.Chest), ("spine", JointRole.Spine), ("root", JointRole.Root), ("body", JointRole.Body),
+        ("head", JointRole.Head), ("neck", JointRole.Neck), ("chest", JointRole.Chest), ("spine", JointRole.Spine), ("torso", JointRole.Spine), ("abdomen", JointRole.Spine), ("waist", JointRole.Spine), ("root", JointRole.Root), ("body", JointRole.Body),
     };
 
     /// <summary>What a joint of this name is; <see cref="JointRole.Other"/> if the name does not say.</summary>
@@ -38,6 +39,19 @@ public static class JointNames
         }
 
         return JointRole.Other;
+    }
+
+    /// <summary>Whether a name says that a joint is part of a limb without saying which: <c>leg_joint_L_2</c>.</summary>
+    internal static bool SaysLimb(string name)
+    {
+        string plain = Plain(name);
+        if (Array.Exists(words, one => one.Role == JointRole.Other && plain.Contains(one.Word, StringComparison.Ordinal)))
+        {
+            return false;
+        }
+
+        return plain.Contains("leg", StringComparison.Ordinal)
+            || (plain.Contains("arm", StringComparison.Ordinal) && !plain.Contains("armature", StringComparison.Ordinal) && !plain.Contains("armo", StringComparison.Ordinal));
     }
 
     /// <summary>On what side a joint of this name is; the midline if the name does not say.</summary>

@@ -10,10 +10,10 @@ namespace CreatureGen.Rigging;
 /// <param name="Position">In the parent's space, metres.</param>
 public sealed record JointPlacement(string Name, int Parent, Quaternion Rotation, Vector3 Position)
 {
-    /// <summary>What it is for, if known.</summary>
+    /// <summary>What it is for; if it is not said, <see cref="Skeleton.Build"/> tells it.</summary>
     public JointRole Role { get; init; } = JointRole.Other;
 
-    /// <summary>Left, right, or on the midline.</summary>
+    /// <summary>Left, right, or on the midline; told with the role.</summary>
     public Side Side { get; init; }
 
     /// <summary>How far it turns, in the axes of its bone (<see cref="BoneAxes"/>); any way to begin with.</summary>

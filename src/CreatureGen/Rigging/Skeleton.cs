@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -94,7 +95,8 @@ public sealed class Skeleton
     internal ReadOnlySpan<int> LastBelow => last;
 
     /// <summary>
-    /// A skeleton from local transforms alone, as other programs give them: places in model space, lengths and directions of bones are worked out.
+    /// A skeleton from local transforms alone, as other programs give them: places in model space, lengths and directions of bones are worked out, and what joints are that do not say it,
+    /// from their names (<see cref="JointNames"/>) and from how they hang on one another.
     /// </summary>
     /// <param name="placements">Parents before children.</param>
     /// <exception cref="ArgumentNullException">There is no list, or no joint in it.</exception>
@@ -118,6 +120,9 @@ public sealed class Skeleton
         var modelPositions = new Vector3[count];
         ForwardKinematics.Chain(parents, localRotations, localPositions, modelRotations, modelPositions);
         int[] main = MainChildren.Find(parents, modelPositions);
+        JointRole[] roles = placements.Select(one => one.Role).ToArray();
+        Side[] sides = placements.Select(one => one.Side).ToArray();
+        JointRoles.Tell(placements.Select(one => one.Name).ToArray(), parents, modelPositions, roles, sides);
         var joints = new Joint[count];
         for (int i = 0; i < count; i++)
         {
@@ -125,7 +130,7 @@ public sealed class Skeleton
             float length = main[i] >= 0 ? Vec.Length(onward) : 0f;
             Vector3 along = Vec.Normalize(onward, Vector3.UnitY);
             JointPlacement placement = placements[i];
-            joints[i] = new Joint(placement.Name, placement.Role, placement.Side, placement.Parent, localPositions[i], localRotations[i], modelPositions[i], modelRotations[i], length, placement.Limit)
+            joints[i] = new Joint(placement.Name, roles[i], sides[i], placement.Parent, localPositions[i], localRotations[i], modelPositions[i], modelRotations[i], length, placement.Limit)
             {
                 Along = along,
             };

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Json;
+using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 
@@ -15,6 +16,12 @@ internal sealed class ModelClips
 
     /// <summary>Most by which animated scale may leave the scale at rest, as a part of it: what exporters lose in rounding.</summary>
     private const float ScaleSlack = 2e-3f;
+
+    /// <summary>Most by which a joint ends other than it begins in a clip that goes around, radians, besides what it turns in a frame.</summary>
+    private const float ClosedTurn = 0.02f;
+
+    /// <summary>Seconds of a frame that may be missing at the end of one that goes around.</summary>
+    private const float Frame = 1f / 30f;
 
     private readonly ModelDocument document;
     private readonly ModelJoints joints;
@@ -97,9 +104,17 @@ internal sealed class ModelClips
         }
 
         JsonValue? extras = ModelDocument.Find(animation, "extras");
-        bool loops = extras != null && (ModelDocument.Find(extras, "loop")?.IsTrue ?? false);
+        bool loops = extras != null && ModelDocument.Find(extras, "loop") is { } told ? told.IsTrue : Closes(turns, duration);
         float speed = extras != null && ModelDocument.Find(extras, "speed") is { Kind: JsonKind.Number } given ? (float)given.Number : 0f;
         return new KeyedClip(name, loops ? ClipEnd.Loops : ClipEnd.Stays, duration, speed, turns, places, EventExtras.Read(extras, duration));
+    }
+
+    /// <summary>Whether joints end as they begin, wherever they have gone: files of other programs do not say which clips go around, and some leave out the frame that is the first again.</summary>
+    private static bool Closes(KeyTrack[] turns, float duration)
+    {
+        return Array.TrueForAll(turns, track => Between(track, duration, 0f) <= ClosedTurn + (1.5f * Between(track, Math.Max(duration - Frame, 0f), duration)));
+
+        static double Between(KeyTrack track, float a, float b) => Rotation.Angle(Rotation.Multiply(track.RotationAt(a, track.KeyAt(a, 0)), Rotation.Inverse(track.RotationAt(b, track.KeyAt(b, 0)))));
     }
 
     private KeyTrack? Track(JsonValue sampler, string path, int joint)

@@ -188,7 +188,7 @@ internal sealed class ModelJoints
             jointOf[node] = i;
             scales[i] = outer * place.Scale;
             string name = NameOf(nodes[node], node, names);
-            placements[i] = new JointPlacement(name, parent, place.Rotation, place.Position * outer) { Role = JointNames.RoleOf(name), Side = JointNames.SideOf(name) };
+            placements[i] = new JointPlacement(name, parent, place.Rotation, place.Position * outer);
         }
 
         try

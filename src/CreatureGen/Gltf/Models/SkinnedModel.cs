@@ -22,13 +22,13 @@ public sealed class SkinnedModel
         Springs = springs;
     }
 
-    /// <summary>The joints that its skins and springs name and all nodes above them, parents before children, without scale; what each is and on what side as its name says (<see cref="JointNames"/>).</summary>
+    /// <summary>The joints that its skins and springs name and all nodes above them, parents before children, without scale; what each is and on what side as names and tree tell (<see cref="Skeleton.Build"/>).</summary>
     public Skeleton Skeleton => Joints.Skeleton;
 
     /// <summary>All its skinned triangles, in the space in which they were bound.</summary>
     public SkinnedMesh Mesh => skin.Mesh;
 
-    /// <summary>Its animations; joints that one does not move are in rest pose in it.</summary>
+    /// <summary>Its animations; joints that one does not move are in rest pose in it. It loops if its <c>extras.loop</c> says so, or where they say nothing, as in files of other programs, if its joints end as they begin.</summary>
     public IReadOnlyList<KeyedClip> Clips { get; }
 
     /// <summary>Chains that swing by themselves (<c>VRMC_springBone</c>), those that others hang on first; none in most files. Update them in this order, after the animation.</summary>

@@ -138,6 +138,21 @@ internal sealed class HumanoidFile
         return this;
     }
 
+    /// <summary>Lets all rotations end as they begin, and says nothing of loops, as files of other programs do.</summary>
+    public HumanoidFile Close()
+    {
+        JsonNode animation = Json["animations"]![0]!;
+        animation.AsObject().Remove("extras");
+        foreach ((int sampler, int from, int to) in new[] { (0, 0, 2), (2, 1, 7) })
+        {
+            JsonNode accessor = accessors[(int)animation["samplers"]![sampler]!["output"]!]!;
+            int start = (int)(long)views[(int)accessor["bufferView"]!]!["byteOffset"]!;
+            binary.GetBuffer().AsSpan(start + (16 * from), 16).CopyTo(binary.GetBuffer().AsSpan(start + (16 * to)));
+        }
+
+        return this;
+    }
+
     /// <summary>The file as it is now.</summary>
     public byte[] Write()
     {

@@ -94,6 +94,15 @@ public sealed class ModelReaderTests
     }
 
     [Fact]
+    public void A_foreign_clip_that_ends_as_it_begins_goes_around_and_another_stays()
+    {
+        HumanoidFile open = HumanoidFile.Create();
+        open.Json["animations"]![0]!.AsObject().Remove("extras");
+        Assert.Equal(ClipEnd.Stays, Assert.Single(Read(open.Write()).Clips).End);
+        Assert.Equal(ClipEnd.Loops, Assert.Single(Read(HumanoidFile.Create().Close().Write()).Clips).End);
+    }
+
+    [Fact]
     public void A_leg_bone_of_a_foreign_character_points_at_its_knee()
     {
         Skeleton skeleton = Read(HumanoidFile.Create().Write()).Skeleton;

@@ -9,7 +9,7 @@ namespace CreatureGen.Motion.Toolkit;
 
 /// <summary>Which joints of one skeleton do what joints of another do, and how their rest poses differ. Worked out once, for any number of clips. Immutable.</summary>
 /// <remarks>
-/// Joints are matched by their roles (<see cref="JointNames.RoleOf"/> finds them in the usual names): what carries the body, trunk, neck, head and tail by the part of the way along them, limbs by side and by their order from behind.
+/// Joints are matched by their roles (<see cref="Skeleton.Build"/> tells them from names and tree): what carries the body, trunk, neck, head and tail by the part of the way along them, limbs by side and by their order from behind.
 /// Limbs are turned from their own rest to the rest of those that they follow, each as a whole from hip to end: arms from hanging to a T, and a leg keeps the bends it stands with. Both skeletons face +Z with +Y up.
 /// </remarks>
 public sealed class RetargetMap

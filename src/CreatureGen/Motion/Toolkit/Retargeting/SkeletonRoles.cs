@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -14,20 +15,12 @@ internal sealed class SkeletonRoles
     private readonly JointRole[] roles;
     private readonly Side[] sides;
 
-    /// <summary>Finds them. Joints of which nothing is known are told by their names.</summary>
+    /// <summary>Finds them.</summary>
     public SkeletonRoles(Skeleton skeleton)
     {
         Skeleton = skeleton;
-        roles = new JointRole[skeleton.Count];
-        sides = new Side[skeleton.Count];
-        for (int i = 0; i < roles.Length; i++)
-        {
-            Joint joint = skeleton.Joints[i];
-            bool named = joint.Role == JointRole.Other;
-            roles[i] = named ? JointNames.RoleOf(joint.Name) : joint.Role;
-            sides[i] = named && joint.Side == Side.Median ? JointNames.SideOf(joint.Name) : joint.Side;
-        }
-
+        roles = skeleton.Joints.Select(joint => joint.Role).ToArray();
+        sides = skeleton.Joints.Select(joint => joint.Side).ToArray();
         Carrier = First(JointRole.Body);
         Carrier = Carrier < 0 ? First(JointRole.Pelvis) : Carrier;
         int pelvis = First(JointRole.Pelvis);

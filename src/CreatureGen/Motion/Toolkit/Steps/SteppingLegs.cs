@@ -8,7 +8,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Motion.Toolkit;
 
 /// <summary>The legs of any skeleton, found by what its joints are, for a <see cref="LegStepper"/>: where the feet belong, which step together, and how the legs follow them. Immutable.</summary>
-/// <remarks>A leg is a hip with a knee and an ankle below it (<see cref="JointRole"/>; of skeletons from elsewhere as <see cref="JointNames"/> tells them) whose ankle is low down at rest: arms of a standing figure are none, forelegs are legs whatever they are called.</remarks>
+/// <remarks>A leg is a hip with a knee and an ankle below it (<see cref="JointRole"/>; of skeletons from elsewhere as <see cref="Skeleton.Build"/> tells them) whose ankle is low down at rest: arms of a standing figure are none, forelegs are legs whatever they are called.</remarks>
 public sealed class SteppingLegs
 {
     /// <summary>Part of the skeleton's height below which ankles stand.</summary>
