@@ -26,6 +26,11 @@ internal static class WingGrower
     /// <summary>Least depth of a wing, relative to its greatest: a tip of no depth has no area.</summary>
     private const float LeastDepth = 0.03f;
 
+    // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip; and the share of the span over which it comes to hang as it does at rest.
+    private const double RootFall = 0.22;
+    private const double TipFall = 0.16;
+    private const float Hung = 0.3f;
+
     private const int MembraneRows = 28;
 
     /// <summary>Chord lines of one feather, in its widths: four, or three where there are many.</summary>
@@ -55,7 +60,8 @@ internal static class WingGrower
         Vector3 Trail(float s)
         {
             double turn = form.Feathers > 0 ? FeatherTurn * s : 0;
-            var direction = Vec.Normalize(new Vector3((float)PortableMath.Sin(turn), -0.22f - (0.16f * s), -(float)PortableMath.Cos(turn)));
+            PortableMath.SinCos(RootFall + (TipFall * s) + (WingForm.RestIncidence * Scalar.Smooth(s / Hung)), out double down, out double level);
+            var direction = new Vector3((float)(level * PortableMath.Sin(turn)), -(float)down, -(float)(level * PortableMath.Cos(turn)));
             return edge(s) + (direction * Scalar.Lerp(root, DepthAt(wing, form, s), Scalar.Smooth(s / Rooted)));
         }
 

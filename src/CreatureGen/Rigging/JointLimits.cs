@@ -48,8 +48,8 @@ internal static class JointLimits
         (LimbArchetype.FrogFore, new short[] { -60, 70, -60, 60, -90, 90, -130, 30, -15, 15, -20, 20, -70, 70, -32, 32, -32, 32, -70, 60, -25, 25, -10, 10 }),
     };
 
-    // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back.
-    private static readonly short[] wing = { -80, 85, -45, 125, -60, 60, -60, 40, -165, 25, -45, 45, -60, 40, -25, 170, -45, 45, -50, 40, -25, 60, -45, 45 };
+    // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back. The shoulder twists from a blade that hangs at rest.
+    private static readonly short[] wing = { -80, 85, -45, 125, -40, 80, -60, 40, -165, 25, -45, 45, -60, 40, -25, 170, -45, 45, -50, 40, -25, 60, -45, 45 };
 
     private static readonly short[] pelvis = { -40, 40, -35, 35, -30, 30 };
     private static readonly short[] spine = { -20, 20, -25, 25, -15, 15 };

@@ -1,7 +1,9 @@
 using System;
 using System.Linq;
+using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Rigging;
@@ -63,5 +65,46 @@ public sealed class FlierLegsTests
         }
 
         Assert.True(compared > 40);
+    }
+
+    [Fact]
+    public void The_back_of_a_flier_on_several_pairs_of_legs_is_nearly_level()
+    {
+        int several = 0;
+        for (ulong seed = 23000; seed < 23400; seed++)
+        {
+            CreatureBlueprint flier = BlueprintSampler.Sample(seed, LocomotionKind.Flying);
+            if (flier.Legs.Count > 1 && flier.Legs.All(leg => leg.Stance == LegStance.Standing && leg.Archetype is not (LimbArchetype.Insect or LimbArchetype.Jumper or LimbArchetype.Raptorial or LimbArchetype.Arm)))
+            {
+                BodyShape shape = BodyShaper.Shape(flier.Plan, flier.Body, flier.Head, flier.Tail);
+                double slope = Math.Atan2(Math.Abs(shape.Y[20] - shape.Y[42]), Math.Abs(shape.Z[20] - shape.Z[42])) * 180 / Math.PI;
+                Assert.True(slope < 20, $"seed {seed}: {slope:0.0} degrees");
+                several++;
+            }
+        }
+
+        Assert.True(several > 20, $"{several}");
+    }
+
+    [Fact]
+    public void A_spread_wing_is_seen_as_a_surface_from_the_front()
+    {
+        for (ulong seed = 24000; seed < 24030; seed++)
+        {
+            Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, LocomotionKind.Flying));
+            if (creature.Limbs.FirstOrDefault(limb => limb.Kind == LimbKind.Wing) is LimbChain wing)
+            {
+                double seen = 0, all = 0;
+                foreach (int[] corners in creature.Mesh.Triangles.ToArray().Chunk(3).Where(corners => wing.Joints.Skip(1).Contains(creature.Mesh.Weights[corners[0]].Joint0)))
+                {
+                    Vector3 a = creature.Mesh.Positions[corners[0]];
+                    Vector3 normal = Vector3.Cross(creature.Mesh.Positions[corners[1]] - a, creature.Mesh.Positions[corners[2]] - a);
+                    seen += Math.Abs(normal.Z);
+                    all += normal.Length();
+                }
+
+                Assert.True(seen > 0.4 * all, $"seed {seed}: {seen / all:0.00}");
+            }
+        }
     }
 }

@@ -7,6 +7,9 @@ namespace CreatureGen.Anatomy.Wings;
 /// <remarks>Drawn by eye to the shapes that the works named at each family describe, and checked by their aspect ratios.</remarks>
 internal sealed record WingForm
 {
+    /// <summary>By how much more the blade of a wing hangs at rest than in flight, radians: from the front it is seen as a wing and not as the line of its edge.</summary>
+    public const double RestIncidence = 0.34;
+
     /// <summary>Where along the span the edges are given, 0..1, ascending.</summary>
     public double[] Stations { get; init; } = Array.Empty<double>();
 

@@ -1,3 +1,5 @@
+using CreatureGen.Anatomy.Wings;
+
 namespace CreatureGen.Motion.Flying;
 
 /// <summary>The ways of folding that a kind of wing has: where the search for the one that fits a body begins, and its bounds.</summary>
@@ -12,9 +14,9 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
     /// <summary>Along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its forearm forward again as birds do: its surface would turn
     /// over at the elbow. It is drawn together instead.</summary>
     public static FoldRange Stitched { get; } = new(
-        new WingFold(0.45, 0.35, 0.05, 0.05, 0.05, 0.05, 0.25, 0.10, 0.65),
-        new WingFold(0.00, -0.20, -0.30, -0.20, 0.00, 0.00, 0.00, 0.00, 0.48),
-        new WingFold(0.62, 0.65, 0.15, 0.45, 0.18, 0.18, 1.00, 0.60, 1.00),
+        new WingFold(0.45, 0.35, 0.05, 0.05, 0.05, 0.05, 0.25 - WingForm.RestIncidence, 0.10, 0.65),
+        new WingFold(0.00, -0.20, -0.30, -0.20, 0.00, 0.00, -WingForm.RestIncidence, 0.00, 0.48),
+        new WingFold(0.62, 0.65, 0.15, 0.45, 0.18, 0.18, 1.00 - WingForm.RestIncidence, 0.60, 1.00),
         1,
         0f,
         false);

@@ -1,5 +1,6 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
@@ -86,7 +87,7 @@ internal sealed class WingPair
             case 0:
                 raise = (-0.72 * dihedral) + 0.10 + (0.48 * a * b.Height) - (0.05 * inside);
                 sweep = -0.06 + (a * ((-0.16 * b.Sine) + (0.18 * b.Up))) - (0.22 * stroke.Flare);
-                twist = (a * ((0.10 * b.Down) - (0.16 * b.Up))) - (0.30 * stroke.Flare);
+                twist = WingForm.RestIncidence + (a * ((0.10 * b.Down) - (0.16 * b.Up))) - (0.30 * stroke.Flare);
                 break;
             case 1:
                 raise = a * ((0.10 * b.Height) - (0.10 * b.Up));
@@ -113,7 +114,7 @@ internal sealed class WingPair
             case 0:
                 raise = (-0.55 * dihedral) - 0.02 + (0.02 * stroke.Drift) - (0.06 * inside);
                 sweep = -0.05 - (0.25 * stroke.Flare);
-                twist = 0.03 - (0.35 * stroke.Flare);
+                twist = WingForm.RestIncidence + 0.03 - (0.35 * stroke.Flare);
                 break;
             case 1:
                 raise = -0.10 * dihedral;

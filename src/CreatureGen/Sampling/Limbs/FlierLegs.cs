@@ -54,8 +54,7 @@ internal static class FlierLegs
 
         bool insect = builder.Parents.Legs.Class == AnimalClass.Arthropod;
         RandomStream random = builder.Stream("flier legs");
-        int pairs = CreatureBuilder.Choose(random, builder.Parents.Legs.FlierLegPairs);
-        pairs = StrangePairs(builder, pairs, insect);
+        int pairs = PairsOf(builder, random);
         LegArrangement arrangement = insect && random.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread;
         FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : FlierLegAnatomy.Dragon;
         if (insect && pairs <= 4)
@@ -87,9 +86,14 @@ internal static class FlierLegs
         }
     }
 
+    /// <summary>How many pairs of legs are drawn for one that has no insect's own.</summary>
+    public static int PairsOf(CreatureBuilder builder) => PairsOf(builder, builder.Stream("flier legs"));
+
     /// <summary>Now and then any number of legs: up to eight pairs under an insect, up to four under others.</summary>
-    private static int StrangePairs(CreatureBuilder builder, int pairs, bool insect)
+    private static int PairsOf(CreatureBuilder builder, RandomStream legs)
     {
+        bool insect = builder.Parents.Legs.Class == AnimalClass.Arthropod;
+        int pairs = CreatureBuilder.Choose(legs, builder.Parents.Legs.FlierLegPairs);
         RandomStream random = builder.Stream("strange flier legs");
         bool strange = random.Chance(AnyPairs * builder.Strangeness);
         int drawn = FlyingRules.DrawLegs(random).Pairs;

@@ -3,6 +3,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
+using CreatureGen.Sampling.Limbs;
 using CreatureGen.Seeding;
 using CreatureGen.Species;
 
@@ -93,6 +94,7 @@ internal static class StanceSampler
         _ when builder.Kind == LocomotionKind.Swimming => steepestProne,
         BodyPlan.Sprawling or BodyPlan.ManyLegged when builder.Parents.Legs.Legs is null => steepestProne,
         BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar => steepestQuadruped,
+        BodyPlan.Flapping or BodyPlan.Buzzing when builder.Parents.Legs.Legs is null && FlierLegs.PairsOf(builder) > 1 => steepestQuadruped,
         _ => null,
     };
 
