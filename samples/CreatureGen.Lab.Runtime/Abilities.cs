@@ -34,7 +34,7 @@ internal sealed record Abilities(Medium Medium, bool CanFly, float Length, float
 
     public static Abilities Of(MotionProfile profile)
     {
-        Creature creature = profile.Creature;
+        Creature creature = profile.Subject.Creature!;
         Vector3 least = creature.Mesh.Positions[0];
         Vector3 most = least;
         foreach (ref readonly Vector3 p in creature.Mesh.Positions)

@@ -18,7 +18,7 @@ internal sealed class PosePair
 
     public PosePair(MotionProfile profile)
     {
-        Skeleton = profile.Creature.Skeleton;
+        Skeleton = profile.Subject.Skeleton;
         Totals = new float[Skeleton.Count];
         var animator = new CreatureAnimator(profile);
         for (int pose = 0; pose < 3; pose++)

@@ -140,7 +140,7 @@ internal static class Rows
         ForwardKinematics.LocalToModel(pair.Skeleton, pair.First, pair.Result);
         var matrices = new Matrix4x4[pair.Skeleton.Count];
         SkinMatrices.Fill(pair.Skeleton, pair.Result, matrices);
-        CreatureMesh mesh = p.Creature.Mesh;
+        CreatureMesh mesh = p.Subject.Mesh;
         var positions = new Vector3[mesh.Positions.Length];
         var normals = new Vector3[mesh.Positions.Length];
         return () => CpuSkinning.Skin(matrices, mesh.Weights, mesh.Positions, mesh.Normals, positions, normals);

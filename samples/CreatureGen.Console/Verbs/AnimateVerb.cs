@@ -109,7 +109,7 @@ internal sealed class AnimateVerb : IVerb
         float seconds = film.FrameCount * film.MillisecondsPerFrame / 1000f;
         if (soundPath != null)
         {
-            var settings = new SoundSettings(profile.Creature.Mass.Mass, seed);
+            var settings = new SoundSettings(profile.Subject.Mass.Mass, seed);
             float[] samples = EventSounds.Render(film.Events, seconds, settings);
             files.Stage(soundPath, stream => WavWriter.Write(samples, settings.Rate, stream));
         }

@@ -60,7 +60,7 @@ internal static class Growing
     }
 
     /// <summary>The name of a joint of what is measured; null for −1, which is none.</summary>
-    public static string? JointName(MotionProfile profile, int joint) => joint < 0 ? null : profile.Creature.Skeleton.Joints[joint].Name;
+    public static string? JointName(MotionProfile profile, int joint) => joint < 0 ? null : profile.Subject.Skeleton.Joints[joint].Name;
 
     private static string WithoutParameter(ArgumentException problem)
     {

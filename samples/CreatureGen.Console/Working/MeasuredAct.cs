@@ -63,7 +63,7 @@ internal sealed record MeasuredAct(LocomotionKind Kind, BodyPlan Plan, ulong See
 
     private static MeasuredAct Of(MotionProfile profile, ActTrial trial)
     {
-        CreatureBlueprint blueprint = profile.Creature.Blueprint;
+        CreatureBlueprint blueprint = profile.Subject.Creature!.Blueprint;
         ActReport report = trial.Run(profile);
         return new MeasuredAct(blueprint.Kind, blueprint.Plan, blueprint.Seed, trial.Ability, Growing.JointName(profile, report.LimitExcessJoint), Growing.JointName(profile, report.JointSpeedJoint), Growing.JointName(profile, report.PenetrationJoint), report);
     }

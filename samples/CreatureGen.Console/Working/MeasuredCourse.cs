@@ -74,7 +74,7 @@ internal sealed record MeasuredCourse(LocomotionKind Kind, BodyPlan Plan, ulong 
 
     private static MeasuredCourse Of(MotionProfile profile, CourseRun run)
     {
-        CreatureBlueprint blueprint = profile.Creature.Blueprint;
+        CreatureBlueprint blueprint = profile.Subject.Creature!.Blueprint;
         return new MeasuredCourse(
             blueprint.Kind,
             blueprint.Plan,

@@ -78,12 +78,12 @@ internal sealed record MeasuredRun(RunName Name, BodyPlan Plan, float Speed, flo
 
     private static MeasuredRun Of(MotionTrial trial, MotionProfile profile)
     {
-        CreatureBlueprint blueprint = profile.Creature.Blueprint;
+        CreatureBlueprint blueprint = profile.Subject.Creature!.Blueprint;
         var name = new RunName(blueprint.Kind, blueprint.Seed, trial.Movement.GaitName, trial.Relief, trial.Hertz);
         try
         {
             MotionReport report = trial.Run(profile);
-            string? joint = report.WorstJoint < 0 ? null : profile.Creature.Skeleton.Joints[report.WorstJoint].Name;
+            string? joint = report.WorstJoint < 0 ? null : profile.Subject.Skeleton.Joints[report.WorstJoint].Name;
             return new MeasuredRun(name, blueprint.Plan, trial.Movement.Input.Speed, profile.LegLength > 0f ? profile.LegLength : null, joint, report);
         }
         catch (ArgumentException problem)

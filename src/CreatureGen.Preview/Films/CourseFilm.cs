@@ -63,8 +63,8 @@ public sealed class CourseFilm : IFilm
         Ground = ground;
         Options = options;
         Take = new CourseTake(profile, script, ground);
-        RenderMesh bare = RenderMesh.From(profile.Creature);
-        dressed = options.Shading is ShadingMode.Flat or ShadingMode.Faceted ? bare : bare.WithTextures(Creatures.CreatureTextures.Bake(profile.Creature, AtlasSize));
+        RenderMesh bare = RenderMesh.From(profile.Subject.Creature!);
+        dressed = options.Shading is ShadingMode.Flat or ShadingMode.Faceted ? bare : bare.WithTextures(Creatures.CreatureTextures.Bake(profile.Subject.Creature!, AtlasSize));
         stillRoom = FindRoom(CameraTurn.Still);
         turningRoom = FindRoom(CameraTurn.Along);
         floor = profile.Swim == null ? FloorAround() : null;

@@ -63,7 +63,7 @@ internal static class CourseStrip
     }
 
     private static string Title(CourseFilm film) =>
-        FormattableString.Invariant($"{film.Profile.Creature.Blueprint.Seed} {film.Profile.Creature.Blueprint.Plan} {film.Take.Script.Name}, {film.Ground} ground, {film.Take.Script.Seconds:0.0} s").ToLowerInvariant();
+        FormattableString.Invariant($"{film.Profile.Subject.Seed} {film.Profile.Subject.Plan} {film.Take.Script.Name}, {film.Ground} ground, {film.Take.Script.Seconds:0.0} s").ToLowerInvariant();
 
     private static int CellHeight(CourseFilm film, CameraTurn turning)
     {

@@ -31,7 +31,7 @@ internal sealed class CourseTake
     /// <summary>Records a course from standing at the origin.</summary>
     public CourseTake(MotionProfile profile, CourseScript script, CourseGround ground)
     {
-        creature = profile.Creature;
+        creature = profile.Subject.Creature!;
         Script = script;
         var drive = new CourseDrive(profile, new MotionCourse(script, ground, CourseRate.Of(Rate)));
         surface = drive.Surface;

@@ -122,7 +122,7 @@ internal static class CycleDiagram
     private static IEnumerable<(string Name, int Joint)> Tips(Film film)
     {
         bool flies = film.Movement.Input.Medium == MotionMedium.Air;
-        foreach (LimbChain limb in film.Profile.Creature.Limbs.Where(limb => limb.Side == Side.Left))
+        foreach (LimbChain limb in film.Profile.Subject.Limbs.Where(limb => limb.Side == Side.Left))
         {
             if (flies && limb.Kind is LimbKind.Wing or LimbKind.InsectWing)
             {
@@ -136,7 +136,7 @@ internal static class CycleDiagram
 
         if (!flies)
         {
-            Skeleton skeleton = film.Profile.Creature.Skeleton;
+            Skeleton skeleton = film.Profile.Subject.Skeleton;
             yield return ("tail tip", Enumerable.Range(0, skeleton.Count).Where(joint => skeleton.Joints[joint].Side == Side.Median).MinBy(joint => skeleton.ModelPositions[joint].Z));
         }
     }

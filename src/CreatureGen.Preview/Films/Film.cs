@@ -52,8 +52,8 @@ public sealed class Film : IFilm
         Movement = movement;
         Options = options;
         Take = new Take(profile, movement, options.Ground);
-        RenderMesh bare = RenderMesh.From(profile.Creature);
-        dressed = options.Shading is ShadingMode.Flat or ShadingMode.Faceted ? bare : bare.WithTextures(CreatureTextures.Bake(profile.Creature, AtlasSize));
+        RenderMesh bare = RenderMesh.From(profile.Subject.Creature!);
+        dressed = options.Shading is ShadingMode.Flat or ShadingMode.Faceted ? bare : bare.WithTextures(CreatureTextures.Bake(profile.Subject.Creature!, AtlasSize));
         room = FindRoom();
         floor = Take.OnGround ? FloorAround(BoundingBox.Of(room)) : null;
     }

@@ -45,7 +45,7 @@ internal static class FilmStrip
     private static string Title(Film film)
     {
         string ground = !film.Take.OnGround ? "" : film.Options.Ground == GroundRelief.Rough ? ", rough ground" : ", flat ground";
-        return FormattableString.Invariant($"{film.Profile.Creature.Blueprint.Seed} {film.Movement.GaitName}  {film.Speed:0.00} m/s  cycle {film.CycleSeconds:0.00} s{ground}");
+        return FormattableString.Invariant($"{film.Profile.Subject.Seed} {film.Movement.GaitName}  {film.Speed:0.00} m/s  cycle {film.CycleSeconds:0.00} s{ground}");
     }
 
     private static void DrawRow(Picture strip, Film film, View view, int top, int height, CancellationToken cancellation)

@@ -48,7 +48,7 @@ internal sealed class Take
         float seconds = level.CycleSeconds();
         int strokes = StrokesIn(profile, movement, ref seconds);
         float way = Math.Max(level.Animator.Speed, 0f) * seconds;
-        (Vector3 min, Vector3 max) = MotionTrial.Extent(profile.Creature);
+        (Vector3 min, Vector3 max) = MotionTrial.Extent(profile.Subject);
         float body = max.Z - min.Z;
         int cycles = OnGround && way > 0f && level.Closes ? (int)Scalar.Clamp((float)Math.Ceiling(ShortestWay * body / way), 1f, MaxCycles) : 1;
         SteadyMotion motion = level;
@@ -59,7 +59,7 @@ internal sealed class Take
             cycles = Math.Max(cycles, (int)Math.Ceiling(ShortestPeriod * length / way));
             float around = (2f * body) + (4f * length);
             float far = level.Animator.Speed * (SteadyMotion.SettleSeconds + ((2 + cycles) * (seconds + 1f)));
-            Ground = new HillField(new Seed(profile.Creature.Blueprint.Seed), length, cycles * way).Around(around, -around, far + around);
+            Ground = new HillField(new Seed(profile.Subject.Seed), length, cycles * way).Around(around, -around, far + around);
             motion = new SteadyMotion(profile, movement, Ground);
             motion.Settle(SteadyMotion.SettleSeconds);
         }
@@ -141,12 +141,12 @@ internal sealed class Take
     public Vector3[] JointsAt(int moment)
     {
         Vector3 camera = CameraAt(moment);
-        return Array.ConvertAll(MovedSkin.Joints(profile.Creature.Skeleton, cycle.PlaceAt(moment), LocalAt(moment)), joint => joint - camera);
+        return Array.ConvertAll(MovedSkin.Joints(profile.Subject.Skeleton, cycle.PlaceAt(moment), LocalAt(moment)), joint => joint - camera);
     }
 
     /// <summary>Skin and normals as the camera sees them, metres.</summary>
     public (Vector3[] Positions, Vector3[] Normals) SkinAt(int moment) =>
-        MovedSkin.Of(profile.Creature, cycle.PlaceAt(moment), LocalAt(moment), new RootPlace(CameraAt(moment), Quaternion.Identity));
+        MovedSkin.Of(profile.Subject.Creature!, cycle.PlaceAt(moment), LocalAt(moment), new RootPlace(CameraAt(moment), Quaternion.Identity));
 
     /// <summary>Where the feet stand, and above which places they swing, as the camera sees them.</summary>
     public ContactMark[] MarksAt(int moment)

@@ -56,7 +56,7 @@ public sealed partial class CreatureAnimator
     {
         Profile = profile ?? throw new ArgumentNullException(nameof(profile));
         gate = stillGround;
-        Skeleton skeleton = profile.Creature.Skeleton;
+        Skeleton skeleton = profile.Subject.Skeleton;
         localRotations = new Quaternion[skeleton.Count];
         localPositions = new Vector3[skeleton.Count];
         modelRotations = new Quaternion[skeleton.Count];
@@ -67,7 +67,7 @@ public sealed partial class CreatureAnimator
         events = new EventQueue((2 * feet * WalkingMode.MaxSteps) + (profile.Flight != null ? FlyingMode.MaxBeats : 0) + FallingMode.MaxEvents + feet);
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
-        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, Habits(profile.Creature.Blueprint), profile.Creature);
+        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, profile.Subject);
         locomotion = new Locomotion(profile, events);
     }
 
@@ -90,7 +90,7 @@ public sealed partial class CreatureAnimator
             {
                 // Here and not in an update, for it takes a while.
                 actor ??= new Actor(Acts);
-                actor.IdleActs ??= new IdleActs(Acts, Habits(Profile.Creature.Blueprint).Child("acts"));
+                actor.IdleActs ??= new IdleActs(Acts, Profile.Subject.Habits.Child("acts"));
             }
         }
     }
@@ -182,7 +182,7 @@ public sealed partial class CreatureAnimator
     /// <exception cref="ArgumentOutOfRangeException">There is no such socket.</exception>
     public RootPlace Socket(int socket)
     {
-        IReadOnlyList<CreatureSocket> sockets = Profile.Creature.Sockets;
+        IReadOnlyList<CreatureSocket> sockets = Profile.Subject.Sockets;
         if ((uint)socket >= (uint)sockets.Count)
         {
             throw new ArgumentOutOfRangeException(nameof(socket), socket, FormattableString.Invariant($"expected 0..{sockets.Count - 1}"));
@@ -304,13 +304,6 @@ public sealed partial class CreatureAnimator
         }
     }
 
-    /// <summary>The habits of an individual: no two of a species look about or blink together.</summary>
-    private static Seed Habits(CreatureBlueprint blueprint)
-    {
-        Seed species = new Seed(blueprint.Seed).Child("glances");
-        return blueprint.Coat.Marks == 0 ? species : species.Child(blueprint.Coat.Marks);
-    }
-
     private CheckedGround Check(ref float dt, IGround ground)
     {
         if (ground == null)
@@ -352,7 +345,7 @@ public sealed partial class CreatureAnimator
 
     private void Finish(float dt)
     {
-        ForwardKinematics.LocalToModel(Profile.Creature.Skeleton, LocalPose, ModelPose);
+        ForwardKinematics.LocalToModel(Profile.Subject.Skeleton, LocalPose, ModelPose);
         bool awake = State is not (BodyState.Limp or BodyState.Rising);
         Performer? performer = awake && actor?.Performer is { IsActive: true } active ? active : null;
         bool looks = awake && performer is not { HoldsHead: true };

@@ -1,6 +1,5 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Toolkit.Gaze;
@@ -43,18 +42,17 @@ internal sealed class HeadAttention
 
     /// <summary>Gives a creature habits.</summary>
     /// <param name="rig">Its head.</param>
-    /// <param name="habits">Of this individual.</param>
-    /// <param name="creature">Big ones are slow; fish look with their eyes.</param>
-    public HeadAttention(GazeRig rig, Seed habits, Creature creature)
+    /// <param name="subject">Big ones are slow; fish look with their eyes; no two of a species look about or blink together.</param>
+    public HeadAttention(GazeRig rig, MotionSubject subject)
     {
-        float mass = creature.Mass.Mass;
+        float mass = subject.Mass.Mass;
         this.rig = rig;
-        this.habits = habits;
+        habits = subject.Habits;
         blinks = habits.Child("blinks");
 
         // Big heads turn slowly: 10 s⁻¹ for a cat, 4 for a cow.
         float rate = (float)Scalar.Clamp(12 * PortableMath.Pow(mass, -0.17), 2.5, 16);
-        bool stiff = creature.Blueprint.Kind == LocomotionKind.Swimming && rig.Joints.Length == 1;
+        bool stiff = subject.Kind == LocomotionKind.Swimming && rig.Joints.Length == 1;
         head = stiff ? new GazeSettings(rate, FishYaw, FishPitch, FishPitch) : new GazeSettings(rate);
         lids = Eyelids.Of(rig.Skeleton);
         ears = Ears.Of(rig.Skeleton);

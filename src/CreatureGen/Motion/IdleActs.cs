@@ -34,7 +34,7 @@ internal sealed class IdleActs
     public IdleActs(CreatureActs acts, Seed habits)
     {
         this.habits = habits;
-        period = PeriodAtOneKilogram * PortableMath.Pow(acts.Body.Creature.Mass.Mass, 0.08);
+        period = PeriodAtOneKilogram * PortableMath.Pow(acts.Body.Subject.Mass.Mass, 0.08);
         double sum = 0;
         foreach ((string name, double weight) in usual)
         {

@@ -28,7 +28,7 @@ internal sealed class Locomotion
     {
         this.profile = profile;
         this.events = events;
-        poseBefore = new LocalPose(profile.Creature.Skeleton);
+        poseBefore = new LocalPose(profile.Subject.Skeleton);
         (Legs, Mode) = Make();
         (keptLegs, kept) = Make();
     }
@@ -92,7 +92,7 @@ internal sealed class Locomotion
     private (WalkingMode? Legs, FallingMode? Mode) Make()
     {
         ILocomotionMode? inner = profile.Begin(events, out WalkingMode? legs);
-        return (legs, inner == null ? null : new FallingMode(profile.Creature, profile.Legs, profile.Fall, inner, legs, events));
+        return (legs, inner == null ? null : new FallingMode(profile.Subject, profile.Legs, profile.Fall, inner, legs, events));
     }
 
     /// <summary>Keeps what was before where the ground may throw.</summary>

@@ -32,35 +32,44 @@ public sealed class MotionProfile
     /// <param name="gaits">Its gaits, or null for those of its build.</param>
     /// <exception cref="ArgumentNullException">There is no creature.</exception>
     public MotionProfile(Creature creature, GaitSet? gaits)
+        : this(new MotionSubject(creature), gaits)
     {
-        Creature = creature ?? throw new ArgumentNullException(nameof(creature));
-        Legs = LeggedBody.Of(creature);
+    }
+
+    /// <summary>Works out how a body goes, wherever it is from.</summary>
+    /// <param name="subject">The body.</param>
+    /// <param name="gaits">Its gaits, or null for those of its build.</param>
+    /// <exception cref="ArgumentNullException">There is no body.</exception>
+    public MotionProfile(MotionSubject subject, GaitSet? gaits = null)
+    {
+        Subject = subject ?? throw new ArgumentNullException(nameof(subject));
+        Legs = LeggedBody.Of(subject);
         if (Legs != null)
         {
             Gaits = gaits ?? GaitChoice.For(Legs, MotionSettings.Default.Gravity);
         }
 
-        switch (creature.Blueprint.Kind)
+        switch (subject.Kind)
         {
             case LocomotionKind.Flying:
-                Flight = FlightProfile.Of(creature);
+                Flight = FlightProfile.Of(subject);
                 break;
             case LocomotionKind.Swimming:
-                Swim = SwimProfile.Of(creature);
+                Swim = SwimProfile.Of(subject);
                 break;
             default:
-                Slither = Legs == null ? SlitherProfile.Of(creature) : null;
+                Slither = Legs == null ? SlitherProfile.Of(subject) : null;
                 break;
         }
 
-        Fall = new Lazy<FallProfile>(() => FallProfile.Of(creature, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
-        Gaze = HasHead(creature) ? GazeRig.Of(creature.Skeleton) : null;
+        Fall = new Lazy<FallProfile>(() => FallProfile.Of(subject, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
+        Gaze = HasHead(subject.Skeleton) ? GazeRig.Of(subject.Skeleton) : null;
         acts = new Lazy<CreatureActs>(RehearseActs);
-        (SpringRigs, SpringSettings) = SecondaryMotion.Of(creature.Skeleton, Legs != null && !Legs.HasAbdomen);
+        (SpringRigs, SpringSettings) = SecondaryMotion.Of(subject.Skeleton, Legs != null && !Legs.HasAbdomen);
     }
 
-    /// <summary>The creature.</summary>
-    public Creature Creature { get; }
+    /// <summary>The body that goes.</summary>
+    public MotionSubject Subject { get; }
 
     /// <summary>Its gaits and their speeds; null for creatures without legs to stand on.</summary>
     public GaitSet? Gaits { get; }
@@ -110,13 +119,13 @@ public sealed class MotionProfile
 
     private CreatureActs RehearseActs()
     {
-        var body = new ActBody(Creature, Legs);
+        var body = new ActBody(Subject, Legs);
         return new CreatureActs(body, new Rehearsal(body, () => Begin(new EventQueue(0), out _)));
     }
 
-    private static bool HasHead(Creature creature)
+    private static bool HasHead(Rigging.Skeleton skeleton)
     {
-        foreach (Rigging.Joint joint in creature.Skeleton.Joints)
+        foreach (Rigging.Joint joint in skeleton.Joints)
         {
             if (joint.Role == Rigging.JointRole.Head)
             {

@@ -54,7 +54,7 @@ internal sealed class Crowd
         for (int i = 0; i < Count; i++)
         {
             MotionProfile profile = profiles[i % profiles.Count];
-            joints += profile.Creature.Skeleton.Count;
+            joints += profile.Subject.Skeleton.Count;
             inputs[i] = asked(profile);
             bool air = inputs[i].Medium == MotionMedium.Air;
             var place = new RootPlace(new Vector3(i * 10f, air ? 30f : 0f, 0f), Rotation.FromAxisAngle(Vector3.UnitY, 0.1 * i));

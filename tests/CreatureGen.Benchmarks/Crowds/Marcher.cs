@@ -34,7 +34,7 @@ internal sealed class Marcher
     {
         this.profile = profile;
         this.input = input;
-        int count = profile.Creature.Skeleton.Count;
+        int count = profile.Subject.Skeleton.Count;
         localRotations = new Quaternion[count];
         localPositions = new Vector3[count];
         modelRotations = new Quaternion[count];
@@ -46,7 +46,7 @@ internal sealed class Marcher
             : profile.Swim != null ? new SwimmingMode(profile.Swim)
             : profile.Slither != null ? new SlitheringMode(profile.Slither)
             : legs!;
-        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, new Seed(1), profile.Creature);
+        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, profile.Subject);
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         root = place;
     }
@@ -58,7 +58,7 @@ internal sealed class Marcher
     /// <summary>A stage of an update.</summary>
     public void Do(CrowdStage stage, float dt)
     {
-        Skeleton skeleton = profile.Creature.Skeleton;
+        Skeleton skeleton = profile.Subject.Skeleton;
         switch (stage)
         {
             case CrowdStage.Rest:

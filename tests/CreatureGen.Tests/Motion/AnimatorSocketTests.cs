@@ -61,7 +61,7 @@ public sealed class AnimatorSocketTests
     {
         var mount = new CreatureAnimator(CreatureGenerator.Generate(42));
         var rider = new CreatureAnimator(CreatureGenerator.Generate(1));
-        int saddle = mount.Profile.Creature.Sockets.ToList().FindIndex(s => s.Kind == SocketKind.Saddle);
+        int saddle = mount.Profile.Subject.Sockets.ToList().FindIndex(s => s.Kind == SocketKind.Saddle);
         for (int i = 0; i < 30; i++)
         {
             mount.Update(1f / 30f, new MotionInput(1f), FlatGround.Level);
@@ -70,7 +70,7 @@ public sealed class AnimatorSocketTests
 
         Assert.Equal(mount.Socket(saddle).Position, rider.Root.Position);
         Assert.True(Vector3.Transform(Vector3.UnitZ, rider.Root.Rotation).Z > 0.8f);
-        Assert.True(rider.Root.Position.Y > 0.5f * mount.Profile.Creature.StandingHeight);
+        Assert.True(rider.Root.Position.Y > 0.5f * mount.Profile.Subject.StandingHeight);
     }
 
     [Fact]
@@ -78,7 +78,7 @@ public sealed class AnimatorSocketTests
     {
         var animator = new CreatureAnimator(CreatureGenerator.Generate(42));
         Assert.Throws<ArgumentOutOfRangeException>("socket", () => animator.Socket(-1));
-        Assert.Throws<ArgumentOutOfRangeException>("socket", () => animator.Socket(animator.Profile.Creature.Sockets.Count));
+        Assert.Throws<ArgumentOutOfRangeException>("socket", () => animator.Socket(animator.Profile.Subject.Sockets.Count));
     }
 
     [Fact]
@@ -89,7 +89,7 @@ public sealed class AnimatorSocketTests
         long before = GC.GetAllocatedBytesForCurrentThread();
         for (int i = 0; i < 100; i++)
         {
-            animator.Socket(i % animator.Profile.Creature.Sockets.Count);
+            animator.Socket(i % animator.Profile.Subject.Sockets.Count);
         }
 
         Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);

@@ -40,7 +40,7 @@ public sealed class BankedTailTests
     /// <summary>How far to the left of the trunk's own middle plane the tip of the tail is, on average over a second of a steady turn, metres.</summary>
     private static float Aside(MotionProfile profile, int tip, float yawRate)
     {
-        Creature creature = profile.Creature;
+        Creature creature = profile.Subject.Creature!;
         var animator = new CreatureAnimator(profile);
         animator.Teleport(new RootPlace(new Vector3(0f, 50f, 0f), Quaternion.Identity), FlatGround.Level);
         var input = new MotionInput(creature.DefaultSpeed, yawRate, Medium: MotionMedium.Air);

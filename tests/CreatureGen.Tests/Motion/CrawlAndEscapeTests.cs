@@ -298,7 +298,7 @@ public sealed class CrawlAndEscapeTests
     private static double MaxApart(CreatureAnimator a, CreatureAnimator b)
     {
         double max = 0;
-        Skeleton skeleton = a.Profile.Creature.Skeleton;
+        Skeleton skeleton = a.Profile.Subject.Skeleton;
         for (int j = 0; j < skeleton.Count; j++)
         {
             bool eyes = skeleton.Joints[j].Role is JointRole.Lid or JointRole.Eye;
@@ -311,7 +311,7 @@ public sealed class CrawlAndEscapeTests
     /// <summary>How far the head heads to the left of the tail, radians.</summary>
     private static double Bend(CreatureAnimator animator)
     {
-        Skeleton skeleton = animator.Profile.Creature.Skeleton;
+        Skeleton skeleton = animator.Profile.Subject.Skeleton;
         int tail = skeleton.Parents[skeleton.IndexOf("TailEnd")];
         double Heading(int joint)
         {
@@ -325,7 +325,7 @@ public sealed class CrawlAndEscapeTests
 
     private static IEnumerable<AxialPoint> Axis(CreatureAnimator animator)
     {
-        Skeleton skeleton = animator.Profile.Creature.Skeleton;
+        Skeleton skeleton = animator.Profile.Subject.Skeleton;
         for (int j = 0; j < skeleton.Count; j++)
         {
             if (skeleton.Joints[j].Role is JointRole.Spine or JointRole.Chest or JointRole.Pelvis or JointRole.Tail or JointRole.Neck or JointRole.Head)

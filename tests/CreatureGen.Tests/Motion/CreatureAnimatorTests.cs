@@ -205,7 +205,7 @@ public class CreatureAnimatorTests
         for (int i = 0; i < animator.FootCount; i++)
         {
             FootReport foot = animator.Foot(i);
-            Vector3 rest = animator.Profile.Creature.Skeleton.ModelPositions[foot.Joint];
+            Vector3 rest = animator.Profile.Subject.Skeleton.ModelPositions[foot.Joint];
             Vector3 place = animator.Root.ToModel(foot.Place);
             Assert.Equal(FootPhase.Stance, foot.Phase);
             Assert.True(Vector2.Distance(new Vector2(rest.X, rest.Z), new Vector2(place.X, place.Z)) < 0.05f * animator.Profile.LegLength);

@@ -58,7 +58,7 @@ public sealed class FlierStanceTests
             Assert.Equal(0f, report.SkatingFraction);
             Assert.True(report.MeanPenetration <= 0.001f, $"{name}: sunk {report.MeanPenetration}");
             Assert.True(report.Penetration <= 0.02f, $"{name}: sunk {report.Penetration}");
-            Assert.True(report.LimitExcess <= 0.05f, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} {report.LimitExcess} rad beyond its limits");
+            Assert.True(report.LimitExcess <= 0.05f, $"{name}: {profile.Subject.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} {report.LimitExcess} rad beyond its limits");
         }
     }
 
@@ -176,7 +176,7 @@ public sealed class FlierStanceTests
             Assert.Equal(0f, report.SkatingFraction);
 
             // Walkers that stop from such a run go as far beyond the limits of their feet.
-            Assert.True(report.LimitExcess <= 0.13f, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} {report.LimitExcess} rad beyond its limits");
+            Assert.True(report.LimitExcess <= 0.13f, $"{name}: {profile.Subject.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} {report.LimitExcess} rad beyond its limits");
             int downs = flight.Count(MotionEventKind.FootDown);
             if (touched > 0.5f * unit)
             {
@@ -253,7 +253,7 @@ public sealed class FlierStanceTests
         int stand = 0;
         foreach (MotionProfile profile in Fliers(8000, 150))
         {
-            legs += profile.Creature.Blueprint.Legs.Count > 0 ? 1 : 0;
+            legs += profile.Subject.Creature!.Blueprint.Legs.Count > 0 ? 1 : 0;
             stand += profile.Legs != null ? 1 : 0;
         }
 
@@ -266,14 +266,14 @@ public sealed class FlierStanceTests
 
     private static IEnumerable<(MotionProfile Profile, string Name)> Standing(int firstSeed, int count) => Fliers(firstSeed, count)
         .Where(profile => profile.Legs != null)
-        .Select(profile => (profile, $"{profile.Creature.Blueprint.Seed} {profile.Creature.Blueprint.Body.Blend.First} of {profile.Legs!.Legs.Length} legs"));
+        .Select(profile => (profile, $"{profile.Subject.Seed} {profile.Subject.Creature!.Blueprint.Body.Blend.First} of {profile.Legs!.Legs.Length} legs"));
 
     /// <summary>The farthest that a joint other than those of wings and springs turns in a frame.</summary>
     private static float Turns(MotionProfile profile, float rate)
     {
         var flight = new Flight(profile, rate);
         flight.Go(0.5f, default);
-        Skeleton skeleton = profile.Creature.Skeleton;
+        Skeleton skeleton = profile.Subject.Skeleton;
         Quaternion[] before = flight.Animator.LocalPose.Rotations.ToArray();
         float max = 0f;
         flight.EachFrame = () =>

@@ -170,7 +170,7 @@ public sealed class RootMomentumTests
         {
             get
             {
-                var skeleton = Animator.Profile.Creature.Skeleton;
+                var skeleton = Animator.Profile.Subject.Skeleton;
                 int body = skeleton.IndexOf("Body");
                 Quaternion rotation = Rotation.Multiply(Animator.ModelPose.Rotations[body], Rotation.Inverse(skeleton.ModelRotations[body]));
                 return -PortableMath.Asin(Rotation.Rotate(rotation, Vector3.UnitX).Y) * 180 / Math.PI;

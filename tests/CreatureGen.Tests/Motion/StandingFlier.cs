@@ -33,7 +33,7 @@ internal sealed class StandingFlier
     /// <summary>The skin in model space, as of the last <see cref="Go"/>.</summary>
     public Vector3[] Skin { get; }
 
-    public Creature Creature => Profile.Creature;
+    public Creature Creature => Profile.Subject.Creature!;
 
     public string Name => $"{Creature.Blueprint.Seed} {Creature.Blueprint.Body.Blend.First}";
 

@@ -30,7 +30,7 @@ internal static class RecordedAct
         }
 
         animator.Perform(ability);
-        int joints = profile.Creature.Skeleton.Count;
+        int joints = profile.Subject.Skeleton.Count;
         int frames = (int)Math.Ceiling((ability.Seconds + Afterwards) / Step);
         int leaves = ability.SecondsToLast > 0f ? (int)(ability.SecondsToLast / Step) : -1;
         var rotations = new Quaternion[(frames + 1) * joints];
@@ -51,7 +51,7 @@ internal static class RecordedAct
                 float at = ((frame + 1) * Step) - one.SecondsAgo;
                 if (frame < frames && ClipEvents.NameOf(one.Act, one.Mark) is { } name)
                 {
-                    events.Add(new ClipEvent(Scalar.Clamp(at, 0f, frames / (float)Clip.UsualRate), name, one.Joint < 0 ? string.Empty : profile.Creature.Skeleton.Joints[one.Joint].Name, 1f));
+                    events.Add(new ClipEvent(Scalar.Clamp(at, 0f, frames / (float)Clip.UsualRate), name, one.Joint < 0 ? string.Empty : profile.Subject.Skeleton.Joints[one.Joint].Name, 1f));
                 }
             }
         }

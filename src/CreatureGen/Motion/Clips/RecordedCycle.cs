@@ -26,7 +26,7 @@ internal sealed class RecordedCycle
         CreatureAnimator animator = motion.Animator;
         Frames = frames;
         closes = motion.Closes;
-        skeleton = animator.Profile.Creature.Skeleton;
+        skeleton = animator.Profile.Subject.Skeleton;
         Joints = skeleton.Count;
         Step = step;
         Rotations = new Quaternion[(frames + 1) * Joints];

@@ -28,7 +28,7 @@ internal sealed class RecordedPassage
     {
         this.animator = animator;
         start = animator.Root;
-        body = animator.Profile.Creature.Skeleton.IndexOf("Body");
+        body = animator.Profile.Subject.Skeleton.IndexOf("Body");
         Keep();
     }
 
@@ -60,7 +60,7 @@ internal sealed class RecordedPassage
                     if (ClipEvents.NameOf(one.Kind) is { } name)
                     {
                         float at = Seconds + ((i + 1) * Step) - one.SecondsAgo;
-                        events.Add(new ClipEvent(Math.Max(at, 0f), name, animator.Profile.Creature.Skeleton.Joints[one.Joint].Name, Math.Max(one.Strength, 0f)));
+                        events.Add(new ClipEvent(Math.Max(at, 0f), name, animator.Profile.Subject.Skeleton.Joints[one.Joint].Name, Math.Max(one.Strength, 0f)));
                     }
                 }
             }
@@ -80,14 +80,14 @@ internal sealed class RecordedPassage
         }
 
         float duration = Seconds;
-        var clip = new Clip(name, ClipEnd.Stays, Clip.UsualRate, way / duration, animator.Profile.Creature.Skeleton.Count, rotations.ToArray(), positions.ToArray());
+        var clip = new Clip(name, ClipEnd.Stays, Clip.UsualRate, way / duration, animator.Profile.Subject.Skeleton.Count, rotations.ToArray(), positions.ToArray());
         return clip.WithEvents(events.ConvertAll(one => new ClipEvent(Math.Min(one.Time, duration), one.Name, one.Joint, one.Strength))).WithPath(path);
     }
 
     /// <summary>Goes on by one update, looking straight ahead: glances of its own are no part of a clip.</summary>
     public static void Update(CreatureAnimator animator, in MotionInput input, IGround ground)
     {
-        float height = animator.Profile.Creature.StandingHeight;
+        float height = animator.Profile.Subject.StandingHeight;
         animator.LookAt = animator.Root.Position + Rotation.Rotate(animator.Root.Rotation, new Vector3(0f, height, 100f * height));
         animator.Update(Step, input, ground);
     }

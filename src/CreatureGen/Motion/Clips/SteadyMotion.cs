@@ -90,7 +90,7 @@ internal sealed class SteadyMotion
     private void Advance(float step, in MotionInput input)
     {
         // It looks straight ahead, or where the recording has it look: glances of its own would not repeat.
-        float height = Animator.Profile.Creature.StandingHeight;
+        float height = Animator.Profile.Subject.StandingHeight;
         Vector3 ahead = Rotation.Rotate(look.Turn(), new Vector3(0f, 0f, 100f * height));
         Animator.LookAt = Animator.Root.Position + Rotation.Rotate(Animator.Root.Rotation, ahead + new Vector3(0f, height, 0f));
         Animator.Update(step, input, ground);

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Toolkit;
@@ -47,20 +46,20 @@ internal sealed class FallProfile
     private static readonly TimeWindow limbs = new(0f, 0.5f);
     private static readonly TimeWindow rest = new(0.1f, 0.9f);
 
-    private FallProfile(Creature creature, LeggedBody? legs, GaitSet? gaits)
+    private FallProfile(MotionSubject subject, LeggedBody? legs, GaitSet? gaits)
     {
-        Skeleton = creature.Skeleton;
-        Ragdoll = new RagdollRig(creature.Skeleton, creature.Bones);
-        Manner = RisingManner.Of(creature);
-        Mass = Math.Max(creature.Mass.Mass, 1e-4f);
-        Swims = creature.Blueprint.Kind == LocomotionKind.Swimming;
-        Windows = WindowsOf(creature.Skeleton);
-        Neck = ChainOf(creature.Skeleton, JointRole.Neck, JointRole.Head);
-        Tail = ChainOf(creature.Skeleton, JointRole.Tail, JointRole.Tail);
-        Gives = Recoil.GivesOf(creature.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
+        Skeleton = subject.Skeleton;
+        Ragdoll = new RagdollRig(subject.Skeleton, subject.Bones);
+        Manner = RisingManner.Of(subject);
+        Mass = Math.Max(subject.Mass.Mass, 1e-4f);
+        Swims = subject.Kind == LocomotionKind.Swimming;
+        Windows = WindowsOf(subject.Skeleton);
+        Neck = ChainOf(subject.Skeleton, JointRole.Neck, JointRole.Head);
+        Tail = ChainOf(subject.Skeleton, JointRole.Tail, JointRole.Tail);
+        Gives = Recoil.GivesOf(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
-        Body = Math.Max(creature.Skeleton.IndexOf("Body"), 0);
-        Support = SupportPoints.Of(creature);
+        Body = Math.Max(subject.Skeleton.IndexOf("Body"), 0);
+        Support = SupportPoints.Of(subject);
         if (legs != null)
         {
             CrouchDepth = DepthOf(legs, gaits!, Support);
@@ -122,7 +121,7 @@ internal sealed class FallProfile
     }
 
     /// <summary>Works it out.</summary>
-    public static FallProfile Of(Creature creature, LeggedBody? legs, GaitSet? gaits) => new(creature, legs, gaits);
+    public static FallProfile Of(MotionSubject subject, LeggedBody? legs, GaitSet? gaits) => new(subject, legs, gaits);
 
     private static int[] ChainOf(Skeleton skeleton, JointRole role, JointRole last)
     {

@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Modes;
@@ -20,7 +19,7 @@ internal sealed class FallingMode : ILocomotionMode
     /// <summary>Change of the body's speed, √(gℓ), above which a blow knocks it down.</summary>
     private const float KnockDown = 0.6f;
 
-    private readonly Creature creature;
+    private readonly MotionSubject subject;
     private readonly LeggedBody? body;
     private readonly Lazy<FallProfile> profile;
     private readonly ILocomotionMode inner;
@@ -38,15 +37,15 @@ internal sealed class FallingMode : ILocomotionMode
     private bool getsUp;
 
     /// <summary>Wraps a way of moving.</summary>
-    /// <param name="creature">Whose.</param>
+    /// <param name="subject">Whose.</param>
     /// <param name="body">The body as its walk sees it; null without legs to stand on.</param>
     /// <param name="profile">How it falls.</param>
     /// <param name="inner">What carries it.</param>
     /// <param name="legs">How it goes on its legs; null without legs to stand on.</param>
     /// <param name="events">Receives what happens.</param>
-    public FallingMode(Creature creature, LeggedBody? body, Lazy<FallProfile> profile, ILocomotionMode inner, WalkingMode? legs, EventQueue events)
+    public FallingMode(MotionSubject subject, LeggedBody? body, Lazy<FallProfile> profile, ILocomotionMode inner, WalkingMode? legs, EventQueue events)
     {
-        this.creature = creature;
+        this.subject = subject;
         this.body = body;
         this.profile = profile;
         this.inner = inner;
@@ -206,7 +205,7 @@ internal sealed class FallingMode : ILocomotionMode
     public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
     {
         Recover();
-        local.SetToRest(creature.Skeleton);
+        local.SetToRest(subject.Skeleton);
         inner.Follow(place, dt, goal, settings, ground, local);
     }
 
@@ -214,7 +213,7 @@ internal sealed class FallingMode : ILocomotionMode
     public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         Recover();
-        local.SetToRest(creature.Skeleton);
+        local.SetToRest(subject.Skeleton);
         inner.Stand(place, settings, ground, local);
     }
 
@@ -265,13 +264,13 @@ internal sealed class FallingMode : ILocomotionMode
         switch (State)
         {
             case BodyState.Leaping:
-                local.SetToRest(creature.Skeleton);
+                local.SetToRest(subject.Skeleton);
                 return Leaping(place, dt, settings, ground, local);
             case BodyState.Falling:
-                local.SetToRest(creature.Skeleton);
+                local.SetToRest(subject.Skeleton);
                 return Falling(place, dt, settings, ground, local);
             case BodyState.Landed:
-                local.SetToRest(creature.Skeleton);
+                local.SetToRest(subject.Skeleton);
                 return Landed(place, dt, input, settings, ground, local);
             case BodyState.Limp:
                 place = Lying.Advance(place, dt, settings, ground);
@@ -286,7 +285,7 @@ internal sealed class FallingMode : ILocomotionMode
 
                 return place;
             default:
-                local.SetToRest(creature.Skeleton);
+                local.SetToRest(subject.Skeleton);
                 return inner.Drive(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, local);
         }
     }

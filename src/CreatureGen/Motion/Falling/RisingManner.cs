@@ -1,8 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
-using CreatureGen.Species;
 
 namespace CreatureGen.Motion.Falling;
 
@@ -40,14 +38,14 @@ internal sealed class RisingManner
     public float Tempo { get; }
 
     /// <summary>How a creature gets up.</summary>
-    public static RisingManner Of(Creature creature)
+    public static RisingManner Of(MotionSubject subject)
     {
-        BodyPlan plan = creature.Blueprint.Plan;
-        float mass = creature.Mass.Mass;
+        BodyPlan plan = subject.Plan;
+        float mass = subject.Mass.Mass;
         float tempo = (float)Scalar.Lerp(1, HeavyTime, Scalar.Smooth((mass - (0.5 * HeavyMass)) / HeavyMass)) * (plan == BodyPlan.Columnar ? PillarTime : 1f);
         bool under = plan is BodyPlan.Digitigrade or BodyPlan.Plantigrade or BodyPlan.Unguligrade or BodyPlan.Columnar or BodyPlan.Centaur;
         return !under ? new RisingManner(together, together, tempo)
-            : SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.Manner).Motion.RisesHindFirst ? new RisingManner(hindFirstFore, hindFirstHind, tempo)
+            : subject.Manner.RisesHindFirst ? new RisingManner(hindFirstFore, hindFirstHind, tempo)
             : new RisingManner(foreFirstFore, foreFirstHind, tempo);
     }
 

@@ -32,10 +32,10 @@ internal sealed class SupportPoints
     public int Count => points.Length;
 
     /// <summary>The points of a creature.</summary>
-    public static SupportPoints Of(Creature creature)
+    public static SupportPoints Of(MotionSubject subject)
     {
-        Skeleton skeleton = creature.Skeleton;
-        CreatureMesh mesh = creature.Mesh;
+        Skeleton skeleton = subject.Skeleton;
+        CreatureMesh mesh = subject.Mesh;
         Vector3 min = new(float.MaxValue);
         Vector3 max = new(float.MinValue);
         foreach (Vector3 position in mesh.Positions)

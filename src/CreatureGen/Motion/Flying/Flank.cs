@@ -22,11 +22,11 @@ internal sealed class Flank
     private readonly float back;
 
     /// <summary>Takes a creature.</summary>
-    public Flank(Creature creature)
+    public Flank(MotionSubject subject)
     {
-        CreatureMesh mesh = creature.Mesh;
+        CreatureMesh mesh = subject.Mesh;
         ReadOnlySpan<Vector3> positions = mesh.Positions;
-        bool[] trunk = TrunkJoints(creature.Skeleton);
+        bool[] trunk = TrunkJoints(subject.Skeleton);
         bool[] body = new bool[positions.Length];
         var min = new Vector3(float.MaxValue);
         var max = new Vector3(float.MinValue);

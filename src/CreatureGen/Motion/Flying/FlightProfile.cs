@@ -62,18 +62,18 @@ internal sealed class FlightProfile
     private readonly FlightLegs[] legs;
     private readonly Vector3 pelvis;
 
-    private FlightProfile(Creature creature)
+    private FlightProfile(MotionSubject subject)
     {
-        Skeleton = creature.Skeleton;
-        Chain = AxialChain.Of(creature.Skeleton, creature.Bones);
+        Skeleton = subject.Skeleton;
+        Chain = AxialChain.Of(subject.Skeleton, subject.Bones);
         Axis = new FlightAxis(Skeleton, Chain);
         pelvis = Skeleton.IndexOf("Pelvis") is int at and >= 0 ? Skeleton.ModelPositions[at] : Chain.BodyPivot;
-        Posture = StandingPosture.Of(creature);
-        double area = WingArea(creature);
-        Fitting(creature, new FoldRoom(creature, Posture, Chain.Length), area, out wings, out buzzers, out legs, out double span);
+        Posture = StandingPosture.Of(subject);
+        double area = WingArea(subject);
+        Fitting(subject, new FoldRoom(subject, Posture, Chain.Length), area, out wings, out buzzers, out legs, out double span);
         Buzzes = wings.Length == 0;
-        Shoulder = ShoulderOf(creature);
-        double mass = Math.Max(Lightness * creature.Mass.Mass, 1e-9);
+        Shoulder = ShoulderOf(subject);
+        double mass = Math.Max(Lightness * subject.Mass.Mass, 1e-9);
         area = Math.Max(area, 0.02 * span * span);
         WingSpan = (float)span;
         WingSurface = (float)area;
@@ -84,7 +84,7 @@ internal sealed class FlightProfile
         BeatFrequency = (float)frequency;
         BeatsPerCycle = Math.Max(1, (int)Math.Floor((frequency * SlowCycle * Math.Sqrt(span / Gravity)) + 0.5));
         GlidesBetweenBeats = !Buzzes && frequency < SteadyBeat;
-        CruiseSpeed = Math.Max(creature.DefaultSpeed, 1e-3f);
+        CruiseSpeed = Math.Max(subject.DefaultSpeed, 1e-3f);
         double length = 0;
         SoleHeight = double.MaxValue;
         foreach (FlightLegs leg in legs)
@@ -192,25 +192,25 @@ internal sealed class FlightProfile
 
     /// <summary>Works out how a creature flies.</summary>
     /// <exception cref="ArgumentException">It has no wings, or its skeleton lacks a body, a head or a tail.</exception>
-    public static FlightProfile Of(Creature creature)
+    public static FlightProfile Of(MotionSubject subject)
     {
-        if (creature == null)
+        if (subject == null)
         {
-            throw new ArgumentNullException(nameof(creature));
+            throw new ArgumentNullException(nameof(subject));
         }
 
-        return new FlightProfile(creature);
+        return new FlightProfile(subject);
     }
 
-    private static void Fitting(Creature creature, FoldRoom room, double area, out WingPair[] wings, out BuzzPair[] buzzers, out FlightLegs[] legs, out double span)
+    private static void Fitting(MotionSubject subject, FoldRoom room, double area, out WingPair[] wings, out BuzzPair[] buzzers, out FlightLegs[] legs, out double span)
     {
         var stitched = new List<WingPair>();
         var thin = new List<PairedChain>();
         var limbs = new List<FlightLegs>();
         span = 0;
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
-            PairedChain? pair = PairedChain.Of(creature.Skeleton, limb);
+            PairedChain? pair = PairedChain.Of(subject.Skeleton, limb);
             if (pair == null)
             {
                 continue;
@@ -219,7 +219,7 @@ internal sealed class FlightProfile
             switch (limb.Kind)
             {
                 case LimbKind.Wing:
-                    stitched.Add(new WingPair(pair, FoldedWing.Of(creature, pair, FoldRange.Stitched, room)));
+                    stitched.Add(new WingPair(pair, FoldedWing.Of(subject, pair, FoldRange.Stitched, room)));
                     span = Math.Max(span, Spread(pair));
                     break;
                 case LimbKind.InsectWing:
@@ -235,7 +235,7 @@ internal sealed class FlightProfile
 
         if (span <= 0)
         {
-            throw new ArgumentException("the creature has no wings; expected at least one pair to fly with", nameof(creature));
+            throw new ArgumentException("the creature has no wings; expected at least one pair to fly with", nameof(subject));
         }
 
         thin.Sort((a, b) => b.Points[0].Z.CompareTo(a.Points[0].Z));
@@ -244,15 +244,15 @@ internal sealed class FlightProfile
         double breadth = Scalar.Smooth(((area / (span * span)) - NarrowWings) / (BroadWings - NarrowWings));
         for (int k = 0; k < buzzers.Length; k++)
         {
-            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(creature, thin[k], k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k, breadth);
+            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(subject, thin[k], k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k, breadth);
         }
 
         legs = limbs.ToArray();
     }
 
-    private static int ShoulderOf(Creature creature)
+    private static int ShoulderOf(MotionSubject subject)
     {
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
             if (limb.Kind is LimbKind.Wing or LimbKind.InsectWing && limb.Side == Side.Left)
             {
@@ -266,16 +266,16 @@ internal sealed class FlightProfile
     private static double Spread(PairedChain wing) => 2 * (wing.Points[0].X + wing.Reach);
 
     /// <summary>Half the area of the skin that the joints of the wings move most: wings have two faces.</summary>
-    private static double WingArea(Creature creature)
+    private static double WingArea(MotionSubject subject)
     {
         double area = 0;
-        CreatureMesh mesh = creature.Mesh;
+        CreatureMesh mesh = subject.Mesh;
         for (int t = 0; t < mesh.Triangles.Length; t += 3)
         {
             int a = mesh.Triangles[t];
             int b = mesh.Triangles[t + 1];
             int c = mesh.Triangles[t + 2];
-            if (OnWing(creature, mesh.Weights[a]) && OnWing(creature, mesh.Weights[b]) && OnWing(creature, mesh.Weights[c]))
+            if (OnWing(subject, mesh.Weights[a]) && OnWing(subject, mesh.Weights[b]) && OnWing(subject, mesh.Weights[c]))
             {
                 Vector3 p = mesh.Positions[a];
                 area += 0.25 * Vec.Length(Vec.Cross(mesh.Positions[b] - p, mesh.Positions[c] - p));
@@ -285,5 +285,5 @@ internal sealed class FlightProfile
         return area;
     }
 
-    private static bool OnWing(Creature creature, in SkinWeights weights) => creature.Skeleton.Joints[weights.Joint0].Role == JointRole.Wing;
+    private static bool OnWing(MotionSubject subject, in SkinWeights weights) => subject.Skeleton.Joints[weights.Joint0].Role == JointRole.Wing;
 }

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
@@ -57,12 +56,12 @@ internal sealed class FoldRoom
     private readonly double floor;
 
     /// <summary>Takes a creature that stands in a posture.</summary>
-    public FoldRoom(Creature creature, StandingPosture posture, double bodyLength)
+    public FoldRoom(MotionSubject subject, StandingPosture posture, double bodyLength)
     {
         length = bodyLength;
-        flank = new Flank(creature);
-        (shoulder, bend) = Bending(creature, bodyLength);
-        Skeleton skeleton = creature.Skeleton;
+        flank = new Flank(subject);
+        (shoulder, bend) = Bending(subject, bodyLength);
+        Skeleton skeleton = subject.Skeleton;
         Vector3 pelvis = skeleton.ModelPositions[Math.Max(skeleton.IndexOf("Pelvis"), 0)];
 
         // Seen from a raised trunk the legs and the ground are turned the other way.
@@ -70,9 +69,9 @@ internal sealed class FoldRoom
         up = Rotation.Rotate(lowered, Vector3.UnitY);
         floor = Vec.Dot(up, pelvis) - pelvis.Y;
         Height = pelvis.Y;
-        (tailBase, tailEnd) = Tail(creature, pelvis);
-        LimbChain?[] limbs = LegBones(creature);
-        foreach (CapsuleCollider bone in creature.Bones)
+        (tailBase, tailEnd) = Tail(subject, pelvis);
+        LimbChain?[] limbs = LegBones(subject);
+        foreach (CapsuleCollider bone in subject.Bones)
         {
             Vector3 joint = skeleton.ModelPositions[bone.Joint];
             Quaternion rotation = skeleton.ModelRotations[bone.Joint];
@@ -149,28 +148,28 @@ internal sealed class FoldRoom
     }
 
     /// <summary>Where the wings are, and how much the back behind them bends at a gallop: by how much it rises over the square of the distance, 1/metres.</summary>
-    private static (float Shoulder, float Bend) Bending(Creature creature, double bodyLength)
+    private static (float Shoulder, float Bend) Bending(MotionSubject subject, double bodyLength)
     {
         int legs = 0;
         float shoulder = 0f;
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
             legs += limb.Kind == LimbKind.Leg && limb.Stands ? 1 : 0;
-            shoulder = limb.Kind == LimbKind.Wing ? creature.Skeleton.ModelPositions[limb.Joints[0]].Z : shoulder;
+            shoulder = limb.Kind == LimbKind.Wing ? subject.Skeleton.ModelPositions[limb.Joints[0]].Z : shoulder;
         }
 
-        return (shoulder, creature.Blueprint.Plan == BodyPlan.Flapping && legs > 2 ? Bend / (float)bodyLength : 0f);
+        return (shoulder, subject.Plan == BodyPlan.Flapping && legs > 2 ? Bend / (float)bodyLength : 0f);
     }
 
     /// <summary>Where the tail begins, and where it ends.</summary>
-    private static (float Base, float End) Tail(Creature creature, Vector3 pelvis)
+    private static (float Base, float End) Tail(MotionSubject subject, Vector3 pelvis)
     {
-        Skeleton skeleton = creature.Skeleton;
+        Skeleton skeleton = subject.Skeleton;
         float girth = 0f;
         float thick = float.MaxValue;
         float found = pelvis.Z;
         float end = pelvis.Z;
-        foreach (CapsuleCollider bone in creature.Bones)
+        foreach (CapsuleCollider bone in subject.Bones)
         {
             JointRole role = skeleton.Joints[bone.Joint].Role;
             girth = role == JointRole.Pelvis ? bone.Radius : girth;
@@ -186,10 +185,10 @@ internal sealed class FoldRoom
     }
 
     /// <summary>The left leg that each joint from the hip down belongs to.</summary>
-    private static LimbChain?[] LegBones(Creature creature)
+    private static LimbChain?[] LegBones(MotionSubject subject)
     {
-        var bones = new LimbChain?[creature.Skeleton.Count];
-        foreach (LimbChain limb in creature.Limbs)
+        var bones = new LimbChain?[subject.Skeleton.Count];
+        foreach (LimbChain limb in subject.Limbs)
         {
             for (int k = 1; k < limb.Joints.Count && limb.Kind == LimbKind.Leg && limb.Side == Side.Left; k++)
             {

@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
@@ -40,9 +39,9 @@ internal sealed class FoldedWing
     public Quaternion Turn(int joint) => turns[joint];
 
     /// <summary>Fits a pair of wings to a body.</summary>
-    public static FoldedWing Of(Creature creature, PairedChain chain, FoldRange range, FoldRoom room)
+    public static FoldedWing Of(MotionSubject subject, PairedChain chain, FoldRange range, FoldRoom room)
     {
-        var wing = new FoldedWing(chain, WingSkin.Of(creature, chain));
+        var wing = new FoldedWing(chain, WingSkin.Of(subject, chain));
         wing.Fold(wing.Search(range, room));
         return wing;
     }

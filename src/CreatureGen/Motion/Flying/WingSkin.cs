@@ -42,9 +42,9 @@ internal sealed class WingSkin
     }
 
     /// <summary>Chooses the skin of a pair's left wing.</summary>
-    public static WingSkin Of(Creature creature, PairedChain chain)
+    public static WingSkin Of(MotionSubject subject, PairedChain chain)
     {
-        CreatureMesh mesh = creature.Mesh;
+        CreatureMesh mesh = subject.Mesh;
         var places = new Place[mesh.Positions.Length];
         var found = new List<Place>();
         for (int v = 0; v < places.Length; v++)

@@ -40,7 +40,7 @@ public sealed record ActTrial(ActAbility Ability)
         var skin = new SkinWatch(profile);
         skin.Record(animator.ModelPose);
         float standing = skin.Lowest;
-        var joints = new JointWatch(profile.Creature.Skeleton, profile.SpringRigs);
+        var joints = new JointWatch(profile.Subject.Skeleton, profile.SpringRigs);
         var feet = new PlantedFeet(animator);
         joints.Record(animator.LocalPose.Rotations, 1f / Rate);
         animator.Perform(Ability, Ability.Act.Reaches ? ActTarget.At(Ability.Usual) : default);
@@ -77,16 +77,16 @@ public sealed record ActTrial(ActAbility Ability)
     /// <summary>Watches how low the skin comes.</summary>
     private sealed class SkinWatch
     {
-        private readonly Creatures.Creature creature;
+        private readonly MotionSubject subject;
         private readonly Matrix4x4[] matrices;
         private readonly Vector3[] positions;
         private readonly Vector3[] normals;
 
         public SkinWatch(MotionProfile profile)
         {
-            creature = profile.Creature;
-            matrices = new Matrix4x4[creature.Skeleton.Count];
-            positions = new Vector3[creature.Mesh.Positions.Length];
+            subject = profile.Subject;
+            matrices = new Matrix4x4[subject.Skeleton.Count];
+            positions = new Vector3[subject.Mesh.Positions.Length];
             normals = new Vector3[positions.Length];
         }
 
@@ -98,14 +98,14 @@ public sealed record ActTrial(ActAbility Ability)
 
         public void Record(in Pose model)
         {
-            SkinMatrices.Fill(creature.Skeleton, model, matrices);
-            CpuSkinning.Skin(matrices, creature.Mesh.Weights, creature.Mesh.Positions, creature.Mesh.Normals, positions, normals);
+            SkinMatrices.Fill(subject.Skeleton, model, matrices);
+            CpuSkinning.Skin(matrices, subject.Mesh.Weights, subject.Mesh.Positions, subject.Mesh.Normals, positions, normals);
             for (int v = 0; v < positions.Length; v++)
             {
                 if (positions[v].Y < Lowest)
                 {
                     Lowest = positions[v].Y;
-                    LowestJoint = creature.Mesh.Weights[v].Joint0;
+                    LowestJoint = subject.Mesh.Weights[v].Joint0;
                 }
             }
         }
@@ -139,7 +139,7 @@ public sealed record ActTrial(ActAbility Ability)
                 LegRig leg = animator.Profile.Legs!.Legs[foot];
                 Pose model = animator.ModelPose;
                 Vector3 ball = model.Positions[leg.Ball];
-                Quaternion turn = Rotation.Multiply(model.Rotations[leg.Ball], Rotation.Inverse(animator.Profile.Creature.Skeleton.ModelRotations[leg.Ball]));
+                Quaternion turn = Rotation.Multiply(model.Rotations[leg.Ball], Rotation.Inverse(animator.Profile.Subject.Skeleton.ModelRotations[leg.Ball]));
                 Vector3 sole = ball + Rotation.Rotate(turn, leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f));
                 stood[foot] ??= (ball, sole);
                 (Vector3 ballBefore, Vector3 soleBefore) = stood[foot]!.Value;

@@ -49,7 +49,7 @@ internal sealed class FeetRecorder
         lastMiddle = new Vector3[skins.Length];
         for (int i = 0; i < skins.Length; i++)
         {
-            skins[i] = new FootSkin(body.Creature, body.Legs[i].Ankle, body.Legs[i].Ball, body.Legs[i].Length);
+            skins[i] = new FootSkin(body.Subject, body.Legs[i].Ankle, body.Legs[i].Ball, body.Legs[i].Length);
         }
     }
 

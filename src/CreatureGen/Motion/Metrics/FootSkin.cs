@@ -23,13 +23,13 @@ internal sealed class FootSkin
     private readonly float firm = Firm;
 
     /// <summary>Takes the vertices that ankle, ball and toes move and that are low at rest.</summary>
-    /// <param name="creature">The creature.</param>
+    /// <param name="subject">The creature.</param>
     /// <param name="ankle">Skeleton index.</param>
     /// <param name="ball">Skeleton index.</param>
     /// <param name="length">Of the leg, metres.</param>
-    public FootSkin(Creature creature, int ankle, int ball, float length)
+    public FootSkin(MotionSubject subject, int ankle, int ball, float length)
     {
-        mesh = creature.Mesh;
+        mesh = subject.Mesh;
         var sole = new List<int>();
         var rest = new List<int>();
         float lowest = Lowest(ankle, ball);

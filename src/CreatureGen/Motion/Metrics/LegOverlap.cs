@@ -28,7 +28,7 @@ internal sealed class LegOverlap
         for (int i = 0; i < body.Legs.Length; i++)
         {
             LegRig leg = body.Legs[i];
-            foreach (CapsuleCollider capsule in body.Creature.Bones)
+            foreach (CapsuleCollider capsule in body.Subject.Bones)
             {
                 if (capsule.Joint == leg.Hip || capsule.Joint == leg.Knee || capsule.Joint == leg.Ankle || capsule.Joint == leg.Ball)
                 {
@@ -38,7 +38,7 @@ internal sealed class LegOverlap
             }
         }
 
-        foreach (CapsuleCollider capsule in body.Creature.Bones)
+        foreach (CapsuleCollider capsule in body.Subject.Bones)
         {
             if (Array.IndexOf(body.Trunk, capsule.Joint) >= 0)
             {

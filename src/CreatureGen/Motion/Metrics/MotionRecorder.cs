@@ -33,7 +33,7 @@ public sealed class MotionRecorder
     public MotionRecorder(CreatureAnimator animator)
     {
         this.animator = animator ?? throw new ArgumentNullException(nameof(animator));
-        skeleton = animator.Profile.Creature.Skeleton;
+        skeleton = animator.Profile.Subject.Skeleton;
         matrices = new Matrix4x4[skeleton.Count];
         before = new Quaternion[skeleton.Count];
         feet = animator.Profile.Legs == null ? null : new FeetRecorder(animator, animator.Profile.Legs);

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
 
@@ -85,16 +84,16 @@ public sealed record MotionTrial(Movement Movement, GroundRelief Relief, float H
     /// <summary>Length that hills are measured by, metres: of the legs, or a part of the body's for what is not done on legs.</summary>
     internal static float HillLength(MotionProfile profile, Movement movement)
     {
-        (Vector3 min, Vector3 max) = Extent(profile.Creature);
+        (Vector3 min, Vector3 max) = Extent(profile.Subject);
         return movement.Gait != null ? profile.LegLength : LegOfLegless * (max.Z - min.Z);
     }
 
     /// <summary>Corners of the box around the joints at rest.</summary>
-    internal static (Vector3 Min, Vector3 Max) Extent(Creature creature)
+    internal static (Vector3 Min, Vector3 Max) Extent(MotionSubject subject)
     {
-        Vector3 min = creature.Skeleton.ModelPositions[0];
+        Vector3 min = subject.Skeleton.ModelPositions[0];
         Vector3 max = min;
-        foreach (Vector3 joint in creature.Skeleton.ModelPositions)
+        foreach (Vector3 joint in subject.Skeleton.ModelPositions)
         {
             min = Vec.Min(min, joint);
             max = Vec.Max(max, joint);
@@ -106,11 +105,11 @@ public sealed record MotionTrial(Movement Movement, GroundRelief Relief, float H
     private HeightFieldGround Hills(MotionProfile profile)
     {
         float length = HillLength(profile, Movement);
-        (Vector3 min, Vector3 max) = Extent(profile.Creature);
+        (Vector3 min, Vector3 max) = Extent(profile.Subject);
         float way = Math.Abs(Movement.Input.Speed) * (SettleSeconds + MaxSeconds + 1f);
 
         // Creatures without legs wind: some of them lie across their way.
         float room = Movement.Gait != null ? 3f * length : Math.Max(3f * length, max.Z - min.Z);
-        return new HillField(new Seed(profile.Creature.Blueprint.Seed), length).Around(max.X + room, min.Z - room - (0.2f * way), max.Z + room + way);
+        return new HillField(new Seed(profile.Subject.Seed), length).Around(max.X + room, min.Z - room - (0.2f * way), max.Z + room + way);
     }
 }

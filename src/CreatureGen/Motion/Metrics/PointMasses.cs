@@ -1,5 +1,4 @@
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -18,30 +17,30 @@ internal sealed class PointMasses
     private Vector3[] before;
     private Vector3[] now;
 
-    public PointMasses(Creature creature)
+    public PointMasses(MotionSubject subject)
     {
-        int count = creature.Bones.Count;
+        int count = subject.Bones.Count;
         joints = new int[count];
         middles = new Vector3[count];
         masses = new double[count];
         groups = new int[count];
         before = new Vector3[count];
         now = new Vector3[count];
-        groupCount = creature.Limbs.Count + 1;
+        groupCount = subject.Limbs.Count + 1;
         double sum = 0;
         for (int i = 0; i < count; i++)
         {
-            CapsuleCollider capsule = creature.Bones[i];
+            CapsuleCollider capsule = subject.Bones[i];
             joints[i] = capsule.Joint;
             middles[i] = (capsule.Start + capsule.End) * 0.5f;
             masses[i] = capsule.Radius * capsule.Radius * (Vec.Length(capsule.End - capsule.Start) + (4.0 / 3 * capsule.Radius));
-            groups[i] = GroupOf(creature, capsule.Joint);
+            groups[i] = GroupOf(subject, capsule.Joint);
             sum += masses[i];
         }
 
         for (int i = 0; i < count; i++)
         {
-            masses[i] *= creature.Mass.Mass / sum;
+            masses[i] *= subject.Mass.Mass / sum;
         }
     }
 
@@ -82,11 +81,11 @@ internal sealed class PointMasses
         return energies;
     }
 
-    private static int GroupOf(Creature creature, int joint)
+    private static int GroupOf(MotionSubject subject, int joint)
     {
-        for (int limb = 0; limb < creature.Limbs.Count; limb++)
+        for (int limb = 0; limb < subject.Limbs.Count; limb++)
         {
-            foreach (int one in creature.Limbs[limb].Joints)
+            foreach (int one in subject.Limbs[limb].Joints)
             {
                 if (one == joint)
                 {

@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Metrics;
 
@@ -26,8 +25,8 @@ public static class TransportCost
     public static double Of(MotionProfile profile)
     {
         _ = profile ?? throw new ArgumentNullException(nameof(profile));
-        Creature creature = profile.Creature;
-        var input = new MotionInput(creature.DefaultSpeed, Medium: profile.Flight != null ? MotionMedium.Air : MotionMedium.Ground);
+        MotionSubject subject = profile.Subject;
+        var input = new MotionInput(subject.DefaultSpeed, Medium: profile.Flight != null ? MotionMedium.Air : MotionMedium.Ground);
         var animator = new CreatureAnimator(profile);
         IGround ground = FlatGround.Level;
         const float step = 1f / Hertz;
@@ -36,7 +35,7 @@ public static class TransportCost
             animator.Update(step, input, ground);
         }
 
-        var masses = new PointMasses(creature);
+        var masses = new PointMasses(subject);
         masses.Move(animator);
         Vector3 start = animator.Root.Position;
         float seconds = animator.Frequency > 0f ? Scalar.Clamp(MotionTrial.Cycles / animator.Frequency, MinSeconds, MaxSeconds) : MaxSeconds;
@@ -57,6 +56,6 @@ public static class TransportCost
 
         double way = Vec.Length(animator.Root.Position - start);
         double friction = profile.Slither != null ? BellyFriction : 0;
-        return way > 0 ? friction + (work / (creature.Mass.Mass * StandardGravity.Acceleration * way)) : double.PositiveInfinity;
+        return way > 0 ? friction + (work / (subject.Mass.Mass * StandardGravity.Acceleration * way)) : double.PositiveInfinity;
     }
 }

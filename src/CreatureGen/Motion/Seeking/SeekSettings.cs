@@ -91,7 +91,7 @@ public readonly struct SeekSettings
         Finite.RequireWithin(scale, 1e-4f, 1e4f, nameof(scale));
         float front = 0f;
         float rear = 0f;
-        foreach (Joint joint in profile.Creature.Skeleton.Joints)
+        foreach (Joint joint in profile.Subject.Skeleton.Joints)
         {
             front = Math.Max(front, joint.ModelPosition.Z);
             rear = Math.Min(rear, joint.ModelPosition.Z);

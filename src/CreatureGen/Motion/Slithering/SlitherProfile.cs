@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
@@ -33,10 +32,10 @@ internal sealed class SlitherProfile
     private readonly double[] heights;
     private readonly double[] neckFractions;
 
-    private SlitherProfile(Creature creature)
+    private SlitherProfile(MotionSubject subject)
     {
-        Skeleton = creature.Skeleton;
-        Chain = AxialChain.Of(creature.Skeleton, creature.Bones);
+        Skeleton = subject.Skeleton;
+        Chain = AxialChain.Of(subject.Skeleton, subject.Bones);
         int count = Chain.Count;
         lengths = new double[count];
         heights = new double[count];
@@ -47,7 +46,7 @@ internal sealed class SlitherProfile
             heights[b] = bone.Middle.Y;
         }
 
-        while (NeckBones + 1 < count && creature.Skeleton.Joints[Chain.Bones[NeckBones].Turn.Joint].Role is JointRole.Head or JointRole.Neck)
+        while (NeckBones + 1 < count && subject.Skeleton.Joints[Chain.Bones[NeckBones].Turn.Joint].Role is JointRole.Head or JointRole.Neck)
         {
             NeckBones++;
         }
@@ -71,7 +70,7 @@ internal sealed class SlitherProfile
         Alpha = Math.Min(Winding, WindingFraction * room);
         SidewindAlpha = Math.Min(SidewindWinding, room / SidewindBend);
         TightestTurn = TurnPerBody / Chain.Length;
-        CruiseSpeed = creature.DefaultSpeed;
+        CruiseSpeed = subject.DefaultSpeed;
     }
 
     /// <summary>From nose to tail, metres.</summary>
@@ -113,14 +112,14 @@ internal sealed class SlitherProfile
 
     /// <summary>Works out how a creature crawls. Any creature can; those with legs drag them.</summary>
     /// <exception cref="ArgumentException">The skeleton lacks a body, a head or a tail.</exception>
-    public static SlitherProfile Of(Creature creature)
+    public static SlitherProfile Of(MotionSubject subject)
     {
-        if (creature == null)
+        if (subject == null)
         {
-            throw new ArgumentNullException(nameof(creature));
+            throw new ArgumentNullException(nameof(subject));
         }
 
-        return new SlitherProfile(creature);
+        return new SlitherProfile(subject);
     }
 
     /// <summary>Share of the way along the body that it gets on along the middle line: J₀(α), by its series.</summary>

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
@@ -42,17 +41,17 @@ internal sealed class LegFold
 
     /// <summary>Folds a leg.</summary>
     /// <param name="chain">The pair of legs.</param>
-    /// <param name="creature">Whose they are.</param>
+    /// <param name="subject">Whose they are.</param>
     /// <param name="beside">What the leg is to keep clear of, as far as it can.</param>
     /// <param name="droop">How much it is turned down on its way back, as a slope.</param>
-    public static LegFold Of(PairedChain chain, Creature creature, IReadOnlyList<FoldedBone> beside, double droop)
+    public static LegFold Of(PairedChain chain, MotionSubject subject, IReadOnlyList<FoldedBone> beside, double droop)
     {
         LegFold? best = null;
         float min = float.MaxValue;
         for (double splay = MinSplay; splay <= WidestSplay && min > 0f; splay += SplayStep)
         {
             PortableMath.SinCos(splay, out double sine, out double cosine);
-            LegFold fold = Towards(chain, creature, new Vector3((float)sine, -(float)droop, -(float)cosine));
+            LegFold fold = Towards(chain, subject, new Vector3((float)sine, -(float)droop, -(float)cosine));
             float depth = fold.DepthIn(beside);
             if (depth < min)
             {
@@ -65,10 +64,10 @@ internal sealed class LegFold
     }
 
     /// <summary>The turns of each joint that spread a leg against the stream, about the model's axes.</summary>
-    public static Quaternion[] Spread(PairedChain chain, Creature creature) => Towards(chain, creature, against).turns;
+    public static Quaternion[] Spread(PairedChain chain, MotionSubject subject) => Towards(chain, subject, against).turns;
 
     /// <summary>Turns every bone towards a direction, from the hip down, as far as its joint allows.</summary>
-    private static LegFold Towards(PairedChain chain, Creature creature, Vector3 direction)
+    private static LegFold Towards(PairedChain chain, MotionSubject subject, Vector3 direction)
     {
         var turns = new Quaternion[chain.Count];
         var bones = new List<FoldedBone>();
@@ -80,11 +79,11 @@ internal sealed class LegFold
 
             // Limits slow a joint down towards their ends: of the turn that is kept, so much is written.
             whole = Rotation.Normalize(Rotation.Multiply(whole, chain.Limit(k, turns[k])));
-            foreach (CapsuleCollider capsule in creature.Bones)
+            foreach (CapsuleCollider capsule in subject.Bones)
             {
                 if (capsule.Joint == chain.Limb.Joints[k])
                 {
-                    bones.Add(new FoldedBone(k, capsule, at, Rotation.Multiply(whole, creature.Skeleton.ModelRotations[capsule.Joint])));
+                    bones.Add(new FoldedBone(k, capsule, at, Rotation.Multiply(whole, subject.Skeleton.ModelRotations[capsule.Joint])));
                 }
             }
 

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
@@ -72,32 +71,32 @@ internal sealed class SwimLeg
     }
 
     /// <summary>All legs and arms of a creature that have a counterpart, front to rear.</summary>
-    public static SwimLeg[] Of(Creature creature, AxialChain axis)
+    public static SwimLeg[] Of(MotionSubject subject, AxialChain axis)
     {
-        List<PairedChain> pairs = PairsOf(creature);
+        List<PairedChain> pairs = PairsOf(subject);
         var legs = new SwimLeg[pairs.Count];
-        List<FoldedBone> beside = TrunkOf(creature, axis);
+        List<FoldedBone> beside = TrunkOf(subject, axis);
         for (int i = legs.Length - 1; i >= 0; i--)
         {
             PairedChain pair = pairs[i];
-            LegFold fold = LegFold.Of(pair, creature, beside, i == legs.Length - 1 ? 0 : Droop);
+            LegFold fold = LegFold.Of(pair, subject, beside, i == legs.Length - 1 ? 0 : Droop);
 
             // Legs in front of it keep clear of this one too.
             beside.AddRange(fold.Bones);
-            int carrier = axis.IndexOf(creature.Skeleton.Parents[pair.Limb.Joints[0]]);
+            int carrier = axis.IndexOf(subject.Skeleton.Parents[pair.Limb.Joints[0]]);
             int bone = axis.BoneAt(Scalar.Lerp(pair.Points[Hip].Z, fold.Tip.Z, Beside));
-            legs[i] = new SwimLeg(pair, fold, LegFold.Spread(pair, creature), carrier, bone, PairLead * i);
+            legs[i] = new SwimLeg(pair, fold, LegFold.Spread(pair, subject), carrier, bone, PairLead * i);
         }
 
         return legs;
     }
 
-    private static List<PairedChain> PairsOf(Creature creature)
+    private static List<PairedChain> PairsOf(MotionSubject subject)
     {
         var pairs = new List<PairedChain>();
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
-            if (limb.Kind is LimbKind.Leg or LimbKind.Arm && PairedChain.Of(creature.Skeleton, limb) is { } pair)
+            if (limb.Kind is LimbKind.Leg or LimbKind.Arm && PairedChain.Of(subject.Skeleton, limb) is { } pair)
             {
                 pairs.Add(pair);
             }
@@ -107,15 +106,15 @@ internal sealed class SwimLeg
         return pairs;
     }
 
-    private static List<FoldedBone> TrunkOf(Creature creature, AxialChain axis)
+    private static List<FoldedBone> TrunkOf(MotionSubject subject, AxialChain axis)
     {
         var bones = new List<FoldedBone>();
-        foreach (CapsuleCollider capsule in creature.Bones)
+        foreach (CapsuleCollider capsule in subject.Bones)
         {
             int bone = axis.IndexOf(capsule.Joint);
             if (bone >= 0)
             {
-                bones.Add(new FoldedBone(bone, capsule, creature.Skeleton.ModelPositions[capsule.Joint], creature.Skeleton.ModelRotations[capsule.Joint]));
+                bones.Add(new FoldedBone(bone, capsule, subject.Skeleton.ModelPositions[capsule.Joint], subject.Skeleton.ModelRotations[capsule.Joint]));
             }
         }
 

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Chains;
@@ -47,18 +46,18 @@ internal sealed class SwimProfile
     private readonly SwimLeg[] legs;
     private readonly MedianFin[] medianFins;
 
-    private SwimProfile(Creature creature, AxialChain chain, SwimStyle style)
+    private SwimProfile(MotionSubject subject, AxialChain chain, SwimStyle style)
     {
         Chain = chain;
-        Skeleton = creature.Skeleton;
+        Skeleton = subject.Skeleton;
         Style = style;
         Kinematics = SwimKinematics.Of(style);
         BodyLength = (float)chain.Length;
         Wave = new SwimWave(chain, style, Kinematics);
-        Wave.Scale(RoomForWave(creature.Skeleton, chain, Wave, style));
-        Curl = RoomForCurl(creature.Skeleton, chain);
-        Fitting(creature, out fins, out medianFins);
-        legs = SwimLeg.Of(creature, chain);
+        Wave.Scale(RoomForWave(subject.Skeleton, chain, Wave, style));
+        Curl = RoomForCurl(subject.Skeleton, chain);
+        Fitting(subject, out fins, out medianFins);
+        legs = SwimLeg.Of(subject, chain);
         TailBeat = (float)(2 * Wave.TailReach);
         if (style == SwimStyle.Flippers)
         {
@@ -71,9 +70,9 @@ internal sealed class SwimProfile
 
         // A swimmer's speed is that which it was grown with, and its tempo that which brings it there; others swim as their size has it.
         double beat = TailBeat / Kinematics.Strouhal;
-        CruiseSpeed = creature.Blueprint.Kind == LocomotionKind.Swimming ? creature.DefaultSpeed : (float)(Kinematics.Frequency(chain.Length) * beat);
+        CruiseSpeed = subject.Kind == LocomotionKind.Swimming ? subject.DefaultSpeed : (float)(Kinematics.Frequency(chain.Length) * beat);
         CruiseFrequency = (float)(CruiseSpeed / beat);
-        Momentum = MomentumOf(creature.Mass.Volume);
+        Momentum = MomentumOf(subject.Mass.Volume);
     }
 
     /// <summary>What drives it.</summary>
@@ -113,27 +112,27 @@ internal sealed class SwimProfile
 
     /// <summary>Works out how a creature swims. Any creature can: those not built for it swim as their shape allows.</summary>
     /// <exception cref="ArgumentException">The skeleton lacks a body, a head or a tail.</exception>
-    public static SwimProfile Of(Creature creature)
+    public static SwimProfile Of(MotionSubject subject)
     {
-        if (creature == null)
+        if (subject == null)
         {
-            throw new ArgumentNullException(nameof(creature));
+            throw new ArgumentNullException(nameof(subject));
         }
 
-        AxialChain chain = AxialChain.Of(creature.Skeleton, creature.Bones);
-        return new SwimProfile(creature, chain, StyleOf(creature, chain));
+        AxialChain chain = AxialChain.Of(subject.Skeleton, subject.Bones);
+        return new SwimProfile(subject, chain, StyleOf(subject, chain));
     }
 
     /// <summary>Fastest turn at a speed, rad/s: about its own middle by its fins, and the tighter the faster the arc that its body bends to.</summary>
     internal double FastestTurn(double speed) => (StandingTurn * CruiseFrequency) + (TurnPerLength * Math.Abs(speed) / BodyLength);
 
     /// <summary>A level fluke beats up and down; two and more pairs of flippers without a fin on back or tail row; a body of many bones, or one without limbs, undulates as a whole; all others beat their tails.</summary>
-    private static SwimStyle StyleOf(Creature creature, AxialChain chain)
+    private static SwimStyle StyleOf(MotionSubject subject, AxialChain chain)
     {
         int pairs = 0;
         int legs = 0;
         int upright = 0;
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
             pairs += limb.Kind == LimbKind.Pectoral && limb.Side == Side.Left ? 1 : 0;
             legs += limb.Kind is LimbKind.Leg or LimbKind.Arm ? 1 : 0;
@@ -144,32 +143,32 @@ internal sealed class SwimProfile
         bool crawls = false;
         foreach (AxialBone bone in chain.Bones)
         {
-            JointRole role = creature.Skeleton.Joints[bone.Turn.Joint].Role;
+            JointRole role = subject.Skeleton.Joints[bone.Turn.Joint].Role;
             bones += role is JointRole.Spine or JointRole.Tail ? 1 : 0;
             crawls |= role == JointRole.Pelvis && legs == 0;
         }
 
-        TailEnd(creature, chain, out double width, out double height);
-        return creature.Blueprint.Plan == BodyPlan.Whale || (width > FlukeFlatness * height && width > FlukeWidth * chain.Length) ? SwimStyle.Cetacean
+        TailEnd(subject, chain, out double width, out double height);
+        return subject.Plan == BodyPlan.Whale || (width > FlukeFlatness * height && width > FlukeWidth * chain.Length) ? SwimStyle.Cetacean
             : pairs > 1 && upright == 0 && width > FinThinness * height ? SwimStyle.Flippers
             : crawls || bones >= WavingBones ? SwimStyle.Anguilliform
             : SwimStyle.Carangiform;
     }
 
     /// <summary>Width and height of the skin that the last two bones move.</summary>
-    private static void TailEnd(Creature creature, AxialChain chain, out double width, out double height)
+    private static void TailEnd(MotionSubject subject, AxialChain chain, out double width, out double height)
     {
         int last = chain.Bones[chain.Count - 1].Turn.Joint;
-        int before = creature.Skeleton.Parents[last];
+        int before = subject.Skeleton.Parents[last];
         float side = 0f;
         float top = float.MinValue;
         float bottom = float.MaxValue;
-        for (int v = 0; v < creature.Mesh.Positions.Length; v++)
+        for (int v = 0; v < subject.Mesh.Positions.Length; v++)
         {
-            int joint = creature.Mesh.Weights[v].Joint0;
+            int joint = subject.Mesh.Weights[v].Joint0;
             if (joint == last || joint == before)
             {
-                Vector3 p = creature.Mesh.Positions[v];
+                Vector3 p = subject.Mesh.Positions[v];
                 side = Math.Max(side, Math.Abs(p.X));
                 top = Math.Max(top, p.Y);
                 bottom = Math.Min(bottom, p.Y);
@@ -238,20 +237,20 @@ internal sealed class SwimProfile
         return new MomentumLimits(thrust, BrakingFraction * thrust, 0.5 * friction * 0.75 * PortableMath.Pi / (Spindle * thickness), thrust * CruiseFrequency / PushRise);
     }
 
-    private void Fitting(Creature creature, out SwimFin[] paired, out MedianFin[] median)
+    private void Fitting(MotionSubject subject, out SwimFin[] paired, out MedianFin[] median)
     {
         var pairs = new List<SwimFin>();
         var singles = new List<MedianFin>();
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
-            float at = (Chain.Nose.Z - creature.Skeleton.ModelPositions[limb.Joints[0]].Z) / BodyLength;
-            if (limb.Kind == LimbKind.Pectoral && PairedChain.Of(creature.Skeleton, limb) is { } chain)
+            float at = (Chain.Nose.Z - subject.Skeleton.ModelPositions[limb.Joints[0]].Z) / BodyLength;
+            if (limb.Kind == LimbKind.Pectoral && PairedChain.Of(subject.Skeleton, limb) is { } chain)
             {
                 pairs.Add(new SwimFin(chain, at));
             }
             else if (limb.Kind is LimbKind.Dorsal or LimbKind.Ventral)
             {
-                singles.Add(new MedianFin(creature.Skeleton, limb, at));
+                singles.Add(new MedianFin(subject.Skeleton, limb, at));
             }
         }
 

@@ -19,7 +19,7 @@ internal static class GaitChoice
     public static GaitSet For(LeggedBody body, float gravity)
     {
         var steps = new List<GaitStep>();
-        BodyPlan plan = body.Creature.Blueprint.Plan;
+        BodyPlan plan = body.Subject.Plan;
         if (body.Waddles)
         {
             steps.Add(new GaitStep(GaitLibrary.Waddle, 0f, 0f));

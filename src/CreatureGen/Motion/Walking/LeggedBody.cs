@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Idle;
@@ -39,15 +38,15 @@ internal sealed class LeggedBody
     private const float LateralSway = 0.14f;
     private const float LateralSwayFraction = 0.45f;
 
-    private LeggedBody(Creature creature, LimbChain[] standing)
+    private LeggedBody(MotionSubject subject, LimbChain[] standing)
     {
-        Creature = creature;
-        Skeleton = creature.Skeleton;
-        Mass = Math.Max(creature.Mass.Mass, 1e-4f);
+        Subject = subject;
+        Skeleton = subject.Skeleton;
+        Mass = Math.Max(subject.Mass.Mass, 1e-4f);
         int[] rows = RowsOf(standing);
         Rows = 1 + rows.Max();
-        Trunk = ChainOf(creature.Skeleton, JointRole.Pelvis, JointRole.Spine, JointRole.Chest);
-        SoleExtent[] soles = SoleExtent.Measure(creature, standing);
+        Trunk = ChainOf(subject.Skeleton, JointRole.Pelvis, JointRole.Spine, JointRole.Chest);
+        SoleExtent[] soles = SoleExtent.Measure(subject, standing);
         Legs = new LegRig[standing.Length];
         float hind = 0f;
         float hips = 0f;
@@ -56,7 +55,7 @@ internal sealed class LeggedBody
         for (int i = 0; i < standing.Length; i++)
         {
             int parent = Skeleton.Parents[standing[i].Joints[0]];
-            Legs[i] = new LegRig(Skeleton, standing[i], rows[i], Math.Max(Array.IndexOf(Trunk, parent), 0), soles[i], creature.Bones);
+            Legs[i] = new LegRig(Skeleton, standing[i], rows[i], Math.Max(Array.IndexOf(Trunk, parent), 0), soles[i], subject.Bones);
             halfTrack = Math.Max(halfTrack, Math.Abs(Legs[i].Home.X));
             if (rows[i] == 0)
             {
@@ -95,10 +94,10 @@ internal sealed class LeggedBody
         }
 
         float steady = SteadyFraction();
-        TrunkTraits traits = TrunkTraits.Of(creature.Blueprint.Plan, SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.Manner).Motion, Mass);
+        TrunkTraits traits = TrunkTraits.Of(subject.Plan, subject.Manner, Mass);
         Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
-        Posture = StandingPosture.Of(creature);
+        Posture = StandingPosture.Of(subject);
         Span = TrunkSpan.Of(Legs, GoingHomes, Rows, Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]], TrunkLength);
         Neck = ChainOf(Skeleton, JointRole.Neck, JointRole.Head);
         NeckLimits = Array.ConvertAll(Neck, joint => BendFraction * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
@@ -113,8 +112,8 @@ internal sealed class LeggedBody
         Vector3 chest = Skeleton.ModelPositions[Trunk[Trunk.Length - 1]];
         Vector3 head = Skeleton.ModelPositions[Neck.Length > 0 ? Neck[Neck.Length - 1] : Trunk[Trunk.Length - 1]];
         NeckLength = Math.Max(Vec.Distance(chest, head), 0.05f * LegLength);
-        BellyHeight = BellyOf(creature);
-        Arms = ArmsOf(creature);
+        BellyHeight = BellyOf(subject);
+        Arms = ArmsOf(subject);
         Body = Skeleton.IndexOf("Body");
         MaxRoll = IsBiped ? 0f : MaxRollOf(Legs);
         MaxSway = MaxSwayOf(Legs);
@@ -123,12 +122,12 @@ internal sealed class LeggedBody
         MaxBendRoll = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.Twist);
         Turns = new RestRotations(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
-        Hops = Rows == 1 && creature.Blueprint.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
+        Hops = Rows == 1 && subject.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
         Idle = IdleRhythm.Of(Mass);
-        Flippers = Waddles && creature.Blueprint.Kind == LocomotionKind.Walking ? FlippersOf(creature) : Array.Empty<LimbChain>();
+        Flippers = Waddles && subject.Kind == LocomotionKind.Walking ? FlippersOf(subject) : Array.Empty<LimbChain>();
     }
 
-    public Creature Creature { get; }
+    public MotionSubject Subject { get; }
 
     public Skeleton Skeleton { get; }
 
@@ -221,7 +220,7 @@ internal sealed class LeggedBody
     public float BellyHeight { get; }
 
     /// <summary>Whether what follows the hips is an abdomen, which does not swing like a tail.</summary>
-    public bool HasAbdomen => Creature.Blueprint.Plan is BodyPlan.Hexapod or BodyPlan.Buzzing;
+    public bool HasAbdomen => Subject.Plan is BodyPlan.Hexapod or BodyPlan.Buzzing;
 
     /// <summary>Whether it is built to hop: upright, with long feet under it and a tail to counter them.</summary>
     public bool Hops { get; }
@@ -230,7 +229,7 @@ internal sealed class LeggedBody
     public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype is LimbArchetype.Jumper or LimbArchetype.FrogHind);
 
     /// <summary>Whether it rolls from side to side on short legs under an upright body: penguins.</summary>
-    public bool Waddles => IsBiped && SpeciesCatalogue.Find(Creature.Blueprint.Body.Blend.Manner).Motion.Waddles;
+    public bool Waddles => IsBiped && Subject.Manner.Waddles;
 
     /// <summary>The times of what it does while it stands.</summary>
     public IdleRhythm Idle { get; }
@@ -241,10 +240,10 @@ internal sealed class LeggedBody
     public bool IsBiped => Rows == 1;
 
     /// <summary>The legged body of a creature, or null when it stands on nothing.</summary>
-    public static LeggedBody? Of(Creature creature)
+    public static LeggedBody? Of(MotionSubject subject)
     {
         var standing = new List<LimbChain>();
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
             if (limb.Kind == LimbKind.Leg && limb.Stands && limb.Archetype != null && limb.Joints.Count == 6)
             {
@@ -252,7 +251,7 @@ internal sealed class LeggedBody
             }
         }
 
-        return standing.Count == 0 ? null : new LeggedBody(creature, standing.ToArray());
+        return standing.Count == 0 ? null : new LeggedBody(subject, standing.ToArray());
     }
 
     /// <summary>The longest way that the feet can go along level ground in a stance without drawing the body down too far or running into one another, metres.</summary>
@@ -280,10 +279,10 @@ internal sealed class LeggedBody
         return rows;
     }
 
-    private static LimbChain[] FlippersOf(Creature creature)
+    private static LimbChain[] FlippersOf(MotionSubject subject)
     {
         var flippers = new List<LimbChain>();
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
             if (limb.Kind == LimbKind.Wing)
             {
@@ -346,10 +345,10 @@ internal sealed class LeggedBody
         return chain.ToArray();
     }
 
-    private static ArmShape[] ArmsOf(Creature creature)
+    private static ArmShape[] ArmsOf(MotionSubject subject)
     {
         var arms = new List<ArmShape>();
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
             if (limb.Kind == LimbKind.Arm && limb.Joints.Count == 6)
             {
@@ -385,7 +384,7 @@ internal sealed class LeggedBody
         return length;
     }
 
-    private float BellyOf(Creature creature)
+    private float BellyOf(MotionSubject subject)
     {
         float rear = Skeleton.ModelPositions[Trunk[0]].Z - (0.2f * LegLength);
         float front = Skeleton.ModelPositions[Trunk[ForeSlot]].Z + (0.2f * LegLength);
@@ -396,10 +395,10 @@ internal sealed class LeggedBody
         }
 
         float lowest = HipHeight;
-        ReadOnlySpan<Vector3> positions = creature.Mesh.Positions;
+        ReadOnlySpan<Vector3> positions = subject.Mesh.Positions;
         for (int v = 0; v < positions.Length; v++)
         {
-            if (trunk[creature.Mesh.Weights[v].Joint0] && positions[v].Z > rear && positions[v].Z < front)
+            if (trunk[subject.Mesh.Weights[v].Joint0] && positions[v].Z > rear && positions[v].Z < front)
             {
                 lowest = Math.Min(lowest, positions[v].Y);
             }

@@ -74,7 +74,7 @@ public class ActTrialTests
             ActAbility lie = profile.Acts.Find(act);
             var animator = new CreatureAnimator(profile);
             animator.Teleport(animator.Root, FlatGround.Level);
-            int pelvis = profile.Creature.Skeleton.IndexOf("Pelvis");
+            int pelvis = profile.Subject.Skeleton.IndexOf("Pelvis");
             float stood = animator.ModelPose.Positions[pelvis].Y;
             ActStart start = animator.Perform(lie);
             Walkers.Run(animator, lie.SecondsToLast, 60f, default, FlatGround.Level);

@@ -73,7 +73,7 @@ public class FaceTests
         Walkers.Run(animator, 0.2f, 60f, default, FlatGround.Level);
         Assert.InRange(Pelvis(animator).Y / crouched.Y, 0.97f, 1.03f);
 
-        static Vector3 Pelvis(CreatureAnimator animator) => animator.ModelPose.Positions[dog.Creature.Skeleton.IndexOf("Pelvis")];
+        static Vector3 Pelvis(CreatureAnimator animator) => animator.ModelPose.Positions[dog.Subject.Skeleton.IndexOf("Pelvis")];
     }
 
     [Theory]
@@ -100,7 +100,7 @@ public class FaceTests
         Assert.True(widest > 1.3f * folded, FormattableString.Invariant($"{widest} of {folded}"));
         Assert.InRange(Span(animator) / folded, 0.98f, 1.02f);
 
-        float Span(CreatureAnimator of) => profile.Creature.Skeleton.Joints.Select((joint, i) => joint.Role == JointRole.Wing ? of.ModelPose.Positions[i].X : 0f).Max();
+        float Span(CreatureAnimator of) => profile.Subject.Skeleton.Joints.Select((joint, i) => joint.Role == JointRole.Wing ? of.ModelPose.Positions[i].X : 0f).Max();
     }
 
     [Fact]
@@ -127,8 +127,8 @@ public class FaceTests
 
     private static float Shut(CreatureAnimator animator)
     {
-        Eyelids lids = Eyelids.Of(dog.Creature.Skeleton)!;
-        Joint joint = dog.Creature.Skeleton.Joints[lids.Joints[0]];
+        Eyelids lids = Eyelids.Of(dog.Subject.Skeleton)!;
+        Joint joint = dog.Subject.Skeleton.Joints[lids.Joints[0]];
         Quaternion turn = Rotation.Multiply(Rotation.Inverse(joint.LocalRotation), animator.LocalPose.Rotations[lids.Joints[0]]);
         AngleRange range = joint.Limit.SwingX;
         float closing = range.Max > -range.Min ? range.Max : range.Min;

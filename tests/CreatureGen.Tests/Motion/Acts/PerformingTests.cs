@@ -119,10 +119,10 @@ public class PerformingTests
         }
 
         Assert.Null(acting.Act);
-        for (int i = 0; i < profile.Creature.Skeleton.Count; i++)
+        for (int i = 0; i < profile.Subject.Skeleton.Count; i++)
         {
             double apart = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(plain.LocalPose.Rotations[i]), acting.LocalPose.Rotations[i]));
-            Assert.True(apart < 0.02, $"{profile.Creature.Skeleton.Joints[i].Name}: {apart}");
+            Assert.True(apart < 0.02, $"{profile.Subject.Skeleton.Joints[i].Name}: {apart}");
         }
     }
 
@@ -150,7 +150,7 @@ public class PerformingTests
             for (int joint = 0; joint < before.Length; joint++)
             {
                 float speed = Vector3.Distance(before[joint], animator.ModelPose.Positions[joint]) * 240f / dog.LegLength;
-                fastest = speed > fastest.LegsPerSecond ? (speed, dog.Creature.Skeleton.Joints[joint].Name, animator.Act?.Name ?? "", animator.ActPhase?.Name ?? "") : fastest;
+                fastest = speed > fastest.LegsPerSecond ? (speed, dog.Subject.Skeleton.Joints[joint].Name, animator.Act?.Name ?? "", animator.ActPhase?.Name ?? "") : fastest;
             }
 
             animator.ModelPose.Positions.CopyTo(before);
@@ -213,7 +213,7 @@ public class PerformingTests
         {
             var animator = new CreatureAnimator(dog) { Emotion = emotion };
             Walkers.Run(animator, 3f, 60f, default, FlatGround.Level);
-            return animator.ModelPose.Positions[dog.Creature.Skeleton.IndexOf("Pelvis")];
+            return animator.ModelPose.Positions[dog.Subject.Skeleton.IndexOf("Pelvis")];
         }
     }
 

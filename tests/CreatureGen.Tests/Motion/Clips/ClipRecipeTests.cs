@@ -51,7 +51,7 @@ public sealed class ClipRecipeTests
                 for (int joint = 0; frame > 0 && joint < clip.Joints; joint++)
                 {
                     float dot = Math.Abs(Quaternion.Dot(clip.RotationsAt(frame)[joint], clip.RotationsAt(frame - 1)[joint]));
-                    Assert.True(dot > 0.6f, $"{clip.Name}, frame {frame}, {profile.Creature.Skeleton.Joints[joint].Name}");
+                    Assert.True(dot > 0.6f, $"{clip.Name}, frame {frame}, {profile.Subject.Skeleton.Joints[joint].Name}");
                 }
             }
         }
@@ -95,7 +95,7 @@ public sealed class ClipRecipeTests
     {
         var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
         Clip jump = ClipBaker.RecipesOf(profile).First(recipe => recipe.Name == "Jump").Bake();
-        int body = profile.Creature.Skeleton.IndexOf("Body");
+        int body = profile.Subject.Skeleton.IndexOf("Body");
         float highest = Enumerable.Range(0, jump.Frames).Max(frame => jump.PositionsAt(frame)[body].Y);
         Assert.True(highest > jump.PositionsAt(0)[body].Y + (0.2f * profile.LegLength));
         Assert.Equal(jump.PositionsAt(0)[body].Y, jump.PositionsAt(jump.Frames - 1)[body].Y, 0.05f * profile.LegLength);
@@ -171,7 +171,7 @@ public sealed class ClipRecipeTests
 
     private static float FarthestApart(MotionProfile profile, Clip a, int frameOfA, Clip b, int frameOfB)
     {
-        Skeleton skeleton = profile.Creature.Skeleton;
+        Skeleton skeleton = profile.Subject.Skeleton;
         Vector3[] Places(Clip clip, int frame)
         {
             var pose = new Pose(clip.RotationsAt(frame).ToArray(), clip.PositionsAt(frame).ToArray());

@@ -40,7 +40,7 @@ public sealed class FreeFallTests
         foreach (MotionProfile profile in Lot(520, 24))
         {
             float leg = profile.LegLength;
-            string name = $"{profile.Creature.Blueprint.Seed} {profile.Creature.Blueprint.Plan}";
+            string name = $"{profile.Subject.Seed} {profile.Subject.Plan}";
             var cliff = new Cliff(3f * leg, 1.5f * leg);
             var animator = new CreatureAnimator(profile);
             animator.Teleport(RootPlace.Identity, cliff);
@@ -95,7 +95,7 @@ public sealed class FreeFallTests
             settings.Idle = 0f;
             animator.Settings = settings;
             animator.Teleport(RootPlace.Identity, FlatGround.Level);
-            int pelvis = profile.Creature.Skeleton.IndexOf("Body");
+            int pelvis = profile.Subject.Skeleton.IndexOf("Body");
             Walk(animator, 10, FlatGround.Level);
             float start = Height(animator, pelvis);
             int frames = 0;
@@ -109,7 +109,7 @@ public sealed class FreeFallTests
             Assert.Equal(BodyState.Falling, animator.State);
             float seconds = 30 * Frame;
             float fallen = start - Height(animator, pelvis);
-            Assert.True(Math.Abs(fallen - (0.5f * Gravity * seconds * seconds)) < 0.1f * profile.LegLength, $"{profile.Creature.Blueprint.Seed}: {fallen} m in {seconds} s");
+            Assert.True(Math.Abs(fallen - (0.5f * Gravity * seconds * seconds)) < 0.1f * profile.LegLength, $"{profile.Subject.Seed}: {fallen} m in {seconds} s");
         }
     }
 
@@ -131,7 +131,7 @@ public sealed class FreeFallTests
             float begun = TurnOfFrame(animator, circle);
             Walk(animator, 29, new Nothing(), circle);
             float left = TurnOfFrame(animator, circle);
-            string name = $"{profile.Creature.Blueprint.Seed}: {begun / Frame} rad/s, half a second later {left / Frame}";
+            string name = $"{profile.Subject.Seed}: {begun / Frame} rad/s, half a second later {left / Frame}";
             Assert.True(begun > 0.1f * Frame, name);
             Assert.True(Math.Abs((left / begun) - MathF.Exp(-1.5f * 30 * Frame)) < 0.02f, name);
         }
@@ -204,7 +204,7 @@ public sealed class FreeFallTests
     /// <summary>Degrees that the worst joint is beyond its limits.</summary>
     private static double Excess(CreatureAnimator animator)
     {
-        var watch = new JointWatch(animator.Profile.Creature.Skeleton, animator.Profile.SpringRigs);
+        var watch = new JointWatch(animator.Profile.Subject.Skeleton, animator.Profile.SpringRigs);
         watch.Record(animator.LocalPose.Rotations, Frame);
         return Scalar.Degrees(watch.Excess);
     }

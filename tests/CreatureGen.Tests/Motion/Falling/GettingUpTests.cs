@@ -95,7 +95,7 @@ public sealed class GettingUpTests
                 for (int foot = 0; foot < stood.Length; foot++)
                 {
                     float slip = Vec.Distance(path[i][foot], stood[foot]);
-                    Assert.True(slip < 0.06f * profile.LegLength, $"{profile.Creature.Blueprint.Seed} {profile.Creature.Blueprint.Plan}: foot {foot} is {slip / profile.LegLength} legs from its place at {i} of {path.Count}");
+                    Assert.True(slip < 0.06f * profile.LegLength, $"{profile.Subject.Seed} {profile.Subject.Plan}: foot {foot} is {slip / profile.LegLength} legs from its place at {i} of {path.Count}");
                 }
             }
         }
@@ -197,7 +197,7 @@ public sealed class GettingUpTests
     /// <summary>Height of the lowest vertex, metres.</summary>
     private static float Lowest(CreatureAnimator animator)
     {
-        Creature creature = animator.Profile.Creature;
+        Creature creature = animator.Profile.Subject.Creature!;
         var matrices = new Matrix4x4[creature.Skeleton.Count];
         SkinMatrices.Fill(creature.Skeleton, animator.ModelPose, matrices);
         var positions = new Vector3[creature.Mesh.Positions.Length];

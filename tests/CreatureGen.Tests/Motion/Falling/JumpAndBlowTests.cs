@@ -42,7 +42,7 @@ public sealed class JumpAndBlowTests
 
             float miss = Vec.Distance(animator.Root.Position, target);
             Assert.Equal([MotionEventKind.Jumped, MotionEventKind.Landed], kinds);
-            Assert.True(miss < 0.3f * profile.LegLength, $"{profile.Creature.Blueprint.Seed} {profile.Creature.Blueprint.Plan}: {miss / profile.LegLength} legs from its target");
+            Assert.True(miss < 0.3f * profile.LegLength, $"{profile.Subject.Seed} {profile.Subject.Plan}: {miss / profile.LegLength} legs from its target");
             jumped++;
         }
 
@@ -54,8 +54,8 @@ public sealed class JumpAndBlowTests
     {
         foreach (MotionProfile profile in FreeFallTests.Lot(690, 4))
         {
-            float unit = profile.Creature.Mass.Mass * MathF.Sqrt(9.81f * profile.LegLength);
-            int head = profile.Creature.Skeleton.IndexOf("Head");
+            float unit = profile.Subject.Mass.Mass * MathF.Sqrt(9.81f * profile.LegLength);
+            int head = profile.Subject.Skeleton.IndexOf("Head");
             var animator = new CreatureAnimator(profile);
             animator.Teleport(RootPlace.Identity, FlatGround.Level);
             animator.Update(Frame, default, FlatGround.Level);
@@ -64,7 +64,7 @@ public sealed class JumpAndBlowTests
             Assert.Contains(animator.Events.ToArray(), e => e.Kind == MotionEventKind.Struck);
             Run(animator, 180);
             Assert.Equal(BodyState.Supported, animator.State);
-            Assert.True(animator.Root.Position.X > 0.01f * profile.LegLength, $"{profile.Creature.Blueprint.Seed}: pushed by {animator.Root.Position.X} m");
+            Assert.True(animator.Root.Position.X > 0.01f * profile.LegLength, $"{profile.Subject.Seed}: pushed by {animator.Root.Position.X} m");
             animator.Hit(Math.Max(head, 1), new Vector3(unit, 0f, 0f));
             Run(animator, 2);
             Assert.Equal(BodyState.Limp, animator.State);
@@ -80,7 +80,7 @@ public sealed class JumpAndBlowTests
         var animator = new CreatureAnimator(profile);
         Assert.Contains("impulse", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(1, new Vector3(float.NaN, 0f, 0f))).Message, StringComparison.Ordinal);
         Assert.Contains("joint", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(-1, Vector3.UnitX)).Message, StringComparison.Ordinal);
-        Assert.Contains("joint", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(profile.Creature.Skeleton.Count, Vector3.UnitX)).Message, StringComparison.Ordinal);
+        Assert.Contains("joint", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(profile.Subject.Skeleton.Count, Vector3.UnitX)).Message, StringComparison.Ordinal);
         Assert.Contains("target", Assert.ThrowsAny<ArgumentException>(() => animator.Jump(new Vector3(0f, float.PositiveInfinity, 0f))).Message, StringComparison.Ordinal);
     }
 

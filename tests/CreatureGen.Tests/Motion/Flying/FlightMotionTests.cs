@@ -23,7 +23,7 @@ public sealed class FlightMotionTests
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
             var body = new StrokeSubject(creature);
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             var state = default(FlightState);
             for (int i = 0; i < 800; i++)
             {
@@ -46,7 +46,7 @@ public sealed class FlightMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             FlightState state = FlightState.InAir(profile);
             for (int i = 0; i < 100; i++)
@@ -63,7 +63,7 @@ public sealed class FlightMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             foreach (float cruises in new[] { 0f, 1f })
             {
                 var body = new StrokeSubject(creature);
@@ -89,7 +89,7 @@ public sealed class FlightMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Flapping, 8))
         {
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             Assert.InRange(profile.BeatFrequency, 0.8f, 9f);
             Assert.InRange(profile.WingSurface / (profile.WingSpan * profile.WingSpan), 0.03f, 0.4f);
         }
@@ -100,7 +100,7 @@ public sealed class FlightMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Flapping))
         {
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             FlightInput input = Level(profile) with { ClimbRate = 0.3f * profile.CruiseSpeed };
             FlightState state = Steady(profile, input, body);
@@ -138,7 +138,7 @@ public sealed class FlightMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Buzzing))
         {
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             FlightInput input = Level(profile) with { Speed = 0 };
             FlightState state = Steady(profile, input, body);
@@ -172,7 +172,7 @@ public sealed class FlightMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Buzzing))
         {
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             double flying = Slant(profile.CruiseSpeed);
             double hovering = Slant(0f);
             Assert.True(flying < 0.8 && hovering > 1.3 * flying && hovering > 0.7, $"{creature.Blueprint.Seed}: {flying} flying, {hovering} hovering");
@@ -200,7 +200,7 @@ public sealed class FlightMotionTests
     public void Every_beat_is_counted_once_at_any_frame_rate()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Flapping)[0];
-        FlightProfile profile = FlightProfile.Of(creature);
+        FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
         var counts = new List<long>();
         foreach (int rate in new[] { 5, 30, 60, 144, 1000 })
         {
@@ -229,7 +229,7 @@ public sealed class FlightMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var state = default(FlightState);
             var seen = new List<FlightPhase>();
@@ -271,7 +271,7 @@ public sealed class FlightMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Flapping))
         {
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var state = default(FlightState);
             FlightMotion.Update(profile, new FlightInput(FlightIntent.Ground, 0, 0, 0, 0), ref state, 0.01f, body.Local);
@@ -292,7 +292,7 @@ public sealed class FlightMotionTests
     public void Frame_rates_agree(BodyPlan plan)
     {
         Creature creature = StrokeSubject.Of(plan)[0];
-        FlightProfile profile = FlightProfile.Of(creature);
+        FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
         Quaternion[]? reference = null;
         foreach (int rate in new[] { 30, 60, 144 })
         {
@@ -315,7 +315,7 @@ public sealed class FlightMotionTests
     public void Changes_have_no_jump_of_angular_velocity(BodyPlan plan)
     {
         Creature creature = StrokeSubject.Of(plan)[0];
-        FlightProfile profile = FlightProfile.Of(creature);
+        FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
         float coarse = Jerk(profile, creature, 240);
         float fine = Jerk(profile, creature, 960);
         Assert.True(fine < 0.5f * coarse, FormattableString.Invariant($"{plan}: {coarse} coarse, {fine} fine"));
@@ -343,7 +343,7 @@ public sealed class FlightMotionTests
     public void Banking_goes_into_the_turn_by_the_angle_of_a_coordinated_one()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Flapping)[0];
-        FlightProfile profile = FlightProfile.Of(creature);
+        FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
         var body = new StrokeSubject(creature);
         FlightInput input = Level(profile) with { YawRate = 0.4f };
         Steady(profile, input, body);
@@ -358,7 +358,7 @@ public sealed class FlightMotionTests
     public void Updates_allocate_nothing()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Flapping)[0];
-        FlightProfile profile = FlightProfile.Of(creature);
+        FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
         var body = new StrokeSubject(creature);
         FlightState state = FlightState.InAir(profile);
         Assert.Equal(0, MovingPose.Allocated(() => FlightMotion.Update(profile, Level(profile), ref state, 0.01f, body.Local), 200));
@@ -368,7 +368,7 @@ public sealed class FlightMotionTests
     public void The_same_inputs_give_the_same_bits_and_no_time_changes_nothing()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Flapping)[1];
-        FlightProfile profile = FlightProfile.Of(creature);
+        FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
         var a = new StrokeSubject(creature);
         var b = new StrokeSubject(creature);
         var sa = default(FlightState);
@@ -392,7 +392,7 @@ public sealed class FlightMotionTests
     public void Numbers_that_are_none_are_refused(float speed, float yaw, float height, float dt)
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Flapping)[0];
-        FlightProfile profile = FlightProfile.Of(creature);
+        FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
         var body = new StrokeSubject(creature);
         Assert.ThrowsAny<ArgumentException>(() =>
         {
@@ -403,7 +403,7 @@ public sealed class FlightMotionTests
 
     [Fact]
     public void A_creature_without_wings_is_refused() =>
-        Assert.Throws<ArgumentException>(() => FlightProfile.Of(StrokeSubject.Of(BodyPlan.Fish)[0]));
+        Assert.Throws<ArgumentException>(() => FlightProfile.Of(new MotionSubject(StrokeSubject.Of(BodyPlan.Fish)[0])));
 
     [Theory]
     [InlineData(0.05)]
@@ -413,7 +413,7 @@ public sealed class FlightMotionTests
         foreach (BodyPlan plan in new[] { BodyPlan.Flapping, BodyPlan.Buzzing })
         {
             Creature creature = StrokeSubject.Find(plan, 1, scale, scale)[0];
-            FlightProfile profile = FlightProfile.Of(creature);
+            FlightProfile profile = FlightProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var state = default(FlightState);
             for (int i = 0; i < 200; i++)

@@ -16,7 +16,7 @@ public sealed class LeadTests
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(42, CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = BodyPlanWeight.Only(BodyPlan.Unguligrade) }));
         var animator = new CreatureAnimator(profile) { Settings = MotionSettings.Default with { Walking = WalkingSettings.Default with { Gait = GaitLibrary.TransverseGallop } } };
-        float speed = 2.2f * System.MathF.Sqrt(9.81f * profile.Creature.StandingHeight);
+        float speed = 2.2f * System.MathF.Sqrt(9.81f * profile.Subject.StandingHeight);
         var downs = new List<(double Time, Side Side)>();
         const float Frame = 1f / 240f;
         for (int i = 0; i < 2400; i++)
@@ -24,7 +24,7 @@ public sealed class LeadTests
             animator.Update(Frame, new MotionInput(speed, yawRate), FlatGround.Level);
             foreach (MotionEvent happened in animator.Events)
             {
-                CreatureGen.Rigging.Joint ball = profile.Creature.Skeleton.Joints[happened.Joint];
+                CreatureGen.Rigging.Joint ball = profile.Subject.Skeleton.Joints[happened.Joint];
                 if (i > 1200 && happened.Kind == MotionEventKind.FootDown && ball.Name.Contains("1_", System.StringComparison.Ordinal))
                 {
                     downs.Add(((i * Frame) - happened.SecondsAgo, ball.Side));

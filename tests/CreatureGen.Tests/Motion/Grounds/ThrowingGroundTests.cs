@@ -27,7 +27,7 @@ public sealed class ThrowingGroundTests
     public void After_a_ground_threw_at_any_call_the_creature_is_as_it_was_and_goes_on_bit_for_bit(RequestedKind kind, ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
-        AssertSame(profile, Course(profile.Creature));
+        AssertSame(profile, Course(profile.Subject.Creature!));
     }
 
     [Fact]

@@ -40,7 +40,7 @@ public sealed class LegOverlapTests
         }
 
         overlap.Measure(model);
-        float radius = body.Creature.Bones.Single(bone => bone.Joint == left.Ankle).Radius;
+        float radius = body.Subject.Bones.Single(bone => bone.Joint == left.Ankle).Radius;
         Assert.True(overlap.Deepest > radius, $"{overlap.Deepest} m");
         Assert.Contains(other, new[] { overlap.Worst.First, overlap.Worst.Second });
     }
@@ -50,12 +50,12 @@ public sealed class LegOverlapTests
     {
         LeggedBody body = new MotionProfile(Walkers.Any(22)).Legs!;
         var overlap = new LegOverlap(body);
-        Pose model = new CreatureAnimator(new MotionProfile(body.Creature)).ModelPose;
+        Pose model = new CreatureAnimator(new MotionProfile(body.Subject)).ModelPose;
         body.Skeleton.ModelPositions.CopyTo(model.Positions);
         body.Skeleton.ModelRotations.CopyTo(model.Rotations);
         int thigh = body.Legs[0].Hip;
-        CapsuleCollider belly = body.Creature.Bones.First(bone => bone.Joint == body.Trunk[0]);
-        CapsuleCollider foot = body.Creature.Bones.First(bone => bone.Joint == body.Legs[0].Ankle);
+        CapsuleCollider belly = body.Subject.Bones.First(bone => bone.Joint == body.Trunk[0]);
+        CapsuleCollider foot = body.Subject.Bones.First(bone => bone.Joint == body.Legs[0].Ankle);
 
         // Thighs are of one skin with the trunk.
         Vector3 hip = model.Positions[thigh];
@@ -79,7 +79,7 @@ public sealed class LegOverlapTests
     {
         var profile = new MotionProfile(Walkers.Any((ulong)seed));
         LeggedBody body = profile.Legs!;
-        CapsuleCollider[] thighs = body.Creature.Bones.Where(bone => body.Legs.Any(leg => leg.Row == 0 && leg.Hip == bone.Joint)).ToArray();
+        CapsuleCollider[] thighs = body.Subject.Bones.Where(bone => body.Legs.Any(leg => leg.Row == 0 && leg.Hip == bone.Joint)).ToArray();
         Movement gallop = Movement.Of(profile).Single(movement => movement.GaitName == "TransverseGallop");
         CreatureAnimator animator = gallop.Begin(profile, FlatGround.Level);
         float rest = Depth(body.Skeleton.ModelPositions, body.Skeleton.ModelRotations);

@@ -111,7 +111,7 @@ public class MotionQualityTests
             foreach (MotionTrial trial in MotionTrial.Of(profile).Where(trial => trial.Hertz == rate && trial.Relief == GroundRelief.Flat && trial.Movement.Gait == null))
             {
                 MotionReport report = trial.Run(profile);
-                Assert.True(report.LimitViolations == 0, $"{kind} {seed} {trial.Movement.GaitName}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by up to {report.LimitExcess} rad");
+                Assert.True(report.LimitViolations == 0, $"{kind} {seed} {trial.Movement.GaitName}: {profile.Subject.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by up to {report.LimitExcess} rad");
             }
         }
     }

@@ -56,7 +56,7 @@ public sealed class MotionTrialTests
         var profile = new MotionProfile(Walkers.Any(seed));
         Movement movement = Movement.Of(profile).First(m => m.GaitName == gait);
         MotionReport report = new MotionTrial(movement, GroundRelief.Rough, hertz).Run(profile);
-        Assert.True(report.LimitViolations == 0, $"{profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
+        Assert.True(report.LimitViolations == 0, $"{profile.Subject.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
     }
 
     [Fact]

@@ -64,7 +64,7 @@ public sealed class SeekTests
             for (int i = 0; i < 30 * 30; i++)
             {
                 animator.Update(Step, MotionInput.From(Seek.Decide(ref state, settings, animator.Root, new Vector3(3f * size, -3f * size, 5f * size))), FlatGround.Level);
-                for (int joint = 1; joint < profile.Creature.Skeleton.Count; joint++)
+                for (int joint = 1; joint < profile.Subject.Skeleton.Count; joint++)
                 {
                     Assert.True(animator.Root.ToWorld(animator.ModelPose.Positions[joint]).Y > -0.1f * size, $"{seed}: joint {joint} at {i}");
                 }

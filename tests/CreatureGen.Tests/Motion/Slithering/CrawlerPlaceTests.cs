@@ -125,7 +125,7 @@ public sealed class CrawlerPlaceTests
 
     private static void AssertOnGround(CreatureAnimator animator, IGround ground, float tolerance)
     {
-        Skeleton skeleton = animator.Profile.Creature.Skeleton;
+        Skeleton skeleton = animator.Profile.Subject.Skeleton;
         for (int j = 0; j < skeleton.Count; j++)
         {
             if (skeleton.Joints[j].Role is JointRole.Spine or JointRole.Pelvis or JointRole.Tail)
@@ -146,7 +146,7 @@ public sealed class CrawlerPlaceTests
 
     private static double Heading(CreatureAnimator animator, int joint)
     {
-        Skeleton skeleton = animator.Profile.Creature.Skeleton;
+        Skeleton skeleton = animator.Profile.Subject.Skeleton;
         Quaternion turn = Rotation.Multiply(animator.Root.Rotation, Rotation.Multiply(animator.ModelPose.Rotations[joint], Rotation.Inverse(skeleton.ModelRotations[joint])));
         Vector3 ahead = Rotation.Rotate(turn, Vector3.UnitZ);
         return PortableMath.Atan2(ahead.X, ahead.Z);

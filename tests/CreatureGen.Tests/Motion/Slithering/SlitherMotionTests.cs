@@ -27,7 +27,7 @@ public sealed class SlitherMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
-            SlitherProfile profile = SlitherProfile.Of(creature);
+            SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.004f * profile.BodyLength / profile.CruiseSpeed;
             crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0, dt, 600);
@@ -59,7 +59,7 @@ public sealed class SlitherMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
-            SlitherProfile profile = SlitherProfile.Of(creature);
+            SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.002f * profile.BodyLength / profile.CruiseSpeed;
             crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0, 10 * dt, 300);
@@ -97,7 +97,7 @@ public sealed class SlitherMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless, 20))
         {
-            SlitherProfile profile = SlitherProfile.Of(creature);
+            SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.01f * profile.BodyLength / profile.CruiseSpeed;
             float rate = turn * profile.CruiseSpeed / profile.BodyLength;
@@ -124,7 +124,7 @@ public sealed class SlitherMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
-            SlitherProfile profile = SlitherProfile.Of(creature);
+            SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.01f * profile.BodyLength / profile.CruiseSpeed;
             crawl.Run(mode, profile.CruiseSpeed, 0, dt, 800);
@@ -147,7 +147,7 @@ public sealed class SlitherMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
-            SlitherProfile profile = SlitherProfile.Of(creature);
+            SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
             var crawl = new Crawl(profile, creature, new Hills(0.05f * profile.BodyLength, 6 / profile.BodyLength));
             for (int i = 0; i < 600; i++)
             {
@@ -162,7 +162,7 @@ public sealed class SlitherMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
-            SlitherProfile profile = SlitherProfile.Of(creature);
+            SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
             var crawl = new Crawl(profile, creature, level);
             float dt = 0.004f * profile.BodyLength / profile.CruiseSpeed;
             crawl.Run(SlitherGait.Sidewinding, profile.CruiseSpeed, 0, dt, 2500);
@@ -205,7 +205,7 @@ public sealed class SlitherMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
-            SlitherProfile profile = SlitherProfile.Of(creature);
+            SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
             Vector3 up = Vec.Normalize(new Vector3(-slopeX, 1, -slopeZ));
             var slope = new FlatGround(Vector3.Zero, up);
             var crawl = new Crawl(profile, creature, slope);
@@ -229,7 +229,7 @@ public sealed class SlitherMotionTests
     public void It_crawls_alike_on_a_plane_a_height_field_and_a_mesh_at_any_scale(float scale)
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
-        SlitherProfile profile = SlitherProfile.Of(creature);
+        SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
         float slope = 0.3f;
         Vector3 At(float x, float z) => new(x, slope * x, z);
         float dt = 0.02f * profile.BodyLength / profile.CruiseSpeed;
@@ -251,7 +251,7 @@ public sealed class SlitherMotionTests
     public void It_goes_on_level_where_there_is_no_ground()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
-        SlitherProfile profile = SlitherProfile.Of(creature);
+        SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
         float half = 0.5f * profile.BodyLength;
         var ledge = new MeshGround([new(-half, 0f, -9f), new(half, 0f, -9f), new(half, 0f, half), new(-half, 0f, half)], [0, 2, 1, 0, 3, 2]);
         var crawl = new Crawl(profile, creature, ledge);
@@ -266,7 +266,7 @@ public sealed class SlitherMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))
         {
-            SlitherProfile profile = SlitherProfile.Of(creature);
+            SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
             var crawl = new Crawl(profile, creature, level);
             float speed = (float)(profile.CruiseSpeed * SlitherProfile.Progress(profile.Alpha));
             double period = profile.Wavelength / profile.CruiseSpeed;
@@ -283,7 +283,7 @@ public sealed class SlitherMotionTests
     public void Frame_rates_agree()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
-        SlitherProfile profile = SlitherProfile.Of(creature);
+        SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
         Quaternion[]? reference = null;
         Vector3 place = default;
         foreach (int rate in new[] { 30, 60, 144 })
@@ -306,7 +306,7 @@ public sealed class SlitherMotionTests
     public void A_crawler_that_is_carried_elsewhere_keeps_its_shape()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
-        SlitherProfile profile = SlitherProfile.Of(creature);
+        SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
         var crawl = new Crawl(profile, creature, level);
         crawl.Run(SlitherGait.Undulating, profile.CruiseSpeed, 0.1f, 0.05f, 200);
         Quaternion[] shape = (Quaternion[])crawl.Body.Rotations.Clone();
@@ -319,7 +319,7 @@ public sealed class SlitherMotionTests
     public void Changes_of_speed_course_and_mode_have_no_jump()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
-        SlitherProfile profile = SlitherProfile.Of(creature);
+        SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
         float Max(int rate)
         {
             var crawl = new Crawl(profile, creature, level);
@@ -347,7 +347,7 @@ public sealed class SlitherMotionTests
     public void Updates_allocate_nothing_and_repeat_to_the_bit()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
-        SlitherProfile profile = SlitherProfile.Of(creature);
+        SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
         var a = new Crawl(profile, creature, level);
         var b = new Crawl(profile, creature, level);
         a.Run(SlitherGait.Sidewinding, 1, 0.1f, 0.02f, 210);
@@ -363,7 +363,7 @@ public sealed class SlitherMotionTests
     public void Numbers_that_are_none_are_refused(float speed, float yaw, float dt)
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Legless)[0];
-        var crawl = new Crawl(SlitherProfile.Of(creature), creature, level);
+        var crawl = new Crawl(SlitherProfile.Of(new MotionSubject(creature)), creature, level);
         Assert.ThrowsAny<ArgumentException>(() => crawl.Step(SlitherGait.Undulating, speed, yaw, dt));
     }
 
@@ -373,7 +373,7 @@ public sealed class SlitherMotionTests
     public void Any_size_crawls(double scale)
     {
         Creature creature = StrokeSubject.Find(BodyPlan.Legless, 1, scale, scale)[0];
-        SlitherProfile profile = SlitherProfile.Of(creature);
+        SlitherProfile profile = SlitherProfile.Of(new MotionSubject(creature));
         var crawl = new Crawl(profile, creature, level);
         for (int i = 0; i < 100; i++)
         {

@@ -169,7 +169,7 @@ internal sealed class SoakRun(ulong seed)
         {
             if (!(IsTurn(local.Rotations[i]) && IsTurn(model.Rotations[i]) && IsFinite(local.Positions[i]) && IsFinite(model.Positions[i])))
             {
-                Count(who + ": the pose of " + animator.Profile.Creature.Skeleton.Joints[i].Name + " is no pose");
+                Count(who + ": the pose of " + animator.Profile.Subject.Skeleton.Joints[i].Name + " is no pose");
                 break;
             }
         }

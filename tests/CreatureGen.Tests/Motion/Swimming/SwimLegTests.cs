@@ -64,7 +64,7 @@ public sealed class SwimLegTests
         foreach (Creature creature in legged.Value)
         {
             var body = new StrokeSubject(creature);
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var state = default(SwimState);
             for (int i = 0; i < 600; i++)
             {
@@ -109,7 +109,7 @@ public sealed class SwimLegTests
     {
         foreach (Creature creature in legged.Value)
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             SwimState state = Steady(profile, new SwimInput(profile.CruiseSpeed), body);
             double cruising = Spread(body);
@@ -132,7 +132,7 @@ public sealed class SwimLegTests
     {
         foreach (Creature creature in legged.Value)
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var input = new SwimInput((float)cruises * profile.CruiseSpeed);
             SwimState state = Steady(profile, input, body);
@@ -151,7 +151,7 @@ public sealed class SwimLegTests
     {
         foreach (Creature creature in legged.Value.Where((_, i) => i % 6 == 0))
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             float coarse = Jerk(profile, creature, 480);
             float fine = Jerk(profile, creature, 1920);
 
@@ -171,7 +171,7 @@ public sealed class SwimLegTests
     {
         var blueprint = BlueprintSampler.Sample(0, SpeciesSubject.Only("newt", RequestedKind.Swimming));
         Creature creature = CreatureAssembler.Assemble(blueprint with { Legs = new(blueprint.Legs.Select(leg => leg with { Archetype = archetype })) });
-        SwimProfile profile = SwimProfile.Of(creature);
+        SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
         var body = new StrokeSubject(creature);
         Steady(profile, default, body);
         double still = Spread(body);
@@ -188,7 +188,7 @@ public sealed class SwimLegTests
     /// <param name="look">Called in each frame.</param>
     private static void Beat(Creature creature, float cruises, float bend, Action<StrokeSubject> look)
     {
-        SwimProfile profile = SwimProfile.Of(creature);
+        SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
         var body = new StrokeSubject(creature);
         float speed = cruises * profile.CruiseSpeed;
         var input = new SwimInput(speed, bend * Math.Abs(speed) / profile.BodyLength);

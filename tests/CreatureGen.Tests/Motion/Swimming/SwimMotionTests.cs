@@ -20,7 +20,7 @@ public sealed class SwimMotionTests
     [InlineData(BodyPlan.Whale, nameof(SwimStyle.Cetacean))]
     [InlineData(BodyPlan.Flipper, nameof(SwimStyle.Flippers))]
     public void The_build_alone_tells_how_a_creature_swims(BodyPlan plan, string style) =>
-        Assert.All(StrokeSubject.Of(plan, 16), creature => Assert.Equal(style, SwimProfile.Of(creature).Style.ToString()));
+        Assert.All(StrokeSubject.Of(plan, 16), creature => Assert.Equal(style, SwimProfile.Of(new MotionSubject(creature)).Style.ToString()));
 
     [Theory]
     [MemberData(nameof(Plans))]
@@ -29,7 +29,7 @@ public sealed class SwimMotionTests
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
             var body = new StrokeSubject(creature);
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var state = default(SwimState);
             for (int i = 0; i < 600; i++)
             {
@@ -47,7 +47,7 @@ public sealed class SwimMotionTests
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
             var body = new StrokeSubject(creature);
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             SwimState cruise = Steady(profile, new SwimInput(profile.CruiseSpeed), body);
             SwimState gliding = cruise;
             float cycle = 1 / profile.CruiseFrequency;
@@ -69,7 +69,7 @@ public sealed class SwimMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             foreach (float cruises in new[] { 0.4f, 0.7f, 1f, 1.6f, 2.4f })
             {
                 var body = new StrokeSubject(creature);
@@ -100,7 +100,7 @@ public sealed class SwimMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var input = new SwimInput(profile.CruiseSpeed);
             SwimState state = Steady(profile, input, body);
@@ -129,7 +129,7 @@ public sealed class SwimMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var input = new SwimInput(profile.CruiseSpeed);
             SwimState state = Steady(profile, input, body);
@@ -159,7 +159,7 @@ public sealed class SwimMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var input = new SwimInput(0.9f * profile.CruiseSpeed, 0.2f, 0.1f);
             SwimState state = Steady(profile, input, body);
@@ -177,7 +177,7 @@ public sealed class SwimMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var input = new SwimInput(profile.CruiseSpeed);
             SwimState state = Steady(profile, input, body);
@@ -198,7 +198,7 @@ public sealed class SwimMotionTests
             // The tail of a paddler wags a little, its flippers beat together.
             foreach (Creature creature in StrokeSubject.Of(plan))
             {
-                SwimProfile profile = SwimProfile.Of(creature);
+                SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
                 var body = new StrokeSubject(creature);
                 Steady(profile, new SwimInput(profile.CruiseSpeed), body);
                 foreach (var limb in creature.Limbs)
@@ -214,7 +214,7 @@ public sealed class SwimMotionTests
 
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             Steady(profile, new SwimInput(profile.CruiseSpeed), body);
             Assert.True(body.ApartFromMirror(body.Rotations) < 1e-3);
@@ -226,7 +226,7 @@ public sealed class SwimMotionTests
     public void Frame_rates_agree(BodyPlan plan)
     {
         Creature creature = StrokeSubject.Of(plan)[0];
-        SwimProfile profile = SwimProfile.Of(creature);
+        SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
         Quaternion[]? reference = null;
         Vector3 place = default;
         foreach (int rate in new[] { 30, 60, 144 })
@@ -253,7 +253,7 @@ public sealed class SwimMotionTests
     public void Changes_of_speed_and_course_have_no_jump_of_angular_velocity(BodyPlan plan)
     {
         Creature creature = StrokeSubject.Of(plan)[1];
-        SwimProfile profile = SwimProfile.Of(creature);
+        SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
         float coarse = Jerk(profile, creature, 120);
         float fine = Jerk(profile, creature, 480);
 
@@ -266,7 +266,7 @@ public sealed class SwimMotionTests
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Fish))
         {
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var state = default(SwimState);
             float dt = 0.01f / profile.CruiseFrequency;
@@ -303,7 +303,7 @@ public sealed class SwimMotionTests
     public void Updates_allocate_nothing()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Fish)[0];
-        SwimProfile profile = SwimProfile.Of(creature);
+        SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
         var body = new StrokeSubject(creature);
         var state = default(SwimState);
         Assert.Equal(0, MovingPose.Allocated(() => SwimMotion.Update(profile, new SwimInput(1, 0.3f), ref state, 0.01f, body.Local), 200));
@@ -313,7 +313,7 @@ public sealed class SwimMotionTests
     public void The_same_inputs_give_the_same_bits_and_no_time_changes_nothing()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Eel)[0];
-        SwimProfile profile = SwimProfile.Of(creature);
+        SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
         var a = new StrokeSubject(creature);
         var b = new StrokeSubject(creature);
         var sa = default(SwimState);
@@ -337,7 +337,7 @@ public sealed class SwimMotionTests
     public void Numbers_that_are_none_are_refused(float speed, float yaw, float dt)
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Fish)[0];
-        SwimProfile profile = SwimProfile.Of(creature);
+        SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
         var body = new StrokeSubject(creature);
         Assert.ThrowsAny<ArgumentException>(() =>
         {
@@ -350,7 +350,7 @@ public sealed class SwimMotionTests
     public void After_a_long_pause_the_motion_goes_on()
     {
         Creature creature = StrokeSubject.Of(BodyPlan.Fish)[0];
-        SwimProfile profile = SwimProfile.Of(creature);
+        SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
         var body = new StrokeSubject(creature);
         var state = default(SwimState);
         SwimMotion.Update(profile, new SwimInput(1), ref state, 1000f, body.Local);
@@ -366,7 +366,7 @@ public sealed class SwimMotionTests
         foreach (BodyPlan plan in new[] { BodyPlan.Fish, BodyPlan.Eel, BodyPlan.Whale, BodyPlan.Flipper })
         {
             Creature creature = StrokeSubject.Find(plan, 1, scale, scale)[0];
-            SwimProfile profile = SwimProfile.Of(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
             var body = new StrokeSubject(creature);
             var state = default(SwimState);
             for (int i = 0; i < 60; i++)

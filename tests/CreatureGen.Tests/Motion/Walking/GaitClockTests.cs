@@ -20,7 +20,7 @@ public sealed class GaitClockTests
     {
         foreach (Creature creature in StrokeSubject.Of(plan))
         {
-            LeggedBody body = LeggedBody.Of(creature)!;
+            LeggedBody body = LeggedBody.Of(new MotionSubject(creature))!;
             foreach (float turn in new[] { 0.1f, 0.4f, -0.9f })
             {
                 var clock = new GaitClock(body, GaitLibrary.Walk);

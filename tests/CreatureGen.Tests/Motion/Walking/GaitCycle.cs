@@ -21,7 +21,7 @@ internal sealed class GaitCycle
 
     public GaitCycle(MotionProfile profile, Gait gait)
     {
-        Creature = profile.Creature;
+        Creature = profile.Subject.Creature!;
         Profile = profile;
         Speed = Profile.Gaits!.Speeds.Single(speed => speed.Gait == gait).Comfortable;
         Animator = new CreatureAnimator(Profile);

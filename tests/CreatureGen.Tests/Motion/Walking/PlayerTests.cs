@@ -252,7 +252,7 @@ public sealed class PlayerTests
         {
             joint = string.Empty;
             float max = 0f;
-            Skeleton skeleton = Animator.Profile.Creature.Skeleton;
+            Skeleton skeleton = Animator.Profile.Subject.Skeleton;
             for (int i = 0; i < skeleton.Count; i++)
             {
                 Joint of = skeleton.Joints[i];
@@ -267,7 +267,7 @@ public sealed class PlayerTests
         {
             joint = string.Empty;
             float max = 0f;
-            Skeleton skeleton = Animator.Profile.Creature.Skeleton;
+            Skeleton skeleton = Animator.Profile.Subject.Skeleton;
             for (int i = 0; i < skeleton.Count; i++)
             {
                 float turned = IsOfLeg(skeleton.Joints[i]) ? (float)Rotation.Angle(Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(before[i]), Animator.LocalPose.Rotations[i]))) : 0f;

@@ -45,8 +45,8 @@ public sealed class SteadySlopeTests
                 Walkers.Run(animator, 3f, Rate, movement.Input, ground);
                 MotionReport report = Walkers.Measure(animator, 45, Rate, movement.Input, ground);
                 float leg = profile.LegLength;
-                string name = $"{seed} {profile.Creature.Blueprint.Plan} {movement.GaitName}";
-                Assert.True(report.LimitViolations == 0, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
+                string name = $"{seed} {profile.Subject.Plan} {movement.GaitName}";
+                Assert.True(report.LimitViolations == 0, $"{name}: {profile.Subject.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
                 Assert.True(report.MeanPenetration <= 0.004f * leg, $"{name}: sunk {report.MeanPenetration / leg} leg lengths");
                 Assert.True(report.Slip <= 0.004f * leg, $"{name}: slip {report.Slip / leg} leg lengths");
             }

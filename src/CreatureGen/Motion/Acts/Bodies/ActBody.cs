@@ -3,8 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Blueprints;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Legs;
@@ -27,13 +25,13 @@ internal sealed class ActBody
     /// <summary>Length of a tail that sweeps, parts of the trunk's.</summary>
     private const float LongTailFraction = 0.5f;
 
-    public ActBody(Creature creature, LeggedBody? legs)
+    public ActBody(MotionSubject subject, LeggedBody? legs)
     {
-        Creature = creature;
-        Skeleton = creature.Skeleton;
+        Subject = subject;
+        Skeleton = subject.Skeleton;
         Legs = legs;
         Turns = legs?.Turns ?? new RestRotations(Skeleton);
-        Build = BuildOf(creature, legs);
+        Build = BuildOf(subject, legs);
         Body = Skeleton.IndexOf("Body");
         Spine = Joints(JointRole.Spine, JointRole.Chest);
         Head = Skeleton.Joints.ToList().FindIndex(joint => joint.Role == JointRole.Head);
@@ -43,8 +41,8 @@ internal sealed class ActBody
         Tail = new TurnedChain(Skeleton, TailOf());
         Back = new TurnedChain(Skeleton, legs == null && Build != BodyBuild.Legless ? Spine : Array.Empty<int>());
         Ears = Joints(JointRole.Ear).Where(joint => Skeleton.Joints[Skeleton.Parents[joint]].Role != JointRole.Ear).ToArray();
-        Arms = creature.Limbs.Where(limb => limb.Kind == LimbKind.Arm && limb.Joints.Count == 6).ToArray();
-        Fins = creature.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral || (limb.Kind == LimbKind.Wing && creature.Blueprint.Kind != LocomotionKind.Flying)).ToArray();
+        Arms = subject.Limbs.Where(limb => limb.Kind == LimbKind.Arm && limb.Joints.Count == 6).ToArray();
+        Fins = subject.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral || (limb.Kind == LimbKind.Wing && subject.Kind != LocomotionKind.Flying)).ToArray();
         Size = SizeOf();
         Unit = legs?.LegLength ?? Size / LegsPerBody;
         if (legs != null)
@@ -54,13 +52,13 @@ internal sealed class ActBody
         }
 
         Has = PartsOf();
-        Skin = SupportPoints.Of(creature);
+        Skin = SupportPoints.Of(subject);
         HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1));
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         Tools = new ActTools(this);
     }
 
-    public Creature Creature { get; }
+    public MotionSubject Subject { get; }
 
     public Skeleton Skeleton { get; }
 
@@ -149,11 +147,11 @@ internal sealed class ActBody
         return (left, right);
     }
 
-    private static BodyBuild BuildOf(Creature creature, LeggedBody? legs)
+    private static BodyBuild BuildOf(MotionSubject subject, LeggedBody? legs)
     {
         if (legs == null)
         {
-            return creature.Blueprint.Kind switch
+            return subject.Kind switch
             {
                 LocomotionKind.Swimming => BodyBuild.Swimming,
                 LocomotionKind.Flying => BodyBuild.Airborne,
@@ -161,7 +159,7 @@ internal sealed class ActBody
             };
         }
 
-        if (creature.Blueprint.Kind == LocomotionKind.Swimming)
+        if (subject.Kind == LocomotionKind.Swimming)
         {
             return BodyBuild.Swimming;
         }
@@ -169,7 +167,7 @@ internal sealed class ActBody
         LegRig hind = Array.Find(legs.Legs, leg => leg.Row == 0)!;
         return legs.Rows > 2 ? BodyBuild.ManyLegged
             : hind.Lateral ? BodyBuild.Sprawling
-            : legs.IsBiped ? creature.Blueprint.Plan == BodyPlan.Upright ? BodyBuild.Upright : BodyBuild.TwoLegged
+            : legs.IsBiped ? subject.Plan == BodyPlan.Upright ? BodyBuild.Upright : BodyBuild.TwoLegged
             : hind.Traits.Archetype == LimbArchetype.UnguligradeHind ? BodyBuild.Hoofed
             : hind.Traits.Archetype == LimbArchetype.Column ? BodyBuild.Columnar
             : BodyBuild.Pawed;
@@ -180,7 +178,7 @@ internal sealed class ActBody
         ActNeeds has = ActNeeds.None;
         Add(ActNeeds.Head, Head >= 0);
         Add(ActNeeds.Jaw, Jaw >= 0);
-        Add(ActNeeds.Horns, Creature.Blueprint.Features.Any(feature => feature.Kind is FeatureKind.Horn or FeatureKind.Antler or FeatureKind.Tusk));
+        Add(ActNeeds.Horns, Subject.HasHorns);
         Add(ActNeeds.Legs, Legs != null);
         Add(ActNeeds.FourLegs, Legs is { Rows: > 1 });
         Add(ActNeeds.Tail, Tail.Count > 0);

@@ -108,10 +108,10 @@ internal sealed class ActTools
     private Vector3 Extreme(Vector3 direction)
     {
         Vector3 farthest = body.Skeleton.ModelPositions[body.Head];
-        ReadOnlySpan<Vector3> positions = body.Creature.Mesh.Positions;
+        ReadOnlySpan<Vector3> positions = body.Subject.Mesh.Positions;
         for (int v = 0; v < positions.Length; v++)
         {
-            if (body.Creature.Mesh.Weights[v].Joint0 == body.Head && Vec.Dot(positions[v], direction) > Vec.Dot(farthest, direction))
+            if (body.Subject.Mesh.Weights[v].Joint0 == body.Head && Vec.Dot(positions[v], direction) > Vec.Dot(farthest, direction))
             {
                 farthest = positions[v];
             }

@@ -16,10 +16,10 @@ internal sealed class SupportPoints
     private SupportPoints((int, Vector3)[] points) => this.points = points;
 
     /// <summary>Those of a creature.</summary>
-    public static SupportPoints Of(Creature creature)
+    public static SupportPoints Of(MotionSubject subject)
     {
-        Skeleton skeleton = creature.Skeleton;
-        CreatureMesh mesh = creature.Mesh;
+        Skeleton skeleton = subject.Skeleton;
+        CreatureMesh mesh = subject.Mesh;
         var points = new List<(int, Vector3)>();
         foreach (int v in OutermostVertices.Of(mesh.Positions, mesh.Weights, skeleton.Count))
         {

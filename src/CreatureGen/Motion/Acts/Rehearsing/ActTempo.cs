@@ -13,7 +13,7 @@ internal static class ActTempo
     /// <summary>A factor on the act's time.</summary>
     public static float Of(Act act, ActBody body)
     {
-        float heavy = Math.Min(Math.Max((body.Creature.Mass.Mass / HeavyMass) - 0.5f, 0f), 1f);
+        float heavy = Math.Min(Math.Max((body.Subject.Mass.Mass / HeavyMass) - 0.5f, 0f), 1f);
         return act.Kind == ActKind.Posture ? 1f + ((HeavyPosture - 1f) * heavy) : 1f;
     }
 }

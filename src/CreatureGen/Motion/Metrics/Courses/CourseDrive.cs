@@ -19,7 +19,7 @@ internal sealed class CourseDrive
     public CourseDrive(MotionProfile profile, MotionCourse course)
     {
         script = course.Script;
-        steps = course.Rate.Steps(new Seed(profile.Creature.Blueprint.Seed).Child("courses"));
+        steps = course.Rate.Steps(new Seed(profile.Subject.Seed).Child("courses"));
         Surface = CourseSurfaces.Lay(course.Ground, profile, script);
         Animator = new CreatureAnimator(profile);
         Animator.Teleport(Animator.Root, Surface.Ground);
@@ -112,7 +112,7 @@ internal sealed class CourseDrive
     {
         MotionProfile profile = Animator.Profile;
         float speed = (float)Math.Sqrt(Animator.Settings.Gravity * profile.Fall.Value.Height);
-        int head = Math.Max(profile.Creature.Skeleton.IndexOf("Head"), profile.Fall.Value.Body);
+        int head = Math.Max(profile.Subject.Skeleton.IndexOf("Head"), profile.Fall.Value.Body);
         Animator.Hit(head, Rotation.Rotate(Animator.Root.Rotation, Vector3.UnitX) * (side * BlowFraction * speed * profile.Fall.Value.Mass));
     }
 }

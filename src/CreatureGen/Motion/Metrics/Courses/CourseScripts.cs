@@ -94,7 +94,7 @@ public static class CourseScripts
     {
         Require(profile);
         Finite.RequireWithin(seconds, 1f, 600f, nameof(seconds));
-        RandomStream random = new Seed(profile.Creature.Blueprint.Seed).Child("courses").Child(name).Stream();
+        RandomStream random = new Seed(profile.Subject.Seed).Child("courses").Child(name).Stream();
         var commands = new List<CourseCommand>();
         int sixths = (int)Math.Ceiling(6f * seconds);
         while (sixths > 0)

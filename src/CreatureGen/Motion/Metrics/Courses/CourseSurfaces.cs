@@ -35,7 +35,7 @@ internal static class CourseSurfaces
         return ground switch
         {
             CourseGround.Flat => new CourseSurface(FlatGround.Level),
-            CourseGround.Rough => new CourseSurface(new EndlessHills(new Seed(profile.Creature.Blueprint.Seed), length)),
+            CourseGround.Rough => new CourseSurface(new EndlessHills(new Seed(profile.Subject.Seed), length)),
             CourseGround.Lift => new LiftSurface(length),
             _ => new CourseSurface(Across(profile, script, length, Piece(ground, length))),
         };
@@ -64,7 +64,7 @@ internal static class CourseSurfaces
     /// <summary>A ground across the Z axis, as long and wide as the script may take the creature, that begins to repeat a piece ahead of it.</summary>
     private static MeshGround Across(MotionProfile profile, CourseScript script, float length, Action<GroundProfile> piece)
     {
-        (Vector3 min, Vector3 max) = MotionTrial.Extent(profile.Creature);
+        (Vector3 min, Vector3 max) = MotionTrial.Extent(profile.Subject);
         float room = (Room * length) + max.Z - min.Z;
         float ahead = 0f;
         bool turns = false;

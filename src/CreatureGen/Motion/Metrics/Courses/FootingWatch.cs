@@ -50,7 +50,7 @@ internal sealed class FootingWatch
         legs = body.Legs;
         legLength = body.LegLength;
         matrices = new Matrix4x4[body.Skeleton.Count];
-        skins = Array.ConvertAll(body.Legs, leg => new FootSkin(body.Creature, leg.Ankle, leg.Ball, leg.Length));
+        skins = Array.ConvertAll(body.Legs, leg => new FootSkin(body.Subject, leg.Ankle, leg.Ball, leg.Length));
         stances = Array.ConvertAll(skins, skin => new StanceWatch(Sampled(skin), legLength));
     }
 
@@ -58,7 +58,7 @@ internal sealed class FootingWatch
     /// <param name="dt">Its seconds.</param>
     public void Stand(float dt)
     {
-        SkinMatrices.Fill(animator.Profile.Creature.Skeleton, animator.ModelPose, matrices);
+        SkinMatrices.Fill(animator.Profile.Subject.Skeleton, animator.ModelPose, matrices);
         foreach (MotionEvent happened in animator.Events)
         {
             if (happened.Kind == MotionEventKind.FootUp)

@@ -39,7 +39,7 @@ internal readonly record struct TravelBounds(SpeedBounds Along, SpeedBounds Yaw,
     /// <param name="settings">Give gravity, grip and response.</param>
     public static TravelBounds Of(LeggedBody body, in MotionSettings settings)
     {
-        float grip = settings.Gravity * settings.Walking.Traction * (body.Creature.Blueprint.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
+        float grip = settings.Gravity * settings.Walking.Traction * (body.Subject.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
         float lag = LagOfLeg * UsualResponse * (float)Math.Sqrt(body.LegLength / settings.Gravity);
         float swing = Scalar.Clamp(Turning * grip / Math.Max(body.FarthestFoot, MinRadius * body.LegLength), SlowestTurning, QuickestTurning);
         return new TravelBounds(

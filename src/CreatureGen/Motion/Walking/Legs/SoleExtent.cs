@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
@@ -38,9 +37,9 @@ internal readonly struct SoleExtent
     public float HalfWidth { get; }
 
     /// <summary>Measures the soles of all legs on the skin.</summary>
-    public static SoleExtent[] Measure(Creature creature, LimbChain[] legs)
+    public static SoleExtent[] Measure(MotionSubject subject, LimbChain[] legs)
     {
-        Skeleton skeleton = creature.Skeleton;
+        Skeleton skeleton = subject.Skeleton;
         int[] legOf = new int[skeleton.Count];
         Array.Fill(legOf, -1);
         var ahead = new Vector3[legs.Length];
@@ -62,8 +61,8 @@ internal readonly struct SoleExtent
         var count = new int[legs.Length];
         var surface = new float[legs.Length];
         Array.Fill(surface, float.MaxValue);
-        ReadOnlySpan<SkinWeights> weights = creature.Mesh.Weights;
-        ReadOnlySpan<Vector3> positions = creature.Mesh.Positions;
+        ReadOnlySpan<SkinWeights> weights = subject.Mesh.Weights;
+        ReadOnlySpan<Vector3> positions = subject.Mesh.Positions;
         for (int v = 0; v < positions.Length; v++)
         {
             int leg = legOf[weights[v].Joint0];

@@ -2,11 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
-using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Trunk;
 using CreatureGen.Rigging;
-using CreatureGen.Species;
 
 namespace CreatureGen.Motion.Walking.Legs;
 
@@ -65,15 +63,15 @@ internal sealed class StandingPosture
     public float Nod(int joint) => joint < nods.Length ? nods[joint] : 0f;
 
     /// <summary>The posture of a creature.</summary>
-    public static StandingPosture Of(Creature creature)
+    public static StandingPosture Of(MotionSubject subject)
     {
         int legs = 0;
-        foreach (LimbChain limb in creature.Limbs)
+        foreach (LimbChain limb in subject.Limbs)
         {
             legs += limb.Kind == LimbKind.Leg && limb.Stands ? 1 : 0;
         }
 
-        return creature.Blueprint.Plan == BodyPlan.Flapping && legs == 2 ? new Carriage(creature).Stand(Scalar.Radians(SpeciesCatalogue.Find(creature.Blueprint.Body.Blend.Manner).Motion.StandingPitch)) : asBuilt;
+        return subject.Plan == BodyPlan.Flapping && legs == 2 ? new Carriage(subject).Stand(Scalar.Radians(subject.Manner.StandingPitch)) : asBuilt;
     }
 
     /// <summary>How much of the posture it keeps, 0..1: it comes down to walk, farther to run, and to crouch.</summary>
@@ -86,7 +84,7 @@ internal sealed class StandingPosture
     /// <summary>What is weighed: trunk, neck with head, and tail, as capsules. Wings weigh little, and legs stay.</summary>
     private sealed class Carriage
     {
-        private readonly Creature creature;
+        private readonly MotionSubject subject;
         private readonly Skeleton skeleton;
         private readonly JointRole[] parts;
         private readonly Vector3 pelvis;
@@ -94,10 +92,10 @@ internal sealed class StandingPosture
         private readonly Vector3 tail;
         private readonly int tailBones;
 
-        public Carriage(Creature creature)
+        public Carriage(MotionSubject subject)
         {
-            this.creature = creature;
-            skeleton = creature.Skeleton;
+            this.subject = subject;
+            skeleton = subject.Skeleton;
             parts = new JointRole[skeleton.Count];
             for (int i = 0; i < parts.Length; i++)
             {
@@ -187,7 +185,7 @@ internal sealed class StandingPosture
             double lowest = double.MaxValue;
             double turned = -raised;
             Vector3 place = Turned(tail, AxisRotation.Pitch(-raised));
-            foreach (CapsuleCollider bone in creature.Bones)
+            foreach (CapsuleCollider bone in subject.Bones)
             {
                 if (skeleton.Joints[bone.Joint].Role == JointRole.Tail)
                 {
@@ -207,7 +205,7 @@ internal sealed class StandingPosture
         {
             double moment = 0;
             double mass = 0;
-            foreach (CapsuleCollider bone in creature.Bones)
+            foreach (CapsuleCollider bone in subject.Bones)
             {
                 JointRole part = parts[bone.Joint];
                 if (part is JointRole.Body or JointRole.Neck or JointRole.Tail)

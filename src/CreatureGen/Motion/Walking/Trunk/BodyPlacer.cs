@@ -196,7 +196,7 @@ internal sealed class BodyPlacer
         float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : InwardFraction) * body.HipHeight * bank;
 
         Follow(context, feet);
-        float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Creature.Blueprint.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
+        float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Subject.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
         Effort effort = Effort.Of(body, context.Acceleration / settings.Gravity, Climb);
         float stoop = Scalar.Smooth(act);
         hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - effort.HindDrop;

@@ -35,7 +35,7 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     public static Effort Of(LeggedBody body, float acceleration, float climb)
     {
         float push = Scalar.Clamp(acceleration < 0f ? Math.Min(acceleration + Math.Max(climb, 0f), 0f) : Math.Max(acceleration + Math.Min(climb, 0f), 0f), -Most, Most);
-        float shown = body.LegLength * (body.Legs[0].Lateral ? LateralFraction : body.Creature.Blueprint.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
+        float shown = body.LegLength * (body.Legs[0].Lateral ? LateralFraction : body.Subject.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
         return push > 0f
             ? new Effort(CrouchOfStart * push * shown, -RiseOfStart * push * shown, ShiftOfStart * push * shown, LeanOfStart * push)
             : new Effort(-SitOfBraking * push * shown, RiseOfBraking * push * shown, ShiftOfBraking * push * shown, LeanOfBraking * push);

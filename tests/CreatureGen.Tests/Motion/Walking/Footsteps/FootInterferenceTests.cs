@@ -42,12 +42,12 @@ public sealed class FootInterferenceTests
         {
             Assert.True(FootInterference.LongestStance(body, GaitLibrary.BackwardWave) > FootInterference.LongestStance(body, GaitLibrary.Wave));
             bool bound = body.LongestStance(GaitLibrary.Wave) < body.LongestStance(GaitLibrary.BackwardWave);
-            Assert.Equal(bound ? "BackwardWave" : "Wave", new MotionProfile(body.Creature).Gaits!.Speeds[0].Gait.Name);
+            Assert.Equal(bound ? "BackwardWave" : "Wave", new MotionProfile(body.Subject).Gaits!.Speeds[0].Gait.Name);
             crowded += bound ? 1 : 0;
         }
 
         Assert.InRange(crowded, 1, 11);
-        Assert.All(Bodies(BodyPlan.Hexapod, 8).Where(body => body.Rows == 3), body => Assert.Equal("Wave", new MotionProfile(body.Creature).Gaits!.Speeds[0].Gait.Name));
+        Assert.All(Bodies(BodyPlan.Hexapod, 8).Where(body => body.Rows == 3), body => Assert.Equal("Wave", new MotionProfile(body.Subject).Gaits!.Speeds[0].Gait.Name));
     }
 
     [Fact]

@@ -80,8 +80,8 @@ public sealed class LimitRelaxationTests
             var input = new MotionInput(Speed: profile.Gaits.Speeds[0].Comfortable);
             Walkers.Run(animator, 2f, 60f, input, ground);
             MotionReport report = Walkers.Measure(animator, 120, 60f, input, ground);
-            string name = $"{seed} {profile.Creature.Blueprint.Plan}";
-            Assert.True(report.LimitViolations == 0, $"{name}: {profile.Creature.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
+            string name = $"{seed} {profile.Subject.Plan}";
+            Assert.True(report.LimitViolations == 0, $"{name}: {profile.Subject.Skeleton.Joints[Math.Max(report.WorstJoint, 0)].Name} beyond its limits by {report.LimitExcess}");
             Assert.True(report.MeanPenetration <= 0.004f, $"{name}: sunk {report.MeanPenetration}");
             Assert.True(report.Slip <= 0.003f, $"{name}: slip {report.Slip}");
         }

@@ -86,7 +86,7 @@ public sealed class StandingPostureTests
 
         foreach (BodyPlan plan in new[] { BodyPlan.Theropod, BodyPlan.Upright, BodyPlan.Digitigrade })
         {
-            Assert.Equal(0f, StandingPosture.Of(Walkers.Of(plan, 4)).Raised);
+            Assert.Equal(0f, StandingPosture.Of(new MotionSubject(Walkers.Of(plan, 4))).Raised);
         }
     }
 

@@ -1,3 +1,4 @@
+using CreatureGen.Motion;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Trunk;
 using CreatureGen.Sampling;
@@ -44,5 +45,5 @@ public sealed class EffortTests
         Assert.Equal(Effort.Of(body, -0.3f, 0f), Effort.Of(body, -0.3f, -0.4f));
     }
 
-    private static LeggedBody Body(ulong seed) => LeggedBody.Of(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }))!;
+    private static LeggedBody Body(ulong seed) => LeggedBody.Of(new MotionSubject(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking })))!;
 }
