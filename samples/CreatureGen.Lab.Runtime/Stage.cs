@@ -14,11 +14,17 @@ internal sealed class Stage
 {
     public const int MostSlots = 64;
 
-    /// <summary>Creatures that move in every frame: the one that is looked at and those nearest to it. The others take turns: those that have waited longest come first, as many as there is time for.</summary>
-    private const int NearCount = 4;
+    /// <summary>
+    /// Creatures that move in every frame at most: the one that is looked at and those nearest to it. The others take turns: those that have waited longest come first, as many as there is time for. Where so many take too long,
+    /// fewer move in every frame, so that one turn is always left.
+    /// </summary>
+    private const int MostNear = 4;
 
-    /// <summary>Milliseconds of a frame that those who take turns are not to pass, if the next one takes as long as the ones before.</summary>
-    private const double Budget = 1.9;
+    /// <summary>Milliseconds of a frame that those who move are not to pass, if the next one takes as long as the ones before.</summary>
+    private const double Budget = 1.7;
+
+    /// <summary>How much of what a move takes is taken from the last frame.</summary>
+    private const double Freshness = 0.1;
 
     private const int MomentLength = 6;
 
@@ -27,6 +33,7 @@ internal sealed class Stage
     private readonly Actor?[] slots = new Actor?[MostSlots];
     private readonly List<Actor> living = [];
     private float[] frame = GC.AllocateArray<float>(1 << 15, pinned: true);
+    private double moveMilliseconds = 0.3;
 
     /// <summary>What they stand on.</summary>
     public Land Land { get; private set; } = Land.Plane;
@@ -106,14 +113,15 @@ internal sealed class Stage
             actor.Wait(seconds);
         }
 
+        int near = Math.Clamp((int)(Budget / Math.Max(moveMilliseconds, 0.01)) - 1, 1, MostNear);
         for (int rank = 0; rank < living.Count; rank++)
         {
-            if (rank == NearCount)
+            if (rank == near)
             {
-                living.Sort(NearCount, living.Count - NearCount, longestWait);
+                living.Sort(near, living.Count - near, longestWait);
             }
 
-            if (rank > NearCount && Stopwatch.GetElapsedTime(begin).TotalMilliseconds * (rank + 1) > Budget * rank)
+            if (rank > near && Stopwatch.GetElapsedTime(begin).TotalMilliseconds * (rank + 1) > Budget * rank)
             {
                 break;
             }
@@ -123,6 +131,7 @@ internal sealed class Stage
             moved++;
         }
 
+        moveMilliseconds += Freshness * ((Stopwatch.GetElapsedTime(begin).TotalMilliseconds / Math.Max(moved, 1)) - moveMilliseconds);
         frame[0] = moved;
         frame[1] = 0f;
         foreach (Actor actor in living)

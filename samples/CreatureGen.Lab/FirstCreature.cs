@@ -1,9 +1,11 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Numerics;
-using System.Runtime.InteropServices;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Png;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Preview.Scenes;
@@ -12,61 +14,82 @@ using CreatureGen.Skinning;
 
 namespace CreatureGen.Lab;
 
-/// <summary>
-/// The creature that the page shows before the library runs in it: its mesh, and how it stands and breathes for a while. Whole numbers come first (bytes of the mesh, frames, joints, 0), then the mesh and the matrices
-/// of all joints, frame by frame, as floats of half precision.
-/// </summary>
+/// <summary>The creature that the page shows before the library runs in it, as pictures: it stands and breathes. A browser moves them without the page's help, and before anything can be drawn.</summary>
 internal static class FirstCreature
 {
     /// <summary>The same seed and kind as in the page's own code.</summary>
     private const ulong Seed = 25;
-    private const int Frames = 48;
-    private const float Rate = 12f;
+    private const int Rate = 9;
     private const float SettleSeconds = 2f;
-    private const int StillWidth = 640;
-    private const int StillHeight = 560;
+    private const int TextureSize = 512;
 
-    /// <summary>It, as it is seen first of all: on nothing but its shadow.</summary>
-    public static byte[] Still() =>
-        PngWriter.ToBytes(Portrait.Take(Grow(), View.ThreeQuarter, new RenderOptions { Width = StillWidth, Height = StillHeight, Backdrop = BackdropKind.Transparent }));
+    /// <summary>Frames of the loop, at least and at most: it ends where it is most like its beginning.</summary>
+    private const int FewestFrames = 16;
+    private const int MostFrames = 28;
 
-    /// <summary>Its mesh and poses.</summary>
-    public static byte[] Bake()
+    /// <summary>Bits of a colour's eight that are kept: the file is a third as large, and skin shows no bands.</summary>
+    private const int KeptBits = 5;
+
+    private static readonly RenderOptions options = new() { Width = 400, Height = 350, Backdrop = BackdropKind.Transparent, Threads = Environment.ProcessorCount };
+
+    /// <summary>It, on nothing but its shadow: as it stands, and the same moving.</summary>
+    public static (byte[] Still, byte[] Moving) Pictures()
     {
-        Creature creature = Grow();
-        byte[] mesh = MeshBytes.Of(creature, creature.Mesh);
-        byte[] poses = Poses(creature);
-        using var all = new MemoryStream();
-        Span<byte> head = stackalloc byte[16];
-        MemoryMarshal.Cast<int, byte>([mesh.Length, Frames, creature.Skeleton.Count, 0]).CopyTo(head);
-        all.Write(head);
-        all.Write(mesh);
-        all.Write(poses);
-        return all.ToArray();
+        Creature creature = CreatureGenerator.Generate(Seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        List<(Vector3[] Positions, Vector3[] Normals)> poses = Poses(creature);
+        CreatureTextures textures = CreatureTextures.Bake(creature, TextureSize);
+        Camera camera = Camera.Fit(Views.Angle(View.ThreeQuarter), poses[0].Positions, options.Width / (float)options.Height);
+        int frames = LoopLength(poses);
+        using var file = new MemoryStream();
+        var writer = new AnimatedPngWriter(file, frames, 1000 / Rate);
+        byte[]? still = null;
+        foreach ((Vector3[] positions, Vector3[] normals) in poses.Take(frames))
+        {
+            Picture picture = Renderer.Render(RenderMesh.From(creature, positions, normals).WithTextures(textures), camera, options);
+            still ??= PngWriter.ToBytes(picture);
+            Coarsen(picture);
+            writer.Add(picture);
+        }
+
+        return (still!, file.ToArray());
     }
 
-    private static Creature Grow() => CreatureGenerator.Generate(Seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
-
-    private static byte[] Poses(Creature creature)
+    private static List<(Vector3[] Positions, Vector3[] Normals)> Poses(Creature creature)
     {
         var animator = new CreatureAnimator(creature);
         var matrices = new Matrix4x4[creature.Skeleton.Count];
-        var poses = new Half[Frames * 16 * matrices.Length];
         for (float t = 0f; t < SettleSeconds; t += 1f / Rate)
         {
             animator.Update(1f / Rate, default, FlatGround.Level);
         }
 
-        for (int frame = 0, at = 0; frame < Frames; frame++)
+        List<(Vector3[], Vector3[])> poses = [];
+        for (int frame = 0; frame <= MostFrames; frame++)
         {
             animator.Update(1f / Rate, default, FlatGround.Level);
             SkinMatrices.Fill(creature.Skeleton, animator.ModelPose, matrices);
-            foreach (float number in MemoryMarshal.Cast<Matrix4x4, float>(matrices))
-            {
-                poses[at++] = (Half)number;
-            }
+            var positions = new Vector3[creature.Mesh.Positions.Length];
+            var normals = new Vector3[positions.Length];
+            CpuSkinning.Skin(matrices, creature.Mesh.Weights, creature.Mesh.Positions, creature.Mesh.Normals, positions, normals);
+            poses.Add((positions, normals));
         }
 
-        return MemoryMarshal.AsBytes<Half>(poses).ToArray();
+        return poses;
     }
+
+    private static void Coarsen(Picture picture)
+    {
+        for (int y = 0; y < picture.Height; y++)
+        {
+            foreach (ref byte value in picture.Row(y))
+            {
+                // The highest stays the highest: what is opaque stays so.
+                int level = ((value * ((1 << KeptBits) - 1)) + 127) / 255;
+                value = (byte)(((level * 255) + (1 << (KeptBits - 1)) - 1) / ((1 << KeptBits) - 1));
+            }
+        }
+    }
+
+    private static int LoopLength(List<(Vector3[] Positions, Vector3[] Normals)> poses) =>
+        Enumerable.Range(FewestFrames, MostFrames - FewestFrames + 1).MinBy(n => poses[n].Positions.Zip(poses[0].Positions, Vector3.DistanceSquared).Sum(apart => (double)apart));
 }

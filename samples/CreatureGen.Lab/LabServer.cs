@@ -36,7 +36,6 @@ internal static class LabServer
         var types = new FileExtensionContentTypeProvider();
         types.Mappings[".wasm"] = "application/wasm";
         types.Mappings[".dll"] = "application/octet-stream";
-        types.Mappings[".bin"] = "application/octet-stream";
         server.UseFileServer(new FileServerOptions { FileProvider = new PhysicalFileProvider(site.Folder), StaticFileOptions = { ContentTypeProvider = types } });
         try
         {

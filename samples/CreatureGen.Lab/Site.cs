@@ -10,10 +10,10 @@ namespace CreatureGen.Lab;
 /// <summary>The files of the page, as the build lays them out.</summary>
 internal sealed class Site
 {
-    /// <summary>The creature that is seen while the runtime starts: the one that the page begins with.</summary>
-    private const string FirstCreatureFile = "first.bin";
+    /// <summary>The creature that is seen while the runtime starts, as it breathes: the one that the page begins with.</summary>
+    private const string FirstMovingFile = "first-moving.png";
 
-    /// <summary>A picture of it, for before anything can be drawn.</summary>
+    /// <summary>The same where motion is not wanted.</summary>
     private const string FirstStillFile = "first.png";
 
     /// <summary>The list of all files, for visits without a network.</summary>
@@ -32,13 +32,13 @@ internal sealed class Site
             throw new InvalidOperationException("the page is not built; expected Node.js 20 or later and npm, which build it when this project is built. Install Node.js and run the same command again.");
         }
 
-        string first = Path.Combine(Folder, FirstCreatureFile);
         string list = Path.Combine(Folder, ListFile);
         string[] makers = [typeof(CreatureGenerator).Assembly.Location, typeof(Site).Assembly.Location, .. Directory.EnumerateFiles(Folder, "*", SearchOption.AllDirectories)];
         if (!File.Exists(list) || makers.Any(maker => maker != list && File.GetLastWriteTimeUtc(maker) > File.GetLastWriteTimeUtc(list)))
         {
-            File.WriteAllBytes(first, FirstCreature.Bake());
-            File.WriteAllBytes(Path.Combine(Folder, FirstStillFile), FirstCreature.Still());
+            (byte[] still, byte[] moving) = FirstCreature.Pictures();
+            File.WriteAllBytes(Path.Combine(Folder, FirstStillFile), still);
+            File.WriteAllBytes(Path.Combine(Folder, FirstMovingFile), moving);
             Stills.Write(Path.Combine(Folder, Stills.FolderName));
             WriteList();
         }

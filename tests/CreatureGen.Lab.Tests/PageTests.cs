@@ -33,7 +33,22 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void Two_parents_stand_side_by_side_where_one_breeds_and_part_where_one_does_not() => page.Holds("two parents stand side by side where one breeds, and part where one does not");
 
     [Fact]
-    public void A_picture_is_seen_first_then_the_baked_creature_moves_then_the_live_one() => page.Holds("a picture is seen first, then the baked creature moves, then the live one");
+    public void A_baked_creature_moves_while_the_library_starts_then_the_live_one_comes() => page.Holds("a baked creature moves while the library starts, then the live one comes");
+
+    [Fact]
+    public void Where_less_motion_is_asked_for_only_creatures_move() => page.Holds("where less motion is asked for, only creatures move");
+
+    [Fact]
+    public void Everything_is_done_by_keys_alone() => page.Holds("everything is done by keys alone");
+
+    [Fact]
+    public void Trunk_neck_tail_and_legs_are_pulled_by_the_part_that_is_under_the_pointer() => page.Holds("trunk, neck, tail and legs are pulled by the part that is under the pointer");
+
+    [Fact]
+    public void The_page_answers_while_the_library_grows_creatures() => page.Holds("the page answers while the library grows creatures");
+
+    [Fact]
+    public void A_creature_is_seen_in_each_of_its_looks_with_its_feet_and_its_gait() => page.Holds("a creature is seen in each of its looks, with its feet and its gait");
 
     [Fact]
     public void The_address_of_a_child_brings_it_back() => page.Holds("a child’s address brings it back");

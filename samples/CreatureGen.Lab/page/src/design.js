@@ -8,6 +8,9 @@ export const usualStrangeness = 0.6;
 /** A creature of a seed. */
 export const ofSeed = (seed, kind = 'walking', strangeness = usualStrangeness, individual = '') => ({ seed: String(seed), kind, strangeness, individual: String(individual), traits: {}, text: null });
 
+/** The creature that a page without an address begins with. */
+export const first = ofSeed('25', 'walking');
+
 /** A creature of a blueprint. */
 export const ofText = (text, seed, kind) => ({ seed, kind, strangeness: usualStrangeness, individual: '', traits: {}, text });
 
@@ -16,6 +19,12 @@ export function traitText(traits) {
   return Object.entries(traits)
     .map(([name, value]) => name + String(Math.round(value * 100) / 100).replace(/^(-?)0\./, '$1.'))
     .join('~');
+}
+
+/** What the library is called with to grow a design in a slot. */
+export function growing(slot, design) {
+  const traits = traitText(design.traits);
+  return design.text === null ? ['Grow', slot, design.seed, design.kind, design.strangeness, design.individual ?? '', traits] : ['GrowText', slot, design.text, traits];
 }
 
 /** What of an address tells the creature; null for one that tells none. Throws with a message for people. */

@@ -18,8 +18,8 @@ import { Making } from './play/making.js';
 import { Nursery } from './play/nursery.js';
 import { Taking } from './play/taking.js';
 import { Lab } from './lab.js';
-import { showFirst } from './prologue.js';
-import { first, Visits } from './visits.js';
+import { first } from './design.js';
+import { Visits } from './visits.js';
 import { Notices } from './notices.js';
 import { h } from './dom.js';
 import { Keeping } from './keeping.js';
@@ -54,11 +54,12 @@ export class Frame {
     this.canvas.setAttribute('aria-label', texts.stage);
     this.notices = new Notices();
     this.drawing = new Drawing(this.canvas, query.get('draw'));
-    this.world = new World(this.drawing.renderer);
+    this.world = new World();
     this.herd = new Herd(this.library, this.world.scene);
     this.orbit = new Orbit();
     this.sound = new Sound();
     const gaits = new Gaits();
+    this.gaitsCanvas = gaits.canvas;
     this.looks = new Looks(this.library, this.herd, gaits);
     this.treats = new Treats(this.world.scene);
     this.touch = new Touch(this.library, this.herd);
@@ -85,16 +86,11 @@ export class Frame {
   async start() {
     this.#build();
     const wanted = this.visits.wanted();
-    if (wanted === first) {
-      showFirst(this.herd, this.world, this.orbit).then(step => {
-        if (!this.lab.design) {
-          this.theatre.prologue = step;
-          this.#uncover();
-          performance.mark('creature:baked');
-        }
-      }, () => {});
-    }
     this.theatre.start();
+    this.theatre.seen.then(() => {
+      performance.mark('creature:live');
+      this.#uncover();
+    });
     try {
       await this.library.ready;
     } catch (problem) {
@@ -105,7 +101,6 @@ export class Frame {
     if (!await this.notices.guard(() => this.visits.arrive(wanted), texts.badAddress)) {
       await this.visits.arrive(first);
     }
-    performance.mark('creature:live');
     addEventListener('hashchange', () => this.visits.follow());
   }
 
@@ -192,7 +187,13 @@ export class Frame {
   #listen() {
     const { lab, making, taking, visits } = this;
     const refresh = () => this.#refresh();
-    lab.addEventListener('met', () => { this.#uncover(); refresh(); this.#court(); });
+    lab.addEventListener('met', () => {
+      if (this.theatre.still) {
+        this.#uncover();
+      }
+      refresh();
+      this.#court();
+    });
     lab.addEventListener('changed', refresh);
     lab.addEventListener('dressed', () => {
       this.looks.show();
@@ -338,7 +339,7 @@ export class Frame {
     const { facts } = this.lab;
     const { name } = this.keeping;
     this.title.textContent = name;
-    this.subtitle.textContent = [words(facts.bodies[0]), weight(facts.mass), length(facts.length)].join(' · ');
+    this.subtitle.textContent = [texts.kin(facts.bodies.slice(0, 2).map(words)), weight(facts.mass), length(facts.length)].join(' · ');
     document.title = `${name}, ${texts.title}`;
     this.keep.named(name);
   }

@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import { readMesh } from './creature/body.js';
-import { ofText, traitText } from './design.js';
+import { growing, ofText } from './design.js';
 import { Family } from './family.js';
 import { nameOf } from './names.js';
 import { isNarrow } from './view/narrow.js';
@@ -210,10 +210,7 @@ export class Lab extends EventTarget {
 
   /** Grows a design in a slot of the stage, or of another library: its facts. */
   async grow(slot, design, library = this.library) {
-    const traits = traitText(design.traits);
-    return JSON.parse(design.text === null
-      ? await library.call('Grow', slot, design.seed, design.kind, design.strangeness, design.individual ?? '', traits)
-      : await library.call('GrowText', slot, design.text, traits));
+    return JSON.parse(await library.call(...growing(slot, design)));
   }
 
   async #textOf(design) {

@@ -3,6 +3,7 @@ const longestStart = 60_000;
 
 export class Library {
   #calls = new Map();
+  #ahead = new Map();
   #next = 1;
   #worker;
 
@@ -27,7 +28,17 @@ export class Library {
 
   /** Calls a method of the library by its name. */
   call(name, ...values) {
-    return this.#send(name, values, []);
+    const key = JSON.stringify([name, values]);
+    const answer = this.#ahead.get(key) ?? this.#send(name, values, []);
+    this.#ahead.delete(key);
+    return answer;
+  }
+
+  /** Calls a method before somebody needs its answer: the next call of the same gets it. */
+  ahead(name, ...values) {
+    const answer = this.#send(name, values, []);
+    answer.catch(() => {});
+    this.#ahead.set(JSON.stringify([name, values]), answer);
   }
 
   /** Moves all creatures on; `buffer` comes back filled. */

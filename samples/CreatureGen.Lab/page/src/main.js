@@ -1,6 +1,7 @@
 import '@fontsource-variable/fredoka/wght.css';
 import '@fontsource-variable/nunito/wght.css';
 import './style.css';
+import { first, growing, readAddress } from './design.js';
 import { unfit, showStills } from './fitness.js';
 import { Library } from './library.js';
 import { showStill } from './still.js';
@@ -14,9 +15,25 @@ if (problem) {
   begin();
 }
 
+/** What is asked of the library before anything else: by the time that the stage is built, the creature has grown. */
+function askAhead(library) {
+  library.ahead('Sliders');
+  library.ahead('Palette');
+  try {
+    const wanted = readAddress(location.hash) ?? first;
+    if (!wanted.packed) {
+      library.ahead(...growing(0, wanted));
+      library.ahead('Mesh', 0);
+    }
+  } catch {
+    // The stage tells what is wrong with the address.
+  }
+}
+
 /** The library starts first: it takes longest. Then a picture is seen, then comes what draws. */
 function begin() {
   const library = new Library();
+  askAhead(library);
   showStill();
   const page = import('./frame.js').then(({ Frame }) => {
     const frame = new Frame(library);

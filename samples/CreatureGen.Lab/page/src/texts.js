@@ -57,6 +57,7 @@ export const texts = {
   facts: {
     plan: 'Build', body: 'Cousin of', mass: 'Weight', length: 'Length', pace: 'Walking pace', flight: 'Cruise', legs: 'Pairs of legs', generation: 'Generation',
   },
+  kin: bodies => (bodies.length > 1 ? `Part ${bodies[0]}, part ${bodies[1]}` : `All ${bodies[0]}`),
   neighbours: 'Neighbours',
   call: name => `Call ${name}`,
   come: 'Come here',

@@ -1,8 +1,5 @@
-import { History, maxSeed, ofSeed, readAddress, seedAddress } from './design.js';
+import { first, History, maxSeed, ofSeed, readAddress, seedAddress } from './design.js';
 import { texts } from './texts.js';
-
-/** The creature that a page without an address begins with. */
-export const first = ofSeed('25', 'walking');
 
 /** Throws with a message for people if a text is no seed. */
 export function checkSeed(text) {

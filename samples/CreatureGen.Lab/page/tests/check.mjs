@@ -8,6 +8,8 @@ import { fileURLToPath } from 'node:url';
 import pixelmatch from 'pixelmatch';
 import { PNG } from 'pngjs';
 import { openBrowser, serveFolder, serveLab } from './browser.mjs';
+import { checkHands } from './claims/hands.mjs';
+import { checkStart } from './claims/start.mjs';
 
 const [expectedFile, exported, mode] = process.argv.slice(2);
 const expected = JSON.parse(readFileSync(expectedFile, 'utf8'));
@@ -281,6 +283,8 @@ await claim('pulling on the body changes it, and Escape takes it back', async ()
   });
   require(seen.label.startsWith('Girth') && seen.pulled > 1.2 && seen.between < seen.pulled && seen.back === seen.pulled && seen.same === seen.mass, JSON.stringify(seen));
 });
+
+await checkHands({ claim, require, page });
 
 await claim('sounds begin and end without a click, do not clip, and are deeper the heavier who makes them', async () => {
   const seen = await page.evaluate(async () => {
@@ -758,15 +762,7 @@ await claim('the page works without a network after the first visit', async () =
   }
 });
 
-await claim('a picture is seen first, then the baked creature moves, then the live one', async () => {
-  const other = await visit(lab.address);
-  const marks = await other.evaluate(() => Object.fromEntries(performance.getEntriesByType('mark').map(mark => [mark.name, Math.round(mark.startTime)])));
-  const [still, baked, live] = ['still', 'baked', 'live'].map(name => marks[`creature:${name}`]);
-  await other.waitForFunction(() => !document.getElementById('cover'));
-  await other.close();
-  require(still < baked && baked < live, JSON.stringify(marks));
-  return `${still}, ${baked}, ${live} ms`;
-});
+await checkStart({ claim, require, browser, visit, lab, longest });
 
 await claim('a browser that cannot run it gets pictures', async () => {
   const other = await browser.newPage();

@@ -12,6 +12,7 @@ export const states = ['supported', 'leaping', 'falling', 'landed', 'limp', 'ris
 
 // Moves that lie farther apart than this, in seconds, are drawn one after the other without anything between.
 const smoothest = 0.02;
+const longestGlide = 0.4;
 
 /** Everybody who lives on the stage: their bodies, by slots, and what the library says of them in each frame. */
 export class Herd {
@@ -19,6 +20,7 @@ export class Herd {
   #waiting = false;
   #owed = 0;
   #costs = [];
+  #time = 0;
 
   constructor(library, scene) {
     this.library = library;
@@ -37,7 +39,7 @@ export class Herd {
   /** Shows a body in a slot, in place of the one that was there. */
   put(slot, facts, body) {
     const before = this.members.get(slot);
-    const member = { slot, facts, body, feet: [], speed: 0, phase: 0, state: 'supported', moved: false };
+    const member = { slot, facts, body, feet: [], speed: 0, phase: 0, state: 'supported', moved: false, shown: this.#time };
     if (before) {
       body.group.position.copy(before.body.group.position);
       body.group.quaternion.copy(before.body.group.quaternion);
@@ -88,6 +90,7 @@ export class Herd {
 
   /** Draws those that take turns between their last two moves. */
   glide(seconds) {
+    this.#time += seconds;
     for (const member of this.members.values()) {
       const { glide } = member;
       if (glide && glide.at < 1) {
@@ -129,7 +132,8 @@ export class Herd {
 
   #show(member, numbers, at, matrices) {
     const { body } = member;
-    const seconds = numbers[at + 14];
+    const seconds = Math.max(numbers[at + 14], this.#time - member.shown);
+    member.shown = this.#time;
     if (member.moved && seconds > smoothest && member.slot !== this.eye) {
       // The same room is used for every move: nothing is left for the collector.
       const glide = (member.glide ??= { from: place(body.joints), to: place(body.joints), seconds, at: 0 });
@@ -139,7 +143,7 @@ export class Herd {
       glide.to.position.fromArray(numbers, at + 3);
       glide.to.turn.fromArray(numbers, at + 6);
       glide.to.matrices.set(matrices);
-      glide.seconds = seconds;
+      glide.seconds = Math.min(seconds, longestGlide);
       glide.at = 0;
     } else {
       if (member.glide) {

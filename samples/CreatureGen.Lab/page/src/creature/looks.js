@@ -9,6 +9,11 @@ export class Looks {
     this.look = 'skin';
   }
 
+  /** How many things are drawn over the creature: bones and joints, capsules, or feet. */
+  get marks() {
+    return this.#overlay.group.children.length;
+  }
+
   take(look) {
     this.look = look;
     this.show();

@@ -236,7 +236,9 @@ export class Grid {
     const milliseconds = now - before;
     const rest = milliseconds > 60 ? Math.min(milliseconds, 500) : 0;
     setTimeout(() => requestAnimationFrame(next => this.#draw(next, now)), rest);
-    this.herd.step(Math.min(milliseconds / 1000, 0.1));
+    const seconds = Math.min(milliseconds / 1000, 0.1);
+    this.herd.step(seconds);
+    this.herd.glide(seconds);
     this.render();
   }
 

@@ -17,12 +17,15 @@ export class Drawing {
   #step;
 
   constructor(canvas, wanted) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    const look = { antialias: true, powerPreference: 'high-performance' };
+    const quick = canvas.getContext('webgl2', { ...look, failIfMajorPerformanceCaveat: true });
+    this.renderer = new WebGLRenderer({ canvas, ...look, ...(quick ? { context: quick } : { antialias: wanted === 'best' }) });
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.toneMappingExposure = 1.02;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.fixed = wanted !== null;
-    this.#step = wanted === 'best' ? 1 : wanted === 'least' ? 4 : 0;
+    // Where there is no graphics card the first picture would take seconds.
+    this.#step = wanted === 'best' ? 1 : wanted === 'least' || !quick ? steps.length - 1 : 0;
   }
 
   apply(world, width, height) {

@@ -11,14 +11,15 @@ const longestRest = 500;
 /** Lets time go on upon the stage and draws it. Everything in `things` has an `update(seconds)`. */
 export class Theatre extends EventTarget {
   #before = 0;
+  #drawn = null;
 
   constructor(canvas, drawing, world, herd, orbit, lab, courtship, portraits, things) {
     super();
     Object.assign(this, { canvas, drawing, world, herd, orbit, lab, courtship, portraits, things });
     this.still = false;
 
-    /** Moves the baked creature on; until the live one comes. */
-    this.prologue = () => {};
+    /** Kept when the first picture has been drawn. */
+    this.seen = new Promise(resolve => { this.#drawn = resolve; });
   }
 
   start() {
@@ -29,7 +30,6 @@ export class Theatre extends EventTarget {
 
   /** Lets time go on. */
   async advance(seconds) {
-    this.prologue();
     const { lab, herd, orbit, world, courtship } = this;
     const done = lab.settled ? herd.step(seconds) : null;
     if (herd.members.get(0) && lab.litter.length === 0 && lab.settled) {
@@ -84,6 +84,7 @@ export class Theatre extends EventTarget {
     }
     this.advance(Math.min(milliseconds / 1000, longestStep));
     this.render();
+    this.#drawn();
     if (this.drawing.judge(milliseconds)) {
       this.size();
     }

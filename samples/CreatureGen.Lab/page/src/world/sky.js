@@ -47,7 +47,7 @@ void main() {
 }`;
 
 /** The sky as a dome that goes with the eye. */
-export function makeSky(palette, sunWay) {
+export function makeSky(palette, sunWay, clock) {
   const uniforms = {
     zenith: { value: new Color(palette.zenith) },
     sky: { value: new Color(palette.sky) },
@@ -55,11 +55,10 @@ export function makeSky(palette, sunWay) {
     sunColour: { value: new Color(palette.sun) },
     sunWay: { value: sunWay },
     wet: { value: palette.wet ? 1 : 0 },
-    time: { value: 0 },
+    time: clock,
   };
   const dome = new Mesh(new SphereGeometry(1, 48, 24), new ShaderMaterial({ vertexShader: vertex, fragmentShader: fragment, uniforms, side: BackSide, depthWrite: false, fog: false, toneMapped: false }));
   dome.frustumCulled = false;
   dome.renderOrder = -1;
-  dome.onBeforeRender = () => { uniforms.time.value = performance.now() / 1000; };
   return dome;
 }

@@ -1,4 +1,4 @@
-import { Color, DirectionalLight, Fog, Group, HemisphereLight, PMREMGenerator, Points, PointsMaterial, BufferGeometry, BufferAttribute, Scene, Vector3 } from 'three';
+import { Color, DirectionalLight, Fog, Group, HemisphereLight, Points, PointsMaterial, BufferGeometry, BufferAttribute, Scene, Vector3 } from 'three';
 import { makeGround } from './ground.js';
 import { makePlants } from './plants.js';
 import { makeLake } from './water.js';
@@ -6,6 +6,7 @@ import { makeSky } from './sky.js';
 import { heightAt, heightField, lake } from './terrain.js';
 import { sequence } from './noise.js';
 import * as palettes from './palettes.js';
+import { wantsStillness } from '../view/stillness.js';
 
 const sunWay = new Vector3(0.62, 0.62, 0.48).normalize();
 
@@ -13,10 +14,8 @@ const sunWay = new Vector3(0.62, 0.62, 0.48).normalize();
 export class World {
   #habitats = new Map();
   #clock = { value: 0 };
-  #renderer;
 
-  constructor(renderer) {
-    this.#renderer = renderer;
+  constructor() {
     this.scene = new Scene();
     this.scale = 1;
     this.sun = new DirectionalLight();
@@ -53,8 +52,6 @@ export class World {
     this.scene.fog.color.set(palette.haze);
     this.scene.fog.near = palette.hazeNear * scale;
     this.scene.fog.far = palette.hazeFar * scale;
-    this.scene.environment = habitat.light;
-    this.scene.environmentIntensity = palette.wet ? 0.55 : 0.42;
     this.sun.color.set(palette.sun);
     this.sun.intensity = palette.sunPower;
     this.fill.color.set(palette.shade);
@@ -66,6 +63,11 @@ export class World {
     camera.updateProjectionMatrix();
     this.sun.shadow.normalBias = 0.016 * scale;
     this.sun.shadow.bias = -0.0004;
+  }
+
+  /** Seconds that wind and water have known. */
+  get time() {
+    return this.#clock.value;
   }
 
   /** Height of the land at a place, metres. */
@@ -85,7 +87,7 @@ export class World {
 
   /** Time goes on, and the sun follows what is looked at. */
   update(seconds, focus) {
-    this.#clock.value += seconds;
+    this.#clock.value += wantsStillness() ? 0 : seconds;
     this.sun.target.position.copy(focus);
     this.sun.position.copy(focus).addScaledVector(sunWay, 18 * this.scale);
   }
@@ -103,22 +105,18 @@ export class World {
   #make(palette) {
     const group = new Group();
     const plants = makePlants(palette, this.#clock);
-    group.add(...makeGround(palette), ...plants.all, motes(palette));
+    group.add(...makeGround(palette), ...plants.all, motes(palette, this.#clock));
     let water = null;
     if (!palette.wet) {
       water = makeLake(palette, sunWay, this.#clock);
       group.add(water);
     }
-    const sky = makeSky(palette, sunWay);
-    const maker = new PMREMGenerator(this.#renderer);
-    const light = maker.fromScene(new Scene().add(makeSky(palette, sunWay)), 0.02, 0.1, 10, { size: 64 }).texture;
-    maker.dispose();
-    return { group, plants, water, sky, light };
+    return { group, plants, water, sky: makeSky(palette, sunWay, this.#clock) };
   }
 }
 
 /** Pollen in the air, plankton in the sea. */
-function motes(palette) {
+function motes(palette, clock) {
   const random = sequence(3);
   const count = palette.wet ? 500 : 160;
   const places = new Float32Array(3 * count);
@@ -130,7 +128,7 @@ function motes(palette) {
   const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(places, 3));
   const points = new Points(geometry, new PointsMaterial({ color: new Color(palette.wet ? '#d8fbff' : '#fffbe0'), size: 1.6, sizeAttenuation: false, transparent: true, opacity: palette.wet ? 0.5 : 0.6, depthWrite: false }));
   points.onBeforeRender = () => {
-    const t = performance.now() / 1000;
+    const t = clock.value;
     points.position.set(0.4 * Math.sin(t * 0.2), 0.25 * Math.sin(t * 0.33), 0.4 * Math.cos(t * 0.17));
   };
   return points;

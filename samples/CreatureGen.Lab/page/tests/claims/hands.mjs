@@ -1,0 +1,156 @@
+// What one does with hands: keys, pulling, and that the page answers meanwhile.
+
+export async function checkHands({ claim, require, page }) {
+  await claim('everything is done by keys alone', async () => {
+    await page.evaluate(() => { creatureLab.lab.show('make'); document.getElementById('tab-make').focus(); });
+    const at = () => page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute('aria-label') || document.activeElement.textContent);
+
+    // Arrow keys go from tab to tab, and turn the eye; plus and minus zoom.
+    for (const tab of ['meet', 'breed', 'keep', 'make']) {
+      await page.keyboard.press('ArrowRight');
+      require(await at() === `tab-${tab}`, `an arrow key went to ${await at()}; expected tab-${tab}`);
+    }
+    const view = () => page.evaluate(() => { const { azimuth, elevation, wantedDistance } = creatureLab.lab.orbit; return { azimuth, elevation, wantedDistance }; });
+    const before = await view();
+    await page.focus('#stage');
+    for (const key of ['ArrowLeft', 'ArrowUp', '+']) {
+      await page.keyboard.press(key);
+    }
+    const after = await view();
+    require(after.azimuth !== before.azimuth && after.elevation !== before.elevation && after.wantedDistance < before.wantedDistance, `${JSON.stringify(before)}; ${JSON.stringify(after)}`);
+
+    // A slider, undo, and a deed.
+    await page.focus('#trait-girth');
+    const girth = await page.evaluate(() => creatureLab.lab.lab.design.traits.girth ?? 1);
+    await page.keyboard.press('ArrowRight');
+    await page.waitForFunction(girth => (creatureLab.lab.lab.design.traits.girth ?? 1) > girth && creatureLab.lab.visits.history.canUndo, girth);
+    await page.focus('[aria-label=Undo]');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(girth => (creatureLab.lab.lab.design.traits.girth ?? 1) === girth, girth);
+    await page.evaluate(() => { creatureLab.lab.notices.say(''); document.querySelector('[data-deed=pet]').focus(); });
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => creatureLab.lab.notices.status.textContent !== '');
+
+    // All that can be pressed can be reached: from the first element by Tab alone, until it begins anew.
+    const reached = new Set();
+    await page.focus('#seed');
+    for (let i = 0; i < 200; i++) {
+      await page.keyboard.press('Tab');
+      const name = await at();
+      if (reached.has(name) && name === 'seed') {
+        break;
+      }
+      reached.add(name);
+    }
+    for (const name of ['stage', 'trait-neck', 'tab-make', 'Surprise me', 'Horns', 'Pet it', 'Sound', 'Creature of the day', 'Many at once']) {
+      require(reached.has(name), `Tab does not reach “${name}”; it reaches ${[...reached].join(', ')}`);
+    }
+  });
+
+  await claim('trunk, neck, tail and legs are pulled by the part that is under the pointer', async () => {
+    const seen = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      frame.show('make');
+      frame.canvas.setPointerCapture = () => {};
+      const parts = ['trunk', 'neck', 'tail', 'leg'];
+      const point = (type, x, y) => frame.canvas.dispatchEvent(new PointerEvent(type, { pointerId: 8, clientX: x, clientY: y, pointerType: 'mouse', bubbles: true }));
+
+      // Where each part is on the screen; of a creature that shows them all.
+      const places = new Map();
+      let part = null;
+      const listen = ({ detail }) => { part = detail?.part; };
+      frame.pointer.addEventListener('hover', listen);
+      for (let seed = 3; seed < 20 && !parts.every(name => places.has(name)); seed++) {
+        await frame.lab.meet({ seed: String(seed), kind: 'walking', strangeness: 0, traits: {}, text: null });
+        await frame.touch.learn();
+        await frame.theatre.portrait(1);
+        places.clear();
+        for (let y = 20; y < innerHeight - 20; y += 12) {
+          for (let x = 10; x < innerWidth - 10; x += 12) {
+            point('pointermove', x, y);
+            if (part) {
+              places.set(part, [...(places.get(part) ?? []), [x, y]]);
+            }
+          }
+        }
+      }
+      const told = {};
+      for (const name of parts) {
+        const found = places.get(name) ?? [];
+        const [x, y] = found[found.length >> 1] ?? [0, 0];
+
+        // What was pulled before is taken back first, and its body felt anew.
+        part = null;
+        for (let i = 0; i < 400 && part !== name; i++) {
+          await frame.theatre.advance(1 / 30);
+          point('pointermove', x, y);
+          await new Promise(resolve => setTimeout(resolve, 20));
+        }
+        point('pointerdown', x, y);
+        point('pointermove', x, y + 12);
+        point('pointermove', x, y + 40);
+        told[name] = frame.ghost.hidden ? 'nothing' : frame.ghost.textContent.split(' ')[0];
+        dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
+        point('pointerup', x, y + 40);
+        await frame.lab.idle();
+      }
+      frame.pointer.removeEventListener('hover', listen);
+      return told;
+    });
+    const answers = { trunk: ['Girth', 'Size'], neck: ['Neck'], tail: ['Tail'], leg: ['Legs', 'Stoutness'] };
+    for (const [part, names] of Object.entries(answers)) {
+      require(names.includes(seen[part]), `${part}: ${seen[part]}`);
+    }
+    return Object.entries(seen).map(([part, name]) => `${part}: ${name}`).join(', ');
+  });
+
+  await claim('the page answers while the library grows creatures', async () => {
+    // Turns of the page between a wish and the library's answer: were they one, nobody could do anything meanwhile.
+    const seen = await page.evaluate(async () => {
+      const { library } = creatureLab.lab;
+      const gaps = [];
+      let turns = 0;
+      for (let n = 0; n < 6; n++) {
+        let grown = false;
+        const answer = library.call('Grow', 62, String(500 + n), ['walking', 'flying', 'swimming'][n % 3], 0.6, '', '').then(() => { grown = true; });
+        for (let before = performance.now(); !grown; turns++) {
+          await new Promise(resolve => setTimeout(resolve, 4));
+          gaps.push(performance.now() - before);
+          before = performance.now();
+        }
+        await answer;
+      }
+      await library.call('Remove', 62);
+      gaps.sort((a, b) => a - b);
+      return { turns, median: gaps[gaps.length >> 1], longest: gaps.at(-1) };
+    });
+    require(seen.turns >= 60, JSON.stringify(seen));
+    return `${seen.turns} turns of the page during six creatures, one each ${seen.median.toFixed(1)} ms, longest ${seen.longest.toFixed(0)} ms`;
+  });
+
+  await claim('a creature is seen in each of its looks, with its feet and its gait', async () => {
+    const seen = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      await frame.lab.meet({ seed: '12', kind: 'walking', strangeness: 0, traits: {}, text: null });
+      await frame.library.call('Habit', 0, 'march', 0, 0, 1);
+      const found = {};
+      for (const look of ['flat', 'wire', 'bones', 'capsules', 'feet', 'skin']) {
+        document.querySelector(`.looks [data-value=${look}]`).click();
+        for (let i = 0; i < 45; i++) {
+          await frame.theatre.advance(1 / 30);
+        }
+        const { body } = frame.herd.members.get(0);
+        const [material] = body.skin.material;
+        const pen = frame.gaitsCanvas.getContext('2d');
+        const { width, height } = frame.gaitsCanvas;
+        const drawn = look === 'feet' ? new Set(new Uint32Array(pen.getImageData(0, 0, width, height).data.buffer)).size : 0;
+        found[look] = { flat: material.flatShading, wire: material.wireframe, skin: body.skin.visible, faint: material.opacity < 1, gait: drawn, shown: !frame.gaitsCanvas.hidden, marks: frame.looks.marks };
+      }
+      await frame.library.call('Habit', 0, 'stay', 0, 0, 1);
+      return { found, counts: document.querySelector('#panel-make .fine').textContent };
+    });
+    const { flat, wire, bones, capsules, feet, skin } = seen.found;
+    const right = flat.flat && wire.wire && bones.faint && bones.marks === 2 && !capsules.skin && capsules.marks > 10 && feet.shown && feet.gait > 2 && feet.marks >= 2 && skin.skin && skin.marks === 0 && !skin.shown;
+    require(right && /[0-9] triangles.*[0-9] joints/.test(seen.counts), JSON.stringify(seen));
+  });
+}
