@@ -63,9 +63,9 @@ internal sealed class FieldReader : IFieldVisitor
     /// <inheritdoc/>
     public double Number(string name, double value, NumberRange range)
     {
-        if (!TryFind(name, range.ToString(), out JsonValue field))
+        if (!TryFind(name, out JsonValue field))
         {
-            return value;
+            return Without(name, range.ToString(), value);
         }
 
         if (field.Kind == JsonKind.Number && range.Contains(field.Number))
@@ -81,9 +81,9 @@ internal sealed class FieldReader : IFieldVisitor
     /// <inheritdoc/>
     public int Whole(string name, int value, WholeRange range)
     {
-        if (!TryFind(name, range.ToString(), out JsonValue field))
+        if (!TryFind(name, out JsonValue field))
         {
-            return value;
+            return Without(name, range.ToString(), value);
         }
 
         bool fits = field.Kind == JsonKind.Number && field.Number >= int.MinValue && field.Number <= int.MaxValue;
@@ -103,9 +103,9 @@ internal sealed class FieldReader : IFieldVisitor
     public ulong UnsignedText(string name, ulong value)
     {
         const string expectation = "a string of the decimal digits of a number 0..18446744073709551615";
-        if (!TryFind(name, expectation, out JsonValue field))
+        if (!TryFind(name, out JsonValue field))
         {
-            return value;
+            return Without(name, expectation, value);
         }
 
         if (field.Kind == JsonKind.Text && TryParse(field.Text, out ulong number))
@@ -133,9 +133,9 @@ internal sealed class FieldReader : IFieldVisitor
     public TEnum Choice<TEnum>(string name, TEnum value, ChoiceNames<TEnum> names)
         where TEnum : struct, Enum
     {
-        if (!TryFind(name, names.ToString(), out JsonValue field))
+        if (!TryFind(name, out JsonValue field))
         {
-            return value;
+            return Without(name, names.ToString(), value);
         }
 
         if (field.Kind == JsonKind.Text && names.TryFind(field.Text, out TEnum chosen))
@@ -150,9 +150,9 @@ internal sealed class FieldReader : IFieldVisitor
     /// <inheritdoc/>
     public string Word(string name, string value, IReadOnlyList<string> known)
     {
-        if (!TryFind(name, FieldChecker.OneOf(known), out JsonValue field))
+        if (!TryFind(name, out JsonValue field))
         {
-            return value;
+            return Without(name, FieldChecker.OneOf(known), value);
         }
 
         if (field.Kind == JsonKind.Text && FieldChecker.IsKnown(field.Text, known))
@@ -167,7 +167,7 @@ internal sealed class FieldReader : IFieldVisitor
     /// <inheritdoc/>
     public T Record<T>(string name, T value, RecordDescription<T> description)
         where T : class, IEquatable<T> =>
-        TryFind(name, FieldChecker.AnObject, out JsonValue field) ? Read(field, description, format, missing, problems) : value;
+        TryFind(name, out JsonValue field) ? Read(field, description, format, missing, problems) : Without(name, FieldChecker.AnObject, value);
 
     /// <inheritdoc/>
     public T? Optional<T>(string name, T? value, RecordDescription<T> description)
@@ -186,15 +186,14 @@ internal sealed class FieldReader : IFieldVisitor
     public ValueList<T> List<T>(string name, ValueList<T> value, WholeRange count, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {
-        string expectation = FieldChecker.Elements(count);
-        if (!TryFind(name, expectation, out JsonValue field))
+        if (!TryFind(name, out JsonValue field))
         {
-            return value;
+            return Without(name, FieldChecker.Elements(count), value);
         }
 
         if (field.Kind != JsonKind.Array || !count.Contains(field.Items.Count))
         {
-            problems.Add(field.Position, field.Path, field.Kind == JsonKind.Array ? FieldChecker.CountOf(field.Items.Count) : field.ToString(), expectation);
+            problems.Add(field.Position, field.Path, field.Kind == JsonKind.Array ? FieldChecker.CountOf(field.Items.Count) : field.ToString(), FieldChecker.Elements(count));
             return value;
         }
 
@@ -228,7 +227,7 @@ internal sealed class FieldReader : IFieldVisitor
         return text.Length == 1 || (text.Length > 0 && text[0] != '0');
     }
 
-    private bool TryFind(string name, string expectation, out JsonValue field)
+    private bool TryFind(string name, out JsonValue field)
     {
         if (!IsKnown)
         {
@@ -239,13 +238,19 @@ internal sealed class FieldReader : IFieldVisitor
         visited.Add(name);
         bool found = source.TryGet(name, out JsonValue? member);
         field = member!;
-        if (!found && missing == MissingField.Reported)
+        return found;
+    }
+
+    /// <summary>The value of a field that the text does not have.</summary>
+    private T Without<T>(string name, string expectation, T value)
+    {
+        if (IsKnown && missing == MissingField.Reported)
         {
             string path = source.Path;
             problems.Add(source.Position, path.Length > 0 ? path + "." + name : name, Missing, expectation);
         }
 
-        return found;
+        return value;
     }
 
     private void Report(JsonValue field, string expectation) => problems.Add(field.Position, field.Path, field.ToString(), expectation);

@@ -55,9 +55,20 @@ internal ref struct JsonScanner
     /// <summary>Passes white space.</summary>
     public void SkipSpace()
     {
-        while (Next == (byte)' ' || Next == (byte)'\n' || Next == (byte)'\r' || Next == (byte)'\t')
+        // Half of an indented text are spaces.
+        for (; at < text.Length; at++)
         {
-            SkipByte();
+            byte next = text[at];
+            if (next == (byte)'\n')
+            {
+                line++;
+                lineStart = at + 1;
+                continuations = 0;
+            }
+            else if (next != (byte)' ' && next != (byte)'\r' && next != (byte)'\t')
+            {
+                return;
+            }
         }
     }
 

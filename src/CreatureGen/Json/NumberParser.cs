@@ -20,6 +20,9 @@ internal static class NumberParser
         1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
     };
 
+    /// <summary>Powers of ten that numbers of seventeen digits, as blueprints are full of, are divided by.</summary>
+    private static readonly BigInteger[] smallPowers = Powers(40);
+
     /// <summary>The double nearest to a number; infinite when it is beyond the range of a double.</summary>
     /// <param name="text">ASCII text that follows the grammar of numbers in JSON; not checked here.</param>
     public static double Parse(ReadOnlySpan<byte> text)
@@ -144,8 +147,21 @@ internal static class NumberParser
         }
 
         return exponent >= 0
-            ? Divide(whole * BigInteger.Pow(10, (int)exponent), BigInteger.One)
-            : Divide(whole, BigInteger.Pow(10, (int)-exponent));
+            ? Divide(whole * PowerOfTen((int)exponent), BigInteger.One)
+            : Divide(whole, PowerOfTen((int)-exponent));
+    }
+
+    private static BigInteger PowerOfTen(int exponent) => exponent < smallPowers.Length ? smallPowers[exponent] : BigInteger.Pow(10, exponent);
+
+    private static BigInteger[] Powers(int count)
+    {
+        var powers = new BigInteger[count];
+        for (int i = 0; i < count; i++)
+        {
+            powers[i] = BigInteger.Pow(10, i);
+        }
+
+        return powers;
     }
 
     private static double Divide(BigInteger numerator, BigInteger denominator)
