@@ -44,6 +44,9 @@ public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
         return new ValueList<T>(copy);
     }
 
+    /// <summary>A list of what a change makes of each element, in their order.</summary>
+    internal ValueList<T> Each(Func<T, T> change) => new(Array.ConvertAll(items, item => change(item)));
+
     /// <inheritdoc/>
     public bool Equals(ValueList<T>? other)
     {

@@ -49,29 +49,17 @@ public static class Ageing
                 Mouth = b.Head.Mouth with { Teeth = y > 0.5 ? 0 : b.Head.Mouth.Teeth },
             },
             Tail = b.Tail with { Size = b.Tail.Size * By(-0.3) },
-            Legs = Each(b.Legs, leg => leg with { Length = leg.Length * By(-0.12), Stoutness = leg.Stoutness * By(0.15), FootSize = leg.FootSize * By(0.15), ClawLength = leg.ClawLength * By(-0.6) }),
-            Wings = Each(b.Wings, wing => wing with { Span = wing.Span * By(-0.35), Chord = wing.Chord * By(-0.2) }),
-            InsectWings = Each(b.InsectWings, wing => wing with { Length = wing.Length * By(-0.4), Width = wing.Width * By(-0.3) }),
-            Fins = Each(b.Fins, fin => fin with { Length = fin.Length * By(-0.25) }),
-            Features = Each(b.Features, part => part with { Length = part.Length * By(part.Kind is FeatureKind.Antenna or FeatureKind.Mandible or FeatureKind.Tuft or FeatureKind.Ocellus or FeatureKind.Lure ? -0.2 : -0.7), Radius = part.Radius * By(-0.15) }),
-            Manes = Each(b.Manes, mane => mane with { Length = mane.Length * By(-0.55) }),
-            Frills = Each(b.Frills, frill => frill with { Length = frill.Length * By(-0.5) }),
+            Legs = b.Legs.Each(leg => leg with { Length = leg.Length * By(-0.12), Stoutness = leg.Stoutness * By(0.15), FootSize = leg.FootSize * By(0.15), ClawLength = leg.ClawLength * By(-0.6) }),
+            Wings = b.Wings.Each(wing => wing with { Span = wing.Span * By(-0.35), Chord = wing.Chord * By(-0.2) }),
+            InsectWings = b.InsectWings.Each(wing => wing with { Length = wing.Length * By(-0.4), Width = wing.Width * By(-0.3) }),
+            Fins = b.Fins.Each(fin => fin with { Length = fin.Length * By(-0.25) }),
+            Features = b.Features.Each(part => part with { Length = part.Length * By(part.Kind is FeatureKind.Antenna or FeatureKind.Mandible or FeatureKind.Tuft or FeatureKind.Ocellus or FeatureKind.Lure ? -0.2 : -0.7), Radius = part.Radius * By(-0.15) }),
+            Manes = b.Manes.Each(mane => mane with { Length = mane.Length * By(-0.55) }),
+            Frills = b.Frills.Each(frill => frill with { Length = frill.Length * By(-0.5) }),
             Coat = b.Coat with { Base = Paler(b.Coat.Base, y), Back = Paler(b.Coat.Back, y), Limb = Paler(b.Coat.Limb, y), Pattern = Paler(b.Coat.Pattern, y), Accent = Paler(b.Coat.Accent, y) },
         };
         return FieldLimiter.Limit(young, CreatureFields.Creature);
     }
 
     private static ColourBlueprint Paler(ColourBlueprint colour, double y) => colour with { Lightness = colour.Lightness + (0.25 * y * (0.75 - colour.Lightness)), Chroma = colour.Chroma * (1 - (0.25 * y)) };
-
-    private static ValueList<T> Each<T>(ValueList<T> items, Func<T, T> change)
-        where T : IEquatable<T>
-    {
-        var changed = new T[items.Count];
-        for (int i = 0; i < changed.Length; i++)
-        {
-            changed[i] = change(items[i]);
-        }
-
-        return new ValueList<T>(changed);
-    }
 }

@@ -52,18 +52,18 @@ public static class Mutation
             {
                 Proportions = new BodyProportions(Size(p.Head), Size(p.Snout), Size(p.Neck), Size(p.NeckGirth), Size(p.Girth), Size(p.Belly), Size(p.Chest), Size(p.Hump), Size(p.Rump), Size(p.Tail), Size(p.TailGirth), Slice(p.Depth), Slice(p.Width)),
                 Posture = posture with { Head = Angle(posture.Head), Neck = Angle(posture.Neck), Tail = Angle(posture.Tail), NeckBend = posture.NeckBend + (0.2 * (Angle(0) - 0)), TailBend = posture.TailBend + (0.1 * Angle(0)) },
-                Slices = Each(body.Slices, slice => new LatticeSlice(Slice(slice.Width), Slice(slice.Height), Slice(slice.Length))),
+                Slices = body.Slices.Each(slice => new LatticeSlice(Slice(slice.Width), Slice(slice.Height), Slice(slice.Length))),
             },
-            Head = blueprint.Head with { Bumps = Each(blueprint.Head.Bumps, bump => bump with { Amount = bump.Amount > 0 ? Size(bump.Amount) : bump.Amount }) },
+            Head = blueprint.Head with { Bumps = blueprint.Head.Bumps.Each(bump => bump with { Amount = bump.Amount > 0 ? Size(bump.Amount) : bump.Amount }) },
             Tail = blueprint.Tail with { Size = Size(blueprint.Tail.Size) },
-            Legs = Each(blueprint.Legs, leg => leg with { Thickness = Slice(leg.Thickness), Stoutness = Slice(leg.Stoutness), Slimness = Slice(leg.Slimness), FootSize = Slice(leg.FootSize) }),
-            Wings = Each(blueprint.Wings, wing => wing with { Span = Size(wing.Span), Chord = Slice(wing.Chord), Sweep = Angle(wing.Sweep) }),
-            InsectWings = Each(blueprint.InsectWings, wing => wing with { Length = Size(wing.Length), Width = Size(wing.Width) }),
-            Fins = Each(blueprint.Fins, fin => fin with { Length = Size(fin.Length), Sweep = Angle(fin.Sweep) }),
-            Ears = Each(blueprint.Ears, ear => ear with { Length = Size(ear.Length), Width = Size(ear.Width), Droop = Angle(ear.Droop) }),
-            Features = Each(blueprint.Features, part => part with { Length = Size(part.Length) }),
-            Manes = Each(blueprint.Manes, mane => mane with { Length = Size(mane.Length) }),
-            Frills = Each(blueprint.Frills, frill => frill with { Length = Size(frill.Length), Tilt = Angle(frill.Tilt) }),
+            Legs = blueprint.Legs.Each(leg => leg with { Thickness = Slice(leg.Thickness), Stoutness = Slice(leg.Stoutness), Slimness = Slice(leg.Slimness), FootSize = Slice(leg.FootSize) }),
+            Wings = blueprint.Wings.Each(wing => wing with { Span = Size(wing.Span), Chord = Slice(wing.Chord), Sweep = Angle(wing.Sweep) }),
+            InsectWings = blueprint.InsectWings.Each(wing => wing with { Length = Size(wing.Length), Width = Size(wing.Width) }),
+            Fins = blueprint.Fins.Each(fin => fin with { Length = Size(fin.Length), Sweep = Angle(fin.Sweep) }),
+            Ears = blueprint.Ears.Each(ear => ear with { Length = Size(ear.Length), Width = Size(ear.Width), Droop = Angle(ear.Droop) }),
+            Features = blueprint.Features.Each(part => part with { Length = Size(part.Length) }),
+            Manes = blueprint.Manes.Each(mane => mane with { Length = Size(mane.Length) }),
+            Frills = blueprint.Frills.Each(frill => frill with { Length = Size(frill.Length), Tilt = Angle(frill.Tilt) }),
             Coat = Recoloured(blueprint.Coat, m, seed.Child("coat").Stream()),
         };
         RandomStream limbs = seed.Child("limbs").Stream();
@@ -113,17 +113,5 @@ public static class Mutation
         }
 
         return blueprint with { Legs = new ValueList<LegBlueprint>(legs) };
-    }
-
-    private static ValueList<T> Each<T>(ValueList<T> items, Func<T, T> change)
-        where T : IEquatable<T>
-    {
-        var changed = new T[items.Count];
-        for (int i = 0; i < changed.Length; i++)
-        {
-            changed[i] = change(items[i]);
-        }
-
-        return new ValueList<T>(changed);
     }
 }

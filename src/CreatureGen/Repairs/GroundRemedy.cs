@@ -75,15 +75,7 @@ internal static class GroundRemedy
     private static bool ShortenArms(RepairLog log)
     {
         CreatureBlueprint b = log.Blueprint;
-        ValueList<LegBlueprint> legs = b.Legs;
-        for (int i = 0; i < legs.Count; i++)
-        {
-            if (legs[i].Stance == LegStance.Hanging)
-            {
-                legs = legs.With(i, legs[i] with { Length = ArmKept * legs[i].Length, Reach = ArmKept * legs[i].Reach });
-            }
-        }
-
+        ValueList<LegBlueprint> legs = b.Legs.Each(leg => leg.Stance == LegStance.Hanging ? leg with { Length = ArmKept * leg.Length, Reach = ArmKept * leg.Reach } : leg);
         return log.Change(b with { Legs = legs }, "the arms hung below the ground");
     }
 
@@ -91,17 +83,20 @@ internal static class GroundRemedy
     private static bool RefitFeet(RepairLog log)
     {
         CreatureBlueprint b = log.Blueprint;
-        ValueList<LegBlueprint> legs = b.Legs;
-        for (int i = 0; i < legs.Count; i++)
-        {
-            LegBlueprint leg = legs[i];
-            legs = leg.Stance != LegStance.Standing ? legs : legs.With(i, leg with { FootSize = Toward(leg.FootSize, 1), Stoutness = Toward(leg.Stoutness, 1), Slimness = Toward(leg.Slimness, 1), Thickness = 0.92 * leg.Thickness, Shear = 0.8 * leg.Shear, KneeRise = Toward(leg.KneeRise, 1) });
-        }
-
-
+        ValueList<LegBlueprint> legs = b.Legs.Each(leg => leg.Stance == LegStance.Standing ? Plainer(leg) : leg);
         double elevation = 1.05 * b.Body.Elevation;
         return log.Change(b with { Legs = legs, Body = b.Body with { Elevation = elevation } }, "a foot did not end on the ground");
     }
+
+    private static LegBlueprint Plainer(LegBlueprint leg) => leg with
+    {
+        FootSize = Toward(leg.FootSize, 1),
+        Stoutness = Toward(leg.Stoutness, 1),
+        Slimness = Toward(leg.Slimness, 1),
+        Thickness = 0.92 * leg.Thickness,
+        Shear = 0.8 * leg.Shear,
+        KneeRise = Toward(leg.KneeRise, 1),
+    };
 
     private static double Toward(double value, double goal) => value + (0.3 * (goal - value));
 

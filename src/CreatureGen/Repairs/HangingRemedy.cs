@@ -10,17 +10,6 @@ internal static class HangingRemedy
     public static bool Apply(RepairLog log)
     {
         CreatureBlueprint b = log.Blueprint;
-        if (b.Kind == LocomotionKind.Walking)
-        {
-            return false;
-        }
-
-        ValueList<LegBlueprint> legs = b.Legs;
-        for (int i = 0; i < legs.Count; i++)
-        {
-            legs = legs.With(i, legs[i] with { Stance = LegStance.Hanging });
-        }
-
-        return log.Change(b with { Legs = legs }, "its feet could not be brought under its centre of mass");
+        return b.Kind != LocomotionKind.Walking && log.Change(b with { Legs = b.Legs.Each(leg => leg with { Stance = LegStance.Hanging }) }, "its feet could not be brought under its centre of mass");
     }
 }

@@ -28,7 +28,7 @@ internal static class PartRemedies
         for (int round = 0; round < 20 && Complains(log.Blueprint, "head.bumps"); round++)
         {
             HeadBlueprint head = log.Blueprint.Head;
-            ValueList<HeadBump> bumps = Each(head.Bumps, bump => bump.Amount < 0 ? bump with { Amount = 0.8 * bump.Amount } : bump);
+            ValueList<HeadBump> bumps = head.Bumps.Each(bump => bump.Amount < 0 ? bump with { Amount = 0.8 * bump.Amount } : bump);
             log.Change(log.Blueprint with { Head = head with { Bumps = bumps } }, "hollows turned the head inside out");
         }
     }
@@ -59,12 +59,12 @@ internal static class PartRemedies
         b = log.Blueprint;
         log.Change(b with { Tail = b.Tail with { Size = b.Tail.Style == TailStyle.Plain ? b.Tail.Size : Math.Max(BlueprintRules.LeastTailSize, b.Tail.Size) } }, "a tail of this style has a size");
         b = log.Blueprint;
-        log.Change(b with { Fins = Each(b.Fins, fin => fin.Place == FinPlace.Pectoral ? fin with { Width = Math.Max(BlueprintRules.LeastFinWidth, fin.Width) } : fin) }, "a paired fin has a width");
+        log.Change(b with { Fins = b.Fins.Each(fin => fin.Place == FinPlace.Pectoral ? fin with { Width = Math.Max(BlueprintRules.LeastFinWidth, fin.Width) } : fin) }, "a paired fin has a width");
         b = log.Blueprint;
         log.Change(
             b with
             {
-                Manes = Each(b.Manes, mane => mane with
+                Manes = b.Manes.Each(mane => mane with
                 {
                     Ring = Math.Min(mane.Ring, mane.LastRing),
                     LastRing = Math.Max(mane.Ring, mane.LastRing),
@@ -74,13 +74,13 @@ internal static class PartRemedies
             },
             "a field of hair ended before it began");
         b = log.Blueprint;
-        log.Change(b with { Features = Each(b.Features, part => BlueprintRules.IsDoubled(part) ? part with { Segment = Clamp(part.Segment, BlueprintRules.SideSegments) } : part) }, "the two of a pair stood in one another");
+        log.Change(b with { Features = b.Features.Each(part => BlueprintRules.IsDoubled(part) ? part with { Segment = Clamp(part.Segment, BlueprintRules.SideSegments) } : part) }, "the two of a pair stood in one another");
         b = log.Blueprint;
         log.Change(
             b with
             {
-                Ears = Each(b.Ears, ear => BlueprintRules.PointsSomewhere(ear) ? ear : ear with { Upward = 1 }),
-                Features = Each(b.Features, part => BlueprintRules.PointsSomewhere(part) ? part : part with { Outward = 1 }),
+                Ears = b.Ears.Each(ear => BlueprintRules.PointsSomewhere(ear) ? ear : ear with { Upward = 1 }),
+                Features = b.Features.Each(part => BlueprintRules.PointsSomewhere(part) ? part : part with { Outward = 1 }),
             },
             "it pointed nowhere");
     }
@@ -213,17 +213,5 @@ internal static class PartRemedies
         }
 
         return kept.Count == items.Count ? items : new ValueList<T>(kept);
-    }
-
-    private static ValueList<T> Each<T>(ValueList<T> items, Func<T, T> change)
-        where T : IEquatable<T>
-    {
-        var changed = new T[items.Count];
-        for (int i = 0; i < changed.Length; i++)
-        {
-            changed[i] = change(items[i]);
-        }
-
-        return new ValueList<T>(changed);
     }
 }

@@ -26,32 +26,9 @@ internal static class PlainRemedy
                 Annuli = body.Annuli with { Depth = 0 },
                 Disc = BodyFields.Disc.Neutral,
             },
-            Head = b.Head with { Bumps = Flat(b.Head.Bumps) },
-            Legs = Plain(b.Legs),
+            Head = b.Head with { Bumps = b.Head.Bumps.Each(bump => bump with { Amount = 0 }) },
+            Legs = b.Legs.Each(leg => leg with { Reach = leg.Length, Azimuth = 0, Shear = 0, Slimness = 1, Stoutness = 1, FootSize = 1, KneeRise = 1, Thickness = 0.15 * leg.Length }),
         };
         return log.Change(FieldBlend.Between(b, plain, Share), "the shape was too extreme to keep its promises (" + violation.Invariant + ")");
-    }
-
-    private static ValueList<HeadBump> Flat(ValueList<HeadBump> bumps)
-    {
-        ValueList<HeadBump> flat = bumps;
-        for (int i = 0; i < bumps.Count; i++)
-        {
-            flat = flat.With(i, flat[i] with { Amount = 0 });
-        }
-
-        return flat;
-    }
-
-    private static ValueList<LegBlueprint> Plain(ValueList<LegBlueprint> legs)
-    {
-        ValueList<LegBlueprint> plain = legs;
-        for (int i = 0; i < legs.Count; i++)
-        {
-            LegBlueprint leg = legs[i];
-            plain = plain.With(i, leg with { Reach = leg.Length, Azimuth = 0, Shear = 0, Slimness = 1, Stoutness = 1, FootSize = 1, KneeRise = 1, Thickness = 0.15 * leg.Length });
-        }
-
-        return plain;
     }
 }

@@ -38,28 +38,16 @@ internal static class IndividualSampler
             Head = Face(type.Head, ofType, builder, traits),
             Tail = type.Tail with { Size = type.Tail.Size * traits.Fins },
             Legs = new ValueList<LegBlueprint>(body.Legs),
-            Wings = Each(type.Wings, wing => Wing(wing, traits, side)),
-            InsectWings = Each(type.InsectWings, wing => wing with { Length = wing.Length * traits.Wings, Width = wing.Width * traits.Wings }),
-            Fins = Each(type.Fins, fin => fin with { Length = fin.Length * traits.Fins }),
-            Ears = Each(type.Ears, ear => ear with { Length = ear.Length * skull * traits.Ears, Width = ear.Width * skull }),
-            Features = Each(type.Features, part => FeatureSampler.OffGround(builder, Part(part, traits, part.Ring < HeadEnd ? skull : 1))),
-            Manes = Each(type.Manes, mane => NeckSampler.OffGround(builder, Mane(mane, traits, girth))),
-            Frills = Each(type.Frills, frill => NeckSampler.OffGround(builder, frill with { Length = frill.Length * skull * Math.Sqrt(traits.Horns), Thickness = frill.Thickness * skull })),
+            Wings = type.Wings.Each(wing => Wing(wing, traits, side)),
+            InsectWings = type.InsectWings.Each(wing => wing with { Length = wing.Length * traits.Wings, Width = wing.Width * traits.Wings }),
+            Fins = type.Fins.Each(fin => fin with { Length = fin.Length * traits.Fins }),
+            Ears = type.Ears.Each(ear => ear with { Length = ear.Length * skull * traits.Ears, Width = ear.Width * skull }),
+            Features = type.Features.Each(part => FeatureSampler.OffGround(builder, Part(part, traits, part.Ring < HeadEnd ? skull : 1))),
+            Manes = type.Manes.Each(mane => NeckSampler.OffGround(builder, Mane(mane, traits, girth))),
+            Frills = type.Frills.Each(frill => NeckSampler.OffGround(builder, frill with { Length = frill.Length * skull * Math.Sqrt(traits.Horns), Thickness = frill.Thickness * skull })),
             Coat = Coat(type.Coat, traits),
         };
         return FieldLimiter.Limit(individual, CreatureFields.Creature);
-    }
-
-    private static ValueList<T> Each<T>(ValueList<T> items, Func<T, T> vary)
-        where T : IEquatable<T>
-    {
-        var varied = new List<T>();
-        foreach (T item in items)
-        {
-            varied.Add(vary(item));
-        }
-
-        return new ValueList<T>(varied);
     }
 
     private static HeadBlueprint Face(HeadBlueprint head, CreatureBuilder ofType, CreatureBuilder builder, IndividualTraits traits)
@@ -69,7 +57,7 @@ internal static class IndividualSampler
         double lid = Scalar.Radians(Scalar.Clamp(traits.Seed.Child("lids").Stream().Normal(0, 2), -4, 4));
         return head with
         {
-            Bumps = Each(head.Bumps, bump => bump with { Amount = bump.Amount * traits.Bones }),
+            Bumps = head.Bumps.Each(bump => bump with { Amount = bump.Amount * traits.Bones }),
             Eyes = head.Eyes with { Radius = radius, UpperLid = head.Eyes.UpperLid + lid },
             Mouth = head.Mouth with { Opening = Math.Min(head.Mouth.Opening, HeadSampler.WidestOpening(builder)), Teeth = head.Mouth.Teeth * traits.Claws },
         };
