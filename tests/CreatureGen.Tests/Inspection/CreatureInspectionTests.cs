@@ -72,6 +72,14 @@ public sealed class CreatureInspectionTests
         Found(broken, "positiveVolume");
     }
 
+    [Theory]
+    [InlineData(7300006)]
+    [InlineData(7300040)]
+    [InlineData(7300128)]
+    [InlineData(7300203)]
+    public void Flat_facets_of_the_least_budget_may_cut_a_few_hundredths_off_a_flier(ulong seed) =>
+        Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, TriangleBudget = 6000 })));
+
     [Fact]
     public void A_triangle_without_area_is_found()
     {
