@@ -21,6 +21,7 @@ internal static class Program
         Save("hound", Hound.Strip());
         Save("stranger", Stranger.Strip());
         Save("borrowed", Borrowed.Strip());
+        Save("guest", Guest.Strip());
         return 0;
 
         void Save(string name, Picture picture)

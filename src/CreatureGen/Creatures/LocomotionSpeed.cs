@@ -49,13 +49,16 @@ internal static class LocomotionSpeed
         double gravity = StandardGravity.Acceleration;
         double speed = blueprint.Kind switch
         {
-            LocomotionKind.Walking when legs > 0 => Math.Sqrt(WalkingFroude * gravity * legs),
+            LocomotionKind.Walking when legs > 0 => OnLegs(legs),
             LocomotionKind.Walking => CrawlingLengths * length,
             LocomotionKind.Flying => Math.Sqrt(gravity * length) * FlyingFroude,
             _ => UnitSwimmer(blueprint.Plan) * PortableMath.Pow(length, SwimmingPower),
         };
         return (float)(speed * Pace(blueprint));
     }
+
+    /// <summary>Metres per second of a walk on legs of a length, metres.</summary>
+    internal static double OnLegs(double length) => Math.Sqrt(WalkingFroude * StandardGravity.Acceleration * length);
 
     /// <summary>Speed of cruise of a swimmer of one metre, m/s.</summary>
     private static double UnitSwimmer(BodyPlan plan) => plan switch

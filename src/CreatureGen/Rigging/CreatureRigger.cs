@@ -172,7 +172,8 @@ internal static class CreatureRigger
         return nearest;
     }
 
-    private static LimbChain[] LimbChains(Skeleton skeleton, IReadOnlyList<Appendage> appendages, List<AppendageJoints> joints)
+    /// <summary>The limbs of a finished skeleton as chains: of each appendage the left one, then the right one.</summary>
+    internal static LimbChain[] LimbChains(Skeleton skeleton, IReadOnlyList<Appendage> appendages, List<AppendageJoints> joints)
     {
         var chains = new List<LimbChain>(2 * appendages.Count);
         for (int i = 0; i < appendages.Count; i++)

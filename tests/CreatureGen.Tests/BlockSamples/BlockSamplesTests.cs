@@ -18,6 +18,7 @@ public sealed class BlockSamplesTests
     [InlineData("Hound")]
     [InlineData("Stranger")]
     [InlineData("Borrowed")]
+    [InlineData("Guest")]
     public void Every_sample_is_short_and_draws_six_different_frames(string sample)
     {
         Picture strip = sample switch
@@ -29,6 +30,7 @@ public sealed class BlockSamplesTests
             "Hound" => Hound.Strip(),
             "Stranger" => Stranger.Strip(),
             "Borrowed" => Borrowed.Strip(),
+            "Guest" => Guest.Strip(),
             _ => Ponytail.Strip(),
         };
         int side = strip.Height;

@@ -4,6 +4,7 @@ using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
+using CreatureGen.Motion.Subjects;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;
 using CreatureGen.Species;
@@ -34,6 +35,23 @@ public sealed class MotionSubject
         HasHorns = blueprint.Features.Any(feature => feature.Kind is FeatureKind.Horn or FeatureKind.Antler or FeatureKind.Tusk);
         Seed species = new Seed(blueprint.Seed).Child("glances");
         Habits = blueprint.Coat.Marks == 0 ? species : species.Child(blueprint.Coat.Marks);
+    }
+
+    /// <summary>What walks in place of a skeleton from elsewhere.</summary>
+    internal MotionSubject(StandIn body, StandInFlesh flesh)
+    {
+        Skeleton = body.Skeleton;
+        Limbs = body.Limbs;
+        Bones = flesh.Bones;
+        Sockets = Array.Empty<CreatureSocket>();
+        Mesh = flesh.Skin;
+        Mass = flesh.Mass;
+        StandingHeight = Skeleton.ModelPositions[1].Y;
+        DefaultSpeed = (float)LocomotionSpeed.OnLegs(Skeleton.ModelPositions[Limbs[0].Joints[1]].Y);
+        Kind = LocomotionKind.Walking;
+        Plan = body.Plan;
+        Manner = new MotionTraits();
+        Habits = new Seed(Seed).Child("glances");
     }
 
     /// <summary>The creature that was grown; null for a skeleton from elsewhere.</summary>

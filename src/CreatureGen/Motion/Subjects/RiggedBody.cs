@@ -1,0 +1,105 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Subjects;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion;
+
+/// <summary>A skeleton of another program that moves as grown creatures do: it walks, turns, climbs, looks about, acts, falls and gets up. Immutable, and shared by any number of animators.</summary>
+/// <remarks>
+/// <para>A body such as creatures grow stands in for it, with its joints where those of the skeleton are: give <see cref="Subject"/> to a <see cref="MotionProfile"/> and that to a <see cref="CreatureAnimator"/>, and after each
+/// update bring its pose over by <see cref="FillPose"/>.</para>
+/// <para>Parts are told by roles, or by what joints are called and how they hang on one another (<see cref="Skeleton.Build"/>). How far joints turn follows from what legs are built like, not from the limits of the skeleton. Arms
+/// that are held out at rest hang. What has no part in a body (fingers, twist bones, hair) keeps its place on what carries it.</para>
+/// </remarks>
+public sealed class RiggedBody
+{
+    private readonly StandIn stand;
+    private readonly Vector3[] rest;
+    private readonly Quaternion[] inverses;
+    private readonly bool[] carried;
+
+    /// <summary>Finds the parts of a skeleton.</summary>
+    /// <param name="skeleton">With a trunk and at least one pair of legs that stand, facing +Z, +Y up, in metres.</param>
+    /// <param name="ground">Height of the ground under its feet at rest, in its model space; null for just below the lowest joint of its feet.</param>
+    /// <param name="mass">Kilograms; null for what flesh around such bones weighs.</param>
+    /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
+    /// <exception cref="ArgumentException">It has no trunk or no pair of legs that stands, the ground is not below its hips, or the mass is not a positive number.</exception>
+    public RiggedBody(Skeleton skeleton, float? ground = null, float? mass = null)
+    {
+        Skeleton = skeleton ?? throw new ArgumentNullException(nameof(skeleton));
+        if (mass is float kilograms && !(kilograms > 0f && kilograms < float.PositiveInfinity))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"mass {kilograms}; expected a positive number of kilograms"), nameof(mass));
+        }
+
+        stand = new StandIn(skeleton, ground);
+        Subject = new MotionSubject(stand, new StandInFlesh(stand.Skeleton, stand.Limbs, mass));
+        rest = stand.Skeleton.ModelPositions.ToArray();
+        inverses = Array.ConvertAll(stand.Skeleton.ModelRotations.ToArray(), Rotation.Inverse);
+        carried = new bool[skeleton.Count];
+        bool begun = false;
+        for (int joint = 0; joint < carried.Length; joint++)
+        {
+            int follows = stand.Follows[joint];
+            JointRole role = follows < 0 ? JointRole.Other : stand.Skeleton.Joints[follows].Role;
+            carried[joint] = role == JointRole.Hip || (role == JointRole.Pelvis && !begun);
+            begun |= role == JointRole.Pelvis;
+        }
+    }
+
+    /// <summary>The skeleton that is to move.</summary>
+    public Skeleton Skeleton { get; }
+
+    /// <summary>The body that stands in for it.</summary>
+    public MotionSubject Subject { get; }
+
+    /// <summary>Height of the ground in the skeleton's model space, metres: what an animator's root stands on is this far above the model's origin.</summary>
+    public float Ground => stand.Ground;
+
+    /// <summary>Brings over a pose. Allocates nothing.</summary>
+    /// <param name="moved">Of the stand-in in model space (<see cref="CreatureAnimator.ModelPose"/>).</param>
+    /// <param name="local">Receives the skeleton's own pose in the parents' space.</param>
+    /// <param name="model">Receives the same in its model space.</param>
+    /// <exception cref="ArgumentException">A pose is not as long as its skeleton.</exception>
+    public void FillPose(in Pose moved, in Pose local, in Pose model)
+    {
+        RequireLength(moved, rest.Length, nameof(moved));
+        RequireLength(local, Skeleton.Count, nameof(local));
+        RequireLength(model, Skeleton.Count, nameof(model));
+        ReadOnlySpan<int> follows = stand.Follows;
+        ReadOnlySpan<Quaternion> aligns = stand.Aligns;
+        for (int joint = 0; joint < follows.Length; joint++)
+        {
+            int parent = Skeleton.Parents[joint];
+            Quaternion above = parent < 0 ? Quaternion.Identity : model.Rotations[parent];
+            Vector3 origin = parent < 0 ? Vector3.Zero : model.Positions[parent];
+            int led = follows[joint];
+            local.Rotations[joint] = Skeleton.LocalRotations[joint];
+            local.Positions[joint] = Skeleton.LocalPositions[joint];
+            if (led >= 0)
+            {
+                Quaternion turn = Rotation.Multiply(Rotation.Multiply(moved.Rotations[led], inverses[led]), aligns[joint]);
+                local.Rotations[joint] = Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(above), Rotation.Multiply(turn, Skeleton.ModelRotations[joint])));
+            }
+
+            if (carried[joint])
+            {
+                Vector3 place = Skeleton.ModelPositions[joint] + moved.Positions[led] - rest[led];
+                local.Positions[joint] = Rotation.Rotate(Rotation.Inverse(above), place - origin);
+            }
+
+            model.Rotations[joint] = Rotation.Multiply(above, local.Rotations[joint]);
+            model.Positions[joint] = origin + Rotation.Rotate(above, local.Positions[joint]);
+        }
+    }
+
+    private static void RequireLength(in Pose pose, int joints, string name)
+    {
+        if (pose.Rotations.Length != joints || pose.Positions.Length != joints)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"a pose of {pose.Rotations.Length} rotations and {pose.Positions.Length} positions; expected {joints} of each"), name);
+        }
+    }
+}

@@ -1,0 +1,302 @@
+using System;
+using System.Collections.Generic;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Retargeting;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Subjects;
+
+/// <summary>A skeleton such as creatures grow, with its joints where those of a skeleton from elsewhere are: it is animated in that one's place. Immutable.</summary>
+internal sealed class StandIn
+{
+    /// <summary>Part of the skeleton's height below which ankles stand.</summary>
+    private const float Low = 0.3f;
+
+    /// <summary>How far the ground is below the lowest joint of the feet where nobody says it, parts of the hip's height.</summary>
+    private const float SoleThickness = 0.03f;
+
+    /// <summary>Length of a chest, of which no joint tells, parts of the hip's height.</summary>
+    private const float ChestAhead = 0.5f;
+
+    /// <summary>Length of a last bone that nothing ends, parts of the one before.</summary>
+    private const float LastBone = 0.6f;
+
+    /// <summary>Steepness of a trunk from which on it is upright: as high as it is long.</summary>
+    private const float Upright = 1f;
+
+    private readonly SkeletonBuilder builder = new();
+    private readonly List<StandInLimb> legs;
+    private readonly List<StandInLimb> arms;
+    private readonly Skeleton source;
+    private readonly SkeletonRoles roles;
+    private readonly int[] follows;
+    private readonly Quaternion[] aligns;
+
+    /// <summary>Makes one.</summary>
+    /// <param name="skeleton">From elsewhere, facing +Z, +Y up, metres.</param>
+    /// <param name="ground">Height of the ground in its model space; null for just below the lowest joint of its feet.</param>
+    /// <exception cref="ArgumentException">It has no trunk or no pair of legs that stands, or the ground is not below its hips.</exception>
+    public StandIn(Skeleton skeleton, float? ground)
+    {
+        source = skeleton;
+        roles = new SkeletonRoles(skeleton);
+        follows = new int[skeleton.Count];
+        aligns = new Quaternion[skeleton.Count];
+        Array.Fill(follows, -1);
+        Array.Fill(aligns, Quaternion.Identity);
+        if (roles.Trunk.Count == 0)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"the skeleton of {skeleton.Count} joints from {skeleton.Joints[0].Name} has no pelvis, spine or chest; expected one that carries its legs"), nameof(skeleton));
+        }
+
+        (List<int[]> standing, List<int[]> hanging) = Pairs();
+        if (standing.Count == 0)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"the skeleton of {skeleton.Count} joints from {skeleton.Joints[0].Name} has no pair of legs that stands: a hip, a knee and a low ankle on the left and on the right; expected joints with roles, or names that tell them"), nameof(skeleton));
+        }
+
+        Ground = ground ?? GroundOf(standing);
+        RequireBelow(standing);
+        legs = standing.ConvertAll(joints => StandInLimb.Leg(skeleton, joints, standing.IndexOf(joints), Ground));
+        arms = hanging.ConvertAll(joints => StandInLimb.Arm(skeleton, joints, hanging.IndexOf(joints), Ground));
+        int pelvis = AddTrunk(out int chest);
+        AddHead(chest);
+        AddTail(pelvis);
+        var appendages = new List<Appendage>();
+        var joined = new List<AppendageJoints>();
+        for (int i = legs.Count - 1; i >= 0; i--)
+        {
+            Join(legs[i], LimbKind.Leg, legs.Count - i, legs[i].ArchetypeOf(legs.Count), appendages, joined);
+        }
+
+        for (int i = arms.Count - 1; i >= 0; i--)
+        {
+            Join(arms[i], LimbKind.Arm, arms.Count - i, LimbArchetype.Arm, appendages, joined);
+        }
+
+        Skeleton = builder.Build();
+        Limbs = CreatureRigger.LimbChains(Skeleton, appendages, joined);
+        Plan = PlanOf(Skeleton.ModelPositions[chest] - Skeleton.ModelPositions[pelvis]);
+    }
+
+    /// <summary>The skeleton that stands in, its feet on the plane of height 0.</summary>
+    public Skeleton Skeleton { get; }
+
+    /// <summary>Its limbs.</summary>
+    public IReadOnlyList<LimbChain> Limbs { get; }
+
+    /// <summary>How its trunk and legs are laid out.</summary>
+    public BodyPlan Plan { get; }
+
+    /// <summary>Height of the ground in the other skeleton's model space, metres.</summary>
+    public float Ground { get; }
+
+    /// <summary>The joint here that each joint of the other skeleton follows; −1 for none.</summary>
+    public ReadOnlySpan<int> Follows => follows;
+
+    /// <summary>From how each joint of the other skeleton is at rest to how it would be here, model space.</summary>
+    public ReadOnlySpan<Quaternion> Aligns => aligns;
+
+    /// <summary>Left limbs that have a right one, from behind: those that stand, and the others.</summary>
+    private (List<int[]> Standing, List<int[]> Hanging) Pairs()
+    {
+        (float low, float high) = (float.MaxValue, float.MinValue);
+        foreach (Vector3 p in source.ModelPositions)
+        {
+            (low, high) = (Math.Min(low, p.Y), Math.Max(high, p.Y));
+        }
+
+        (List<int[]> standing, List<int[]> hanging) = (new(), new());
+        foreach ((int[] joints, Side side, int pair) in roles.Limbs)
+        {
+            if (side == Side.Left && joints[1] >= 0 && joints[2] >= 0 && RightOf(pair) != null)
+            {
+                (source.ModelPositions[joints[2]].Y <= low + (Low * (high - low)) ? standing : hanging).Add(joints);
+            }
+        }
+
+        return (standing, hanging);
+    }
+
+    private int[]? RightOf(int pair)
+    {
+        foreach ((int[] joints, Side side, int other) in roles.Limbs)
+        {
+            if (side == Side.Right && other == pair && joints[1] >= 0 && joints[2] >= 0)
+            {
+                return joints;
+            }
+        }
+
+        return null;
+    }
+
+    private float GroundOf(List<int[]> standing)
+    {
+        (float low, float hip) = (float.MaxValue, float.MinValue);
+        foreach (int[] joints in standing)
+        {
+            low = Math.Min(low, source.ModelPositions[joints[3] < 0 ? joints[2] : joints[3]].Y);
+            hip = Math.Max(hip, source.ModelPositions[joints[0]].Y);
+        }
+
+        return low - (SoleThickness * (hip - low));
+    }
+
+    private void RequireBelow(List<int[]> standing)
+    {
+        foreach (int[] joints in standing)
+        {
+            float hip = source.ModelPositions[joints[0]].Y;
+            if (!(Ground < hip && hip - Ground < float.PositiveInfinity))
+            {
+                throw new ArgumentException(FormattableString.Invariant($"the ground is at height {Ground} and the hip {source.Joints[joints[0]].Name} at {hip} metres; expected ground below all hips"), "ground");
+            }
+        }
+    }
+
+    private Vector3 PlaceOf(int joint) => source.ModelPositions[joint] - new Vector3(0f, Ground, 0f);
+
+    /// <summary>Root, body, pelvis, spine and chest. A chest is made up where one joint is all the trunk.</summary>
+    private int AddTrunk(out int chest)
+    {
+        var places = new List<Vector3>();
+        foreach ((int joint, _) in roles.Trunk)
+        {
+            places.Add(Median(PlaceOf(joint)));
+        }
+
+        if (places.Count == 1)
+        {
+            places.Add(ChestBefore(places[0]));
+        }
+
+        builder.Add(-1, Side.Median, new JointDraft("Root", JointRole.Root, Vector3.Zero, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Root)));
+        int parent = builder.Add(0, Side.Median, new JointDraft("Body", JointRole.Body, (places[0] + places[places.Count - 1]) * 0.5f, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Body)));
+        int pelvis = parent + 1;
+        for (int k = 0; k < places.Count; k++)
+        {
+            JointRole role = k == 0 ? JointRole.Pelvis : k == places.Count - 1 ? JointRole.Chest : JointRole.Spine;
+            string name = role == JointRole.Spine ? FormattableString.Invariant($"Spine{k}") : role.ToString();
+            Vector3 onward = k + 1 < places.Count ? places[k + 1] - places[k] : places[k] - places[k - 1];
+            parent = builder.Add(parent, Side.Median, new JointDraft(name, role, places[k], JointFrame.Median(onward), Vec.Length(onward), JointLimits.Body(role)));
+            if (k < roles.Trunk.Count)
+            {
+                follows[roles.Trunk[k].Joint] = parent;
+            }
+        }
+
+        chest = parent;
+        return pelvis;
+    }
+
+    private Vector3 ChestBefore(Vector3 pelvis)
+    {
+        if (roles.Neck.Count > 0 || roles.Head.Count > 0)
+        {
+            return Median(PlaceOf((roles.Neck.Count > 0 ? roles.Neck : roles.Head)[0].Joint));
+        }
+
+        Vector3 foremost = legs[legs.Count - 1].Points[0];
+        return legs.Count > 1 ? new Vector3(0f, pelvis.Y, foremost.Z) : pelvis + new Vector3(0f, ChestAhead * foremost.Y, 0f);
+    }
+
+    private void AddHead(int chest)
+    {
+        if (roles.Head.Count > 0)
+        {
+            var chain = new List<(int Joint, float Part)>(roles.Neck) { roles.Head[0] };
+            int head = AddChain(chain, chest, (k, count) => k < count - 1 ? (JointRole.Neck, FormattableString.Invariant($"Neck{k + 1}"), JointLimits.Chain(count - 1)) : (JointRole.Head, "Head", JointLimits.Body(JointRole.Head)));
+            builder.AddEnd(head, Side.Median, "HeadEnd", EndOf(head));
+        }
+    }
+
+    private void AddTail(int pelvis)
+    {
+        if (roles.Tail.Count > 0)
+        {
+            int tip = AddChain(roles.Tail, pelvis, (k, count) => (JointRole.Tail, FormattableString.Invariant($"Tail{k + 1}"), JointLimits.Chain(count)));
+            builder.AddEnd(tip, Side.Median, "TailEnd", EndOf(tip));
+        }
+    }
+
+    private int AddChain(IReadOnlyList<(int Joint, float Part)> chain, int parent, Func<int, int, (JointRole Role, string Name, JointLimit Limit)> named)
+    {
+        for (int k = 0; k < chain.Count; k++)
+        {
+            Vector3 place = Median(PlaceOf(chain[k].Joint));
+            Vector3 onward = k + 1 < chain.Count ? Median(PlaceOf(chain[k + 1].Joint)) - place : (place - builder[parent].Position) * LastBone;
+            (JointRole role, string name, JointLimit limit) = named(k, chain.Count);
+            parent = builder.Add(parent, Side.Median, new JointDraft(name, role, place, JointFrame.Median(onward), Vec.Length(onward), limit));
+            follows[chain[k].Joint] = parent;
+        }
+
+        return parent;
+    }
+
+    private Vector3 EndOf(int joint) => builder[joint].Position + Rotation.Rotate(builder[joint].Rotation, new Vector3(0f, builder[joint].Length, 0f));
+
+    private void Join(StandInLimb limb, LimbKind kind, int pair, LimbArchetype archetype, List<Appendage> appendages, List<AppendageJoints> joined)
+    {
+        Vector3[] p = limb.Points;
+        var appendage = new Appendage
+        {
+            Kind = kind,
+            Pair = pair,
+            Paired = true,
+            Archetype = archetype,
+            Joints = p,
+            Pole = Vec.Normalize(Vec.Reject(p[1] - p[0], Vec.Normalize(p[2] - p[0], -Vector3.UnitY)), Vector3.UnitZ),
+            Contact = new Vector3(p[3].X, kind == LimbKind.Leg ? 0f : p[3].Y, p[3].Z),
+            Stands = kind == LimbKind.Leg,
+        };
+        AppendageJoints joints = LimbRigger.Add(builder, appendage, CarrierOf(limb.Joints[0]));
+        appendages.Add(appendage);
+        joined.Add(joints);
+        int rightPair = 0;
+        foreach ((int[] left, Side side, int number) in roles.Limbs)
+        {
+            rightPair = side == Side.Left && left[0] == limb.Joints[0] ? number : rightPair;
+        }
+
+        Follow(limb.Joints, joints.Left, limb.AlignUpper, limb.AlignLower);
+        Follow(RightOf(rightPair)!, joints.Right, Rotation.Mirror(limb.AlignUpper), Rotation.Mirror(limb.AlignLower));
+    }
+
+    /// <summary>Girdles come first in the limbs here.</summary>
+    private void Follow(ReadOnlySpan<int> theirs, ReadOnlySpan<int> ours, Quaternion upper, Quaternion lower)
+    {
+        for (int k = 0; k < theirs.Length; k++)
+        {
+            if (theirs[k] >= 0)
+            {
+                follows[theirs[k]] = ours[k + 1];
+                aligns[theirs[k]] = k == 0 ? upper : lower;
+            }
+        }
+    }
+
+    /// <summary>The joint here of the nearest joint of the trunk that a hip hangs on.</summary>
+    private int CarrierOf(int hip)
+    {
+        for (int above = source.Parents[hip]; above >= 0; above = source.Parents[above])
+        {
+            if (follows[above] >= 0)
+            {
+                return follows[above];
+            }
+        }
+
+        return follows[roles.Trunk[0].Joint];
+    }
+
+    private BodyPlan PlanOf(Vector3 trunk) =>
+        legs[0].Lateral ? legs.Count switch { > 3 => BodyPlan.ManyLegged, 3 => BodyPlan.Hexapod, _ => BodyPlan.Sprawling }
+            : legs.Count > 2 ? BodyPlan.ManyLegged
+            : legs.Count == 2 ? BodyPlan.Digitigrade
+            : trunk.Y > Upright * Math.Abs(trunk.Z) ? BodyPlan.Upright : BodyPlan.Theropod;
+
+    private static Vector3 Median(Vector3 place) => new(0f, place.Y, place.Z);
+}
