@@ -24,13 +24,13 @@ internal static class FirstCreature
     private const int TextureSize = 512;
 
     /// <summary>Frames of the loop, at least and at most: it ends where it is most like its beginning.</summary>
-    private const int FewestFrames = 16;
-    private const int MostFrames = 28;
+    private const int FewestFrames = 14;
+    private const int MostFrames = 22;
 
-    /// <summary>Bits of a colour's eight that are kept: the file is a third as large, and skin shows no bands.</summary>
-    private const int KeptBits = 5;
+    /// <summary>Steps from the darkest to the brightest that are kept of each colour: the file is half as large, and skin shows no bands.</summary>
+    private const int Levels = 31;
 
-    private static readonly RenderOptions options = new() { Width = 400, Height = 350, Backdrop = BackdropKind.Transparent, Threads = Environment.ProcessorCount };
+    private static readonly RenderOptions options = new() { Width = 360, Height = 315, Backdrop = BackdropKind.Transparent, Threads = Environment.ProcessorCount };
 
     /// <summary>It, on nothing but its shadow: as it stands, and the same moving.</summary>
     public static (byte[] Still, byte[] Moving) Pictures()
@@ -81,11 +81,12 @@ internal static class FirstCreature
     {
         for (int y = 0; y < picture.Height; y++)
         {
-            foreach (ref byte value in picture.Row(y))
+            Span<byte> row = picture.Row(y);
+            for (int at = 0; at < row.Length; at++)
             {
-                // The highest stays the highest: what is opaque stays so.
-                int level = ((value * ((1 << KeptBits) - 1)) + 127) / 255;
-                value = (byte)(((level * 255) + (1 << (KeptBits - 1)) - 1) / ((1 << KeptBits) - 1));
+                // Not how opaque it is: its shadow would have rings.
+                int level = ((row[at] * Levels) + 127) / 255;
+                row[at] = at % 4 == 3 ? row[at] : (byte)(((level * 255) + (Levels / 2)) / Levels);
             }
         }
     }

@@ -127,5 +127,17 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void The_page_looks_as_it_did_on_a_phone() => page.Holds("lab-phone.png is what is seen");
 
     [Fact]
+    public void The_pointer_pets_sends_calls_pushes_turns_and_zooms() => page.Holds("the pointer pets, sends, calls, pushes, turns and zooms");
+
+    [Fact]
+    public void The_creature_of_the_day_is_that_of_the_date() => page.Holds("the creature of the day is that of the date");
+
+    [Fact]
+    public void Files_are_downloaded_whole() => page.Holds("files are downloaded whole: blueprint, plain GLB, GLB with textures and clips");
+
+    [Fact]
+    public void Nothing_leaves_the_machine() => page.Holds("nothing leaves the machine");
+
+    [Fact]
     public void The_browser_has_nothing_to_complain_of() => page.Holds("the console stays silent");
 }

@@ -68,12 +68,13 @@ export class Frame {
     this.courtship = new Courtship(this.library, this.lab, this.herd);
     this.theatre = new Theatre(this.canvas, this.drawing, this.world, this.herd, this.orbit, this.lab, this.courtship, this.portraits, [this.looks, gaits, this.treats]);
     this.theatre.still = query.has('still');
+    this.lab.alone = query.has('alone');
     this.play = new Playmate(this.lab, this.treats, (what, ...more) => this.#report(what, ...more));
     this.keeping = new Keeping(this.lab, studio, size => this.theatre.snapshot(size));
     this.visits = new Visits(this.library, this.lab, this.notices);
     this.making = new Making(this.lab, this.visits, this.notices, studio);
     this.nursery = new Nursery(this.lab, this.visits, this.notices, studio, this.courtship, () => this.#thumb());
-    this.taking = new Taking(this.lab, this.visits, this.notices, this.keeping);
+    this.taking = new Taking(this.lab, this.visits, this.notices, this.keeping, studio);
   }
 
   /** A second worker with the library, for what takes long: textures, other parents, the grid. */
@@ -331,7 +332,7 @@ export class Frame {
   }
 
   async #openGrid() {
-    this.grid ??= new Grid(() => this.studio(), design => this.visits.visit(design));
+    this.grid ??= new Grid(() => this.studio(), { choose: design => this.visits.visit(design), shown: on => { this.theatre.covered = on; } });
     await this.notices.guard(async () => this.grid.open(this.lab.design, await this.lab.parents()));
   }
 

@@ -10,6 +10,9 @@ const textureSize = 512;
 const firstChild = 20;
 export const litterSize = 9;
 
+// Where a window is wide the eye comes nearer: panels leave room enough.
+const roomy = 0.86;
+
 /** What happens on the stage: one creature that is looked at, its neighbours, and litters. Knows nothing of panels. */
 export class Lab extends EventTarget {
   #busy = false;
@@ -29,6 +32,9 @@ export class Lab extends EventTarget {
     this.family = new Family();
     this.mate = null;
     this.dressing = true;
+
+    /** Whether nobody lives round it. */
+    this.alone = false;
   }
 
   get facts() {
@@ -63,7 +69,7 @@ export class Lab extends EventTarget {
     this.mate = null;
     this.#tell('met');
     this.#dress(round);
-    if (this.neighbours.length === 0) {
+    if (this.neighbours.length === 0 && !this.alone) {
       this.neighbourhood.settle(design, this.orbit.azimuth + Math.PI, () => round === this.#round).catch(problem => this.#tell('trouble', problem));
     }
     return facts;
@@ -175,7 +181,8 @@ export class Lab extends EventTarget {
   /** Puts the eye before the creature again. */
   frame(facts = this.facts) {
     const unit = this.world.scale;
-    this.orbit.frame(this.focus(), Math.max(facts.length, facts.height), 2.1 * Math.max(0.72 * facts.length, facts.height) + 1.5 * unit);
+    const away = 2.1 * Math.max(0.72 * facts.length, facts.height) + 1.5 * unit;
+    this.orbit.frame(this.focus(), Math.max(facts.length, facts.height), (isNarrow() ? 1 : roomy) * away);
   }
 
   /** The middle of the creature that is looked at. */

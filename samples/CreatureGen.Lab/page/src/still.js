@@ -8,7 +8,7 @@ export async function showStill() {
     cover.append(h('div', { className: 'egg', 'aria-hidden': 'true' }));
     return;
   }
-  const picture = h('img', { src: wantsStillness() ? './first.png' : './first-moving.png', alt: '', width: 400, height: 350 });
+  const picture = h('img', { src: wantsStillness() ? './first.png' : './first-moving.png', alt: '', width: 360, height: 315 });
   cover.append(picture);
   await picture.decode().catch(() => {});
   requestAnimationFrame(() => performance.mark('creature:baked'));

@@ -1,11 +1,12 @@
-import { DirectionalLight, HemisphereLight, NeutralToneMapping, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { Body, readMesh } from '../creature/body.js';
 import { Herd } from '../creature/herd.js';
-import { ofSeed, ofText, usualStrangeness } from '../design.js';
+import { growing, ofSeed, ofText, usualStrangeness } from '../design.js';
 import { nameOfDesign } from '../lab.js';
 import { choices, h, icon } from '../dom.js';
 import { nameOf } from '../names.js';
 import { texts, words } from '../texts.js';
+import { openRenderer } from '../view/renderer.js';
 
 const firstSlot = 4;
 const slots = 24;
@@ -29,9 +30,9 @@ export class Grid {
   #plans = new Set();
   #who = 'seeds';
 
-  constructor(studio, choose) {
-    this.studio = studio;
-    this.choose = choose;
+  /** @param act `choose` takes the one that is picked, `shown` hears whether the grid is open. */
+  constructor(studio, act) {
+    Object.assign(this, { studio, act });
   }
 
   /** @param design whose species and family can be seen. @param family the blueprints of its parents, or of itself and another, and its name. */
@@ -43,6 +44,7 @@ export class Grid {
     this.#build();
     this.#choose(this.#who === 'species' && design.text !== null ? 'seeds' : this.#who);
     this.dialog.showModal();
+    this.act.shown(true);
     this.#begin();
     requestAnimationFrame(now => this.#draw(now, now));
   }
@@ -67,11 +69,16 @@ export class Grid {
         this.strange = h('label', { className: 'strange' }, texts.filters.strange, strange),
         h('button', { type: 'button', className: 'quiet', 'aria-label': texts.close, onclick: () => this.dialog.close() }, icon('close'))),
       this.scroller, this.canvas);
-    this.dialog.addEventListener('close', () => { this.#round++; this.#clear(); });
+    this.dialog.addEventListener('close', () => {
+      this.act.shown(false);
+      this.#round++;
+      this.#clear();
+    });
     document.body.append(this.dialog);
 
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
-    this.renderer.toneMapping = NeutralToneMapping;
+    const { renderer, quick } = openRenderer(this.canvas, { alpha: true });
+    this.renderer = renderer;
+    this.sharpness = quick ? 2 : 0.6;
     this.renderer.setScissorTest(true);
     this.scene = new Scene();
     const sun = new DirectionalLight('#fff3da', 3);
@@ -181,7 +188,7 @@ export class Grid {
     const text = design ? null : await this.library.call('Blueprint', slot);
     const chosen = design ?? { ...ofText(text, this.herd.members.get(slot).facts.seed, this.herd.members.get(slot).facts.kind), name };
     this.dialog.close();
-    this.choose(chosen);
+    this.act.choose(chosen);
   }
 
   /** Grows those that are seen, one after the other, in the slots of those that are not. */
@@ -223,10 +230,7 @@ export class Grid {
   }
 
   #grow(slot, { design, child }) {
-    if (design) {
-      return this.library.call('Grow', slot, design.seed, design.kind, design.strangeness, design.individual, '');
-    }
-    return this.library.call('GrowChild', slot, ...this.family, String(child), childMutation, 1);
+    return this.library.call(...(design ? growing(slot, design) : ['GrowChild', slot, ...this.family, String(child), childMutation, 1]));
   }
 
   #draw(now, before) {
@@ -247,7 +251,7 @@ export class Grid {
     const frame = this.scroller.getBoundingClientRect();
     const { renderer, camera } = this;
     this.canvas.style.height = `${frame.height}px`;
-    renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    renderer.setPixelRatio(Math.min(devicePixelRatio, this.sharpness));
     renderer.setSize(frame.width, frame.height, false);
     renderer.setScissor(0, 0, frame.width, frame.height);
     renderer.setClearAlpha(0);

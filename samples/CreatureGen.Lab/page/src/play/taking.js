@@ -2,11 +2,15 @@ import { largestFile } from '../keeping.js';
 import { download } from '../storage.js';
 import { texts } from '../texts.js';
 
+// Where the second worker makes what goes into a file.
+const fileSlot = 40;
+
 /** What is taken home or brought along: files, the address, the collection. */
 export class Taking extends EventTarget {
-  constructor(lab, visits, notices, keeping) {
+  /** @param studio gives the second worker. */
+  constructor(lab, visits, notices, keeping, studio) {
     super();
-    Object.assign(this, { lab, visits, notices, keeping });
+    Object.assign(this, { lab, visits, notices, keeping, studio });
   }
 
   rename(name) {
@@ -38,7 +42,12 @@ export class Taking extends EventTarget {
   }
 
   glb(what) {
-    return this.#file('.glb', () => this.lab.library.call('Glb', 0, what), 'model/gltf-binary');
+    // Textures and clips take seconds: the second worker makes them, so that nobody on the stage waits.
+    return this.#file('.glb', async () => {
+      const studio = await this.studio();
+      await studio.call('GrowText', fileSlot, await this.lab.text(), '');
+      return studio.call('Glb', fileSlot, what);
+    }, 'model/gltf-binary');
   }
 
   json() {

@@ -11,16 +11,23 @@ const steps = [
 const slowMilliseconds = 40;
 const framesToJudge = 12;
 
+/** What draws on a canvas, and whether a graphics card does: without one, edges are left as they are unless the `best` is asked for. */
+export function openRenderer(canvas, look = {}, best = false) {
+  const wishes = { antialias: true, powerPreference: 'high-performance', ...look };
+  const context = canvas.getContext('webgl2', { ...wishes, failIfMajorPerformanceCaveat: true });
+  const renderer = new WebGLRenderer({ canvas, ...wishes, ...(context ? { context } : { antialias: best }) });
+  renderer.toneMapping = NeutralToneMapping;
+  return { renderer, quick: context !== null };
+}
+
 /** Draws, and draws less when the machine is slow. */
 export class Drawing {
   #times = [];
   #step;
 
   constructor(canvas, wanted) {
-    const look = { antialias: true, powerPreference: 'high-performance' };
-    const quick = canvas.getContext('webgl2', { ...look, failIfMajorPerformanceCaveat: true });
-    this.renderer = new WebGLRenderer({ canvas, ...look, ...(quick ? { context: quick } : { antialias: wanted === 'best' }) });
-    this.renderer.toneMapping = NeutralToneMapping;
+    const { renderer, quick } = openRenderer(canvas, {}, wanted === 'best');
+    this.renderer = renderer;
     this.renderer.toneMappingExposure = 1.02;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.fixed = wanted !== null;

@@ -18,6 +18,9 @@ export class Theatre extends EventTarget {
     Object.assign(this, { canvas, drawing, world, herd, orbit, lab, courtship, portraits, things });
     this.still = false;
 
+    /** While something else covers all of it, time stands still here. */
+    this.covered = false;
+
     /** Kept when the first picture has been drawn. */
     this.seen = new Promise(resolve => { this.#drawn = resolve; });
   }
@@ -79,7 +82,7 @@ export class Theatre extends EventTarget {
     const milliseconds = now - this.#before;
     this.#before = now;
     setTimeout(() => requestAnimationFrame(next => this.#draw(next)), milliseconds > slowPicture ? Math.min(milliseconds, longestRest) : 0);
-    if (this.still || !this.herd.members.get(0)) {
+    if (this.still || this.covered || !this.herd.members.get(0)) {
       return;
     }
     this.advance(Math.min(milliseconds / 1000, longestStep));

@@ -23,7 +23,7 @@ export async function checkHands({ claim, require, page }) {
     await page.focus('#trait-girth');
     const girth = await page.evaluate(() => creatureLab.lab.lab.design.traits.girth ?? 1);
     await page.keyboard.press('ArrowRight');
-    await page.waitForFunction(girth => (creatureLab.lab.lab.design.traits.girth ?? 1) > girth && creatureLab.lab.visits.history.canUndo, girth);
+    await page.waitForFunction(girth => (creatureLab.lab.visits.history.now.traits.girth ?? 1) > girth && !document.body.classList.contains('working'), girth);
     await page.focus('[aria-label=Undo]');
     await page.keyboard.press('Enter');
     await page.waitForFunction(girth => (creatureLab.lab.lab.design.traits.girth ?? 1) === girth, girth);
@@ -152,5 +152,95 @@ export async function checkHands({ claim, require, page }) {
     const { flat, wire, bones, capsules, feet, skin } = seen.found;
     const right = flat.flat && wire.wire && bones.faint && bones.marks === 2 && !capsules.skin && capsules.marks > 10 && feet.shown && feet.gait > 2 && feet.marks >= 2 && skin.skin && skin.marks === 0 && !skin.shown;
     require(right && /[0-9] triangles.*[0-9] joints/.test(seen.counts), JSON.stringify(seen));
+  });
+
+  await claim('the pointer pets, sends, calls, pushes, turns and zooms', async () => {
+    const seen = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      const { library, herd, canvas, orbit, notices } = frame;
+      await frame.lab.meet({ seed: '12', kind: 'walking', strangeness: 0, traits: {}, text: null });
+      frame.show('meet');
+      canvas.setPointerCapture = () => {};
+      const unit = frame.world.scale;
+      await library.call('Grow', 30, '3', 'walking', 0, '', '');
+      await library.call('Place', 30, -1.6 * unit, 0, -0.8 * unit, 0);
+      const other = await herd.settle(30, JSON.parse(await library.call('Grow', 30, '3', 'walking', 0, '', '')));
+      other.name = 'Somebody';
+      await frame.touch.learn();
+      await frame.theatre.portrait(4);
+      const live = async count => { for (let i = 0; i < count; i++) { await frame.theatre.advance(1 / 30); } };
+      const onScreen = place => { const at = place.clone().project(orbit.camera); return [((at.x + 1) / 2) * innerWidth, ((1 - at.y) / 2) * innerHeight]; };
+      const point = (type, x, y, id = 9) => canvas.dispatchEvent(new PointerEvent(type, { pointerId: id, clientX: x, clientY: y, pointerType: 'mouse', bubbles: true }));
+      const click = (x, y) => { point('pointerdown', x, y); point('pointerup', x, y); };
+      const heard = [];
+      for (const name of ['pet', 'send', 'pick', 'push']) {
+        frame.pointer.addEventListener(name, () => heard.push(name));
+      }
+
+      // Where the chosen creature is under the pointer.
+      let body = null;
+      const listen = ({ detail }) => { if (detail) { body ??= detail; } };
+      frame.pointer.addEventListener('hover', listen);
+      const middle = onScreen(frame.lab.focus());
+      let [x, y] = middle;
+      for (const [aside, up] of [0, 20, -20, 45, -45, 70, -70].flatMap(aside => [0, 20, -20, 45].map(up => [aside, up]))) {
+        [x, y] = [middle[0] + aside, middle[1] - up];
+        point('pointermove', x, y);
+        if (body) {
+          break;
+        }
+      }
+      frame.pointer.removeEventListener('hover', listen);
+      click(x, y);
+      const [otherX, otherY] = onScreen(other.body.group.position.clone().setY(other.body.group.position.y + 0.45 * other.facts.height));
+      click(otherX, otherY);
+      const called = notices.status.textContent;
+      const before = other.body.group.position.clone();
+      const start = herd.members.get(0).body.group.position.clone();
+
+      // Twice on ground that is far enough to walk to.
+      let sent = null;
+      frame.pointer.addEventListener('send', ({ detail }) => { sent = detail; });
+      let empty = [0, 0];
+      for (let up = 0.9; up > 0.45 && !(sent && Math.hypot(sent.x - start.x, sent.z - start.z) > 2 * frame.lab.facts.length); up -= 0.06) {
+        empty = [0.92 * innerWidth, up * innerHeight];
+        click(...empty);
+        click(...empty);
+      }
+      await live(150);
+      const came = other.body.group.position.distanceTo(before) / unit;
+      const went = herd.members.get(0).body.group.position.distanceTo(start) / unit;
+
+      // Drawing over the ground turns, two fingers zoom.
+      const { azimuth, wantedDistance } = orbit;
+      point('pointerdown', ...empty);
+      point('pointermove', empty[0] + 60, empty[1]);
+      point('pointerup', empty[0] + 60, empty[1]);
+      const turned = orbit.azimuth - azimuth;
+      point('pointerdown', 60, 60, 1);
+      point('pointerdown', 160, 60, 2);
+      point('pointermove', 260, 60, 2);
+      point('pointerup', 260, 60, 2);
+      point('pointerup', 60, 60, 1);
+      const zoomed = orbit.wantedDistance / wantedDistance;
+
+      // A stroke over the body pushes it.
+      await frame.touch.learn();
+      await frame.theatre.portrait(1);
+      const [bodyX, bodyY] = onScreen(frame.lab.focus());
+      point('pointerdown', bodyX, bodyY);
+      point('pointermove', bodyX + 120, bodyY);
+      point('pointerup', bodyX + 120, bodyY);
+      await herd.remove(30);
+      return { heard, called, came, went, turned, zoomed };
+    });
+    require(['pet', 'pick', 'send', 'push'].every(name => seen.heard.includes(name)), `heard: ${seen.heard}`);
+    require(seen.called.startsWith('Somebody') && seen.came > 0.3 && seen.went > 0.3 && seen.turned !== 0 && seen.zoomed < 0.6, JSON.stringify(seen));
+  });
+
+  await claim('the creature of the day is that of the date', async () => {
+    await page.click('.today');
+    const date = await page.evaluate(() => { const now = new Date(); return String(now.getUTCFullYear() * 10000 + (now.getUTCMonth() + 1) * 100 + now.getUTCDate()); });
+    await page.waitForFunction(date => creatureLab.lab.lab.facts.seed === date && location.hash.startsWith(`#${date}.`), date);
   });
 }

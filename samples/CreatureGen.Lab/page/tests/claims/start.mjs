@@ -8,7 +8,7 @@ export async function checkStart({ claim, require, browser, visit, lab, longest 
     let release;
     const held = new Promise(resolve => { release = resolve; });
     await waiting.route('**/dotnet.native.wasm', async route => { await held; await route.abort().catch(() => {}); });
-    await waiting.goto(`${lab.address}?still`);
+    await waiting.goto(`${lab.address}?still&alone`);
     await waiting.waitForFunction(() => performance.getEntriesByName('creature:baked').length > 0);
     const seen = async () => (await waiting.locator('#cover img').screenshot({ timeout: longest })).toString('base64');
     const first = await seen();
@@ -37,7 +37,7 @@ export async function checkStart({ claim, require, browser, visit, lab, longest 
     page.setDefaultTimeout(longest);
     const pictures = [];
     page.on('request', request => { if (/first/.test(request.url())) { pictures.push(request.url().split('/').at(-1)); } });
-    await page.goto(`${lab.address}?still&draw=least`);
+    await page.goto(`${lab.address}?still&draw=least&alone`);
     await page.evaluate(() => creatureLab.ready.then(() => true));
     const seen = await page.evaluate(async () => {
       const frame = creatureLab.lab;

@@ -1,0 +1,159 @@
+// What is changed of a creature.
+
+export async function checkMaking({ claim, require, page }) {
+  await claim('it begins as strange as the library’s own default', async () => {
+    const [page_, library] = await page.evaluate(async () => [creatureLab.lab.lab.design.strangeness, await creatureLab.lab.library.call('UsualStrangeness')]);
+    require(page_ === library, `${page_}; expected ${library}`);
+  });
+
+  await claim('a slider changes the creature and its address, and undo takes it back', async () => {
+    const before = await page.evaluate(() => creatureLab.lab.lab.facts.mass);
+    const address = page.url();
+    await page.evaluate(() => {
+      const range = document.getElementById('trait-girth');
+      range.value = '1.5';
+      range.dispatchEvent(new Event('input'));
+      range.dispatchEvent(new Event('change'));
+    });
+    await page.waitForFunction(() => location.hash.includes('~girth1.5'));
+    const after = await page.evaluate(() => creatureLab.lab.lab.facts.mass);
+    require(after > 1.2 * before, `the mass went from ${before} to ${after}`);
+    require(new URL(page.url()).hash.length <= 80, `the address is ${page.url()}`);
+    await page.click('[aria-label=Undo]');
+    await page.waitForFunction(() => !location.hash.includes('girth'));
+    require(await page.evaluate(() => creatureLab.lab.lab.facts.mass) === before, `undo did not take ${address} back`);
+  });
+
+  await claim('pulling on the body changes it, and Escape takes it back', async () => {
+    const seen = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      await frame.lab.meet({ seed: '3', kind: 'walking', strangeness: 0, traits: {}, text: null });
+      frame.show('make');
+      frame.canvas.setPointerCapture = () => {};
+      let [x, y] = [0, 0];
+      const point = (type, dy) => frame.canvas.dispatchEvent(new PointerEvent(type, { pointerId: 7, clientX: x, clientY: y + dy, pointerType: 'mouse', bubbles: true }));
+      const settled = async () => { for (let i = 0; i < 200 && frame.notices.status.textContent !== ''; i++) { await new Promise(resolve => setTimeout(resolve, 50)); } };
+      const girth = () => frame.lab.design.traits.girth ?? 1;
+
+      // Where the trunk is in front of head and legs, as near the middle of the body as it is.
+      const aim = async () => {
+        await frame.touch.learn();
+        await frame.theatre.portrait(1);
+        const focus = frame.lab.focus().project(frame.orbit.camera);
+        let part = null;
+        const listen = ({ detail }) => { part = detail?.part; };
+        frame.pointer.addEventListener('hover', listen);
+        for (const [aside, up] of [0, 30, -30, 60, -60, 90, -90, 120, -120].flatMap(aside => [0, 25, 50, -25].map(up => [aside, up]))) {
+          [x, y] = [((focus.x + 1) / 2) * innerWidth + aside, ((1 - focus.y) / 2) * innerHeight - up];
+          point('pointermove', 0);
+          if (part === 'trunk') {
+            break;
+          }
+        }
+        frame.pointer.removeEventListener('hover', listen);
+        return part;
+      };
+
+      const first = await aim();
+      point('pointerdown', 0);
+      point('pointermove', -20);
+      point('pointermove', -60);
+      const label = frame.ghost.textContent;
+      point('pointerup', -60);
+      await settled();
+      const pulled = girth();
+      const { mass } = frame.lab.facts;
+      const second = await aim();
+      point('pointerdown', 0);
+      point('pointermove', 20);
+      point('pointermove', 60);
+      const between = girth();
+      dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
+      await settled();
+      point('pointerup', 60);
+      return { first, second, label, pulled, between, back: girth(), mass, same: frame.lab.facts.mass };
+    });
+    require(seen.label.startsWith('Girth') && seen.pulled > 1.2 && seen.between < seen.pulled && seen.back === seen.pulled && seen.same === seen.mass, JSON.stringify(seen));
+  });
+
+  await claim('parts are put on and taken off', async () => {
+    const seen = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      await frame.lab.meet({ seed: '12', kind: 'walking', strangeness: 0, traits: {}, text: null });
+      const text = await frame.lab.text();
+      const wrong = [];
+      const kept = [];
+      for (const part of JSON.parse(await frame.library.call('Palette'))) {
+        const { blueprint, parts } = JSON.parse(await frame.library.call('GivePart', text, part, '5'));
+        const facts = JSON.parse(await frame.library.call('GrowText', 60, blueprint, ''));
+        kept.push(...(parts.includes(part) ? [part] : []));
+        if (facts.violations.length) {
+          wrong.push(`${part}: ${facts.violations[0]}`);
+        }
+        const bare = JSON.parse(await frame.library.call('TakePart', blueprint, part));
+        if (!['eyes', 'coat'].includes(part) && bare.parts.includes(part)) {
+          wrong.push(`${part} cannot be taken off`);
+        }
+      }
+      await frame.library.call('Remove', 60);
+      return { wrong, kept };
+    });
+    require(seen.wrong.length === 0, seen.wrong.join('\n'));
+    require(seen.kept.length >= 14, `only ${seen.kept.join(', ')} stay on`);
+    return `${seen.kept.length} of 20 stay on`;
+  });
+
+  await claim('sliders make valid creatures at both ends', async () => {
+    const wrong = await page.evaluate(async () => {
+      const { library, lab } = creatureLab.lab;
+      const sliders = JSON.parse(await library.call('Sliders'));
+      const found = [];
+      let turn = 0;
+      for (const slider of sliders) {
+        for (const value of [slider.least, slider.most]) {
+          const kind = ['walking', 'flying', 'swimming'][turn++ % 3];
+          await library.call('Grow', 60, String(100 + turn), kind, 0, '', `${slider.name}${Math.round(value * 100) / 100}`);
+          const facts = JSON.parse(await library.call('Mend', 60));
+          if (facts.violations.length) {
+            found.push(`${slider.name} ${value} of ${100 + turn} ${kind}: ${facts.violations[0]}`);
+          }
+        }
+      }
+      await library.call('Remove', 60);
+      return found;
+    });
+    require(wrong.length === 0, wrong.join('\n'));
+  });
+
+  await claim('repair is told with its reason', async () => {
+    const [reasons, told] = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      for (let seed = 100; seed < 140; seed++) {
+        await frame.lab.meet({ seed: String(seed), kind: 'walking', strangeness: 0, traits: {}, text: null });
+        const facts = await frame.lab.mend({ ...frame.lab.design, traits: { head: 1.6, neck: 2.4, legs: 0.55, tail: 2.4, girth: 1.7 } });
+        frame.make.tell(facts.reasons);
+        if (facts.reasons.length) {
+          return [facts.reasons, document.querySelector('.reasons').textContent];
+        }
+      }
+      return [[], ''];
+    });
+    require(reasons.length > 0 && told.includes(reasons[0]), `nothing was changed, or “${told}” does not tell it`);
+    return reasons[0];
+  });
+
+  await claim('a lock keeps a trait', async () => {
+    const kept = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      await frame.lab.meet({ seed: '20', kind: 'walking', strangeness: 0, traits: {}, text: null });
+      const lock = document.querySelector('[aria-label^="Keep neck"]');
+      lock.click();
+      document.querySelector('#panel-make .loud').click();
+      const disabled = document.getElementById('trait-neck').disabled;
+      const traits = frame.lab.design.traits;
+      lock.click();
+      return { disabled, neck: traits.neck ?? 1, others: Object.keys(traits).length };
+    });
+    require(kept.disabled && kept.neck === 1 && kept.others > 5, JSON.stringify(kept));
+  });
+}
