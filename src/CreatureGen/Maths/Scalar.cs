@@ -17,6 +17,20 @@ internal static class Scalar
         return x * x * (3f - (2f * x));
     }
 
+    /// <summary>Quintic ease x³(10 − 15x + 6x²) of x clamped to 0..1: no jump of speed or acceleration at either end.</summary>
+    public static double Smoother(double x)
+    {
+        x = Clamp(x, 0, 1);
+        return x * x * x * (10 + (x * ((6 * x) - 15)));
+    }
+
+    /// <inheritdoc cref="Smoother(double)"/>
+    public static float Smoother(float x)
+    {
+        x = Clamp(x, 0f, 1f);
+        return x * x * x * (10f + (x * ((6f * x) - 15f)));
+    }
+
     /// <summary>The value between <paramref name="min"/> and <paramref name="max"/> nearest to <paramref name="x"/>.</summary>
     public static double Clamp(double x, double min, double max) => x < min ? min : x > max ? max : x;
 

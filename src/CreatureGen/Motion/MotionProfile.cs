@@ -12,6 +12,7 @@ using CreatureGen.Motion.Slithering;
 using CreatureGen.Motion.Swimming;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion;
 
@@ -63,7 +64,7 @@ public sealed class MotionProfile
         }
 
         Fall = new Lazy<FallProfile>(() => FallProfile.Of(subject, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
-        Gaze = HasHead(subject.Skeleton) ? GazeRig.Of(subject.Skeleton) : null;
+        Gaze = subject.Skeleton.FirstOf(JointRole.Head) >= 0 ? GazeRig.Of(subject.Skeleton) : null;
         acts = new Lazy<CreatureActs>(RehearseActs);
         (SpringRigs, SpringSettings) = SecondaryMotion.Of(subject.Skeleton, Legs != null && !Legs.HasAbdomen);
     }
@@ -121,18 +122,5 @@ public sealed class MotionProfile
     {
         var body = new ActBody(Subject, Legs);
         return new CreatureActs(body, new Rehearsal(body, () => Begin(new EventQueue(0), out _)));
-    }
-
-    private static bool HasHead(Rigging.Skeleton skeleton)
-    {
-        foreach (Rigging.Joint joint in skeleton.Joints)
-        {
-            if (joint.Role == Rigging.JointRole.Head)
-            {
-                return true;
-            }
-        }
-
-        return false;
     }
 }

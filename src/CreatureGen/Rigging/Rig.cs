@@ -105,16 +105,5 @@ internal sealed class Rig
         return new FinishedRig(skeleton, limbs, points, sockets, body, HeightOf(skeleton));
     }
 
-    private static float HeightOf(Skeleton skeleton)
-    {
-        foreach (Joint joint in skeleton.Joints)
-        {
-            if (joint.Role == JointRole.Body)
-            {
-                return joint.ModelPosition.Y;
-            }
-        }
-
-        return 0f;
-    }
+    private static float HeightOf(Skeleton skeleton) => skeleton.FirstOf(JointRole.Body) is >= 0 and int body ? skeleton.ModelPositions[body].Y : 0f;
 }

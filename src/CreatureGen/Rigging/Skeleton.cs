@@ -153,6 +153,20 @@ public sealed class Skeleton
         return -1;
     }
 
+    /// <summary>The first joint that is for something, the nearest to the root of those in a chain; −1 if there is none.</summary>
+    public int FirstOf(JointRole role)
+    {
+        for (int i = 0; i < joints.Length; i++)
+        {
+            if (joints[i].Role == role)
+            {
+                return i;
+            }
+        }
+
+        return -1;
+    }
+
     /// <summary>Names of counterparts differ in the word for the side alone.</summary>
     private void FindMirrors()
     {

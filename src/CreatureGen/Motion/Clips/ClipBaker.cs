@@ -121,7 +121,7 @@ public static class ClipBaker
     /// <summary>Puts height and heading of the root into the body's joint: in place is what stays over its point of the ground.</summary>
     private static void Carry(MotionProfile profile, RecordedCycle cycle)
     {
-        int body = profile.Subject.Skeleton.IndexOf("Body");
+        int body = profile.Subject.Skeleton.FirstOf(Rigging.JointRole.Body);
         for (int frame = 0; frame <= cycle.Frames; frame++)
         {
             int at = (frame * cycle.Joints) + body;

@@ -28,7 +28,7 @@ internal sealed class RecordedPassage
     {
         this.animator = animator;
         start = animator.Root;
-        body = animator.Profile.Subject.Skeleton.IndexOf("Body");
+        body = animator.Profile.Subject.Skeleton.FirstOf(JointRole.Body);
         Keep();
     }
 

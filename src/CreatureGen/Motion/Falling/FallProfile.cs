@@ -58,7 +58,7 @@ internal sealed class FallProfile
         Tail = ChainOf(subject.Skeleton, JointRole.Tail, JointRole.Tail);
         Gives = Recoil.GivesOf(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
-        Body = Math.Max(subject.Skeleton.IndexOf("Body"), 0);
+        Body = Math.Max(subject.Skeleton.FirstOf(JointRole.Body), 0);
         Support = SupportPoints.Of(subject);
         if (legs != null)
         {

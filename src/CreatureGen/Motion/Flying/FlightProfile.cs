@@ -67,7 +67,7 @@ internal sealed class FlightProfile
         Skeleton = subject.Skeleton;
         Chain = AxialChain.Of(subject.Skeleton, subject.Bones);
         Axis = new FlightAxis(Skeleton, Chain);
-        pelvis = Skeleton.IndexOf("Pelvis") is int at and >= 0 ? Skeleton.ModelPositions[at] : Chain.BodyPivot;
+        pelvis = Skeleton.FirstOf(JointRole.Pelvis) is int at and >= 0 ? Skeleton.ModelPositions[at] : Chain.BodyPivot;
         Posture = StandingPosture.Of(subject);
         double area = WingArea(subject);
         Fitting(subject, new FoldRoom(subject, Posture, Chain.Length), area, out wings, out buzzers, out legs, out double span);

@@ -62,7 +62,7 @@ internal sealed class FoldRoom
         flank = new Flank(subject);
         (shoulder, bend) = Bending(subject, bodyLength);
         Skeleton skeleton = subject.Skeleton;
-        Vector3 pelvis = skeleton.ModelPositions[Math.Max(skeleton.IndexOf("Pelvis"), 0)];
+        Vector3 pelvis = skeleton.ModelPositions[Math.Max(skeleton.FirstOf(JointRole.Pelvis), 0)];
 
         // Seen from a raised trunk the legs and the ground are turned the other way.
         Quaternion lowered = AxisRotation.Pitch(posture.Raised);

@@ -33,28 +33,28 @@ internal static class EscapeCurve
     {
         if (stages < 1)
         {
-            return Curve.Ease(stages);
+            return Scalar.Smoother(stages);
         }
 
         return stages < StrikeEnd
-            ? Scalar.Lerp(1, -0.5, Curve.Ease((stages - 1) / (StrikeEnd - 1)))
-            : -0.5 * (1 - Curve.Ease((stages - StrikeEnd) / (Duration - StrikeEnd)));
+            ? Scalar.Lerp(1, -0.5, Scalar.Smoother((stages - 1) / (StrikeEnd - 1)))
+            : -0.5 * (1 - Scalar.Smoother((stages - StrikeEnd) / (Duration - StrikeEnd)));
     }
 
     /// <summary>Part of the turn that is done.</summary>
-    public static double Turned(double stages) => Curve.Ease(stages / StrikeEnd);
+    public static double Turned(double stages) => Scalar.Smoother(stages / StrikeEnd);
 
     /// <summary>How much the strike drives: 0 before it, 1 in it, then falling to 0.</summary>
-    public static double Drive(double stages) => Curve.Ease((stages - StrikeBegin) / StrikeRise) - Curve.Ease((stages - StrikeEnd) / DriveFall);
+    public static double Drive(double stages) => Scalar.Smoother((stages - StrikeBegin) / StrikeRise) - Scalar.Smoother((stages - StrikeEnd) / DriveFall);
 
     /// <summary>Integral of <see cref="Drive"/> over the stages so far.</summary>
     public static double Driven(double stages) =>
         (StrikeRise * EaseIntegral((stages - StrikeBegin) / StrikeRise)) - (DriveFall * EaseIntegral((stages - StrikeEnd) / DriveFall));
 
     /// <summary>How much of the swimming wave is left.</summary>
-    public static double Wave(double stages) => 1 - (Curve.Ease(stages / 0.7) * (1 - Curve.Ease((stages - 1.8) / (Duration - 1.8))));
+    public static double Wave(double stages) => 1 - (Scalar.Smoother(stages / 0.7) * (1 - Scalar.Smoother((stages - 1.8) / (Duration - 1.8))));
 
-    /// <summary>Integral of <see cref="Curve.Ease"/> from 0.</summary>
+    /// <summary>Integral of <see cref="Scalar.Smoother(double)"/> from 0.</summary>
     private static double EaseIntegral(double x)
     {
         double t = x < 0 ? 0 : x > 1 ? 1 : x;

@@ -114,7 +114,7 @@ internal sealed class LeggedBody
         NeckLength = Math.Max(Vec.Distance(chest, head), 0.05f * LegLength);
         BellyHeight = BellyOf(subject);
         Arms = ArmsOf(subject);
-        Body = Skeleton.IndexOf("Body");
+        Body = Skeleton.FirstOf(JointRole.Body);
         MaxRoll = IsBiped ? 0f : MaxRollOf(Legs);
         MaxSway = MaxSwayOf(Legs);
         MaxBendYaw = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);

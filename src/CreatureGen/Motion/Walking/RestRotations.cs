@@ -1,4 +1,3 @@
-using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -32,16 +31,9 @@ internal sealed class RestRotations
 
     /// <summary>How far a joint is turned away from rest.</summary>
     public Quaternion Of(in Pose local, int joint) =>
-        Normalized(Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(before[joint]), local.Rotations[joint]), Rotation.Inverse(after[joint])));
+        UnitRotation.Renormalize(Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(before[joint]), local.Rotations[joint]), Rotation.Inverse(after[joint])));
 
     /// <summary>Slides a joint away from rest.</summary>
     public void Slide(in Pose local, int joint, Vector3 slide) =>
         local.Positions[joint] = positions[joint] + Rotation.Rotate(before[joint], slide);
-
-    /// <summary>One step of Newton's towards unit length: what a few products lose.</summary>
-    private static Quaternion Normalized(Quaternion q)
-    {
-        float squared = SimdKernels.Dot(q, q);
-        return Math.Abs(squared - 1f) < 1e-2f ? SimdKernels.Scale(q, 1.5f - (0.5f * squared)) : Rotation.Normalize(q);
-    }
 }

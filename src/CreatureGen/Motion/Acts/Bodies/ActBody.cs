@@ -32,10 +32,10 @@ internal sealed class ActBody
         Legs = legs;
         Turns = legs?.Turns ?? new RestRotations(Skeleton);
         Build = BuildOf(subject, legs);
-        Body = Skeleton.IndexOf("Body");
+        Body = Skeleton.FirstOf(JointRole.Body);
         Spine = Joints(JointRole.Spine, JointRole.Chest);
-        Head = Skeleton.Joints.ToList().FindIndex(joint => joint.Role == JointRole.Head);
-        Jaw = Skeleton.Joints.ToList().FindIndex(joint => joint.Role == JointRole.Jaw);
+        Head = Skeleton.FirstOf(JointRole.Head);
+        Jaw = Skeleton.FirstOf(JointRole.Jaw);
         Bearers = BearersOf();
         Neck = new TurnedChain(Skeleton, Bearers.Length > 1 ? Bearers[..^1] : Bearers);
         Tail = new TurnedChain(Skeleton, TailOf());

@@ -42,7 +42,7 @@ internal static class ActCurve
             ActEase.In => x * x,
             ActEase.Out => 1f - (left * left * left),
             ActEase.Over => 1f - (2.4f * left * left * left) + (1.4f * left * left),
-            _ => x * x * x * (10f + (x * ((6f * x) - 15f))),
+            _ => Scalar.Smoother(x),
         };
     }
 }

@@ -112,7 +112,7 @@ internal sealed class CourseDrive
     {
         MotionProfile profile = Animator.Profile;
         float speed = (float)Math.Sqrt(Animator.Settings.Gravity * profile.Fall.Value.Height);
-        int head = Math.Max(profile.Subject.Skeleton.IndexOf("Head"), profile.Fall.Value.Body);
+        int head = Math.Max(profile.Subject.Skeleton.FirstOf(Rigging.JointRole.Head), profile.Fall.Value.Body);
         Animator.Hit(head, Rotation.Rotate(Animator.Root.Rotation, Vector3.UnitX) * (side * BlowFraction * speed * profile.Fall.Value.Mass));
     }
 }

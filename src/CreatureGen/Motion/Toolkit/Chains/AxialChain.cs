@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -69,11 +70,11 @@ internal sealed class AxialChain
     {
         int body = Require(skeleton, JointRole.Body);
         int head = Require(skeleton, JointRole.Head);
-        int nose = skeleton.IndexOf("HeadEnd");
-        int tail = skeleton.IndexOf("TailEnd");
+        int nose = EndOf(skeleton, role => role == JointRole.Head);
+        int tail = EndOf(skeleton, role => role is JointRole.Tail or JointRole.Pelvis or JointRole.Spine);
         if (nose < 0 || tail < 0)
         {
-            throw new ArgumentException("the skeleton has no HeadEnd or no TailEnd; expected both ends of the body", nameof(skeleton));
+            throw new ArgumentException("no end joint hangs on the head, or none on the tail or the trunk; expected both ends of the body", nameof(skeleton));
         }
 
         var joints = new List<int>();
@@ -199,16 +200,23 @@ internal sealed class AxialChain
         return masses;
     }
 
-    private static int Require(Skeleton skeleton, JointRole role)
+    /// <summary>The end, on the midline, of a chain whose last joint has one of some roles; −1 if there is none.</summary>
+    private static int EndOf(Skeleton skeleton, Predicate<JointRole> carries)
     {
-        for (int j = 0; j < skeleton.Count; j++)
+        for (int j = 1; j < skeleton.Count; j++)
         {
-            if (skeleton.Joints[j].Role == role)
+            if (skeleton.Joints[j].Role == JointRole.End && skeleton.Joints[j].Side == Side.Median && carries(skeleton.Joints[skeleton.Parents[j]].Role))
             {
                 return j;
             }
         }
 
-        throw new ArgumentException($"the skeleton has no joint of role {role}", nameof(skeleton));
+        return -1;
+    }
+
+    private static int Require(Skeleton skeleton, JointRole role)
+    {
+        int joint = skeleton.FirstOf(role);
+        return joint >= 0 ? joint : throw new ArgumentException($"the skeleton has no joint of role {role}", nameof(skeleton));
     }
 }

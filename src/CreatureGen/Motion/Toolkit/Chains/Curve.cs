@@ -16,11 +16,4 @@ internal static class Curve
 
     /// <summary>One or the other or both, 0..1.</summary>
     public static double Either(double a, double b) => 1 - ((1 - a) * (1 - b));
-
-    /// <summary>Quintic ease of x clamped to 0..1: no jump of speed or acceleration at either end.</summary>
-    public static double Ease(double x)
-    {
-        x = x < 0 ? 0 : x > 1 ? 1 : x;
-        return x * x * x * (10 + (x * (-15 + (6 * x))));
-    }
 }

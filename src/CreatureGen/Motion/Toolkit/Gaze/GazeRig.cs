@@ -99,22 +99,14 @@ public sealed class GazeRig
     /// <exception cref="ArgumentException">There is no head, or nothing carries it.</exception>
     public static GazeRig Of(Skeleton skeleton)
     {
-        var chain = new List<int>();
-        for (int i = 0; i < skeleton.Count; i++)
-        {
-            if (skeleton.Joints[i].Role == JointRole.Head)
-            {
-                chain.Add(i);
-                break;
-            }
-        }
-
-        if (chain.Count == 0)
+        int head = skeleton.FirstOf(JointRole.Head);
+        if (head < 0)
         {
             throw new ArgumentException("no joint is a head; expected one to look with", nameof(skeleton));
         }
 
-        for (int joint = skeleton.Parents[chain[0]]; joint >= 0 && skeleton.Joints[joint].Role == JointRole.Neck; joint = skeleton.Parents[joint])
+        var chain = new List<int> { head };
+        for (int joint = skeleton.Parents[head]; joint >= 0 && skeleton.Joints[joint].Role == JointRole.Neck; joint = skeleton.Parents[joint])
         {
             chain.Insert(0, joint);
         }

@@ -10,9 +10,9 @@ internal struct RootVelocity
     /// <summary>Seconds ahead for which turns are kept within bounds.</summary>
     private const float Foresight = 0.25f;
 
-    private Momentum ahead;
-    private Momentum aside;
-    private Momentum yaw;
+    private IntendedSpeed ahead;
+    private IntendedSpeed aside;
+    private IntendedSpeed yaw;
 
     /// <summary>How quickly it may change.</summary>
     public TravelBounds Bounds;
@@ -33,7 +33,7 @@ internal struct RootVelocity
     public readonly float Acceleration => ahead.IsSteady ? 0f : ahead.Acceleration(Bounds.Along);
 
     /// <summary>Steady motion.</summary>
-    public static RootVelocity At(float speed, float sideways, float turn) => new() { ahead = Momentum.At(speed), aside = Momentum.At(sideways), yaw = Momentum.At(turn) };
+    public static RootVelocity At(float speed, float sideways, float turn) => new() { ahead = IntendedSpeed.At(speed), aside = IntendedSpeed.At(sideways), yaw = IntendedSpeed.At(turn) };
 
     /// <summary>Asks for another motion. Turns are no sharper than the grip allows at the present speed and at that of a moment later.</summary>
     public void Ask(float speed, float sideways, float turn)
@@ -76,7 +76,7 @@ internal struct RootVelocity
     /// <summary>Speed ahead after a time.</summary>
     public readonly float SpeedAfter(float dt)
     {
-        Momentum later = ahead;
+        IntendedSpeed later = ahead;
         later.Advance(dt, Bounds.Along);
         return later.Speed;
     }

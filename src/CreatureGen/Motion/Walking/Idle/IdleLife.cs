@@ -39,7 +39,7 @@ internal static class IdleLife
         place -= Math.Floor(place);
         double breath = Wave(place * body.Idle.Breaths) * BreathHeight * body.LegLength * weight * (1 - (0.7 * activity));
         double half = place < 0.5 ? 2 * place : (2 * place) - 1;
-        double ease = Quintic(half / ShiftTime);
+        double ease = Scalar.Smoother(half / ShiftTime);
         double side = ((2 * ease) - 1) * (place < 0.5 ? 1 : -1);
         double spread = body.Rows > 2 ? ManyLegs : body.Legs[0].Lateral ? WideLegs : 1;
         double sway = Wave(place * body.Idle.TailSwings) * TailSwing * (1 - (TailCalm * 0.5 * (1 - side))) * still;
@@ -51,11 +51,5 @@ internal static class IdleLife
     {
         FastTrigonometry.OfTurns((float)(turns - Math.Floor(turns)), out float sine, out _);
         return sine;
-    }
-
-    private static double Quintic(double x)
-    {
-        x = Scalar.Clamp(x, 0, 1);
-        return x * x * x * (10 + (x * ((6 * x) - 15)));
     }
 }

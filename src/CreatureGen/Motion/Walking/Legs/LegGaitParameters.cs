@@ -18,10 +18,10 @@ internal enum LegLinkage
 /// <summary>How a leg of some build steps: data, angles in radians, lengths in leg lengths.</summary>
 internal sealed class LegGaitParameters
 {
-    private static readonly Curve hockFold = Curve.Bell(0.42, 1.6);
+    private static readonly CurveTable hockFold = CurveTable.Bell(0.42, 1.6);
 
     /// <summary>A carpus folds later and over more of the swing than a hock: it turns fastest of all joints.</summary>
-    private static readonly Curve carpusFold = Curve.Bell(0.46, 1.4);
+    private static readonly CurveTable carpusFold = CurveTable.Bell(0.46, 1.4);
 
     private static readonly LegGaitParameters[] all =
     {
@@ -47,7 +47,7 @@ internal sealed class LegGaitParameters
     {
         Archetype = archetype;
         Lift = (float)lift;
-        LiftCurve = Curve.Bell(peak, 1.6);
+        LiftCurve = CurveTable.Bell(peak, 1.6);
         Fold = (float)Scalar.Radians(fold);
         Unfold = (float)Scalar.Radians(unfold);
         ToeOff = (float)Scalar.Radians(off);
@@ -59,13 +59,13 @@ internal sealed class LegGaitParameters
     }
 
     /// <summary>Share of the swing in which the knee must not come straight yet.</summary>
-    public static Curve SlackCurve { get; } = Curve.Bell(0.72, 4);
+    public static CurveTable SlackCurve { get; } = CurveTable.Bell(0.72, 4);
 
     /// <summary>Course of the folding of a leg that is tucked in the air.</summary>
-    public static Curve TuckCurve { get; } = Curve.Bell(0.45, 1.5);
+    public static CurveTable TuckCurve { get; } = CurveTable.Bell(0.45, 1.5);
 
     /// <summary>Course of the stretching of a leg that trails behind in the air: it has left the ground stretched, and is drawn in before it comes down.</summary>
-    public static Curve TrailCurve { get; } = Curve.Bell(0.30, 1.5);
+    public static CurveTable TrailCurve { get; } = CurveTable.Bell(0.30, 1.5);
 
     /// <summary>The build.</summary>
     public LimbArchetype Archetype { get; }
@@ -74,13 +74,13 @@ internal sealed class LegGaitParameters
     public float Lift { get; }
 
     /// <summary>Course of the height over the swing.</summary>
-    public Curve LiftCurve { get; }
+    public CurveTable LiftCurve { get; }
 
     /// <summary>How far the metatarsus folds back early in the swing.</summary>
     public float Fold { get; }
 
     /// <summary>Course of that fold over the swing.</summary>
-    public Curve FoldCurve { get; }
+    public CurveTable FoldCurve { get; }
 
     /// <summary>How far it reaches ahead late in the swing (negative).</summary>
     public float Unfold { get; }

@@ -220,17 +220,6 @@ internal sealed class StandingPosture
             return mass > 0 ? moment / mass : 0;
         }
 
-        private Vector3 First(JointRole role)
-        {
-            for (int i = 0; i < skeleton.Count; i++)
-            {
-                if (skeleton.Joints[i].Role == role)
-                {
-                    return skeleton.ModelPositions[i];
-                }
-            }
-
-            return pelvis;
-        }
+        private Vector3 First(JointRole role) => skeleton.FirstOf(role) is >= 0 and int joint ? skeleton.ModelPositions[joint] : pelvis;
     }
 }

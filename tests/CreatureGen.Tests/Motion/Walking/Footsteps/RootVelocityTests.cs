@@ -66,7 +66,7 @@ public class RootVelocityTests
     {
         const float Step = 1f / 480f;
         var along = new SpeedBounds(6f, 7f, 0.15f);
-        Momentum speed = Momentum.At(from);
+        IntendedSpeed speed = IntendedSpeed.At(from);
         speed.Ask(to);
         float before = 0f;
         for (int i = 0; i < 3 * 480; i++)

@@ -12,7 +12,7 @@ public sealed class SpeedChangeTests
     [Fact]
     public void A_change_of_sides_brakes_first_and_then_gains_speed_as_from_rest()
     {
-        Momentum momentum = Momentum.At(2f);
+        IntendedSpeed momentum = IntendedSpeed.At(2f);
         momentum.Ask(-1f);
         momentum.Advance(0.5f, bounds);
         Assert.Equal(0f, momentum.Speed, 0.05f);
@@ -25,9 +25,9 @@ public sealed class SpeedChangeTests
     [Fact]
     public void The_way_is_the_mean_times_the_time_however_it_is_cut()
     {
-        Momentum whole = Momentum.At(2f);
+        IntendedSpeed whole = IntendedSpeed.At(2f);
         whole.Ask(-1f);
-        Momentum cut = whole;
+        IntendedSpeed cut = whole;
         float way = 1.2f * whole.Advance(1.2f, bounds);
         float sum = 0f;
         for (int i = 0; i < 12; i++)

@@ -16,7 +16,7 @@ internal readonly record struct SpeedBounds(float Rise, float Fall, float Lag);
 /// Solved in closed form, r being the intention with slope s, τ the lag: v(t) = r(t) − sτ + (v₀ − r₀ + sτ) e^(−t/τ). So where the body is after a time does not depend on how the time is cut into steps,
 /// and what is foretold is what comes.
 /// </remarks>
-internal struct Momentum
+internal struct IntendedSpeed
 {
     /// <summary>Difference below which the goal is reached, part of it and metres or radians per second.</summary>
     private const float Reached = 1e-5f;
@@ -30,7 +30,7 @@ internal struct Momentum
     public float Goal { get; private set; }
 
     /// <summary>A steady speed.</summary>
-    public static Momentum At(float speed) => new() { intention = speed, Speed = speed, Goal = speed };
+    public static IntendedSpeed At(float speed) => new() { intention = speed, Speed = speed, Goal = speed };
 
     /// <summary>Whether nothing changes.</summary>
     public readonly bool IsSteady => Speed == Goal && intention == Goal;
