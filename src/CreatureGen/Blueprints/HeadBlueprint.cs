@@ -35,7 +35,7 @@ public sealed record HeadBump(double Ring, double Segment, double RingSpread, do
 /// <param name="Forward">Share of the head's forward direction in the gaze beside ¾ of the skin's outward direction; 0 looks straight out of the skin.</param>
 /// <param name="UpperLid">Opening of the upper lid from the gaze, radians.</param>
 /// <param name="LowerLid">Opening of the lower lid from the gaze, radians.</param>
-/// <param name="LidTilt">Roll of the lids, radians; positive frowns.</param>
+/// <param name="LidTilt">Roll of the lids, radians; positive frowns. Those of a single eye do not roll.</param>
 public sealed record EyeBlueprint(EyeStyle Style, double Ring, double Segment, double Radius, double Sink, double Forward, double UpperLid, double LowerLid, double LidTilt)
 {
     /// <summary>Whether there is one eye, on the midline. The joints of both are in its place.</summary>

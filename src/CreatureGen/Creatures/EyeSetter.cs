@@ -27,7 +27,7 @@ internal static class EyeSetter
     /// <summary>The eye of a creature's left side.</summary>
     public static EyeFrame EyeOf(CreatureBlueprint blueprint, GrownSurface grown)
     {
-        EyeBlueprint eye = blueprint.Head.Eyes;
+        EyeBlueprint eye = EyesOf(blueprint);
         SurfacePoint skin = grown.Skin.At(eye.Ring, eye.Segment);
         if (eye.IsSingle)
         {
@@ -40,7 +40,7 @@ internal static class EyeSetter
     /// <summary>The left eye as the rig sees it.</summary>
     public static EyeSocket SocketOf(CreatureBlueprint blueprint, in EyeFrame frame)
     {
-        EyeBlueprint eye = blueprint.Head.Eyes;
+        EyeBlueprint eye = EyesOf(blueprint);
         return new EyeSocket(frame.Centre, frame.Gaze, frame.Radius)
         {
             Lids = RimOf(blueprint) != EyeRim.Lids ? null : new LidHinge(
@@ -60,10 +60,10 @@ internal static class EyeSetter
     /// <param name="pieces">Gets the pieces.</param>
     public static void Add(CreatureBlueprint blueprint, GrownSurface grown, CoatPainter coat, PieceBuilder builder, List<Piece> pieces)
     {
-        EyeBlueprint eye = blueprint.Head.Eyes;
+        EyeBlueprint eye = EyesOf(blueprint);
         EyeFrame frame = EyeOf(blueprint, grown);
         EyeRim rim = RimOf(blueprint);
-        Vector3 skin = SkinAround(blueprint.Head.Eyes, frame, coat);
+        Vector3 skin = SkinAround(eye, frame, coat);
         builder.Clear(SurfaceFinish.Eye);
         if (rim == EyeRim.Bare)
         {
@@ -98,6 +98,10 @@ internal static class EyeSetter
             AddPair(pieces, builder.ToPiece(MaterialKind.Skin), moves ? joint + "L" : "Head", eye.IsSingle ? "" : moves ? joint + "R" : "Head");
         }
     }
+
+    /// <summary>The eyes of a blueprint. Lids of a single eye do not roll: it has no outer corner.</summary>
+    private static EyeBlueprint EyesOf(CreatureBlueprint blueprint) =>
+        blueprint.Head.Eyes.IsSingle ? blueprint.Head.Eyes with { LidTilt = 0 } : blueprint.Head.Eyes;
 
     private static EyeRim RimOf(CreatureBlueprint blueprint) =>
         blueprint.Head.Eyes.Style is EyeStyle.Compound or EyeStyle.Bead ? EyeRim.Bare : SpeciesCatalogue.Find(blueprint.Body.Blend.Face).EyeRim;

@@ -7,7 +7,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Repairs;
 
-/// <summary>Brings the centre of mass over the feet: the feet of the end that it leans over go its way, later what is too heavy there gets lighter.</summary>
+/// <summary>Brings the centre of mass over the feet: the feet of the end that it leans over go its way, then their hips, later what is too heavy there gets lighter.</summary>
 internal static class BalanceRemedy
 {
     /// <summary>Part of what is missing that feet are moved by at a time.</summary>
@@ -22,6 +22,9 @@ internal static class BalanceRemedy
     /// <summary>Radians by which a splayed leg is turned at a time, and the farthest from straight aside.</summary>
     private const double Turn = 0.2;
     private const double MostTurn = 1.2;
+
+    /// <summary>Rings of the body by which a hip is moved at a time.</summary>
+    private const int HipRings = 2;
 
     private const double HeadKept = 0.9;
     private const double TailKept = 0.88;
@@ -49,7 +52,8 @@ internal static class BalanceRemedy
             return true;
         }
 
-        return Lighten(log, ahead) || changed;
+        bool moved = MoveHips(log, ahead);
+        return Lighten(log, ahead) || changed || moved;
     }
 
     private static string Reason(bool ahead, double over) =>
@@ -71,7 +75,8 @@ internal static class BalanceRemedy
         return (rear, front);
     }
 
-    private static ValueList<LegBlueprint> MoveFeet(ValueList<LegBlueprint> legs, bool ahead, double missing, double height)
+    /// <summary>The standing pair that is farthest to the front or to the rear; -1 if none stands.</summary>
+    private static int EndOf(ValueList<LegBlueprint> legs, bool ahead)
     {
         int end = -1;
         for (int i = 0; i < legs.Count; i++)
@@ -80,6 +85,28 @@ internal static class BalanceRemedy
             end = legs[i].Stance == LegStance.Standing && farther ? i : end;
         }
 
+        return end;
+    }
+
+    /// <summary>Legs that lean as far as they may grow out of the body nearer to its mass, where there is room.</summary>
+    private static bool MoveHips(RepairLog log, bool ahead)
+    {
+        CreatureBlueprint b = log.Blueprint;
+        int end = EndOf(b.Legs, ahead);
+        if (end < 0 || (ahead ? b.Legs[end].Shear : -b.Legs[end].Shear) < MostShear)
+        {
+            return false;
+        }
+
+        LegBlueprint leg = b.Legs[end];
+        SocketBlueprint socket = leg.Socket with { Ring = leg.Socket.Ring + (ahead ? -HipRings : HipRings) };
+        CreatureBlueprint moved = b with { Legs = b.Legs.With(end, leg with { Socket = socket }) };
+        return BlueprintValidator.Validate(moved).Count == 0 && log.Change(moved, "its legs grew too far " + (ahead ? "behind" : "before") + " its centre of mass");
+    }
+
+    private static ValueList<LegBlueprint> MoveFeet(ValueList<LegBlueprint> legs, bool ahead, double missing, double height)
+    {
+        int end = EndOf(legs, ahead);
         if (end < 0)
         {
             return legs;

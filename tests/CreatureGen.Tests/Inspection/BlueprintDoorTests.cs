@@ -40,4 +40,14 @@ public sealed class BlueprintDoorTests
     [Fact]
     public void A_blueprint_with_problems_is_refused_as_always() =>
         Assert.IsNotType<UnsoundCreatureException>(Assert.ThrowsAny<ArgumentException>(() => CreatureGenerator.Build(Animal with { Scale = 1e9 })));
+
+    [Theory]
+    [InlineData(EyeStyle.Round, 0.26)]
+    [InlineData(EyeStyle.Slit, -0.1)]
+    public void Lids_of_a_single_eye_are_level_whatever_roll_is_asked_for(EyeStyle style, double roll)
+    {
+        CreatureBlueprint cyclops = Animal with { Head = Animal.Head with { Eyes = Animal.Head.Eyes with { Style = style, Segment = 0, LidTilt = roll } } };
+        Assert.DoesNotContain(CreatureInspection.Inspect(CreatureAssembler.Assemble(cyclops)), violation => violation.Invariant == "mirrored");
+        Assert.True(CreatureAssembler.Assemble(cyclops with { Head = cyclops.Head with { Eyes = cyclops.Head.Eyes with { LidTilt = 0 } } }).Mesh.Positions.SequenceEqual(CreatureAssembler.Assemble(cyclops).Mesh.Positions));
+    }
 }
