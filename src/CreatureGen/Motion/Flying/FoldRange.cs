@@ -9,7 +9,9 @@ namespace CreatureGen.Motion.Flying;
 /// <param name="Closeness">How much it matters that it lies on the body, 0..1: thin wings lie flat above it.</param>
 /// <param name="Trailing">Where it is to end: 0 where the tail begins, 1 where it ends.</param>
 /// <param name="AboveLegs">Whether no leg is to be above it.</param>
-internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, double Closeness, float Trailing, bool AboveLegs)
+/// <param name="SunkCost">What it costs to be in the body, in relation to being off it.</param>
+/// <param name="MiddleCost">What it costs to be over the midline: thin wings are laid over one another there, stitched ones would cut through one another.</param>
+internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, double Closeness, float Trailing, bool AboveLegs, double SunkCost, double MiddleCost)
 {
     /// <summary>Along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its forearm forward again as birds do: its surface would turn
     /// over at the elbow. It is drawn together instead.</summary>
@@ -19,7 +21,9 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         new WingFold(0.62, 0.65, 0.15, 0.45, 0.18, 0.18, 1.00 - WingForm.RestIncidence, 0.60, 1.00),
         1,
         0f,
-        false);
+        false,
+        300,
+        2000);
 
     /// <summary>Over the abdomen, flat or as a low roof: tips no higher than the root.</summary>
     public static FoldRange Thin { get; } = new(
@@ -28,7 +32,9 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         new WingFold(0.20, 0.60, 0.02, 0.00, 0.00, 0.00, 1.45, 0.00, 1.00),
         0.1,
         1f,
-        true);
+        true,
+        150,
+        24);
 
     /// <summary>Below wings that are folded over the abdomen.</summary>
     public static FoldRange ThinHind { get; } = new(
@@ -37,5 +43,7 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         new WingFold(0.30, 0.60, -0.06, 0.00, 0.00, 0.00, 1.50, 0.00, 1.00),
         0.1,
         1f,
-        true);
+        true,
+        150,
+        24);
 }

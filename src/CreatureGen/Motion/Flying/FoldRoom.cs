@@ -37,10 +37,8 @@ internal sealed class FoldRoom
     /// <summary>How high wings are to be above the ground, heights of the pelvis.</summary>
     private const double Clearance = 0.45;
 
-    // What it costs to be in the body, in a leg, over the midline, beyond the tail's root, or low, in relation to being off the body.
-    private const double SunkCost = 150;
+    // What it costs to be in a leg, beyond the tail's root, or low, in relation to being off the body.
     private const double LegCost = 1500;
-    private const double MiddleCost = 24;
     private const double OverhangCost = 4;
     private const double LowCost = 10;
 
@@ -106,11 +104,11 @@ internal sealed class FoldRoom
     public double Cost(Vector3 point, FoldRange range, double clear)
     {
         double off = (Off(point) / length) - (clear * Gap);
-        double cost = (off < 0 ? SunkCost : range.Closeness) * off * off;
+        double cost = (off < 0 ? range.SunkCost : range.Closeness) * off * off;
         double across = Math.Max(0, MiddleGap - (point.X / length));
         double beyond = Math.Max(0, ((Scalar.Lerp(tailBase, tailEnd, range.Trailing) - point.Z) / length) - Overhang);
         double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
-        return cost + (MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+        return cost + (range.MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
     }
 
     /// <summary>What it costs a piece of a left wing to be in a leg or, for wings that lie over them, below one.</summary>
