@@ -23,7 +23,7 @@ import { Visits } from './visits.js';
 import { Notices } from './notices.js';
 import { h } from './dom.js';
 import { Keeping } from './keeping.js';
-import { length, texts, weight, words } from './texts.js';
+import { beast, length, texts, weight } from './texts.js';
 import { headerBar } from './panels/header.js';
 import { fillTabs } from './panels/tabs.js';
 import { makePanel } from './panels/make.js';
@@ -287,7 +287,7 @@ export class Frame {
         const away = 0.8 * (this.lab.facts.length + member.facts.length);
         this.library.call('Go', member.slot, focus.x + away * Math.sin(angle), focus.z + away * Math.cos(angle));
       }
-      this.notices.say(`${member.name}, ${words(member.facts.body)}`);
+      this.notices.say(`${member.name}, ${beast(member.facts.body)}`);
     }
   }
 
@@ -340,7 +340,7 @@ export class Frame {
     const { facts } = this.lab;
     const { name } = this.keeping;
     this.title.textContent = name;
-    this.subtitle.textContent = [texts.kin(facts.bodies.slice(0, 2).map(words)), weight(facts.mass), length(facts.length)].join(' · ');
+    this.subtitle.textContent = [texts.kin(facts.bodies.slice(0, 2).map(beast)), weight(facts.mass), length(facts.length)].join(' · ');
     document.title = `${name}, ${texts.title}`;
     this.keep.named(name);
   }

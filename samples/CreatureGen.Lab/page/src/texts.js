@@ -57,6 +57,7 @@ export const texts = {
   facts: {
     plan: 'Build', body: 'Cousin of', mass: 'Weight', length: 'Length', pace: 'Walking pace', flight: 'Cruise', legs: 'Pairs of legs', generation: 'Generation',
   },
+  beasts: { avian: 'bird', bovine: 'ox', canine: 'dog', ceratops: 'horned dinosaur', feline: 'cat', hopper: 'grasshopper', puffer: 'puffer fish', angler: 'angler fish' },
   kin: bodies => (bodies.length > 1 ? `Part ${bodies[0]}, part ${bodies[1]}` : `All ${bodies[0]}`),
   neighbours: 'Neighbours',
   call: name => `Call ${name}`,
@@ -112,6 +113,9 @@ export function number(value) {
 
 /** Words of the library's names: `manyLegged` becomes “many legged”. */
 export const words = name => name.replace(/([A-Z])/g, ' $1').toLowerCase();
+
+/** What a base body is called by people: `feline` is a cat. */
+export const beast = name => texts.beasts[name] ?? words(name);
 
 export function weight(kg) {
   return kg < 0.1 ? `${(kg * 1000).toPrecision(2)} g` : kg < 10 ? `${kg.toPrecision(2)} kg` : `${number(Number(kg.toPrecision(3)))} kg`;

@@ -95,8 +95,8 @@ await claim('files equal native ones', async () => {
   return `${expected.length} files`;
 });
 
-await checkPlay(tools);
 await checkMaking(tools);
+await checkPlay(tools);
 await checkHands(tools);
 await checkSound(tools);
 await checkBreeding(tools);

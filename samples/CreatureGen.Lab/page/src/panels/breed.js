@@ -1,5 +1,5 @@
 import { h, icon } from '../dom.js';
-import { texts, words } from '../texts.js';
+import { beast, texts, words } from '../texts.js';
 import { face } from './face.js';
 import { treeOf } from './tree.js';
 
@@ -49,7 +49,7 @@ export function breedPanel(act) {
     /** Who could be the other parent; whoever came first is taken until somebody says otherwise. */
     partners(neighbours) {
       const before = wished ? partner.value : String(neighbours[0]?.slot ?? 'seed');
-      partner.replaceChildren(...neighbours.map(member => h('option', { value: member.slot }, `${member.name}, ${words(member.facts.body)}`)), h('option', { value: 'seed' }, texts.partnerSeed));
+      partner.replaceChildren(...neighbours.map(member => h('option', { value: member.slot }, `${member.name}, ${beast(member.facts.body)}`)), h('option', { value: 'seed' }, texts.partnerSeed));
       if ([...partner.options].some(option => option.value === before)) {
         partner.value = before;
       } else {

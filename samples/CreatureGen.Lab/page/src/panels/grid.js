@@ -5,7 +5,7 @@ import { growing, ofSeed, ofText, usualStrangeness } from '../design.js';
 import { nameOfDesign } from '../lab.js';
 import { choices, h, icon } from '../dom.js';
 import { nameOf } from '../names.js';
-import { texts, words } from '../texts.js';
+import { beast, texts, words } from '../texts.js';
 import { openRenderer } from '../view/renderer.js';
 
 const firstSlot = 4;
@@ -173,7 +173,7 @@ export class Grid {
   #add({ design, glance, child, name = nameOfDesign(design) }) {
     const card = { design, child, name, seen: false, slot: null };
     const button = h('button', { type: 'button', className: 'card', onclick: () => this.#take(card) },
-      h('b', {}, name), h('span', {}, glance ? `${words(glance.body)} · ${design.individual || design.seed}` : texts.child));
+      h('b', {}, name), h('span', {}, glance ? `${beast(glance.body)} · ${design.individual || design.seed}` : texts.child));
     card.item = h('li', {}, button);
     this.#cards.set(card.item, card);
     this.list.append(card.item);

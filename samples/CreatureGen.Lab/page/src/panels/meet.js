@@ -1,6 +1,6 @@
 import { h } from '../dom.js';
 import { face } from './face.js';
-import { length, texts, weight, words } from '../texts.js';
+import { beast, length, texts, weight, words } from '../texts.js';
 
 const more = ['Sit', 'Lie', 'Sniff', 'Eat', 'Drink', 'Shake', 'Scratch', 'Groom', 'Bite', 'Claw', 'Kick', 'TailSweep', 'Threaten', 'Submit'];
 
@@ -31,7 +31,7 @@ export function meetPanel(act) {
     refresh(f) {
       const rows = [
         [texts.facts.plan, words(f.plan)],
-        [texts.facts.body, f.bodies.slice(0, 3).map(words).join(', ')],
+        [texts.facts.body, f.bodies.slice(0, 3).map(beast).join(', ')],
         [texts.facts.mass, weight(f.mass)],
         [texts.facts.length, length(f.length)],
         [f.medium === 'ground' ? texts.facts.pace : texts.facts.flight, `${f.pace.toFixed(2)} m/s`],
@@ -42,7 +42,7 @@ export function meetPanel(act) {
     },
     people(neighbours) {
       near.replaceChildren(...neighbours.map(member => h('li', {},
-        h('button', { type: 'button', className: 'person', onclick: () => act.call(member) }, face(member), h('b', {}, member.name), h('span', {}, words(member.facts.body))))));
+        h('button', { type: 'button', className: 'person', onclick: () => act.call(member) }, face(member), h('b', {}, member.name), h('span', {}, beast(member.facts.body))))));
     },
     cost(ms, count) {
       cost.textContent = texts.cost(ms, count);

@@ -9,7 +9,7 @@ const pictures = fileURLToPath(new URL('../../../../../docs/', import.meta.url))
 
 // How far a picture may be from the committed one: other machines round otherwise.
 const pixelTolerance = 0.2;
-const shareTolerance = 0.08;
+const shareTolerance = 0.05;
 
 export async function checkLooks({ claim, require, visit, lab, longest, mode }) {
   for (const [file, size, address] of [['lab.png', { width: 1280, height: 800 }, ''], ['lab-phone.png', { width: 360, height: 740 }, '#22.walking']]) {

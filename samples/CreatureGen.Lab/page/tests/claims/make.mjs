@@ -21,7 +21,8 @@ export async function checkMaking({ claim, require, page }) {
     require(new URL(page.url()).hash.length <= 80, `the address is ${page.url()}`);
     await page.click('[aria-label=Undo]');
     await page.waitForFunction(() => !location.hash.includes('girth'));
-    require(await page.evaluate(() => creatureLab.lab.lab.facts.mass) === before, `undo did not take ${address} back`);
+    const back = await page.evaluate(() => creatureLab.lab.lab.facts.mass);
+    require(back === before, `undo did not take ${address} back: ${back} kg; expected ${before}`);
   });
 
   await claim('pulling on the body changes it, and Escape takes it back', async () => {
