@@ -247,16 +247,6 @@ internal sealed class FeatureSetter
             return;
         }
 
-        Vector3 colour = feature.Kind switch
-        {
-            FeatureKind.Tuft => palette.Accent,
-            FeatureKind.Mandible => palette.Claw,
-            FeatureKind.Tusk => toothColour,
-            FeatureKind.Scute => palette.Back * 0.9f,
-            FeatureKind.Ocellus => beadColour,
-            FeatureKind.Plate => Vec.Lerp(palette.Accent, palette.Back, 0.35f) * 0.85f,
-            _ => palette.Horn,
-        };
         if (feature.Kind == FeatureKind.Eye)
         {
             AddEye(feature, curve);
@@ -267,11 +257,11 @@ internal sealed class FeatureSetter
         }
         else if (feature.Kind == FeatureKind.Antler)
         {
-            AntlerShape.Append(builder, feature, curve, 1f, colour);
+            AntlerShape.Append(builder, feature, curve, 1f, palette.Horn);
         }
         else
         {
-            HornShape.Append(builder, feature, curve, 1f, colour);
+            HornShape.Append(builder, feature, curve, 1f, ColourOf(feature.Kind));
         }
 
         int vertex = grown.BodyVertex(ring, (int)Math.Round(feature.Segment));
@@ -287,6 +277,18 @@ internal sealed class FeatureSetter
             AddOnSurface(vertex);
         }
     }
+
+    private Vector3 ColourOf(FeatureKind horn) => horn switch
+    {
+        FeatureKind.Horn or FeatureKind.Spike or FeatureKind.Club => palette.Horn,
+        FeatureKind.Tuft => palette.Accent,
+        FeatureKind.Mandible => palette.Claw,
+        FeatureKind.Tusk => toothColour,
+        FeatureKind.Scute => palette.Back * 0.9f,
+        FeatureKind.Ocellus => beadColour,
+        FeatureKind.Plate => Vec.Lerp(palette.Accent, palette.Back, 0.35f) * 0.85f,
+        _ => throw new ArgumentOutOfRangeException(nameof(horn), horn, "expected a kind that is built as horns are"),
+    };
 
     private void AddMane(ManeBlueprint mane)
     {

@@ -99,7 +99,8 @@ internal static class LimbRigger
             LimbKind.Wing or LimbKind.InsectWing => JointRole.Wing,
             LimbKind.Ear => JointRole.Ear,
             LimbKind.Antenna or LimbKind.Tail => JointRole.Antenna,
-            _ => JointRole.Fin,
+            LimbKind.Pectoral or LimbKind.Dorsal or LimbKind.Ventral => JointRole.Fin,
+            _ => throw new ArgumentOutOfRangeException(nameof(appendage), appendage.Kind, "expected a kind of limb that is a chain"),
         };
         Side side = appendage.Paired ? Side.Left : Side.Median;
         var joints = new List<JointDraft>(last + 1);

@@ -1,3 +1,4 @@
+using System;
 using CreatureGen.Anatomy;
 
 namespace CreatureGen.Motion.Flying;
@@ -34,7 +35,8 @@ internal readonly struct LegPosture
         LimbArchetype.Arm => new LegPosture(0.45, -0.80, 0.20, 0.30),
         LimbArchetype.Sprawl => new LegPosture(0.80, -0.35, 0.40, 0.40),
         LimbArchetype.Insect => new LegPosture(0.60, -0.75, 0.60, 0.40),
-        _ => new LegPosture(0.30, -0.30, 0.10, 0.10),
+        LimbArchetype.Raptorial or LimbArchetype.Jumper or LimbArchetype.FrogHind or LimbArchetype.FrogFore => new LegPosture(0.30, -0.30, 0.10, 0.10),
+        _ => throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there is no posture for this archetype"),
     };
 
     /// <summary>Hanging loosely when it stands in the air.</summary>
@@ -49,7 +51,8 @@ internal readonly struct LegPosture
         LimbArchetype.Arm => new LegPosture(0.20, -0.60, 0.15, 0.25),
         LimbArchetype.Sprawl => new LegPosture(0.35, -0.45, 0.30, 0.30),
         LimbArchetype.Insect => new LegPosture(0.40, -0.65, 0.40, 0.30),
-        _ => new LegPosture(0.15, -0.40, 0.15, 0.15),
+        LimbArchetype.Raptorial or LimbArchetype.Jumper or LimbArchetype.FrogHind or LimbArchetype.FrogFore => new LegPosture(0.15, -0.40, 0.15, 0.15),
+        _ => throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there is no posture for this archetype"),
     };
 
     /// <summary>Stretched towards the ground before it touches down.</summary>
@@ -62,7 +65,8 @@ internal readonly struct LegPosture
         LimbArchetype.Arm => new LegPosture(-0.10, -0.40, 0, 0),
         LimbArchetype.Sprawl => new LegPosture(-0.10, -0.15, 0.05, 0),
         LimbArchetype.Insect => new LegPosture(-0.05, -0.15, 0, 0),
-        _ => new LegPosture(-0.20, 0.10, 0, 0),
+        LimbArchetype.Column or LimbArchetype.Raptorial or LimbArchetype.Jumper or LimbArchetype.FrogHind or LimbArchetype.FrogFore => new LegPosture(-0.20, 0.10, 0, 0),
+        _ => throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there is no posture for this archetype"),
     };
 
     /// <summary>So much of one posture and the rest of another.</summary>

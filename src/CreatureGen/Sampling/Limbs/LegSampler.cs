@@ -292,9 +292,10 @@ internal static class LegSampler
     private static FootStyle FootOf(LegStyle style, LimbArchetype archetype) => archetype switch
     {
         LimbArchetype.UnguligradeFore or LimbArchetype.UnguligradeHind => style.Hooves,
-        LimbArchetype.Theropod or LimbArchetype.Bird when style.Foot is FootStyle.Paw or FootStyle.Stump or FootStyle.Sucker => FootStyle.Talon,
+        LimbArchetype.Theropod or LimbArchetype.Bird => style.Foot is FootStyle.Paw or FootStyle.Stump or FootStyle.Sucker ? FootStyle.Talon : style.Foot,
         LimbArchetype.Arm or LimbArchetype.Column or LimbArchetype.Insect or LimbArchetype.Raptorial or LimbArchetype.Jumper => FootStyle.Plain,
-        _ => style.Foot,
+        LimbArchetype.DigitigradeFore or LimbArchetype.DigitigradeHind or LimbArchetype.PlantigradeFore or LimbArchetype.PlantigradeHind or LimbArchetype.Sprawl or LimbArchetype.FrogHind or LimbArchetype.FrogFore => style.Foot,
+        _ => throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there are no feet for this archetype"),
     };
 
     /// <summary>Adds a pair of legs if its cells are free.</summary>

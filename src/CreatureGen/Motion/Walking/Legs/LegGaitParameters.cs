@@ -98,12 +98,7 @@ internal sealed class LegGaitParameters
     public LegLinkage Linkage { get; }
 
     /// <summary>How far the leg is drawn in towards the middle at most, part of the height of its hip: as far as its foot gives way to a side.</summary>
-    public float MaxAdduction => Archetype switch
-    {
-        LimbArchetype.Column => 0.03f,
-        LimbArchetype.PlantigradeFore => 0.10f,
-        _ => 0.13f,
-    };
+    public float MaxAdduction => Archetype == LimbArchetype.Column ? 0.03f : Archetype == LimbArchetype.PlantigradeFore ? 0.10f : 0.13f;
 
     /// <summary>Side to which the knee bends about the left axis: 1 knee, −1 elbow, 0 as it is built (legs out to the side).</summary>
     public int Bend { get; }
