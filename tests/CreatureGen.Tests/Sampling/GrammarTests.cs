@@ -1,7 +1,9 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Rigging;
@@ -109,6 +111,17 @@ public sealed class GrammarTests
             CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
             blueprint = blueprint with { Tail = new TailBlueprint(tail, 0.25, 0.8) };
             Assert.Empty(CreatureInspection.Inspect(CreatureAssembler.Assemble(blueprint)));
+        }
+    }
+
+    [Fact]
+    public void Tails_of_swimmers_point_back_and_do_not_hang()
+    {
+        foreach (CreatureBlueprint b in Enumerable.Range(0, 120).Select(i => BlueprintSampler.Sample(First + (ulong)i, LocomotionKind.Swimming)))
+        {
+            BodyShape shape = BodyShaper.Shape(b.Plan, b.Body, b.Head, b.Tail);
+            double fall = (shape.Y[44] - shape.Y[54]) / (shape.Z[44] - shape.Z[54]);
+            Assert.True(Math.Abs(fall) < 0.45, $"{b.Seed}: {fall:0.00}");
         }
     }
 }

@@ -1,12 +1,12 @@
 namespace CreatureGen.Anatomy.Fins;
 
-/// <summary>Rays and eels: a triangle that runs along the flank; on the back an even ribbon.</summary>
+/// <summary>Rays and eels: a triangle with a rounded rear that runs along the flank; on the back an even ribbon.</summary>
 internal static class RayFin
 {
     /// <summary>Its outline on the flank.</summary>
     public static readonly FlankFin Flank = new(
         new[] { -0.75, -0.58, -0.42, -0.22, -0.03, 0.1, 0.2, 0.28 },
-        new[] { 0.8, 0.74, 0.66, 0.55, 0.44, 0.37, 0.33, 0.31 });
+        new[] { 0.3, 0.48, 0.57, 0.56, 0.48, 0.41, 0.36, 0.31 });
 
     /// <summary>Its outline on the midline.</summary>
     public static readonly MidlineFin Midline = new(

@@ -17,6 +17,12 @@ internal static class BodySampler
     /// <summary>Longest tail, as a factor on that of the body tables.</summary>
     private const double LongestTail = 2.4;
 
+    /// <summary>How far the slices of a swimmer's lattice depart from 1 at full strangeness: without legs it is told apart by its outline alone.</summary>
+    private const double SwimmersSpread = 0.48;
+
+    /// <summary>Largest head of another class on an insect: on its thin legs a larger one hides the rest from the front.</summary>
+    private const double LargestOnInsect = 0.9;
+
     /// <summary>Fills in all of the creature that does not depend on how the creature stands.</summary>
     public static void Sample(CreatureBuilder builder)
     {
@@ -123,7 +129,7 @@ internal static class BodySampler
             girth = species.IsSpecies ? girth : wide;
         }
 
-        head = face.Class == AnimalClass.Arthropod ? Math.Min(head, 1.22) : head;
+        head = face.Class == AnimalClass.Arthropod ? Math.Min(head, 1.22) : group == AnimalClass.Arthropod ? Math.Min(head, LargestOnInsect) : head;
 
         switch (builder.Signature)
         {
@@ -184,7 +190,7 @@ internal static class BodySampler
             tailGirth *= taper.Girth;
         }
 
-        depth = group == AnimalClass.Fish && !species.IsSpecies && builder.Kind == LocomotionKind.Swimming ? depth : 1;
+        depth = builder.Kind != LocomotionKind.Swimming ? 1 : group == AnimalClass.Fish && !species.IsSpecies ? depth : PortableMath.Pow(depth, builder.Strangeness);
         if (neck > 1.25)
         {
             head *= 0.92;
@@ -269,8 +275,10 @@ internal static class BodySampler
     private static ValueList<LatticeSlice> Slices(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("lattice");
-        bool swims = builder.Kind == LocomotionKind.Swimming && !builder.Species.IsSpecies;
-        double spread = Math.Max(builder.Species.LatticeSpread, Scalar.Lerp(builder.Species.LatticeSpread, 0.3, builder.Strangeness));
+        bool inWater = builder.Kind == LocomotionKind.Swimming;
+        bool swims = inWater && !builder.Species.IsSpecies;
+        double spread = Math.Max(builder.Species.LatticeSpread, Scalar.Lerp(builder.Species.LatticeSpread, inWater ? SwimmersSpread : 0.3, builder.Strangeness));
+        double wider = 1 + (0.7 * builder.Strangeness);
         var slices = new LatticeSlice[11];
         for (int k = 0; k < slices.Length; k++)
         {
@@ -278,7 +286,7 @@ internal static class BodySampler
             double y = random.Uniform(-1, 1);
             double z = random.Uniform(-1, 1);
             slices[k] = swims
-                ? new LatticeSlice(0.9 + (0.14 * x), 1.06 + (0.28 * y), 1 + (0.14 * z))
+                ? new LatticeSlice(0.9 + (0.14 * wider * x), 1.06 + (0.28 * wider * y), 1 + (0.14 * wider * z))
                 : new LatticeSlice(1 + (spread * x), 1 + (spread * y), 1 + (spread * z));
         }
 

@@ -51,7 +51,7 @@ internal static class StanceSampler
     /// <summary>Radians by which a low head or tail is raised at a time.</summary>
     private static readonly double lift = Scalar.Radians(7);
 
-    /// <summary>Radians. Steepest trunks of what swims or sprawls, and of what stands on four legs: hyenas and giraffes slope by this.</summary>
+    /// <summary>Radians. Steepest trunks of what swims or sprawls, also tails of what swims, and trunks of what stands on four legs: hyenas and giraffes slope by this.</summary>
     private static readonly double steepestProne = Scalar.Radians(10);
     private static readonly double steepestQuadruped = Scalar.Radians(14);
 
@@ -105,6 +105,12 @@ internal static class StanceSampler
         double pitch = PortableMath.Atan2(s.Y[Front] - s.Y[Rump], s.Z[Front] - s.Z[Rump]);
         double excess = pitch - Scalar.Clamp(pitch, -steepest, steepest);
         builder.Posture = builder.Posture with { Trunk = builder.Posture.Trunk - excess, Tail = builder.Posture.Tail + (0.5 * excess) };
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            s = ShapeOf(builder);
+            double fall = PortableMath.Atan2(s.Y[TailRoot] - s.Y[BodyGrid.Rings - 1], s.Z[TailRoot] - s.Z[BodyGrid.Rings - 1]);
+            builder.Posture = builder.Posture with { Tail = builder.Posture.Tail - fall + Scalar.Clamp(fall, -steepestProne, steepestProne) };
+        }
     }
 
     /// <summary>Lowers a body onto its legs, and raises its head and tail again until they clear the ground.</summary>
@@ -250,8 +256,10 @@ internal static class StanceSampler
         {
             case BodyPlan.Digitigrade:
             case BodyPlan.Centaur:
-            case BodyPlan.Unguligrade:
                 elevation = Math.Max(hip - s.Y[42], (0.30 * torso) - lowest);
+                break;
+            case BodyPlan.Unguligrade:
+                elevation = Math.Max(hip - s.Y[42], (0.42 * torso) - lowest);
                 break;
             case BodyPlan.Plantigrade:
             case BodyPlan.Columnar:
@@ -299,8 +307,7 @@ internal static class StanceSampler
     private static bool Adjust(CreatureBuilder builder)
     {
         BodyShape s = builder.Shape;
-        BodyPosture p = builder.Posture;
-        double torso = builder.TorsoLength;
+        (BodyPosture p, double torso) = (builder.Posture, builder.TorsoLength);
         bool crawls = builder.Plan is BodyPlan.Legless or BodyPlan.Hexapod || builder.Parents.Legs.Legs != null;
         double tailGap = crawls ? double.NegativeInfinity : (0.03 * torso) + (builder.Tail.Style == TailStyle.Feathers ? Math.Max(FanDrop, builder.Kind == LocomotionKind.Flying ? HangingFan * builder.Tail.Size : 0) : 0);
         double headGap = builder.Plan == BodyPlan.Legless ? 0.01 : crawls ? CrawlingHead : 0.06 * torso;
@@ -341,17 +348,16 @@ internal static class StanceSampler
             }
         }
 
-        BodyPosture changed = p with { Tail = tail, Neck = neck, TailBend = bend, Torso = torsoPitch };
-        builder.Posture = changed;
-        return !changed.Equals(p);
+        builder.Posture = p with { Tail = tail, Neck = neck, TailBend = bend, Torso = torsoPitch };
+        return !builder.Posture.Equals(p);
     }
 
-    /// <summary>Whether the tail of one on four legs hangs so steeply that it is seen between them from the front.</summary>
+    /// <summary>Whether the tail of one on two or four legs under its body hangs so steeply that it is seen between them from the front.</summary>
     private static bool HangsBetweenLegs(CreatureBuilder builder)
     {
         const int End = BodyGrid.Rings - 1;
         BodyShape s = builder.Shape;
-        bool stands = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur && builder.Parents.Legs.Legs is null;
+        bool stands = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur or BodyPlan.Upright && builder.Parents.Legs.Legs is null;
         double down = s.Y[TailRoot] - s.Y[End];
         double back = s.Z[TailRoot] - s.Z[End];
         return stands && down > SteepestTail * back && s.Y[End] < 0.75 * s.Y[TailRoot];
