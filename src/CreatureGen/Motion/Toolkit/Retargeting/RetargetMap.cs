@@ -106,30 +106,26 @@ public sealed class RetargetMap
                     continue;
                 }
 
-                int last = 3;
-                while (last > 0 && (limb[last] < 0 || other[last] < 0))
-                {
-                    last--;
-                }
-
+                (int last, int otherLast) = EndsOf(limb, other);
                 Quaternion align = Rotation.FromTo(
                     To.ModelPositions[limb[last]] - To.ModelPositions[limb[0]],
-                    From.ModelPositions[other[last]] - From.ModelPositions[other[0]]);
+                    From.ModelPositions[other[otherLast]] - From.ModelPositions[other[0]]);
                 int before = other[0];
                 for (int k = 0; k < limb.Length; k++)
                 {
-                    before = other[k] < 0 ? before : other[k];
+                    int follows = k == last ? otherLast : Math.Min(k, otherLast);
+                    before = other[follows] < 0 ? before : other[follows];
                     if (limb[k] >= 0)
                     {
                         joints.Add(new RetargetedJoint(limb[k], before, before, 0f, align));
                     }
                 }
 
-                if (last > 0 && IsFoot(To, limb[0], limb[last]) && IsFoot(From, other[0], other[last]))
+                if (last > 0 && IsFoot(To, limb[0], limb[last]) && IsFoot(From, other[0], other[otherLast]))
                 {
-                    legs.Add(new RetargetedLeg(ChainOf(To, limb[0], limb[last]), other[last]));
+                    legs.Add(new RetargetedLeg(ChainOf(To, limb[0], limb[last]), other[otherLast]));
                     lengths += To.ModelPositions[limb[0]].Y - To.ModelPositions[limb[last]].Y;
-                    others += From.ModelPositions[other[0]].Y - From.ModelPositions[other[last]].Y;
+                    others += From.ModelPositions[other[0]].Y - From.ModelPositions[other[otherLast]].Y;
                 }
             }
         }
@@ -144,6 +140,38 @@ public sealed class RetargetMap
             }
         }
     }
+
+    /// <summary>The joints that two limbs end with, as places in them: the same in both, or of legs of which only one has a ball those that are as near to the ground.</summary>
+    private (int Last, int OtherLast) EndsOf(int[] limb, int[] other)
+    {
+        const int ankle = 2;
+        const int ball = 3;
+        if (limb[ankle] >= 0 && other[ankle] >= 0 && (limb[ball] < 0) != (other[ball] < 0) && IsFoot(To, limb[0], limb[ankle]) && IsFoot(From, other[0], other[ankle]))
+        {
+            float mine = HeightIn(To, limb, ankle);
+            float others = HeightIn(From, other, ankle);
+            if (limb[ball] < 0 && Math.Abs(HeightIn(From, other, ball) - mine) < Math.Abs(others - mine))
+            {
+                return (ankle, ball);
+            }
+
+            if (other[ball] < 0 && Math.Abs(HeightIn(To, limb, ball) - others) < Math.Abs(mine - others))
+            {
+                return (ball, ankle);
+            }
+        }
+
+        int last = ball;
+        while (last > 0 && (limb[last] < 0 || other[last] < 0))
+        {
+            last--;
+        }
+
+        return (last, last);
+    }
+
+    /// <summary>How high a joint of a limb is at rest, parts of its hip's height.</summary>
+    private static float HeightIn(Skeleton skeleton, int[] limb, int place) => skeleton.ModelPositions[limb[place]].Y / skeleton.ModelPositions[limb[0]].Y;
 
     private static bool IsFoot(Skeleton skeleton, int hip, int end) => skeleton.ModelPositions[end].Y < FootHeight * skeleton.ModelPositions[hip].Y;
 

@@ -79,6 +79,24 @@ public sealed class RetargetingTests
         }
     }
 
+    /// <summary>The dog's fore paws hang on its wrists, those of the cat on balls below them.</summary>
+    [Theory]
+    [InlineData("Bip01 L Toe0", "Leg_L2_Ball")]
+    [InlineData("Bip01 R Hand", "Leg_R1_Ball")]
+    public void Paws_of_a_foreign_quadruped_go_where_those_of_the_cat_go_whatever_the_joint_is_that_carries_them(string paw, string ball)
+    {
+        Clip walk = ClipBaker.Bake(cat).First(clip => clip.Name == "Walk");
+        var map = new RetargetMap(cat.Skeleton, dog);
+        Clip retargeted = ClipRetargeting.Apply(walk, map, "DogWalk");
+        (int foot, int other) = (dog.IndexOf(paw), cat.Skeleton.IndexOf(ball));
+        for (int frame = 0; frame < retargeted.Frames; frame++)
+        {
+            Vector3 moved = Place(cat.Skeleton, walk, retargeted.TimeOf(frame) * walk.Duration / retargeted.Duration)[other] - cat.Skeleton.ModelPositions[other];
+            float off = Vector3.Distance(dog.ModelPositions[foot] + (map.Scale * moved), Place(dog, retargeted, frame)[foot]);
+            Assert.True(off < 0.04f * 0.55f, $"frame {frame}: {off}");
+        }
+    }
+
     [Fact]
     public void Events_come_along_at_the_joints_that_do_the_same()
     {
