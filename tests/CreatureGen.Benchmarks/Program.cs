@@ -7,7 +7,7 @@ using CreatureGen.Benchmarks.Table;
 
 namespace CreatureGen.Benchmarks;
 
-/// <summary><c>table</c> prints ours against the targets; <c>beside COMMIT [ROW]</c> ours in turns with an earlier commit's; <c>crowd</c> what moving many creatures costs; <c>clips</c> what clips take and lose as they are kept; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
+/// <summary><c>table</c> prints ours against the targets; <c>beside COMMIT [ROW]</c> ours in turns with an earlier commit's; <c>crowd</c> what moving many creatures costs; <c>clips</c> what clips take and lose as they are kept; <c>events [PRESET] [FIRST] [COUNT]</c> how good the rules for events are, by gait; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
 public static class Program
 {
     private const int DefaultDigestSeeds = 300;
@@ -17,6 +17,11 @@ public static class Program
 
     /// <summary>Of each kind.</summary>
     private const int DefaultClipSeeds = 10;
+
+    /// <summary>Seeds on which no preset was tuned.</summary>
+    private const ulong DefaultEventSeed = 1001;
+
+    private const int DefaultEventCreatures = 100;
 
     /// <summary>Runs what the arguments ask for.</summary>
     public static int Main(string[] args)
@@ -35,6 +40,9 @@ public static class Program
                 return 0;
             case "clips":
                 ClipTable.Print(Console.Out, args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) : DefaultClipSeeds);
+                return 0;
+            case "events":
+                EventTable.Print(Console.Out, args.Length > 1 ? args[1] : "footstep", args.Length > 2 ? ulong.Parse(args[2], CultureInfo.InvariantCulture) : DefaultEventSeed, args.Length > 3 ? int.Parse(args[3], CultureInfo.InvariantCulture) : DefaultEventCreatures);
                 return 0;
             case "digest":
                 int seeds = args.Length > 1 ? int.Parse(args[1], CultureInfo.InvariantCulture) : DefaultDigestSeeds;

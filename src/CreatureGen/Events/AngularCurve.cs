@@ -49,17 +49,17 @@ public sealed class AngularCurve
 
     /// <summary>Measures the sweep of a line.</summary>
     /// <param name="joint">Name of the joint that it ends at.</param>
-    /// <param name="directions">Its unit directions at even steps; of a loop without the last, which is the first again.</param>
+    /// <param name="ends">Where it ends at even steps; of a loop without the last, which is the first again.</param>
     /// <param name="rate">Samples per second.</param>
     /// <param name="edge">Whether the last is followed by the first.</param>
     /// <param name="sweep">Says towards what.</param>
-    internal static AngularCurve Of(string joint, ReadOnlySpan<Vector3> directions, float rate, ClipEdge edge, AngularSweep sweep)
+    internal static AngularCurve Of(string joint, ReadOnlySpan<Vector3> ends, float rate, ClipEdge edge, AngularSweep sweep)
     {
-        int count = directions.Length;
+        int count = ends.Length;
         float[] speeds = new float[edge == ClipEdge.Joined ? count : count - 1];
         for (int i = 0; i < speeds.Length; i++)
         {
-            speeds[i] = sweep.Speed(directions[i], directions[(i + 1) % count], rate);
+            speeds[i] = sweep.Speed(ends[i], ends[(i + 1) % count], rate);
         }
 
         return new AngularCurve(joint, rate, speeds);

@@ -68,7 +68,7 @@ public static class AngularEventDetector
     {
         int samples = edge == ClipEdge.Joined ? steps : steps + 1;
         SweepLine[] lines = SweepLine.All(skeleton, joints, rule.Sweep!);
-        var directions = new Vector3[lines.Length * samples];
+        var ends = new Vector3[lines.Length * samples];
         var pose = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
         for (int i = 0; i < samples; i++)
         {
@@ -76,14 +76,14 @@ public static class AngularEventDetector
             ForwardKinematics.LocalToModel(skeleton, pose, pose);
             for (int j = 0; j < lines.Length; j++)
             {
-                directions[(j * samples) + i] = lines[j].Direction(skeleton, pose);
+                ends[(j * samples) + i] = lines[j].End(skeleton, pose);
             }
         }
 
         var curves = new AngularCurve[lines.Length];
         for (int j = 0; j < lines.Length; j++)
         {
-            curves[j] = AngularCurve.Of(skeleton.Joints[lines[j].To].Name, directions.AsSpan(j * samples, samples), steps / clip.Duration, edge, rule.Sweep!);
+            curves[j] = AngularCurve.Of(skeleton.Joints[lines[j].To].Name, ends.AsSpan(j * samples, samples), steps / clip.Duration, edge, rule.Sweep!);
         }
 
         if (rule.Sweep!.IsAnyWay)

@@ -10,7 +10,7 @@ namespace CreatureGen.Events;
 /// Looks at how a limb sweeps instead of at how fast its turning changes: the moments are those at which the line from a joint to the end of its limb, after going the other way, has come to sweep towards a direction. Data.
 /// </summary>
 /// <remarks>
-/// The sweep is d/dt (u · <see cref="Towards"/>), with u the unit direction of the line in model space, in radians per second where the line lies across. A leg swings forward, turns back, and is carried back evenly by the body as long as its
+/// The sweep is d/dt (u · <see cref="Towards"/>), with u the way from the joint to the end of its limb in model space in parts of its length at rest: radians per second of a limb that keeps its length and lies across. A leg swings forward, turns back, and is carried back evenly by the body as long as its
 /// foot rests on the ground: touch-down is where it has reached that even speed. A stretch of sweeping belongs to a stroke, which begins when the limb has gone the other way fast enough; of each stroke the beginning of
 /// its first long stretch is the moment, so that limbs that waver while they rest are told once.
 /// </remarks>
@@ -20,7 +20,7 @@ public sealed record AngularSweep
     {
     }
 
-    /// <summary>Looks at how fast the line turns, whichever way. Its moments are those at which it is fastest, told by the same thresholds, gaps and intervals as those of accelerations, but in degrees per second: a tail beats to one side and to the other, a limb cuts through the air.</summary>
+    /// <summary>Looks at how fast the end of the line goes, whichever way. Its moments are those at which it is fastest, told by the same thresholds, gaps and intervals as those of accelerations, but in degrees per second: a tail beats to one side and to the other, a limb cuts through the air.</summary>
     public static AngularSweep AnyWay { get; } = new();
 
     /// <summary>Sets the direction that is swept to.</summary>
@@ -54,7 +54,7 @@ public sealed record AngularSweep
     internal bool IsAnyWay => Towards == Vector3.Zero;
 
     /// <summary>Speed of a line, radians per second; below 0 where it goes the other way.</summary>
-    /// <param name="from">Its unit direction.</param>
+    /// <param name="from">Where it ends, lengths.</param>
     /// <param name="to">The same later.</param>
     /// <param name="rate">How much later, as a rate.</param>
     internal float Speed(Vector3 from, Vector3 to, float rate) => (IsAnyWay ? Vec.Distance(from, to) : Vec.Dot(to - from, Towards)) * rate;

@@ -16,7 +16,7 @@ internal struct SweepTrack
     private float sweeping;
 
     /// <summary>Takes the next update; whether a sweep has begun in it.</summary>
-    /// <param name="now">The line's unit direction, as far as it points towards.</param>
+    /// <param name="now">Where the line ends, as far as that is towards, lengths.</param>
     /// <param name="dt">Seconds since the last, above 0.</param>
     /// <param name="rule">With a sweep.</param>
     /// <param name="strength">Its speed, in thresholds.</param>

@@ -1,3 +1,4 @@
+using System.Linq;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -20,6 +21,7 @@ public sealed class FootstepAccuracyTests(ITestOutputHelper output)
         output.WriteLine(figures.ToString());
         Assert.True(figures.All.Found >= 0.95 * figures.All.Steps, figures.ToString());
         Assert.True(figures.All.False <= 0.05 * (figures.All.Found + figures.All.False), figures.ToString());
+        Assert.All(figures.Gaits.Where(gait => gait.Value.Steps >= 20), gait => Assert.True(gait.Value.Found >= 0.95 * gait.Value.Steps && gait.Value.False <= 0.05 * (gait.Value.Found + gait.Value.False), gait.Key));
     }
 
     [Theory]

@@ -83,7 +83,7 @@ internal sealed class FootstepFigures
         var text = new StringBuilder();
         foreach ((string gait, Row row) in rows.Append(new KeyValuePair<string, Row>("all", All)))
         {
-            text.AppendLine(FormattableString.Invariant($"| {gait} | {row.Steps} | {100.0 * row.Found / row.Steps:0.0} % | {100.0 * row.False / Math.Max(1, row.Found + row.False):0.0} % | {1000 * row.Apart / Math.Max(1, row.Found):0} ms |"));
+            text.AppendLine(row.Line(gait));
         }
 
         return text.ToString();
@@ -119,6 +119,9 @@ internal sealed class FootstepFigures
     /// <param name="Apart">Sum of the distances in time of those found, seconds.</param>
     internal readonly record struct Row(int Steps, int Found, int False, float Apart)
     {
+        /// <summary>As a line of a table.</summary>
+        public string Line(string name) => FormattableString.Invariant($"| {name} | {Steps} | {100.0 * Found / Math.Max(1, Steps):0.0} % | {100.0 * False / Math.Max(1, Found + False):0.0} % | {1000 * Apart / Math.Max(1, Found):0} ms |");
+
         public static Row operator +(Row a, Row b) => new(a.Steps + b.Steps, a.Found + b.Found, a.False + b.False, a.Apart + b.Apart);
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Gaits;
+using CreatureGen.Motion.Toolkit.Steps;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Motion.Walking.Trunk;
@@ -89,11 +90,7 @@ internal sealed class GaitClock
     public ReadOnlySpan<float> Lags => lags;
 
     /// <summary>A leg's place in its own cycle, 0..1: stance up to the duty, then swing.</summary>
-    public float LegPhase(int leg)
-    {
-        float p = (float)Phase - lags[leg];
-        return p - (float)Math.Floor(p);
-    }
+    public float LegPhase(int leg) => StepPhase.Place((float)Phase, lags[leg]);
 
     /// <summary>Takes over the place and the numbers of another.</summary>
     public void CopyFrom(GaitClock other)

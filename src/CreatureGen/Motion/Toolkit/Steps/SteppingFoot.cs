@@ -31,6 +31,9 @@ public struct SteppingFoot
     /// <summary>Part of the step that is over, 0 to 1; 1 at rest.</summary>
     public float Progress { get; internal set; }
 
+    /// <summary>Place in its gait's swing at which it left the ground.</summary>
+    internal float LiftAt;
+
     /// <summary>Whether it is in the air.</summary>
     public readonly bool IsStepping => Progress < 1f;
 }

@@ -1,6 +1,7 @@
 using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Steps;
 using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
@@ -69,17 +70,16 @@ internal static class FootInterference
         for (int i = 0; i < Samples; i++)
         {
             float phase = i / (float)Samples;
-            max = Math.Max(max, Along(phase - hindLag, duty) - Along(phase - foreLag, duty) + bias);
+            max = Math.Max(max, Along(StepPhase.Place(phase, hindLag), duty) - Along(StepPhase.Place(phase, foreLag), duty) + bias);
         }
 
         return max;
     }
 
     /// <summary>Where a foot is ahead of the middle of its stance under a body that goes on steadily, stance lengths.</summary>
-    private static float Along(float phase, float duty)
+    private static float Along(float p, float duty)
     {
-        float p = phase - (float)Math.Floor(phase);
         float still = 0.5f - (p / duty);
-        return p < duty ? still : still + (FootPoser.Along((p - duty) / (1f - duty)) / duty);
+        return p < duty ? still : still + (StepPhase.Along(StepPhase.Swing(p, duty)) / duty);
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Toolkit.Steps;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 
@@ -19,17 +20,11 @@ internal sealed class FootPlanner
     /// <summary>Radians that a foot has to be turned from its next heading before it steps.</summary>
     private const float MinTurn = 0.05f;
 
-    /// <summary>Part of the swing after which a foot that stayed down stays for this cycle.</summary>
-    private const float LatestLift = 0.35f;
-
     /// <summary>The same for a foot that is far from home.</summary>
     private const float LatestRescue = 0.7f;
 
     /// <summary>Leg lengths from home from which on a foot is far from it.</summary>
     private const float Far = 0.35f;
-
-    /// <summary>Part of the swing after which the target stays where it is.</summary>
-    private const float Frozen = 0.85f;
 
     /// <summary>How quickly a foot that sits out goes back to the middle of its stance, stances per second.</summary>
     private const float MidstanceRate = 3f;
@@ -145,7 +140,7 @@ internal sealed class FootPlanner
             if (p >= duty)
             {
                 feet[i].Phase = FootPhase.Swing;
-                feet[i].Swing = (p - duty) / (1f - duty);
+                feet[i].Swing = StepPhase.Swing(p, duty);
                 feet[i].Aimed = false;
                 Aim(i, step, (1f - p + (0.5f * duty)) * cycle, (1f - p) * cycle);
             }
@@ -166,8 +161,8 @@ internal sealed class FootPlanner
             }
 
             float p = step.Clock.LegPhase(i);
-            float u = (p - duty) / (1f - duty);
-            float ahead = ((1f - p) * cycle) + (step.Moving ? 0.5f * duty * cycle : 0f);
+            float u = StepPhase.Swing(p, duty);
+            float ahead = step.Moving ? StepPhase.ToMidstance((1f - p) * cycle, duty, cycle) : (1f - p) * cycle;
             foot.Steps = false;
             if (FootRelease.IsDue(ref foot, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead)))
             {
@@ -177,7 +172,7 @@ internal sealed class FootPlanner
             {
                 foot.Steps = (duty - p) * cycle < DecisionsAhead * DecisionClock.Period && Wants(i, step, ahead);
             }
-            else if (u < (IsFar(i, step) ? LatestRescue : LatestLift) && Wants(i, step, ahead))
+            else if (u < (IsFar(i, step) ? LatestRescue : StepPhase.LatestLift) && Wants(i, step, ahead))
             {
                 Lift(i, step, u);
                 foot.Posture.Begin();
@@ -228,7 +223,7 @@ internal sealed class FootPlanner
             }
             else
             {
-                Swing(i, step, (p - duty) / (1f - duty), duty, cycle);
+                Swing(i, step, StepPhase.Swing(p, duty), duty, cycle);
             }
         }
     }
@@ -236,7 +231,7 @@ internal sealed class FootPlanner
     private void Correct(int leg, in StepContext step, float p, float duty, float cycle)
     {
         ref Foot foot = ref feet[leg];
-        float u = (p - duty) / (1f - duty);
+        float u = StepPhase.Swing(p, duty);
         float joined = (u - foot.Swing) / Math.Max(1f - foot.Swing, 0.05f);
         if (p >= duty && joined <= LatestJoin)
         {
@@ -257,7 +252,7 @@ internal sealed class FootPlanner
             return;
         }
 
-        if (foot.Swing < Frozen)
+        if (foot.Swing < StepPhase.Frozen)
         {
             // For the middle of what is left of its stance, or of the next one.
             float flight = (1f - foot.Swing) * foot.Flight;
@@ -270,7 +265,7 @@ internal sealed class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         float flight = (1f - u) * (1f - duty) * cycle;
-        float ahead = flight + (step.Moving ? 0.5f * duty * cycle : 0f);
+        float ahead = step.Moving ? StepPhase.ToMidstance(flight, duty, cycle) : flight;
         if (foot.Phase == FootPhase.Swing && u - foot.LiftAt < (foot.Swing - 0.5f) * (1f - foot.LiftAt))
         {
             // Steps so quick that a whole stance has passed unseen: it stood all the same.
@@ -291,7 +286,7 @@ internal sealed class FootPlanner
 
         // A step of its own that the gait has caught up with goes on to the place of the gait's, however far it has come.
         foot.Swing = (u - foot.LiftAt) / (1f - foot.LiftAt);
-        if ((foot.LiftAt < 0f ? u : foot.Swing) < Frozen)
+        if ((foot.LiftAt < 0f ? u : foot.Swing) < StepPhase.Frozen)
         {
             Aim(leg, step, ahead, flight);
         }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Steps;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 
@@ -141,7 +142,7 @@ internal sealed class FootingSearch
         int last = SwingClearance.Knots;
         if (foot.Aimed)
         {
-            first = SwingClearance.After(FootPoser.Along(foot.Swing));
+            first = SwingClearance.After(StepPhase.Along(foot.Swing));
             last = Math.Min(first + 1, last);
         }
 

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Toolkit.Steps;
 using CreatureGen.Motion.Walking.Footsteps;
 
 namespace CreatureGen.Motion.Walking.Legs;
@@ -34,10 +35,6 @@ internal static class FootPoser
     /// <summary>Height at which a foot that an act takes has left the ground wholly, leg lengths.</summary>
     private const float TakenHeight = 0.02f;
 
-    /// <summary>Share of its way over the ground that a swinging foot has gone.</summary>
-    /// <param name="swing">Progress of the swing, 0..1.</param>
-    public static float Along(float swing) => Scalar.Smooth(swing * (0.93f + (0.07f * swing)));
-
     /// <summary>Poses a foot.</summary>
     public static void Pose(LegRig leg, ref Foot foot, SwingClearance way, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
     {
@@ -54,7 +51,7 @@ internal static class FootPoser
             float u = foot.Swing;
             Vector3 to = frame.ToModel(foot.To.Position);
             foot.End = to;
-            float r = Along(u);
+            float r = StepPhase.Along(u);
             from += (to - from) * r;
             heading = UnitRotation.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
             normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);

@@ -82,6 +82,55 @@ public sealed class LegStepperTests
         Assert.False(feet[0].IsStepping);
     }
 
+    [Theory]
+    [InlineData(30, 0.6f)]
+    [InlineData(144, 0.6f)]
+    [InlineData(60, 0.4f)]
+    public void In_a_gait_feet_come_down_when_their_phases_say_stand_still_and_are_under_their_homes_in_mid_stance(int rate, float duty)
+    {
+        var gait = new StepGait(duty, 0.8f);
+        float[] lags = [0f, 0.5f, 0.5f, 0f];
+        Vector3 velocity = new(0.1f, 0f, 0.9f);
+        SteppingFoot[] feet = Array.ConvertAll(places, p => new SteppingFoot(p));
+        var least = new LegStepSettings(0.01f, 1f);
+        for (int i = 1; i <= 5 * rate; i++)
+        {
+            float time = i / (float)rate;
+            SteppingFoot[] before = (SteppingFoot[])feet.Clone();
+            Vector3[] homes = Array.ConvertAll(places, p => p + (velocity * time));
+            LegStepper.UpdateInGait(feet, lags, time / gait.Seconds, gait, homes, velocity, least, FlatGround.Level, Vector3.UnitY);
+            for (int k = 0; k < 4 && time > 2f * gait.Seconds; k++)
+            {
+                float place = ((time / gait.Seconds) - lags[k]) % 1f;
+                Assert.Equal(place >= duty, feet[k].IsStepping);
+                Assert.True(feet[k].IsStepping || before[k].IsStepping || feet[k].Position == before[k].Position);
+
+                // Where it stands is ahead of its home by what the body has still to go until the middle of its stance.
+                Assert.True(feet[k].IsStepping || Vec.Distance(feet[k].Position, homes[k] + (velocity * (((0.5f * duty) - place) * gait.Seconds))) < 0.01f);
+            }
+        }
+    }
+
+    [Fact]
+    public void In_a_gait_feet_of_a_body_that_stands_stay_down_and_what_does_not_fit_is_refused()
+    {
+        SteppingFoot[] feet = Array.ConvertAll(places, p => new SteppingFoot(p));
+        var gait = new StepGait(0.6f, 0.8f);
+        for (int i = 0; i < 60; i++)
+        {
+            LegStepper.UpdateInGait(feet, [0f, 0.5f, 0.5f, 0f], i / 48f, gait, places, Vector3.Zero, settings, FlatGround.Level, Vector3.UnitY);
+        }
+
+        Assert.Equal(places, feet.Select(foot => foot.Position));
+        float[] lags = [0f, 0.5f, 0.5f, 0f];
+        Assert.Equal(0, MovingPose.Allocated(() => LegStepper.UpdateInGait(feet, lags, 0.7f, gait, places, Vector3.UnitZ, settings, FlatGround.Level, Vector3.UnitY)));
+        Assert.Contains("1 lags and 4 homes", Assert.Throws<ArgumentException>(() => LegStepper.UpdateInGait(feet, [0f], 0f, gait, places, Vector3.Zero, settings, FlatGround.Level, Vector3.UnitY)).Message, StringComparison.Ordinal);
+        Assert.Throws<ArgumentException>(() => LegStepper.UpdateInGait(feet, lags, 0f, default, places, Vector3.Zero, settings, FlatGround.Level, Vector3.UnitY));
+        Assert.Throws<ArgumentException>(() => LegStepper.UpdateInGait(feet, lags, float.NaN, gait, places, Vector3.Zero, settings, FlatGround.Level, Vector3.UnitY));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new StepGait(1f, 1f));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new StepGait(0.5f, 0f));
+    }
+
     [Fact]
     public void Stepping_allocates_nothing_and_refuses_what_does_not_fit()
     {
