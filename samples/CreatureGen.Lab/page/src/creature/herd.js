@@ -1,5 +1,6 @@
 import { Quaternion, Vector3 } from 'three';
 import { Body, readMesh } from './body.js';
+import { Shade } from './shade.js';
 
 const headLength = 15;
 const momentLength = 6;
@@ -39,15 +40,16 @@ export class Herd {
   /** Shows a body in a slot, in place of the one that was there. */
   put(slot, facts, body) {
     const before = this.members.get(slot);
-    const member = { slot, facts, body, feet: [], speed: 0, phase: 0, state: 'supported', moved: false, shown: this.#time };
+    const member = { slot, facts, body, feet: [], speed: 0, phase: 0, state: 'supported', moved: false, shown: this.#time, shade: new Shade() };
     if (before) {
       body.group.position.copy(before.body.group.position);
       body.group.quaternion.copy(before.body.group.quaternion);
       before.body.dispose();
+      before.shade.mesh.removeFromParent();
     }
     // It is seen with its first pose.
     body.group.visible = false;
-    this.scene.add(body.group);
+    this.scene.add(body.group, member.shade.mesh);
     this.members.set(slot, member);
     return member;
   }
@@ -57,6 +59,7 @@ export class Herd {
     if (member) {
       this.members.delete(slot);
       member.body.dispose();
+      member.shade.mesh.removeFromParent();
       await this.library.call('Remove', slot);
     }
   }

@@ -43,6 +43,9 @@ export class Theatre extends EventTarget {
       thing.update(seconds, herd.members.get(0));
     }
     this.#coarsen();
+    for (const member of herd.members.values()) {
+      member.shade.follow(member, world, !world.sun.castShadow);
+    }
     world.update(seconds, orbit.focus);
     orbit.update(seconds, world);
     this.dispatchEvent(new Event('advanced'));

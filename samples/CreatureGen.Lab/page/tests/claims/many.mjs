@@ -57,6 +57,7 @@ export async function checkMany({ claim, require, page, mode }) {
 
   await claim('the grid shows creatures that live: by kind, of one species, of one family', async () => {
     await page.evaluate(() => document.querySelector('.alert:not([hidden]) button')?.click());
+    await page.evaluate(() => creatureLab.lab.lab.meet({ seed: '7', kind: 'walking', strangeness: 0, traits: {}, text: null }));
     await page.click('[aria-label="Many at once"]');
     await page.waitForFunction(() => creatureLab.lab.grid?.herd?.members.size >= 4);
     await page.click('.many [data-value=swimming]');
