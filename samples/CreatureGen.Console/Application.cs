@@ -16,7 +16,7 @@ internal static class Application
     public const string Name = "creaturegen";
 
     /// <summary>All verbs, in the order of the help.</summary>
-    public static IReadOnlyList<IVerb> Verbs { get; } = [new GenerateVerb(), new BuildVerb(), new BreedVerb(), new EvolveVerb(), new InspectVerb(), new SheetVerb(), new GalleryVerb(), new AnimateVerb(), new VerifyVerb(), new MergeVerb(), new VarietyVerb(), new MetricsVerb(), new EventsVerb(), new CompletionVerb(), new ManualVerb()];
+    public static IReadOnlyList<IVerb> Verbs { get; } = [new GenerateVerb(), new BuildVerb(), new BreedVerb(), new EvolveVerb(), new InspectVerb(), new SheetVerb(), new GalleryVerb(), new AnimateVerb(), new VerifyVerb(), new MergeVerb(), new VarietyVerb(), new MetricsVerb(), new EventsVerb(), new TeachVerb(), new CompletionVerb(), new ManualVerb()];
 
     /// <summary>Runs the program.</summary>
     /// <returns>One of <see cref="ExitCode"/>.</returns>

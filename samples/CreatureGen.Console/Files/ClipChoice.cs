@@ -50,16 +50,15 @@ internal sealed record ClipChoice(string Text)
 
     /// <summary>Bakes what of it the creature does.</summary>
     /// <exception cref="OperationCanceledException">It was stopped between two clips.</exception>
-    public IReadOnlyList<Clip> Bake(Creature creature, CancellationToken cancellation)
-    {
-        if (this == None)
-        {
-            return [];
-        }
+    public IReadOnlyList<Clip> Bake(Creature creature, CancellationToken cancellation) => this == None ? [] : Bake(new MotionProfile(creature), cancellation);
 
+    /// <summary>Bakes what of it a body does.</summary>
+    /// <exception cref="OperationCanceledException">It was stopped between two clips.</exception>
+    public IReadOnlyList<Clip> Bake(MotionProfile profile, CancellationToken cancellation)
+    {
         string[] wanted = Array.ConvertAll(Text.Split(','), Plain);
         var clips = new List<Clip>();
-        foreach (ClipRecipe recipe in ClipBaker.RecipesOf(new MotionProfile(creature)).Where(recipe => this == All || wanted.Contains(Plain(recipe.Name))))
+        foreach (ClipRecipe recipe in ClipBaker.RecipesOf(profile).Where(recipe => this == All || wanted.Contains(Plain(recipe.Name))))
         {
             cancellation.ThrowIfCancellationRequested();
             clips.Add(recipe.Bake());

@@ -42,7 +42,7 @@ internal sealed class EventsVerb : IVerb
             FileSet.RequireWritable(picture, surroundings);
         }
 
-        SkinnedModel model = ReadModel(path, surroundings);
+        SkinnedModel model = ModelFile.Read(path, surroundings);
         (IClip Clip, AngularFinding Finding)[] clips = model.Clips.Select(clip => ((IClip)clip, AngularEventDetector.Find(clip, model.Skeleton, rule))).ToArray();
         if (clips.Length == 0)
         {
@@ -71,13 +71,6 @@ internal sealed class EventsVerb : IVerb
     {
         string name = arguments.Value(preset.Name) ?? AngularRules.Footstep.Name;
         return AngularRules.All.FirstOrDefault(rule => rule.Name == name) ?? throw arguments.Wrong(preset.Name, name, "one of " + string.Join(", ", AngularRules.All.Select(rule => rule.Name)));
-    }
-
-    private static SkinnedModel ReadModel(string path, Surroundings surroundings)
-    {
-        using Stream stream = SourceFile.Open(path, "a .glb file", surroundings);
-        ModelReading reading = ModelReader.Read(stream);
-        return reading.Model ?? throw new UsageError($"cannot read '{path}': {reading.Problem}");
     }
 
     private static void WriteText(TextWriter output, IReadOnlyList<(IClip Clip, AngularFinding Finding)> clips)

@@ -15,18 +15,19 @@ internal static class ExportOptions
     private static readonly OptionSyntax levels = new("--levels", "CHOICE", "levels of detail in the GLB: finest (the default), half, quarter, tenth or all (MSFT_lod)") { Words = WordList<LodChoice>.Instance.All };
     private static readonly OptionSyntax materials = new("--materials", "CHOICE", "materials in the GLB at most: two (the default: solid skin, double-sided membrane) or one, double-sided, for a single draw call") { Words = WordList<MaterialChoice>.Instance.All };
 
-    private static readonly OptionSyntax clips = new("--clips", "NAMES", "the creature's motion as clips: all that it does, or names with commas between, such as idle,walk,turn-left,bite; what a creature cannot do is left out (default: none)") { Words = ["none", "all"] };
+    /// <summary>Which motion.</summary>
+    public static readonly OptionSyntax Clips = new("--clips", "NAMES", "the creature's motion as clips: all that it does, or names with commas between, such as idle,walk,turn-left,bite; what a creature cannot do is left out (default: none)") { Words = ["none", "all"] };
     private static readonly OptionSyntax rootMotion = new("--root-motion", "CHOICE", "with --clips: in-place, the game moves the creature (the default), or travels, its root joint does") { Words = ["in-place", "travels"] };
     private static readonly OptionSyntax keys = new("--keys", "CHOICE", "with --clips: reduced, no more than motion within a tenth of a millimetre takes (the default), or all, those of every frame") { Words = ["reduced", "all"] };
     private static readonly OptionSyntax engine = new("--engine", "ENGINE", "with --clips: whose importer the names and extras of clips are for: generic (the default), godot, unity or unreal") { Words = WordList<TargetEngine>.Instance.All };
 
     /// <summary>All of them.</summary>
-    public static OptionSyntax[] Syntax { get; } = [textures, levels, materials, clips, rootMotion, keys, engine, CommonOptions.Flat];
+    public static OptionSyntax[] Syntax { get; } = [textures, levels, materials, Clips, rootMotion, keys, engine, CommonOptions.Flat];
 
     /// <summary>Which motion is to be in the file.</summary>
     /// <exception cref="UsageError">A value is none of the known ones.</exception>
     public static ClipChoice ReadClips(ParsedArguments arguments, ClipChoice otherwise) =>
-        arguments.Value(clips.Name) is string text ? ClipChoice.Read(text, expected => arguments.Wrong(clips.Name, text, expected)) : otherwise;
+        arguments.Value(Clips.Name) is string text ? ClipChoice.Read(text, expected => arguments.Wrong(Clips.Name, text, expected)) : otherwise;
 
     /// <summary>What was asked for, over what holds otherwise.</summary>
     /// <exception cref="UsageError">A value is none of the known ones.</exception>

@@ -11,7 +11,7 @@ namespace CreatureGen.Tests.Console;
 public sealed class UsageTests
 {
     [Theory]
-    [InlineData("unknown verb 'genrate'; expected one of generate, build, breed, evolve, inspect, sheet, gallery, animate, verify, merge, variety, metrics, events, completion, manual; did you mean generate?", "genrate")]
+    [InlineData("unknown verb 'genrate'; expected one of generate, build, breed, evolve, inspect, sheet, gallery, animate, verify, merge, variety, metrics, events, teach, completion, manual; did you mean generate?", "genrate")]
     [InlineData("unknown option '--verison'; expected one of --help, --version; did you mean --version?", "--verison")]
     [InlineData("; did you mean --seed?", "generate", "--sed", "3")]
     [InlineData("generate: no seeds; expected --seed N or --seeds LIST, such as --seeds 1-36", "generate")]

@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Subjects;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion;
@@ -93,6 +95,61 @@ public sealed class RiggedBody
             model.Rotations[joint] = Rotation.Multiply(above, local.Rotations[joint]);
             model.Positions[joint] = origin + Rotation.Rotate(above, local.Positions[joint]);
         }
+    }
+
+    /// <summary>Brings over a clip that was baked of the <see cref="Subject"/> (<see cref="ClipBaker.RecipesOf"/>): the same frames, events and way over the ground.</summary>
+    /// <param name="clip">Of the stand-in.</param>
+    /// <returns>A clip of the <see cref="Skeleton"/>.</returns>
+    /// <exception cref="ArgumentNullException">There is no clip.</exception>
+    /// <exception cref="ArgumentException">It is of another number of joints than the stand-in.</exception>
+    public Clip Bring(Clip clip)
+    {
+        _ = clip ?? throw new ArgumentNullException(nameof(clip));
+        if (clip.Joints != rest.Length)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"clip {clip.Name} of {clip.Joints} joints; expected the {rest.Length} of the stand-in"), nameof(clip));
+        }
+
+        int count = Skeleton.Count;
+        var rotations = new Quaternion[clip.Frames * count];
+        var positions = new Vector3[clip.Frames * count];
+        var moved = new Pose(new Quaternion[rest.Length], new Vector3[rest.Length]);
+        var model = new Pose(new Quaternion[count], new Vector3[count]);
+        for (int frame = 0; frame < clip.Frames; frame++)
+        {
+            clip.Sample(clip.TimeOf(frame), moved);
+            ForwardKinematics.LocalToModel(stand.Skeleton, moved, moved);
+            FillPose(moved, new Pose(rotations.AsSpan(frame * count, count), positions.AsSpan(frame * count, count)), model);
+        }
+
+        if (clip.End == ClipEnd.Loops)
+        {
+            rotations.AsSpan(0, count).CopyTo(rotations.AsSpan(rotations.Length - count));
+            positions.AsSpan(0, count).CopyTo(positions.AsSpan(positions.Length - count));
+        }
+
+        var events = new List<ClipEvent>();
+        foreach (ClipEvent one in clip.Events)
+        {
+            events.Add(new ClipEvent(one.Time, one.Name, NameOf(stand.Skeleton.IndexOf(one.Joint)), one.Strength));
+        }
+
+        return new Clip(clip.Name, clip.End, clip.Rate, clip.Speed, count, rotations, positions).WithEvents(events).WithPath(clip.Path);
+    }
+
+    /// <summary>The joint that follows one of the stand-in, or the nearest above that has a follower; empty if there is none.</summary>
+    private string NameOf(int led)
+    {
+        for (int joint = led; joint >= 0; joint = stand.Skeleton.Parents[joint])
+        {
+            int follower = stand.Follows.IndexOf(joint);
+            if (follower >= 0)
+            {
+                return Skeleton.Joints[follower].Name;
+            }
+        }
+
+        return string.Empty;
     }
 
     private static void RequireLength(in Pose pose, int joints, string name)

@@ -68,7 +68,7 @@ internal sealed class StandIn
         var joined = new List<AppendageJoints>();
         for (int i = legs.Count - 1; i >= 0; i--)
         {
-            Join(legs[i], LimbKind.Leg, legs.Count - i, legs[i].ArchetypeOf(legs.Count), appendages, joined);
+            Join(legs[i], LimbKind.Leg, legs.Count - i, OnColumns ? LimbArchetype.Column : legs[i].ArchetypeOf(legs.Count), appendages, joined);
         }
 
         for (int i = arms.Count - 1; i >= 0; i--)
@@ -295,8 +295,10 @@ internal sealed class StandIn
     private BodyPlan PlanOf(Vector3 trunk) =>
         legs[0].Lateral ? legs.Count switch { > 3 => BodyPlan.ManyLegged, 3 => BodyPlan.Hexapod, _ => BodyPlan.Sprawling }
             : legs.Count > 2 ? BodyPlan.ManyLegged
-            : legs.Count == 2 ? BodyPlan.Digitigrade
+            : legs.Count == 2 ? (OnColumns ? BodyPlan.Columnar : BodyPlan.Digitigrade)
             : trunk.Y > Upright * Math.Abs(trunk.Z) ? BodyPlan.Upright : BodyPlan.Theropod;
+
+    private bool OnColumns => legs.Count > 1 && legs.TrueForAll(leg => leg.IsColumn);
 
     private static Vector3 Median(Vector3 place) => new(0f, place.Y, place.Z);
 }

@@ -16,6 +16,9 @@ internal sealed class StandInLimb
     /// <summary>How far outside its hip a foot is that stands out to the side, parts of the hip's height.</summary>
     private const float FarAside = 0.45f;
 
+    /// <summary>How far the ball is ahead of the ankle, parts of the hip's height, below which a foot on its sole is that of a column.</summary>
+    private const float ShortFoot = 0.11f;
+
     /// <summary>A foot of which no joint tells: how far its ball is ahead of the ankle and the tip of its toes ahead of that, parts of the hip's height, and how high it is, part of the ankle's.</summary>
     private const float BallAhead = 0.13f;
     private const float TipAhead = 0.07f;
@@ -54,6 +57,9 @@ internal sealed class StandInLimb
 
     /// <summary>Whether the foot is out to the side of the hip.</summary>
     public bool Lateral => Math.Abs(Points[2].X - Points[0].X) > FarAside * Points[0].Y;
+
+    /// <summary>Whether the foot stands on its sole and is hardly longer than the leg is thick: that of elephants.</summary>
+    public bool IsColumn => !Lateral && Points[2].Y < Toes * Points[0].Y && Points[3].Z - Points[2].Z < ShortFoot * Points[0].Y;
 
     /// <summary>A leg that stands.</summary>
     /// <param name="skeleton">From elsewhere.</param>
@@ -95,7 +101,7 @@ internal sealed class StandInLimb
         return limb;
     }
 
-    /// <summary>Its built form, which tells how it bends and steps.</summary>
+    /// <summary>Its built form among legs that are no columns, which tells how it bends and steps.</summary>
     /// <param name="rows">Number of pairs of legs.</param>
     public LimbArchetype ArchetypeOf(int rows)
     {

@@ -5,6 +5,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;
@@ -104,6 +105,7 @@ public sealed class RiggedBodyTests
         {
             walk.Step(walk.Body.Subject.DefaultSpeed);
             walk.AssertFeetFollow(1e-3f * length);
+            walk.AssertNoBallSinks(0.01f * length);
             Assert.All(walk.Model.Positions.ToArray(), place => Assert.True(float.IsFinite(place.X + place.Y + place.Z)));
         }
 
@@ -170,6 +172,20 @@ public sealed class RiggedBodyTests
     }
 
     [Fact]
+    public void A_clip_of_the_stand_in_becomes_one_of_the_skeleton_frame_by_frame()
+    {
+        var body = new RiggedBody(Person(0f));
+        var profile = new MotionProfile(body.Subject);
+        Clip walk = ClipBaker.RecipesOf(profile).Single(recipe => recipe.Name == "Walk").Bake();
+        Clip brought = body.Bring(walk);
+        Assert.Equal((walk.Frames, walk.Rate, walk.Speed, walk.End), (brought.Frames, brought.Rate, brought.Speed, brought.End));
+        Assert.Equal(body.Skeleton.Count, brought.Joints);
+        Assert.Equal(["mixamorig:LeftToeBase", "mixamorig:RightToeBase"], brought.Events.Select(one => one.Joint).Distinct().Order(StringComparer.Ordinal));
+        Assert.Throws<ArgumentNullException>(() => body.Bring(null!));
+        Assert.Contains("of the stand-in", Refusal(() => body.Bring(brought)), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_mass_that_is_given_is_the_one_it_has()
     {
         Assert.Equal(70f, new RiggedBody(Person(0f), mass: 70f).Subject.Mass.Mass);
@@ -222,6 +238,15 @@ public sealed class RiggedBodyTests
         }
 
         public Vector3 At(string joint) => modelPositions[body.Skeleton.IndexOf(joint)];
+
+        public void AssertNoBallSinks(float most)
+        {
+            foreach (LimbChain limb in body.Subject.Limbs.Where(limb => limb.Stands))
+            {
+                float sunk = body.Subject.Skeleton.ModelPositions[limb.Joints[4]].Y - Animator.ModelPose.Positions[limb.Joints[4]].Y;
+                Assert.InRange(sunk, float.MinValue, most);
+            }
+        }
 
         public void AssertFeetFollow(float within)
         {
