@@ -16,6 +16,8 @@ internal sealed class TeachVerb : IVerb
 {
     private static readonly OptionSyntax mass = new("--mass", "KG", "what the character weighs, kilograms (default: what flesh around its bones weighs)");
 
+    private static readonly OptionSyntax unit = new("--unit", "METRES", "metres in a unit of the file (default: 1, as files should have it); 0.01 for a character in centimetres");
+
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
         "teach",
@@ -24,8 +26,9 @@ internal sealed class TeachVerb : IVerb
         [
             new("teach hero.glb --out hero-moves.glb", "everything that a body like this does"),
             new("teach wolf.glb --clips idle,walk,trot,jump --mass 40 --out wolf-moves.glb", "four things, by a body of forty kilograms"),
+            new("teach fox.glb --unit 0.01 --out fox-moves.glb", "a fox whose file is in centimetres"),
         ],
-        [ExportOptions.Clips, mass, CommonOptions.OutFile, CommonOptions.Quiet]);
+        [ExportOptions.Clips, mass, unit, CommonOptions.OutFile, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -33,12 +36,13 @@ internal sealed class TeachVerb : IVerb
         string from = surroundings.Locate(arguments.Operand);
         string to = surroundings.Locate(arguments.Required(CommonOptions.OutFile.Name));
         ClipChoice choice = ExportOptions.ReadClips(arguments, ClipChoice.All);
-        float? weight = ReadMass(arguments);
+        float? weight = ReadPositive(arguments, mass, "kilograms");
+        float scale = ReadPositive(arguments, unit, "metres") ?? 1f;
         FileSet.RequireWritable(to, surroundings);
         SkinnedModel model = ModelFile.Read(from, surroundings);
-        RiggedBody body = Body(model, weight, from);
-        Clip[] clips = choice == ClipChoice.None ? [] : [.. choice.Bake(new MotionProfile(body.Subject), surroundings.Cancellation).Select(body.Bring)];
-        RequireNew(model, clips, from);
+        RiggedBody body = Body(model, weight, scale, from);
+        var names = new HashSet<string>(model.Clips.Select(clip => clip.Name), StringComparer.Ordinal);
+        Clip[] clips = choice == ClipChoice.None ? [] : [.. choice.Bake(new MotionProfile(body.Subject), surroundings.Cancellation).Select(clip => body.Bring(clip, Free(clip.Name, names)))];
         using var bytes = new MemoryStream();
         ModelWriter.Write(model, clips, bytes);
         FileSet.Write(to, stream => bytes.WriteTo(stream), surroundings);
@@ -50,21 +54,16 @@ internal sealed class TeachVerb : IVerb
         return ExitCode.Done;
     }
 
-    private static float? ReadMass(ParsedArguments arguments)
-    {
-        if (arguments.Value(mass.Name) is not string text)
-        {
-            return null;
-        }
+    private static float? ReadPositive(ParsedArguments arguments, OptionSyntax option, string of) =>
+        arguments.Value(option.Name) is not string text ? null
+            : float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out float number) && number > 0f && float.IsFinite(number) ? number
+            : throw arguments.Wrong(option.Name, text, $"a positive number of {of}");
 
-        return float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out float kilograms) && kilograms > 0f && float.IsFinite(kilograms) ? kilograms : throw arguments.Wrong(mass.Name, text, "a positive number of kilograms");
-    }
-
-    private static RiggedBody Body(SkinnedModel model, float? weight, string from)
+    private static RiggedBody Body(SkinnedModel model, float? weight, float scale, string from)
     {
         try
         {
-            return new RiggedBody(model.Skeleton, mass: weight);
+            return new RiggedBody(model.Skeleton, mass: weight, unit: scale);
         }
         catch (ArgumentException lack)
         {
@@ -72,12 +71,15 @@ internal sealed class TeachVerb : IVerb
         }
     }
 
-    private static void RequireNew(SkinnedModel model, IReadOnlyList<Clip> clips, string from)
+    /// <summary>The name, with a number behind it if the model has a clip of that name.</summary>
+    private static string Free(string name, HashSet<string> taken)
     {
-        string[] taken = [.. clips.Select(clip => clip.Name).Intersect(model.Clips.Select(clip => clip.Name), StringComparer.Ordinal)];
-        if (taken.Length > 0)
+        string free = name;
+        for (int number = 2; !taken.Add(free); number++)
         {
-            throw new UsageError($"'{from}' has clips of these names already: {string.Join(", ", taken)}; expected others, by --clips");
+            free = FormattableString.Invariant($"{name}_{number}");
         }
+
+        return free;
     }
 }

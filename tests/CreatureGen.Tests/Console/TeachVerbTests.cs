@@ -69,9 +69,17 @@ public sealed class TeachVerbTests
         Assert.Contains("no pair of legs that stands", run.Refusal(ExitCode.BadInput, "teach", "fish.glb", "--out", "a.glb"), StringComparison.Ordinal);
         Assert.Contains("--mass = '-1'", run.Refusal(ExitCode.BadInput, "teach", "hero.glb", "--mass", "-1", "--out", "a.glb"), StringComparison.Ordinal);
         Assert.Contains("there is no such file", run.Refusal(ExitCode.BadInput, "teach", "none.glb", "--out", "a.glb"), StringComparison.Ordinal);
-        Assert.Equal(ExitCode.Done, run.Run("teach", "hero.glb", "--clips", "walk", "--out", "moves.glb"));
-        Assert.Contains("has clips of these names already: Walk", run.Refusal(ExitCode.BadInput, "teach", "moves.glb", "--clips", "walk", "--out", "a.glb"), StringComparison.Ordinal);
-        Assert.Equal(["fish.glb", "hero.glb", "moves.glb"], run.Files);
+        Assert.Equal(["fish.glb", "hero.glb"], run.Files);
+    }
+
+    [Fact]
+    public void A_clip_whose_name_is_taken_gets_a_number()
+    {
+        using var run = new ConsoleRun();
+        Write(run, "hero.glb");
+        Assert.Equal(ExitCode.Done, run.Run("teach", "hero.glb", "--clips", "walk", "--out", "once.glb"));
+        Assert.Equal(ExitCode.Done, run.Run("teach", "once.glb", "--clips", "idle,walk", "--out", "twice.glb"));
+        Assert.Equal(["Walk", "Idle", "Walk_2"], Read(run, "twice.glb").Clips.Select(clip => clip.Name));
     }
 
     private static void Write(ConsoleRun run, string name)

@@ -23,20 +23,18 @@ public sealed class RiggedBody
     private readonly bool[] carried;
 
     /// <summary>Finds the parts of a skeleton.</summary>
-    /// <param name="skeleton">With a trunk and at least one pair of legs that stand, facing +Z, +Y up, in metres.</param>
+    /// <param name="skeleton">With a trunk and at least one pair of legs that stand, facing +Z, +Y up.</param>
     /// <param name="ground">Height of the ground under its feet at rest, in its model space; null for just below the lowest joint of its feet.</param>
     /// <param name="mass">Kilograms; null for what flesh around such bones weighs.</param>
+    /// <param name="unit">Metres in a unit of the skeleton's space: 0.01 for one in centimetres. Large bodies move slowly.</param>
     /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
-    /// <exception cref="ArgumentException">It has no trunk or no pair of legs that stands, the ground is not below its hips, or the mass is not a positive number.</exception>
-    public RiggedBody(Skeleton skeleton, float? ground = null, float? mass = null)
+    /// <exception cref="ArgumentException">It has no trunk or no pair of legs that stands, the ground is not below its hips, or the mass or the unit is not a positive number.</exception>
+    public RiggedBody(Skeleton skeleton, float? ground = null, float? mass = null, float unit = 1f)
     {
         Skeleton = skeleton ?? throw new ArgumentNullException(nameof(skeleton));
-        if (mass is float kilograms && !(kilograms > 0f && kilograms < float.PositiveInfinity))
-        {
-            throw new ArgumentException(FormattableString.Invariant($"mass {kilograms}; expected a positive number of kilograms"), nameof(mass));
-        }
-
-        stand = new StandIn(skeleton, ground);
+        RequirePositive(mass ?? 1f, nameof(mass), "kilograms");
+        RequirePositive(unit, nameof(unit), "metres");
+        stand = new StandIn(skeleton, ground, unit);
         Subject = new MotionSubject(stand, new StandInFlesh(stand.Skeleton, stand.Limbs, mass));
         rest = stand.Skeleton.ModelPositions.ToArray();
         inverses = Array.ConvertAll(stand.Skeleton.ModelRotations.ToArray(), Rotation.Inverse);
@@ -57,8 +55,11 @@ public sealed class RiggedBody
     /// <summary>The body that stands in for it.</summary>
     public MotionSubject Subject { get; }
 
-    /// <summary>Height of the ground in the skeleton's model space, metres: what an animator's root stands on is this far above the model's origin.</summary>
+    /// <summary>Height of the ground in the skeleton's model space: what an animator's root stands on is this far above the model's origin.</summary>
     public float Ground => stand.Ground;
+
+    /// <summary>Metres in a unit of the skeleton's space.</summary>
+    public float Unit => stand.Unit;
 
     /// <summary>Brings over a pose. Allocates nothing.</summary>
     /// <param name="moved">Of the stand-in in model space (<see cref="CreatureAnimator.ModelPose"/>).</param>
@@ -88,7 +89,7 @@ public sealed class RiggedBody
 
             if (carried[joint])
             {
-                Vector3 place = Skeleton.ModelPositions[joint] + moved.Positions[led] - rest[led];
+                Vector3 place = Skeleton.ModelPositions[joint] + ((moved.Positions[led] - rest[led]) / stand.Unit);
                 local.Positions[joint] = Rotation.Rotate(Rotation.Inverse(above), place - origin);
             }
 
@@ -97,12 +98,13 @@ public sealed class RiggedBody
         }
     }
 
-    /// <summary>Brings over a clip that was baked of the <see cref="Subject"/> (<see cref="ClipBaker.RecipesOf"/>): the same frames, events and way over the ground.</summary>
+    /// <summary>Brings over a clip that was baked of the <see cref="Subject"/> (<see cref="ClipBaker.RecipesOf"/>): the same frames and events, speed and way over the ground in the skeleton's units.</summary>
     /// <param name="clip">Of the stand-in.</param>
+    /// <param name="name">Of the clip that is made, where another has the name of this one; null for the same.</param>
     /// <returns>A clip of the <see cref="Skeleton"/>.</returns>
     /// <exception cref="ArgumentNullException">There is no clip.</exception>
-    /// <exception cref="ArgumentException">It is of another number of joints than the stand-in.</exception>
-    public Clip Bring(Clip clip)
+    /// <exception cref="ArgumentException">It is of another number of joints than the stand-in, or the name is no name of a clip.</exception>
+    public Clip Bring(Clip clip, string? name = null)
     {
         _ = clip ?? throw new ArgumentNullException(nameof(clip));
         if (clip.Joints != rest.Length)
@@ -134,7 +136,8 @@ public sealed class RiggedBody
             events.Add(new ClipEvent(one.Time, one.Name, NameOf(stand.Skeleton.IndexOf(one.Joint)), one.Strength));
         }
 
-        return new Clip(clip.Name, clip.End, clip.Rate, clip.Speed, count, rotations, positions).WithEvents(events).WithPath(clip.Path);
+                ClipPlace[] path = new List<ClipPlace>(clip.Path).ConvertAll(place => place with { Position = place.Position / stand.Unit }).ToArray();
+        return new Clip(name ?? clip.Name, clip.End, clip.Rate, clip.Speed / stand.Unit, count, rotations, positions).WithEvents(events).WithPath(path);
     }
 
     /// <summary>The joint that follows one of the stand-in, or the nearest above that has a follower; empty if there is none.</summary>
@@ -150,6 +153,14 @@ public sealed class RiggedBody
         }
 
         return string.Empty;
+    }
+
+    private static void RequirePositive(float number, string name, string of)
+    {
+        if (!(number > 0f && number < float.PositiveInfinity))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"{name} {number}; expected a positive number of {of}"), name);
+        }
     }
 
     private static void RequireLength(in Pose pose, int joints, string name)

@@ -35,12 +35,14 @@ internal sealed class StandIn
     private readonly Quaternion[] aligns;
 
     /// <summary>Makes one.</summary>
-    /// <param name="skeleton">From elsewhere, facing +Z, +Y up, metres.</param>
+    /// <param name="skeleton">From elsewhere, facing +Z, +Y up.</param>
     /// <param name="ground">Height of the ground in its model space; null for just below the lowest joint of its feet.</param>
+    /// <param name="unit">Metres in a unit of its space.</param>
     /// <exception cref="ArgumentException">It has no trunk or no pair of legs that stands, or the ground is not below its hips.</exception>
-    public StandIn(Skeleton skeleton, float? ground)
+    public StandIn(Skeleton skeleton, float? ground, float unit)
     {
         source = skeleton;
+        Unit = unit;
         roles = new SkeletonRoles(skeleton);
         follows = new int[skeleton.Count];
         aligns = new Quaternion[skeleton.Count];
@@ -59,8 +61,8 @@ internal sealed class StandIn
 
         Ground = ground ?? GroundOf(standing);
         RequireBelow(standing);
-        legs = standing.ConvertAll(joints => StandInLimb.Leg(skeleton, joints, standing.IndexOf(joints), Ground));
-        arms = hanging.ConvertAll(joints => StandInLimb.Arm(skeleton, joints, hanging.IndexOf(joints), Ground));
+        legs = standing.ConvertAll(joints => StandInLimb.Leg(joints, standing.IndexOf(joints), PlaceOf));
+        arms = hanging.ConvertAll(joints => StandInLimb.Arm(joints, hanging.IndexOf(joints), PlaceOf));
         int pelvis = AddTrunk(out int chest);
         AddHead(chest);
         AddTail(pelvis);
@@ -90,8 +92,11 @@ internal sealed class StandIn
     /// <summary>How its trunk and legs are laid out.</summary>
     public BodyPlan Plan { get; }
 
-    /// <summary>Height of the ground in the other skeleton's model space, metres.</summary>
+    /// <summary>Height of the ground in the other skeleton's model space.</summary>
     public float Ground { get; }
+
+    /// <summary>Metres in a unit of that space.</summary>
+    public float Unit { get; }
 
     /// <summary>The joint here that each joint of the other skeleton follows; −1 for none.</summary>
     public ReadOnlySpan<int> Follows => follows;
@@ -152,12 +157,12 @@ internal sealed class StandIn
             float hip = source.ModelPositions[joints[0]].Y;
             if (!(Ground < hip && hip - Ground < float.PositiveInfinity))
             {
-                throw new ArgumentException(FormattableString.Invariant($"the ground is at height {Ground} and the hip {source.Joints[joints[0]].Name} at {hip} metres; expected ground below all hips"), "ground");
+                throw new ArgumentException(FormattableString.Invariant($"the ground is at height {Ground} and the hip {source.Joints[joints[0]].Name} at {hip}; expected ground below all hips"), "ground");
             }
         }
     }
 
-    private Vector3 PlaceOf(int joint) => source.ModelPositions[joint] - new Vector3(0f, Ground, 0f);
+    private Vector3 PlaceOf(int joint) => (source.ModelPositions[joint] - new Vector3(0f, Ground, 0f)) * Unit;
 
     /// <summary>Root, body, pelvis, spine and chest. A chest is made up where one joint is all the trunk.</summary>
     private int AddTrunk(out int chest)

@@ -2,7 +2,6 @@ using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
-using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Subjects;
 
@@ -62,13 +61,12 @@ internal sealed class StandInLimb
     public bool IsColumn => !Lateral && Points[2].Y < Toes * Points[0].Y && Points[3].Z - Points[2].Z < ShortFoot * Points[0].Y;
 
     /// <summary>A leg that stands.</summary>
-    /// <param name="skeleton">From elsewhere.</param>
     /// <param name="joints">Hip, knee, ankle, and ball or −1.</param>
     /// <param name="row">Number of the pair, 0 the hindmost.</param>
-    /// <param name="ground">Height of the ground in the skeleton's model space.</param>
-    public static StandInLimb Leg(Skeleton skeleton, int[] joints, int row, float ground)
+    /// <param name="placeOf">Says where a joint is, above the ground.</param>
+    public static StandInLimb Leg(int[] joints, int row, Func<int, Vector3> placeOf)
     {
-        Vector3[] p = Above(skeleton, joints, ground);
+        Vector3[] p = Places(joints, placeOf);
         float length = p[0].Y;
         if (joints[3] < 0)
         {
@@ -82,9 +80,9 @@ internal sealed class StandInLimb
     }
 
     /// <summary>An arm: brought down to hang if it is held out.</summary>
-    public static StandInLimb Arm(Skeleton skeleton, int[] joints, int row, float ground)
+    public static StandInLimb Arm(int[] joints, int row, Func<int, Vector3> placeOf)
     {
-        Vector3[] p = Above(skeleton, joints, ground);
+        Vector3[] p = Places(joints, placeOf);
         if (joints[3] < 0)
         {
             p[3] = p[2] + ((p[2] - p[1]) * 0.3f);
@@ -112,12 +110,12 @@ internal sealed class StandInLimb
             : heel > Toes ? LimbArchetype.DigitigradeFore : LimbArchetype.PlantigradeFore;
     }
 
-    private static Vector3[] Above(Skeleton skeleton, int[] joints, float ground)
+    private static Vector3[] Places(int[] joints, Func<int, Vector3> placeOf)
     {
         var points = new Vector3[5];
         for (int k = 0; k < 4; k++)
         {
-            points[k] = joints[k] < 0 ? Vector3.Zero : skeleton.ModelPositions[joints[k]] - new Vector3(0f, ground, 0f);
+            points[k] = joints[k] < 0 ? Vector3.Zero : placeOf(joints[k]);
         }
 
         return points;

@@ -90,6 +90,26 @@ public sealed class RiggedBodyTests
         }
     }
 
+    [Fact]
+    public void A_skeleton_in_centimetres_moves_as_the_same_one_in_metres()
+    {
+        var metres = new Walk(new RiggedBody(Person(0f)));
+        var centimetres = new Walk(new RiggedBody(Skeleton.Build(Placements(0f).ConvertAll(joint => joint with { Position = joint.Position * 100f })), unit: 0.01f));
+        for (int i = 0; i < 120; i++)
+        {
+            metres.Step(2f);
+            centimetres.Step(2f);
+        }
+
+        for (int joint = 0; joint < metres.Body.Skeleton.Count; joint++)
+        {
+            Assert.InRange(Vector3.Distance(metres.Model.Positions[joint] * 100f, centimetres.Model.Positions[joint]), 0f, 0.1f);
+        }
+
+        Clip walk = ClipBaker.RecipesOf(new MotionProfile(centimetres.Body.Subject)).Single(recipe => recipe.Name == "Walk").Bake();
+        Assert.Equal(100f * walk.Speed, centimetres.Body.Bring(walk).Speed, 0.01f);
+    }
+
     /// <summary>Skeletons that grew, of which only the names of joints and their places are kept; those of walkers on two to sixteen legs.</summary>
     [Theory]
     [MemberData(nameof(Seeds))]
@@ -160,6 +180,11 @@ public sealed class RiggedBodyTests
         foreach (float height in new[] { 1f, float.NaN, float.NegativeInfinity, float.PositiveInfinity })
         {
             Assert.Contains("expected ground below all hips", Refusal(() => new RiggedBody(Person(0f), height)), StringComparison.Ordinal);
+        }
+
+        foreach (float unit in new[] { 0f, -1f, float.NaN, float.PositiveInfinity })
+        {
+            Assert.Contains("expected a positive number of metres", Refusal(() => new RiggedBody(Person(0f), unit: unit)), StringComparison.Ordinal);
         }
 
         foreach (float mass in new[] { 0f, -1f, float.NaN, float.PositiveInfinity })
