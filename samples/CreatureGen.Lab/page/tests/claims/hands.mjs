@@ -2,6 +2,8 @@
 
 export async function checkHands({ claim, require, page }) {
   await claim('everything is done by keys alone', async () => {
+    // Undo leads back to whom one visited before.
+    await page.evaluate(() => creatureLab.lab.visits.meet({ seed: '12', kind: 'walking', strangeness: 0, traits: {}, text: null }));
     await page.evaluate(() => { creatureLab.lab.show('make'); document.getElementById('tab-make').focus(); });
     const at = () => page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute('aria-label') || document.activeElement.textContent);
 
@@ -26,7 +28,7 @@ export async function checkHands({ claim, require, page }) {
     await page.waitForFunction(girth => (creatureLab.lab.visits.history.now.traits.girth ?? 1) > girth && !document.body.classList.contains('working'), girth);
     await page.focus('[aria-label=Undo]');
     await page.keyboard.press('Enter');
-    await page.waitForFunction(girth => (creatureLab.lab.lab.design.traits.girth ?? 1) === girth, girth);
+    await page.waitForFunction(girth => (creatureLab.lab.lab.design.traits.girth ?? 1) === girth && !document.body.classList.contains('working'), girth);
     await page.evaluate(() => { creatureLab.lab.notices.say(''); document.querySelector('[data-deed=pet]').focus(); });
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => creatureLab.lab.notices.status.textContent !== '');
@@ -55,44 +57,42 @@ export async function checkHands({ claim, require, page }) {
       const parts = ['trunk', 'neck', 'tail', 'leg'];
       const point = (type, x, y) => frame.canvas.dispatchEvent(new PointerEvent(type, { pointerId: 8, clientX: x, clientY: y, pointerType: 'mouse', bubbles: true }));
 
-      // Where each part is on the screen; of a creature that shows them all.
-      const places = new Map();
+      // Where each part is on the screen, at a moment in which nothing moves and the body is the one that is felt.
       let part = null;
       const listen = ({ detail }) => { part = detail?.part; };
       frame.pointer.addEventListener('hover', listen);
-      for (let seed = 3; seed < 20 && !parts.every(name => places.has(name)); seed++) {
-        await frame.lab.meet({ seed: String(seed), kind: 'walking', strangeness: 0, traits: {}, text: null });
-        await frame.touch.learn();
+      const places = async () => {
+        await frame.lab.idle();
+        while (document.body.classList.contains('working')) {
+          await new Promise(resolve => setTimeout(resolve, 20));
+        }
         await frame.theatre.portrait(1);
-        places.clear();
+        await frame.touch.learn();
+        const found = Object.fromEntries(parts.map(name => [name, []]));
         for (let y = 20; y < innerHeight - 20; y += 12) {
           for (let x = 10; x < innerWidth - 10; x += 12) {
             point('pointermove', x, y);
-            if (part) {
-              places.set(part, [...(places.get(part) ?? []), [x, y]]);
-            }
+            found[part]?.push([x, y]);
           }
         }
+        return found;
+      };
+
+      // A creature that shows them all.
+      for (let seed = 3, shown = {}; seed < 20 && !parts.every(name => shown[name]?.length > 0); seed++) {
+        await frame.lab.meet({ seed: String(seed), kind: 'walking', strangeness: 0, traits: {}, text: null });
+        shown = await places();
       }
       const told = {};
       for (const name of parts) {
-        const found = places.get(name) ?? [];
+        const found = (await places())[name];
         const [x, y] = found[found.length >> 1] ?? [0, 0];
-
-        // What was pulled before is taken back first, and its body felt anew.
-        part = null;
-        for (let i = 0; i < 400 && part !== name; i++) {
-          await frame.theatre.advance(1 / 30);
-          point('pointermove', x, y);
-          await new Promise(resolve => setTimeout(resolve, 20));
-        }
         point('pointerdown', x, y);
         point('pointermove', x, y + 12);
         point('pointermove', x, y + 40);
         told[name] = frame.ghost.hidden ? 'nothing' : frame.ghost.textContent.split(' ')[0];
         dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
         point('pointerup', x, y + 40);
-        await frame.lab.idle();
       }
       frame.pointer.removeEventListener('hover', listen);
       return told;
@@ -192,8 +192,13 @@ export async function checkHands({ claim, require, page }) {
       }
       frame.pointer.removeEventListener('hover', listen);
       click(x, y);
-      const [otherX, otherY] = onScreen(other.body.group.position.clone().setY(other.body.group.position.y + 0.45 * other.facts.height));
-      click(otherX, otherY);
+
+      // The other one, beside what of the chosen one is before it.
+      for (const up of [0.45, 0.2, 0.7, 0.95]) {
+        if (!heard.includes('pick')) {
+          click(...onScreen(other.body.group.position.clone().setY(other.body.group.position.y + up * other.facts.height)));
+        }
+      }
       const called = notices.status.textContent;
       const before = other.body.group.position.clone();
       const start = herd.members.get(0).body.group.position.clone();

@@ -153,6 +153,9 @@ export async function checkMaking({ claim, require, page }) {
       const disabled = document.getElementById('trait-neck').disabled;
       const traits = frame.lab.design.traits;
       lock.click();
+      while (document.body.classList.contains('working')) {
+        await new Promise(resolve => setTimeout(resolve, 20));
+      }
       return { disabled, neck: traits.neck ?? 1, others: Object.keys(traits).length };
     });
     require(kept.disabled && kept.neck === 1 && kept.others > 5, JSON.stringify(kept));

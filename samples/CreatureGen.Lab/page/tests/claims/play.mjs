@@ -4,6 +4,7 @@ export async function checkPlay({ claim, require, page }) {
   await claim('it walks where it is sent', async () => {
     const way = await page.evaluate(async () => {
       const frame = creatureLab.lab;
+      await frame.lab.meet({ seed: '12', kind: 'walking', strangeness: 0, traits: {}, text: null });
       const unit = frame.world.scale;
       await frame.library.call('Go', 0, 0.4 * unit, 4 * unit);
       const member = frame.herd.members.get(0);
