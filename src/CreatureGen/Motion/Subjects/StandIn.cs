@@ -53,7 +53,7 @@ internal sealed class StandIn
             throw new ArgumentException(FormattableString.Invariant($"the skeleton of {skeleton.Count} joints from {skeleton.Joints[0].Name} has no pelvis, spine or chest; expected one that carries its legs"), nameof(skeleton));
         }
 
-        (List<int[]> standing, List<int[]> hanging) = Pairs();
+        (List<LimbPair> standing, List<LimbPair> hanging) = Pairs();
         if (standing.Count == 0)
         {
             throw new ArgumentException(FormattableString.Invariant($"the skeleton of {skeleton.Count} joints from {skeleton.Joints[0].Name} has no pair of legs that stands: a hip, a knee and a low ankle on the left and on the right; expected joints with roles, or names that tell them"), nameof(skeleton));
@@ -61,8 +61,8 @@ internal sealed class StandIn
 
         Ground = ground ?? GroundOf(standing);
         RequireBelow(standing);
-        legs = standing.ConvertAll(joints => StandInLimb.Leg(joints, standing.IndexOf(joints), PlaceOf));
-        arms = hanging.ConvertAll(joints => StandInLimb.Arm(joints, hanging.IndexOf(joints), PlaceOf));
+        legs = standing.ConvertAll(pair => StandInLimb.Leg(pair, PlaceOf));
+        arms = hanging.ConvertAll(pair => StandInLimb.Arm(pair, PlaceOf));
         int pelvis = AddTrunk(out int chest);
         AddHead(chest);
         AddTail(pelvis);
@@ -70,7 +70,7 @@ internal sealed class StandIn
         var joined = new List<AppendageJoints>();
         for (int i = legs.Count - 1; i >= 0; i--)
         {
-            Join(legs[i], LimbKind.Leg, legs.Count - i, OnColumns ? LimbArchetype.Column : legs[i].ArchetypeOf(legs.Count), appendages, joined);
+            Join(legs[i], LimbKind.Leg, legs.Count - i, OnColumns ? LimbArchetype.Column : legs[i].ArchetypeOf(i, legs.Count), appendages, joined);
         }
 
         for (int i = arms.Count - 1; i >= 0; i--)
@@ -105,7 +105,7 @@ internal sealed class StandIn
     public ReadOnlySpan<Quaternion> Aligns => aligns;
 
     /// <summary>Left limbs that have a right one, from behind: those that stand, and the others.</summary>
-    private (List<int[]> Standing, List<int[]> Hanging) Pairs()
+    private (List<LimbPair> Standing, List<LimbPair> Hanging) Pairs()
     {
         (float low, float high) = (float.MaxValue, float.MinValue);
         foreach (Vector3 p in source.ModelPositions)
@@ -113,12 +113,12 @@ internal sealed class StandIn
             (low, high) = (Math.Min(low, p.Y), Math.Max(high, p.Y));
         }
 
-        (List<int[]> standing, List<int[]> hanging) = (new(), new());
+        (List<LimbPair> standing, List<LimbPair> hanging) = (new(), new());
         foreach ((int[] joints, Side side, int pair) in roles.Limbs)
         {
-            if (side == Side.Left && joints[1] >= 0 && joints[2] >= 0 && RightOf(pair) != null)
+            if (side == Side.Left && joints[1] >= 0 && joints[2] >= 0 && RightOf(pair) is int[] right)
             {
-                (source.ModelPositions[joints[2]].Y <= low + (Low * (high - low)) ? standing : hanging).Add(joints);
+                (source.ModelPositions[joints[2]].Y <= low + (Low * (high - low)) ? standing : hanging).Add(new LimbPair(joints, right));
             }
         }
 
@@ -138,10 +138,10 @@ internal sealed class StandIn
         return null;
     }
 
-    private float GroundOf(List<int[]> standing)
+    private float GroundOf(List<LimbPair> standing)
     {
         (float low, float hip) = (float.MaxValue, float.MinValue);
-        foreach (int[] joints in standing)
+        foreach ((int[] joints, _) in standing)
         {
             low = Math.Min(low, source.ModelPositions[joints[3] < 0 ? joints[2] : joints[3]].Y);
             hip = Math.Max(hip, source.ModelPositions[joints[0]].Y);
@@ -150,9 +150,9 @@ internal sealed class StandIn
         return low - (SoleThickness * (hip - low));
     }
 
-    private void RequireBelow(List<int[]> standing)
+    private void RequireBelow(List<LimbPair> standing)
     {
-        foreach (int[] joints in standing)
+        foreach ((int[] joints, _) in standing)
         {
             float hip = source.ModelPositions[joints[0]].Y;
             if (!(Ground < hip && hip - Ground < float.PositiveInfinity))
@@ -257,17 +257,11 @@ internal sealed class StandIn
             Contact = new Vector3(p[3].X, kind == LimbKind.Leg ? 0f : p[3].Y, p[3].Z),
             Stands = kind == LimbKind.Leg,
         };
-        AppendageJoints joints = LimbRigger.Add(builder, appendage, CarrierOf(limb.Joints[0]));
+        AppendageJoints joints = LimbRigger.Add(builder, appendage, CarrierOf(limb.Pair.Left[0]));
         appendages.Add(appendage);
         joined.Add(joints);
-        int rightPair = 0;
-        foreach ((int[] left, Side side, int number) in roles.Limbs)
-        {
-            rightPair = side == Side.Left && left[0] == limb.Joints[0] ? number : rightPair;
-        }
-
-        Follow(limb.Joints, joints.Left, limb.AlignUpper, limb.AlignLower);
-        Follow(RightOf(rightPair)!, joints.Right, Rotation.Mirror(limb.AlignUpper), Rotation.Mirror(limb.AlignLower));
+        Follow(limb.Pair.Left, joints.Left, limb.AlignUpper, limb.AlignLower);
+        Follow(limb.Pair.Right, joints.Right, Rotation.Mirror(limb.AlignUpper), Rotation.Mirror(limb.AlignLower));
     }
 
     /// <summary>Girdles come first in the limbs here.</summary>

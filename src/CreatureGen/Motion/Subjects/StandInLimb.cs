@@ -30,20 +30,14 @@ internal sealed class StandInLimb
     /// <summary>How an arm hangs: a little away from the body.</summary>
     private static readonly Vector3 hanging = new(0.14f, -0.99f, 0f);
 
-    private readonly int[] joints;
-
-    private StandInLimb(int[] joints, int row, Vector3[] points)
+    private StandInLimb(LimbPair pair, Vector3[] points)
     {
-        this.joints = joints;
-        Row = row;
+        Pair = pair;
         Points = points;
     }
 
-    /// <summary>Joints of the skeleton from elsewhere: hip, knee, ankle, ball; −1 where there is none.</summary>
-    public ReadOnlySpan<int> Joints => joints;
-
-    /// <summary>Number of the pair, 0 the hindmost.</summary>
-    public int Row { get; }
+    /// <summary>The joints of the skeleton from elsewhere.</summary>
+    public LimbPair Pair { get; }
 
     /// <summary>Hip, knee, ankle, ball and end, as it stands in.</summary>
     public Vector3[] Points { get; }
@@ -61,14 +55,13 @@ internal sealed class StandInLimb
     public bool IsColumn => !Lateral && Points[2].Y < Toes * Points[0].Y && Points[3].Z - Points[2].Z < ShortFoot * Points[0].Y;
 
     /// <summary>A leg that stands.</summary>
-    /// <param name="joints">Hip, knee, ankle, and ball or −1.</param>
-    /// <param name="row">Number of the pair, 0 the hindmost.</param>
+    /// <param name="pair">Its joints.</param>
     /// <param name="placeOf">Says where a joint is, above the ground.</param>
-    public static StandInLimb Leg(int[] joints, int row, Func<int, Vector3> placeOf)
+    public static StandInLimb Leg(LimbPair pair, Func<int, Vector3> placeOf)
     {
-        Vector3[] p = Places(joints, placeOf);
+        Vector3[] p = Places(pair.Left, placeOf);
         float length = p[0].Y;
-        if (joints[3] < 0)
+        if (pair.Left[3] < 0)
         {
             p[3] = new Vector3(p[2].X, BallHeight * p[2].Y, p[2].Z + (BallAhead * length));
         }
@@ -76,20 +69,20 @@ internal sealed class StandInLimb
         Vector3 ahead = new(p[3].X - p[2].X, 0f, p[3].Z - p[2].Z);
         p[4] = p[3] + (Vec.Normalize(ahead, Vector3.UnitZ) * Math.Max(TipAhead * length, 0.5f * Vec.Length(ahead)));
         p[4].Y = 0.5f * p[3].Y;
-        return new StandInLimb(joints, row, p);
+        return new StandInLimb(pair, p);
     }
 
     /// <summary>An arm: brought down to hang if it is held out.</summary>
-    public static StandInLimb Arm(int[] joints, int row, Func<int, Vector3> placeOf)
+    public static StandInLimb Arm(LimbPair pair, Func<int, Vector3> placeOf)
     {
-        Vector3[] p = Places(joints, placeOf);
-        if (joints[3] < 0)
+        Vector3[] p = Places(pair.Left, placeOf);
+        if (pair.Left[3] < 0)
         {
             p[3] = p[2] + ((p[2] - p[1]) * 0.3f);
         }
 
         p[4] = p[3] + ((p[3] - p[2]) * 0.8f);
-        var limb = new StandInLimb(joints, row, p);
+        var limb = new StandInLimb(pair, p);
         Vector3 along = Vec.Normalize(p[2] - p[0], hanging);
         if (Vec.Dot(along, hanging) < (float)PortableMath.Cos(HeldOut))
         {
@@ -100,13 +93,14 @@ internal sealed class StandInLimb
     }
 
     /// <summary>Its built form among legs that are no columns, which tells how it bends and steps.</summary>
+    /// <param name="row">Number of its pair, 0 the hindmost.</param>
     /// <param name="rows">Number of pairs of legs.</param>
-    public LimbArchetype ArchetypeOf(int rows)
+    public LimbArchetype ArchetypeOf(int row, int rows)
     {
         float heel = Points[2].Y / Points[0].Y;
         return Lateral ? (rows > 2 ? LimbArchetype.Insect : LimbArchetype.Sprawl)
             : rows == 1 ? (heel > BipedToes ? LimbArchetype.Theropod : LimbArchetype.PlantigradeHind)
-            : Row == 0 ? (heel > Toes ? LimbArchetype.DigitigradeHind : LimbArchetype.PlantigradeHind)
+            : row == 0 ? (heel > Toes ? LimbArchetype.DigitigradeHind : LimbArchetype.PlantigradeHind)
             : heel > Toes ? LimbArchetype.DigitigradeFore : LimbArchetype.PlantigradeFore;
     }
 
@@ -136,3 +130,6 @@ internal sealed class StandInLimb
         Points[4] = Points[3] + tip;
     }
 }
+
+/// <summary>The joints of a limb and its mirror image: hip, knee, ankle, ball; −1 where there is no ball.</summary>
+internal sealed record LimbPair(int[] Left, int[] Right);
