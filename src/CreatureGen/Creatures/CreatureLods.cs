@@ -40,6 +40,7 @@ public sealed class CreatureLods
         }
 
         var reduction = new MeshReduction(mesh);
+        reduction.KeepFromCrossing();
         reduction.ReduceTo(budget);
         return reduction.ToLevel().ToMesh();
     }

@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using CreatureGen.Creatures;
 using CreatureGen.Geometry;
+using CreatureGen.Inspection;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Gltf;
 using Xunit;
@@ -39,6 +40,28 @@ public sealed class TriangleBudgetTests
             Assert.True(topology.IsSound, topology.ToString());
             Assert.Equal(mesh.Positions.Length, mesh.Triangles.ToArray().Distinct().Count());
         }
+    }
+
+    /// <summary>Where the whole mesh crosses itself what is left of it may do so as well; nowhere else.</summary>
+    [Theory]
+    [MemberData(nameof(Kinds))]
+    public void A_creature_cut_to_its_budget_cuts_through_itself_nowhere_where_the_whole_one_does_not(RequestedKind kind)
+    {
+        int cut = 0;
+        for (ulong seed = 7100000; seed < 7100024; seed++)
+        {
+            CreatureOptions options = CreatureOptions.Default with { Kind = kind };
+            CreatureMesh whole = CreatureGenerator.Generate(seed, options).Mesh;
+            CreatureMesh mesh = CreatureGenerator.Generate(seed, options with { TriangleBudget = 6000 }).Mesh;
+            if (mesh.Triangles.Length < whole.Triangles.Length && new CrossingCounter(whole, whole.Triangles).Count().All == 0)
+            {
+                Assert.Equal((seed, default(SurfaceCrossings)), (seed, new CrossingCounter(mesh, mesh.Triangles).Count()));
+                Assert.InRange(mesh.Triangles.Length, 3, 3 * 6000);
+                cut++;
+            }
+        }
+
+        Assert.InRange(cut, 6, 24);
     }
 
     [Theory]
