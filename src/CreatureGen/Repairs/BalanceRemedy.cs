@@ -26,6 +26,14 @@ internal static class BalanceRemedy
     /// <summary>Rings of the body by which a hip is moved at a time.</summary>
     private const int HipRings = 2;
 
+    /// <summary>Radians by which the front of a body that lies is raised at a time, and the farthest.</summary>
+    private const double NeckLift = 0.08;
+    private const double MostRaised = 1.4;
+
+    /// <summary>What rump and tail grow by at a time as a counterweight, and how far.</summary>
+    private const double RearGrowth = 1.05;
+    private const double MostGrown = 1.5;
+
     private const double HeadKept = 0.9;
     private const double TailKept = 0.88;
     private const double FootGrowth = 1.12;
@@ -40,7 +48,7 @@ internal static class BalanceRemedy
         bool ahead = mass > middle;
         if (rear > front)
         {
-            return RearUp(log);
+            return RearUp(log, round);
         }
 
         // How far the mass must go inwards from the nearer end, with a fifth of the base to spare.
@@ -123,14 +131,19 @@ internal static class BalanceRemedy
 
     private static bool Splayed(LegBlueprint leg) => leg.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl or LimbArchetype.Jumper;
 
-    /// <summary>A body that lies on its trunk tips over when what it raises is too heavy.</summary>
-    private static bool RearUp(RepairLog log)
+    /// <summary>A body that lies on its trunk tips over when what it raises is too heavy: the front goes up and gets lighter, later the chest too, and the rear heavier.</summary>
+    private static bool RearUp(RepairLog log, int round)
     {
         BodyBlueprint body = log.Blueprint.Body;
-        BodyPosture posture = body.Posture with { Neck = Math.Min(1.4, body.Posture.Neck + 0.08), NeckBend = 0.8 * body.Posture.NeckBend };
-        BodyProportions proportions = body.Proportions with { Head = 0.94 * body.Proportions.Head, Neck = 0.96 * body.Proportions.Neck };
-        return log.Change(log.Blueprint with { Body = body with { Posture = posture, Proportions = proportions } }, "it tipped over its raised front");
+        bool late = round >= FeetRounds;
+        BodyPosture posture = body.Posture with { Neck = Math.Min(MostRaised, body.Posture.Neck + (late ? 2 * NeckLift : NeckLift)), NeckBend = 0.8 * body.Posture.NeckBend };
+        BodyProportions p = body.Proportions;
+        BodyProportions lighter = p with { Head = 0.94 * p.Head, Neck = 0.96 * p.Neck };
+        BodyProportions shifted = lighter with { Chest = 0.96 * p.Chest, Rump = Grown(p.Rump), Tail = Grown(p.Tail), TailGirth = Grown(p.TailGirth) };
+        return log.Change(log.Blueprint with { Body = body with { Posture = posture, Proportions = late ? shifted : lighter } }, "it tipped over its raised front");
     }
+
+    private static double Grown(double share) => Math.Max(share, Math.Min(MostGrown, RearGrowth * share));
 
     private static bool Lighten(RepairLog log, bool ahead)
     {

@@ -75,7 +75,7 @@ public static class BlueprintRepair
             return true;
         }
 
-        bool plainer = round >= StanceRounds && round % 2 == 0;
+        bool plainer = round >= StanceRounds && round % 2 == 0 && log.Blueprint.Plan != BodyPlan.Legless;
         return (plainer && PlainRemedy.Apply(log, violation))
             || (violation.Invariant == CreatureInspection.Grounded ? GroundRemedy.Apply(log, creature, round) : BalanceRemedy.Apply(log, creature, round))
             || PlainRemedy.Apply(log, violation);

@@ -30,6 +30,7 @@ internal static class SurfaceRemedy
         ("tongues", b => b.Head.Mouth.Tongue != TongueStyle.None ? 1 : 0, (b, _) => b with { Head = b.Head with { Mouth = b.Head.Mouth with { Tongue = TongueStyle.None } } }),
         ("claws", b => CountClaws(b.Legs), (b, i) => b with { Legs = WithoutClaws(b.Legs, i) }),
         ("shells", b => b.Body.Shell.Style != ShellStyle.None ? 1 : 0, (b, _) => b with { Body = b.Body with { Shell = b.Body.Shell with { Style = ShellStyle.None } } }),
+        ("legs", b => b.Legs.Count, (b, i) => b with { Legs = Without(b.Legs, i) }),
         ("tail ends", b => b.Tail.Style != TailStyle.Plain ? 1 : 0, (b, _) => b with { Tail = b.Tail with { Style = TailStyle.Plain } }),
     };
 
@@ -55,12 +56,7 @@ internal static class SurfaceRemedy
     {
         foreach ((string name, Func<CreatureBlueprint, int> count, Func<CreatureBlueprint, int, CreatureBlueprint> without) in lists)
         {
-            CreatureBlueprint trial = log.Blueprint;
-            while (count(trial) > 0)
-            {
-                trial = without(trial, count(trial) - 1);
-            }
-
+            CreatureBlueprint trial = Emptied(log.Blueprint, count, without);
             if (count(log.Blueprint) == 0 || Breaks(trial, violation))
             {
                 continue;
@@ -78,7 +74,58 @@ internal static class SurfaceRemedy
             return log.Change(kept, "parts of " + name + " tore the surface (" + violation.Invariant + ")");
         }
 
-        return false;
+        return DropLists(log, violation);
+    }
+
+    /// <summary>Drops several lists that break it each by itself: all of them, but for those that may come back.</summary>
+    private static bool DropLists(RepairLog log, InvariantViolation violation)
+    {
+        var dropped = new List<int>();
+        for (int list = 0; list < lists.Length; list++)
+        {
+            CreatureBlueprint trial = Emptied(log.Blueprint, lists[list].Count, lists[list].Without);
+            if (!trial.Equals(log.Blueprint) && BlueprintValidator.Validate(trial).Count == 0)
+            {
+                dropped.Add(list);
+            }
+        }
+
+        if (dropped.Count < 2 || Breaks(WithoutLists(log.Blueprint, dropped), violation))
+        {
+            return false;
+        }
+
+        foreach (int list in dropped.ToArray())
+        {
+            dropped.Remove(list);
+            if (Breaks(WithoutLists(log.Blueprint, dropped), violation))
+            {
+                dropped.Add(list);
+            }
+        }
+
+        string names = string.Join(", ", dropped.ConvertAll(list => lists[list].Name));
+        return log.Change(WithoutLists(log.Blueprint, dropped), names + " tore the surface together (" + violation.Invariant + ")");
+    }
+
+    private static CreatureBlueprint WithoutLists(CreatureBlueprint blueprint, List<int> dropped)
+    {
+        foreach (int list in dropped)
+        {
+            blueprint = Emptied(blueprint, lists[list].Count, lists[list].Without);
+        }
+
+        return blueprint;
+    }
+
+    private static CreatureBlueprint Emptied(CreatureBlueprint blueprint, Func<CreatureBlueprint, int> count, Func<CreatureBlueprint, int, CreatureBlueprint> without)
+    {
+        while (count(blueprint) > 0)
+        {
+            blueprint = without(blueprint, count(blueprint) - 1);
+        }
+
+        return blueprint;
     }
 
     /// <summary>Whether one part breaks the creature without the others of its list.</summary>
