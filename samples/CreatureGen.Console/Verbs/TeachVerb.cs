@@ -14,7 +14,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Gives a skinned character of another program the motion of creatures.</summary>
 internal sealed class TeachVerb : IVerb
 {
-    private static readonly OptionSyntax mass = new("--mass", "KG", "what the character weighs, kilograms (default: what flesh around its bones weighs)");
+    private static readonly OptionSyntax mass = new("--mass", "KG", "what the character weighs, kilograms (default: what flesh within its skin weighs)");
 
     private static readonly OptionSyntax unit = new("--unit", "METRES", "metres in a unit of the file (default: 1, as files should have it); 0.01 for a character in centimetres");
 
@@ -63,7 +63,7 @@ internal sealed class TeachVerb : IVerb
     {
         try
         {
-            return new RiggedBody(model.Skeleton, mass: weight, unit: scale);
+            return new RiggedBody(model.Skeleton, mass: weight, unit: scale, skin: model.RestMesh());
         }
         catch (ArgumentException lack)
         {

@@ -12,7 +12,7 @@ public static class JointNames
         ("end", JointRole.End), ("nub", JointRole.End),
         ("twist", JointRole.Other), ("finger", JointRole.Other), ("thumb", JointRole.Other), ("handindex", JointRole.Other), ("handmiddle", JointRole.Other), ("handring", JointRole.Other), ("handpinky", JointRole.Other),
         ("antenna", JointRole.Antenna), ("insectwing", JointRole.Wing), ("wing", JointRole.Wing),
-        ("lid", JointRole.Lid), ("eye", JointRole.Eye), ("ear", JointRole.Ear), ("jaw", JointRole.Jaw),
+        ("lid", JointRole.Lid), ("eye", JointRole.Eye), ("leftear", JointRole.Ear), ("rightear", JointRole.Ear), ("ear", JointRole.Ear), ("jaw", JointRole.Jaw),
         ("tail", JointRole.Tail), ("pectoral", JointRole.Fin), ("dorsal", JointRole.Fin), ("ventral", JointRole.Fin), ("fin", JointRole.Fin),
         ("girdle", JointRole.Girdle), ("clavicle", JointRole.Girdle), ("shoulder", JointRole.Girdle),
         ("toe", JointRole.Ball), ("ball", JointRole.Ball),
@@ -28,10 +28,11 @@ public static class JointNames
     public static JointRole RoleOf(string name)
     {
         string plain = Plain(name ?? throw new ArgumentNullException(nameof(name)));
+        string[] parts = name.ToLowerInvariant().Split(' ', '_', '.', '-', ':');
         foreach ((string word, JointRole role) in words)
         {
             // "end" and "ear" are parts of other words, as bend and forearm.
-            bool whole = word.Length > 3 || word == "toe" || plain.StartsWith(word, StringComparison.Ordinal) || (word is "end" or "nub" or "jaw" or "eye" or "lid" or "hip" && plain.EndsWith(word, StringComparison.Ordinal));
+            bool whole = word.Length > 3 || word == "toe" || Array.IndexOf(parts, word) >= 0 || plain.StartsWith(word, StringComparison.Ordinal) || (word is "end" or "nub" or "jaw" or "eye" or "lid" or "hip" && plain.EndsWith(word, StringComparison.Ordinal));
             if (whole && plain.Contains(word, StringComparison.Ordinal))
             {
                 return role;

@@ -9,7 +9,7 @@ namespace CreatureGen.Rigging;
 /// <summary>What the joints of a skeleton from elsewhere are: told by their names, and where those are silent by how joints hang on one another and where they are. What is known already stays.</summary>
 /// <remarks>
 /// <para>Limbs whose names say no more than leg or arm, or do not begin with a hip, are numbered from the trunk outwards. What both legs hang on is the pelvis, whatever it is called. Of skeletons whose names tell of no limb,
-/// chains of joints that leave the midline in mirrored pairs are limbs, if one pair reaches down.</para>
+/// chains of joints that leave the midline in mirrored pairs are limbs, if one pair reaches down. Where nothing is called the head, it is the last joint of the neck.</para>
 /// </remarks>
 internal sealed class JointRoles
 {
@@ -84,6 +84,7 @@ internal sealed class JointRoles
         TellPelvisOfHips();
         NumberLimbs();
         TellMissingPelvis();
+        TellMissingHead();
     }
 
     private void ReadNames()
@@ -228,6 +229,16 @@ internal sealed class JointRoles
         if (common >= 0 && open[common])
         {
             roles[common] = JointRole.Pelvis;
+        }
+    }
+
+    /// <summary>Where nothing is the head, it is the last joint of a neck of two or more.</summary>
+    private void TellMissingHead()
+    {
+        int last = Array.LastIndexOf(roles, JointRole.Neck);
+        if (last > 0 && open[last] && roles[parents[last]] == JointRole.Neck && Array.IndexOf(roles, JointRole.Head) < 0)
+        {
+            roles[last] = JointRole.Head;
         }
     }
 

@@ -73,6 +73,24 @@ public sealed class JointRolesTests
 
     private static IEnumerable<JointRole> Roles(Skeleton skeleton, int first, int count) => skeleton.Joints.Skip(first).Take(count).Select(joint => joint.Role);
 
+    [Theory]
+    [InlineData("LeftEar", JointRole.Ear)]
+    [InlineData("Bip01 L Ear", JointRole.Ear)]
+    [InlineData("ear.R.001", JointRole.Ear)]
+    [InlineData("mixamorig:LeftForeArm", JointRole.Knee)]
+    [InlineData("L_Eye_jnt", JointRole.Eye)]
+    [InlineData("rear_bone", JointRole.Other)]
+    public void A_short_word_counts_where_it_is_a_part_of_the_name_by_itself(string name, JointRole role) => Assert.Equal(role, JointNames.RoleOf(name));
+
+    [Fact]
+    public void The_last_joint_of_a_neck_is_the_head_where_nothing_is_called_so()
+    {
+        Skeleton man = Build(("Hips", -1, 0f, 1f, 0f), ("Spine", 0, 0f, 0.3f, 0f), ("neck_joint_1", 1, 0f, 0.2f, 0f), ("neck_joint_2", 2, 0f, 0.1f, 0f));
+        Assert.Equal([JointRole.Neck, JointRole.Head], Roles(man, 2, 2));
+        Skeleton named = Build(("Hips", -1, 0f, 1f, 0f), ("Spine", 0, 0f, 0.3f, 0f), ("Neck1", 1, 0f, 0.2f, 0f), ("Neck2", 2, 0f, 0.1f, 0f), ("Head", 3, 0f, 0.1f, 0f));
+        Assert.Equal([JointRole.Neck, JointRole.Neck, JointRole.Head], Roles(named, 2, 3));
+    }
+
     private static Skeleton Build(params (string Name, int Parent, float X, float Y, float Z)[] joints) =>
         Skeleton.Build([.. joints.Select(one => new JointPlacement(one.Name, one.Parent, Quaternion.Identity, new Vector3(one.X, one.Y, one.Z)))]);
 }

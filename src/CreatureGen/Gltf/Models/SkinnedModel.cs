@@ -51,4 +51,16 @@ public sealed class SkinnedModel
     /// <param name="matrices">Receives one matrix per joint, for row vectors.</param>
     /// <exception cref="ArgumentException">A span is not as long as the skeleton.</exception>
     public void FillSkinMatrices(in Pose model, Span<Matrix4x4> matrices) => SkinMatrices.Fill(BindRotations, BindPositions, model, matrices);
+
+    /// <summary>The <see cref="Mesh"/> as it is in the rest pose of the <see cref="Skeleton"/>. Made anew each time.</summary>
+    public SkinnedMesh RestMesh()
+    {
+        int count = Mesh.Positions.Length;
+        var matrices = new Matrix4x4[Skeleton.Count];
+        var positions = new Vector3[count];
+        var normals = new Vector3[count];
+        FillSkinMatrices(new Pose(Skeleton.ModelRotations.ToArray(), Skeleton.ModelPositions.ToArray()), matrices);
+        CpuSkinning.Skin(matrices, Mesh.Weights, Mesh.Positions, Mesh.Normals, positions, normals);
+        return new SkinnedMesh(positions, normals, Mesh.Weights.ToArray(), Mesh.Triangles.ToArray());
+    }
 }

@@ -5,6 +5,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Subjects;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
+using CreatureGen.Skinning;
 
 namespace CreatureGen.Motion;
 
@@ -24,18 +25,19 @@ public sealed class RiggedBody
 
     /// <summary>Finds the parts of a skeleton.</summary>
     /// <param name="skeleton">With a trunk and at least one pair of legs that stand, facing +Z, +Y up.</param>
-    /// <param name="ground">Height of the ground under its feet at rest, in its model space; null for just below the lowest joint of its feet.</param>
-    /// <param name="mass">Kilograms; null for what flesh around such bones weighs.</param>
+    /// <param name="ground">Height of the ground under its feet at rest, in its model space; null for where the skin of its feet is lowest, or without a skin for just below their lowest joint.</param>
+    /// <param name="mass">Kilograms; null for what flesh within such a skin, or around such bones, weighs.</param>
     /// <param name="unit">Metres in a unit of the skeleton's space: 0.01 for one in centimetres. Large bodies move slowly.</param>
+    /// <param name="skin">Its skin in the rest pose of the skeleton, in the skeleton's space (<c>SkinnedModel.RestMesh</c>): of it are soles, belly and all that it sits and lies on. Null for guesses from the bones.</param>
     /// <exception cref="ArgumentNullException">There is no skeleton.</exception>
-    /// <exception cref="ArgumentException">It has no trunk or no pair of legs that stands, the ground is not below its hips, or the mass or the unit is not a positive number.</exception>
-    public RiggedBody(Skeleton skeleton, float? ground = null, float? mass = null, float unit = 1f)
+    /// <exception cref="ArgumentException">It has no trunk or no pair of legs that stands, the ground is not below its hips, the mass or the unit is not a positive number, or the skin is not of the skeleton.</exception>
+    public RiggedBody(Skeleton skeleton, float? ground = null, float? mass = null, float unit = 1f, SkinnedMesh? skin = null)
     {
         Skeleton = skeleton ?? throw new ArgumentNullException(nameof(skeleton));
         RequirePositive(mass ?? 1f, nameof(mass), "kilograms");
         RequirePositive(unit, nameof(unit), "metres");
-        stand = new StandIn(skeleton, ground, unit);
-        Subject = new MotionSubject(stand, new StandInFlesh(stand.Skeleton, stand.Limbs, mass));
+        RestSkin? reach = skin is null ? null : new RestSkin(skeleton, skin);
+        stand = new StandIn(skeleton, ground, unit, reach);
         rest = stand.Skeleton.ModelPositions.ToArray();
         inverses = Array.ConvertAll(stand.Skeleton.ModelRotations.ToArray(), Rotation.Inverse);
         carried = new bool[skeleton.Count];
@@ -47,6 +49,8 @@ public sealed class RiggedBody
             carried[joint] = role == JointRole.Hip || (role == JointRole.Pelvis && !begun);
             begun |= role == JointRole.Pelvis;
         }
+
+        Subject = new MotionSubject(stand, reach is null ? new StandInFlesh(stand.Skeleton, stand.Limbs, mass) : new StandInFlesh(stand.Skeleton, reach.Around(stand, RestOfStandIn()), mass));
     }
 
     /// <summary>The skeleton that is to move.</summary>
@@ -136,8 +140,17 @@ public sealed class RiggedBody
             events.Add(new ClipEvent(one.Time, one.Name, NameOf(stand.Skeleton.IndexOf(one.Joint)), one.Strength));
         }
 
-                ClipPlace[] path = new List<ClipPlace>(clip.Path).ConvertAll(place => place with { Position = place.Position / stand.Unit }).ToArray();
+        ClipPlace[] path = new List<ClipPlace>(clip.Path).ConvertAll(place => place with { Position = place.Position / stand.Unit }).ToArray();
         return new Clip(name ?? clip.Name, clip.End, clip.Rate, clip.Speed / stand.Unit, count, rotations, positions).WithEvents(events).WithPath(path);
+    }
+
+    /// <summary>The skeleton's pose in model space where its stand-in is at rest: arms that are held out hang.</summary>
+    private Pose RestOfStandIn()
+    {
+        var local = new Pose(new Quaternion[Skeleton.Count], new Vector3[Skeleton.Count]);
+        var model = new Pose(new Quaternion[Skeleton.Count], new Vector3[Skeleton.Count]);
+        FillPose(new Pose(stand.Skeleton.ModelRotations.ToArray(), stand.Skeleton.ModelPositions.ToArray()), local, model);
+        return model;
     }
 
     /// <summary>The joint that follows one of the stand-in, or the nearest above that has a follower; empty if there is none.</summary>

@@ -23,6 +23,9 @@ internal sealed class StandIn
     /// <summary>Length of a last bone that nothing ends, parts of the one before.</summary>
     private const float LastBone = 0.6f;
 
+    /// <summary>Part of a guessed length below which the skin at hand cannot be all that hangs on a last bone.</summary>
+    private const float Shortest = 0.3f;
+
     /// <summary>Steepness of a trunk from which on it is upright: as high as it is long.</summary>
     private const float Upright = 1f;
 
@@ -31,17 +34,20 @@ internal sealed class StandIn
     private readonly List<StandInLimb> arms;
     private readonly Skeleton source;
     private readonly SkeletonRoles roles;
+    private readonly RestSkin? skin;
     private readonly int[] follows;
     private readonly Quaternion[] aligns;
 
     /// <summary>Makes one.</summary>
     /// <param name="skeleton">From elsewhere, facing +Z, +Y up.</param>
-    /// <param name="ground">Height of the ground in its model space; null for just below the lowest joint of its feet.</param>
+    /// <param name="ground">Height of the ground in its model space; null for where its soles are, or without a skin for just below the lowest joint of its feet.</param>
     /// <param name="unit">Metres in a unit of its space.</param>
+    /// <param name="skin">How far its skin reaches; null where that is not known.</param>
     /// <exception cref="ArgumentException">It has no trunk or no pair of legs that stands, or the ground is not below its hips.</exception>
-    public StandIn(Skeleton skeleton, float? ground, float unit)
+    public StandIn(Skeleton skeleton, float? ground, float unit, RestSkin? skin)
     {
         source = skeleton;
+        this.skin = skin;
         Unit = unit;
         roles = new SkeletonRoles(skeleton);
         follows = new int[skeleton.Count];
@@ -61,7 +67,7 @@ internal sealed class StandIn
 
         Ground = ground ?? GroundOf(standing);
         RequireBelow(standing);
-        legs = standing.ConvertAll(pair => StandInLimb.Leg(pair, PlaceOf));
+        legs = standing.ConvertAll(pair => StandInLimb.Leg(pair, PlaceOf, ReachOf));
         arms = hanging.ConvertAll(pair => StandInLimb.Arm(pair, PlaceOf));
         int pelvis = AddTrunk(out int chest);
         AddHead(chest);
@@ -140,15 +146,18 @@ internal sealed class StandIn
 
     private float GroundOf(List<LimbPair> standing)
     {
-        (float low, float hip) = (float.MaxValue, float.MinValue);
-        foreach ((int[] joints, _) in standing)
+        (float low, float hip, float sole) = (float.MaxValue, float.MinValue, float.MaxValue);
+        foreach ((int[] joints, int[] right) in standing)
         {
             low = Math.Min(low, source.ModelPositions[joints[3] < 0 ? joints[2] : joints[3]].Y);
             hip = Math.Max(hip, source.ModelPositions[joints[0]].Y);
+            sole = Math.Min(sole, Math.Min(SoleUnder(joints[2]), SoleUnder(right[2])));
         }
 
-        return low - (SoleThickness * (hip - low));
+        return sole < hip ? sole : low - (SoleThickness * (hip - low));
     }
+
+    private float SoleUnder(int ankle) => skin?.Farthest(ankle, -Vector3.UnitY)?.Y ?? float.MaxValue;
 
     private void RequireBelow(List<LimbPair> standing)
     {
@@ -163,6 +172,10 @@ internal sealed class StandIn
     }
 
     private Vector3 PlaceOf(int joint) => (source.ModelPositions[joint] - new Vector3(0f, Ground, 0f)) * Unit;
+
+    /// <summary>How far skin reaches from a joint that it hangs on, metres; null where none is known.</summary>
+    private float? ReachOf(int joint, Vector3 direction) =>
+        skin?.Farthest(joint, direction) is Vector3 end ? Vec.Dot(end - source.ModelPositions[joint], direction) * Unit : null;
 
     /// <summary>Root, body, pelvis, spine and chest. A chest is made up where one joint is all the trunk.</summary>
     private int AddTrunk(out int chest)
@@ -215,6 +228,7 @@ internal sealed class StandIn
             var chain = new List<(int Joint, float Part)>(roles.Neck) { roles.Head[0] };
             int head = AddChain(chain, chest, (k, count) => k < count - 1 ? (JointRole.Neck, FormattableString.Invariant($"Neck{k + 1}"), JointLimits.Chain(count - 1)) : (JointRole.Head, "Head", JointLimits.Body(JointRole.Head)));
             builder.AddEnd(head, Side.Median, "HeadEnd", EndOf(head));
+            new StandInFace(builder, source, roles.Head[0].Joint, head, PlaceOf, ReachOf).Add(follows);
         }
     }
 
@@ -232,13 +246,20 @@ internal sealed class StandIn
         for (int k = 0; k < chain.Count; k++)
         {
             Vector3 place = Median(PlaceOf(chain[k].Joint));
-            Vector3 onward = k + 1 < chain.Count ? Median(PlaceOf(chain[k + 1].Joint)) - place : (place - builder[parent].Position) * LastBone;
+            Vector3 onward = k + 1 < chain.Count ? Median(PlaceOf(chain[k + 1].Joint)) - place : LastOf(chain[k].Joint, (place - builder[parent].Position) * LastBone);
             (JointRole role, string name, JointLimit limit) = named(k, chain.Count);
             parent = builder.Add(parent, Side.Median, new JointDraft(name, role, place, JointFrame.Median(onward), Vec.Length(onward), limit));
             follows[chain[k].Joint] = parent;
         }
 
         return parent;
+    }
+
+    /// <summary>The last bone of a chain: as far as the skin goes on, or as guessed.</summary>
+    private Vector3 LastOf(int joint, Vector3 guess)
+    {
+        Vector3 onward = Vec.Normalize(guess, Vector3.UnitZ);
+        return ReachOf(joint, onward) is float reach && reach > Shortest * Vec.Length(guess) ? onward * reach : guess;
     }
 
     private Vector3 EndOf(int joint) => builder[joint].Position + Rotation.Rotate(builder[joint].Rotation, new Vector3(0f, builder[joint].Length, 0f));

@@ -8,7 +8,7 @@ using CreatureGen.Skinning;
 
 namespace CreatureGen.Motion.Subjects;
 
-/// <summary>What is around the bones of a stand-in, of whose skin nothing is known: a capsule around each bone, points of the skin on them, and soles on the ground. Immutable.</summary>
+/// <summary>What is around the bones of a stand-in: its skin, or where nothing is known of that, a capsule around each bone with points on it, and soles on the ground. Immutable.</summary>
 internal sealed class StandInFlesh
 {
     /// <summary>Kilograms for each cubic metre.</summary>
@@ -21,7 +21,25 @@ internal sealed class StandInFlesh
     private readonly List<Vector3> points = new();
     private readonly List<SkinWeights> weights = new();
 
-    /// <summary>Puts flesh on bones.</summary>
+    /// <summary>Takes the skin as it is.</summary>
+    /// <param name="skeleton">The stand-in's.</param>
+    /// <param name="skin">At rest around it.</param>
+    /// <param name="mass">Kilograms; null for what the flesh weighs.</param>
+    /// <exception cref="ArgumentException">The skin is around none of its bones.</exception>
+    public StandInFlesh(Skeleton skeleton, CreatureMesh skin, float? mass)
+    {
+        bones.AddRange(BoneCapsules.Fit(skeleton, skin.Weights, skin.Positions));
+        if (bones.Count == 0)
+        {
+            throw new ArgumentException(FormattableString.Invariant($"a skin of {skin.Positions.Length} vertices of which no bone moves any number; expected one around the skeleton"), nameof(skin));
+        }
+
+        Bones = bones;
+        Mass = MassOf(skeleton, mass);
+        Skin = skin;
+    }
+
+    /// <summary>Puts guessed flesh on bones.</summary>
     /// <param name="skeleton">The stand-in's.</param>
     /// <param name="limbs">Its limbs.</param>
     /// <param name="mass">Kilograms; null for what the flesh weighs.</param>
@@ -61,7 +79,7 @@ internal sealed class StandInFlesh
     /// <summary>A capsule for each bone.</summary>
     public IReadOnlyList<CapsuleCollider> Bones { get; }
 
-    /// <summary>Points of the skin, without triangles.</summary>
+    /// <summary>Vertices of the skin, without triangles.</summary>
     public CreatureMesh Skin { get; }
 
     /// <summary>Mass and inertia.</summary>
@@ -137,8 +155,8 @@ internal sealed class StandInFlesh
         var parts = new List<(Vector3 Place, float Volume)>();
         foreach (CapsuleCollider bone in bones)
         {
-            Vector3 place = skeleton.ModelPositions[bone.Joint] + Rotation.Rotate(skeleton.ModelRotations[bone.Joint], bone.End * 0.5f);
-            float part = (float)Math.PI * bone.Radius * bone.Radius * (Vec.Length(bone.End) + (4f / 3f * bone.Radius));
+            Vector3 place = skeleton.ModelPositions[bone.Joint] + Rotation.Rotate(skeleton.ModelRotations[bone.Joint], (bone.Start + bone.End) * 0.5f);
+            float part = (float)Math.PI * bone.Radius * bone.Radius * (Vec.Distance(bone.Start, bone.End) + (4f / 3f * bone.Radius));
             parts.Add((place, part));
             volume += part;
             centre += place * part;

@@ -23,6 +23,13 @@ internal sealed class StandInLimb
     private const float TipAhead = 0.07f;
     private const float BallHeight = 0.35f;
 
+    /// <summary>Where the ball is of such a foot whose skin is known, part of the way from the ankle to the tip: near it, since all of the foot turns as one.</summary>
+    private const float RigidBall = 0.8f;
+
+    /// <summary>Shortest way from an ankle to the tip of its foot, and from the ball, parts of the hip's height.</summary>
+    private const float ShortestFoot = 0.04f;
+    private const float ShortestToes = 0.01f;
+
     /// <summary>Angle from where an arm hangs beyond which it is taken for one held out for binding, radians, and how far the elbow of such an arm bends then.</summary>
     private const double HeldOut = 0.5;
     private const double ElbowBend = 0.25;
@@ -57,17 +64,23 @@ internal sealed class StandInLimb
     /// <summary>A leg that stands.</summary>
     /// <param name="pair">Its joints.</param>
     /// <param name="placeOf">Says where a joint is, above the ground.</param>
-    public static StandInLimb Leg(LimbPair pair, Func<int, Vector3> placeOf)
+    /// <param name="reachOf">Says how far the skin of a joint and of what hangs on it reaches from the joint in a level direction; null where none is known.</param>
+    public static StandInLimb Leg(LimbPair pair, Func<int, Vector3> placeOf, Func<int, Vector3, float?> reachOf)
     {
         Vector3[] p = Places(pair.Left, placeOf);
         float length = p[0].Y;
+        float? foot = null;
         if (pair.Left[3] < 0)
         {
-            p[3] = new Vector3(p[2].X, BallHeight * p[2].Y, p[2].Z + (BallAhead * length));
+            foot = reachOf(pair.Left[2], Vector3.UnitZ) is float reach ? Math.Max(reach, ShortestFoot * length) : null;
+            p[3] = new Vector3(p[2].X, BallHeight * p[2].Y, p[2].Z + (RigidBall * foot ?? BallAhead * length));
         }
 
         Vector3 ahead = new(p[3].X - p[2].X, 0f, p[3].Z - p[2].Z);
-        p[4] = p[3] + (Vec.Normalize(ahead, Vector3.UnitZ) * Math.Max(TipAhead * length, 0.5f * Vec.Length(ahead)));
+        Vector3 onward = Vec.Normalize(ahead, Vector3.UnitZ);
+        float toes = (1f - RigidBall) * foot
+            ?? (pair.Left[3] >= 0 && reachOf(pair.Left[3], onward) is float tip ? Math.Max(tip, ShortestToes * length) : Math.Max(TipAhead * length, 0.5f * Vec.Length(ahead)));
+        p[4] = p[3] + (onward * toes);
         p[4].Y = 0.5f * p[3].Y;
         return new StandInLimb(pair, p);
     }
