@@ -16,7 +16,7 @@ internal sealed class PlanChoice
     private static readonly double[] kindWeights = { 0.55, 0.22, 0.23 };
 
     /// <summary>Probability at full strangeness that the first parent is any body, and not one of those that are common among creatures of its kind.</summary>
-    private const double AnyBody = 0.8;
+    private const double AnyBody = 0.9;
 
     private readonly CreatureOptions options;
 

@@ -1,5 +1,7 @@
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Inspection;
 using CreatureGen.Inspection.Variety;
@@ -48,6 +50,16 @@ public sealed class VarietyStudyTests
         Assert.InRange(report.TwinShare, 0, 0.09);
         Assert.InRange(report.ChimeraShare, 0.35, 1);
         Assert.True(report.EffectiveCombinations > 20, $"{report.EffectiveCombinations}");
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    [InlineData(RequestedKind.Swimming)]
+    public void At_full_strangeness_few_can_be_named(RequestedKind kind)
+    {
+        IEnumerable<CreatureBlueprint> drawn = Enumerable.Range(7_300_000, 400).Select(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = kind, Strangeness = 1 }));
+        Assert.InRange(drawn.Count(b => ChimeraDistance.Of(b) >= ChimeraDistance.Nameless), 320, 400);
     }
 
     [Fact]

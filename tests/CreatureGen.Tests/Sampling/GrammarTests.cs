@@ -49,6 +49,15 @@ public sealed class GrammarTests
     }
 
     [Fact]
+    public void No_flier_tips_over_its_feet_for_a_long_open_jaw()
+    {
+        // A crocodile's head on a toucan: what its jaws enclose weighs a third of its length ahead of its feet.
+        CreatureBlueprint b = BlueprintSampler.Sample(1990, CreatureOptions.Default with { Kind = RequestedKind.Flying });
+        Assert.True(b.Head.Mouth.Opening > 0.3, $"{b.Head.Mouth.Opening}");
+        Assert.Empty(CreatureInspection.Inspect(CreatureAssembler.Assemble(b)));
+    }
+
+    [Fact]
     public void On_land_nothing_else_stands_along_a_back_with_a_fin()
     {
         foreach (CreatureBlueprint b in Strange(RequestedKind.Walking, 400).Where(b => b.Fins.Any(fin => fin.Place == FinPlace.Dorsal)))

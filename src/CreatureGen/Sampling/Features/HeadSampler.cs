@@ -139,7 +139,18 @@ internal static class HeadSampler
         return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, species.EyeSink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
 
+    /// <summary>How far the mouth is open where no ground is in its way, radians.</summary>
+    public static double Opening(CreatureBuilder builder) => Gape(builder).Opening;
+
     private static MouthBlueprint Mouth(CreatureBuilder builder, double smile)
+    {
+        SpeciesProfile species = builder.Parents.Head;
+        (double opening, bool toothed) = Gape(builder);
+        opening = species.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(builder));
+        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > LeastToothed ? species.ToothLength : 0, species.MouthCorner == 0 ? TongueStyle.None : species.Tongue);
+    }
+
+    private static (double Opening, bool Toothed) Gape(CreatureBuilder builder)
     {
         SpeciesProfile species = builder.Parents.Head;
         RandomStream random = builder.Stream("mouth");
@@ -152,8 +163,7 @@ internal static class HeadSampler
             opening = CreatureBuilder.Choose(random, own);
         }
 
-        opening = species.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(builder));
-        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > LeastToothed ? species.ToothLength : 0, species.MouthCorner == 0 ? TongueStyle.None : species.Tongue);
+        return (species.MouthCorner == 0 ? 0 : opening, toothed);
     }
 
     /// <summary>How far a walker may open its mouth before the lower jaw touches the ground, radians.</summary>
@@ -165,7 +175,7 @@ internal static class HeadSampler
         }
 
         BodyShape s = builder.Shape;
-        int hinge = Math.Min(builder.Parents.Head.MouthCorner + 3, 14);
+        int hinge = OpenJaw.HingeOf(builder);
         double jaw = s.Arc[hinge] - s.Arc[0] + s.Bottom[0];
         return Math.Max(0, (StanceSampler.Lowest(s, 0, hinge) - JawClearance) / jaw);
     }

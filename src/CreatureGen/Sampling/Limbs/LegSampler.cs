@@ -53,11 +53,11 @@ internal static class LegSampler
     /// <summary>How far behind its shoulder a spread wing's centre of mass is, in spans.</summary>
     private const double WingTrail = 0.03;
 
-    /// <summary>The torso of the creature as the attachment rules see it, with the weight of spread wings.</summary>
+    /// <summary>The torso of the creature as the attachment rules see it, with the weight of spread wings and of an open mouth.</summary>
     public static SpineMeasure Measure(CreatureBuilder builder)
     {
         BodyShape s = builder.Shape;
-        SpineMeasure measure = SpineSurvey.Measure(s.Y, s.Z, s.Width, s.Top, s.Bottom);
+        SpineMeasure measure = OpenJaw.Load(builder, SpineSurvey.Measure(s.Y, s.Z, s.Width, s.Top, s.Bottom));
         foreach (WingBlueprint wing in builder.Wings)
         {
             if (wing.Style != WingStyle.Folded)

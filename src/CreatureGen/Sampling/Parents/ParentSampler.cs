@@ -15,7 +15,7 @@ internal static class ParentSampler
     private const double Swapped = 0.72;
 
     /// <summary>The same of plan and legs: a body can stand on few other legs than its own.</summary>
-    private const double SwappedLegs = 0.65;
+    private const double SwappedLegs = 0.75;
 
     /// <summary>Probability at full strangeness that a swimmer whose parents have none has legs.</summary>
     private const double LeggedSwimmers = 0.35;
@@ -83,8 +83,8 @@ internal static class ParentSampler
             Wings = Donor("wings", Swapped),
             Fins = Donor("fins", Swapped),
         };
-        RandomStream distance = root.Child("distance").Stream();
-        if (distance.Chance(t * t) && DistanceOf(parents) < 1)
+        double distance = root.Child("distance").Stream().Uniform();
+        if (distance < t * t && DistanceOf(parents) < 1)
         {
             parents = parents with { Head = second };
         }
@@ -96,6 +96,7 @@ internal static class ParentSampler
         }
 
         parents = Harmony.Settle(parents, own, kind, root.Child("harmony").Stream());
+        parents = distance < t * t * t ? Estranged(parents) : parents;
         parents = kind == LocomotionKind.Swimming ? parents with { Paddles = PaddlesOf(parents, root.Child("paddles").Stream(), t) } : parents;
         return parents with { Ears = EarsOf(parents, root.Child("foreign ears").Stream(), t) };
 
@@ -130,7 +131,7 @@ internal static class ParentSampler
         }
 
         SpeciesProfile drawn = all[random.Weighted(weights)];
-        for (int redraw = 0; redraw < Redraws && second is null && Group(drawn) == Group(first) && random.Chance(strangeness); redraw++)
+        for (int redraw = 0; redraw < Redraws && (second is null || Group(second) == Group(first)) && Group(drawn) == Group(first) && random.Chance(strangeness); redraw++)
         {
             drawn = all[random.Weighted(weights)];
         }
@@ -138,15 +139,30 @@ internal static class ParentSampler
         return drawn;
     }
 
+    /// <summary>The parents after head, skin and tail came from others, one after the other, until nobody would name the creature after its first; what the rules of harmony withdrew stays so.</summary>
+    private static Parentage Estranged(Parentage parents)
+    {
+        SpeciesProfile first = parents.First;
+        foreach (SpeciesProfile other in new[] { parents.Second, parents.Third })
+        {
+            // Over one pair of a bird's legs a long jaw would tip the body forward.
+            bool fits = other.Class != AnimalClass.Arthropod && first.Class != AnimalClass.Arthropod && parents.Legs.Bird is null;
+            parents = DistanceOf(parents) < 1 && fits && Group(other) != Group(first) ? parents with { Head = other, Ornaments = parents.Ornaments.Class == AnimalClass.Arthropod ? other : parents.Ornaments } : parents;
+            parents = DistanceOf(parents) < 1 && Group(other) != Group(first) ? parents with { Skin = other } : parents;
+        }
+
+        bool tailed = parents.Legs.Bird is null && first.Class != AnimalClass.Arthropod;
+        return DistanceOf(parents) < 1 && tailed ? parents with { Tail = parents.Second } : parents;
+    }
+
     /// <summary>How far the parts are from what the first parent would have: 1 is enough for nobody to name it after an animal.</summary>
     private static double DistanceOf(Parentage parents)
     {
         SpeciesProfile first = parents.First;
-        return (Group(parents.Head) != Group(first) ? 1 : 0)
+        return (Group(parents.Head) != Group(first) ? 1 : parents.Head != first ? 0.5 : 0)
             + (parents.Tail != first ? 0.4 : 0)
             + (Group(parents.Skin) != Group(first) ? 0.4 : 0)
-            + (parents.Ornaments != first ? 0.4 : 0)
-            + (parents.Wings != first ? 0.2 : 0);
+            + (parents.Legs != first ? 0.4 : 0);
     }
 
     /// <summary>Ears of a mammal among the parents now and then, on a head that has none.</summary>
