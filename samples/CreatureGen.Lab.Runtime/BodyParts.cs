@@ -1,4 +1,7 @@
+using System.Collections.Generic;
 using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Lab.Runtime;
@@ -7,13 +10,15 @@ namespace CreatureGen.Lab.Runtime;
 internal static class BodyParts
 {
     /// <summary>One word for each joint, as a list of JSON.</summary>
-    public static string Of(Skeleton skeleton)
+    public static string Of(Creature creature)
     {
+        Skeleton skeleton = creature.Skeleton;
+        var arms = new HashSet<int>(creature.Limbs.Where(limb => limb.Archetype is LimbArchetype.Arm or LimbArchetype.Raptorial).SelectMany(limb => limb.Joints));
         string[] parts = new string[skeleton.Count];
         for (int joint = 0; joint < parts.Length; joint++)
         {
             int parent = skeleton.Parents[joint];
-            parts[joint] = NameOf(skeleton.Joints[joint].Role) ?? (parent >= 0 ? parts[parent] : "trunk");
+            parts[joint] = arms.Contains(joint) ? "arm" : NameOf(skeleton.Joints[joint].Role) ?? (parent >= 0 ? parts[parent] : "trunk");
         }
 
         return "[" + string.Join(',', parts.Select(part => "\"" + part + "\"")) + "]";

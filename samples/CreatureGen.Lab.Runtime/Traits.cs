@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 
 namespace CreatureGen.Lab.Runtime;
@@ -25,7 +26,8 @@ internal static class Traits
         Factor("head", 0.6, 1.6, Always, (b, v) => Shape(b, p => p with { Head = p.Head * v })),
         Factor("snout", 0.5, 2, Always, (b, v) => Shape(b, p => p with { Snout = p.Snout * v })),
         Factor("eyes", 0.6, 1.6, Always, (b, v) => b with { Head = b.Head with { Eyes = b.Head.Eyes with { Radius = b.Head.Eyes.Radius * v } } }),
-        Factor("legs", 0.55, 1.8, b => b.Legs.Count > 0, (b, v) => b with { Legs = Each(b.Legs, leg => leg with { Length = leg.Length * v, Reach = leg.Reach * v }) }),
+        Factor("legs", 0.55, 1.8, b => b.Legs.Any(leg => !IsArm(leg)), (b, v) => b with { Legs = Each(b.Legs, leg => IsArm(leg) ? leg : Longer(leg, v)) }),
+        Factor("arms", 0.55, 1.8, b => b.Legs.Any(IsArm), (b, v) => b with { Legs = Each(b.Legs, leg => IsArm(leg) ? Longer(leg, v) : leg) }),
         Factor("stoutness", 0.6, 1.7, b => b.Legs.Count > 0, (b, v) => b with { Legs = Each(b.Legs, leg => leg with { Stoutness = leg.Stoutness * v, FootSize = leg.FootSize * Math.Sqrt(v) }) }),
         Factor("tail", 0.35, 2.4, Always, (b, v) => Shape(b, p => p with { Tail = p.Tail * v, TailGirth = p.TailGirth * Math.Pow(v, -0.2) })),
         Factor("wings", 0.5, 1.8, b => b.Wings.Count + b.InsectWings.Count + b.Fins.Count > 0, Wings),
@@ -35,6 +37,11 @@ internal static class Traits
     ];
 
     private static Trait Factor(string name, double least, double most, Predicate<CreatureBlueprint> applies, Func<CreatureBlueprint, double, CreatureBlueprint> change) => new(name, least, most, 1, applies, change);
+
+    /// <summary>Whether it grasps: an arm with a hand, or a mantis's.</summary>
+    private static bool IsArm(LegBlueprint leg) => leg.Archetype is LimbArchetype.Arm or LimbArchetype.Raptorial;
+
+    private static LegBlueprint Longer(LegBlueprint leg, double v) => leg with { Length = leg.Length * v, Reach = leg.Reach * v };
 
     private static bool Always(CreatureBlueprint blueprint) => true;
 

@@ -30,6 +30,12 @@ internal static class FirstCreature
     /// <summary>Steps from the darkest to the brightest that are kept of each colour: the file is half as large, and skin shows no bands.</summary>
     private const int Levels = 31;
 
+    /// <summary>Widths of the soft edges, parts of the picture; the lower one ends above the picture's end.</summary>
+    private const float FadeLeft = 0.07f;
+    private const float FadeRight = 0.12f;
+    private const float FadeBelow = 0.26f;
+    private const float FadeEnd = 0.98f;
+
     private static readonly RenderOptions options = new() { Width = 360, Height = 315, Backdrop = BackdropKind.Transparent, Threads = Environment.ProcessorCount };
 
     /// <summary>It, on nothing but its shadow: as it stands, and the same moving.</summary>
@@ -46,6 +52,7 @@ internal static class FirstCreature
         foreach ((Vector3[] positions, Vector3[] normals) in poses.Take(frames))
         {
             Picture picture = Renderer.Render(RenderMesh.From(creature, positions, normals).WithTextures(textures), camera, options);
+            Fade(picture);
             still ??= PngWriter.ToBytes(picture);
             Coarsen(picture);
             writer.Add(picture);
@@ -75,6 +82,22 @@ internal static class FirstCreature
         }
 
         return poses;
+    }
+
+    /// <summary>Its shadow and what is near the edges end softly: a mask of the page would have every frame drawn twice, at a third of a processor.</summary>
+    private static void Fade(Picture picture)
+    {
+        for (int y = 0; y < picture.Height; y++)
+        {
+            Span<byte> row = picture.Row(y);
+            float down = (y + 0.5f) / picture.Height;
+            for (int x = 0; x < picture.Width; x++)
+            {
+                float across = (x + 0.5f) / picture.Width;
+                float share = Math.Clamp(across / FadeLeft, 0f, 1f) * Math.Clamp((1f - across) / FadeRight, 0f, 1f) * Math.Clamp((FadeEnd - down) / FadeBelow, 0f, 1f);
+                row[(4 * x) + 3] = (byte)Math.Round(row[(4 * x) + 3] * share);
+            }
+        }
     }
 
     private static void Coarsen(Picture picture)

@@ -18,6 +18,9 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void Sliders_make_valid_creatures_at_both_ends() => page.Holds("sliders make valid creatures at both ends");
 
     [Fact]
+    public void Arms_have_a_slider_of_their_own_at_both_ends_sound() => page.Holds("arms have a slider of their own, at both ends sound");
+
+    [Fact]
     public void A_slider_changes_the_creature_and_its_address_and_undo_takes_it_back() => page.Holds("a slider changes the creature and its address, and undo takes it back");
 
     [Fact]

@@ -64,7 +64,7 @@ function readTraits(entries) {
 }
 
 // Packed traits: a letter and two digits of base 36, which count hundredths from a number below the least of all.
-const packedNames = ['size', 'girth', 'neck', 'head', 'snout', 'eyes', 'legs', 'stoutness', 'tail', 'wings', 'ornaments', 'pattern', 'colour'];
+const packedNames = ['size', 'girth', 'neck', 'head', 'snout', 'eyes', 'legs', 'stoutness', 'tail', 'wings', 'ornaments', 'pattern', 'colour', 'arms'];
 const packedFrom = -320;
 const longestAddress = 80;
 
@@ -73,7 +73,7 @@ const packTraits = traits => Object.entries(traits)
   .join('');
 
 function unpackTraits(text) {
-  if (!/^(?:[a-m][0-9a-z]{2}){1,20}$/.test(text)) {
+  if (!/^(?:[a-n][0-9a-z]{2}){1,20}$/.test(text)) {
     throw new Error(`“${text.slice(0, 40)}” are no traits`);
   }
   return Object.fromEntries(text.match(/.{3}/g).map(code => [packedNames[parseInt(code[0], 36) - 10], (parseInt(code.slice(1), 36) + packedFrom) / 100]));

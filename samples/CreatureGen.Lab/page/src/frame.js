@@ -88,6 +88,7 @@ export class Frame {
     this.#build();
     const wanted = this.visits.wanted();
     this.theatre.start();
+    this.theatre.prepare();
     this.theatre.seen.then(() => {
       performance.mark('creature:live');
       this.#uncover();

@@ -22,8 +22,11 @@ function askAhead(library) {
   try {
     const wanted = readAddress(location.hash) ?? first;
     if (!wanted.packed) {
+      library.ahead('Prepare', wanted.seed, wanted.kind, wanted.strangeness, wanted.individual);
       library.ahead(...growing(0, wanted));
       library.ahead('Mesh', 0);
+      // The first frame takes a hundred times as long as others: it is there while the page takes the mesh.
+      library.frame(0, 0, new ArrayBuffer(0)).catch(() => {});
     }
   } catch {
     // The stage tells what is wrong with the address.

@@ -3,6 +3,9 @@
 // Without this the runtime takes any worker for a thread of its own and never starts.
 globalThis.dotnetSidecar = true;
 
+// Loops are compiled when they were run this often, four times the usual: compiling what runs only while the first creature grows costs more than it saves.
+const runtimeOptions = ['--jiterpreter-minimum-trace-hit-count=20000'];
+
 const base = self.name;
 let library;
 let heap;
@@ -31,6 +34,7 @@ async function start() {
         assembly: names.filter(name => !isCore(name)).map(asset),
       },
     })
+    .withRuntimeOptions(runtimeOptions)
     .create();
   library = (await api.getAssemblyExports('CreatureGen.Lab.Runtime.dll')).CreatureGen.Lab.Runtime.Exports;
   heap = () => api.localHeapViewU8().buffer;

@@ -86,6 +86,19 @@ export class Body {
     this.#take(mesh);
   }
 
+  /** The least that is drawn as creatures are: one triangle of skin, without a place. */
+  static sample() {
+    const vertices = 3;
+    const floats = count => new Float32Array(count * vertices);
+    const body = new Body({
+      joints: 1, indices: vertices, skinIndices: vertices, positions: floats(3), normals: floats(3), texcoords: floats(2), tangents: null, colours: new Uint16Array(4 * vertices),
+      skinJoints: new Uint8Array(4 * vertices), skinWeights: new Uint8Array(4 * vertices), index: new Uint16Array([0, 1, 2]),
+    });
+    // Not all have what is seen from both sides.
+    body.skin.material.pop();
+    return body;
+  }
+
   get joints() {
     return this.mesh.joints;
   }

@@ -11,6 +11,7 @@ const traitsOf = {
   eye: { along: 'eyes', across: 'eyes' },
   tail: { along: 'tail', across: 'tail' },
   leg: { along: 'legs', across: 'stoutness' },
+  arm: { along: 'arms', across: 'stoutness' },
   wing: { along: 'wings', across: 'wings' },
   ear: { along: 'ornaments', across: 'ornaments' },
 };

@@ -1,3 +1,5 @@
+import { Body } from '../creature/body.js';
+import { Shade } from '../creature/shade.js';
 import { squareOf } from '../keeping.js';
 import { isNarrow } from './narrow.js';
 
@@ -12,6 +14,7 @@ const longestRest = 500;
 export class Theatre extends EventTarget {
   #before = 0;
   #drawn = null;
+  #begun = false;
 
   constructor(canvas, drawing, world, herd, orbit, lab, courtship, portraits, things) {
     super();
@@ -29,6 +32,17 @@ export class Theatre extends EventTarget {
     this.size();
     addEventListener('resize', () => this.size());
     requestAnimationFrame(now => this.#draw(now));
+  }
+
+  /** Has all that the first picture needs made ready for drawing, while the library grows who is in it. */
+  prepare() {
+    const body = Body.sample();
+    const { mesh } = new Shade();
+    this.world.scene.add(body.group, mesh);
+    this.drawing.renderer.compile(this.world.scene, this.orbit.camera);
+    // What nothing is drawn with any more would be forgotten.
+    this.seen.then(() => { body.dispose(); mesh.removeFromParent(); });
+    body.group.visible = mesh.visible = false;
   }
 
   /** Lets time go on. */
@@ -89,8 +103,15 @@ export class Theatre extends EventTarget {
       return;
     }
     this.advance(Math.min(milliseconds / 1000, longestStep));
+    // Nothing is drawn before the first creature has its first pose.
+    if (!this.#begun && !this.herd.members.get(0).moved) {
+      return;
+    }
     this.render();
-    this.#drawn();
+    if (!this.#begun) {
+      this.#begun = true;
+      this.#drawn();
+    }
     if (this.drawing.judge(milliseconds)) {
       this.size();
     }

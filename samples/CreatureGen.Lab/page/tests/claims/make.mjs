@@ -126,6 +126,34 @@ export async function checkMaking({ claim, require, page }) {
     require(wrong.length === 0, wrong.join('\n'));
   });
 
+  await claim('arms have a slider of their own, at both ends sound', async () => {
+    const seen = await page.evaluate(async () => {
+      const { library } = creatureLab.lab;
+      const grow = async (seed, traits) => {
+        await library.call('Grow', 60, String(seed), 'walking', 0, '', traits);
+        return JSON.parse(await library.call('Mend', 60));
+      };
+      const lengths = async () => JSON.parse(await library.call('Blueprint', 60)).legs.map(({ archetype, length }) => ({ arm: ['arm', 'raptorial'].includes(archetype), length }));
+      const tried = [];
+      for (let seed = 1; tried.length < 4 && seed < 100; seed++) {
+        if (!(await grow(seed, '')).traits.includes('arms')) {
+          continue;
+        }
+        const own = await lengths();
+        const felt = (await library.call('Parts', 60)).includes('"arm"');
+        for (const share of [0.55, 1.8]) {
+          const { violations } = await grow(seed, `arms${share}`);
+          const changed = await lengths();
+          tried.push({ seed, felt, violations, arms: changed.every((leg, n) => !leg.arm || Math.abs(leg.length / own[n].length / share - 1) < 0.01), legs: changed.every((leg, n) => leg.arm || leg.length === own[n].length) });
+        }
+      }
+      await library.call('Remove', 60);
+      return tried;
+    });
+    require(seen.length >= 4 && seen.every(({ felt, violations, arms, legs }) => felt && violations.length === 0 && arms && legs), JSON.stringify(seen));
+    return `seeds ${seen.map(({ seed }) => seed).join(', ')}`;
+  });
+
   await claim('repair is told with its reason', async () => {
     const [reasons, told] = await page.evaluate(async () => {
       const frame = creatureLab.lab;
