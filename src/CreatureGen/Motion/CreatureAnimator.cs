@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Motion.Acts.Playing;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Falling;
@@ -358,7 +359,7 @@ public sealed partial class CreatureAnimator
 
         if (performer != null)
         {
-            performer.Pose(Root, StandsOnFeet, LocalPose, ModelPose);
+            performer.Pose(Root, StandsOnFeet, StandsOnFeet ? ActGround.Under(Legs!.Feet, Root) : ActGround.Level, LocalPose, ModelPose);
             actor!.Tell(Root, ModelPose);
         }
 

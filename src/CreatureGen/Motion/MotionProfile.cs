@@ -66,7 +66,7 @@ public sealed class MotionProfile
         Fall = new Lazy<FallProfile>(() => FallProfile.Of(subject, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
         Gaze = subject.Skeleton.FirstOf(JointRole.Head) >= 0 ? GazeRig.Of(subject.Skeleton) : null;
         acts = new Lazy<CreatureActs>(RehearseActs);
-        (SpringRigs, SpringSettings) = SecondaryMotion.Of(subject.Skeleton, Legs != null && !Legs.HasAbdomen);
+        (SpringRigs, SpringSettings) = SecondaryMotion.Of(subject, Legs != null && !Legs.HasAbdomen);
     }
 
     /// <summary>The body that goes.</summary>

@@ -1,6 +1,9 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Subjects;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 
@@ -9,7 +12,7 @@ namespace CreatureGen.Motion;
 /// <summary>What swings after the motion by itself: tail, ears, feelers; never into the ground.</summary>
 internal sealed class SecondaryMotion
 {
-    /// <summary>Part of a chain's length that its tips keep from the ground.</summary>
+    /// <summary>Part of its length that a chain keeps from the ground at the least.</summary>
     private const float Thickness = 0.03f;
 
     /// <summary>Part of a joint's limit that its spring may take up.</summary>
@@ -18,7 +21,7 @@ internal sealed class SecondaryMotion
     private readonly SpringRig[] rigs;
     private readonly SpringSettings[] settings;
     private readonly SpringState[] states;
-    private readonly bool[] low;
+    private readonly int[][] roots;
     private readonly SpringCollider[] ground = new SpringCollider[1];
 
     public SecondaryMotion(SpringRig[] rigs, SpringSettings[] settings)
@@ -26,24 +29,23 @@ internal sealed class SecondaryMotion
         this.rigs = rigs;
         this.settings = settings;
         states = new SpringState[rigs.Length];
-        low = new bool[rigs.Length];
+        roots = new int[rigs.Length][];
         for (int i = 0; i < rigs.Length; i++)
         {
             states[i] = new SpringState(rigs[i]);
-            low[i] = rigs[i].Skeleton.Joints[rigs[i].Joints[0]].Role == JointRole.Tail;
-            if (low[i])
-            {
-                // Made now, so that no update has to.
-                states[i].Colliders = new SpringCollider[ground.Length];
-            }
+            roots[i] = RootsOf(rigs[i]);
+
+            // Made now, so that no update has to.
+            states[i].Colliders = new SpringCollider[ground.Length];
         }
     }
 
     /// <summary>The chains of a skeleton that swing, and how.</summary>
-    public static (SpringRig[] Rigs, SpringSettings[] Settings) Of(Skeleton skeleton, bool tail)
+    public static (SpringRig[] Rigs, SpringSettings[] Settings) Of(MotionSubject subject, bool tail)
     {
-        var rigs = new System.Collections.Generic.List<SpringRig>();
-        var settings = new System.Collections.Generic.List<SpringSettings>();
+        Skeleton skeleton = subject.Skeleton;
+        var rigs = new List<SpringRig>();
+        var settings = new List<SpringSettings>();
         Add(JointRole.Tail, tail);
         Add(JointRole.Ear, true);
         Add(JointRole.Antenna, true);
@@ -55,7 +57,7 @@ internal sealed class SecondaryMotion
             if (wanted && rig.Joints.Length > 0 && rig.Length > 0f)
             {
                 rigs.Add(rig);
-                settings.Add(Within(role switch { JointRole.Tail => SpringSettings.Tail(rig.Length), JointRole.Ear => SpringSettings.Ear(rig.Length), _ => SpringSettings.Antenna(rig.Length) }, rig));
+                settings.Add(Within(role switch { JointRole.Tail => SpringSettings.Tail(rig.Length), JointRole.Ear => SpringSettings.Ear(rig.Length), _ => SpringSettings.Antenna(rig.Length) }, rig, SkinBelow(subject, rig)));
             }
         }
     }
@@ -73,7 +75,7 @@ internal sealed class SecondaryMotion
         for (int i = 0; i < rigs.Length; i++)
         {
             ReadOnlySpan<SpringCollider> colliders = ReadOnlySpan<SpringCollider>.Empty;
-            if (low[i] && !float.IsPositiveInfinity(clearance))
+            if (ReachesDown(i, clearance, model))
             {
                 ground[0] = SpringCollider.Plane(root.Position + (up * (((Thickness * rigs[i].Length) - clearance) * root.Scale)), up);
                 colliders = ground;
@@ -122,8 +124,51 @@ internal sealed class SecondaryMotion
         }
     }
 
+    /// <summary>Whether a chain is as near to the ground as it is long.</summary>
+    private bool ReachesDown(int chain, float clearance, in Pose model)
+    {
+        float length = (1f + Thickness) * rigs[chain].Length;
+        foreach (int root in roots[chain])
+        {
+            if (model.Positions[root].Y + clearance < length)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    private static int[] RootsOf(SpringRig rig)
+    {
+        var roots = new List<int>();
+        for (int i = 0; i < rig.Joints.Length; i++)
+        {
+            if (rig.Parents[i] < 0)
+            {
+                roots.Add(rig.Joints[i]);
+            }
+        }
+
+        return roots.ToArray();
+    }
+
+    /// <summary>How far the skin of each bone is below it, beyond what all of the chain keeps from the ground.</summary>
+    private static ChainCurve SkinBelow(MotionSubject subject, SpringRig rig)
+    {
+        float[] below = BoneSkin.Below(subject, rig.Joints, rig.Directions, rig.Lengths);
+        var depths = new SortedDictionary<float, float>();
+        for (int i = 0; i < below.Length; i++)
+        {
+            depths.TryGetValue(rig.Places[i], out float depth);
+            depths[rig.Places[i]] = Math.Max(depth, below[i] - (Thickness * rig.Length));
+        }
+
+        return ChainCurve.Through(depths.Keys.ToArray(), depths.Values.ToArray());
+    }
+
     /// <summary>Settings whose swing leaves room for the motion within the narrowest joint's limits.</summary>
-    private static SpringSettings Within(in SpringSettings settings, SpringRig rig)
+    private static SpringSettings Within(in SpringSettings settings, SpringRig rig, ChainCurve radius)
     {
         float max = settings.MaxSwing;
         foreach (int joint in rig.Joints)
@@ -133,6 +178,6 @@ internal sealed class SecondaryMotion
             max = Math.Min(max, Math.Max(SwingFraction * min, 0.02f));
         }
 
-        return new SpringSettings(settings.Frequency, settings.DampingRatio, settings.Radius, settings.Gravity, max, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle, settings.MaxSpeed);
+        return new SpringSettings(settings.Frequency, settings.DampingRatio, radius, settings.Gravity, max, settings.Inherit, settings.Inertia, settings.Weight, settings.TeleportDistance, settings.TeleportAngle, settings.MaxSpeed);
     }
 }

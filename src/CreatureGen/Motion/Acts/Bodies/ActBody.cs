@@ -55,6 +55,8 @@ internal sealed class ActBody
         Skin = SupportPoints.Of(subject);
         HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1));
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
+        ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
+        BearingSkin = Skin.Of(joint => !Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1) && !Array.Exists(Arms, arm => Hangs(joint, arm.Joints[1])));
         Tools = new ActTools(this);
     }
 
@@ -125,6 +127,12 @@ internal sealed class ActBody
     public SupportPoints HeadSkin { get; }
 
     public SupportPoints TailSkin { get; }
+
+    /// <summary>The same of each arm.</summary>
+    public SupportPoints[] ArmSkins { get; }
+
+    /// <summary>The same of trunk and legs: what a body lies on.</summary>
+    public SupportPoints BearingSkin { get; }
 
     /// <summary>Seconds in which acts reckon: √(unit / gravity).</summary>
     public float TimeUnit(float gravity) => (float)Math.Sqrt(Unit / gravity);

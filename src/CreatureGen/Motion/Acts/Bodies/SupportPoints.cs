@@ -33,24 +33,62 @@ internal sealed class SupportPoints
     /// <summary>Those of some joints.</summary>
     public SupportPoints Of(Predicate<int> joints) => new(Array.FindAll(points, point => joints(point.Joint)));
 
-    /// <summary>The angle about an axis to the left by which what hangs on a joint has to be raised so that nothing of it is in level ground at height 0, radians; 0 for none.</summary>
+    /// <summary>The angle about an axis to the left by which what hangs on a joint has to be raised so that nothing of it is in the ground, radians; 0 for none.</summary>
+    /// <param name="ground">That it may be in.</param>
     /// <param name="pivot">Model space.</param>
     /// <param name="model">Pose in model space.</param>
-    public float Raise(Vector3 pivot, in Pose model)
+    public float Raise(in ActGround ground, Vector3 pivot, in Pose model)
     {
         float most = 0f;
         foreach ((int joint, Vector3 point) in points)
         {
             Vector3 place = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
-            if (place.Y < 0f)
+            float height = ground.HeightOf(place);
+            if (height < 0f)
             {
                 float x = place.X - pivot.X;
                 float z = place.Z - pivot.Z;
-                most = Math.Max(most, -place.Y / (float)Math.Sqrt(Math.Max((x * x) + (z * z), 1e-8f)));
+                most = Math.Max(most, -height / (float)Math.Sqrt(Math.Max((x * x) + (z * z), 1e-8f)));
             }
         }
 
         return most;
+    }
+
+    /// <summary>The angle about an axis to the left by which what hangs down from a joint has to swing ahead so that nothing of it is in the ground, radians; 0 for none.</summary>
+    /// <param name="ground">That it may be in.</param>
+    /// <param name="pivot">Model space.</param>
+    /// <param name="model">Pose in model space.</param>
+    public float Swing(in ActGround ground, Vector3 pivot, in Pose model)
+    {
+        float most = 0f;
+        float above = ground.HeightOf(pivot);
+        foreach ((int joint, Vector3 point) in points)
+        {
+            Vector3 place = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
+            float height = ground.HeightOf(place);
+            if (height < 0f)
+            {
+                float ahead = place.Z - pivot.Z;
+                float down = above - height;
+                float level = (float)Math.Sqrt(Math.Max((ahead * ahead) + (down * down) - (above * above), 0f));
+                most = Math.Max(most, (float)(PortableMath.Atan2(down, ahead) - PortableMath.Atan2(above, level)));
+            }
+        }
+
+        return most;
+    }
+
+    /// <summary>Height of the lowest point of a pose above the ground, metres.</summary>
+    public float Lowest(in ActGround ground, in Pose model)
+    {
+        float lowest = float.MaxValue;
+        foreach ((int joint, Vector3 point) in points)
+        {
+            lowest = Math.Min(lowest, ground.HeightOf(model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point)));
+        }
+
+        return lowest;
     }
 
     /// <summary>Height of the lowest point of a pose, metres.</summary>

@@ -144,7 +144,7 @@ public enum ActChannel
     /// <summary>The hind foot of the act's side with its toes down.</summary>
     HindFootPitch,
 
-    /// <summary>The foremost pair of legs folded as under a body that lies on its belly: 0 as they are, 1 folded, with the feet wherever that takes them.</summary>
+    /// <summary>The foremost pair of legs folded as under a body that lies on its belly: 0 as they are, 1 folded, with the feet wherever that takes them. Of an upright body on two legs both legs stretched out behind, as the trunk tips over ahead onto its chest.</summary>
     ForeFold,
 
     /// <summary>All other legs folded in the same way.</summary>

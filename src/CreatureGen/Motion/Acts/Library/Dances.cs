@@ -31,7 +31,7 @@ internal static class Dances
             steps.Add(Down("down", -1f));
         }
 
-        steps.Add(new ActPhase("bow", 2f).To(Aside, 0f).To(Roll, 0f).To(ForeDown, 0.35f).To(HindDown, 0f).To(NeckPitch, -0.3f).To(HeadSide, 0f).To(NeckSide, 0f).To(TailSide, 0f).To(TailPitch, 0.5f).To(ArmsOut, 0.5f).To(ArmsAhead, -0.2f).To(ArmsBend, 0f).To(BackSide, 0f));
+        steps.Add(new ActPhase("bow", 2f).To(Aside, 0f).To(Roll, 0f).To(ForeDown, 0.35f).To(HindDown, 0f).To(NeckPitch, -0.3f).To(HeadSide, 0f).To(NeckSide, 0f).To(TailSide, 0f).To(TailPitch, 0.5f).To(ArmsOut, 0.5f).To(ArmsAhead, -0.2f).To(ArmsBend, 0f).To(BackSide, 0f).To(BackPitch, 0f));
         steps.Add(new ActPhase("rise", 2f).To(ForeDown, 0f).To(NeckPitch, 0f).To(TailPitch, 0f).To(ArmsOut, 0f).To(ArmsAhead, 0f).To(Ears, 0f));
         return steps.ToArray();
     }
@@ -40,14 +40,14 @@ internal static class Dances
     private static ActPhase Side(string name, float side, int bar)
     {
         bool own = side < 0f;
-        float hop = 0.16f;
+        float hop = 0.26f;
         return new ActPhase(name, Beat * 0.55f)
-            .To(Aside, 0.10f * side).To(Roll, -0.05f * side).To(BackSide, 0.12f * side).To(ForeDown, 0.02f).To(HindDown, 0.02f)
+            .To(Aside, 0.10f * side).To(Roll, -0.08f * side).To(BackSide, 0.16f * side).To(BackPitch, 0.08f).To(ForeDown, 0f).To(HindDown, 0.04f)
             .To(ForeFeetUp, own ? 0f : hop).To(ForeFootUp, own ? hop : -hop)
-            .To(NeckSide, 0.3f * side).To(NeckPitch, 0.2f).To(HeadSide, bar % 2 == 0 ? 0.2f * side : -0.2f * side).To(TailSide, -0.7f * side).To(TailPitch, 0.3f)
-            .To(ArmsOut, 0.7f).To(ArmsAhead, 0.4f * side).To(ArmsBend, 0.6f).To(Ears, -0.4f);
+            .To(NeckSide, 0.4f * side).To(NeckPitch, 0.35f).To(HeadSide, bar % 2 == 0 ? 0.2f * side : -0.2f * side).To(TailSide, -0.9f * side).To(TailPitch, 0.4f)
+            .To(ArmsOut, 0.9f).To(ArmsAhead, 0.5f * side).To(ArmsBend, 0.7f).To(Ears, -0.4f);
     }
 
     private static ActPhase Down(string name, float side) =>
-        new ActPhase(name, Beat * 0.45f).To(ForeFeetUp, 0f).To(ForeFootUp, 0f).To(ForeDown, 0.14f).To(HindDown, 0.14f).To(NeckPitch, -0.15f).To(HeadSide, 0f).To(Roll, 0.02f * side).To(ArmsOut, 0.2f);
+        new ActPhase(name, Beat * 0.45f).To(ForeFeetUp, 0f).To(ForeFootUp, 0f).To(BackPitch, -0.05f).To(ForeDown, 0.2f).To(HindDown, 0.16f).To(NeckPitch, -0.3f).To(HeadSide, 0f).To(Roll, 0.02f * side).To(ArmsOut, 0.2f);
 }

@@ -11,6 +11,11 @@ internal static class Postures
         new ActPhase("lie", 10f).To(NeckPitch, 0.08f).To(Lids, 0.1f).Lasting().With(new ActWave(Up, 0.004f, 3f)).With(new ActWave(HeadSide, 0.12f, 1f)).With(new ActWave(TailSide, 0.1f, 0.5f)),
     };
 
+    private static readonly ActPhase[] propped =
+    {
+        new ActPhase("lie", 10f).To(NeckPitch, 0.6f).To(Lids, 0.1f).Lasting().With(new ActWave(Up, 0.004f, 3f)).With(new ActWave(HeadSide, 0.12f, 1f)).With(new ActWave(TailSide, 0.1f, 0.5f)),
+    };
+
     private static readonly ActPhase[] sleep =
     {
         new ActPhase("nod", 3.5f).To(NeckPitch, -0.75f).To(HeadPitch, -0.1f).To(NeckSide, 0.35f).To(HeadSide, 0.1f).To(Lids, 1f).To(Ears, 0.35f).To(TailSide, 0.5f),
@@ -29,14 +34,26 @@ internal static class Postures
             .Needing(ActNeeds.Legs).For(BodyBuild.Pawed | BodyBuild.Upright).OnTheSpot(),
         Lying("Lie", GettingDownOnPaws(lie)).For(BodyBuild.Pawed),
         Lying("Lie", GettingDownOnHooves(lie)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
+        Lying("Lie", GettingDownUpright(propped)).For(BodyBuild.Upright),
         Lying("Lie", GettingDown(lie)).For(BodyBuild.Standing),
         Lying("Sleep", GettingDownOnPaws(sleep)).For(BodyBuild.Pawed),
         Lying("Sleep", GettingDownOnHooves(sleep)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
+        Lying("Sleep", GettingDownUpright(sleep)).For(BodyBuild.Upright),
         Lying("Sleep", GettingDown(sleep)).For(BodyBuild.Standing),
         new Act("Sleep", ActKind.Posture,
             new ActPhase("nod", 4f).To(Lids, 1f).To(NeckPitch, -0.1f).To(Wings, -0.2f),
             new ActPhase("sleep", 14f).Lasting().With(new ActWave(Up, 0.02f, 2.5f)).With(new ActWave(Roll, 0.03f, 1f)),
             new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0f).To(Wings, 0f)),
+        new Act("Die", ActKind.Posture,
+            new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f).To(ArmsOut, 0.4f),
+            new ActPhase("buckle", 1.4f, ActEase.In).To(HindDown, 0.5f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.2f).To(ArmsAhead, 0.4f),
+            new ActPhase("topple", 1.8f, ActEase.In).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(NeckPitch, 0.2f).To(Roll, 0f).To(ArmsAhead, 1.3f),
+            new ActPhase("settle", 1.6f, ActEase.Out).To(NeckPitch, -0.5f).To(NeckSide, 0.5f).To(HeadRoll, 0.25f).To(HeadSide, 0.2f).To(Lids, 0.8f).To(Jaw, 0.3f).To(TailSide, 0.4f).To(TailPitch, -0.3f),
+            new ActPhase("still", 5f).Lasting(),
+            new ActPhase("push", 2.6f).To(ForeFold, 0.45f).To(HindFold, 0.3f).To(HindDown, 0.85f).To(NeckPitch, 0.2f).To(NeckSide, 0f).To(HeadRoll, 0f).To(HeadSide, 0f),
+            new ActPhase("squat", 2.2f).To(ForeFold, 0f).To(HindFold, 0.6f).To(HindDown, 0.6f).To(ArmsAhead, 0.3f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f),
+            new ActPhase("rise", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.Legs).For(BodyBuild.Upright).OnTheSpot(),
         new Act("Die", ActKind.Posture,
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
             new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
@@ -75,6 +92,23 @@ internal static class Postures
         phases.AddRange(there);
         phases.Add(new ActPhase("lift", 2.6f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.35f).To(HindFold, 0.35f).To(NeckPitch, -0.15f).To(Lids, 0f));
         phases.Add(new ActPhase("stand", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(TailSide, 0f));
+        return phases.ToArray();
+    }
+
+    /// <summary>The same of an upright body: it squats, puts its hands down and lies down on its chest, its legs stretched out behind; and up again the same way.</summary>
+    private static ActPhase[] GettingDownUpright(params ActPhase[] there)
+    {
+        var phases = new List<ActPhase>
+        {
+            new ActPhase("look", 1.2f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(HindDown, 0.12f),
+            new ActPhase("squat", 2.2f).To(HindDown, 0.75f).To(HindFold, 0.6f).To(ArmsAhead, 0.5f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
+            new ActPhase("hands", 2.2f).To(HindDown, 0.9f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsAhead, 1.1f).To(NeckPitch, 0.3f),
+            new ActPhase("sink", 2.6f).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(ArmsAhead, 1.3f).To(ArmsBend, 0.4f).To(NeckPitch, 0.6f),
+        };
+        phases.AddRange(there);
+        phases.Add(new ActPhase("push", 2.4f).To(HindDown, 0.85f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsBend, 0f).To(ArmsAhead, 0.9f).To(NeckPitch, 0.3f).To(Lids, 0f));
+        phases.Add(new ActPhase("gather", 2.2f).To(HindDown, 0.6f).To(HindFold, 0.6f).To(ForeFold, 0f).To(ArmsAhead, 0.3f).To(NeckPitch, -0.1f).To(TailSide, 0f));
+        phases.Add(new ActPhase("stand", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(NeckPitch, 0f).To(Ears, 0f));
         return phases.ToArray();
     }
 

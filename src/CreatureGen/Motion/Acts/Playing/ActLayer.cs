@@ -34,8 +34,15 @@ internal sealed class ActLayer
     /// <summary>What is asked of trunk and feet.</summary>
     public BodyLayer Trunk { get; }
 
+    /// <summary>How far no foot stands, 0..1: folded legs leave the body to the ground.</summary>
+    public float Loose { get; private set; }
+
     /// <summary>Takes over what another of the same creature asks.</summary>
-    public void CopyFrom(ActLayer other) => Trunk.CopyFrom(other.Trunk);
+    public void CopyFrom(ActLayer other)
+    {
+        Trunk.CopyFrom(other.Trunk);
+        Loose = other.Loose;
+    }
 
     /// <summary>Fills the layer for trunk and feet.</summary>
     /// <param name="values">Of the channels.</param>
@@ -55,7 +62,8 @@ internal sealed class ActLayer
         float bow = body.Legs.IsBiped ? Bow * Math.Max(fore - hind, 0f) : 0f;
         Trunk.Way = new Vector3(side * values[(int)ActChannel.Aside], values[(int)ActChannel.Up], values[(int)ActChannel.Ahead]) * unit;
         Trunk.Yaw = side * values[(int)ActChannel.Yaw];
-        Trunk.Pitch = values[(int)ActChannel.Pitch] - bow;
+        float stretched = body.Build == BodyBuild.Upright ? Scalar.Clamp(values[(int)ActChannel.ForeFold], 0f, 1f) : 0f;
+        Trunk.Pitch = values[(int)ActChannel.Pitch] - bow - (stretched * folded.Tip);
         Trunk.Roll = side * values[(int)ActChannel.Roll];
         Trunk.ForeDown = (body.Legs.IsBiped ? hind : fore) * belly;
         Trunk.HindDown = hind * belly;
@@ -65,14 +73,17 @@ internal sealed class ActLayer
         Array.Clear(Trunk.Feet, 0, Trunk.Feet.Length);
         Lift(body.ForeFeet, side < 0f, values, ActChannel.ForeFeetUp, ActChannel.ForeFootUp);
         Lift(body.HindFeet, side < 0f, values, ActChannel.HindFeetUp, ActChannel.HindFootUp);
+        Loose = 1f;
         for (int leg = 0; leg < Trunk.Feet.Length; leg++)
         {
             bool isFore = body.Legs.Rows > 1 && body.Legs.Legs[leg].Row == body.Legs.Rows - 1;
-            float fold = values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)];
-            if (fold > 0f)
+            float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f);
+            if (fold > 0f || stretched > 0f)
             {
-                folded.AddTo(ref Trunk.Feet[leg], leg, Math.Min(fold, 1f));
+                folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched);
             }
+
+            Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);
         }
     }
 

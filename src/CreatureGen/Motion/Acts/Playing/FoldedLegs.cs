@@ -1,34 +1,68 @@
+using System;
 using System.Numerics;
 using CreatureGen.Motion.Modes;
 
 namespace CreatureGen.Motion.Acts.Playing;
 
-/// <summary>Where the feet of a body are that lies on its belly: its legs folded as its joints let them. One entry for each leg, in the order of its legs.</summary>
+/// <summary>Where the feet of a body are that lies on its belly: its legs folded as its joints let them, and those of an upright one stretched out behind. One entry for each leg, in the order of its legs.</summary>
 internal sealed class FoldedLegs
 {
-    /// <summary>How high a foot goes on its way, metres over the length of that way.</summary>
-    private const float Arch = 0.35f;
+    /// <summary>How high a foot goes on its way, metres over the length of that way: one that is drawn back slides along the ground, below its hip.</summary>
+    private const float FoldedArch = 0.35f;
+    private const float StretchedArch = 0.04f;
 
     public FoldedLegs(int legs)
     {
+        Folded = new FootWays(legs, FoldedArch);
+        Stretched = new FootWays(legs, StretchedArch);
+    }
+
+    /// <summary>Folded under the body.</summary>
+    public FootWays Folded { get; }
+
+    /// <summary>Stretched out behind a body that stands upright otherwise, and lies on its chest.</summary>
+    public FootWays Stretched { get; }
+
+    /// <summary>How far a trunk tips over ahead from upright until it is level, radians.</summary>
+    public float Tip { get; set; }
+
+    /// <summary>Whether they have been found: a body without feet that stand is brought to the ground from then on.</summary>
+    public bool IsFound { get; set; }
+
+    /// <summary>Adds a share of them to what is asked of a foot.</summary>
+    public void AddTo(ref FootLayer foot, int leg, float folded, float stretched)
+    {
+        Add(Folded, ref foot, leg, folded);
+        Add(Stretched, ref foot, leg, stretched);
+    }
+
+    private static void Add(FootWays ways, ref FootLayer foot, int leg, float share)
+    {
+        Vector3 way = ways.Ways[leg];
+        float level = (float)Math.Sqrt((way.X * way.X) + (way.Z * way.Z));
+        way.Y += ways.Arch * level * 4f * (1f - share);
+        foot.Way += way * share;
+        foot.Pitch += ways.Pitches[leg] * share;
+        foot.Loose = Math.Max(foot.Loose, share);
+    }
+}
+
+/// <summary>Where feet are, away from where they stand.</summary>
+internal sealed class FootWays
+{
+    public FootWays(int legs, float arch)
+    {
+        Arch = arch;
         Ways = new Vector3[legs];
         Pitches = new float[legs];
     }
+
+    /// <summary>How high feet go on their ways, metres over the length of a way.</summary>
+    public float Arch { get; }
 
     /// <summary>From where each foot stands, metres.</summary>
     public Vector3[] Ways { get; }
 
     /// <summary>Toes down, radians.</summary>
     public float[] Pitches { get; }
-
-    /// <summary>Adds a share of it to what is asked of a foot.</summary>
-    public void AddTo(ref FootLayer foot, int leg, float share)
-    {
-        Vector3 way = Ways[leg];
-        float level = (float)System.Math.Sqrt((way.X * way.X) + (way.Z * way.Z));
-        way.Y += Arch * level * 4f * (1f - share);
-        foot.Way += way * share;
-        foot.Pitch += Pitches[leg] * share;
-        foot.Loose = System.Math.Max(foot.Loose, share);
-    }
 }

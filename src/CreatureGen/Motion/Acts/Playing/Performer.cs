@@ -18,6 +18,9 @@ internal sealed class Performer
     private const float StillRate = 9f;
     private const float Nothing = 1e-3f;
 
+    /// <summary>How far feet have to be off their places for the ground to bear the body instead.</summary>
+    private const float Borne = 0.15f;
+
     /// <summary>How far lids are shut that see nothing.</summary>
     private const float Asleep = 0.6f;
 
@@ -179,16 +182,23 @@ internal sealed class Performer
     /// <summary>Writes all that no leg carries.</summary>
     /// <param name="root">Where the creature is.</param>
     /// <param name="carried">Whether legs carry the trunk.</param>
+    /// <param name="ground">That the feet stand on.</param>
     /// <param name="local">The pose.</param>
     /// <param name="model">The same in model space, brought up to date.</param>
-    public void Pose(in RootPlace root, bool carried, in Pose local, in Pose model)
+    public void Pose(in RootPlace root, bool carried, in ActGround ground, in Pose local, in Pose model)
     {
         layer.Turn(values, side, carried, local);
         ForwardKinematics.LocalToModel(body.Skeleton, local, model);
+        Settled = 0f;
         if (carried)
         {
-            KeepOffGround(body.Neck, body.HeadSkin, -1f, local, model);
-            KeepOffGround(body.Tail, body.TailSkin, 1f, local, model);
+            Settle(ground, local, model);
+            KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, local, model);
+            KeepOffGround(ground, body.Tail, body.TailSkin, 1f, local, model);
+            for (int i = 0; i < body.Arms.Length; i++)
+            {
+                KeepArmOffGround(ground, body.Arms[i].Joints[1], body.ArmSkins[i], local, model);
+            }
         }
 
         Bring(lastAim, player.LeftReach, root, carried, local, model);
@@ -203,12 +213,36 @@ internal sealed class Performer
         return joint < 0 ? root.Position : root.ToWorld(body.Tools.PlaceOf(tool, side < 0f, model));
     }
 
+    /// <summary>How far the ground has raised the body that lies on it, metres; negative where it came down to it.</summary>
+    public float Settled { get; private set; }
+
+    /// <summary>Brings a body none of whose feet stands to the ground: neither in it nor in the air above it.</summary>
+    private void Settle(in ActGround ground, in Pose local, in Pose model)
+    {
+        if (layer.Loose > 0f && room.Legs.IsFound)
+        {
+            Settled = -Scalar.Smooth(layer.Loose / Borne) * body.BearingSkin.Lowest(ground, model);
+            local.Positions[body.Body] += new Vector3(0f, Settled, 0f);
+            ForwardKinematics.LocalToModel(body.Skeleton, local, model);
+        }
+    }
+
+    /// <summary>Swings an arm ahead that would be in the ground.</summary>
+    private void KeepArmOffGround(in ActGround ground, int shoulder, SupportPoints skin, in Pose local, in Pose model)
+    {
+        for (int round = 0; round < ClearingRounds && skin.Swing(ground, model.Positions[shoulder], model) is > 0f and float swing; round++)
+        {
+            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(-Math.Min(swing, MostCleared)), local);
+            Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
+        }
+    }
+
     /// <summary>Raises neck or tail where it would be in the ground, as seen from the root: before the whole body has to.</summary>
-    private void KeepOffGround(TurnedChain chain, SupportPoints skin, float sign, in Pose local, in Pose model)
+    private void KeepOffGround(in ActGround ground, TurnedChain chain, SupportPoints skin, float sign, in Pose local, in Pose model)
     {
         for (int round = 0; round < ClearingRounds && chain.Count > 0; round++)
         {
-            float raise = skin.Raise(model.Positions[chain.Joints[0]], model);
+            float raise = skin.Raise(ground, model.Positions[chain.Joints[0]], model);
             if (raise == 0f)
             {
                 return;

@@ -1,3 +1,5 @@
+using System;
+
 namespace CreatureGen.Motion.Acts.Playing;
 
 /// <summary>How the trunk helps a tool to its target: added to the channels as the tool is on its way.</summary>
@@ -33,9 +35,10 @@ internal struct ReachPlan
         }
     }
 
-    /// <summary>Adds a share of it to channels of an act to the left; sides of an act to the right are those of the creature all the same.</summary>
+    /// <summary>Adds a share of it, all of it at the most, to channels of an act to the left; sides of an act to the right are those of the creature all the same.</summary>
     public readonly void AddTo(float[] values, float share, float side)
     {
+        share = Math.Min(share, 1f);
         values[(int)ActChannel.Ahead] += Ahead * share;
         values[(int)ActChannel.Aside] += Aside * share * side;
         values[(int)ActChannel.Yaw] += Yaw * share * side;

@@ -83,7 +83,7 @@ internal sealed class ActStage
         }
 
         ForwardKinematics.LocalToModel(body.Skeleton, Local, Model);
-        performer.Pose(RootPlace.Identity, body.Legs != null, Local, Model);
+        performer.Pose(RootPlace.Identity, body.Legs != null, ActGround.Level, Local, Model);
     }
 
     /// <summary>Where a tool is.</summary>
@@ -115,8 +115,8 @@ internal sealed class ActStage
         return Math.Min(ball, Vec.Distance(SoleOf(foot), feet[foot] + asked.Way)) / leg.Length;
     }
 
-    /// <summary>How much deeper the skin is in the ground than where the creature stands, parts of its length; 0 where no ground carries it.</summary>
-    public float Sunk() => body.Legs == null && body.Build != BodyBuild.Legless ? 0f : Math.Max(0f, Math.Min(standing, 0f) - body.Skin.Lowest(Model)) / body.Size;
+    /// <summary>How much deeper the skin is in the ground than where the creature stands, or would be if the ground did not raise the body, parts of its length; 0 where no ground carries it.</summary>
+    public float Sunk() => body.Legs == null && body.Build != BodyBuild.Legless ? 0f : Math.Max(Math.Max(0f, performer.Settled), Math.Min(standing, 0f) - body.Skin.Lowest(Model)) / body.Size;
 
     private Vector3 SoleOf(int foot)
     {

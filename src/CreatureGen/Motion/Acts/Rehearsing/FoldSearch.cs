@@ -30,6 +30,9 @@ internal static class FoldSearch
     private const float MissCost = 0.6f;
     private const float WayCost = 0.12f;
 
+    /// <summary>How far the chest of an upright body is propped up that lies on its belly, radians.</summary>
+    private const float Propped = 0.12f;
+
     /// <summary>What a foot costs that its ankle does not let turn as it is asked, for each square of a radian: far beyond its limit it would come round from the other side.</summary>
     private const float TurnCost = 0.15f;
 
@@ -38,14 +41,41 @@ internal static class FoldSearch
     private static readonly float[] least = { -0.9f, -0.2f, 0f, -0.6f };
     private static readonly float[] most = { 0.9f, 0.7f, 0.2f, 1.8f };
 
+    // Stretched out behind a body on its chest.
+    private static readonly float[][] stretchedBeginnings = { new[] { -0.9f, 0f, 0.05f, 1.4f } };
+    private static readonly float[] stretchedLeast = { -1.3f, -0.1f, 0f, 0.6f };
+
     /// <summary>Finds it for all legs, those of a pair alike.</summary>
     /// <param name="body">Whose.</param>
     /// <param name="stage">Where it is tried.</param>
     /// <param name="legs">Receives it; the stage shows it.</param>
     public static void Find(ActBody body, ActStage stage, FoldedLegs legs)
     {
+        FindFolded(body, stage, legs);
+        if (body.Build == BodyBuild.Upright)
+        {
+            FindStretched(body, stage, legs);
+        }
+
+        legs.IsFound = true;
+    }
+
+    /// <summary>How far the trunk tips over until it is level, and where the legs are then.</summary>
+    private static void FindStretched(ActBody body, ActStage stage, FoldedLegs legs)
+    {
         var values = new float[Act.ChannelCount];
+        stage.Show(values);
+        Vector3 trunk = stage.Model.Positions[body.Spine[^1]] - stage.Model.Positions[body.Skeleton.Parents[body.Spine[0]]];
+        legs.Tip = (float)PortableMath.Atan2(trunk.Y, trunk.Z) - Propped;
+        values[(int)ActChannel.HindDown] = 1f;
         values[(int)ActChannel.ForeFold] = 1f;
+        Find(body, stage, legs.Stretched, (stretchedBeginnings, stretchedLeast), values);
+    }
+
+    private static void FindFolded(ActBody body, ActStage stage, FoldedLegs legs)
+    {
+        var values = new float[Act.ChannelCount];
+        values[(int)ActChannel.ForeFold] = body.Build == BodyBuild.Upright ? 0f : 1f;
         values[(int)ActChannel.HindFold] = 1f;
 
         // Legs that do not fold so far carry the body higher.
@@ -53,7 +83,7 @@ internal static class FoldSearch
         {
             values[(int)ActChannel.ForeDown] = down;
             values[(int)ActChannel.HindDown] = down;
-            Find(body, stage, legs, values);
+            Find(body, stage, legs.Folded, (beginnings, least), values);
             stage.Show(values);
             if (stage.Sunk() <= MaxSunk)
             {
@@ -62,7 +92,7 @@ internal static class FoldSearch
         }
     }
 
-    private static void Find(ActBody body, ActStage stage, FoldedLegs legs, float[] values)
+    private static void Find(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Least) manner, float[] values)
     {
         for (int leg = 0; leg < body.Legs!.Legs.Length; leg++)
         {
@@ -70,19 +100,20 @@ internal static class FoldSearch
             int other = Array.FindIndex(body.Legs.Legs, one => one.Row == rig.Row && one.Side == Side.Right);
             if (rig.Side == Side.Left && other >= 0)
             {
-                Find(body, stage, legs, leg, other, values);
+                Find(body, stage, ways, manner, (leg, other), values);
             }
         }
     }
 
-    private static void Find(ActBody body, ActStage stage, FoldedLegs legs, int left, int right, float[] values)
+    private static void Find(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Least) manner, (int Left, int Right) pair, float[] values)
     {
+        (int left, int right) = pair;
         LegRig rig = body.Legs!.Legs[left];
         SupportPoints skin = body.Skin.Of(joint => body.Hangs(joint, rig.Hip));
         var best = new float[Count];
         var now = new float[Count];
         float least = float.MaxValue;
-        foreach (float[] beginning in beginnings)
+        foreach (float[] beginning in manner.Beginnings)
         {
             beginning.CopyTo(now, 0);
             float cost = Cost(now);
@@ -107,7 +138,7 @@ internal static class FoldSearch
             bool Move(int number, float by)
             {
                 float before = now[number];
-                now[number] = Scalar.Clamp(before + by, FoldSearch.least[number], most[number]);
+                now[number] = Scalar.Clamp(before + by, manner.Least[number], most[number]);
                 float tried = Cost(now);
                 if (tried < cost - 1e-4f)
                 {
@@ -124,9 +155,9 @@ internal static class FoldSearch
 
         void Set(float[] numbers)
         {
-            legs.Ways[left] = new Vector3(numbers[1], numbers[2], numbers[0]) * rig.Length;
-            legs.Ways[right] = new Vector3(-numbers[1], numbers[2], numbers[0]) * rig.Length;
-            legs.Pitches[left] = legs.Pitches[right] = numbers[3];
+            ways.Ways[left] = new Vector3(numbers[1], numbers[2], numbers[0]) * rig.Length;
+            ways.Ways[right] = new Vector3(-numbers[1], numbers[2], numbers[0]) * rig.Length;
+            ways.Pitches[left] = ways.Pitches[right] = numbers[3];
         }
 
         float Cost(float[] numbers)
@@ -134,7 +165,7 @@ internal static class FoldSearch
             Set(numbers);
             stage.Show(values);
             float lowest = skin.Lowest(stage.Model) / rig.Length;
-            float miss = Vec.Distance(stage.Model.Positions[rig.Ball], rig.Home + legs.Ways[left] + new Vector3(0f, rig.BallHeight, 0f)) / rig.Length;
+            float miss = Vec.Distance(stage.Model.Positions[rig.Ball], rig.Home + ways.Ways[left] + new Vector3(0f, rig.BallHeight, 0f)) / rig.Length;
             Quaternion foot = Rotation.Multiply(stage.Model.Rotations[rig.Ball], Rotation.Inverse(body.Skeleton.ModelRotations[rig.Ball]));
             float turned = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(AxisRotation.About(rig.RollAxis, numbers[3])), foot));
             float way = (numbers[0] * numbers[0]) + (numbers[1] * numbers[1]) + (0.1f * numbers[3] * numbers[3]);
