@@ -10,7 +10,7 @@ namespace CreatureGen.Events;
 /// <remarks>
 /// Latency: a moment is known when the acceleration, or the speed of a sweep any way, has fallen from its maximum below the threshold or by half, one update after it at best, a sixth of a beat for slow ones; with a <see cref="AngularRule.ChunkGap"/> that much later, when a higher peak could still come. It is told in
 /// that update, and <see cref="AngularMoment.SecondsAgo"/> says how long ago it was: at 60 updates a second 25 ms, half an update of which is the place of the acceleration between two updates. <see cref="AngularRule.ThresholdFraction"/>
-/// is of the greatest acceleration lately, which is forgotten by half in <see cref="Memory"/> seconds. Beginnings of sweeps are told in the update in which they happen; the first stroke teaches how fast the limb usually sweeps. Of an interval the earliest stays, since a stronger one may come only later. <see cref="AngularRule.Offset"/> is
+/// is of the greatest acceleration lately, which is forgotten by half in <see cref="Memory"/> seconds. Beginnings of sweeps are told when they have lasted for a seventh of a usual sweep; the first stroke teaches how fast the limb usually sweeps. Of an interval the earliest stays, since a stronger one may come only later. <see cref="AngularRule.Offset"/> is
 /// added to <see cref="AngularMoment.SecondsAgo"/>, at most to 0.
 /// </remarks>
 public sealed class AngularEventStream

@@ -6,6 +6,9 @@ namespace CreatureGen.Events;
 /// <summary>What is remembered of a limb that sweeps, while it goes on.</summary>
 internal struct SweepTrack
 {
+    /// <summary>Part of the usual length of a sweep that it has to last before it is one: a leg that straightens in its swing flicks back for a moment.</summary>
+    private const float Settled = 0.15f;
+
     private bool started;
     private bool returned;
     private float along;
@@ -14,13 +17,17 @@ internal struct SweepTrack
     private float usual;
     private float swept;
     private float sweeping;
+    private float usualLength;
+    private bool begun;
+    private float lasted;
+    private float strengthThen;
 
-    /// <summary>Takes the next update; whether a sweep has begun in it.</summary>
+    /// <summary>Takes the next update; whether a sweep that has begun has lasted long enough in it.</summary>
     /// <param name="now">Where the line ends, as far as that is towards, lengths.</param>
     /// <param name="dt">Seconds since the last, above 0.</param>
     /// <param name="rule">With a sweep.</param>
-    /// <param name="strength">Its speed, in thresholds.</param>
-    /// <param name="ago">Seconds before the end of the update.</param>
+    /// <param name="strength">Its speed as it began, in thresholds.</param>
+    /// <param name="ago">Seconds from its beginning to the end of the update.</param>
     public bool Passes(float now, float dt, AngularRule rule, out float strength, out float ago)
     {
         strength = ago = 0f;
@@ -46,25 +53,43 @@ internal struct SweepTrack
 
         if (!returned || speed < begins || usual == 0f)
         {
+            begun = false;
             return false;
         }
 
-        returned = false;
+        if (begun)
+        {
+            lasted += dt;
+        }
+        else
+        {
+            // A speed is that of the middle of its update.
+            begun = true;
+            lasted = dt * (0.5f + (before < begins ? (speed - begins) / (speed - before) : 0f));
+            strengthThen = begins > 0f ? speed / begins : 1f;
+        }
 
-        // A speed is that of the middle of its update.
-        ago = dt * (0.5f + (before < begins ? (speed - begins) / (speed - before) : 0f));
-        strength = begins > 0f ? speed / begins : 1f;
+        if (lasted < Settled * usualLength)
+        {
+            return false;
+        }
+
+        returned = begun = false;
+        strength = strengthThen;
+        ago = lasted;
         return true;
     }
 
-    /// <summary>A stroke is over: its mean speed counts for half of what is usual.</summary>
+    /// <summary>A stroke is over: its mean speed and its length count for half of what is usual, unless it was none.</summary>
     private void Learn()
     {
-        if (sweeping > 0f)
+        if (sweeping > Settled * usualLength)
         {
             float mean = swept / sweeping;
             usual = usual > 0f ? 0.5f * (usual + mean) : mean;
-            swept = sweeping = 0f;
+            usualLength = usualLength > 0f ? 0.5f * (usualLength + sweeping) : sweeping;
         }
+
+        swept = sweeping = 0f;
     }
 }

@@ -11,10 +11,21 @@ namespace CreatureGen.Motion.Toolkit;
 /// <summary>Plays clips of one skeleton on another.</summary>
 /// <remarks>
 /// Each joint turns from its rest as the joint that it follows does from its own, seen in model space. The body goes as far as the lengths of the legs make it, and so do the feet: each leg is brought to where its foot then is
-/// by <see cref="CcdIk"/>, within the limits of its joints, so that feet that stand, stand. Shoulder blades slide as they do. Joints that follow none stay as they are at rest. Based on: M. Gleicher, "Retargetting motion to new characters" (1998).
+/// by <see cref="CcdIk"/>, within the limits of its joints, so that feet that stand, stand. Where legs do not reach so far, as upright ones where a sprawler's feet go, the body is carried a little lower, and if that is not enough the clip is made in a smaller scale: shorter steps, less speed. Shoulder blades slide as they do. Joints that follow none stay as they are at rest. Based on: M. Gleicher, "Retargetting motion to new characters" (1998).
 /// </remarks>
 public static class ClipRetargeting
 {
+    /// <summary>How far a foot may stay from where it goes, parts of its leg's length.</summary>
+    private const float MostMissed = 0.05f;
+
+    /// <summary>By how much lower the body is carried at a time if it stays farther, and at most: parts of the longest leg.</summary>
+    private const float Lower = 0.02f;
+    private const float Lowest = 0.08f;
+
+    /// <summary>By how much less far all goes at a time if that is not enough, and to what part of the map's scale at most.</summary>
+    private const float Smaller = 0.9f;
+    private const float Smallest = 0.3f;
+
     /// <summary>Makes a clip of the second skeleton of a map.</summary>
     /// <param name="clip">Of the first.</param>
     /// <param name="map">Which joints follow which.</param>
@@ -36,7 +47,39 @@ public static class ClipRetargeting
         int count = map.To.Count;
         var rotations = new Quaternion[frames * count];
         var positions = new Vector3[frames * count];
+        float scale = map.Scale;
+        float drop = 0f;
+        while (Fill(clip, map, scale, drop * LegOf(map), rotations, positions) > MostMissed && scale > Smallest * map.Scale)
+        {
+            (drop, scale) = drop < Lowest ? (drop + Lower, scale) : (drop, scale * Smaller);
+        }
+
+        float duration = (frames - 1) / (float)rate;
+        var made = new Clip(name, clip.End, rate, clip.Speed * scale * clip.Duration / duration, count, rotations, positions);
+        return made.WithEvents(EventsOf(clip, map, duration));
+    }
+
+    private static float LegOf(RetargetMap map)
+    {
+        float longest = 0f;
+        foreach (RetargetedLeg leg in map.Legs)
+        {
+            longest = Math.Max(longest, Reach(map.To, leg));
+        }
+
+        return longest;
+    }
+
+    /// <summary>From the hip to the foot of a leg at rest, metres.</summary>
+    private static float Reach(Skeleton to, in RetargetedLeg leg) => Vec.Distance(to.ModelPositions[leg.Chain[0]], to.ModelPositions[leg.Chain[leg.Chain.Length - 1]]);
+
+    /// <summary>Fills in all frames at a scale, the body so much lower, and gives how far the worst foot stays from where it goes, parts of its leg's length.</summary>
+    private static float Fill(IClip clip, RetargetMap map, float scale, float drop, Quaternion[] rotations, Vector3[] positions)
+    {
+        int count = map.To.Count;
+        int frames = rotations.Length / count;
         var shown = new ModelPose(map.From);
+        float missed = 0f;
         for (int frame = 0; frame < frames; frame++)
         {
             if (frame == frames - 1 && clip.End == ClipEnd.Loops)
@@ -47,16 +90,14 @@ public static class ClipRetargeting
             }
 
             shown.Sample(clip, ClipError.PartOf(clip.Duration, frame, frames));
-            Turn(map, shown.Pose, new Pose(rotations.AsSpan(frame * count, count), positions.AsSpan(frame * count, count)));
+            missed = Math.Max(missed, Turn(map, scale, drop, shown.Pose, new Pose(rotations.AsSpan(frame * count, count), positions.AsSpan(frame * count, count))));
         }
 
-        float duration = (frames - 1) / (float)rate;
-        var made = new Clip(name, clip.End, rate, clip.Speed * map.Scale * clip.Duration / duration, count, rotations, positions);
-        return made.WithEvents(EventsOf(clip, map, duration));
+        return missed;
     }
 
-    /// <summary>One pose: the first skeleton's in model space becomes the second's in the parents' space.</summary>
-    private static void Turn(RetargetMap map, in Pose shown, in Pose local)
+    /// <summary>One pose: the first skeleton's in model space becomes the second's in the parents' space. Gives how far the worst foot stays from where it goes, parts of its leg's length.</summary>
+    private static float Turn(RetargetMap map, float scale, float drop, in Pose shown, in Pose local)
     {
         Skeleton to = map.To;
         local.SetToRest(to);
@@ -70,7 +111,7 @@ public static class ClipRetargeting
             if (joint == map.ToCarrier)
             {
                 Vector3 moved = shown.Positions[map.FromCarrier] - map.From.ModelPositions[map.FromCarrier];
-                Vector3 place = to.ModelPositions[joint] + (map.Scale * moved);
+                Vector3 place = to.ModelPositions[joint] + (scale * moved) - new Vector3(0f, drop, 0f);
                 local.Positions[joint] = Rotation.Rotate(Rotation.Inverse(above), place - origin);
             }
 
@@ -93,12 +134,16 @@ public static class ClipRetargeting
             model.Positions[joint] = origin + Rotation.Rotate(above, local.Positions[joint]);
         }
 
+        float missed = 0f;
         foreach (RetargetedLeg leg in map.Legs)
         {
             int foot = leg.Chain[leg.Chain.Length - 1];
-            Vector3 goal = to.ModelPositions[foot] + (map.Scale * (shown.Positions[leg.Foot] - map.From.ModelPositions[leg.Foot]));
-            CcdIk.Apply(to, leg.Chain, goal, CcdSettings.Default, local, model);
+            Vector3 goal = to.ModelPositions[foot] + (scale * (shown.Positions[leg.Foot] - map.From.ModelPositions[leg.Foot]));
+            IkResult result = CcdIk.Apply(to, leg.Chain, goal, CcdSettings.Default, local, model);
+            missed = Math.Max(missed, result.Residual / Reach(to, leg));
         }
+
+        return missed;
     }
 
     /// <summary>How far a joint has slid from its rest on its parent, model space.</summary>

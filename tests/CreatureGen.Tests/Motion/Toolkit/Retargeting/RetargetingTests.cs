@@ -97,6 +97,31 @@ public sealed class RetargetingTests
         }
     }
 
+    /// <summary>A sprawler's hips are low for how far its feet go: four times its steps are more than an upright leg reaches.</summary>
+    [Theory]
+    [InlineData(3)]
+    [InlineData(4)]
+    [InlineData(5)]
+    public void A_sprawler_s_walk_on_an_upright_dog_takes_steps_that_its_legs_reach(ulong seed)
+    {
+        Creature sprawler = Walkers.Of(Anatomy.BodyPlan.Sprawling, seed);
+        Clip walk = ClipBaker.Bake(sprawler).First(clip => clip.Name is "Walk" or "Crawl");
+        var map = new RetargetMap(sprawler.Skeleton, dog);
+        Clip made = ClipRetargeting.Apply(walk, map, "DogWalk");
+        float scale = made.Speed * made.Duration / (walk.Speed * walk.Duration);
+        Assert.InRange(scale, 0.3f * map.Scale * 0.89f, map.Scale);
+        foreach ((string paw, string ball) in new[] { ("Bip01 L Toe0", "Leg_L2_Ball"), ("Bip01 R Toe0", "Leg_R2_Ball") })
+        {
+            (int foot, int other) = (dog.IndexOf(paw), sprawler.Skeleton.IndexOf(ball));
+            for (int frame = 0; frame < made.Frames; frame++)
+            {
+                Vector3 moved = Place(sprawler.Skeleton, walk, made.TimeOf(frame) * walk.Duration / made.Duration)[other] - sprawler.Skeleton.ModelPositions[other];
+                float off = Vector3.Distance(dog.ModelPositions[foot] + (scale * moved), Place(dog, made, frame)[foot]);
+                Assert.True(off < 0.06f * 0.55f, $"{paw} frame {frame}: {off}");
+            }
+        }
+    }
+
     [Fact]
     public void Events_come_along_at_the_joints_that_do_the_same()
     {
