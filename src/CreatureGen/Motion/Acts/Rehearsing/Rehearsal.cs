@@ -33,19 +33,15 @@ internal sealed class Rehearsal
 
     private readonly ActBody body;
     private readonly Func<ILocomotionMode?> mode;
+    private readonly FoldedLegs legs;
+    private bool folds;
 
     public Rehearsal(ActBody body, Func<ILocomotionMode?> mode)
     {
         this.body = body;
         this.mode = mode;
-        var legs = new FoldedLegs(body.Legs?.Legs.Length ?? 0);
-        var stage = new ActStage(body, mode(), TrunkRoom.Any(legs));
-        if (body.Legs != null)
-        {
-            FoldSearch.Find(body, stage, legs);
-        }
-
-        Room = RoomSearch.Find(body, stage, legs);
+        legs = new FoldedLegs(body.Legs?.Legs.Length ?? 0);
+        Room = RoomSearch.Find(body, StageWithoutRoom(), legs);
     }
 
     /// <summary>How far the trunk goes over planted feet.</summary>
@@ -61,6 +57,11 @@ internal sealed class Rehearsal
         if (Lacks(act) is string lack)
         {
             return new ActAbility(act, lack, default, ends, default(ActAim), () => null);
+        }
+
+        if (Folds(act))
+        {
+            FindFolds();
         }
 
         Vector3 usual = act.Reaches ? UsualTarget.Of(act, body, stage) : default;
@@ -83,6 +84,35 @@ internal sealed class Rehearsal
         }
 
         return new ActAbility(act, refusal, default, ends, new ActAim(act.Tool, false, usual, act.SnoutDown, default), () => null);
+    }
+
+    /// <summary>Finds where legs fold to when the first act asks for it: it takes ten times as long as all else here, and most creatures never lie down.</summary>
+    private void FindFolds()
+    {
+        lock (legs)
+        {
+            if (!folds && body.Legs != null)
+            {
+                FoldSearch.Find(body, StageWithoutRoom(), legs);
+            }
+
+            folds = true;
+        }
+    }
+
+    private ActStage StageWithoutRoom() => new(body, mode(), TrunkRoom.Any(legs));
+
+    private static bool Folds(Act act)
+    {
+        foreach (float[] end in act.Ends)
+        {
+            if (end[(int)ActChannel.ForeFold] > 0f || end[(int)ActChannel.HindFold] > 0f)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>Length by which misses are measured, metres: of the neck, the leg or the arm that reaches, and of what the trunk adds.</summary>
