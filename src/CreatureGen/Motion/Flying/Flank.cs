@@ -7,7 +7,7 @@ using CreatureGen.Skinning;
 
 namespace CreatureGen.Motion.Flying;
 
-/// <summary>The left side of a body at rest, as seen from there: how far out its skin is at each height and length. Wings and legs are left out.</summary>
+/// <summary>The left side of a body at rest, as seen from there: how far out its skin is at each height and length, without legs, and with those wings that are already folded onto it.</summary>
 internal sealed class Flank
 {
     private const int Columns = 80;
@@ -67,25 +67,8 @@ internal sealed class Flank
         return here > 0f;
     }
 
-    private static bool[] TrunkJoints(Skeleton skeleton)
-    {
-        bool[] trunk = new bool[skeleton.Count];
-        for (int j = 0; j < trunk.Length; j++)
-        {
-            trunk[j] = skeleton.Joints[j].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Neck or JointRole.Tail or JointRole.Girdle or JointRole.Body;
-        }
-
-        return trunk;
-    }
-
-    private static bool IsBody(bool[] trunk, in SkinWeights weights) =>
-        (trunk[weights.Joint0] ? 0f : weights.Weights.X) + (trunk[weights.Joint1] ? 0f : weights.Weights.Y)
-        + (trunk[weights.Joint2] ? 0f : weights.Weights.Z) + (trunk[weights.Joint3] ? 0f : weights.Weights.W) < MaxFraction;
-
-    private float At(int row, int column) => (uint)row < (uint)rows && (uint)column < Columns ? outward[(row * Columns) + column] : 0f;
-
-    /// <summary>Keeps the outermost skin over the middle of each cell.</summary>
-    private void Draw(Vector3 a, Vector3 b, Vector3 c)
+    /// <summary>Adds a triangle: what is outermost over the middle of each cell is kept.</summary>
+    public void Draw(Vector3 a, Vector3 b, Vector3 c)
     {
         float area = ((b.Y - c.Y) * (a.Z - c.Z)) + ((c.Z - b.Z) * (a.Y - c.Y));
         if (Math.Abs(area) < 1e-12f)
@@ -111,6 +94,23 @@ internal sealed class Flank
             }
         }
     }
+
+    private static bool[] TrunkJoints(Skeleton skeleton)
+    {
+        bool[] trunk = new bool[skeleton.Count];
+        for (int j = 0; j < trunk.Length; j++)
+        {
+            trunk[j] = skeleton.Joints[j].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest or JointRole.Neck or JointRole.Tail or JointRole.Girdle or JointRole.Body;
+        }
+
+        return trunk;
+    }
+
+    private static bool IsBody(bool[] trunk, in SkinWeights weights) =>
+        (trunk[weights.Joint0] ? 0f : weights.Weights.X) + (trunk[weights.Joint1] ? 0f : weights.Weights.Y)
+        + (trunk[weights.Joint2] ? 0f : weights.Weights.Z) + (trunk[weights.Joint3] ? 0f : weights.Weights.W) < MaxFraction;
+
+    private float At(int row, int column) => (uint)row < (uint)rows && (uint)column < Columns ? outward[(row * Columns) + column] : 0f;
 
     private int Cell(float offset, int count) => Math.Min(count - 1, Math.Max(0, (int)(offset / cell)));
 }

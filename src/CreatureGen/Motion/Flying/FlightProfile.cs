@@ -204,7 +204,7 @@ internal sealed class FlightProfile
 
     private static void Fitting(MotionSubject subject, FoldRoom room, double area, out WingPair[] wings, out BuzzPair[] buzzers, out FlightLegs[] legs, out double span)
     {
-        var stitched = new List<WingPair>();
+        var stitched = new List<PairedChain>();
         var thin = new List<PairedChain>();
         var limbs = new List<FlightLegs>();
         span = 0;
@@ -219,7 +219,7 @@ internal sealed class FlightProfile
             switch (limb.Kind)
             {
                 case LimbKind.Wing:
-                    stitched.Add(new WingPair(pair, FoldedWing.Of(subject, pair, FoldRange.Stitched, room)));
+                    stitched.Add(pair);
                     span = Math.Max(span, Spread(pair));
                     break;
                 case LimbKind.InsectWing:
@@ -239,7 +239,7 @@ internal sealed class FlightProfile
         }
 
         thin.Sort((a, b) => b.Points[0].Z.CompareTo(a.Points[0].Z));
-        wings = stitched.ToArray();
+        wings = Folded(subject, stitched, room);
         buzzers = new BuzzPair[thin.Count];
         double breadth = Scalar.Smooth(((area / (span * span)) - NarrowWings) / (BroadWings - NarrowWings));
         for (int k = 0; k < buzzers.Length; k++)
@@ -248,6 +248,32 @@ internal sealed class FlightProfile
         }
 
         legs = limbs.ToArray();
+    }
+
+    /// <summary>Stitched wings, folded from the rear: those before them lie over them, as tiles do.</summary>
+    private static WingPair[] Folded(MotionSubject subject, List<PairedChain> stitched, FoldRoom room)
+    {
+        int[] order = new int[stitched.Count];
+        double[] places = new double[order.Length];
+        for (int k = 0; k < order.Length; k++)
+        {
+            order[k] = k;
+            places[k] = stitched[k].Points[0].Z;
+        }
+
+        Array.Sort(places, order);
+        var wings = new WingPair[order.Length];
+        foreach (int k in order)
+        {
+            FoldedWing folded = FoldedWing.Of(subject, stitched[k], FoldRange.Stitched, room);
+            wings[k] = new WingPair(stitched[k], folded);
+            if (order.Length > 1)
+            {
+                folded.Cover(subject, room);
+            }
+        }
+
+        return wings;
     }
 
     private static int ShoulderOf(MotionSubject subject)

@@ -23,7 +23,7 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
         0f,
         false,
         300,
-        2000);
+        4000);
 
     /// <summary>Over the abdomen, flat or as a low roof: tips no higher than the root.</summary>
     public static FoldRange Thin { get; } = new(

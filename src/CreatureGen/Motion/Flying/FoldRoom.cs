@@ -26,7 +26,7 @@ internal sealed class FoldRoom
     /// <summary>How far a wing keeps off the body, off the legs and off the midline, body lengths.</summary>
     private const double Gap = 0.015;
     private const double LegGap = 0.012;
-    private const double MiddleGap = 0.004;
+    private const double MiddleGap = 0.006;
 
     /// <summary>How far the back of a four-legged flier bends up at a gallop: rise over the square of the distance from the shoulder, body lengths.</summary>
     private const float Bend = 0.4f;
@@ -110,6 +110,9 @@ internal sealed class FoldRoom
         double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
         return cost + (range.MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
     }
+
+    /// <summary>Lays a triangle of a left wing onto the flank: what is folded later lies outside of it.</summary>
+    public void Cover(Vector3 a, Vector3 b, Vector3 c) => flank.Draw(a, b, c);
 
     /// <summary>What it costs a piece of a left wing to be in a leg or, for wings that lie over them, below one.</summary>
     /// <param name="point">Where it is.</param>

@@ -14,7 +14,7 @@ internal sealed class FoldedWing
     private const double Shrink = 0.7;
 
     /// <summary>What corners of the leading edge and crowded skin cost, in relation to being off the body by a body length.</summary>
-    private const double CornerCost = 0.003;
+    private const double CornerCost = 0.004;
     private const double CrowdingCost = 0.08;
 
     /// <summary>By which part of what the others are shortened the upper arm is.</summary>
@@ -46,6 +46,15 @@ internal sealed class FoldedWing
         return wing;
     }
 
+    /// <summary>Lays the folded wing onto the flank: wings that are folded later lie outside of it.</summary>
+    public void Cover(MotionSubject subject, FoldRoom room)
+    {
+        Span<Quaternion> carried = stackalloc Quaternion[chain.Count];
+        Span<Vector3> joints = stackalloc Vector3[chain.Count];
+        Place(joints, carried);
+        skin.Cover(subject.Mesh, joints, carried, room);
+    }
+
     private WingFold Search(FoldRange range, FoldRoom room)
     {
         WingFold best = range.Usual;
@@ -72,6 +81,13 @@ internal sealed class FoldedWing
         Fold(fold);
         Span<Quaternion> carried = stackalloc Quaternion[chain.Count];
         Span<Vector3> joints = stackalloc Vector3[chain.Count];
+        Place(joints, carried);
+        return skin.Cost(joints, carried, room, range) + (CornerCost * fold.Corners) + (CrowdingCost * skin.Crowding(joints, carried));
+    }
+
+    /// <summary>Where the joints are and how they are turned in the model.</summary>
+    private void Place(Span<Vector3> joints, Span<Quaternion> carried)
+    {
         Quaternion turn = Quaternion.Identity;
         Vector3 place = chain.Points[0];
         for (int k = 0; k < chain.Count; k++)
@@ -80,8 +96,6 @@ internal sealed class FoldedWing
             turn = carried[k] = Rotation.Normalize(Rotation.Multiply(turn, turns[k]));
             place += Rotation.Rotate(turn, (chain.Points[k + 1] - chain.Points[k]) * LengthOf(k));
         }
-
-        return skin.Cost(joints, carried, room, range) + (CornerCost * fold.Corners) + (CrowdingCost * skin.Crowding(joints, carried));
     }
 
     /// <summary>Turns the joints as far as they can.</summary>

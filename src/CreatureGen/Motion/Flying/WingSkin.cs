@@ -111,6 +111,28 @@ internal sealed class WingSkin
         return sum / Math.Max(creases.Length, 1);
     }
 
+    /// <summary>Lays all triangles of the wing onto the flank.</summary>
+    public void Cover(CreatureMesh mesh, ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns, FoldRoom room)
+    {
+        var at = new Vector3[mesh.Positions.Length];
+        bool[] wing = new bool[at.Length];
+        for (int v = 0; v < at.Length; v++)
+        {
+            Place place = PlaceOf(chain, mesh.Positions[v], mesh.Weights[v]);
+            wing[v] = place.Still < 1f - MinFraction;
+            at[v] = wing[v] ? At(place, joints, turns) : default;
+        }
+
+        ReadOnlySpan<int> triangles = mesh.Triangles;
+        for (int t = 0; t < triangles.Length; t += 3)
+        {
+            if (wing[triangles[t]] && wing[triangles[t + 1]] && wing[triangles[t + 2]])
+            {
+                room.Cover(at[triangles[t]], at[triangles[t + 1]], at[triangles[t + 2]]);
+            }
+        }
+    }
+
     private Vector3 At(in Place place, ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns)
     {
         Vector3 at = place.Rest * place.Still;

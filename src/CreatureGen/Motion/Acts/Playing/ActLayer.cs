@@ -119,7 +119,8 @@ internal sealed class ActLayer
             TurnJoint(body.Head, AxisRotation.YawPitchRoll(side * values[(int)ActChannel.HeadSide], -values[(int)ActChannel.HeadPitch], side * values[(int)ActChannel.HeadRoll]), local);
         }
 
-        float jaw = values[(int)ActChannel.Jaw];
+        // A mouth shuts no farther than it is at rest: its lips would cut through one another.
+        float jaw = Math.Max(0f, values[(int)ActChannel.Jaw]);
         if (body.Jaw >= 0 && jaw != 0f)
         {
             AngleRange range = body.Skeleton.AllJoints[body.Jaw].Limit.SwingX;
