@@ -11,10 +11,12 @@ internal sealed class Mind
 {
     /// <summary>How near to its food it tries to eat, parts of its length, from far to near.</summary>
     private static readonly float[] tables = [0.66f, 0.58f, 0.5f, 0.42f, 0.34f];
+
     /// <summary>How far a swimmer's lowest point is below the surface of a lake at least, parts of its height: its back shows.</summary>
     private const float SwimmingDepth = 0.8f;
 
-    private static readonly string[] pastimes = ["Sniff", "Eat", "Shake", "Scratch", "Groom", "Call"];
+    /// <summary>What it passes its time with: acts that are tried on a body in a moment, as everybody waits meanwhile. How it grazes takes up to a second to find out.</summary>
+    private static readonly string[] pastimes = ["Sniff", "Shake", "Scratch", "Groom", "Call"];
 
     private readonly RandomStream chance;
     private SeekState seek;
