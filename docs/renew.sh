@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes anew what the documents and examples show of the program: its manual, all pictures, the example of a data set. To be run when creatures' bytes have changed: docs/renew.sh [CREATUREGEN]
-# The page of the lab takes its own pictures: see lab.md.
+# The page of the lab takes its own pictures: docs/renew-lab.sh.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 if [ $# -eq 0 ]; then
