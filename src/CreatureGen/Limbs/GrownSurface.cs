@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Bodies;
@@ -72,7 +73,7 @@ internal sealed class GrownSurface
 
         foreach (WingBlueprint wing in blueprint.Wings)
         {
-            Take(wing.Style == WingStyle.Folded ? FoldedWingGrower.Grow(body, wing, appendages.Count) : WingGrower.Grow(body, wing, appendages.Count), wing.Socket);
+            Take(wing.Style == WingStyle.Folded ? FoldedWingGrower.Grow(body, wing, appendages.Count) : WingGrower.Grow(body, wing, appendages.Count, FreeBehind(blueprint, wing.Socket)), wing.Socket);
         }
 
         foreach (FinBlueprint fin in blueprint.Fins)
@@ -191,6 +192,23 @@ internal sealed class GrownSurface
                 }
             }
         }
+    }
+
+    /// <summary>The last ring of the flank behind a pair of wings before the next wings or thighs begin.</summary>
+    private static int FreeBehind(CreatureBlueprint blueprint, SocketBlueprint wing)
+    {
+        int free = BodyGrid.Rings - 1;
+        foreach (WingBlueprint other in blueprint.Wings)
+        {
+            free = other.Socket.Ring > wing.Ring ? Math.Min(free, other.Socket.Ring - 1) : free;
+        }
+
+        foreach (LegBlueprint leg in blueprint.Legs)
+        {
+            free = leg.Socket.Ring >= wing.Ring + wing.Rows ? Math.Min(free, leg.Socket.Ring) : free;
+        }
+
+        return free;
     }
 
     /// <summary>A belly that lies on the ground does not sink into it.</summary>

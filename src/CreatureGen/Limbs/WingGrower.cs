@@ -20,6 +20,20 @@ internal static class WingGrower
     /// <summary>Share of the span over which the depth of the root goes over into that of the wing.</summary>
     private const float Rooted = 0.1f;
 
+    /// <summary>Last ring of the flank that a membrane is held by, and the most that it reaches along it, in depths of the wing.</summary>
+    private const int Hip = 40;
+    private const double MostHeld = 1.15;
+
+    /// <summary>Share of the span over which the edge of a membrane leaves the hip.</summary>
+    private const float Leaving = 0.24f;
+
+    /// <summary>Segments by which a membrane is held higher at the hip than at the shoulder.</summary>
+    private const double AboveThigh = 3;
+
+    /// <summary>How far a membrane stands off the flank that holds it, at the shoulder and at the hip, metres.</summary>
+    private const float OffFlank = 0.012f;
+    private const float OffHip = 0.022f;
+
     /// <summary>How far the feathers of the tip point outwards, radians.</summary>
     private const double FeatherTurn = 0.35;
 
@@ -46,7 +60,11 @@ internal static class WingGrower
     private static readonly float[] jointShares = { 0f, 0.28f, 0.53f, 0.78f, 1f };
 
     /// <summary>Grows the left wing, mirrors it, and says where its joints are.</summary>
-    public static Appendage Grow(BodySurface body, WingBlueprint wing, int index)
+    /// <param name="body">What it grows out of.</param>
+    /// <param name="wing">The wing.</param>
+    /// <param name="index">Its place among the limbs.</param>
+    /// <param name="free">Rings of the flank from the wing's to here are free: the next wings, or thighs, begin behind.</param>
+    public static Appendage Grow(BodySurface body, WingBlueprint wing, int index, int free)
     {
         SurfaceBuilder surface = body.Surface;
         SocketLoop socket = SocketLoop.Cut(body, wing.Socket);
@@ -57,7 +75,41 @@ internal static class WingGrower
         Func<float, Vector3> bones = LeadingEdge(wing, HenWing.Form, socket);
         float root = 2f * socket.HalfLength;
 
+        BodyShape shape = body.Skin.Shape;
+        double start = wing.Socket.Ring + wing.Socket.Rows;
+        double end = Math.Min(Math.Min(Hip, free), shape.RingAt(BodyShape.At(shape.Arc, start) + (MostHeld * wing.Chord)));
+        double middle = wing.Socket.Segment + (wing.Socket.Columns / 2.0);
+
+        // A membrane is held by the flank as far as the hip; feathers leave it at the shoulder.
         Vector3 Trail(float s)
+        {
+            if (form.Feathers > 0 || end <= start || s >= Leaving)
+            {
+                return Open(s);
+            }
+
+            double held = Math.Min(1, s / Rooted);
+            SurfacePoint flank = body.Skin.At(Scalar.Lerp(start, end, held), middle - (AboveThigh * held));
+            return Vec.Lerp(flank.Position + (flank.Normal * Scalar.Lerp(OffFlank, OffHip, (float)held)), Open(s), Scalar.Smooth((s - Rooted) / (Leaving - Rooted)));
+        }
+
+        // Between its edges it goes round a body that is thicker there.
+        Vector3 Middle(float s)
+        {
+            Vector3 straight = (edge(s) + Trail(s)) / 2f;
+            if (form.Feathers > 0 || end <= start || s >= Leaving)
+            {
+                return straight;
+            }
+
+            double held = Math.Min(1, s / Rooted) / 2;
+            SurfacePoint flank = body.Skin.At(Scalar.Lerp(start, end, held), middle - (AboveThigh * held));
+            Vector3 off = flank.Position + (flank.Normal * (2f * OffHip));
+            straight.X = Math.Max(straight.X, off.X);
+            return straight;
+        }
+
+        Vector3 Open(float s)
         {
             double turn = form.Feathers > 0 ? FeatherTurn * s : 0;
             PortableMath.SinCos(RootFall + (TipFall * s) + (WingForm.RestIncidence * Scalar.Smooth(s / Hung)), out double down, out double level);
@@ -85,14 +137,15 @@ internal static class WingGrower
         var blade = new BladeSweep(edge, Trail)
         {
             Normal = Normal,
+            Middle = Middle,
             Thickness = (s, u) => Thickness(thickest, s, u) + FingerRidge(form, thickest, s, u),
             Sections = form.Feathers > 0 ? FeatherSections(form.Feathers) : MembraneSections(form),
             Blend = 0.14f,
             Crowding = 0.85f,
             Address = new VertexAddress { Region = SurfaceRegion.Wing, Appendage = (short)index, Sign = 1 },
         };
-        int[] end = blade.Grow(surface, socket.Vertices);
-        blade.Close(surface, end, wing.Socket, Vector3.UnitX);
+        int[] tip = blade.Grow(surface, socket.Vertices);
+        blade.Close(surface, tip, wing.Socket, Vector3.UnitX);
         surface.MirrorSince(firstVertex, firstFace);
 
         var joints = Array.ConvertAll(jointShares, s => Joint(s));

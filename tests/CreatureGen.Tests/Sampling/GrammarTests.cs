@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
@@ -55,6 +56,24 @@ public sealed class GrammarTests
         CreatureBlueprint b = BlueprintSampler.Sample(1990, CreatureOptions.Default with { Kind = RequestedKind.Flying });
         Assert.True(b.Head.Mouth.Opening > 0.3, $"{b.Head.Mouth.Opening}");
         Assert.Empty(CreatureInspection.Inspect(CreatureAssembler.Assemble(b)));
+    }
+
+    [Theory]
+    [InlineData(9780010, WingStyle.Bat)]
+    [InlineData(9780001, WingStyle.Dragon)]
+    [InlineData(9780011, WingStyle.Pterosaur)]
+    public void Membranes_run_along_the_flank_to_the_hip(ulong seed, WingStyle style)
+    {
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = 0 });
+        WingBlueprint wing = creature.Blueprint.Wings[0];
+        Assert.Equal(style, wing.Style);
+        CreatureMesh mesh = creature.Mesh;
+        Vector3[] skin = Enumerable.Range(0, mesh.Positions.Length)
+            .Where(v => mesh.Positions[v].X > 0 && creature.Skeleton.Joints[mesh.Weights[v].Joint0].Role == JointRole.Wing)
+            .Select(v => mesh.Positions[v]).ToArray();
+        float inner = skin.Min(p => p.X) + (0.12f * (skin.Max(p => p.X) - skin.Min(p => p.X)));
+        float depth = skin.Where(p => p.X < inner).Max(p => p.Z) - skin.Where(p => p.X < inner).Min(p => p.Z);
+        Assert.True(depth > 0.5 * wing.Chord * creature.Blueprint.Scale, $"{depth / (wing.Chord * creature.Blueprint.Scale)}");
     }
 
     [Fact]

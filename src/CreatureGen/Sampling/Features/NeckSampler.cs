@@ -27,6 +27,9 @@ internal static class NeckSampler
     /// <summary>Places along a collar that are held against the ground.</summary>
     private const int FrillSteps = 12;
 
+    /// <summary>Half the width of a head relative to half its height beyond which a collar grows no further: on rays it would be larger than the body.</summary>
+    private const double WidestCollared = 1.4;
+
     /// <summary>The hair that furred families wear now and then; whether there is any.</summary>
     public static bool Hair(CreatureBuilder builder, double plenty, RandomStream random)
     {
@@ -76,7 +79,7 @@ internal static class NeckSampler
     /// <summary>Adds a collar; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
     public static void Add(CreatureBuilder builder, in FrillPreset preset, double size)
     {
-        double unit = builder.Shape.Width[13];
+        double unit = Math.Min(builder.Shape.Width[13], WidestCollared * builder.HalfDepth(13));
         builder.Frills.Add(OffGround(builder, preset.Frill with { Length = preset.Frill.Length * Scalar.Lerp(preset.Least, preset.Most, size) * unit, Thickness = preset.Frill.Thickness * unit }));
     }
 

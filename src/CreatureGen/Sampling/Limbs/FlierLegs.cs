@@ -28,7 +28,7 @@ internal static class FlierLegs
     /// <summary>How far a body is pitched at a time to stand, degrees: more would change how it flies.</summary>
     private const double MostPitch = 4;
 
-    /// <summary>By which part of the feet's hull a flier's centre of mass is to lie inside it: that of spread wings is estimated, the less surely the stranger the body.</summary>
+    /// <summary>By which part of the feet's hull a flier's centre of mass is to lie inside it: that of spread wings is estimated, the less surely the stranger the body and the more pairs there are.</summary>
     private const double SafeMargin = 0.1;
 
     /// <summary>Factor on the girth of a single pair that is not a bird's: thighs as thick as a deep body asks for would crease where they leave it.</summary>
@@ -180,7 +180,7 @@ internal static class FlierLegs
         }
 
         double forward = places.Count == 1 ? 0.5 : 0.3;
-        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MostPitch, 1.6, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin * (1 + builder.Strangeness) };
+        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MostPitch, 1.6, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin * (1 + builder.Strangeness) * Math.Max(1, builder.Wings.Count) };
         return new SocketSet(builder.Plan, places, places.Count, null, stance) { TakesAll = true };
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
@@ -53,6 +54,9 @@ internal static class LegSampler
     /// <summary>How far behind its shoulder a spread wing's centre of mass is, in spans.</summary>
     private const double WingTrail = 0.03;
 
+    /// <summary>The same of a membrane that the flank holds as far as the hip.</summary>
+    private const double MembraneTrail = 0.05;
+
     /// <summary>The torso of the creature as the attachment rules see it, with the weight of spread wings and of an open mouth.</summary>
     public static SpineMeasure Measure(CreatureBuilder builder)
     {
@@ -63,7 +67,7 @@ internal static class LegSampler
             if (wing.Style != WingStyle.Folded)
             {
                 double volume = WingFullness * wing.Span * wing.Chord * wing.Chord;
-                double z = measure.At(wing.Socket.Ring + (0.5 * wing.Socket.Rows)).Z - (WingTrail * wing.Span);
+                double z = measure.At(wing.Socket.Ring + (0.5 * wing.Socket.Rows)).Z - ((WingForm.Of(wing.Style).Feathers > 0 ? WingTrail : MembraneTrail) * wing.Span);
                 measure = measure.Laden(z, volume / (volume + StanceSampler.Volume(s)));
             }
         }
