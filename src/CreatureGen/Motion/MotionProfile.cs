@@ -12,6 +12,7 @@ using CreatureGen.Motion.Slithering;
 using CreatureGen.Motion.Swimming;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Idle;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion;
@@ -48,6 +49,7 @@ public sealed class MotionProfile
         if (Legs != null)
         {
             Gaits = gaits ?? GaitChoice.For(Legs, MotionSettings.Default.Gravity);
+            WeightShift.Find(Legs, Gaits);
         }
 
         switch (subject.Kind)

@@ -31,6 +31,7 @@ internal sealed class FallingMode : ILocomotionMode
     private GettingUp? up;
     private Leap? leap;
     private Recoil? recoil;
+    private Reel? reel;
     private Blow blow;
     private Drift drift;
     private bool goesLimp;
@@ -93,6 +94,8 @@ internal sealed class FallingMode : ILocomotionMode
 
     private Recoil Recoil => recoil ??= new Recoil(profile.Value);
 
+    private Reel Reel => reel ??= new Reel(body!.Legs.Length, body.LegLength);
+
     private FreeFall Fall => fall ??= new FreeFall(body!, profile.Value, legs!);
 
     /// <summary>Has it go limp with the next update.</summary>
@@ -144,7 +147,7 @@ internal sealed class FallingMode : ILocomotionMode
         else
         {
             Recoil.Strike(joint, impulse, place, model, tau);
-            Stagger(change, place);
+            Stagger(change, place, balance / KnockDown, tau);
         }
     }
 
@@ -229,14 +232,12 @@ internal sealed class FallingMode : ILocomotionMode
     {
         var mode = (FallingMode)other;
         inner.CopyFrom(mode.inner);
-        (State, footing) = (mode.State, mode.footing);
-        (goesLimp, getsUp) = (mode.goesLimp, mode.getsUp);
+        (State, footing, goesLimp, getsUp, blow, drift) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.blow, mode.drift);
         if (mode.fall != null)
         {
             Fall.CopyFrom(mode.fall);
         }
 
-        (blow, drift) = (mode.blow, mode.drift);
         if (mode.leap != null)
         {
             Leap.CopyFrom(mode.leap);
@@ -245,6 +246,11 @@ internal sealed class FallingMode : ILocomotionMode
         if (mode.recoil != null)
         {
             Recoil.CopyFrom(mode.recoil);
+        }
+
+        if (mode.reel != null)
+        {
+            Reel.CopyFrom(mode.reel);
         }
 
         if (mode.limp != null)
@@ -286,12 +292,27 @@ internal sealed class FallingMode : ILocomotionMode
                 return place;
             default:
                 local.SetToRest(subject.Skeleton);
-                return inner.Drive(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, local);
+                return Carried(place, dt, input, settings, ground, local);
+        }
+    }
+
+    private RootPlace Carried(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    {
+        float tau = Tau(place.Scale, settings.Gravity);
+        BodyLayer? asked = inner.Layer;
+        inner.Layer = reel == null ? asked : reel.On(asked, dt, tau);
+        try
+        {
+            return inner.Drive(drift.Carry(place, dt, tau), dt, input, settings, ground, local);
+        }
+        finally
+        {
+            inner.Layer = asked;
         }
     }
 
     /// <summary>Lets the body be pushed: on its legs it steps after it, else it is carried off and slows down.</summary>
-    private void Stagger(Vector3 change, in RootPlace place)
+    private void Stagger(Vector3 change, in RootPlace place, float unit, float tau)
     {
         if (State == BodyState.Falling)
         {
@@ -299,7 +320,9 @@ internal sealed class FallingMode : ILocomotionMode
         }
         else if (legs != null && inner.StandsOnFeet)
         {
-            legs.Push(Rotation.Rotate(Rotation.Inverse(place.Rotation), change) / place.Scale, 0f);
+            Vector3 own = Rotation.Rotate(Rotation.Inverse(place.Rotation), change);
+            legs.Push(own / place.Scale, 0f);
+            Reel.Strike(own / unit, tau);
         }
         else
         {
@@ -379,13 +402,11 @@ internal sealed class FallingMode : ILocomotionMode
     private void Recover()
     {
         State = BodyState.Supported;
-        footing = default;
-        goesLimp = false;
-        getsUp = false;
+        (footing, goesLimp, getsUp) = (default, false, false);
         limp?.Stop();
         recoil?.Stop();
-        blow = Blow.None;
-        drift = default;
+        reel?.Stop();
+        (blow, drift) = (Blow.None, default);
         if (legs != null)
         {
             legs.Sink = 0f;

@@ -139,8 +139,7 @@ public sealed record ActTrial(ActAbility Ability)
                 LegRig leg = animator.Profile.Legs!.Legs[foot];
                 Pose model = animator.ModelPose;
                 Vector3 ball = model.Positions[leg.Ball];
-                Quaternion turn = Rotation.Multiply(model.Rotations[leg.Ball], Rotation.Inverse(animator.Profile.Subject.Skeleton.ModelRotations[leg.Ball]));
-                Vector3 sole = ball + Rotation.Rotate(turn, leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f));
+                Vector3 sole = SoleMiddle.Of(leg, animator.Profile.Subject.Skeleton, model);
                 stood[foot] ??= (ball, sole);
                 (Vector3 ballBefore, Vector3 soleBefore) = stood[foot]!.Value;
                 Worst = Math.Max(Worst, Math.Min(Vec.Distance(ball, ballBefore), Vec.Distance(sole, soleBefore)) / leg.Length);

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 
 namespace CreatureGen.Motion.Modes;
@@ -43,6 +44,17 @@ internal sealed class BodyLayer
 
     /// <summary>What is asked of each foot.</summary>
     public FootLayer[] Feet { get; }
+
+    /// <summary>Asks nothing.</summary>
+    public void Clear()
+    {
+        Way = Vector3.Zero;
+        Yaw = Pitch = Roll = 0f;
+        ForeDown = HindDown = 0f;
+        BackPitch = BackSide = BackTwist = 0f;
+        Wings = Still = 0f;
+        Array.Clear(Feet, 0, Feet.Length);
+    }
 
     /// <summary>Takes over what another of as many feet asks.</summary>
     public void CopyFrom(BodyLayer other)

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Rigging;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Falling;
@@ -70,6 +71,35 @@ public sealed class JumpAndBlowTests
             Assert.Equal(BodyState.Limp, animator.State);
             Run(animator, 3000);
             Assert.Equal(BodyState.Supported, animator.State);
+        }
+    }
+
+    [Fact]
+    public void A_blow_tips_the_trunk_over_with_the_push_and_it_rights_itself_over_its_feet()
+    {
+        foreach (MotionProfile profile in FreeFallTests.Lot(690, 4))
+        {
+            float unit = profile.Subject.Mass.Mass * MathF.Sqrt(9.81f * profile.LegLength);
+            Skeleton skeleton = profile.Subject.Skeleton;
+            int chest = skeleton.FirstOf(JointRole.Chest);
+            var animator = new CreatureAnimator(profile);
+            animator.Settings = animator.Settings with { Idle = 0f };
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            float stood = Lean();
+            animator.Hit(chest, new Vector3(0.4f * unit, 0f, 0f));
+            float most = 0f;
+            for (int i = 0; i < 60; i++)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+                most = Math.Max(most, Lean() - stood);
+            }
+
+            Run(animator, 600);
+            Assert.InRange(most, 0.05f, 0.5f);
+            Assert.InRange(Lean() - stood, -0.02f, 0.02f);
+
+            // To the left.
+            float Lean() => Vector3.Transform(Vector3.UnitY, animator.ModelPose.Rotations[chest] * Quaternion.Inverse(skeleton.ModelRotations[chest])).X;
         }
     }
 

@@ -10,6 +10,7 @@ using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Idle;
 using CreatureGen.Motion.Walking.Trunk;
 using CreatureGen.Rigging;
+using CreatureGen.Sampling;
 using CreatureGen.Seeding;
 using Xunit;
 
@@ -126,6 +127,28 @@ public sealed class StandingLifeTests
 
         Assert.InRange(left + right, 0.08 * All, 0.2 * All);
         Assert.InRange(left, 0.3 * (left + right), 0.7 * (left + right));
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking, 6014)]
+    [InlineData(RequestedKind.Walking, 6033)]
+    [InlineData(RequestedKind.Flying, 6044)]
+    [InlineData(RequestedKind.Flying, 6052)]
+    public void Feet_of_who_shifts_its_weight_stay_where_they_stand(RequestedKind kind, ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(animator.Root, FlatGround.Level);
+        int[] balls = profile.Legs!.Legs.Select(leg => leg.Ball).ToArray();
+        Vector3[] stood = Array.ConvertAll(balls, ball => animator.ModelPose.Positions[ball]);
+        float most = 0f;
+        for (int i = 0; i < 60 * profile.Legs.Idle.Period; i++)
+        {
+            animator.Update(1f / 60f, default, FlatGround.Level);
+            most = Math.Max(most, balls.Select((ball, k) => (animator.ModelPose.Positions[ball] - stood[k]).Length()).Max() / profile.LegLength);
+        }
+
+        Assert.InRange(most, 0f, 0.008f);
     }
 
     [Fact]

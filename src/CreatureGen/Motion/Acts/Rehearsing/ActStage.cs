@@ -118,10 +118,5 @@ internal sealed class ActStage
     /// <summary>How much deeper the skin is in the ground than where the creature stands, or would be if the ground did not raise the body, parts of its length; 0 where no ground carries it.</summary>
     public float Sunk() => body.Legs == null && body.Build != BodyBuild.Legless ? 0f : Math.Max(Math.Max(0f, performer.Settled), Math.Min(standing, 0f) - body.Skin.Lowest(Model)) / body.Size;
 
-    private Vector3 SoleOf(int foot)
-    {
-        LegRig leg = body.Legs!.Legs[foot];
-        Quaternion turn = Rotation.Multiply(Model.Rotations[leg.Ball], Rotation.Inverse(body.Skeleton.ModelRotations[leg.Ball]));
-        return Model.Positions[leg.Ball] + Rotation.Rotate(turn, leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f));
-    }
+    private Vector3 SoleOf(int foot) => SoleMiddle.Of(body.Legs!.Legs[foot], body.Skeleton, Model);
 }
