@@ -47,8 +47,7 @@ internal sealed class PresetTruth
             all.AddRange(Tops(height, least));
         }
 
-        all.Sort();
-        return [.. all.Where((t, i) => i == 0 || t - all[i - 1] > 0.05f)];
+        return FirstOfEach(all, 0.05f);
     }
 
     /// <summary>Moments at which a limb's end is fastest about its root, at least as fast as four times its length in a second and 0.6 of its greatest.</summary>
@@ -113,6 +112,22 @@ internal sealed class PresetTruth
 
         all.Sort();
         return [.. all.Where((t, i) => i == 0 || t - all[i - 1] > 0.1f)];
+    }
+
+    /// <summary>The first of each group of moments within so many seconds of it.</summary>
+    private static float[] FirstOfEach(List<float> all, float within)
+    {
+        all.Sort();
+        var firsts = new List<float>();
+        foreach (float t in all)
+        {
+            if (firsts.Count == 0 || t - firsts[^1] > within)
+            {
+                firsts.Add(t);
+            }
+        }
+
+        return [.. firsts];
     }
 
     private int Find(JointRole role) => Enumerable.Range(0, skeleton.Count).FirstOrDefault(i => skeleton.Joints[i].Role == role, -1);

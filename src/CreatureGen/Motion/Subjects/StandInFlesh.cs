@@ -14,6 +14,9 @@ internal sealed class StandInFlesh
     /// <summary>Kilograms for each cubic metre.</summary>
     private const float Density = 1000f;
 
+    /// <summary>Radius of a bone at the least, parts of the hip's height: a bone that skin follows in one place alone has no thickness by that.</summary>
+    private const float Thinnest = 0.02f;
+
     /// <summary>Points of the skin around each end of a bone.</summary>
     private const int Around = 6;
 
@@ -28,7 +31,12 @@ internal sealed class StandInFlesh
     /// <exception cref="ArgumentException">The skin is around none of its bones.</exception>
     public StandInFlesh(Skeleton skeleton, CreatureMesh skin, float? mass)
     {
-        bones.AddRange(BoneCapsules.Fit(skeleton, skin.Weights, skin.Positions));
+        float least = Thinnest * skeleton.ModelPositions[skeleton.FirstOf(JointRole.Hip)].Y;
+        foreach (CapsuleCollider bone in BoneCapsules.Fit(skeleton, skin.Weights, skin.Positions))
+        {
+            bones.Add(bone.Radius >= least ? bone : new CapsuleCollider(bone.Joint, Vector3.Zero, new Vector3(0f, skeleton.Joints[bone.Joint].Length, 0f), least));
+        }
+
         if (bones.Count == 0)
         {
             throw new ArgumentException(FormattableString.Invariant($"a skin of {skin.Positions.Length} vertices of which no bone moves any number; expected one around the skeleton"), nameof(skin));

@@ -76,6 +76,20 @@ public sealed class RiggedSkinTests
     }
 
     [Fact]
+    public void A_bone_that_skin_follows_in_one_place_alone_is_a_thin_one_along_its_length()
+    {
+        Skeleton person = Person();
+        SkinnedMesh skin = SkinOf(person);
+        Vector3[] positions = skin.Positions.ToArray();
+        int thigh = person.IndexOf("LeftUpLeg");
+        Array.Fill(positions, person.ModelPositions[person.IndexOf("LeftLeg")], Array.FindIndex(skin.Weights.ToArray(), one => one.Joint0 == thigh), 24);
+        MotionSubject subject = new RiggedBody(person, skin: new SkinnedMesh(positions, skin.Normals.ToArray(), skin.Weights.ToArray(), skin.Triangles.ToArray())).Subject;
+        CapsuleCollider bone = subject.Bones.Single(one => subject.Skeleton.Joints[one.Joint].Name == "Leg_L1_Hip");
+        Assert.InRange(bone.Radius, 0.015f, 0.025f);
+        Assert.Equal(0.45f, Vector3.Distance(bone.Start, bone.End), 0.01f);
+    }
+
+    [Fact]
     public void Its_jaw_opens_its_eyes_look_and_its_ears_flick()
     {
         var walk = new Walk(Person());
