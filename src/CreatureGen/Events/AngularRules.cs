@@ -74,10 +74,10 @@ public static class AngularRules
         Track = "Splashes",
         Roles = new[] { JointRole.Tail, JointRole.Fin, JointRole.Spine },
         ThresholdPower = 1.46,
-        ThresholdFraction = 0.65f,
+        ThresholdFraction = 0.7f,
         FractionScope = IntervalScope.Together,
         Sweep = AngularSweep.AnyWay with { Ends = new[] { JointRole.End } },
-        Interval = 0.1f,
+        Interval = 0.07f,
         Winner = IntervalWinner.Strongest,
     };
 
