@@ -49,8 +49,8 @@ internal sealed class SoakRun(ulong seed)
     /// <summary>The longest update, seconds of the clock.</summary>
     public double Longest { get; private set; }
 
-    /// <summary>What is going on now.</summary>
-    public string Current => FormattableString.Invariant($"{subject}: act {lastAct}, {lastStep} s, {lastInput} over {lastGround}, from {lastRoot.Position} {lastRoot.Rotation} at scale {lastRoot.Scale}, Up {lastSettings.Up}, gravity {lastSettings.Gravity}, responses {lastSettings.Walking.SpeedResponse} and {lastSettings.Walking.YawResponse}, stride {lastSettings.Walking.Stride}, lift {lastSettings.Walking.Lift}");
+    /// <summary>What is going on now; null before anything does.</summary>
+    public string? Current => lastSettings.Walking is null ? null : FormattableString.Invariant($"{subject}: act {lastAct}, {lastStep} s, {lastInput} over {lastGround}, from {lastRoot.Position} {lastRoot.Rotation} at scale {lastRoot.Scale}, Up {lastSettings.Up}, gravity {lastSettings.Gravity}, responses {lastSettings.Walking.SpeedResponse} and {lastSettings.Walking.YawResponse}, stride {lastSettings.Walking.Stride}, lift {lastSettings.Walking.Lift}");
 
     /// <summary>What went on when something went wrong first.</summary>
     public string? First { get; private set; }
