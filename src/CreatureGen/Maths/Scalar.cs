@@ -1,3 +1,5 @@
+using System;
+
 namespace CreatureGen.Maths;
 
 /// <summary>Small functions of one or a few numbers.</summary>
@@ -36,6 +38,15 @@ internal static class Scalar
 
     /// <summary>The value between <paramref name="min"/> and <paramref name="max"/> nearest to <paramref name="x"/>.</summary>
     public static float Clamp(float x, float min, float max) => x < min ? min : x > max ? max : x;
+
+    /// <summary>A number that comes ever slower to a most on both sides.</summary>
+    /// <param name="x">Any finite number.</param>
+    /// <param name="max">The most, above 0.</param>
+    public static float ClampSoftly(float x, float max)
+    {
+        float part = x * x / Math.Max(max * max, 1e-12f);
+        return x / (float)Math.Sqrt(Math.Sqrt(1f + (part * part)));
+    }
 
     /// <summary>The value at <paramref name="t"/> of the way from <paramref name="a"/> to <paramref name="b"/>.</summary>
     public static double Lerp(double a, double b, double t) => a + ((b - a) * t);

@@ -25,8 +25,8 @@ public sealed class FoldedShapeTests
             corners.Add(corner);
         }
 
-        // Narrow wings carry their wrists less far ahead, and fold with more of a corner than broad ones.
-        Assert.True(corners.Average() < 0.172, $"{corners.Average()} rad in the mean");
+        // Narrow wings carry their wrists less far ahead, and fold with more of a corner than broad ones; off the midline, where left and right would cut through one another, with a little more.
+        Assert.True(corners.Average() < 0.176, $"{corners.Average()} rad in the mean");
     }
 
     [Theory]

@@ -33,6 +33,7 @@ internal sealed class GettingUp
     private float rise;
     private float elapsed;
     private float gap;
+    private float crouch;
 
     public GettingUp(FallProfile profile, ILocomotionMode inner, WalkingMode? legs)
     {
@@ -58,9 +59,16 @@ internal sealed class GettingUp
         bool crouches = legs != null && inner.IsOnFeet;
         if (crouches)
         {
-            legs!.Sink = profile.CrouchDepth;
-            legs.Bow = 0f;
-            legs.Hold(place, 0f, settings, to.Pose);
+            legs!.Bow = 0f;
+            Crouch(profile.CrouchDepth, place, settings);
+            shown.Take(to.Pose);
+            shown.Finish();
+            float sunk = -profile.Support.Lowest(BodyPart.Trunk, place, shown.Model, settings.Up, ground, out _);
+            if (sunk > 0f)
+            {
+                // What hangs lower than its belly, as long folded wings do, keeps it up.
+                Crouch(Math.Max(crouch - sunk, 0f), place, settings);
+            }
         }
 
         fromTurn = BodyTurn.Of(profile, from.Local);
@@ -94,8 +102,8 @@ internal sealed class GettingUp
         if (rise > 0f)
         {
             (float fore, float hind) = profile.Manner.At(Math.Min(u, 1f));
-            legs!.Sink = hind * profile.CrouchDepth;
-            legs.Bow = (fore - hind) * profile.CrouchDepth;
+            legs!.Sink = hind * crouch;
+            legs.Bow = (fore - hind) * crouch;
             legs.Hold(place, dt, settings, local);
             shown.Take(local);
             shown.Finish();
@@ -111,7 +119,15 @@ internal sealed class GettingUp
     {
         from.Take(other.from.Local);
         to.Take(other.to.Pose);
-        (fromTurn, toTurn, gather, rise, elapsed, gap) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap);
+        (fromTurn, toTurn, gather, rise, elapsed, gap, crouch) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap, other.crouch);
+    }
+
+    /// <summary>Stands in a crouch so deep, metres of the model.</summary>
+    private void Crouch(float depth, in RootPlace place, in MotionSettings settings)
+    {
+        crouch = depth;
+        legs!.Sink = depth;
+        legs.Hold(place, 0f, settings, to.Pose);
     }
 
     /// <summary>Rolls onto the belly and gathers the legs.</summary>

@@ -17,6 +17,9 @@ namespace CreatureGen.Motion.Walking;
 internal sealed class LeggedBody
 {
     /// <summary>Part of the joints' limits that bends to a side take up: the rest is for pitch and roll.</summary>
+    /// <summary>How far the ends of a trunk that yaws with its feet go aside at most, leg lengths.</summary>
+    private const float MaxEndSway = 0.1f;
+
     private const float BendFraction = 0.95f;
 
     /// <summary>Part of these that bends up and down take up: the rest is for the bends to a side that go with them.</summary>
@@ -117,6 +120,7 @@ internal sealed class LeggedBody
         Body = Skeleton.FirstOf(JointRole.Body);
         MaxRoll = IsBiped ? 0f : MaxRollOf(Legs);
         MaxSway = MaxSwayOf(Legs);
+        MaxTrunkYaw = 2f * MaxEndSway * LegLength / Math.Max(TrunkLength, LegLength);
         MaxBendYaw = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
         MaxBendPitch = PitchBendFraction * MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
         MaxBendRoll = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.Twist);
@@ -171,6 +175,9 @@ internal sealed class LeggedBody
 
     /// <summary>How far it sways to a side at most, metres: what its hips draw their legs in beyond the narrowest track.</summary>
     public float MaxSway { get; }
+
+    /// <summary>How far the whole trunk yaws from side to side with its feet at most, radians: what takes its ends a little way aside.</summary>
+    public float MaxTrunkYaw { get; }
 
     /// <summary>Neck joints and the head, which is the last.</summary>
     public int[] Neck { get; }

@@ -89,7 +89,10 @@ internal struct Foot
     /// <summary>From the hip to what the leg reaches for, when last posed, before the body was lowered for it. Model space.</summary>
     public Vector3 Chord;
 
-    /// <summary>How far the body was lowered then, metres.</summary>
+    /// <summary>How far its leg drew the body down when it last stood or was about to, metres.</summary>
+    public float Drawn;
+
+    /// <summary>How far the body was lowered when it was last posed, metres.</summary>
     public float Lowered;
 
     /// <summary>The hip of its leg, when last posed. Model space.</summary>
@@ -100,6 +103,9 @@ internal struct Foot
 
     /// <summary>Distance by which the foot missed its place when last posed, metres.</summary>
     public float Residual;
+
+    /// <summary>From where it was to be to where its leg brought it when last posed, the more of it the nearer it was to coming down. Model space.</summary>
+    public Vector3 Astray;
 
     /// <summary>What users see of it.</summary>
     /// <param name="joint">Joint of its ball.</param>

@@ -29,6 +29,9 @@ internal sealed class FootPlanner
     /// <summary>How quickly a foot that sits out goes back to the middle of its stance, stances per second.</summary>
     private const float MidstanceRate = 3f;
 
+    /// <summary>How far a foot may be from where it was to come down and still be put there, leg lengths.</summary>
+    private const float MaxAstray = 0.004f;
+
     /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
     private const float AimRate = 15f;
 
@@ -41,14 +44,14 @@ internal sealed class FootPlanner
     private readonly LeggedBody body;
     private readonly Foot[] feet;
     private readonly SwingClearance[] ways;
-    private readonly EventQueue events;
+    private readonly FootEvents events;
     private readonly FootingSearch search;
     private ExponentialDecay aimDecay;
 
     public FootPlanner(LeggedBody body, EventQueue events)
     {
         this.body = body;
-        this.events = events;
+        this.events = new FootEvents(body, events);
         feet = new Foot[body.Legs.Length];
         ways = new SwingClearance[feet.Length];
         for (int i = 0; i < ways.Length; i++)
@@ -60,6 +63,9 @@ internal sealed class FootPlanner
     }
 
     public Foot[] Feet => feet;
+
+    /// <summary>Tells of all feet that stand.</summary>
+    public void TellAll(MotionEventKind kind, float speed, float strength) => events.TellAll(feet, kind, speed, strength);
 
     /// <summary>What is in the way of each foot that swings.</summary>
     public ReadOnlySpan<SwingClearance> Ways => ways;
@@ -99,7 +105,7 @@ internal sealed class FootPlanner
 
             Vector3 away = frame.ToModel(feet[i].From.Position) - NeutralFootholds.Under(body, i, activity, clock, 0f, 0f);
             away.Y = 0f;
-            if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(YawOf(frame, feet[i].From.Heading)) > 2f * MinTurn)
+            if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].From.YawFrom(frame)) > 2f * MinTurn)
             {
                 return true;
             }
@@ -116,9 +122,7 @@ internal sealed class FootPlanner
             feet[i] = default;
             ref Foot foot = ref feet[i];
             foot.Hip = body.Legs[i].HipRest;
-            foot.HasTarget = search.Find(step, i, body.Legs[i].Home, body.Legs[i].Home, 0f, ref foot.Nudge, out foot.To);
-            foot.To.Heading = step.Frame.Rotation;
-            foot.To.Attach(step.Ground as IMovingGround);
+            Target(i, step, body.Legs[i].Home, body.Legs[i].Home, 0f, step.Frame.Rotation);
             foot.From = foot.To;
             foot.Stance = 0.5f;
         }
@@ -321,7 +325,7 @@ internal sealed class FootPlanner
         Vector3 next = there + Rotation.Rotate(turn, NeutralFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
         Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
         away.Y = 0f;
-        return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(YawOf(step.Frame, feet[leg].From.Heading) - yaw) > MinTurn;
+        return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].From.YawFrom(step.Frame) - yaw) > MinTurn;
     }
 
     private void Lift(int leg, in StepContext step, float at)
@@ -335,7 +339,7 @@ internal sealed class FootPlanner
         foot.Aimed = false;
         foot.Swing = 0f;
         foot.Nudge = 0f;
-        Tell(MotionEventKind.FootUp, leg, step, foot.From, 0f);
+        events.Tell(MotionEventKind.FootUp, leg, step, foot.From, 0f);
     }
 
     private void Land(int leg, in StepContext step, float ago)
@@ -343,35 +347,28 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         foot.Phase = FootPhase.Stance;
         foot.Correcting = false;
+        StandWhereItIs(leg, step);
         foot.From = foot.To;
         foot.Swing = 0f;
         foot.Reached = float.MaxValue;
         foot.Missed = foot.Residual;
         if (foot.HasTarget)
         {
-            Tell(MotionEventKind.FootDown, leg, step, foot.From, ago);
+            events.Tell(MotionEventKind.FootDown, leg, step, foot.From, ago);
         }
     }
 
-    private void Tell(MotionEventKind kind, int leg, in StepContext step, in Foothold place, float ago)
+    /// <summary>Lets a foot that its leg did not bring to where it was to come down stand where it is: it would be dragged there.</summary>
+    private void StandWhereItIs(int leg, in StepContext step)
     {
-        float speed = (float)Math.Sqrt((step.RootVelocity.Speed * step.RootVelocity.Speed) + (step.RootVelocity.Sideways * step.RootVelocity.Sideways)) * step.Frame.Scale;
-        float strength = (float)PortableMath.Pi / (2f * feet.Length * step.Clock.Duty);
-        strength = Scalar.Lerp(1f / feet.Length, strength, step.Activity);
-        events.Add(new MotionEvent(kind, leg, body.Legs[leg].Ball, place.Position, place.Normal, place.Surface, speed, strength, step.Left + ago));
-    }
-
-    /// <summary>Tells of all feet that stand.</summary>
-    public void TellAll(MotionEventKind kind, float speed, float strength)
-    {
-        for (int i = 0; i < feet.Length; i++)
+        ref Foot foot = ref feet[leg];
+        var astray = new Vector3(foot.Astray.X, 0f, foot.Astray.Z);
+        if (!foot.HasTarget || Vec.LengthSquared(astray) < Square(MaxAstray * body.Legs[leg].Length))
         {
-            Foothold place = feet[i].From;
-            if (feet[i].Phase == FootPhase.Stance)
-            {
-                events.Add(new MotionEvent(kind, i, body.Legs[i].Ball, place.Position, place.Normal, place.Surface, speed, strength, 0f));
-            }
+            return;
         }
+
+        Target(leg, step, step.Frame.ToModel(foot.To.Position) + astray, body.Legs[leg].Home, foot.To.YawFrom(step.Frame), foot.To.Heading);
     }
 
     /// <summary>Sets the target of a swing.</summary>
@@ -393,18 +390,18 @@ internal sealed class FootPlanner
         float fraction = foot.Swing > 0f && foot.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
         foot.Wanted += (next - foot.Wanted) * fraction;
         heading = fraction < 1f ? UnitRotation.Nlerp(foot.To.Heading, heading, fraction) : heading;
-        foot.HasTarget = search.Find(step, leg, step.Frame.ToModel(foot.Wanted), home, yaw, ref foot.Nudge, out foot.To);
-        foot.To.Heading = heading;
-        foot.To.Attach(step.Ground as IMovingGround);
+        Target(leg, step, step.Frame.ToModel(foot.Wanted), home, yaw, heading);
         search.Survey(step, leg, foot, ways[leg]);
         foot.Aimed = true;
     }
 
-    /// <summary>Yaw of a heading from that of the body, radians, small angles.</summary>
-    private static float YawOf(in RootPlace frame, Quaternion heading)
+    /// <summary>Looks for ground under where a foot goes, and sets it there.</summary>
+    private void Target(int leg, in StepContext step, Vector3 wanted, Vector3 home, float yaw, Quaternion heading)
     {
-        Quaternion turn = Rotation.Multiply(Rotation.Inverse(frame.Rotation), heading);
-        return 2f * (turn.W < 0f ? -turn.Y : turn.Y);
+        ref Foot foot = ref feet[leg];
+        foot.HasTarget = search.Find(step, leg, wanted, home, yaw, ref foot.Nudge, out foot.To);
+        foot.To.Heading = heading;
+        foot.To.Attach(step.Ground as IMovingGround);
     }
 
     private static float Square(float x) => x * x;

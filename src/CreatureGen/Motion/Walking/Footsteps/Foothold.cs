@@ -25,6 +25,13 @@ internal struct Foothold
     private Quaternion localHeading;
     private Vector3 localNormal;
 
+    /// <summary>Yaw of the foot from the heading of a body, radians, small angles.</summary>
+    public readonly float YawFrom(in RootPlace body)
+    {
+        Quaternion rotation = Rotation.Multiply(Rotation.Inverse(body.Rotation), Heading);
+        return 2f * (rotation.W < 0f ? -rotation.Y : rotation.Y);
+    }
+
     /// <summary>Takes note of where the place is on its platform.</summary>
     public void Attach(IMovingGround? ground)
     {

@@ -65,7 +65,13 @@ internal static class LegRoom
             float distance = Vec.Length(chord);
             float steep = Steepness(chord, distance);
             float max = (leg.Lateral ? LateralDrop : MaxDrop) * leg.Length;
-            float drop = weight * Math.Min(Asked(leg, chord, distance), max);
+            float asked = Math.Min(Asked(leg, chord, distance), max);
+
+            // One that has left the ground draws the body no farther down than it did there.
+            bool leaves = feet[i].Phase == FootPhase.Swing && arriving == 0f;
+            float drawn = leaves ? Math.Min(asked, feet[i].Drawn) : asked;
+            feet[i].Drawn = leaves ? feet[i].Drawn : weight * asked;
+            float drop = weight * drawn;
             float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxRaise * leg.Length);
             float holds = feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i]);
             float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);

@@ -44,6 +44,9 @@ internal static class FootRoll
     /// <summary>Speed backwards, of √(gℓ), from which on feet do not roll over their toes.</summary>
     private const float BackingSpeed = 0.08f;
 
+    /// <summary>Activity from which on a foot takes on and gives up all its load from step to step.</summary>
+    private const float SteppingActivity = 0.1f;
+
     /// <summary>Load of a foot that stands at rest.</summary>
     public const float RestLoad = 0.7f;
 
@@ -56,15 +59,17 @@ internal static class FootRoll
     public static FootPosture At(in Foot foot, LegRig leg, in GaitNumbers gait) => new(
         Pitch(foot, leg, gait.Duty, gait.Cycle) * gait.Roll,
         leg.Traits.Linkage == LegLinkage.Pantograph ? Fold(foot, leg.Traits) * gait.Roll : 0f,
-        foot.Phase == FootPhase.Swing ? 0f : Scalar.Lerp(RestLoad, Force(Math.Min(foot.Stance, 1f), gait.ForceDip), gait.Activity));
+        foot.Phase == FootPhase.Swing ? 0f : Load(Math.Min(foot.Stance, 1f), gait.ForceDip, gait.Activity));
 
-    /// <summary>Force of a foot in its stance, parts of its mean over the middle: sin πs + dip · sin 3πs.</summary>
-    private static float Force(float stance, float dip)
+    /// <summary>Load of a foot in its stance, parts of its mean over the middle: sin πs + dip · sin 3πs of one that goes; one that stands has its share, which it takes on and gives up softly as soon as it steps.</summary>
+    private static float Load(float stance, float dip, float activity)
     {
         FastTrigonometry.OfTurns(0.5f * stance, out float sine, out _);
 
         // sin 3x = 3 sin x − 4 sin³ x
-        return Math.Max(0f, sine + (dip * ((3f * sine) - (4f * sine * sine * sine))));
+        float force = Math.Max(0f, sine + (dip * ((3f * sine) - (4f * sine * sine * sine))));
+        float taken = sine * (2f - sine);
+        return Scalar.Lerp(RestLoad * Scalar.Lerp(1f, taken, Math.Min(activity / SteppingActivity, 1f)), force, activity);
     }
 
     /// <summary>Pitch of a foot, radians, toes down.</summary>

@@ -83,13 +83,11 @@ internal sealed class LegPoser
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
         float fraction = excess > 0f ? YieldFraction(leg, foot, excess) : 0f;
 
-        float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Posture.Shown.Pitch) : foot.Posture.Shown.Pitch;
-
         // As the ankle comes up for it the shank leans farther, and asks for a little more.
         for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? YieldRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
-            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, pitch, fraction, ref wanted);
+            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, fraction, ref wanted);
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
             metatarsus = PoseFoot(leg, solved, wanted, local, out excess);
         }
@@ -129,12 +127,24 @@ internal sealed class LegPoser
         local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
         if (Bound(local.Rotations, leg.Hip, leg.HipJoint, tolerance) > tolerance)
         {
-            // The foot keeps its own turn where the thigh cannot go.
+            // The foot keeps its own turn where the thigh cannot go, and in the air is not led into the ground.
             solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
             solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
-            foot.Residual = Vec.Distance(Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank), chord);
+            if (foot.Phase == FootPhase.Swing)
+            {
+                LegSolver.Raise(leg, parts, chord.Y - foot.Lift, tolerance, ref solved);
+                local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
+            }
+
+            foot.Residual = Vec.Distance(EndOf(leg, parts, solved), chord);
         }
+
+        float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
+        foot.Astray = arriving > 0f ? (EndOf(leg, parts, solved) - chord) * arriving : default;
     }
+
+    /// <summary>Where the solved parts end, from the hip.</summary>
+    private static Vector3 EndOf(LegRig leg, in LegSegments parts, in LegRotations solved) => Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank);
 
     /// <summary>Where the hinge of the knee has to point.</summary>
     private static Vector3 Side(LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading)

@@ -108,6 +108,7 @@ internal sealed class LegRig
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
         RollFraction = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
+        Sole = Array.ConvertAll(sole.Outline, place => place - new Vector3(0f, BallHeight, 0f));
         Follows = Traits.Archetype == LimbArchetype.Insect;
         Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
         Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
@@ -357,6 +358,9 @@ internal sealed class LegRig
     /// <summary>From the ball to the middle of the sole, level.</summary>
     public Vector3 SoleMiddle { get; }
 
+    /// <summary>From the ball to the outline of the sole at rest, all round it, metres.</summary>
+    public Vector3[] Sole { get; }
+
     /// <summary>Whether its foot turns along as the leg is swept, on the middle of its sole: that of claws.</summary>
     public bool Follows { get; }
 
@@ -407,14 +411,3 @@ internal sealed class LegRig
     /// <summary>Least distance from the hip to their end, folded as far as the knee's limit goes.</summary>
     public float FoldedReach { get; }
 }
-
-/// <summary>What of the steps of a leg bounds their length.</summary>
-/// <param name="Home">Where the foot belongs under a body that goes.</param>
-/// <param name="Bias">Where the foot comes down, stance lengths ahead of home.</param>
-/// <param name="Crouch">Lowering of the body, leg lengths.</param>
-/// <param name="Slide">Share of the foot's way that the girdle goes along.</param>
-/// <param name="Track">Factor on the distance of the tracks.</param>
-/// <param name="Yaw">Yaw of the girdle with its feet, radians for each leg length: it gives legs out to the side more way.</param>
-/// <param name="Slope">Rise of the ground along the way.</param>
-/// <param name="Shift">How far the foot is ahead of its hip for that slope, metres.</param>
-internal readonly record struct LegSteps(Vector3 Home, float Bias, float Crouch, float Slide, float Track, float Yaw, float Slope, float Shift);

@@ -92,6 +92,40 @@ internal static class LegSolver
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
     }
 
+    /// <summary>Bends the knee of a leg whose thigh is held where it is, until its end is as high as asked, or as high as it comes; one that is high enough stays as it is.</summary>
+    /// <param name="leg">At rest.</param>
+    /// <param name="parts">Its parts.</param>
+    /// <param name="height">How high the end has to be, from the hip.</param>
+    /// <param name="tolerance">How far the knee may stay beyond its limits, about half the angle in radians.</param>
+    /// <param name="turns">The turns; those of knee and shank are made anew.</param>
+    public static void Raise(LegRig leg, in LegSegments parts, float height, float tolerance, ref LegRotations turns)
+    {
+        Vector3 n = leg.Hinge;
+        Vector3 up = Rotation.Rotate(Rotation.Inverse(turns.Thigh), Vector3.UnitY);
+
+        // The end is as high as: still + a cos θ + b sin θ, θ the turn of the knee.
+        double still = Vec.Dot(up, parts.Upper) + (Vec.Dot(up, n) * Vec.Dot(leg.Shank, n));
+        double a = Vec.Dot(up, leg.Shank) - (Vec.Dot(up, n) * Vec.Dot(leg.Shank, n));
+        double b = Vec.Dot(up, Vec.Cross(n, leg.Shank));
+        double cos = (turns.Knee.W * turns.Knee.W) - (turns.KneeHalfSine * turns.KneeHalfSine);
+        double sin = 2d * turns.Knee.W * turns.KneeHalfSine;
+        double squared = (a * a) + (b * b);
+        if (still + (a * cos) + (b * sin) < height && squared > 0)
+        {
+            double asked = Math.Min((height - still) / Math.Sqrt(squared), 1d);
+            double side = ((sin * a) - (cos * b) < 0 ? -1d : 1d) * Math.Sqrt((1d - asked) * (1d + asked));
+            double scale = 1d / Math.Sqrt(squared);
+            cos = ((a * asked) - (b * side)) * scale;
+            sin = ((b * asked) + (a * side)) * scale;
+            leg.KneeFold.Clamp(ref cos, ref sin, 2f * tolerance);
+            HalfAngle.Of(cos, sin, out double halfCosine, out double halfSine);
+            turns.KneeHalfSine = (float)halfSine;
+            turns.Knee = new Quaternion(n * (float)halfSine, (float)halfCosine);
+        }
+
+        turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
+    }
+
     /// <summary>Where a foot goes that is nearer to its hip than the leg folds: round it outside at the same height, and not down into the ground.</summary>
     private static Vector3 Around(Vector3 target, float lengthSquared)
     {

@@ -5,46 +5,87 @@ using CreatureGen.Motion.Walking.Footsteps;
 
 namespace CreatureGen.Motion.Walking.Legs;
 
-/// <summary>A foot that the joints of its leg do not let lie on the ground as it should: it stands on an edge of its sole, and what of it is on the ground stays where it is: the middle, or the tip of the toes as it rolls off.</summary>
+/// <summary>
+/// A foot that the joints of its leg do not let lie on the ground as it should: it stands on an edge of its sole, and on level ground what of the sole is down stays where it would be if the foot lay as it should.
+/// So it does not slip, whichever edge it comes to stand on.
+/// </summary>
 internal static class LimitRelaxation
 {
     private const float MinRise = 0.3f;
 
-    /// <summary>Pitch at which a foot stands on nothing but the tip of its toes, radians.</summary>
-    private const float Rolled = 0.2f;
+    /// <summary>Height above the lowest point of the sole at which another counts half as much as it, leg lengths: as a foot rolls from one edge to the next its hold goes over softly.</summary>
+    private const float Touch = 0.02f;
+
+    /// <summary>Up part of the normal of ground on which a foot holds on to the edge that it stands on, wholly and not at all: 1° and 4°.</summary>
+    private const float Level = 0.99985f;
+    private const float Slanting = 0.9976f;
 
     /// <summary>Turns a foot as far as its joints let it.</summary>
     /// <param name="leg">Gives the sole.</param>
     /// <param name="normal">Of the ground under it, unit, model space.</param>
     /// <param name="foot">Turn of the foot from rest that the ankle allows.</param>
     /// <param name="toes">Turn of the toes from rest that the ball allows.</param>
-    /// <param name="pitch">Of what it stands on, radians, toes down: rolled off, it stays on the tip of its toes.</param>
     /// <param name="fraction">Share of all this, 0..1: none in the middle of a swing.</param>
     /// <param name="pose">Where the leg has to bring the foot.</param>
-    public static void Turn(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, float pitch, float fraction, ref FootPose pose)
+    public static void Turn(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, float fraction, ref FootPose pose)
     {
-        float rolled = Scalar.Smooth(pitch / Rolled);
-        Vector3 tip = leg.ToeDirection * (leg.Toe - Vec.Dot(leg.SoleMiddle, leg.ToeDirection));
-        Vector3 middle = leg.SoleMiddle + (tip * rolled) - new Vector3(0f, leg.BallHeight, 0f);
-        Vector3 before = Rotation.Rotate(pose.Toes, middle);
-        Vector3 after = Rotation.Rotate(toes, middle);
-        float sunk = Lowest(leg, normal, pose.Foot, pose.Toes) - Vec.Dot(normal, before) - Lowest(leg, normal, foot, toes) + Vec.Dot(normal, after);
-        Vector3 way = before - after;
-        way.Y += sunk / Math.Max(normal.Y, MinRise);
+        Span<Vector3> before = stackalloc Vector3[SoleExtent.Directions];
+        Span<Vector3> after = stackalloc Vector3[SoleExtent.Directions];
+        float sunk = Lay(leg, normal, pose.Foot, pose.Toes, before) - Lay(leg, normal, foot, toes, after);
+
+        // A foot that follows its leg turns on the middle of its sole, and so does one that stands aslant for all of its stance.
+        Vector3 way = Rotation.Rotate(pose.Toes, Middle(leg)) - Rotation.Rotate(toes, Middle(leg));
+        float level = leg.Follows ? 0f : Scalar.Smooth((normal.Y - Slanting) / (Level - Slanting));
+        if (level > 0f)
+        {
+            way = Vec.Lerp(way, Hold(before, after, normal, Touch * leg.Length), level);
+        }
+
+        way.Y += (sunk - Vec.Dot(normal, way)) / Math.Max(normal.Y, MinRise);
         pose.Ball += way * fraction;
         pose.Foot = UnitRotation.Nlerp(pose.Foot, foot, fraction);
         pose.Toes = UnitRotation.Nlerp(pose.Toes, toes, fraction);
         pose.Target = leg.Traits.Linkage == LegLinkage.Pantograph ? pose.Ball : pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
     }
 
-    /// <summary>How far the lowest point of the sole is from the ball along the normal.</summary>
-    private static float Lowest(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes)
+    /// <summary>How far the ball has to go for what touches the ground to stay where it was.</summary>
+    private static Vector3 Hold(ReadOnlySpan<Vector3> before, ReadOnlySpan<Vector3> after, Vector3 normal, float touch)
     {
-        var down = new Vector3(0f, -leg.BallHeight, 0f);
-        Vector3 aside = Vec.Cross(leg.ToeDirection, Vector3.UnitY) * leg.HalfWidth;
-        float lowest = Vec.Dot(normal, Rotation.Rotate(toes, down + (leg.ToeDirection * leg.Toe)));
-        lowest = Math.Min(lowest, Vec.Dot(normal, Rotation.Rotate(toes, down + leg.SoleMiddle + aside)));
-        lowest = Math.Min(lowest, Vec.Dot(normal, Rotation.Rotate(toes, down + leg.SoleMiddle - aside)));
-        return Math.Min(lowest, Vec.Dot(normal, Rotation.Rotate(foot, down - (leg.ToeDirection * leg.Heel))));
+        float lowest = float.MaxValue;
+        foreach (Vector3 point in after)
+        {
+            lowest = Math.Min(lowest, Vec.Dot(normal, point));
+        }
+
+        Vector3 way = default;
+        float sum = 0f;
+        for (int i = 0; i < after.Length; i++)
+        {
+            float above = (Vec.Dot(normal, after[i]) - lowest) / touch;
+            float weight = 1f / (1f + (above * above));
+            weight *= weight;
+            way += (before[i] - after[i]) * weight;
+            sum += weight;
+        }
+
+        return way / sum;
+    }
+
+    /// <summary>From the ball to the middle of the sole at rest: on it turns a foot that follows its leg.</summary>
+    private static Vector3 Middle(LegRig leg) => leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f);
+
+    /// <summary>Where the outline of the sole is from the ball: ahead of it with the toes, behind it with the foot.</summary>
+    /// <returns>How far the lowest of it is along the normal.</returns>
+    private static float Lay(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, Span<Vector3> points)
+    {
+        float lowest = float.MaxValue;
+        for (int i = 0; i < points.Length; i++)
+        {
+            Vector3 place = leg.Sole[i];
+            points[i] = Rotation.Rotate(Vec.Dot(place, leg.ToeDirection) < 0f ? foot : toes, place);
+            lowest = Math.Min(lowest, Vec.Dot(normal, points[i]));
+        }
+
+        return lowest;
     }
 }

@@ -18,13 +18,23 @@ internal readonly struct SoleExtent
     /// <summary>Weight from which on a vertex is of the foot alone.</summary>
     private const float Firm = 0.9f;
 
-    private SoleExtent(float toe, float heel, float width, Vector3 middle)
+    /// <summary>Turns a direction by an eighth of a circle.</summary>
+    private const float OneOverRootTwo = 0.70710678f;
+
+    /// <summary>Directions in which its outline is measured.</summary>
+    public const int Directions = 8;
+
+    private SoleExtent(float toe, float heel, float width, Vector3 middle, Vector3[] outline)
     {
         Toe = toe;
         Heel = heel;
         HalfWidth = width;
         Middle = middle;
+        Outline = outline;
     }
+
+    /// <summary>From the ball to what of the sole's surface is farthest out in each of so many directions, level.</summary>
+    public Vector3[] Outline { get; }
 
     /// <summary>From the ball to the middle of the sole's surface, level.</summary>
     public Vector3 Middle { get; }
@@ -87,6 +97,7 @@ internal readonly struct SoleExtent
             }
         }
 
+        Vector3[][] outlines = Array.ConvertAll(ahead, _ => new Vector3[Directions]);
         for (int v = 0; v < positions.Length; v++)
         {
             int leg = legOf[weights[v].Joint0];
@@ -96,6 +107,7 @@ internal readonly struct SoleExtent
                 Vector3 hip = skeleton.ModelPositions[legs[leg].Joints[1]];
                 if (positions[v].Y < surface[leg] + (LayerFraction * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z))))
                 {
+                    Widen(outlines[leg], ahead[leg], positions[v] - ball);
                     sum[leg] += positions[v] - ball;
                     count[leg]++;
                 }
@@ -105,9 +117,25 @@ internal readonly struct SoleExtent
         var extents = new SoleExtent[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {
-            extents[i] = new SoleExtent(toe[i], heel[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])));
+            extents[i] = new SoleExtent(toe[i], heel[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])), outlines[i]);
         }
 
         return extents;
+    }
+
+    /// <summary>Lets an outline go as far out as a place of the sole.</summary>
+    private static void Widen(Vector3[] outline, Vector3 ahead, Vector3 place)
+    {
+        place.Y = 0f;
+        Vector3 direction = ahead;
+        for (int i = 0; i < outline.Length; i++)
+        {
+            if (Vec.Dot(direction, place) > Vec.Dot(direction, outline[i]))
+            {
+                outline[i] = place;
+            }
+
+            direction = new Vector3(direction.X + direction.Z, 0f, direction.Z - direction.X) * OneOverRootTwo;
+        }
     }
 }

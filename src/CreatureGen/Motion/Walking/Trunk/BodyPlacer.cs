@@ -158,10 +158,10 @@ internal sealed class BodyPlacer
 
         // Feet that come down at once find the body at its height: all of them, or in a leap those of each girdle.
         float poise = Math.Min(-response.Touchdown * scale, cap) * bounce;
-        float together = all.Together(feet.Length);
+        float atOnce = all.Together(feet.Length);
         float leap = body.Rows == 2 ? clock.Shape.Trail : 0f;
-        hindRise += poise * Math.Max(together, leap * hind.Together(2));
-        foreRise += poise * Math.Max(together, leap * fore.Together(2));
+        hindRise += poise * Math.Max(atOnce, leap * hind.Together(2));
+        foreRise += poise * Math.Max(atOnce, leap * fore.Together(2));
         hindRise += clock.Shape.Stretch * act * slack.Hind;
         foreRise += clock.Shape.Stretch * act * slack.Fore;
         float steadied = 0.5f * LeapSteadiness * leap * (foreRise - hindRise);
@@ -171,7 +171,7 @@ internal sealed class BodyPlacer
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Walking.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
-        float sway = Bounded((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MaxSway);
+        float sway = Scalar.ClampSoftly((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MaxSway);
         float stance = context.RootVelocity.Speed * clock.Duty / clock.Frequency;
         float surge = response.Surge(all, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
 
@@ -182,6 +182,15 @@ internal sealed class BodyPlacer
         float spine = settings.Walking.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
         float chestYaw = body.IsBiped ? traits.ChestYaw * Scissor * spine : -traits.ChestYaw * (front.Left - front.Right) * spine;
+        if (body.Legs[0].Lateral)
+        {
+            // Its ends turn against one another: turned together they would take the hips off their feet.
+            float together = 0.5f * (pelvisYaw + chestYaw);
+            float excess = together - Scalar.ClampSoftly(together, body.MaxTrunkYaw);
+            pelvisYaw -= excess;
+            chestYaw -= excess;
+        }
+
         PelvisYaw = pelvisYaw;
         float rolling = emphasis * swing;
         float pelvisRoll = (rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad)) + context.Idle.Roll;
@@ -255,13 +264,6 @@ internal sealed class BodyPlacer
     {
         float froude = context.RootVelocity.Speed * context.RootVelocity.Speed / (context.Settings.Gravity * length);
         return Scalar.Clamp(1.3f - (2f * froude), 0.3f, 1f);
-    }
-
-    /// <summary>A number that comes ever slower to a most on both sides.</summary>
-    private static float Bounded(float x, float max)
-    {
-        float part = x * x / Math.Max(max * max, 1e-12f);
-        return x / (float)Math.Sqrt(Math.Sqrt(1f + (part * part)));
     }
 
     /// <summary>Sums up the legs for the moment: anew if the gait has changed, else as the cycle has gone on.</summary>

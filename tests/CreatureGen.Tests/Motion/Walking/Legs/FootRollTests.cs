@@ -27,6 +27,20 @@ public sealed class FootRollTests
     }
 
     [Theory]
+    [InlineData(0.1f)]
+    [InlineData(0.5f)]
+    [InlineData(1f)]
+    public void A_foot_that_steps_takes_on_its_load_from_none_and_gives_all_of_it_up_however_slowly_it_goes(float activity)
+    {
+        LegRig leg = new MotionProfile(StrokeSubject.Of(BodyPlan.Unguligrade)[0]).Legs!.Legs[0];
+        var gait = new GaitNumbers(Duty: 0.65f, Lift: 1f, ForceDip: 0.2f, activity, Roll: 1f, Cycle: 0.8f, Step: 0.01f);
+        float LoadAt(float stance) => FootRoll.At(new Foot { Phase = FootPhase.Stance, Stance = stance }, leg, gait).Load;
+        Assert.Equal(0f, LoadAt(0f), 1e-4f);
+        Assert.Equal(0f, LoadAt(1f), 1e-4f);
+        Assert.True(LoadAt(0.5f) > 0.5f);
+    }
+
+    [Theory]
     [InlineData(BodyPlan.Plantigrade)]
     [InlineData(BodyPlan.Digitigrade)]
     [InlineData(BodyPlan.Unguligrade)]
