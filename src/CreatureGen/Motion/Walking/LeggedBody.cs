@@ -417,6 +417,3 @@ internal sealed class LeggedBody
         return Math.Max(lowest, 0f);
     }
 }
-
-/// <summary>An arm that swings as its body walks.</summary>
-internal readonly record struct ArmShape(int Shoulder, int Elbow, int Wrist, Side Side);
