@@ -52,7 +52,7 @@ public sealed class SurfaceCrossingTests
     [InlineData(RequestedKind.Walking, 2, 0.04)]
     [InlineData(RequestedKind.Flying, 2, 0.06)]
     [InlineData(RequestedKind.Swimming, 2, 0.01)]
-    [InlineData(RequestedKind.Walking, 12, 0.085, Explicit = true)]
+    [InlineData(RequestedKind.Walking, 12, 0.09, Explicit = true)]
     [InlineData(RequestedKind.Flying, 12, 0.11, Explicit = true)]
     [InlineData(RequestedKind.Swimming, 12, 0.01, Explicit = true)]
     public void In_no_pose_more_than_a_small_part_of_the_triangles_cross(RequestedKind kind, int creatures, double most)
