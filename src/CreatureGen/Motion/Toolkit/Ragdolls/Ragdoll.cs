@@ -33,6 +33,9 @@ public static class Ragdoll
     private const float RestlessFraction = 20f;
     private const float RestlessSeconds = 3f;
 
+    /// <summary>Seconds of restlessness that a second of fast motion makes forgotten: who is shaken by his own joints has faster moments too.</summary>
+    private const float Forgetting = 4f;
+
     /// <summary>Takes over from a motion.</summary>
     /// <param name="rig">The parts.</param>
     /// <param name="state">Made for this rig.</param>
@@ -270,7 +273,7 @@ public static class Ragdoll
         speed = (float)Math.Sqrt(speed / mass);
         state.Speed = speed;
         float calm = CalmSpeed(rig, state, settings);
-        state.Restless = speed <= RestlessFraction * calm ? state.Restless + Substep : 0f;
+        state.Restless = speed <= RestlessFraction * calm ? state.Restless + Substep : Math.Max(state.Restless - (Forgetting * Substep), 0f);
         state.Calm = speed <= calm * Math.Max(1f, state.Restless / RestlessSeconds) ? state.Calm + Substep : 0f;
         state.IsAsleep = state.Calm > CalmSeconds;
         if (state.IsAsleep)
