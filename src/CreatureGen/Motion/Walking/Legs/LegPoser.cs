@@ -83,11 +83,13 @@ internal sealed class LegPoser
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
         float fraction = excess > 0f ? YieldFraction(leg, foot, excess) : 0f;
 
+        float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Posture.Shown.Pitch) : foot.Posture.Shown.Pitch;
+
         // As the ankle comes up for it the shank leans farther, and asks for a little more.
         for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? YieldRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
-            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, fraction, ref wanted);
+            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, pitch, fraction, ref wanted);
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
             metatarsus = PoseFoot(leg, solved, wanted, local, out excess);
         }

@@ -112,9 +112,9 @@ internal static class LegSolver
         double squared = (a * a) + (b * b);
         if (still + (a * cos) + (b * sin) < height && squared > 0)
         {
-            double asked = Math.Min((height - still) / Math.Sqrt(squared), 1d);
-            double side = ((sin * a) - (cos * b) < 0 ? -1d : 1d) * Math.Sqrt((1d - asked) * (1d + asked));
             double scale = 1d / Math.Sqrt(squared);
+            double asked = Math.Min((height - still) * scale, 1d);
+            double side = ((sin * a) - (cos * b) < 0 ? -1d : 1d) * Math.Sqrt((1d - asked) * (1d + asked));
             cos = ((a * asked) - (b * side)) * scale;
             sin = ((b * asked) + (a * side)) * scale;
             leg.KneeFold.Clamp(ref cos, ref sin, 2f * tolerance);

@@ -13,6 +13,9 @@ internal static class LimitRelaxation
 {
     private const float MinRise = 0.3f;
 
+    /// <summary>Pitch at which a foot stands on nothing but the tip of its toes, radians.</summary>
+    private const float Rolled = 0.2f;
+
     /// <summary>Height above the lowest point of the sole at which another counts half as much as it, leg lengths: as a foot rolls from one edge to the next its hold goes over softly.</summary>
     private const float Touch = 0.02f;
 
@@ -25,16 +28,18 @@ internal static class LimitRelaxation
     /// <param name="normal">Of the ground under it, unit, model space.</param>
     /// <param name="foot">Turn of the foot from rest that the ankle allows.</param>
     /// <param name="toes">Turn of the toes from rest that the ball allows.</param>
+    /// <param name="pitch">Of what it stands on, radians, toes down: rolled off, it stays on the tip of its toes.</param>
     /// <param name="fraction">Share of all this, 0..1: none in the middle of a swing.</param>
     /// <param name="pose">Where the leg has to bring the foot.</param>
-    public static void Turn(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, float fraction, ref FootPose pose)
+    public static void Turn(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, float pitch, float fraction, ref FootPose pose)
     {
         Span<Vector3> before = stackalloc Vector3[SoleExtent.Directions];
         Span<Vector3> after = stackalloc Vector3[SoleExtent.Directions];
         float sunk = Lay(leg, normal, pose.Foot, pose.Toes, before) - Lay(leg, normal, foot, toes, after);
 
-        // A foot that follows its leg turns on the middle of its sole, and so does one that stands aslant for all of its stance.
-        Vector3 way = Rotation.Rotate(pose.Toes, Middle(leg)) - Rotation.Rotate(toes, Middle(leg));
+        // A foot that follows its leg turns on the middle of its sole, or on its toes as it rolls off; so does one that stands aslant for all of its stance.
+        Vector3 pivot = Pivot(leg, pitch);
+        Vector3 way = Rotation.Rotate(pose.Toes, pivot) - Rotation.Rotate(toes, pivot);
         float level = leg.Follows ? 0f : Scalar.Smooth((normal.Y - Slanting) / (Level - Slanting));
         if (level > 0f)
         {
@@ -71,8 +76,12 @@ internal static class LimitRelaxation
         return way / sum;
     }
 
-    /// <summary>From the ball to the middle of the sole at rest: on it turns a foot that follows its leg.</summary>
-    private static Vector3 Middle(LegRig leg) => leg.SoleMiddle - new Vector3(0f, leg.BallHeight, 0f);
+    /// <summary>From the ball to what a foot turns on, at rest: the middle of its sole, or the tip of its toes.</summary>
+    private static Vector3 Pivot(LegRig leg, float pitch)
+    {
+        Vector3 tip = leg.ToeDirection * (leg.Toe - Vec.Dot(leg.SoleMiddle, leg.ToeDirection));
+        return leg.SoleMiddle + (tip * Scalar.Smooth(pitch / Rolled)) - new Vector3(0f, leg.BallHeight, 0f);
+    }
 
     /// <summary>Where the outline of the sole is from the ball: ahead of it with the toes, behind it with the foot.</summary>
     /// <returns>How far the lowest of it is along the normal.</returns>

@@ -16,7 +16,7 @@ public sealed class LimitRelaxationTests
         LegRig leg = Leg(42);
         FootPose pose = Flat(leg);
         FootPose before = pose;
-        LimitRelaxation.Turn(leg, Vector3.UnitY, pose.Foot, pose.Toes, 1f, ref pose);
+        LimitRelaxation.Turn(leg, Vector3.UnitY, pose.Foot, pose.Toes, 0f, 1f, ref pose);
         Assert.True(Vec.Distance(before.Ball, pose.Ball) < 1e-6f);
         Assert.True(Vec.Distance(before.Target, pose.Target) < 1e-6f);
     }
@@ -32,7 +32,7 @@ public sealed class LimitRelaxationTests
             FootPose flat = Flat(leg);
             FootPose pose = flat;
             Quaternion turn = Rotation.FromAxisAngle(leg.ToeDirection, tilt);
-            LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 1f, ref pose);
+            LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, 1f, ref pose);
             Vector3[] before = Array.ConvertAll(leg.Sole, place => flat.Ball + place);
             Vector3[] after = Array.ConvertAll(leg.Sole, place => pose.Ball + Rotation.Rotate(turn, place));
             int edge = 0;
@@ -58,9 +58,9 @@ public sealed class LimitRelaxationTests
         FootPose half = none;
         FootPose whole = none;
         Vector3 ball = none.Ball;
-        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, ref none);
-        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0.5f, ref half);
-        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 1f, ref whole);
+        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, 0f, ref none);
+        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, 0.5f, ref half);
+        LimitRelaxation.Turn(leg, Vector3.UnitY, turn, turn, 0f, 1f, ref whole);
         Assert.True(Vec.Distance(none.Ball, ball) < 1e-7f);
         Assert.True(Vec.Distance(half.Ball, (ball + whole.Ball) * 0.5f) < 1e-6f);
     }
