@@ -20,7 +20,7 @@ internal sealed class Actor
 
     /// <summary>Numbers before the matrices: slot, joints, feet, place, turn, speed, phase, age, state of the body, seconds of the move.</summary>
     private const int HeadLength = 15;
-    private const int MostMoments = 16;
+    private const int MaxMoments = 16;
     private const int FootLength = 4;
 
     private readonly Matrix4x4[] skin;
@@ -181,7 +181,7 @@ internal sealed class Actor
 
     private void Tell(Moment moment)
     {
-        if (Moments.Count < MostMoments)
+        if (Moments.Count < MaxMoments)
         {
             Moments.Add(moment);
         }

@@ -14,7 +14,7 @@ namespace CreatureGen.Lab.Runtime;
 /// </summary>
 internal static class AddressText
 {
-    private const int MostLetters = 8192;
+    private const int MaxLetters = 8192;
     private static readonly byte[] words = ReadWords();
 
     /// <summary>The letters of a blueprint.</summary>
@@ -40,9 +40,9 @@ internal static class AddressText
     /// <param name="like">The blueprint that was given when they were written.</param>
     public static CreatureBlueprint Read(string address, CreatureBlueprint? like)
     {
-        if (address.Length > MostLetters)
+        if (address.Length > MaxLetters)
         {
-            throw new ArgumentException(FormattableString.Invariant($"it has {address.Length} letters; expected at most {MostLetters}"));
+            throw new ArgumentException(FormattableString.Invariant($"it has {address.Length} letters; expected at most {MaxLetters}"));
         }
 
         try

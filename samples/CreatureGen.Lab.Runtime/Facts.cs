@@ -75,8 +75,8 @@ internal static class Facts
         {
             text.Append(text.Length > 1 ? "," : "").Append('{');
             Word(text, "name", trait.Name);
-            Number(text, "least", trait.Least);
-            Number(text, "most", trait.Most);
+            Number(text, "least", trait.Min);
+            Number(text, "most", trait.Max);
             Number(text, "own", trait.Own);
             text.Append("\"end\":0}");
         }

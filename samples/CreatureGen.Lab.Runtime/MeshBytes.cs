@@ -16,15 +16,15 @@ namespace CreatureGen.Lab;
 internal static class MeshBytes
 {
     private const int HeadLength = 8;
-    private const int MostJoints = 256;
+    private const int MaxJoints = 256;
 
     public static byte[] Of(Creature creature, CreatureMesh source)
     {
         EngineMesh mesh = source.For(EngineAxes.ThreeJs);
         Skeleton skeleton = creature.Skeleton;
-        if (skeleton.Count > MostJoints)
+        if (skeleton.Count > MaxJoints)
         {
-            throw new ArgumentException(FormattableString.Invariant($"{skeleton.Count} joints; expected at most {MostJoints}"), nameof(creature));
+            throw new ArgumentException(FormattableString.Invariant($"{skeleton.Count} joints; expected at most {MaxJoints}"), nameof(creature));
         }
 
         int n = mesh.VertexCount;

@@ -18,7 +18,7 @@ internal sealed record Part(string Name, Predicate<CreatureBlueprint> Has, Func<
 internal static class PartBox
 {
     /// <summary>Creatures that are asked for a part at most.</summary>
-    private const int MostDonors = 600;
+    private const int MaxDonors = 600;
 
     private static readonly RequestedKind[] kinds = [RequestedKind.Walking, RequestedKind.Flying, RequestedKind.Swimming];
 
@@ -54,7 +54,7 @@ internal static class PartBox
     /// <param name="seed">The first seed that is asked.</param>
     public static CreatureBlueprint Give(CreatureBlueprint design, Part part, ulong seed)
     {
-        for (ulong n = 0; n < MostDonors; n++)
+        for (ulong n = 0; n < MaxDonors; n++)
         {
             CreatureBlueprint donor = BlueprintSampler.Sample(seed + (n / 3), CreatureOptions.Default with { Kind = kinds[(int)(n % 3)], Strangeness = 0 });
             if (part.Has(donor))

@@ -12,13 +12,13 @@ namespace CreatureGen.Lab.Runtime;
 /// <summary>Where creatures live: one in each slot that is taken, on one ground.</summary>
 internal sealed class Stage
 {
-    public const int MostSlots = 64;
+    public const int MaxSlots = 64;
 
     /// <summary>
     /// Creatures that move in every frame at most: the one that is looked at and those nearest to it. The others take turns: those that have waited longest come first, as many as there is time for. Where so many take too long,
     /// fewer move in every frame, so that one turn is always left.
     /// </summary>
-    private const int MostNear = 4;
+    private const int MaxNear = 4;
 
     /// <summary>Milliseconds of a frame that those who move are not to pass, if the next one takes as long as the ones before.</summary>
     private const double Budget = 1.7;
@@ -30,7 +30,7 @@ internal sealed class Stage
 
     private static readonly Comparer<Actor> longestWait = Comparer<Actor>.Create(static (a, b) => a.Passed != b.Passed ? b.Passed.CompareTo(a.Passed) : a.Slot.CompareTo(b.Slot));
 
-    private readonly Actor?[] slots = new Actor?[MostSlots];
+    private readonly Actor?[] slots = new Actor?[MaxSlots];
     private readonly List<Actor> living = [];
     private float[] frame = GC.AllocateArray<float>(1 << 15, pinned: true);
     private double moveMilliseconds = 0.3;
@@ -42,7 +42,7 @@ internal sealed class Stage
     public unsafe int FrameAddress => (int)(nint)System.Runtime.CompilerServices.Unsafe.AsPointer(ref MemoryMarshal.GetArrayDataReference(frame));
 
     /// <summary>Who lives in a slot.</summary>
-    public Actor this[int slot] => (uint)slot < MostSlots && slots[slot] is { } actor ? actor : throw new ArgumentException(FormattableString.Invariant($"nobody lives in slot {slot}"));
+    public Actor this[int slot] => (uint)slot < MaxSlots && slots[slot] is { } actor ? actor : throw new ArgumentException(FormattableString.Invariant($"nobody lives in slot {slot}"));
 
     public IReadOnlyList<Actor> Living => living;
 
@@ -58,9 +58,9 @@ internal sealed class Stage
     /// <summary>Lets a creature live in a slot, where the one before it was, with its habits.</summary>
     public void Settle(int slot, Creature creature, CreatureBlueprint design)
     {
-        if ((uint)slot >= MostSlots)
+        if ((uint)slot >= MaxSlots)
         {
-            throw new ArgumentException(FormattableString.Invariant($"slot {slot}; expected 0 to {MostSlots - 1}"));
+            throw new ArgumentException(FormattableString.Invariant($"slot {slot}; expected 0 to {MaxSlots - 1}"));
         }
 
         var actor = new Actor(slot, creature, design, slots[slot]?.Mind ?? new Mind(slot));
@@ -113,7 +113,7 @@ internal sealed class Stage
             actor.Wait(seconds);
         }
 
-        int near = Math.Clamp((int)(Budget / Math.Max(moveMilliseconds, 0.01)) - 1, 1, MostNear);
+        int near = Math.Clamp((int)(Budget / Math.Max(moveMilliseconds, 0.01)) - 1, 1, MaxNear);
         for (int rank = 0; rank < living.Count; rank++)
         {
             if (rank == near)
@@ -167,7 +167,7 @@ internal sealed class Stage
 
     private void Rank(int eye)
     {
-        Vector3 centre = (uint)eye < MostSlots && slots[eye] is { } looked ? looked.Position : Vector3.Zero;
+        Vector3 centre = (uint)eye < MaxSlots && slots[eye] is { } looked ? looked.Position : Vector3.Zero;
         foreach (Actor actor in living)
         {
             float x = actor.Position.X - centre.X;

@@ -21,9 +21,9 @@ internal static class TraitText
         {
             int letters = entry.TakeWhile(char.IsAsciiLetterLower).Count();
             Trait trait = Traits.All.FirstOrDefault(t => entry.AsSpan(0, letters).SequenceEqual(t.Name)) ?? throw new ArgumentException("there is no trait \u201c" + entry[..letters] + "\u201d");
-            if (!double.TryParse(entry.AsSpan(letters), NumberStyles.Float & ~NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out double value) || !(value >= trait.Least && value <= trait.Most))
+            if (!double.TryParse(entry.AsSpan(letters), NumberStyles.Float & ~NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out double value) || !(value >= trait.Min && value <= trait.Max))
             {
-                throw new ArgumentException(FormattableString.Invariant($"{trait.Name} is \u201c{entry[letters..]}\u201d; expected a number from {trait.Least:0.##} to {trait.Most:0.##}"));
+                throw new ArgumentException(FormattableString.Invariant($"{trait.Name} is \u201c{entry[letters..]}\u201d; expected a number from {trait.Min:0.##} to {trait.Max:0.##}"));
             }
 
             if (trait.Applies(blueprint) && value != trait.Own)

@@ -8,12 +8,12 @@ namespace CreatureGen.Lab.Runtime;
 
 /// <summary>Something of a creature that a slider changes.</summary>
 /// <param name="Name">What the page calls it.</param>
-/// <param name="Least">Left end.</param>
-/// <param name="Most">Right end.</param>
+/// <param name="Min">Left end.</param>
+/// <param name="Max">Right end.</param>
 /// <param name="Own">Where the creature is as it was grown.</param>
 /// <param name="Applies">Whether it changes anything of this creature.</param>
 /// <param name="Change">The changed creature.</param>
-internal sealed record Trait(string Name, double Least, double Most, double Own, Predicate<CreatureBlueprint> Applies, Func<CreatureBlueprint, double, CreatureBlueprint> Change);
+internal sealed record Trait(string Name, double Min, double Max, double Own, Predicate<CreatureBlueprint> Applies, Func<CreatureBlueprint, double, CreatureBlueprint> Change);
 
 /// <summary>The sliders. All but colour are factors on the creature's own numbers; ends are those at which creatures of all kinds were built and inspected.</summary>
 internal static class Traits

@@ -25,7 +25,7 @@ internal static class FirstCreature
 
     /// <summary>Frames of the loop, at least and at most: it ends where it is most like its beginning.</summary>
     private const int FewestFrames = 14;
-    private const int MostFrames = 22;
+    private const int MaxFrames = 22;
 
     /// <summary>Steps from the darkest to the brightest that are kept of each colour: the file is half as large, and skin shows no bands.</summary>
     private const int Levels = 31;
@@ -71,7 +71,7 @@ internal static class FirstCreature
         }
 
         List<(Vector3[], Vector3[])> poses = [];
-        for (int frame = 0; frame <= MostFrames; frame++)
+        for (int frame = 0; frame <= MaxFrames; frame++)
         {
             animator.Update(1f / Rate, default, FlatGround.Level);
             SkinMatrices.Fill(creature.Skeleton, animator.ModelPose, matrices);
@@ -115,5 +115,5 @@ internal static class FirstCreature
     }
 
     private static int LoopLength(List<(Vector3[] Positions, Vector3[] Normals)> poses) =>
-        Enumerable.Range(FewestFrames, MostFrames - FewestFrames + 1).MinBy(n => poses[n].Positions.Zip(poses[0].Positions, Vector3.DistanceSquared).Sum(apart => (double)apart));
+        Enumerable.Range(FewestFrames, MaxFrames - FewestFrames + 1).MinBy(n => poses[n].Positions.Zip(poses[0].Positions, Vector3.DistanceSquared).Sum(apart => (double)apart));
 }

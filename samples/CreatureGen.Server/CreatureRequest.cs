@@ -21,8 +21,8 @@ namespace CreatureGen.Server;
 /// <param name="Size">Pixels along a side of its picture.</param>
 internal sealed record CreatureRequest(ulong Seed, string Form, CreatureOptions Options, int TextureSize, bool HasClips, View View, int Size)
 {
-    private const int MostTexels = 1024;
-    private const int MostPixels = 1024;
+    private const int MaxTexels = 1024;
+    private const int MaxPixels = 1024;
 
     private static readonly string[] known = ["kind", "individual", "textures", "clips", "view", "size"];
 
@@ -67,10 +67,10 @@ internal sealed record CreatureRequest(ulong Seed, string Form, CreatureOptions 
         var reader = new QueryReader(query);
         RequestedKind kind = reader.Word("kind", Enum.GetValues<RequestedKind>().ToDictionary(value => value.ToString().ToLowerInvariant()), RequestedKind.Any);
         ulong? individual = reader.Seed("individual");
-        int textures = reader.Word("textures", new Dictionary<string, int> { ["none"] = 0, ["256"] = 256, ["512"] = 512, ["1024"] = MostTexels }, 0);
+        int textures = reader.Word("textures", new Dictionary<string, int> { ["none"] = 0, ["256"] = 256, ["512"] = 512, ["1024"] = MaxTexels }, 0);
         bool clips = reader.Word("clips", new Dictionary<string, bool> { ["none"] = false, ["all"] = true }, false);
         View view = reader.Word("view", Enum.GetValues<View>().ToDictionary(Views.Word), View.ThreeQuarter);
-        int size = reader.Whole("size", 16, MostPixels, 512);
+        int size = reader.Whole("size", 16, MaxPixels, 512);
         problem = reader.Problem ?? "";
         request = new CreatureRequest(seed, parts[1], CreatureOptions.Default with { Kind = kind, Individual = individual }, textures, clips, view, size);
         return reader.Problem is null;

@@ -43,10 +43,10 @@ internal enum FuzzVerdict
 internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
 {
     /// <summary>Most seconds of processor time for an accepted input.</summary>
-    private const double MostSeconds = 1;
+    private const double MaxSeconds = 1;
 
     /// <summary>Most bytes allocated for an accepted input.</summary>
-    private const long MostBytes = 200 << 20;
+    private const long MaxBytes = 200 << 20;
 
     /// <summary>Reads, builds, inspects, and repairs what is broken.</summary>
     public static FuzzTrial Of(FuzzInput input) => Of(input, Repair);
@@ -60,11 +60,11 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
             BlueprintReading reading = Read(input);
 
             // On a busy machine time passes without work: what seems dear is read once more, by the processor's time.
-            if (Stopwatch.GetElapsedTime(start).TotalSeconds > MostSeconds)
+            if (Stopwatch.GetElapsedTime(start).TotalSeconds > MaxSeconds)
             {
                 TimeSpan before = Process.GetCurrentProcess().TotalProcessorTime;
                 Read(input);
-                if ((Process.GetCurrentProcess().TotalProcessorTime - before).TotalSeconds > MostSeconds)
+                if ((Process.GetCurrentProcess().TotalProcessorTime - before).TotalSeconds > MaxSeconds)
                 {
                     return new FuzzTrial(FuzzVerdict.Dear, "to read");
                 }
@@ -104,7 +104,7 @@ internal sealed record FuzzTrial(FuzzVerdict Verdict, string Detail)
             IReadOnlyList<InvariantViolation> violations = Build(blueprint);
             double seconds = (Process.GetCurrentProcess().TotalProcessorTime - start).TotalSeconds;
             bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
-            if (seconds > MostSeconds || bytes > MostBytes)
+            if (seconds > MaxSeconds || bytes > MaxBytes)
             {
                 return new FuzzTrial(FuzzVerdict.Dear, $"{seconds:F2} s, {bytes >> 20} MiB");
             }

@@ -15,7 +15,7 @@ internal static class Program
     private const double SaveAfter = 5;
 
     /// <summary>Inputs that were repaired and are kept, to look at.</summary>
-    private const int MostSamples = 100;
+    private const int MaxSamples = 100;
 
     private static int Main(string[] arguments)
     {
@@ -65,7 +65,7 @@ internal static class Program
     private static void Note(FuzzInput input, FuzzTrial trial, FuzzTally tally, string folder)
     {
         tally.Add(input, trial);
-        bool sample = trial.Verdict == FuzzVerdict.Repaired && tally.Count(FuzzVerdict.Repaired) <= MostSamples;
+        bool sample = trial.Verdict == FuzzVerdict.Repaired && tally.Count(FuzzVerdict.Repaired) <= MaxSamples;
         if (sample || trial.Verdict is FuzzVerdict.Crashed or FuzzVerdict.Dear or FuzzVerdict.Beyond)
         {
             string name = Path.Combine(folder, $"{trial.Verdict.ToString().ToLowerInvariant()}-{input.Index}");

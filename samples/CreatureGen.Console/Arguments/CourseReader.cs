@@ -18,9 +18,9 @@ internal sealed class CourseReader
     private const float MaxSeconds = 60f;
 
     // Parts of the speed ahead, where none is given.
-    private const float ReverseShare = 0.4f;
-    private const float StrafeShare = 0.4f;
-    private const float ClimbShare = 0.3f;
+    private const float ReverseFraction = 0.4f;
+    private const float StrafeFraction = 0.4f;
+    private const float ClimbFraction = 0.3f;
 
     private readonly MotionProfile profile;
     private readonly Dictionary<string, Movement> movements = new(StringComparer.Ordinal);
@@ -46,16 +46,16 @@ internal sealed class CourseReader
         words.Add("hit", command => body = command.Side() > 0f ? BodyCommand.HitLeft : BodyCommand.HitRight);
         words.Add("turn", command => input = input with { YawRate = command.Side() * command.At(DefaultYaw) });
         words.Add("straight", _ => input = input with { YawRate = 0f, Sideways = 0f, ClimbRate = 0f });
-        words.Add("reverse", command => input = new MotionInput(-command.At(ReverseShare * Pace()), Medium: input.Medium));
+        words.Add("reverse", command => input = new MotionInput(-command.At(ReverseFraction * Pace()), Medium: input.Medium));
         if (profile.Gaits != null)
         {
-            words.Add("strafe", command => input = new MotionInput(0f, Sideways: command.Side() * command.At(StrafeShare * Pace())));
+            words.Add("strafe", command => input = new MotionInput(0f, Sideways: command.Side() * command.At(StrafeFraction * Pace())));
         }
 
         if (profile.Gaits == null || movements.Values.Any(movement => movement.Input.Medium == MotionMedium.Air))
         {
-            words.Add("climb", command => input = input with { ClimbRate = command.At(ClimbShare * Pace()) });
-            words.Add("dive", command => input = input with { ClimbRate = -command.At(ClimbShare * Pace()) });
+            words.Add("climb", command => input = input with { ClimbRate = command.At(ClimbFraction * Pace()) });
+            words.Add("dive", command => input = input with { ClimbRate = -command.At(ClimbFraction * Pace()) });
         }
     }
 

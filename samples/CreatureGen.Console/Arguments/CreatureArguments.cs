@@ -94,7 +94,7 @@ internal static class CreatureArguments
     private static BodyPlanWeight PlanWeight(string word, double weight) =>
         new(plans.TryFind(word, out BodyPlan plan) ? plan : throw new InvalidOperationException(word), weight);
 
-    private static (T Least, T Most) Ends<T>(ParsedArguments arguments, string option, string text, Func<string, T?> read)
+    private static (T Min, T Max) Ends<T>(ParsedArguments arguments, string option, string text, Func<string, T?> read)
         where T : struct, IComparable<T>
     {
         string[] ends = text.Split('-', 3);

@@ -19,7 +19,7 @@ internal readonly record struct SeedRange(ulong First, ulong Last)
 internal sealed class SeedList : IEnumerable<ulong>
 {
     /// <summary>Ranges that a list may have.</summary>
-    public const int MostRanges = 1000;
+    public const int MaxRanges = 1000;
 
     private readonly IReadOnlyList<SeedRange> ranges;
 
@@ -35,10 +35,10 @@ internal sealed class SeedList : IEnumerable<ulong>
     /// <exception cref="FormatException">It is no such list; the message says what was wrong and what was expected.</exception>
     public static SeedList Read(string text)
     {
-        string[] parts = text.Split(',', MostRanges + 1);
-        if (parts.Length > MostRanges)
+        string[] parts = text.Split(',', MaxRanges + 1);
+        if (parts.Length > MaxRanges)
         {
-            throw new FormatException(FormattableString.Invariant($"more than {MostRanges} seeds and ranges; expected at most {MostRanges}"));
+            throw new FormatException(FormattableString.Invariant($"more than {MaxRanges} seeds and ranges; expected at most {MaxRanges}"));
         }
 
         SeedRange[] ranges = Array.ConvertAll(parts, ReadRange);

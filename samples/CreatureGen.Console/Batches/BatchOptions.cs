@@ -94,7 +94,7 @@ internal sealed record BatchOptions(Shard? Shard, Existing Existing)
         int count = Told(arguments, SlurmCount, Variable(SlurmCount));
         int step = surroundings.Variable(SlurmStep) is string told ? Math.Max(1, Told(arguments, SlurmStep, told)) : 1;
         int index = (id - least) / step;
-        bool even = id >= least && (id - least) % step == 0 && index < count && count <= Batches.Shard.Most;
+        bool even = id >= least && (id - least) % step == 0 && index < count && count <= Batches.Shard.Max;
         if (!even)
         {
             throw arguments.Wrong(FormattableString.Invariant($"task {id} of an array of {count} from {least} in steps of {step}; expected an array without gaps, such as --array=0-63, or {shard}"));
@@ -103,7 +103,7 @@ internal sealed record BatchOptions(Shard? Shard, Existing Existing)
         return !arguments.Has(shards.Name) || ReadCount(arguments) == count ? new Shard(index, count) : throw arguments.Wrong(FormattableString.Invariant($"{SlurmCount} = {count} and {shards.Name} {arguments.Value(shards.Name)}; expected the same number"));
     }
 
-    private static int ReadCount(ParsedArguments arguments) => arguments.Whole(shards.Name, 1, Batches.Shard.Most, 1);
+    private static int ReadCount(ParsedArguments arguments) => arguments.Whole(shards.Name, 1, Batches.Shard.Max, 1);
 
     private static int Told(ParsedArguments arguments, string variable, string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int number) ? number : throw arguments.Wrong(variable, text, "a whole number from 0 on");

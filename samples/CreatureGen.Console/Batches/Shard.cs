@@ -10,20 +10,20 @@ namespace CreatureGen.Console.Batches;
 internal readonly record struct Shard(int Index, int Count)
 {
     /// <summary>Tasks that may share a batch.</summary>
-    public const int Most = 1_000_000;
+    public const int Max = 1_000_000;
 
     /// <summary>The one task that does all.</summary>
     public static Shard Whole { get; } = new(0, 1);
 
     /// <summary>Which words are a shard, as a message says it.</summary>
-    public static string Expectation { get; } = FormattableString.Invariant($"i/n with n from 1 to {Most} and i from 0 to n - 1, such as 0/4");
+    public static string Expectation { get; } = FormattableString.Invariant($"i/n with n from 1 to {Max} and i from 0 to n - 1, such as 0/4");
 
     /// <summary>Reads what <see cref="ToString"/> writes.</summary>
     public static bool TryRead(string text, out Shard shard)
     {
         string[] sides = text.Split('/', 3);
         shard = Whole;
-        if (sides.Length != 2 || !TryNumber(sides[0], out int index) || !TryNumber(sides[1], out int count) || count is < 1 or > Most || index >= count)
+        if (sides.Length != 2 || !TryNumber(sides[0], out int index) || !TryNumber(sides[1], out int count) || count is < 1 or > Max || index >= count)
         {
             return false;
         }

@@ -31,7 +31,7 @@ internal sealed record EvolutionPictures(string Goal, View View, int Threads, Su
     private const int TreeColumns = 6;
 
     /// <summary>Least part of a pedigree that is worth a line.</summary>
-    private const double LeastShare = 0.1;
+    private const double MinFraction = 0.1;
 
     private static readonly Pixel best = new(190, 40, 30);
     private static readonly Pixel median = new(38, 112, 201);
@@ -85,7 +85,7 @@ internal sealed record EvolutionPictures(string Goal, View View, int Threads, Su
     private static IEnumerable<Descent> DescentsOf(Pedigree pedigree, IReadOnlyList<PedigreeEntry> above, PedigreeEntry entry, int place, int generation) =>
         above.Count == 0 ? [] : pedigree.AncestorsAt(entry.Ancestor.Identity, generation)
             .Select(older => new Descent(above.ToList().FindIndex(one => one.Ancestor == older.Ancestor), place, older.Share))
-            .Where(descent => descent.Ancestor >= 0 && (descent.Share >= LeastShare || above.Count == 1));
+            .Where(descent => descent.Ancestor >= 0 && (descent.Share >= MinFraction || above.Count == 1));
 
     private static string LabelOf(PedigreeEntry entry) =>
         string.Create(CultureInfo.InvariantCulture, $"{HashText.ShortOf(entry.Ancestor.Identity)}  {entry.Ancestor.Score:0.###}  {100 * entry.Share:0} %");

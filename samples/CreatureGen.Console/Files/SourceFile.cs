@@ -8,7 +8,7 @@ namespace CreatureGen.Console.Files;
 internal static class SourceFile
 {
     // A creature's file is far smaller; a pipe that never ends must not take all memory.
-    private const int MostPiped = 1 << 29;
+    private const int MaxPiped = 1 << 29;
 
     /// <summary>Opens a file to be read, from its beginning. What can be read only once, as pipes can, is read into memory.</summary>
     /// <param name="path">Where it is; <c>-</c> is the standard input.</param>
@@ -41,9 +41,9 @@ internal static class SourceFile
         byte[] part = new byte[1 << 16];
         for (int read = source.Read(part); read > 0; read = source.Read(part))
         {
-            if (content.Length + read > MostPiped)
+            if (content.Length + read > MaxPiped)
             {
-                throw new UsageError($"cannot read '{path}': it is longer than {MostPiped >> 20} MiB; expected {what}");
+                throw new UsageError($"cannot read '{path}': it is longer than {MaxPiped >> 20} MiB; expected {what}");
             }
 
             content.Write(part, 0, read);

@@ -53,8 +53,8 @@ internal static class CreatureJson
 
         json.WriteEndObject();
         json.WriteStartObject("bounds");
-        WriteVector(json, "min", facts.Least);
-        WriteVector(json, "max", facts.Greatest);
+        WriteVector(json, "min", facts.Min);
+        WriteVector(json, "max", facts.Max);
         json.WriteEndObject();
         json.WriteNumber("mass", facts.Mass);
         json.WriteNumber("speed", facts.Speed);

@@ -27,7 +27,7 @@ internal static class InspectionText
         output.WriteLine();
         CreatureText.WriteFacts(output, facts);
         CreatureText.Row(output, "materials", string.Join(", ", facts.Materials.Select(part => $"{WordList<MaterialKind>.Instance[part.Material]} {Units.Count(part.Triangles)} triangles")));
-        CreatureText.Row(output, "bounds", $"{Corner(facts.Least)} to {Corner(facts.Greatest)}, metres");
+        CreatureText.Row(output, "bounds", $"{Corner(facts.Min)} to {Corner(facts.Max)}, metres");
         output.WriteLine();
         output.WriteLine(ink.Heading("Joints"));
         WriteTree(output, inspected.Creature.Skeleton.Joints);

@@ -15,11 +15,11 @@ internal static class VarietyText
     public static void Write(TextWriter output, VarietyReport report, IReadOnlyList<Specimen> added)
     {
         output.WriteLine(FormattableString.Invariant($"creatures                        {report.Count}"));
-        output.WriteLine(FormattableString.Invariant($"with a double                    {100 * report.TwinShare:0.0} %"));
+        output.WriteLine(FormattableString.Invariant($"with a double                    {100 * report.TwinFraction:0.0} %"));
         output.WriteLine(FormattableString.Invariant($"groups of doubles and singles    {report.Clusters}"));
         output.WriteLine(FormattableString.Invariant($"combinations of body, plan, limbs, effective {report.EffectiveCombinations:0}"));
         output.WriteLine(FormattableString.Invariant($"  with heads                     {report.EffectiveWithHeads:0}"));
-        output.WriteLine(FormattableString.Invariant($"of no animal's name              {100 * report.ChimeraShare:0.0} %"));
+        output.WriteLine(FormattableString.Invariant($"of no animal's name              {100 * report.ChimeraFraction:0.0} %"));
         for (int i = 0; i < Math.Min(ShownPairs, report.Nearest.Count); i++)
         {
             LikePair pair = report.Nearest[i];
@@ -32,10 +32,10 @@ internal static class VarietyText
     {
         json.WriteStartObject();
         json.WriteNumber("count", report.Count);
-        json.WriteNumber("twinShare", report.TwinShare);
+        json.WriteNumber("twinShare", report.TwinFraction);
         json.WriteNumber("effectiveCombinations", report.EffectiveCombinations);
         json.WriteNumber("effectiveWithHeads", report.EffectiveWithHeads);
-        json.WriteNumber("chimeraShare", report.ChimeraShare);
+        json.WriteNumber("chimeraShare", report.ChimeraFraction);
         json.WriteNumber("clusters", report.Clusters);
         json.WriteStartArray("nearest");
         foreach (LikePair pair in report.Nearest)

@@ -20,8 +20,8 @@ namespace CreatureGen.Console.Verbs;
 internal sealed class AnimateVerb : IVerb
 {
     private const int DefaultSize = 640;
-    private const int LeastSize = 64;
-    private const int MostSize = 2048;
+    private const int MinSize = 64;
+    private const int MaxSize = 2048;
 
     private static readonly OptionSyntax ground = new("--ground", "GROUND", "flat (the default) or rough: seeded hills; with --course also stairs, slope, gap, platform or lift");
     private static readonly OptionSyntax course = new("--course", "SCRIPT", "what to do one after the other, such as 'idle 1; walk; run 2; turn left at 1.5; stop': a word, at a speed or rate, seconds");
@@ -58,7 +58,7 @@ internal sealed class AnimateVerb : IVerb
         ulong seed = SeedOptions.ReadOne(arguments);
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
         int threads = CommonOptions.ReadThreads(arguments);
-        int width = arguments.Whole(size.Name, LeastSize, MostSize, DefaultSize);
+        int width = arguments.Whole(size.Name, MinSize, MaxSize, DefaultSize);
         MovementArguments.ReadSpeed(arguments);
         var filmOptions = new FilmOptions
         {

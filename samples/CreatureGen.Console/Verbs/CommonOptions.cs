@@ -7,7 +7,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Options that several verbs share.</summary>
 internal static class CommonOptions
 {
-    private const int MostThreads = 256;
+    private const int MaxThreads = 256;
 
     public static readonly OptionSyntax Threads = new("--threads", "N", "threads that share the work, 1 to 256 (default: one for each processor)");
 
@@ -35,5 +35,5 @@ internal static class CommonOptions
     }
 
     /// <summary>Number of threads.</summary>
-    public static int ReadThreads(ParsedArguments arguments) => arguments.Whole(Threads.Name, 1, MostThreads, Math.Clamp(Environment.ProcessorCount, 1, MostThreads));
+    public static int ReadThreads(ParsedArguments arguments) => arguments.Whole(Threads.Name, 1, MaxThreads, Math.Clamp(Environment.ProcessorCount, 1, MaxThreads));
 }

@@ -21,7 +21,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Breeds a population on towards a goal.</summary>
 internal sealed class EvolveVerb : IVerb
 {
-    private const int MostGenerations = 100_000;
+    private const int MaxGenerations = 100_000;
 
     /// <summary>Generations from a sheet to the next.</summary>
     private const int SheetEvery = 10;
@@ -58,7 +58,7 @@ internal sealed class EvolveVerb : IVerb
     public int Run(ParsedArguments arguments, Surroundings surroundings)
     {
         var place = new EvolutionFolder(surroundings.Locate(arguments.Required(folder.Name)), surroundings);
-        int last = arguments.Whole(generations.Name, 0, MostGenerations, 40);
+        int last = arguments.Whole(generations.Name, 0, MaxGenerations, 40);
         IReadOnlyList<CreatureBlueprint> liked = ReadPicks(arguments, place, surroundings);
         WantedGoal wanted = GoalReader.Read(arguments, liked, surroundings);
         EvolutionSettings settings = ReadSettings(arguments, wanted.Goal);
@@ -101,7 +101,7 @@ internal sealed class EvolveVerb : IVerb
         ulong number = arguments.Value(seed.Name) is not string text ? 1 : SeedText.TryRead(text, out ulong read) ? read : throw arguments.Wrong(seed.Name, text, SeedText.Expectation);
         return new EvolutionSettings
         {
-            Population = arguments.Whole(population.Name, 2, EvolutionSettings.MostIndividuals, 64),
+            Population = arguments.Whole(population.Name, 2, EvolutionSettings.MaxIndividuals, 64),
             Seed = number,
             Breeding = new BreedingSettings { Mutation = arguments.Number(mutation.Name, 0, 1, 0.35) },
             Selection = chosen,

@@ -13,7 +13,7 @@ namespace CreatureGen.Console.Verbs;
 internal sealed class GalleryVerb : IVerb
 {
     // So many creatures, each with its picture, still make a page that browsers show at once.
-    private const int MostCreatures = 10_000;
+    private const int MaxCreatures = 10_000;
     private const string Page = "index.html";
 
     private static readonly (int Width, int Height) defaultSize = (640, 480);
@@ -41,9 +41,9 @@ internal sealed class GalleryVerb : IVerb
         (int width, int height) = PictureOptions.ReadSize(arguments, defaultSize);
         var task = new CreatureTask(CreatureArguments.Read(arguments, surroundings), ExportOptions.Read(arguments, GlbExport.Default), ExportOptions.ReadClips(arguments, ClipChoice.None), PictureOrder.Portrait with { Width = width, Height = height }, DatasetOrder.None);
         SpecimenList specimens = SeedOptions.Specimens(arguments, SeedOptions.Read(arguments), task.Options);
-        if (specimens.Count > MostCreatures || place == Surroundings.Standard)
+        if (specimens.Count > MaxCreatures || place == Surroundings.Standard)
         {
-            throw arguments.Wrong(place == Surroundings.Standard ? $"{folder.Name} {place}; expected a folder" : $"a page of {specimens.Count} creatures; expected at most {Units.Count(MostCreatures)}");
+            throw arguments.Wrong(place == Surroundings.Standard ? $"{folder.Name} {place}; expected a folder" : $"a page of {specimens.Count} creatures; expected at most {Units.Count(MaxCreatures)}");
         }
 
         FileSet.MakeFolder(place, surroundings);

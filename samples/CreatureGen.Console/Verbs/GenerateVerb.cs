@@ -15,7 +15,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Writes the creatures of seeds.</summary>
 internal sealed class GenerateVerb : IVerb
 {
-    private const int MostMeasured = 4;
+    private const int MaxMeasured = 4;
 
     private static readonly OptionSyntax folder = new("--out", "DIR", "folder for the files, made if it is missing (default: the current one); - for the GLB alone of one creature, to the standard output") { Short = "-o" };
     private static readonly OptionSyntax failFast = new("--fail-fast", null, "end at the first seed that gives no creature (default: tell, go on, and exit with 1)");
@@ -130,7 +130,7 @@ internal sealed class GenerateVerb : IVerb
             }
         }
 
-        PlanText.Write(surroundings.Telling(Surroundings.Standard), creatures, creatures * work.Task.Forms.Count(), measured.TakeLast(MostMeasured).Select(specimen => Measure(specimen, work, surroundings.Abandonment)).OfType<MadeCreature>().ToArray());
+        PlanText.Write(surroundings.Telling(Surroundings.Standard), creatures, creatures * work.Task.Forms.Count(), measured.TakeLast(MaxMeasured).Select(specimen => Measure(specimen, work, surroundings.Abandonment)).OfType<MadeCreature>().ToArray());
         return ExitCode.Done;
     }
 

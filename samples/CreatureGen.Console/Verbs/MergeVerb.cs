@@ -12,7 +12,7 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>Joins the manifests of the shards of a batch.</summary>
 internal sealed class MergeVerb : IVerb
 {
-    private const int MostTold = 20;
+    private const int MaxTold = 20;
 
     /// <inheritdoc/>
     public VerbSyntax Syntax { get; } = new(
@@ -43,8 +43,8 @@ internal sealed class MergeVerb : IVerb
         ManifestMerge merge = ManifestMerge.Of(paths.Select(path => Manifest.Read(path, surroundings)).ToArray());
         if (merge.Problems.Count > 0)
         {
-            string more = merge.Problems.Count > MostTold ? $" (the first {MostTold})" : "";
-            Complaint.Tell(surroundings, [$"'{folder}' cannot be merged, {Units.Count(merge.Problems.Count)} {(merge.Problems.Count == 1 ? "problem" : "problems")}{more}:", .. merge.Problems.Take(MostTold)]);
+            string more = merge.Problems.Count > MaxTold ? $" (the first {MaxTold})" : "";
+            Complaint.Tell(surroundings, [$"'{folder}' cannot be merged, {Units.Count(merge.Problems.Count)} {(merge.Problems.Count == 1 ? "problem" : "problems")}{more}:", .. merge.Problems.Take(MaxTold)]);
             return ExitCode.CheckFailed;
         }
 

@@ -13,9 +13,9 @@ namespace CreatureGen.Console.Verbs;
 /// <summary>The options that say which pictures are taken of creatures.</summary>
 internal static class PictureOptions
 {
-    private const int LeastSide = 16;
-    private const int MostSide = 4096;
-    private const int MostViews = 64;
+    private const int MinSide = 16;
+    private const int MaxSide = 4096;
+    private const int MaxViews = 64;
     private const int DatasetSide = 256;
 
     /// <summary>Pixels of a picture.</summary>
@@ -37,7 +37,7 @@ internal static class PictureOptions
     /// <exception cref="UsageError">A value is out of its range.</exception>
     public static DatasetOrder ReadDataset(ParsedArguments arguments)
     {
-        int count = arguments.Whole(dataset.Name, 1, MostViews, 0);
+        int count = arguments.Whole(dataset.Name, 1, MaxViews, 0);
         (int width, int height) = ReadSize(arguments, (DatasetSide, DatasetSide));
         return count == 0 ? DatasetOrder.None : new DatasetOrder(count, width, height);
     }
@@ -69,10 +69,10 @@ internal static class PictureOptions
         string[] sides = text.Split('x', 3);
         return sides.Length == 2 && Side(sides[0]) is int width && Side(sides[1]) is int height
             ? (width, height)
-            : throw arguments.Wrong(Size.Name, text, FormattableString.Invariant($"width x height, each {LeastSide}..{MostSide}, such as 512x512"));
+            : throw arguments.Wrong(Size.Name, text, FormattableString.Invariant($"width x height, each {MinSide}..{MaxSide}, such as 512x512"));
     }
 
-    private static int? Side(string text) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int side) && side is >= LeastSide and <= MostSide ? side : null;
+    private static int? Side(string text) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int side) && side is >= MinSide and <= MaxSide ? side : null;
 
     private static View[] ViewsOf(ParsedArguments arguments, string list)
     {

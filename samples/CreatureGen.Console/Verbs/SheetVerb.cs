@@ -22,9 +22,9 @@ internal sealed class SheetVerb : IVerb
 {
     private const int DefaultColumns = 6;
     private const int DefaultSize = 340;
-    private const int LeastSize = 32;
-    private const int MostSize = 4096;
-    private const int MostPixels = 100_000_000;
+    private const int MinSize = 32;
+    private const int MaxSize = 4096;
+    private const int MaxPixels = 100_000_000;
 
     private static readonly OptionSyntax skeleton = new("--skeleton", null, "show the bones through the skin");
     private static readonly OptionSyntax face = new("--face", null, "show the heads alone, close");
@@ -53,7 +53,7 @@ internal sealed class SheetVerb : IVerb
         SeedList seeds = SeedOptions.Read(arguments);
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
         SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);
-        int width = arguments.Whole(size.Name, LeastSize, MostSize, DefaultSize);
+        int width = arguments.Whole(size.Name, MinSize, MaxSize, DefaultSize);
         string? act = arguments.Value(ActArguments.Act.Name);
         var layout = new ContactSheetOptions
         {
@@ -102,7 +102,7 @@ internal sealed class SheetVerb : IVerb
         UInt128 rows = (count + (UInt128)layout.Columns - 1) / (UInt128)layout.Columns;
         UInt128 width = UInt128.Min(count, (UInt128)layout.Columns) * (UInt128)layout.CellWidth;
         UInt128 height = rows * (UInt128)layout.CellHeight;
-        if (width > Picture.LargestSide || height > Picture.LargestSide || width * height > MostPixels)
+        if (width > Picture.LargestSide || height > Picture.LargestSide || width * height > MaxPixels)
         {
             throw arguments.Wrong(FormattableString.Invariant(
                 $"a sheet of {count} creatures would be {width} x {height} pixels; expected at most {Picture.LargestSide} on a side and 100 million in all: fewer seeds, other --columns or a smaller --size"));

@@ -49,7 +49,7 @@ internal sealed class VerifyVerb : IVerb
         CreatureOptions options = CreatureArguments.Read(arguments, surroundings);
         SpecimenList specimens = SeedOptions.Specimens(arguments, seeds, options);
         int threads = CommonOptions.ReadThreads(arguments);
-        int deep = arguments.Has(poses.Name) ? arguments.Whole(poses.Name, 1, CrossingTrial.MostPoses, 0) : 0;
+        int deep = arguments.Has(poses.Name) ? arguments.Whole(poses.Name, 1, CrossingTrial.MaxPoses, 0) : 0;
         var verification = new Verification();
         using (var progress = new ProgressLine(surroundings, "creatures checked", specimens.Count, ProgressKind.Shown))
         {

@@ -22,8 +22,8 @@ namespace CreatureGen.Console.Working;
 /// <param name="Vertices">Number of vertices.</param>
 /// <param name="Triangles">Number of triangles.</param>
 /// <param name="Materials">Triangles of each material.</param>
-/// <param name="Least">Lower corner of its bounding box, metres.</param>
-/// <param name="Greatest">Upper corner of its bounding box, metres.</param>
+/// <param name="Min">Lower corner of its bounding box, metres.</param>
+/// <param name="Max">Upper corner of its bounding box, metres.</param>
 /// <param name="Mass">Kilograms.</param>
 /// <param name="Speed">Metres per second.</param>
 internal sealed record CreatureFacts(
@@ -37,13 +37,13 @@ internal sealed record CreatureFacts(
     int Vertices,
     int Triangles,
     IReadOnlyList<(MaterialKind Material, int Triangles)> Materials,
-    Vector3 Least,
-    Vector3 Greatest,
+    Vector3 Min,
+    Vector3 Max,
     float Mass,
     float Speed)
 {
     /// <summary>Width (x), height (y) and length (z) of its bounding box, metres.</summary>
-    public Vector3 Size => Greatest - Least;
+    public Vector3 Size => Max - Min;
 
     /// <summary>The facts of a creature of which only its blueprint tells.</summary>
     public static CreatureFacts Of(Creature creature) => Of(creature, new Specimen(creature.Blueprint.Seed, null));

@@ -11,7 +11,7 @@ namespace CreatureGen.Preview.Png;
 public static class PngReader
 {
     private const int HeaderBytes = 13;
-    private const int MostPixels = 1 << 26;
+    private const int MaxPixels = 1 << 26;
 
     private static ReadOnlySpan<byte> Signature => [0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A];
 
@@ -38,7 +38,7 @@ public static class PngReader
             switch (type)
             {
                 case "IHDR":
-                    header = PngHeader.Read(content, MostPixels, HeaderBytes);
+                    header = PngHeader.Read(content, MaxPixels, HeaderBytes);
                     break;
                 case "PLTE":
                     palette = content.ToArray();

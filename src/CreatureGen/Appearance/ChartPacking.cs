@@ -66,8 +66,8 @@ internal sealed class ChartPacking
             for (; f < surface.Faces.Length && surface.Faces[f].Chart == chart; f++)
             {
                 FaceTexcoords t = surface.Texcoords[f];
-                least = new Vector2(Least(least.X, t.A.X, t.B.X, t.C.X, t.D.X), Least(least.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
-                most = new Vector2(Most(most.X, t.A.X, t.B.X, t.C.X, t.D.X), Most(most.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
+                least = new Vector2(Min(least.X, t.A.X, t.B.X, t.C.X, t.D.X), Min(least.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
+                most = new Vector2(Max(most.X, t.A.X, t.B.X, t.C.X, t.D.X), Max(most.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
             }
 
             low[chart] = least;
@@ -110,9 +110,9 @@ internal sealed class ChartPacking
         return new ChartPacking(low, place, fits);
     }
 
-    private static float Least(float bound, float a, float b, float c, float d) => Math.Min(bound, Math.Min(Math.Min(a, b), Math.Min(c, d)));
+    private static float Min(float bound, float a, float b, float c, float d) => Math.Min(bound, Math.Min(Math.Min(a, b), Math.Min(c, d)));
 
-    private static float Most(float bound, float a, float b, float c, float d) => Math.Max(bound, Math.Max(Math.Max(a, b), Math.Max(c, d)));
+    private static float Max(float bound, float a, float b, float c, float d) => Math.Max(bound, Math.Max(Math.Max(a, b), Math.Max(c, d)));
 
     /// <summary>Puts each chart as high up as it fits, left before right, under the outline of those already placed; false when one does not fit.</summary>
     private static bool Place(int[] order, Vector2[] low, Vector2[] high, float density, Vector2[] place, List<Step> outline)

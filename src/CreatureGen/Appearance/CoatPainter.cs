@@ -87,7 +87,7 @@ internal sealed class CoatPainter
     }
 
     /// <summary>Share of the full pattern at a place, 0..1.</summary>
-    public float PatternShare(in PatternPlace place) => pattern.At(place);
+    public float PatternFraction(in PatternPlace place) => pattern.At(place);
 
     /// <summary>Lays what a region wears of its own (markings of the head, rays of a fin, feathers of a wing) over the colour of the coat below it. Not for hooves, which need a normal.</summary>
     /// <param name="address">Where it lies.</param>

@@ -65,7 +65,7 @@ internal sealed class WorleyNoise
     public const float Reach = 1f - Jitter;
 
     // A point's place along one axis of its cell: the least, and the step of its 10 random bits.
-    private const float Least = 0.5f - Jitter;
+    private const float Min = 0.5f - Jitter;
     private const float Step = 2f * Jitter / 1023f;
 
     /// <summary>The bits of a squared distance that say which of eight cells it is of.</summary>
@@ -235,5 +235,5 @@ internal sealed class WorleyNoise
     private static float Offset(float toCell, uint bits) => toCell + InCell(bits);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static float InCell(uint bits) => Least + (Step * (int)(bits >> 22));
+    private static float InCell(uint bits) => Min + (Step * (int)(bits >> 22));
 }

@@ -9,19 +9,19 @@ namespace CreatureGen.Blueprints;
 internal static class BlueprintRules
 {
     /// <summary>Least length of a direction; a shorter one points nowhere reliably.</summary>
-    private const double LeastDirection = 0.1;
+    private const double MinDirection = 0.1;
 
     /// <summary>Least part of a section's size that hollows have to leave, so that the head does not turn inside out.</summary>
-    private const double LeastSection = 0.1;
+    private const double MinSection = 0.1;
 
     /// <summary>Least size of a tail that is not plain, metres.</summary>
-    public const double LeastTailSize = 0.01;
+    public const double MinTailSize = 0.01;
 
     /// <summary>Least width of a pectoral fin.</summary>
-    public const double LeastFinWidth = 0.05;
+    public const double MinFinWidth = 0.05;
 
     /// <summary>Least size of teeth and nostrils that are there at all; smaller ones have no area.</summary>
-    public const double LeastVisible = 0.01;
+    public const double MinVisible = 0.01;
 
     /// <summary>Where eyes may be along the head.</summary>
     public static readonly NumberRange EyeRings = new(0, 20);
@@ -148,9 +148,9 @@ internal static class BlueprintRules
 
     private static void RequireVisible(string path, double? size, ProblemList problems)
     {
-        if (size > 0 && size < LeastVisible)
+        if (size > 0 && size < MinVisible)
         {
-            problems.Add(path, NumberText.Of(size.Value), "0 for none, or at least " + NumberText.Of(LeastVisible));
+            problems.Add(path, NumberText.Of(size.Value), "0 for none, or at least " + NumberText.Of(MinVisible));
         }
     }
 
@@ -167,16 +167,16 @@ internal static class BlueprintRules
             depth -= Math.Min(0, bump.Amount);
         }
 
-        if (depth <= 1 - LeastSection)
+        if (depth <= 1 - MinSection)
         {
             return;
         }
 
         double least = ThinnestSection(bumps!, out int ring, out int segment);
-        if (least < LeastSection)
+        if (least < MinSection)
         {
             string size = NumberText.Of(least);
-            problems.Add("head.bumps", FormattableString.Invariant($"{size} of the section's size at ring {ring}, segment {segment}"), "at least " + NumberText.Of(LeastSection));
+            problems.Add("head.bumps", FormattableString.Invariant($"{size} of the section's size at ring {ring}, segment {segment}"), "at least " + NumberText.Of(MinSection));
         }
     }
 
@@ -221,9 +221,9 @@ internal static class BlueprintRules
 
     private static void CheckTail(TailBlueprint? tail, ProblemList problems)
     {
-        if (FieldChecker.Accepts(tail, LimbFields.Tail) && tail!.Style != TailStyle.Plain && tail.Size < LeastTailSize)
+        if (FieldChecker.Accepts(tail, LimbFields.Tail) && tail!.Style != TailStyle.Plain && tail.Size < MinTailSize)
         {
-            problems.Add("tail.size", NumberText.Of(tail.Size), "at least " + NumberText.Of(LeastTailSize) + " for a tail that is not plain");
+            problems.Add("tail.size", NumberText.Of(tail.Size), "at least " + NumberText.Of(MinTailSize) + " for a tail that is not plain");
         }
     }
 
@@ -232,9 +232,9 @@ internal static class BlueprintRules
         for (int i = 0; i < (fins?.Count ?? 0); i++)
         {
             FinBlueprint fin = fins![i];
-            if (fin.Place == FinPlace.Pectoral && fin.Width >= 0 && fin.Width < LeastFinWidth)
+            if (fin.Place == FinPlace.Pectoral && fin.Width >= 0 && fin.Width < MinFinWidth)
             {
-                problems.Add(PathOf("fins", i, "width"), NumberText.Of(fin.Width), "at least " + NumberText.Of(LeastFinWidth) + " for a pectoral fin");
+                problems.Add(PathOf("fins", i, "width"), NumberText.Of(fin.Width), "at least " + NumberText.Of(MinFinWidth) + " for a pectoral fin");
             }
         }
     }
@@ -280,13 +280,13 @@ internal static class BlueprintRules
     public static bool PointsSomewhere(FeatureBlueprint part) =>
         IsLong((part.Outward * part.Outward) + (part.Upward * part.Upward) + (part.Forward * part.Forward) + (part.Sideward * part.Sideward));
 
-    private static bool IsLong(double squared) => !(squared < LeastDirection * LeastDirection);
+    private static bool IsLong(double squared) => !(squared < MinDirection * MinDirection);
 
     private static void CheckDirection(bool points, string path, double outward, ProblemList problems)
     {
         if (!points)
         {
-            problems.Add(path, NumberText.Of(outward), "with the other components a direction at least " + NumberText.Of(LeastDirection) + " long");
+            problems.Add(path, NumberText.Of(outward), "with the other components a direction at least " + NumberText.Of(MinDirection) + " long");
         }
     }
 

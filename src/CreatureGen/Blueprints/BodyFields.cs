@@ -27,9 +27,9 @@ internal static class BodyFields
         JsonLayout.Line,
         (visit, part) => new MixedBody(
             visit.Word("name", part.Name, BaseBodyNames.All),
-            visit.Number("torso", part.Torso, Share),
-            visit.Number("head", part.Head, Share),
-            visit.Number("tail", part.Tail, Share)));
+            visit.Number("torso", part.Torso, Fraction),
+            visit.Number("head", part.Head, Fraction),
+            visit.Number("tail", part.Tail, Fraction)));
 
     /// <summary>Mix of base bodies.</summary>
     public static readonly RecordDescription<BodyBlend> Blend = new(

@@ -13,7 +13,7 @@ internal static class CoatFields
         new ColourBlueprint(0.6, 0.05, 1.2),
         JsonLayout.Line,
         (visit, colour) => new ColourBlueprint(
-            visit.Number("lightness", colour.Lightness, Share),
+            visit.Number("lightness", colour.Lightness, Fraction),
             visit.Number("chroma", colour.Chroma, new NumberRange(0, 0.5)),
             visit.Number("hue", colour.Hue, new NumberRange(-PortableMath.Tau, PortableMath.Tau))));
 
@@ -52,7 +52,7 @@ internal static class CoatFields
             visit.Record("iris", coat.Iris, Colour),
             visit.Choice("patternKind", coat.PatternKind, AnatomyChoices.Pattern),
             visit.Number("patternScale", coat.PatternScale, new NumberRange(0.1, 10)),
-            visit.Number("patternStrength", coat.PatternStrength, Share),
+            visit.Number("patternStrength", coat.PatternStrength, Fraction),
             visit.Whole("patternSeed", coat.PatternSeed, new WholeRange(0, int.MaxValue)),
             visit.Whole("marks", coat.Marks, new WholeRange(0, int.MaxValue))));
 }

@@ -13,7 +13,7 @@ internal static class CommonRanges
     public static readonly NumberRange Segment = new(0, BodyGrid.Segments / 2);
 
     /// <summary>A part of a whole.</summary>
-    public static readonly NumberRange Share = new(0, 1);
+    public static readonly NumberRange Fraction = new(0, 1);
 
     /// <summary>A factor on a size, 1 for as it is.</summary>
     public static readonly NumberRange Factor = new(0.2, 4);

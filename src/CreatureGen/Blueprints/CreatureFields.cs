@@ -10,7 +10,7 @@ internal static class CreatureFields
     public const string Algorithm = "algorithm";
 
     /// <summary>Most pairs of legs and arms.</summary>
-    public const int MostLegs = 16;
+    public const int MaxLegs = 16;
 
     /// <summary>Most small parts.</summary>
     public const int MaxFeatures = 64;
@@ -53,7 +53,7 @@ internal static class CreatureFields
             visit.Record("body", creature.Body, BodyFields.Body),
             visit.Record("head", creature.Head, HeadFields.Head),
             visit.Record("tail", creature.Tail, LimbFields.Tail),
-            visit.List("legs", creature.Legs, new WholeRange(0, MostLegs), LimbFields.Leg),
+            visit.List("legs", creature.Legs, new WholeRange(0, MaxLegs), LimbFields.Leg),
             visit.List("wings", creature.Wings, new WholeRange(0, 4), LimbFields.Wing),
             visit.List("insectWings", creature.InsectWings, new WholeRange(0, 4), LimbFields.InsectWing),
             visit.List("fins", creature.Fins, new WholeRange(0, 12), LimbFields.Fin),

@@ -44,7 +44,7 @@ internal static class HeadFields
             visit.Whole("cornerRing", mouth.CornerRing, new WholeRange(0, 12)),
             visit.Number("opening", mouth.Opening, new NumberRange(0, 1)),
             visit.Number("smile", mouth.Smile, new NumberRange(-1, 1)),
-            visit.Number("teeth", mouth.Teeth, Share),
+            visit.Number("teeth", mouth.Teeth, Fraction),
             visit.Choice("tongue", mouth.Tongue, AnatomyChoices.Tongue)));
 
     /// <summary>The face.</summary>
@@ -56,5 +56,5 @@ internal static class HeadFields
             visit.Number("muzzleSquareness", head.MuzzleSquareness, new NumberRange(1, 8)),
             visit.Record("eyes", head.Eyes, Eyes),
             visit.Record("mouth", head.Mouth, Mouth),
-            visit.Number("nostrilSize", head.NostrilSize, Share)));
+            visit.Number("nostrilSize", head.NostrilSize, Fraction)));
 }

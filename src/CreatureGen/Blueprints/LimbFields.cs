@@ -91,7 +91,7 @@ internal static class LimbFields
             visit.Number("upward", ear.Upward, Direction),
             visit.Number("forward", ear.Forward, Direction),
             visit.Number("droop", ear.Droop, new NumberRange(-1, 2)),
-            visit.Number("roundness", ear.Roundness, Share)));
+            visit.Number("roundness", ear.Roundness, Fraction)));
 
     /// <summary>A small solid part.</summary>
     public static readonly RecordDescription<FeatureBlueprint> Feature = new(

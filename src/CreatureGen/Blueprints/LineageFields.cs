@@ -15,7 +15,7 @@ internal static class LineageFields
             visit.Whole("generation", lineage.Generation, new WholeRange(1, 1_000_000)),
             visit.UnsignedText("first", lineage.First),
             visit.UnsignedText("second", lineage.Second),
-            visit.Number("mutation", lineage.Mutation, CommonRanges.Share),
+            visit.Number("mutation", lineage.Mutation, CommonRanges.Fraction),
             visit.Choice("frame", lineage.Frame, parent),
             visit.Choice("head", lineage.Head, parent),
             visit.Choice("tail", lineage.Tail, parent),

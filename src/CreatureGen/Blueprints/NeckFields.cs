@@ -26,7 +26,7 @@ internal static class NeckFields
             visit.Number("width", mane.Width, new NumberRange(0.002, 0.5)),
             visit.Number("rise", mane.Rise, quarterTurn),
             visit.Number("fall", mane.Fall, halfTurn),
-            visit.Number("hang", mane.Hang, Share)));
+            visit.Number("hang", mane.Hang, Fraction)));
 
     /// <summary>A frill.</summary>
     public static readonly RecordDescription<FrillBlueprint> Frill = new(

@@ -20,7 +20,7 @@ internal static class SocketRules
     public const int VentralSegment = (BodyGrid.Segments / 2) - 1;
 
     /// <summary>More sockets than all lists together may have are not compared.</summary>
-    private const int MostSockets = 64;
+    private const int MaxSockets = 64;
 
     /// <summary>Lists what is wrong with the sockets that are in range one by one.</summary>
     public static void Check(CreatureBlueprint blueprint, ProblemList problems)
@@ -56,7 +56,7 @@ internal static class SocketRules
         void Add<T>(string list, ValueList<T>? items, Func<T, SocketBlueprint> socketOf, Func<T, FinPlace> placeOf)
             where T : IEquatable<T>
         {
-            for (int i = 0; i < (items?.Count ?? 0) && places.Count < MostSockets; i++)
+            for (int i = 0; i < (items?.Count ?? 0) && places.Count < MaxSockets; i++)
             {
                 SocketBlueprint socket = socketOf(items![i]);
                 if (FieldChecker.Accepts(socket, LimbFields.Socket))

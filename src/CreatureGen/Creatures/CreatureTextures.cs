@@ -121,7 +121,7 @@ public sealed class CreatureTextures
             }
         }
 
-        CoarseColours? coarse = size >= CoarseColours.LeastAtlas ? new CoarseColours(size) : null;
+        CoarseColours? coarse = size >= CoarseColours.MinAtlas ? new CoarseColours(size) : null;
         if (coarse != null)
         {
             ForEachBand(size, rows => Each(left, painterOf(rows, coarse).Sketch));

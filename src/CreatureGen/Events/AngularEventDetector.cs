@@ -103,7 +103,7 @@ public static class AngularEventDetector
 
     private static void FindPeaks(AngularCurve[] curves, AngularRule rule, ClipEdge edge, List<Moment> moments)
     {
-        float[] most = Array.ConvertAll(curves, Chunks.MostOf);
+        float[] most = Array.ConvertAll(curves, Chunks.MaxOf);
         float all = 0f;
         foreach (float one in most)
         {

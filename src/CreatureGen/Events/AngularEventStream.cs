@@ -141,9 +141,9 @@ public sealed class AngularEventStream
     /// <summary>Takes the next value of what the rule looks at.</summary>
     private void Listen(ref Track track, int joint, float signal, float at, float dt)
     {
-        track.Most = Math.Max(track.Most * Damping.Left(0.6931472f / Memory, dt), signal);
+        track.Max = Math.Max(track.Max * Damping.Left(0.6931472f / Memory, dt), signal);
         mostOfAll = Math.Max(mostOfAll, signal);
-        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * (rule.FractionScope == IntervalScope.Together ? mostOfAll : track.Most));
+        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * (rule.FractionScope == IntervalScope.Together ? mostOfAll : track.Max));
         if (signal >= threshold && signal > 0f)
         {
             if (!track.Above || signal > track.Peak)
@@ -188,7 +188,7 @@ public sealed class AngularEventStream
         public Vector3 Velocity;
         public float Step;
         public float Farthest;
-        public float Most;
+        public float Max;
         public float Peak;
         public float PeakTime;
         public float PeakThreshold;

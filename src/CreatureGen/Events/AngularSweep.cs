@@ -45,7 +45,7 @@ public sealed record AngularSweep
     public float ReturnsAt { get; init; } = 0.4f;
 
     /// <summary>Part of the farthest sweep below which a stroke is none, and of the longest stretch of a stroke below which a stretch is not its beginning, 0 to 1. Live streams, which do not know what is to come, do without.</summary>
-    public float LeastPart { get; init; } = 0.55f;
+    public float MinPart { get; init; } = 0.55f;
 
     /// <summary>Limbs whose end is higher at rest than this part of the skeleton's height above its lowest joint are left out, 0 to 1; 1 takes all. Hands of a standing figure are no feet.</summary>
     public float LowestPart { get; init; } = 1f;
@@ -62,9 +62,9 @@ public sealed record AngularSweep
     /// <summary>Throws unless all numbers are within their ranges.</summary>
     internal void Require(string rule)
     {
-        if (!(BeginsAt >= 0f && BeginsAt <= 1f) || !(ReturnsAt >= 0f && ReturnsAt <= 1f) || !(LeastPart >= 0f && LeastPart <= 1f) || !(LowestPart >= 0f && LowestPart <= 1f))
+        if (!(BeginsAt >= 0f && BeginsAt <= 1f) || !(ReturnsAt >= 0f && ReturnsAt <= 1f) || !(MinPart >= 0f && MinPart <= 1f) || !(LowestPart >= 0f && LowestPart <= 1f))
         {
-            throw new ArgumentException(FormattableString.Invariant($"rule {rule}: sweeps begin at {BeginsAt}, return at {ReturnsAt}, the least part is {LeastPart}, the lowest {LowestPart}; expected fractions of 0 to 1"));
+            throw new ArgumentException(FormattableString.Invariant($"rule {rule}: sweeps begin at {BeginsAt}, return at {ReturnsAt}, the least part is {MinPart}, the lowest {LowestPart}; expected fractions of 0 to 1"));
         }
     }
 }

@@ -61,7 +61,7 @@ internal static class Chunks
     }
 
     /// <summary>The greatest value of a curve.</summary>
-    public static float MostOf(AngularCurve curve)
+    public static float MaxOf(AngularCurve curve)
     {
         float most = 0f;
         foreach (float one in curve.Signal)

@@ -41,10 +41,10 @@ internal static class Strokes
 
         for (int i = 0; i < stretches.Count; i++)
         {
-            if (stretches[i].IsFirst && Swept(stretches, i, out float longest) >= sweep.LeastPart * farthest)
+            if (stretches[i].IsFirst && Swept(stretches, i, out float longest) >= sweep.MinPart * farthest)
             {
                 int k = i;
-                while (stretches[k].Swept < sweep.LeastPart * longest)
+                while (stretches[k].Swept < sweep.MinPart * longest)
                 {
                     k++;
                 }

@@ -9,7 +9,7 @@ namespace CreatureGen.Features;
 internal readonly struct EyeFrame
 {
     // Share of the skin's outward direction in the gaze.
-    private const float SkinShare = 0.75f;
+    private const float SkinFraction = 0.75f;
 
     /// <summary>Levels the frame of an eye with the given gaze, which must not be vertical.</summary>
     /// <param name="centre">Centre of the eyeball, model space, metres.</param>
@@ -59,7 +59,7 @@ internal readonly struct EyeFrame
     public static EyeFrame On(SurfacePoint skin, EyeBlueprint eye, Vector3 headForward, float scale)
     {
         float radius = (float)eye.Radius * scale;
-        Vector3 gaze = Vec.Normalize((skin.Normal * SkinShare) + (headForward * (float)eye.Forward), skin.Normal);
+        Vector3 gaze = Vec.Normalize((skin.Normal * SkinFraction) + (headForward * (float)eye.Forward), skin.Normal);
         return new EyeFrame(skin.Position - (skin.Normal * (radius * (float)eye.Sink)), radius, gaze);
     }
 

@@ -39,7 +39,7 @@ internal static class LidShape
     private const float LowerBack = 2.9f;
 
     /// <summary>Share of the lower opening that the upper lid closes: it comes down far, the lower one comes up a little.</summary>
-    private const float UpperShare = 0.35f;
+    private const float UpperFraction = 0.35f;
 
     // How far shut lids overlap between the corners, radians.
     private const float Overlap = 0.12f;
@@ -62,8 +62,8 @@ internal static class LidShape
 
     /// <summary>How far a lid turns about the hinge until the eye is shut, radians, not negative.</summary>
     public static float Closing(EyeBlueprint eye, LidPart part) => part == LidPart.Upper
-        ? Opening(eye.UpperLid) + (UpperShare * Opening(eye.LowerLid)) + Overlap
-        : (1f - UpperShare) * Opening(eye.LowerLid);
+        ? Opening(eye.UpperLid) + (UpperFraction * Opening(eye.LowerLid)) + Overlap
+        : (1f - UpperFraction) * Opening(eye.LowerLid);
 
     /// <summary>Unit direction from the centre of the eye to the middle of a lid's rim at rest.</summary>
     public static Vector3 RimDirection(in EyeFrame frame, EyeBlueprint eye, LidPart part)

@@ -13,7 +13,7 @@ namespace CreatureGen.Genetics;
 public static class Crossover
 {
     /// <summary>How far head and tail go towards the parent that gives them.</summary>
-    private const double RegionShare = 0.85;
+    private const double RegionFraction = 0.85;
 
     /// <summary>Slices of the lattice that belong to the head, and the first that belongs to the tail.</summary>
     private const int HeadSlices = 3;
@@ -37,8 +37,8 @@ public static class Crossover
         CreatureBlueprint ornaments = Of(inheritance.Ornaments);
         CreatureBlueprint skin = Of(inheritance.Skin);
         double torso = random.Uniform(0.3, 0.55);
-        double headShare = ReferenceEquals(head, frame) ? 1 - RegionShare : RegionShare;
-        double tailShare = ReferenceEquals(tail, frame) ? 1 - RegionShare : RegionShare;
+        double headShare = ReferenceEquals(head, frame) ? 1 - RegionFraction : RegionFraction;
+        double tailShare = ReferenceEquals(tail, frame) ? 1 - RegionFraction : RegionFraction;
         double size = random.Uniform(0.3, 0.7);
         return frame with
         {

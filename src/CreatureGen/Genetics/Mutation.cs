@@ -96,7 +96,7 @@ public static class Mutation
     private static CreatureBlueprint WithOtherLegs(CreatureBlueprint blueprint, RandomStream random)
     {
         int last = blueprint.Legs.Count - 1;
-        if (last < 0 || blueprint.Legs[last].Archetype is not (LimbArchetype.Insect or LimbArchetype.Sprawl) || blueprint.Legs.Count == CreatureFields.MostLegs)
+        if (last < 0 || blueprint.Legs[last].Archetype is not (LimbArchetype.Insect or LimbArchetype.Sprawl) || blueprint.Legs.Count == CreatureFields.MaxLegs)
         {
             return blueprint;
         }

@@ -14,7 +14,7 @@ internal static class MeshChecks
     private const float NormalLength = 1e-3f;
 
     /// <summary>How far the mass may be from that of the mesh, which has lost a little of its volume when it was thinned out to fit its budget.</summary>
-    private const double VolumeShare = 0.02;
+    private const double VolumeFraction = 0.02;
 
     /// <summary>
     /// What flat facets cut off a round body shrinks as their number grows: a sphere loses about 11 / n of its volume to n triangles inscribed in it, a body with limbs and wings, of which hair and feathers
@@ -58,7 +58,7 @@ internal static class MeshChecks
         }
 
         double volume = VolumeOf(skin);
-        double share = Math.Max(VolumeShare, FacetLoss * 3 / skin.BodyTriangles.Length);
+        double share = Math.Max(VolumeFraction, FacetLoss * 3 / skin.BodyTriangles.Length);
         if (!(volume > 0) || Math.Abs(volume - creature.Mass.Volume) > share * volume)
         {
             found.Add(CreatureInspection.PositiveVolume, $"body and limbs enclose {volume} m³ and the creature says {creature.Mass.Volume} m³; expected the same volume above zero");

@@ -9,7 +9,7 @@ namespace CreatureGen.Inspection;
 internal static class SkeletonChecks
 {
     /// <summary>Most joints that engines with joint numbers of one byte can take.</summary>
-    private const int MostJoints = 255;
+    private const int MaxJoints = 255;
 
     public static void Check(Creature creature, ViolationList found)
     {
@@ -19,9 +19,9 @@ internal static class SkeletonChecks
 
     private static void CheckJoints(Skeleton skeleton, ViolationList found)
     {
-        if (skeleton.Count > MostJoints)
+        if (skeleton.Count > MaxJoints)
         {
-            found.Add(CreatureInspection.Joints, $"{skeleton.Count} joints; expected at most {MostJoints}");
+            found.Add(CreatureInspection.Joints, $"{skeleton.Count} joints; expected at most {MaxJoints}");
         }
     }
 

@@ -12,7 +12,7 @@ namespace CreatureGen.Inspection;
 internal static class StanceChecks
 {
     /// <summary>Part of the support polygon's width by which the centre of mass must be inside.</summary>
-    private const double LeastMargin = 0.05;
+    private const double MinMargin = 0.05;
 
     public static void Check(Creature creature, WeldedSkin skin, ViolationList found)
     {
@@ -32,9 +32,9 @@ internal static class StanceChecks
         }
 
         double margin = StandingBalance.Of(creature, skin).Share;
-        if (!(margin >= LeastMargin))
+        if (!(margin >= MinMargin))
         {
-            found.Add(CreatureInspection.Balanced, $"the centre of mass is inside the support polygon by {margin} of its width; expected at least {LeastMargin}");
+            found.Add(CreatureInspection.Balanced, $"the centre of mass is inside the support polygon by {margin} of its width; expected at least {MinMargin}");
         }
     }
 

@@ -22,7 +22,7 @@ internal sealed class FreeFormLattice
     public const int MaxDegree = 31;
 
     // Share of the volume of a box of the same edges below which the axes lie in a plane or on a line.
-    private const double FlatShare = 1e-6;
+    private const double FlatFraction = 1e-6;
 
     private readonly Vector3[] offsets;
     private readonly Axis s;
@@ -49,7 +49,7 @@ internal sealed class FreeFormLattice
             throw new ArgumentException(string.Format(CultureInfo.InvariantCulture, "the origin is {0}; expected finite coordinates", origin), nameof(origin));
         }
 
-        if (!(Math.Abs(Axis.Volume(axisS, axisT, axisU)) > FlatShare * Axis.Length(axisS) * Axis.Length(axisT) * Axis.Length(axisU)))
+        if (!(Math.Abs(Axis.Volume(axisS, axisT, axisU)) > FlatFraction * Axis.Length(axisS) * Axis.Length(axisT) * Axis.Length(axisU)))
         {
             throw new ArgumentException(string.Format(CultureInfo.InvariantCulture, "the axes {0}, {1} and {2} span no volume; expected three finite axes that do not lie in a plane", axisS, axisT, axisU), nameof(axisS));
         }

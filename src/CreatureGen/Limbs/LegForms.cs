@@ -30,7 +30,7 @@ internal sealed class LegForm
         LimbArchetype archetype,
         FootEnd end,
         (int Knee, int Ankle, int Ball) hinges,
-        (double Least, double Most) thickness,
+        (double Min, double Max) thickness,
         int footRows,
         (double Length, double Splay, double Radius) toes,
         params short[] table)
@@ -40,8 +40,8 @@ internal sealed class LegForm
         KneeRow = hinges.Knee;
         AnkleRow = hinges.Ankle;
         BallRow = hinges.Ball;
-        LeastThickness = (float)thickness.Least;
-        MostThickness = (float)thickness.Most;
+        MinThickness = (float)thickness.Min;
+        MaxThickness = (float)thickness.Max;
         FootRows = footRows;
         ToeLength = (float)toes.Length;
         ToeSplay = (float)toes.Splay;
@@ -67,10 +67,10 @@ internal sealed class LegForm
     public int BallRow { get; }
 
     /// <summary>Least thickness relative to the length; 0 when there is no limit.</summary>
-    public float LeastThickness { get; }
+    public float MinThickness { get; }
 
     /// <summary>Most thickness relative to the length; 0 when there is no limit.</summary>
-    public float MostThickness { get; }
+    public float MaxThickness { get; }
 
     /// <summary>Whether it reaches out to the side and turns with its azimuth, instead of standing under the body.</summary>
     public bool Lateral => Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl;

@@ -24,7 +24,7 @@ internal sealed class LegPath
     private const float FootGap = 0.02f;
 
     /// <summary>Least and widest splay of toes that feet are set apart for, radians; half the width of a toe's end in its radii, and how far a claw reaches to the side, in its lengths.</summary>
-    private const float LeastSplay = 0.2f;
+    private const float MinSplay = 0.2f;
     private const float WidestSplay = 0.95f;
     private const float ToeTip = 0.65f;
     private const float ClawReach = 0.5f;
@@ -61,11 +61,11 @@ internal sealed class LegPath
         Vector3 root = socket.Centre;
         float height = standing ? root.Y : (float)leg.Length;
         float thickness = Math.Min((float)leg.Thickness, socket.HalfLength * 1.12f);
-        if (form.LeastThickness > 0f)
+        if (form.MinThickness > 0f)
         {
             // A tall leg of a slim body stays as slim as where it grows from, or it would hang there like a balloon.
-            float least = Math.Min(form.LeastThickness * height, Math.Max(thickness, Balloon * socket.HalfLength));
-            thickness = Scalar.Clamp(thickness, least, form.MostThickness * height);
+            float least = Math.Min(form.MinThickness * height, Math.Max(thickness, Balloon * socket.HalfLength));
+            thickness = Scalar.Clamp(thickness, least, form.MaxThickness * height);
         }
 
         Vector3[] joints = LayJoints(form, leg, root, height);
@@ -170,7 +170,7 @@ internal sealed class LegPath
                 float size = thickness * (float)leg.FootSize;
                 float beside = size * form.ToeLength * (form.LongToed ? form.ToeSplay : foot.Length * Math.Min(foot.Splay * form.ToeSplay, WidestSplay));
                 float tip = form.LongToed || foot.Splay > 1f ? size * form.ToeRadius * (ToeTip + (ClawReach * (float)leg.ClawLength)) : 0f;
-                float least = (size * form.ToeLength * (form.LongToed ? form.ToeSplay : LeastSplay)) + FootGap;
+                float least = (size * form.ToeLength * (form.LongToed ? form.ToeSplay : MinSplay)) + FootGap;
                 float halfWidth = radii[last].Y + Math.Max(least, beside + tip);
                 float shift = Math.Max(0f, halfWidth - joints[last].X);
                 for (int k = 0; k <= last; k++)

@@ -70,7 +70,7 @@ internal sealed class LimbSweep
     private const float BendLimit = 0.72f;
 
     /// <summary>Least advance of a column of vertices relative to the advance of the path.</summary>
-    private const float LeastAdvance = 0.12f;
+    private const float MinAdvance = 0.12f;
 
     /// <summary>Metres. Limbs that grow from the flank keep this distance from the sagittal plane.</summary>
     private const float MidlineGap = 0.004f;
@@ -173,7 +173,7 @@ internal sealed class LimbSweep
             Vector3 before = Curvature(tangents, distance, q - 1);
             Vector3 after = q + 1 < sections ? Curvature(tangents, distance, q) : Vector3.Zero;
             Vector3 advance = Vec.Normalize(tangents[q] + tangents[q - 1], tangents[q]);
-            float least = LeastAdvance * (distance[q] - distance[q - 1]);
+            float least = MinAdvance * (distance[q] - distance[q - 1]);
             float blend = Blend > 0f ? Scalar.Smooth(along[q] / Blend) : 1f;
             float groove = Groove * radii[q].X * Scalar.Smooth((along[q] - 0.12f) * 4f) * (1f - Scalar.Smooth((along[q] - 0.75f) / 0.25f));
             int[] current = new int[count];

@@ -22,7 +22,7 @@ internal static class WingGrower
 
     /// <summary>Last ring of the flank that a membrane is held by, and the most that it reaches along it, in depths of the wing.</summary>
     private const int Hip = 40;
-    private const double MostHeld = 1.15;
+    private const double MaxHeld = 1.15;
 
     /// <summary>Share of the span over which the edge of a membrane leaves the hip.</summary>
     private const float Leaving = 0.24f;
@@ -38,7 +38,7 @@ internal static class WingGrower
     private const double FeatherTurn = 0.35;
 
     /// <summary>Least depth of a wing, relative to its greatest: a tip of no depth has no area.</summary>
-    private const float LeastDepth = 0.03f;
+    private const float MinDepth = 0.03f;
 
     // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip; and the share of the span over which it comes to hang as it does at rest.
     private const double RootFall = 0.22;
@@ -77,7 +77,7 @@ internal static class WingGrower
 
         BodyShape shape = body.Skin.Shape;
         double start = wing.Socket.Ring + wing.Socket.Rows;
-        double end = Math.Min(Math.Min(Hip, free), shape.RingAt(BodyShape.At(shape.Arc, start) + (MostHeld * wing.Chord)));
+        double end = Math.Min(Math.Min(Hip, free), shape.RingAt(BodyShape.At(shape.Arc, start) + (MaxHeld * wing.Chord)));
         double middle = wing.Socket.Segment + (wing.Socket.Columns / 2.0);
 
         // A membrane is held by the flank as far as the hip; feathers leave it at the shoulder.
@@ -166,7 +166,7 @@ internal static class WingGrower
     /// <summary>Depth of the wing at a share of its span, the notches between its feathers taken off, metres.</summary>
     private static float DepthAt(WingBlueprint wing, WingForm form, float s)
     {
-        float depth = Math.Max((float)(wing.Chord * (form.LeadAt(s) - form.TrailAt(s)) / form.Depth), LeastDepth * (float)wing.Chord);
+        float depth = Math.Max((float)(wing.Chord * (form.LeadAt(s) - form.TrailAt(s)) / form.Depth), MinDepth * (float)wing.Chord);
         if (form.Feathers == 0)
         {
             return depth;

@@ -14,25 +14,25 @@ internal static class BalanceRemedy
     private const double Step = 0.6;
 
     /// <summary>Farthest lean of a leg, in units of its length.</summary>
-    private const double MostShear = 0.9;
+    private const double MaxShear = 0.9;
 
     /// <summary>Rounds of moving feet alone.</summary>
     private const int FeetRounds = 3;
 
     /// <summary>Radians by which a splayed leg is turned at a time, and the farthest from straight aside.</summary>
     private const double Turn = 0.2;
-    private const double MostTurn = 1.2;
+    private const double MaxTurn = 1.2;
 
     /// <summary>Rings of the body by which a hip is moved at a time.</summary>
     private const int HipRings = 2;
 
     /// <summary>Radians by which the front of a body that lies is raised at a time, and the farthest.</summary>
     private const double NeckLift = 0.08;
-    private const double MostRaised = 1.4;
+    private const double MaxRaised = 1.4;
 
     /// <summary>What rump and tail grow by at a time as a counterweight, and how far.</summary>
     private const double RearGrowth = 1.05;
-    private const double MostGrown = 1.5;
+    private const double MaxGrown = 1.5;
 
     private const double HeadKept = 0.9;
     private const double TailKept = 0.88;
@@ -101,7 +101,7 @@ internal static class BalanceRemedy
     {
         CreatureBlueprint b = log.Blueprint;
         int end = EndOf(b.Legs, ahead);
-        if (end < 0 || (ahead ? b.Legs[end].Shear : -b.Legs[end].Shear) < MostShear)
+        if (end < 0 || (ahead ? b.Legs[end].Shear : -b.Legs[end].Shear) < MaxShear)
         {
             return false;
         }
@@ -122,10 +122,10 @@ internal static class BalanceRemedy
 
         LegBlueprint leg = legs[end];
         double shift = Step * missing / Math.Max(height, 0.05);
-        double shear = Math.Min(MostShear, Math.Max(-MostShear, leg.Shear + (ahead ? shift : -shift)));
+        double shear = Math.Min(MaxShear, Math.Max(-MaxShear, leg.Shear + (ahead ? shift : -shift)));
         double foot = Math.Min(2.2, FootGrowth * leg.FootSize);
         double turn = Splayed(leg) ? (ahead ? Turn : -Turn) : 0;
-        double azimuth = Math.Min(MostTurn, Math.Max(-MostTurn, leg.Azimuth + turn));
+        double azimuth = Math.Min(MaxTurn, Math.Max(-MaxTurn, leg.Azimuth + turn));
         return legs.With(end, leg with { Shear = shear, FootSize = foot, Azimuth = azimuth });
     }
 
@@ -136,14 +136,14 @@ internal static class BalanceRemedy
     {
         BodyBlueprint body = log.Blueprint.Body;
         bool late = round >= FeetRounds;
-        BodyPosture posture = body.Posture with { Neck = Math.Min(MostRaised, body.Posture.Neck + (late ? 2 * NeckLift : NeckLift)), NeckBend = 0.8 * body.Posture.NeckBend };
+        BodyPosture posture = body.Posture with { Neck = Math.Min(MaxRaised, body.Posture.Neck + (late ? 2 * NeckLift : NeckLift)), NeckBend = 0.8 * body.Posture.NeckBend };
         BodyProportions p = body.Proportions;
         BodyProportions lighter = p with { Head = 0.94 * p.Head, Neck = 0.96 * p.Neck };
         BodyProportions shifted = lighter with { Chest = 0.96 * p.Chest, Rump = Grown(p.Rump), Tail = Grown(p.Tail), TailGirth = Grown(p.TailGirth) };
         return log.Change(log.Blueprint with { Body = body with { Posture = posture, Proportions = late ? shifted : lighter } }, "it tipped over its raised front");
     }
 
-    private static double Grown(double share) => Math.Max(share, Math.Min(MostGrown, RearGrowth * share));
+    private static double Grown(double share) => Math.Max(share, Math.Min(MaxGrown, RearGrowth * share));
 
     private static bool Lighten(RepairLog log, bool ahead)
     {

@@ -15,13 +15,13 @@ namespace CreatureGen.Repairs;
 public static class BlueprintRepair
 {
     /// <summary>Creatures that are built at most.</summary>
-    public const int MostRounds = 24;
+    public const int MaxRounds = 24;
 
     /// <summary>Rounds of raising and shifting; a creature that does not stand after them is too extreme.</summary>
     private const int StanceRounds = 10;
 
     /// <summary>Round from which on fliers and swimmers do without standing.</summary>
-    private const int HangingRound = MostRounds - 4;
+    private const int HangingRound = MaxRounds - 4;
 
     /// <summary>Repairs a blueprint.</summary>
     /// <exception cref="ArgumentNullException">The blueprint is null.</exception>
@@ -35,7 +35,7 @@ public static class BlueprintRepair
 
         Creature creature = CreatureAssembler.Assemble(log.Blueprint);
         IReadOnlyList<InvariantViolation> violations = CreatureInspection.Inspect(creature);
-        for (int round = 0; round < MostRounds && violations.Count > 0 && Treat(log, creature, violations, round); round++)
+        for (int round = 0; round < MaxRounds && violations.Count > 0 && Treat(log, creature, violations, round); round++)
         {
             creature = CreatureAssembler.Assemble(log.Blueprint);
             violations = CreatureInspection.Inspect(creature);

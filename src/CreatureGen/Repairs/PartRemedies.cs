@@ -48,7 +48,7 @@ internal static class PartRemedies
 
     private static double Clamp(double value, NumberRange range) => Math.Min(range.Maximum, Math.Max(range.Minimum, value));
 
-    private static double Visible(double size) => size < BlueprintRules.LeastVisible ? 0 : size;
+    private static double Visible(double size) => size < BlueprintRules.MinVisible ? 0 : size;
 
     private static void FitParts(RepairLog log)
     {
@@ -57,9 +57,9 @@ internal static class PartRemedies
         int rows = shell.Style == ShellStyle.None ? shell.Rows : Math.Max(2, Math.Min(shell.Rows, BodyGrid.Rings - 2 - shell.Ring));
         log.Change(b with { Body = b.Body with { Shell = shell with { Rows = rows } } }, "the shell went past the tail");
         b = log.Blueprint;
-        log.Change(b with { Tail = b.Tail with { Size = b.Tail.Style == TailStyle.Plain ? b.Tail.Size : Math.Max(BlueprintRules.LeastTailSize, b.Tail.Size) } }, "a tail of this style has a size");
+        log.Change(b with { Tail = b.Tail with { Size = b.Tail.Style == TailStyle.Plain ? b.Tail.Size : Math.Max(BlueprintRules.MinTailSize, b.Tail.Size) } }, "a tail of this style has a size");
         b = log.Blueprint;
-        log.Change(b with { Fins = b.Fins.Each(fin => fin.Place == FinPlace.Pectoral ? fin with { Width = Math.Max(BlueprintRules.LeastFinWidth, fin.Width) } : fin) }, "a paired fin has a width");
+        log.Change(b with { Fins = b.Fins.Each(fin => fin.Place == FinPlace.Pectoral ? fin with { Width = Math.Max(BlueprintRules.MinFinWidth, fin.Width) } : fin) }, "a paired fin has a width");
         b = log.Blueprint;
         log.Change(
             b with

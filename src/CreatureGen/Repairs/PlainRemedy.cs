@@ -8,7 +8,7 @@ namespace CreatureGen.Repairs;
 internal static class PlainRemedy
 {
     /// <summary>Part of the way that is taken at a time.</summary>
-    private const double Share = 0.35;
+    private const double Fraction = 0.35;
 
     /// <summary>Changes the blueprint. False if it is plain already.</summary>
     public static bool Apply(RepairLog log, InvariantViolation violation)
@@ -29,6 +29,6 @@ internal static class PlainRemedy
             Head = b.Head with { Bumps = b.Head.Bumps.Each(bump => bump with { Amount = 0 }) },
             Legs = b.Legs.Each(leg => leg with { Reach = leg.Length, Azimuth = 0, Shear = 0, Slimness = 1, Stoutness = 1, FootSize = 1, KneeRise = 1, Thickness = 0.15 * leg.Length }),
         };
-        return log.Change(FieldBlend.Between(b, plain, Share), "the shape was too extreme to keep its promises (" + violation.Invariant + ")");
+        return log.Change(FieldBlend.Between(b, plain, Fraction), "the shape was too extreme to keep its promises (" + violation.Invariant + ")");
     }
 }

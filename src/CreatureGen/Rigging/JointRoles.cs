@@ -20,7 +20,7 @@ internal sealed class JointRoles
     private const float Low = 0.3f;
 
     /// <summary>Most joints of a skeleton that is searched for limbs without names.</summary>
-    private const int MostUnnamed = 1024;
+    private const int MaxUnnamed = 1024;
 
     private readonly IReadOnlyList<string> names;
     private readonly int[] parents;
@@ -76,7 +76,7 @@ internal sealed class JointRoles
     private void Tell()
     {
         ReadNames();
-        if (Array.IndexOf(limbs, true) < 0 && roles.Length <= MostUnnamed)
+        if (Array.IndexOf(limbs, true) < 0 && roles.Length <= MaxUnnamed)
         {
             FindMirroredLimbs();
         }

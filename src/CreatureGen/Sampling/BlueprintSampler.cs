@@ -88,7 +88,7 @@ public static class BlueprintSampler
         plan = choice.Allows(parents.Legs, BodyPlan.Centaur) && root.Child("arms of a quadruped").Stream().Chance(Armed * strangeness) ? LegSampler.WithArms(plan) : plan;
         for (int change = 0; ; change++)
         {
-            var builder = new CreatureBuilder(root, kind, Harmony.On(parents, plan), plan, strangeness) { LeastLegPairs = options.MinLegPairs, MostLegPairs = options.MaxLegPairs };
+            var builder = new CreatureBuilder(root, kind, Harmony.On(parents, plan), plan, strangeness) { MinLegPairs = options.MinLegPairs, MaxLegPairs = options.MaxLegPairs };
             BodySampler.Sample(builder);
             StanceSampler.Settle(builder);
             BodyPlan? other = LegSampler.Sample(builder);

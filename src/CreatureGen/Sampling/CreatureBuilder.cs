@@ -39,9 +39,9 @@ internal sealed class CreatureBuilder
     public double Strangeness { get; }
 
     /// <summary>Fewest and most pairs of legs and arms that are asked for: what can stand on any number of legs grows one within them.</summary>
-    public int LeastLegPairs { get; init; }
+    public int MinLegPairs { get; init; }
 
-    public int MostLegPairs { get; init; } = LegRow.Most;
+    public int MaxLegPairs { get; init; } = LegRow.Max;
 
     /// <summary>How it carries its body; a swimmer without room for its fins gets another.</summary>
     public BodyPlan Plan { get; set; }
@@ -127,7 +127,7 @@ internal sealed class CreatureBuilder
         Scalar.Clamp(random.Normal(mean, deviation), min, max);
 
     /// <summary>A uniform draw from a range.</summary>
-    public static double Between(RandomStream random, (double Least, double Most) range) => random.Uniform(range.Least, range.Most);
+    public static double Between(RandomStream random, (double Min, double Max) range) => random.Uniform(range.Min, range.Max);
 
     /// <summary>One of several weighted choices.</summary>
     public static T Choose<T>(RandomStream random, params (T Value, double Weight)[] choices)

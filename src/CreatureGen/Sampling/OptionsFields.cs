@@ -27,7 +27,7 @@ internal static class OptionsFields
         (OrnamentLevel.Rich, "rich"));
 
     private static readonly NumberRange weight = new(0, 1000);
-    private static readonly WholeRange legPairs = new(0, CreatureFields.MostLegs);
+    private static readonly WholeRange legPairs = new(0, CreatureFields.MaxLegs);
 
     /// <summary>Weight of a body plan.</summary>
     public static readonly RecordDescription<BodyPlanWeight> PlanWeight = new(
@@ -58,7 +58,7 @@ internal static class OptionsFields
             MaxLegPairs = visit.Whole("maxLegPairs", options.MaxLegPairs, legPairs),
             BodyPlans = visit.List("bodyPlans", options.BodyPlans, new WholeRange(0, AnatomyChoices.Plan.Count), PlanWeight),
             BaseBodies = visit.List("baseBodies", options.BaseBodies, new WholeRange(0, BaseBodyNames.All.Count), BodyWeight),
-            Strangeness = visit.Number("strangeness", options.Strangeness, CommonRanges.Share),
+            Strangeness = visit.Number("strangeness", options.Strangeness, CommonRanges.Fraction),
             Palette = visit.Choice("palette", options.Palette, palettes),
             Ornaments = visit.Choice("ornaments", options.Ornaments, levels),
             TriangleBudget = visit.Whole("triangleBudget", options.TriangleBudget, CreatureFields.TriangleBudget),

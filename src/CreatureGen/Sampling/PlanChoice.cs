@@ -126,7 +126,7 @@ internal sealed class PlanChoice
     }
 
     /// <summary>Fewest and most pairs of legs and arms of a plan.</summary>
-    private static (int Least, int Most) PairsOf(BodyPlan plan) => plan switch
+    private static (int Min, int Max) PairsOf(BodyPlan plan) => plan switch
     {
         BodyPlan.Centaur => (3, 3),
         BodyPlan.Theropod or BodyPlan.Upright => (1, 2),
@@ -134,7 +134,7 @@ internal sealed class PlanChoice
         BodyPlan.ManyLegged => (3, 9),
         BodyPlan.Flapping => (0, 4),
         BodyPlan.Buzzing => (0, 8),
-        _ when ExtraLegs.Suits(plan) => (2, ExtraLegs.Most),
+        _ when ExtraLegs.Suits(plan) => (2, ExtraLegs.Max),
         BodyPlan.Legless or BodyPlan.Fish or BodyPlan.Eel or BodyPlan.Whale or BodyPlan.Flipper => (0, 0),
         _ => (2, 2),
     };

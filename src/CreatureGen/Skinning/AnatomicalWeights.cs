@@ -17,10 +17,10 @@ namespace CreatureGen.Skinning;
 internal static class AnatomicalWeights
 {
     /// <summary>Most that limbs of one side may take of a vertex of the body.</summary>
-    private const float MostPull = 0.65f;
+    private const float MaxPull = 0.65f;
 
     /// <summary>Most that limbs of both sides may take of a vertex on the midline.</summary>
-    private const float MostMedianPull = 0.4f;
+    private const float MaxMedianPull = 0.4f;
 
     /// <summary>One set of influences per vertex of the surface.</summary>
     /// <param name="input">The surface and its anatomy, at scale 1.</param>
@@ -104,7 +104,7 @@ internal static class AnatomicalWeights
         }
 
         float total = Total(input, rig, profiles, spread, vertex) + Total(input, rig, profiles, spread, mirror);
-        float factor = total > MostPull ? MostPull / total : 1f;
+        float factor = total > MaxPull ? MaxPull / total : 1f;
         list.Scale(1f - (total * factor));
         for (int e = spread.First(vertex); e >= 0; e = spread.Next(e))
         {
@@ -140,7 +140,7 @@ internal static class AnatomicalWeights
             return;
         }
 
-        pull = Math.Min(pull, MostMedianPull / 2f);
+        pull = Math.Min(pull, MaxMedianPull / 2f);
         int root = input.Appendages[best].Kind is LimbKind.Leg or LimbKind.Arm ? 1 : 0;
         list.Scale(1f - (2f * pull));
         list.Add(rig.Appendages[best].Left[root], pull);

@@ -15,7 +15,7 @@ internal ref struct InfluenceList
     private const float Grain = 1f / (1 << 20);
 
     /// <summary>Share of the whole below which an influence is dropped: it could not be seen, but would cost a joint.</summary>
-    private const float Least = 0.002f;
+    private const float Min = 0.002f;
 
     private readonly Span<int> joints;
     private readonly Span<float> weights;
@@ -105,7 +105,7 @@ internal ref struct InfluenceList
         for (int i = 1; i < used; i++)
         {
             float share = weights[i] / sum;
-            shares[i] = share < Least ? 0f : (float)Math.Floor(share / Grain) * Grain;
+            shares[i] = share < Min ? 0f : (float)Math.Floor(share / Grain) * Grain;
             rest += shares[i];
         }
 

@@ -20,7 +20,7 @@ namespace CreatureGen.Skinning;
 internal sealed class LimbProfile
 {
     /// <summary>Share of the girdle in what a leg does not hold itself.</summary>
-    private const float GirdleShare = 0.45f;
+    private const float GirdleFraction = 0.45f;
 
     /// <summary>Largest half width of a change of joint, in lengths of the shorter segment.</summary>
     private const float WidestStretch = 0.6f;
@@ -124,8 +124,8 @@ internal sealed class LimbProfile
         int root = legged ? 1 : 0;
         if (legged)
         {
-            list.Add(joints[0], rest * GirdleShare);
-            rest *= 1f - GirdleShare;
+            list.Add(joints[0], rest * GirdleFraction);
+            rest *= 1f - GirdleFraction;
         }
 
         list.Add(body.First, rest * (1f - body.SecondWeight));
@@ -145,7 +145,7 @@ internal sealed class LimbProfile
     }
 
     /// <summary>Girdle's pull on the body's vertices in units of the first joint's: continues what the girdle holds of the limb at the border.</summary>
-    private static float GirdlePull => (1f - 0.30f) * GirdleShare / 0.30f;
+    private static float GirdlePull => (1f - 0.30f) * GirdleFraction / 0.30f;
 
     /// <summary>How much of the skin at x lies beyond joint k, 0..1.</summary>
     private float Passed(int k, float x, Vector3 position, in VertexAddress address)

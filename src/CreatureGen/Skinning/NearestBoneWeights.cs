@@ -21,7 +21,7 @@ public static class NearestBoneWeights
     private const int SpineReach = 2;
 
     /// <summary>Least distance, in lengths of the whole spine, so that a vertex on a bone has a finite weight.</summary>
-    private const double LeastDistance = 1e-4;
+    private const double MinDistance = 1e-4;
 
     /// <summary>Binds the vertices of any mesh.</summary>
     /// <param name="positions">Vertices in the skeleton's rest pose, model space, metres.</param>
@@ -38,7 +38,7 @@ public static class NearestBoneWeights
             size = Math.Max(size, Vec.Distance(p, skeleton.ModelPositions[0]));
         }
 
-        float least = Math.Max((float)LeastDistance * size, 1e-9f);
+        float least = Math.Max((float)MinDistance * size, 1e-9f);
         var weights = new SkinWeights[positions.Length];
         var list = new InfluenceList(stackalloc int[InfluenceList.Capacity], stackalloc float[InfluenceList.Capacity]);
         Span<int> nearest = stackalloc int[4];
@@ -87,7 +87,7 @@ public static class NearestBoneWeights
         Surface surface = input.Surface;
         var spread = SocketSpread.Measure(surface, input.Adjacency, input.Appendages);
         float[] jaw = MouthWeights.Solve(surface, input.Adjacency, input.Mouth);
-        float least = (float)(LeastDistance * rig.Line.Length);
+        float least = (float)(MinDistance * rig.Line.Length);
         var weights = new SkinWeights[surface.Positions.Length];
         var list = new InfluenceList(stackalloc int[InfluenceList.Capacity], stackalloc float[InfluenceList.Capacity]);
         for (int v = 0; v < weights.Length; v++)

@@ -4,10 +4,10 @@ namespace CreatureGen.Species;
 internal sealed record BirdPreset
 {
     /// <summary>Height of the hip relative to the length of the torso.</summary>
-    public (double Least, double Most) HipHeight { get; init; }
+    public (double Min, double Max) HipHeight { get; init; }
 
     /// <summary>Radius of the thigh relative to half the torso's depth.</summary>
-    public (double Least, double Most) Thigh { get; init; }
+    public (double Min, double Max) Thigh { get; init; }
 
     public int Toes { get; init; } = 3;
 

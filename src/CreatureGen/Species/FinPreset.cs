@@ -6,7 +6,7 @@ namespace CreatureGen.Species;
 /// <summary>A fin or pair of fins of a species' own.</summary>
 internal readonly struct FinSitePreset
 {
-    public FinSitePreset(FinPlace place, FinStyle style, int ring, double segment, int rows, (double Least, double Most) length, (double Least, double Most) width, double drop, double sweep)
+    public FinSitePreset(FinPlace place, FinStyle style, int ring, double segment, int rows, (double Min, double Max) length, (double Min, double Max) width, double drop, double sweep)
     {
         Place = place;
         Style = style;
@@ -32,10 +32,10 @@ internal readonly struct FinSitePreset
     public int Rows { get; }
 
     /// <summary>Metres.</summary>
-    public (double Least, double Most) Length { get; }
+    public (double Min, double Max) Length { get; }
 
     /// <summary>Depth of a paired fin relative to its length.</summary>
-    public (double Least, double Most) Width { get; }
+    public (double Min, double Max) Width { get; }
 
     public double Drop { get; }
 
@@ -50,9 +50,9 @@ internal sealed record FinPreset
     public TailStyle Tail { get; init; }
 
     /// <summary>Metres.</summary>
-    public (double Least, double Most) TailSize { get; init; }
+    public (double Min, double Max) TailSize { get; init; }
 
-    public (double Least, double Most) TailFork { get; init; }
+    public (double Min, double Max) TailFork { get; init; }
 
     public double TailLobe { get; init; }
 }

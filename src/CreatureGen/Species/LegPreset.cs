@@ -44,7 +44,7 @@ internal sealed record LegRow(int First, int Last, double Segment, double Front,
 {
     /// <summary>Fewest and most pairs that have room.</summary>
     public const int Fewest = 4;
-    public const int Most = 16;
+    public const int Max = 16;
 
     /// <summary>The places of a number of pairs, evenly.</summary>
     public LegSite[] Sites(int pairs)
@@ -73,10 +73,10 @@ internal sealed record LegPreset
     public LegSite[] Arms { get; init; } = Array.Empty<LegSite>();
 
     /// <summary>Unit of the outward shape, metres.</summary>
-    public (double Least, double Most) Reach { get; init; }
+    public (double Min, double Max) Reach { get; init; }
 
     /// <summary>Height of the belly above the ground of one that stands, metres.</summary>
-    public (double Least, double Most) Height { get; init; }
+    public (double Min, double Max) Height { get; init; }
 
     /// <summary>Radius of the root, metres.</summary>
     public double Thickness { get; init; }
@@ -88,7 +88,7 @@ internal sealed record LegPreset
     public double Claw { get; init; } = 1.2;
 
     /// <summary>Fewest and most toes where there are any.</summary>
-    public (int Least, int Most) Toes { get; init; } = (4, 4);
+    public (int Min, int Max) Toes { get; init; } = (4, 4);
 
     /// <summary>Length of a hanging leg, metres.</summary>
     public double HangingLength { get; init; } = 0.26;
@@ -102,6 +102,6 @@ internal sealed record LegPreset
         }
 
         int nearest = Sites.Length < least ? least : most;
-        return Row.Sites(Math.Min(Math.Max(nearest, LegRow.Fewest), LegRow.Most));
+        return Row.Sites(Math.Min(Math.Max(nearest, LegRow.Fewest), LegRow.Max));
     }
 }

@@ -8,16 +8,16 @@ internal readonly struct ManePreset
 {
     public ManePreset(double least, double most, params ManeBlueprint[] fields)
     {
-        Least = least;
-        Most = most;
+        Min = least;
+        Max = most;
         Fields = fields;
     }
 
     /// <summary>Least factor on its length.</summary>
-    public double Least { get; }
+    public double Min { get; }
 
     /// <summary>Most factor on its length.</summary>
-    public double Most { get; }
+    public double Max { get; }
 
     /// <summary>The fields of hair that make it up.</summary>
     public ManeBlueprint[] Fields { get; }
@@ -28,16 +28,16 @@ internal readonly struct FrillPreset
 {
     public FrillPreset(double least, double most, FrillBlueprint frill)
     {
-        Least = least;
-        Most = most;
+        Min = least;
+        Max = most;
         Frill = frill;
     }
 
     /// <summary>Least factor on its length.</summary>
-    public double Least { get; }
+    public double Min { get; }
 
     /// <summary>Most factor on its length.</summary>
-    public double Most { get; }
+    public double Max { get; }
 
     public FrillBlueprint Frill { get; }
 }

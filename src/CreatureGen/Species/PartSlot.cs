@@ -8,18 +8,18 @@ internal readonly struct PartPreset
     public PartPreset(FeatureBlueprint part, double least, double most)
     {
         Part = part;
-        Least = least;
-        Most = most;
+        Min = least;
+        Max = most;
     }
 
     /// <summary>The part in its mean size, metres on a head of the table's size.</summary>
     public FeatureBlueprint Part { get; }
 
     /// <summary>Least factor on its length.</summary>
-    public double Least { get; }
+    public double Min { get; }
 
     /// <summary>Most factor on its length.</summary>
-    public double Most { get; }
+    public double Max { get; }
 }
 
 /// <summary>One of the things that a slot may hold: some parts that belong together, or none.</summary>

@@ -80,7 +80,7 @@ internal static class SpeciesCatalogue
         var siblings = new List<string>();
         foreach (SpeciesProfile other in all)
         {
-            if (other.IsSpecies && other.Family == species.Family && other.Body != species.Body && other.Dominance.Least < 0.93)
+            if (other.IsSpecies && other.Family == species.Family && other.Body != species.Body && other.Dominance.Min < 0.93)
             {
                 siblings.Add(other.Body);
             }

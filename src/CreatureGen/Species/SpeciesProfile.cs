@@ -77,7 +77,7 @@ internal sealed record SpeciesProfile
     public string[] Partners { get; init; } = Array.Empty<string>();
 
     /// <summary>Share of the dominant body in the mix.</summary>
-    public (double Least, double Most) Dominance { get; init; } = (0.62, 0.88);
+    public (double Min, double Max) Dominance { get; init; } = (0.62, 0.88);
 
     /// <summary>Probability that the second body is another species of the family.</summary>
     public double Kinship { get; init; }
@@ -118,10 +118,10 @@ internal sealed record SpeciesProfile
     public HeadBump[] Relief { get; init; } = Array.Empty<HeadBump>();
 
     /// <summary>Height of its hip relative to the length of the torso where the rules of the plan place its legs; null for the plan's own.</summary>
-    public (double Least, double Most)? HipHeight { get; init; }
+    public (double Min, double Max)? HipHeight { get; init; }
 
     /// <summary>The same of one that goes on two legs with its trunk level.</summary>
-    public (double Least, double Most) BipedHipHeight { get; init; } = (0.78, 1.08);
+    public (double Min, double Max) BipedHipHeight { get; init; } = (0.78, 1.08);
 
     /// <summary>Whether its legs end in hooves wherever the plan leaves a choice.</summary>
     public bool IsHoofed { get; init; }
@@ -172,7 +172,7 @@ internal sealed record SpeciesProfile
     public AnnuliBlueprint Annuli { get; init; } = new(41, 0);
 
     /// <summary>How the edges of a wide body lie back, and between which limits they hang or rise.</summary>
-    public (double Sweep, double LeastCurl, double MostCurl) Disc { get; init; }
+    public (double Sweep, double MinCurl, double MaxCurl) Disc { get; init; }
 
     /// <summary>Ring and segment of the eye.</summary>
     public (double Ring, double Segment) Eye { get; init; }

@@ -88,7 +88,7 @@ public sealed class NoiseTests
     [Fact]
     public void The_gap_of_two_nearest_points_is_the_one_that_a_wide_search_finds()
     {
-        const float Most = 0.25f;
+        const float Max = 0.25f;
         RandomStream random = new Seed(6).Stream();
         int beyond = 0;
         for (int n = 0; n < 6000; n++)
@@ -96,15 +96,15 @@ public sealed class NoiseTests
             Vector3 point = Point(random, 30);
             double[] nearest = WideSearch(point, 3);
             double gap = nearest[1] - nearest[0];
-            float found = new WorleyNoise(3).Gap(point, Most);
-            if (gap < Most)
+            float found = new WorleyNoise(3).Gap(point, Max);
+            if (gap < Max)
             {
                 Assert.Equal(gap, found, 1e-4);
                 beyond += nearest[1] > WorleyNoise.Reach ? 1 : 0;
             }
             else
             {
-                Assert.True(found >= Most - 1e-4);
+                Assert.True(found >= Max - 1e-4);
             }
         }
 

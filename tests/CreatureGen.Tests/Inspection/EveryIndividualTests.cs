@@ -16,10 +16,10 @@ public sealed class EveryIndividualTests
     private const int Individuals = 3;
 
     /// <summary>Per thousand animals, as of the types.</summary>
-    private const int MostSelfIntersecting = 3;
+    private const int MaxSelfIntersecting = 3;
 
     /// <summary>Per thousand creatures whose parts are of several animals: individuals stretch what their type has just kept apart. As measured.</summary>
-    private const int MostStrangeSelfIntersecting = 11;
+    private const int MaxStrangeSelfIntersecting = 11;
 
     [Theory]
     [InlineData(RequestedKind.Walking, 40, 0)]
@@ -55,6 +55,6 @@ public sealed class EveryIndividualTests
         });
 
         Assert.True(violations.IsEmpty, string.Join("\n", violations.OrderBy(line => line, StringComparer.Ordinal).Take(20)));
-        Assert.InRange(selfIntersecting, 0, Math.Max(1, (strangeness > 0 ? MostStrangeSelfIntersecting : MostSelfIntersecting) * species * Individuals / 1000));
+        Assert.InRange(selfIntersecting, 0, Math.Max(1, (strangeness > 0 ? MaxStrangeSelfIntersecting : MaxSelfIntersecting) * species * Individuals / 1000));
     }
 }

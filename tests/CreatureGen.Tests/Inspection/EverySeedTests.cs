@@ -17,10 +17,10 @@ namespace CreatureGen.Tests.Inspection;
 public sealed class EverySeedTests
 {
     /// <summary>Per thousand animals; the surface is untangled as far as smoothing does it.</summary>
-    private const int MostSelfIntersecting = 3;
+    private const int MaxSelfIntersecting = 3;
 
     /// <summary>Per thousand creatures whose parts are of several animals: thick legs and fins set where no animal has them. As measured.</summary>
-    private const int MostStrangeSelfIntersecting = 5;
+    private const int MaxStrangeSelfIntersecting = 5;
 
     [Theory]
     [InlineData(RequestedKind.Walking, 150, 0)]
@@ -61,7 +61,7 @@ public sealed class EverySeedTests
         });
 
         Assert.True(violations.IsEmpty, string.Join("\n", violations.OrderBy(line => line, StringComparer.Ordinal).Take(20)));
-        Assert.InRange(selfIntersecting, 0, Math.Max(1, (strangeness > 0 ? MostStrangeSelfIntersecting : MostSelfIntersecting) * seeds / 1000));
+        Assert.InRange(selfIntersecting, 0, Math.Max(1, (strangeness > 0 ? MaxStrangeSelfIntersecting : MaxSelfIntersecting) * seeds / 1000));
     }
 
     [Theory]

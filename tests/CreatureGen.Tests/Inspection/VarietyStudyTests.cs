@@ -30,10 +30,10 @@ public sealed class VarietyStudyTests
         var study = new VarietyStudy();
         Creature creature = CreatureGenerator.Generate(12);
         study.Add(creature);
-        Assert.Equal((1, 0.0, 1.0, 1), (study.Report().Count, study.Report().TwinShare, study.Report().EffectiveCombinations, study.Report().Clusters));
+        Assert.Equal((1, 0.0, 1.0, 1), (study.Report().Count, study.Report().TwinFraction, study.Report().EffectiveCombinations, study.Report().Clusters));
         study.Add(creature);
         VarietyReport report = study.Report();
-        Assert.Equal((2, 1.0, 1.0, 1), (report.Count, report.TwinShare, report.EffectiveCombinations, report.Clusters));
+        Assert.Equal((2, 1.0, 1.0, 1), (report.Count, report.TwinFraction, report.EffectiveCombinations, report.Clusters));
         Assert.Equal(new LikePair(0, 1, 1), Assert.Single(report.Nearest));
     }
 
@@ -47,8 +47,8 @@ public sealed class VarietyStudyTests
     public void Of_two_dozen_creatures_hardly_any_has_a_double_and_a_third_has_no_name(RequestedKind kind)
     {
         VarietyReport report = StudyOf(kind, 0.6);
-        Assert.InRange(report.TwinShare, 0, 0.09);
-        Assert.InRange(report.ChimeraShare, 0.35, 1);
+        Assert.InRange(report.TwinFraction, 0, 0.09);
+        Assert.InRange(report.ChimeraFraction, 0.35, 1);
         Assert.True(report.EffectiveCombinations > 20, $"{report.EffectiveCombinations}");
     }
 
@@ -63,7 +63,7 @@ public sealed class VarietyStudyTests
     }
 
     [Fact]
-    public void Without_strangeness_all_creatures_are_animals() => Assert.Equal(0, StudyOf(RequestedKind.Walking, 0).ChimeraShare);
+    public void Without_strangeness_all_creatures_are_animals() => Assert.Equal(0, StudyOf(RequestedKind.Walking, 0).ChimeraFraction);
 
     private static VarietyReport StudyOf(RequestedKind kind, double strangeness)
     {

@@ -51,7 +51,7 @@ public sealed class LegPairTests
     public void A_row_has_its_ends_where_they_are_and_sockets_that_share_no_cell()
     {
         var row = new LegRow(18, 51, 9.7, 0.35, -0.45);
-        for (int pairs = LegRow.Fewest; pairs <= LegRow.Most; pairs++)
+        for (int pairs = LegRow.Fewest; pairs <= LegRow.Max; pairs++)
         {
             LegSite[] sites = row.Sites(pairs);
             Assert.Equal(pairs, sites.Length);

@@ -70,7 +70,7 @@ public sealed class SpeciesTests
             Assert.True(species.Frequency.Walking + species.Frequency.Flying + species.Frequency.Swimming > 0, species.Body);
             Assert.True(species.Frequency.Walking == 0 || species.WalkingPlans.Length > 0, species.Body);
             Assert.True(species.Frequency.Swimming == 0 || species.SwimmingPlans.Length > 0, species.Body);
-            Assert.True(species.Dominance.Least <= species.Dominance.Most && species.Dominance.Most < 1, species.Body);
+            Assert.True(species.Dominance.Min <= species.Dominance.Max && species.Dominance.Max < 1, species.Body);
         }
     }
 

@@ -14,7 +14,7 @@ internal sealed class CoarseColours
     private readonly Vector4[] texels;
 
     /// <summary>From so many texels a side on, the coat of an atlas is worked out at half its size.</summary>
-    public const int LeastAtlas = 1024;
+    public const int MinAtlas = 1024;
 
     /// <summary>No colours yet, for an atlas of so many texels a side.</summary>
     public CoarseColours(int atlasSize)

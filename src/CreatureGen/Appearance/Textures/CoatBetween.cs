@@ -19,7 +19,7 @@ internal sealed class CoatBetween
         Vector4 position = weights.Mix(a.PositionAndRing, b.PositionAndRing, c.PositionAndRing);
         Vector4 plain = weights.Mix(a.PlainAndRun, b.PlainAndRun, c.PlainAndRun);
         Vector4 patterned = weights.Mix(a.PatternedAndGirth, b.PatternedAndGirth, c.PatternedAndGirth);
-        float share = coat.PatternShare(new PatternPlace(Xyz(position), plain.W, patterned.W));
+        float share = coat.PatternFraction(new PatternPlace(Xyz(position), plain.W, patterned.W));
         Vector3 colour = Vec.Lerp(Xyz(plain), Xyz(patterned), share);
         return IsMarked(a.Region, position.W) ? Marked(a, b, c, appendage, weights, position, share, colour) : colour;
     }

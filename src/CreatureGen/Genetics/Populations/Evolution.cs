@@ -14,7 +14,7 @@ namespace CreatureGen.Genetics.Populations;
 public static class Evolution
 {
     /// <summary>Children that are tried before one is taken though something of it does not fit together.</summary>
-    private const int MostFreaks = 4;
+    private const int MaxFreaks = 4;
 
     /// <summary>The first generation: the founders and, where they are fewer than its room, their children.</summary>
     /// <param name="founders">At least one, valid.</param>
@@ -139,7 +139,7 @@ public static class Evolution
             Couple couple = selection.Choose(generation, own.Child("parents").Stream());
             Offspring child = null!;
             IReadOnlyList<string> faults = Array.Empty<string>();
-            for (int attempt = 0; attempt < MostFreaks; attempt++)
+            for (int attempt = 0; attempt < MaxFreaks; attempt++)
             {
                 child = Breeding.Child(couple.First.Blueprint, couple.Second.Blueprint, own.Child("child").Child(attempt).Value, settings.Breeding);
                 faults = FreakCheck.FaultsOf(child.Creature);

@@ -7,7 +7,7 @@ namespace CreatureGen.Genetics.Populations;
 public sealed record EvolutionSettings
 {
     /// <summary>Greatest population.</summary>
-    public const int MostIndividuals = 10_000;
+    public const int MaxIndividuals = 10_000;
 
     private readonly int population = 64;
     private readonly BreedingSettings breeding = BreedingSettings.Default;
@@ -21,7 +21,7 @@ public sealed record EvolutionSettings
     public int Population
     {
         get => population;
-        init => population = value is >= 2 and <= MostIndividuals ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "expected 2..10000");
+        init => population = value is >= 2 and <= MaxIndividuals ? value : throw new ArgumentOutOfRangeException(nameof(value), value, "expected 2..10000");
     }
 
     /// <summary>Which of the courses that this evolution could take.</summary>

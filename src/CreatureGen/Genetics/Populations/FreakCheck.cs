@@ -18,7 +18,7 @@ public static class FreakCheck
     private const float LargestHead = 1.4f;
 
     /// <summary>Pairs of triangles of the skin that may cut one another: what folds hide.</summary>
-    private const int MostCuts = 20;
+    private const int MaxCuts = 20;
 
     /// <summary>How deep legs below their knees may be in one another, part of the thinner one's radius.</summary>
     private const float DeepestLeg = 0.9f;
@@ -33,7 +33,7 @@ public static class FreakCheck
         CheckShell(creature.Blueprint, faults);
         CheckLegs(creature, faults);
         int cuts = CreatureInspection.CountSelfIntersections(creature);
-        if (cuts > MostCuts)
+        if (cuts > MaxCuts)
         {
             faults.Add(FormattableString.Invariant($"its skin cuts itself in {cuts} places"));
         }

@@ -18,7 +18,7 @@ internal static class VrmSprings
     private const string Extension = "VRMC_springBone";
 
     /// <summary>Most of a velocity that a frame takes: all of it would be a rate without end.</summary>
-    private const float MostDrag = 0.9999f;
+    private const float MaxDrag = 0.9999f;
 
     private const float AnyAngle = 3.1415f;
 
@@ -96,7 +96,7 @@ internal static class VrmSprings
             // The push towards rest makes the bone longer by this part of it before it is brought back to its length, which takes as much from what goes across.
             float stretch = 1f + (stiffness / (Rate * rig.Lengths[i]));
             frequencies[i] = MathF.Sqrt(Rate * stiffness / (rig.Lengths[i] * stretch)) / (float)PortableMath.Tau;
-            drags[i] = Rate * (float)PortableMath.Log(stretch / (1 - Math.Min(Number(item, "dragForce", 0.5f), MostDrag)));
+            drags[i] = Rate * (float)PortableMath.Log(stretch / (1 - Math.Min(Number(item, "dragForce", 0.5f), MaxDrag)));
             radii[i] = Number(item, "hitRadius", 0f) * joints.Scales[chain[i]];
             float power = Rate * Number(item, "gravityPower", 0f) / stretch;
             if (power > 0f && gravity == Vector3.Zero)

@@ -16,7 +16,7 @@ internal static class ChimeraDistance
     private const double OtherManner = 0.4;
 
     /// <summary>Share that the leading animal must keep in a region for the region to be its own.</summary>
-    private const double OwnShare = 0.4;
+    private const double OwnFraction = 0.4;
 
     /// <summary>0 for an animal, 1 and more for what has no name.</summary>
     public static double Of(CreatureBlueprint blueprint)
@@ -25,7 +25,7 @@ internal static class ChimeraDistance
         AnimalClass body = ClassOf(blend.First);
         double head = ClassOf(blend.Face) != body ? OtherClassOfHead : blend.Face != blend.First ? OtherHead : 0;
         double skin = ClassOf(blend.Skin) != body ? OtherClassOfSkin : 0;
-        double tail = blend.TailShares[0] < OwnShare ? OtherTail : 0;
+        double tail = blend.TailShares[0] < OwnFraction ? OtherTail : 0;
         double manner = blend.Manner != blend.First ? OtherManner : 0;
         return head + skin + tail + manner;
     }

@@ -18,12 +18,12 @@ internal sealed class FallProfile
     public const float DeepestLanding = 0.95f;
 
     /// <summary>Speed of a fall that all legs take up, √(gℓ).</summary>
-    private const float LeastBorne = 1.2f;
+    private const float MinBorne = 1.2f;
 
     /// <summary>Step in which the depth of its crouch is looked for, leg lengths, how deep that is at most, and what legs give in any case.</summary>
     private const float CrouchStep = 0.02f;
     private const float MaxCrouch = 0.7f;
-    private const float LeastCrouch = 0.06f;
+    private const float MinCrouch = 0.06f;
 
     /// <summary>How far a foot may be from its place in a crouch, and its skin in the ground, leg lengths.</summary>
     private const float MaxMiss = 0.025f;
@@ -36,7 +36,7 @@ internal sealed class FallProfile
     private const float HardestBraking = 3.2f;
     private const float UsualMass = 30f;
     private const double BrakingPower = -0.08;
-    private const float LeastFraction = 0.5f;
+    private const float MinFraction = 0.5f;
     private const float GreatestFraction = 1.2f;
 
     /// <summary>Length by which the times of bodies without legs go, part of their size.</summary>
@@ -63,8 +63,8 @@ internal sealed class FallProfile
         if (legs != null)
         {
             CrouchDepth = DepthOf(legs, gaits!, Support);
-            float braking = HardestBraking * (float)Scalar.Clamp(PortableMath.Pow(legs.Mass / UsualMass, BrakingPower), LeastFraction, GreatestFraction);
-            BorneSpeed = Math.Max(LeastBorne, DeepestLanding * CrouchDepth / legs.LegLength * braking / DepthOfLanding);
+            float braking = HardestBraking * (float)Scalar.Clamp(PortableMath.Pow(legs.Mass / UsualMass, BrakingPower), MinFraction, GreatestFraction);
+            BorneSpeed = Math.Max(MinBorne, DeepestLanding * CrouchDepth / legs.LegLength * braking / DepthOfLanding);
         }
     }
 
@@ -191,6 +191,6 @@ internal sealed class FallProfile
             depth = legs.Sink;
         }
 
-        return Math.Max(depth, LeastCrouch * body.LegLength);
+        return Math.Max(depth, MinCrouch * body.LegLength);
     }
 }

@@ -15,7 +15,7 @@ internal static class GroundClearance
     private const float MaxBend = 0.4f;
 
     /// <summary>Least lever of a chain, part of its length.</summary>
-    private const float LeastLever = 0.4f;
+    private const float MinLever = 0.4f;
 
     /// <summary>Lays it.</summary>
     /// <param name="profile">Whose.</param>
@@ -72,7 +72,7 @@ internal static class GroundClearance
 
             Vector3 lever = point - pose.Model.Positions[chain[0]];
             lever.Y = 0f;
-            float reach = Math.Max(Vec.Length(lever), LeastLever * length);
+            float reach = Math.Max(Vec.Length(lever), MinLever * length);
             Vector3 axis = Vec.Normalize(Vec.Cross(lever, Vector3.UnitY), Vector3.UnitX);
             Quaternion turn = Rotation.FromAxisAngle(axis, Math.Min(sunk / reach, MaxBend) / chain.Length);
             foreach (int joint in chain)

@@ -14,7 +14,7 @@ internal sealed class Leap
     private const float PushForce = 3.6f;
     private const float UsualMass = 30f;
     private const double ForcePower = -0.18;
-    private const float LeastForce = 1.15f;
+    private const float MinForce = 1.15f;
     private const float GreatestForce = 4.5f;
 
     /// <summary>Way of the push, leg lengths.</summary>
@@ -38,7 +38,7 @@ internal sealed class Leap
     private const float Spare = 1.03f;
 
     /// <summary>Least height of a jump, leg lengths.</summary>
-    private const float LeastHeight = 0.12f;
+    private const float MinHeight = 0.12f;
 
     private readonly LeggedBody body;
     private readonly FallProfile profile;
@@ -72,7 +72,7 @@ internal sealed class Leap
             return default;
         }
 
-        float force = (float)Scalar.Clamp(PushForce * PortableMath.Pow(mass / UsualMass, ForcePower), LeastForce, GreatestForce);
+        float force = (float)Scalar.Clamp(PushForce * PortableMath.Pow(mass / UsualMass, ForcePower), MinForce, GreatestForce);
         float squared = 2f * gravity * (force - 1f) * PushWay * body.LegLength * scale;
         float borne = Landable * profile.BorneSpeed;
         squared = Math.Min(squared, borne * borne * gravity * body.LegLength * scale);
@@ -102,7 +102,7 @@ internal sealed class Leap
         // At the angle of the least speed, but no lower than a jump is.
         float velocity = Math.Min(reach.Speed, Spare * (float)Math.Sqrt(least));
         float slope = distance > 1e-4f ? ((velocity * velocity) + (float)Math.Sqrt(Math.Max((velocity * velocity * velocity * velocity) - (settings.Gravity * ((settings.Gravity * distance * distance) + (2f * height * velocity * velocity))), 0f))) / (settings.Gravity * distance) : 1e4f;
-        float lowest = (float)Math.Sqrt(2f * settings.Gravity * (Math.Max(height, 0f) + (LeastHeight * body.LegLength * place.Scale)));
+        float lowest = (float)Math.Sqrt(2f * settings.Gravity * (Math.Max(height, 0f) + (MinHeight * body.LegLength * place.Scale)));
         upward = Math.Max(velocity * slope / (float)Math.Sqrt(1f + (slope * slope)), Math.Min(lowest, reach.Speed));
         target = to;
         elapsed = 0f;

@@ -15,7 +15,7 @@ internal sealed class Reel
 
     /// <summary>Speed with which a trunk tips for a change of the body's speed of √(gℓ), 1/τ, and its greatest.</summary>
     private const float TipRate = 2f;
-    private const float MostRate = 1.2f;
+    private const float MaxRate = 1.2f;
 
     /// <summary>How far it gives at the knees, leg lengths for each radian that it is tipped.</summary>
     private const float Give = 0.35f;
@@ -45,7 +45,7 @@ internal sealed class Reel
     {
         // To the left its right side comes up, ahead its tail.
         rate += new Vector3(-change.X, 0f, -change.Z) * (TipRate / tau);
-        rate *= Math.Min(1f, MostRate / tau / Math.Max(Vec.Length(rate), 1e-6f));
+        rate *= Math.Min(1f, MaxRate / tau / Math.Max(Vec.Length(rate), 1e-6f));
         IsActive = true;
     }
 

@@ -22,19 +22,19 @@ public sealed record CrossingReport(SurfaceCrossings Rest, SurfaceCrossings Leve
 public static class CrossingTrial
 {
     /// <summary>Poses of a clip at most.</summary>
-    public const int MostPoses = 256;
+    public const int MaxPoses = 256;
 
     /// <summary>Looks at a creature.</summary>
     /// <param name="creature">The creature.</param>
-    /// <param name="poses">Poses of each clip, evenly spread over its time, 0..<see cref="MostPoses"/>.</param>
+    /// <param name="poses">Poses of each clip, evenly spread over its time, 0..<see cref="MaxPoses"/>.</param>
     /// <exception cref="ArgumentNullException">There is no creature.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The number of poses is out of its range.</exception>
     public static CrossingReport Run(Creature creature, int poses)
     {
         _ = creature ?? throw new ArgumentNullException(nameof(creature));
-        if (poses < 0 || poses > MostPoses)
+        if (poses < 0 || poses > MaxPoses)
         {
-            throw new ArgumentOutOfRangeException(nameof(poses), poses, FormattableString.Invariant($"expected 0..{MostPoses}"));
+            throw new ArgumentOutOfRangeException(nameof(poses), poses, FormattableString.Invariant($"expected 0..{MaxPoses}"));
         }
 
         CreatureMesh mesh = creature.Mesh;

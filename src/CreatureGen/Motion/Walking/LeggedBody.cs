@@ -242,7 +242,7 @@ internal sealed class LeggedBody
     public IdleRhythm Idle { get; }
 
     /// <summary>The share of the usual shift of its weight that it makes as it stands, 0..1: found once, before the body is in use.</summary>
-    public float ShiftShare { get; set; } = 1f;
+    public float ShiftWeight { get; set; } = 1f;
 
     /// <summary>Wings that it holds away from its body as it waddles.</summary>
     public LimbChain[] Flippers { get; }

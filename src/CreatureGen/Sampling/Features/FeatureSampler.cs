@@ -18,7 +18,7 @@ internal static class FeatureSampler
 
     // How a part that dips into the ground on its way to the tip is cut.
     private const double Shortening = 0.85;
-    private const int MostCuts = 12;
+    private const int MaxCuts = 12;
 
     /// <summary>Last ring of the nape.</summary>
     private const int NeckRing = 16;
@@ -98,7 +98,7 @@ internal static class FeatureSampler
             foreach (PartPreset preset in choice.Parts)
             {
                 FeatureBlueprint part = preset.Part;
-                double factor = Maths.Scalar.Lerp(preset.Least, preset.Most, size) * (part.Ring < 16 ? head : 1);
+                double factor = Maths.Scalar.Lerp(preset.Min, preset.Max, size) * (part.Ring < 16 ? head : 1);
                 builder.Features.Add(OffGround(builder, part with { Length = part.Length * factor, Radius = part.Radius * Math.Sqrt(factor) }));
             }
         }
@@ -139,7 +139,7 @@ internal static class FeatureSampler
         double least = Clearance + (2 * part.Radius) + (Uncertain * part.Length);
         double missing = least - root - (part.Length * ((rise / size) + part.BendUp));
         part = missing > 0 ? part with { BendUp = Math.Min(3, part.BendUp + (missing / part.Length)) } : part;
-        for (int cut = 0; cut < MostCuts && root + (part.Length * Dip(rise / size, part.BendUp)) < least; cut++)
+        for (int cut = 0; cut < MaxCuts && root + (part.Length * Dip(rise / size, part.BendUp)) < least; cut++)
         {
             part = part with { Length = Shortening * part.Length };
         }

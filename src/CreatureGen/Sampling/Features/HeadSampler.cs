@@ -17,7 +17,7 @@ internal static class HeadSampler
     private const double JawClearance = 0.05;
 
     /// <summary>A mouth that is open no further shows no teeth, radians.</summary>
-    public const double LeastToothed = 0.05;
+    public const double MinToothed = 0.05;
 
     // Largest eyes of strange creatures, relative to those of the animal whose head it is: on a body of its own, and on one of another.
     private const double OwnEyes = 0.85;
@@ -147,7 +147,7 @@ internal static class HeadSampler
         SpeciesProfile species = builder.Parents.Head;
         (double opening, bool toothed) = Gape(builder);
         opening = species.MouthCorner == 0 ? 0 : Math.Min(opening, WidestOpening(builder));
-        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > LeastToothed ? species.ToothLength : 0, species.MouthCorner == 0 ? TongueStyle.None : species.Tongue);
+        return new MouthBlueprint(species.MouthCorner, opening, smile, toothed && opening > MinToothed ? species.ToothLength : 0, species.MouthCorner == 0 ? TongueStyle.None : species.Tongue);
     }
 
     private static (double Opening, bool Toothed) Gape(CreatureBuilder builder)

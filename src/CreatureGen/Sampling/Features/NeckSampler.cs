@@ -19,10 +19,10 @@ internal static class NeckSampler
 
     // How hair that is too long is cut.
     private const double Shortening = 0.88;
-    private const int MostCuts = 20;
+    private const int MaxCuts = 20;
 
     /// <summary>Hair that would have to be cut shorter than this is left out, metres.</summary>
-    private const double LeastHair = 0.02;
+    private const double MinHair = 0.02;
 
     /// <summary>Places along a collar that are held against the ground.</summary>
     private const int FrillSteps = 12;
@@ -64,12 +64,12 @@ internal static class NeckSampler
     /// <summary>Adds hair; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
     public static void Add(CreatureBuilder builder, in ManePreset preset, double size)
     {
-        double factor = Scalar.Lerp(preset.Least, preset.Most, size);
+        double factor = Scalar.Lerp(preset.Min, preset.Max, size);
         double unit = builder.HalfDepth(19);
         foreach (ManeBlueprint mane in preset.Fields)
         {
             ManeBlueprint cut = OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit });
-            if (cut.Length >= LeastHair && !LiesUnder(builder, cut))
+            if (cut.Length >= MinHair && !LiesUnder(builder, cut))
             {
                 builder.Manes.Add(cut);
             }
@@ -80,7 +80,7 @@ internal static class NeckSampler
     public static void Add(CreatureBuilder builder, in FrillPreset preset, double size)
     {
         double unit = Math.Min(builder.Shape.Width[13], WidestCollared * builder.HalfDepth(13));
-        builder.Frills.Add(OffGround(builder, preset.Frill with { Length = preset.Frill.Length * Scalar.Lerp(preset.Least, preset.Most, size) * unit, Thickness = preset.Frill.Thickness * unit }));
+        builder.Frills.Add(OffGround(builder, preset.Frill with { Length = preset.Frill.Length * Scalar.Lerp(preset.Min, preset.Max, size) * unit, Thickness = preset.Frill.Thickness * unit }));
     }
 
     /// <summary>Hair of what stands, shortened until what hangs from its tail or its throat clears the ground.</summary>
@@ -91,7 +91,7 @@ internal static class NeckSampler
             return mane;
         }
 
-        for (int attempt = 0; attempt < MostCuts && !Clears(builder.Shape, mane); attempt++)
+        for (int attempt = 0; attempt < MaxCuts && !Clears(builder.Shape, mane); attempt++)
         {
             mane = mane with { Length = Shortening * mane.Length };
         }

@@ -161,7 +161,7 @@ internal sealed class IndividualBody
             return true;
         }
 
-        bool bites = type.Head.Mouth.Teeth == 0 || HeadSampler.WidestOpening(builder) >= Math.Min(type.Head.Mouth.Opening, HeadSampler.LeastToothed);
+        bool bites = type.Head.Mouth.Teeth == 0 || HeadSampler.WidestOpening(builder) >= Math.Min(type.Head.Mouth.Opening, HeadSampler.MinToothed);
         return bites && FeatureSampler.TailClears(builder, type.Features);
     }
 }

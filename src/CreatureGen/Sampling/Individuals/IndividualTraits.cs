@@ -15,7 +15,7 @@ internal sealed record IndividualTraits
     private const double Grown = 0.65;
 
     /// <summary>The oldest of the young.</summary>
-    private const double LeastYouth = 0.35;
+    private const double MinYouth = 0.35;
 
     private IndividualTraits(Seed seed) => Seed = seed;
 
@@ -75,7 +75,7 @@ internal sealed record IndividualTraits
     {
         Seed seed = species.Child("individual").Child(unchecked((int)(individual >> 32))).Child(unchecked((int)individual));
         double age = seed.Child("age").Stream().Uniform();
-        double youth = age < Grown ? 0 : Scalar.Lerp(LeastYouth, 1, (age - Grown) / (1 - Grown));
+        double youth = age < Grown ? 0 : Scalar.Lerp(MinYouth, 1, (age - Grown) / (1 - Grown));
         RandomStream size = seed.Child("size").Stream();
         double share = size.Uniform(0.05, 0.2);
         double adult = size.Chance(0.5) ? 1 + share : 1 - share;

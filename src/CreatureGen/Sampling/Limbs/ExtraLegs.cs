@@ -10,7 +10,7 @@ namespace CreatureGen.Sampling.Limbs;
 internal static class ExtraLegs
 {
     /// <summary>Most pairs of legs under a body that has room for them.</summary>
-    public const int Most = 4;
+    public const int Max = 4;
 
     /// <summary>Probability at full strangeness.</summary>
     private const double Chance = 0.3;
@@ -25,7 +25,7 @@ internal static class ExtraLegs
     public static bool Suits(BodyPlan plan) => plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Sprawling;
 
     /// <summary>How many pairs a creature is to stand on beyond two.</summary>
-    public static int PairsOf(CreatureBuilder builder) => Math.Max(0, Math.Min(Wanted(builder), builder.MostLegPairs - 2));
+    public static int PairsOf(CreatureBuilder builder) => Math.Max(0, Math.Min(Wanted(builder), builder.MaxLegPairs - 2));
 
     /// <summary>Factor on the length of the middle of the torso.</summary>
     public static double LengthOf(CreatureBuilder builder) => 1 + (Room * Wanted(builder));
@@ -37,7 +37,7 @@ internal static class ExtraLegs
         bool extra = random.Chance(Chance * builder.Strangeness);
         int pairs = 2 + (random.Chance(Eight) ? 2 : 1);
         bool fits = builder.Kind == LocomotionKind.Walking && Suits(builder.Plan) && builder.Parents.Legs.Legs is null && builder.Parents.Legs.Bird is null;
-        return fits ? Math.Min(Math.Max(builder.LeastLegPairs, extra ? pairs : 2), Most) - 2 : 0;
+        return fits ? Math.Min(Math.Max(builder.MinLegPairs, extra ? pairs : 2), Max) - 2 : 0;
     }
 
     /// <summary>The places of a set with further pairs between its first and its last.</summary>

@@ -13,7 +13,7 @@ namespace CreatureGen.Sampling.Limbs;
 internal static class FinSampler
 {
     /// <summary>Greatest depth of a fin, relative to its length.</summary>
-    private const double MostWidth = 1.6;
+    private const double MaxWidth = 1.6;
 
     /// <summary>Depth of a paddle that is as deep as the plan says, relative to its length.</summary>
     private const double PaddleWidth = 0.5;
@@ -62,7 +62,7 @@ internal static class FinSampler
                     _ => front ? (0.34, 0.55) : (0.2, 0.55),
                 };
                 double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, length * LengthOf(fin.Style) * fin.Scale.X, Math.Min(MostWidth, width * slender * fin.Scale.Z), drop, sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, length * LengthOf(fin.Style) * fin.Scale.X, Math.Min(MaxWidth, width * slender * fin.Scale.Z), drop, sweep));
             }
             else
             {

@@ -17,7 +17,7 @@ internal static class FlierLegs
     private const int ThoraxEnd = 34;
 
     /// <summary>Least height of the belly above the ground, relative to the torso.</summary>
-    private const double LeastClearance = 0.08;
+    private const double MinClearance = 0.08;
 
     /// <summary>How far the foot of a leg that hangs trails behind, in lengths of the leg.</summary>
     private const double HangingShear = -0.15;
@@ -26,7 +26,7 @@ internal static class FlierLegs
     private const double FeetAhead = 0.15;
 
     /// <summary>How far a body is pitched at a time to stand, degrees: more would change how it flies.</summary>
-    private const double MostPitch = 4;
+    private const double MaxPitch = 4;
 
     /// <summary>By which part of the feet's hull a flier's centre of mass is to lie inside it: that of spread wings is estimated, the less surely the stranger the body and the more pairs there are.</summary>
     private const double SafeMargin = 0.1;
@@ -35,7 +35,7 @@ internal static class FlierLegs
     private const double SlenderPair = 0.82;
 
     /// <summary>Girth below which feet get smaller with the legs: they would be as long as the body.</summary>
-    private const double LeastFeet = 0.75;
+    private const double MinFeet = 0.75;
 
     /// <summary>Probability at full strangeness of any number of legs.</summary>
     private const double AnyPairs = 0.35;
@@ -72,7 +72,7 @@ internal static class FlierLegs
 
         // Thin legs keep the feet of stout ones: these have as much to carry.
         double girth = builder.Parents.Legs.LegGirth * (pairs == 1 && builder.Parents.Legs.Bird is null ? SlenderPair : 1);
-        double feet = Math.Max(girth, LeastFeet);
+        double feet = Math.Max(girth, MinFeet);
         style = style with { FootSize = style.FootSize / feet };
         anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = insect ? anatomy.Size.Foot / feet : style.FootSize, Toes = insect ? 0 : style.Toes } };
         WingMotion motion = builder.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
@@ -115,7 +115,7 @@ internal static class FlierLegs
     private static void Stand(CreatureBuilder builder, LegStyle style, FlyingPlacement flying, FlierLegAnatomy anatomy)
     {
         (BodyPosture posture, double elevation, double raised, BodyShape shape) = (builder.Posture, builder.Elevation, builder.Raised, builder.Shape);
-        StanceSampler.Lower(builder, Math.Min(MeanTip(flying.Legs), StanceSampler.Lowest(builder.Shape, 20, 44) - (LeastClearance * builder.TorsoLength)));
+        StanceSampler.Lower(builder, Math.Min(MeanTip(flying.Legs), StanceSampler.Lowest(builder.Shape, 20, 44) - (MinClearance * builder.TorsoLength)));
         SocketSet set = SetOf(builder, flying, anatomy);
         if (IsCarried(LegSampler.Settle(builder, _ => set, anatomy.Size)))
         {
@@ -180,7 +180,7 @@ internal static class FlierLegs
         }
 
         double forward = places.Count == 1 ? 0.5 : 0.3;
-        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MostPitch, 1.6, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin * (1 + builder.Strangeness) * Math.Max(1, builder.Wings.Count) };
+        var stance = new StanceLimits(ShortestLeg, 0.45, -0.3, forward, MaxPitch, 1.6, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin * (1 + builder.Strangeness) * Math.Max(1, builder.Wings.Count) };
         return new SocketSet(builder.Plan, places, places.Count, null, stance) { TakesAll = true };
     }
 }

@@ -19,7 +19,7 @@ internal static class OwnLegs
         {
             Slimness = IsJointed(preset.Sites[0].Archetype) ? 1 : style.Slimness,
             FootSize = IsJointed(preset.Sites[0].Archetype) ? 1 : 1.2,
-            Toes = IsJointed(preset.Sites[0].Archetype) ? 0 : random.Integer(preset.Toes.Least, preset.Toes.Most + 1),
+            Toes = IsJointed(preset.Sites[0].Archetype) ? 0 : random.Integer(preset.Toes.Min, preset.Toes.Max + 1),
             ClawLength = preset.Claw,
             KneeRise = preset.KneeRise,
         };
@@ -44,7 +44,7 @@ internal static class OwnLegs
     {
         double reach = CreatureBuilder.Between(builder.Stream("reach"), preset.Reach);
         var places = new List<LimbSocket>();
-        foreach (LegSite site in preset.SitesWithin(builder.LeastLegPairs, builder.MostLegPairs))
+        foreach (LegSite site in preset.SitesWithin(builder.MinLegPairs, builder.MaxLegPairs))
         {
             bool jointed = IsJointed(site.Archetype);
             double girth = preset.Thickness * site.Thickness / (0.5 * measure.At(site.Ring).Thickness);
@@ -103,5 +103,5 @@ internal static class OwnLegs
     private static bool IsJointed(LimbArchetype archetype) => archetype is LimbArchetype.Insect or LimbArchetype.Jumper or LimbArchetype.Raptorial;
 
     /// <summary>Parts of other parents weigh what the estimate does not know.</summary>
-    private static double SafeMargin(CreatureBuilder builder) => Balance.LeastMargin * (1 + (2 * builder.Strangeness));
+    private static double SafeMargin(CreatureBuilder builder) => Balance.MinMargin * (1 + (2 * builder.Strangeness));
 }

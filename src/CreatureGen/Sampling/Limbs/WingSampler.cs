@@ -31,7 +31,7 @@ internal static class WingSampler
         Weights.Of((WingStyle.Feathered, 0.25), (WingStyle.Falcon, 0.2), (WingStyle.Owl, 0.25), (WingStyle.Albatross, 0.15), (WingStyle.Hummingbird, 0.15));
 
     /// <summary>Metres. Wings of a shorter torso are as large as this one's.</summary>
-    public const double LeastTorso = 0.66;
+    public const double MinTorso = 0.66;
 
     /// <summary>Deepest wing, in torsos: a deeper one would hide the body.</summary>
     public const double DeepestWing = 0.66;
@@ -87,7 +87,7 @@ internal static class WingSampler
             {
                 if (builder.Sockets.TryReserve(socket, 0))
                 {
-                    double torso = Math.Max(builder.TorsoLength, LeastTorso);
+                    double torso = Math.Max(builder.TorsoLength, MinTorso);
                     double span = 1.36 * form.Span * wing.Scale.X * torso;
                     double chord = Math.Min(form.Depth * span * random.Uniform(0.9, 1.15), DeepestWing * torso);
                     builder.Wings.Add(new WingBlueprint(style, socket, span, chord, rise, sweep));

@@ -64,7 +64,7 @@ internal static class ParentSampler
 
         // As wide as wings, a body is nothing without its edges.
         double loosened = first.Disc.Sweep != 0 ? 0 : t;
-        double dominant = random.Uniform(Scalar.Lerp(first.Dominance.Least, 0.3, loosened), Scalar.Lerp(first.Dominance.Most, 0.6, loosened));
+        double dominant = random.Uniform(Scalar.Lerp(first.Dominance.Min, 0.3, loosened), Scalar.Lerp(first.Dominance.Max, 0.6, loosened));
         double share = random.Uniform(Scalar.Lerp(0.6, 0.5, t), Scalar.Lerp(0.9, 0.85, t));
         third = Stranger(root.Child("third parent").Stream(), first, second, choice, t) ?? third;
         RandomStream regions = root.Child("regions").Stream();

@@ -8,7 +8,7 @@ namespace CreatureGen.Sampling.Placement;
 internal static class Balance
 {
     /// <summary>The centre of mass must lie inside the feet's hull by this part of the hull's width.</summary>
-    public const double LeastMargin = 0.05;
+    public const double MinMargin = 0.05;
 
     /// <summary>How much further inside than it must be a correction aims.</summary>
     public const double Reserve = 0.01;
@@ -31,7 +31,7 @@ internal static class Balance
     {
         var hull = new SupportHull(feet);
         double margin = hull.Margin(0, centreOfMass.Z);
-        if (margin >= limits.LeastMargin)
+        if (margin >= limits.MinMargin)
         {
             return new BalanceCorrection(BalanceRemedy.None, 0, 0, 1, margin, 0);
         }
@@ -59,7 +59,7 @@ internal static class Balance
 
     private static Standing Stand(SupportHull hull, SagittalPoint centreOfMass, BalanceLimits limits)
     {
-        (double rearmost, double foremost) = hull.Shifts(centreOfMass.Z, limits.LeastMargin + Reserve);
+        (double rearmost, double foremost) = hull.Shifts(centreOfMass.Z, limits.MinMargin + Reserve);
         double shift = Scalar.Clamp(0, rearmost, foremost);
         double allowed = Scalar.Clamp(shift, limits.RearmostShift, limits.ForemostShift);
         if (allowed == shift)
@@ -68,7 +68,7 @@ internal static class Balance
         }
 
         double margin = hull.Margin(0, centreOfMass.Z - allowed);
-        if (margin >= limits.LeastMargin)
+        if (margin >= limits.MinMargin)
         {
             return new Standing(allowed, 0, margin, 0);
         }
@@ -89,7 +89,7 @@ internal static class Balance
         }
 
         margin = hull.Margin(0, centreOfMass.Z + moved - allowed);
-        return new Standing(allowed, bound, margin, margin >= limits.LeastMargin ? 0 : missing + moved);
+        return new Standing(allowed, bound, margin, margin >= limits.MinMargin ? 0 : missing + moved);
     }
 
     /// <summary>A point of the torso after it is pitched up about a pivot.</summary>

@@ -37,5 +37,5 @@ internal sealed record BalanceCorrection(BalanceRemedy Remedy, double Shift, dou
 internal readonly record struct BalanceLimits(double RearmostShift, double ForemostShift, SagittalPoint Pivot, double MaximumPitch, double MaximumFootGrowth)
 {
     /// <summary>By which part of the hull's width the centre of mass must lie inside it.</summary>
-    public double LeastMargin { get; init; } = Balance.LeastMargin;
+    public double MinMargin { get; init; } = Balance.MinMargin;
 }

@@ -21,12 +21,12 @@ internal readonly record struct FinChoice(FinStyle Style, double Weight);
 internal readonly record struct TailChoice(TailStyle Style, double Weight);
 
 /// <summary>A whole number drawn from a range, both ends included.</summary>
-/// <param name="Least">Smallest.</param>
-/// <param name="Most">Largest.</param>
-internal readonly record struct CountRange(int Least, int Most)
+/// <param name="Min">Smallest.</param>
+/// <param name="Max">Largest.</param>
+internal readonly record struct CountRange(int Min, int Max)
 {
     /// <summary>Draws a number, all equally likely.</summary>
-    public int Draw(Seeding.RandomStream stream) => stream.Integer(Least, Most + 1);
+    public int Draw(Seeding.RandomStream stream) => stream.Integer(Min, Max + 1);
 }
 
 /// <summary>The fins that a swimming plan may have.</summary>

@@ -11,7 +11,7 @@ namespace CreatureGen.Sampling.Placement;
 internal static class FlyingRules
 {
     /// <summary>Most pairs of legs.</summary>
-    public const int MostPairs = 8;
+    public const int MaxPairs = 8;
 
     /// <summary>Ring of the anatomical place of flapping wings.</summary>
     public const int WingRing = 27;
@@ -32,7 +32,7 @@ internal static class FlyingRules
     /// <summary>Asks for 0 to 8 pairs of legs, clustered or not, all equally likely.</summary>
     public static FlyingLegs DrawLegs(RandomStream stream)
     {
-        int pairs = stream.Integer(0, MostPairs + 1);
+        int pairs = stream.Integer(0, MaxPairs + 1);
         return new FlyingLegs(pairs, stream.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread);
     }
 
@@ -59,9 +59,9 @@ internal static class FlyingRules
         SocketGrid occupied,
         Seed seed)
     {
-        if (legs.Pairs < 0 || legs.Pairs > MostPairs)
+        if (legs.Pairs < 0 || legs.Pairs > MaxPairs)
         {
-            throw new ArgumentOutOfRangeException(nameof(legs), legs.Pairs, FormattableString.Invariant($"expected 0 to {MostPairs} pairs of legs"));
+            throw new ArgumentOutOfRangeException(nameof(legs), legs.Pairs, FormattableString.Invariant($"expected 0 to {MaxPairs} pairs of legs"));
         }
 
         if (wingPairs < 1 || wingPairs > (motion == WingMotion.Buzzing ? 2 : 1))

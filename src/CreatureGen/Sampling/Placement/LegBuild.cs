@@ -9,7 +9,7 @@ namespace CreatureGen.Sampling.Placement;
 /// shape the leg later, so that a leg that fits here fits there.
 /// </summary>
 /// <param name="Carriage">Whether it stands under the body or out to the side; decides what "unit" means below: the leg's length, or its reach.</param>
-/// <param name="LeastGirth">Smallest radius of the root relative to the unit.</param>
+/// <param name="MinGirth">Smallest radius of the root relative to the unit.</param>
 /// <param name="GreatestGirth">Largest radius of the root relative to the unit.</param>
 /// <param name="SideGirth">Radius of the root around the body relative to that along it.</param>
 /// <param name="SwingDegrees">Largest swing of the hip to the front and to the rear in quick gaits, degrees.</param>
@@ -20,7 +20,7 @@ namespace CreatureGen.Sampling.Placement;
 /// <param name="HalfWidth">Half width of the sole, relative to the same.</param>
 internal sealed record LegBuild(
     LegCarriage Carriage,
-    double LeastGirth,
+    double MinGirth,
     double GreatestGirth,
     double SideGirth,
     double SwingDegrees,

@@ -180,7 +180,7 @@ internal sealed class LegField
 
         // With two and more pairs the hull hangs on the distance of the feet, and larger soles would only cross.
         double growth = feet.Length == 1 ? stance.MaximumFootGrowth : 1;
-        var limits = new BalanceLimits(shifts * rear, shifts * front, new SagittalPoint(y, z), Scalar.Radians(stance.MaximumPitchDegrees), growth) { LeastMargin = stance.BalanceMargin };
+        var limits = new BalanceLimits(shifts * rear, shifts * front, new SagittalPoint(y, z), Scalar.Radians(stance.MaximumPitchDegrees), growth) { MinMargin = stance.BalanceMargin };
         return Balance.Correct(feet, Measure.CentreOfMass, limits);
     }
 }

@@ -11,7 +11,7 @@ internal enum LegGirth
     Nominal,
 
     /// <summary>The least that its built form allows, to make room.</summary>
-    Least,
+    Min,
 }
 
 /// <summary>The size that a leg takes at a place of the body.</summary>
@@ -81,10 +81,10 @@ internal static class LegFitting
         LegBuild build = LegBuild.Of(site.Archetype);
         bool splayed = build.Carriage == LegCarriage.Splayed;
         double unit = splayed ? reach : height - tip;
-        double least = build.LeastGirth * unit;
+        double least = build.MinGirth * unit;
 
         // The socket follows the body, the root's radius also the leg: a thin body's long leg swells over a small socket.
-        double wanted = girth == LegGirth.Least ? least : 0.5 * section.Thickness * site.Girth * size.Girth;
+        double wanted = girth == LegGirth.Min ? least : 0.5 * section.Thickness * site.Girth * size.Girth;
         SocketBlueprint socket = SocketSizing.Size(
             site.Ring,
             site.Segment,

@@ -22,5 +22,5 @@ internal sealed record StanceLimits(
     BodyPlan FewerPlan)
 {
     /// <summary>By which part of the width of the feet's hull the centre of mass must lie inside it: more where the rules know the weight less well.</summary>
-    public double BalanceMargin { get; init; } = Balance.LeastMargin;
+    public double BalanceMargin { get; init; } = Balance.MinMargin;
 }

@@ -16,8 +16,8 @@ internal static class SwimmingRules
     /// <summary>Last ring that a fin on the midline may cover: the tail fin lies behind it.</summary>
     public const int MidlineLastRing = 47;
 
-    private const int LeastRows = 4;
-    private const int MostRows = 22;
+    private const int MinRows = 4;
+    private const int MaxRows = 22;
     private const int PectoralRows = 4;
     private const int PectoralColumns = 2;
     private const int Pad = 1;
@@ -112,7 +112,7 @@ internal static class SwimmingRules
         return free;
     }
 
-    private static int Even(double rows) => Math.Max(LeastRows, Math.Min(MostRows, 2 * (int)Math.Round(0.5 * rows, MidpointRounding.ToEven)));
+    private static int Even(double rows) => Math.Max(MinRows, Math.Min(MaxRows, 2 * (int)Math.Round(0.5 * rows, MidpointRounding.ToEven)));
 
     private static int Draw<T>(RandomStream stream, IReadOnlyList<T> choices, Func<T, double> weight)
     {

@@ -52,7 +52,7 @@ internal static class WalkingRules
         Attempt best = Choose(measure, set, sockets, size, LegGirth.Nominal, 0, LegRules.Choose);
         if (best.Score > 0)
         {
-            best = Better(best, Choose(measure, set, sockets, size, LegGirth.Least, 0, LegRules.Choose));
+            best = Better(best, Choose(measure, set, sockets, size, LegGirth.Min, 0, LegRules.Choose));
         }
 
         if (best.Score > 0 && set.MinimumPairs <= 1)
@@ -62,7 +62,7 @@ internal static class WalkingRules
 
         for (int step = 1; step <= LoweringSteps && best.Chosen.Count < set.MinimumPairs; step++)
         {
-            Attempt lower = Choose(measure, set, sockets, size, LegGirth.Least, -LoweringStep * step * Math.Max(0, measure.BodyHeight), LegRules.Choose);
+            Attempt lower = Choose(measure, set, sockets, size, LegGirth.Min, -LoweringStep * step * Math.Max(0, measure.BodyHeight), LegRules.Choose);
             best = Better(best, lower);
         }
 

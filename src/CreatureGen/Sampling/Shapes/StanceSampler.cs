@@ -37,10 +37,10 @@ internal static class StanceSampler
     private const double HangingFan = 0.6;
 
     /// <summary>Least size of a head that is made smaller, and least length of a neck.</summary>
-    private const double LeastHead = 0.6;
+    private const double MinHead = 0.6;
 
     /// <summary>Least length and girth of a tail that is made smaller.</summary>
-    private const double LeastTail = 0.45;
+    private const double MinTail = 0.45;
 
     /// <summary>Factor on what is made lighter.</summary>
     private const double Lighter = 0.93;
@@ -82,7 +82,7 @@ internal static class StanceSampler
         for (int attempt = 0; attempt < Attempts && builder.Plan == BodyPlan.Legless && IsFrontHeavy(builder.Shape); attempt++)
         {
             // No rearing carries this head: it is too large.
-            builder.Proportions = builder.Proportions with { Head = Math.Max(0.94 * builder.Proportions.Head, LeastHead) };
+            builder.Proportions = builder.Proportions with { Head = Math.Max(0.94 * builder.Proportions.Head, MinHead) };
             Measure(builder);
             Place(builder, draw);
         }
@@ -181,8 +181,8 @@ internal static class StanceSampler
     {
         BodyProportions p = builder.Proportions;
         builder.Proportions = overhang > 0
-            ? p with { Head = Math.Max(Lighter * p.Head, Math.Min(p.Head, LeastHead)), Neck = Math.Max(Lighter * p.Neck, Math.Min(p.Neck, LeastHead)) }
-            : p with { Tail = Math.Max(Lighter * p.Tail, Math.Min(p.Tail, LeastTail)), TailGirth = Math.Max(Lighter * p.TailGirth, Math.Min(p.TailGirth, LeastTail)) };
+            ? p with { Head = Math.Max(Lighter * p.Head, Math.Min(p.Head, MinHead)), Neck = Math.Max(Lighter * p.Neck, Math.Min(p.Neck, MinHead)) }
+            : p with { Tail = Math.Max(Lighter * p.Tail, Math.Min(p.Tail, MinTail)), TailGirth = Math.Max(Lighter * p.TailGirth, Math.Min(p.TailGirth, MinTail)) };
         builder.Posture = builder.Drawn;
         builder.Raised = 0;
         Settle(builder);
@@ -235,7 +235,7 @@ internal static class StanceSampler
         {
             (min, max) = bird.HipHeight;
         }
-        else if (builder.Parents.Legs.HipHeight is (double Least, double Most) own)
+        else if (builder.Parents.Legs.HipHeight is (double Min, double Max) own)
         {
             (min, max) = own;
         }
@@ -244,7 +244,7 @@ internal static class StanceSampler
         if (builder.Kind != LocomotionKind.Swimming && builder.Parents.Legs.Legs is LegPreset preset)
         {
             builder.HipHeight = hip;
-            double height = Scalar.Lerp(preset.Height.Least, preset.Height.Most, draw);
+            double height = Scalar.Lerp(preset.Height.Min, preset.Height.Max, draw);
             builder.Elevation = Math.Max(height - lowest, 0.03 - Lowest(s, 23, 55));
             builder.Shape = ShapeOf(builder);
             return;

@@ -233,7 +233,7 @@ internal sealed class HumanoidFile
         ["output"] = Add(Bytes(values), values.Length / (type == "VEC3" ? 3 : 4), type, 5126),
     };
 
-    private int Add(byte[] bytes, int count, string type, int component, bool normalised = false, (float Least, float Most)? bounds = null)
+    private int Add(byte[] bytes, int count, string type, int component, bool normalised = false, (float Min, float Max)? bounds = null)
     {
         views.Add(new JsonObject { ["buffer"] = 0, ["byteOffset"] = binary.Length, ["byteLength"] = bytes.Length });
         var accessor = new JsonObject { ["bufferView"] = views.Count - 1, ["componentType"] = component, ["count"] = count, ["type"] = type };

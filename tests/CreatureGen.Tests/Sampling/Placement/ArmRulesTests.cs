@@ -106,7 +106,7 @@ public sealed class ArmRulesTests
         return rings;
     }
 
-    private static List<LegPlacement> Legs(int ring) => new() { LegFitting.Stand(Body, Socket(ring), LegSize.Nominal, LegGirth.Least) };
+    private static List<LegPlacement> Legs(int ring) => new() { LegFitting.Stand(Body, Socket(ring), LegSize.Nominal, LegGirth.Min) };
 
     private static LimbSocket Socket(int ring) => new(ring, 8, LimbArchetype.Theropod, 0.2, 0, 0, SocketBounds.Insect);
 

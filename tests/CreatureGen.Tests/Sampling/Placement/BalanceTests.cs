@@ -87,7 +87,7 @@ public sealed class BalanceTests
         BalanceCorrection correction = Balance.Correct(new[] { Foot }, new SagittalPoint(1, 0.5), Stiff with { ForemostShift = 0.4 });
         Assert.Equal(BalanceRemedy.ShiftFeet, correction.Remedy);
         Assert.Equal(0.5 - 0.276, correction.Shift, 12);
-        Assert.Equal(Balance.LeastMargin + Balance.Reserve, correction.Margin, 9);
+        Assert.Equal(Balance.MinMargin + Balance.Reserve, correction.Margin, 9);
     }
 
     [Fact]
@@ -109,8 +109,8 @@ public sealed class BalanceTests
         Assert.InRange(correction.Pitch, 0.05, 0.6);
         SagittalPoint pitched = Balance.Pitched(mass, pivot, correction.Pitch);
         Assert.Equal(0.376, pitched.Z, 9);
-        Assert.Equal(Balance.LeastMargin + Balance.Reserve, Balance.Margin(new[] { Foot.Shifted(0.1) }, pitched), 9);
-        Assert.Equal(Balance.LeastMargin + Balance.Reserve, correction.Margin, 9);
+        Assert.Equal(Balance.MinMargin + Balance.Reserve, Balance.Margin(new[] { Foot.Shifted(0.1) }, pitched), 9);
+        Assert.Equal(Balance.MinMargin + Balance.Reserve, correction.Margin, 9);
     }
 
     [Fact]
@@ -127,8 +127,8 @@ public sealed class BalanceTests
         BalanceCorrection correction = Balance.Correct(new[] { Foot }, new SagittalPoint(1, 0.32), Stiff with { MaximumFootGrowth = 1.6 });
         Assert.Equal(BalanceRemedy.GrowFeet, correction.Remedy);
         Assert.InRange(correction.FootGrowth, 1.05, 1.6);
-        Assert.True(Balance.Margin(new[] { Foot.Grown(correction.FootGrowth) }, new SagittalPoint(1, 0.32)) >= Balance.LeastMargin);
-        Assert.False(Balance.Margin(new[] { Foot.Grown(correction.FootGrowth - 0.05) }, new SagittalPoint(1, 0.32)) >= Balance.LeastMargin + Balance.Reserve);
+        Assert.True(Balance.Margin(new[] { Foot.Grown(correction.FootGrowth) }, new SagittalPoint(1, 0.32)) >= Balance.MinMargin);
+        Assert.False(Balance.Margin(new[] { Foot.Grown(correction.FootGrowth - 0.05) }, new SagittalPoint(1, 0.32)) >= Balance.MinMargin + Balance.Reserve);
     }
 
     [Theory]
@@ -139,7 +139,7 @@ public sealed class BalanceTests
         BalanceCorrection correction = Balance.Correct(new[] { Foot }, new SagittalPoint(1, z), new BalanceLimits(-0.1, 0.1, new SagittalPoint(1, 0), 0.1, 1.6));
         Assert.Equal(BalanceRemedy.AddPairOrTail, correction.Remedy);
         Assert.Equal(side, Math.Sign(correction.Overhang));
-        Assert.True(correction.Margin < Balance.LeastMargin);
+        Assert.True(correction.Margin < Balance.MinMargin);
     }
 
     [Fact]
@@ -178,7 +178,7 @@ public sealed class BalanceTests
 
             double margin = Balance.Margin(corrected, Balance.Pitched(mass, limits.Pivot, correction.Pitch));
             Assert.Equal(margin, correction.Margin, 9);
-            Assert.Equal(correction.Remedy == BalanceRemedy.AddPairOrTail, margin < Balance.LeastMargin - 1e-9);
+            Assert.Equal(correction.Remedy == BalanceRemedy.AddPairOrTail, margin < Balance.MinMargin - 1e-9);
         }
     }
 

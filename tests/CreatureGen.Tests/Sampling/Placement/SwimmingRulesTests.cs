@@ -83,7 +83,7 @@ public sealed class SwimmingRulesTests
             {
                 FinAnatomy anatomy = FinAnatomy.Of(plan);
                 List<FinPlacement> fins = Fins(anatomy, seed, FinPlace.Pectoral);
-                Assert.InRange(fins.Count, anatomy.Pectorals.Least, anatomy.Pectorals.Most);
+                Assert.InRange(fins.Count, anatomy.Pectorals.Min, anatomy.Pectorals.Max);
                 Assert.All(fins, fin => Assert.Contains(anatomy.Flanks, site => SocketSizing.Centre(site.Ring, site.Segment, 4, 2) == fin.Socket));
             }
 

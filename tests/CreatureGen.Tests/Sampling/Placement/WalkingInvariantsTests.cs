@@ -76,9 +76,9 @@ public sealed class WalkingInvariantsTests
             SagittalPoint mass = Balance.Pitched(measure.Raised(placement.RaiseBody).CentreOfMass, new SagittalPoint(y, z), placement.Balance!.Pitch);
             double margin = Balance.Margin(feet, mass);
             Assert.Equal(margin, placement.Balance.Margin, 6);
-            Assert.Equal(placement.Balance.Remedy != BalanceRemedy.AddPairOrTail, margin >= Balance.LeastMargin - 1e-9);
+            Assert.Equal(placement.Balance.Remedy != BalanceRemedy.AddPairOrTail, margin >= Balance.MinMargin - 1e-9);
             Assert.Equal(placement.Balance.Remedy == BalanceRemedy.AddPairOrTail, placement.Balance.Overhang != 0);
-            balanced += margin >= Balance.LeastMargin - 1e-9 ? 1 : 0;
+            balanced += margin >= Balance.MinMargin - 1e-9 ? 1 : 0;
             lacking += placement.Balance.Remedy == BalanceRemedy.AddPairOrTail ? 1 : 0;
         }
 

@@ -31,7 +31,7 @@ public sealed class WalkingRulesTests
 
         WalkingPlacement placement = Spines.Place(measure, set);
         Assert.Equal(WalkingRule.Counterweight, placement.Rule);
-        Assert.Equal(LegGirth.Least, placement.Girth);
+        Assert.Equal(LegGirth.Min, placement.Girth);
         Assert.Equal(2, placement.Legs.Count);
         Assert.True(placement.Balance!.Remedy <= BalanceRemedy.ShiftFeet);
     }

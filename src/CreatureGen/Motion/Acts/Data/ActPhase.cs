@@ -45,7 +45,7 @@ public sealed class ActPhase
     public ActEase Ease { get; }
 
     /// <summary>Seconds that it takes at least, however small the creature: what a player has to see needs 0.18.</summary>
-    public float LeastSeconds { get; private set; }
+    public float MinSeconds { get; private set; }
 
     /// <summary>Whether it goes on until the animator is told to go on.</summary>
     public bool Lasts { get; private set; }
@@ -99,7 +99,7 @@ public sealed class ActPhase
     {
         Finite.RequireWithin(seconds, 0f, 60f, nameof(seconds));
         ActPhase copy = Copy(ends, waves);
-        copy.LeastSeconds = seconds;
+        copy.MinSeconds = seconds;
         return copy;
     }
 
@@ -123,5 +123,5 @@ public sealed class ActPhase
     }
 
     private ActPhase Copy((ActChannel Channel, float Value)[] newEnds, ActWave[] newWaves) =>
-        new(Name, Duration, Ease, newEnds, newWaves) { LeastSeconds = LeastSeconds, Lasts = Lasts, Mark = Mark };
+        new(Name, Duration, Ease, newEnds, newWaves) { MinSeconds = MinSeconds, Lasts = Lasts, Mark = Mark };
 }

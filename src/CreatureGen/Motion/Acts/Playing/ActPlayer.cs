@@ -17,13 +17,13 @@ internal sealed class ActPlayer
     /// <summary>What counts as nothing.</summary>
     private const float Nothing = 1e-4f;
 
-    private const int MostMarks = 16;
+    private const int MaxMarks = 16;
 
     private readonly float[] played = new float[Act.ChannelCount];
     private readonly float[] before = new float[Act.ChannelCount];
     private readonly float[] left = new float[Act.ChannelCount];
     private readonly float[] leaving = new float[Act.ChannelCount];
-    private readonly (Act Act, ActMark Mark, float SecondsAgo)[] marks = new (Act, ActMark, float)[MostMarks];
+    private readonly (Act Act, ActMark Mark, float SecondsAgo)[] marks = new (Act, ActMark, float)[MaxMarks];
     private int markCount;
     private int phase;
     private double into;
@@ -154,7 +154,7 @@ internal sealed class ActPlayer
     public void ClearMarks() => markCount = 0;
 
     /// <summary>Seconds from the beginning to the end of a phase, at a body's time unit.</summary>
-    public static float SecondsOf(ActPhase phase, float timeUnit) => Math.Max(phase.Duration * timeUnit, phase.LeastSeconds);
+    public static float SecondsOf(ActPhase phase, float timeUnit) => Math.Max(phase.Duration * timeUnit, phase.MinSeconds);
 
     /// <summary>Seconds from the beginning of an act to the end of each of its phases.</summary>
     public static float[] EndsOf(Act act, float timeUnit)

@@ -12,7 +12,7 @@ internal sealed class Performer
 {
     /// <summary>How often neck and tail are raised off the ground, and by how much at most, radians.</summary>
     private const int ClearingRounds = 3;
-    private const float MostCleared = 0.5f;
+    private const float MaxCleared = 0.5f;
 
     /// <summary>How quickly what a standing creature does by itself gives way to an act, per second, and what counts as none.</summary>
     private const float StillRate = 9f;
@@ -232,7 +232,7 @@ internal sealed class Performer
     {
         for (int round = 0; round < ClearingRounds && skin.Swing(ground, model.Positions[shoulder], model) is > 0f and float swing; round++)
         {
-            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(-Math.Min(swing, MostCleared)), local);
+            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(-Math.Min(swing, MaxCleared)), local);
             Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
         }
     }
@@ -248,7 +248,7 @@ internal sealed class Performer
                 return;
             }
 
-            chain.Turn(body.Turns, 0f, sign * Math.Min(raise, MostCleared), 0f, 0, local);
+            chain.Turn(body.Turns, 0f, sign * Math.Min(raise, MaxCleared), 0f, 0, local);
             Toolkit.Subtree.LocalToModel(body.Skeleton, chain.Joints[0], local, model);
         }
     }

@@ -21,8 +21,8 @@ internal static class PointReach
     private const int Rounds = 9;
 
     /// <summary>Part of the turn to the target that a joint makes at a time; in the last rounds nearly all of it.</summary>
-    private const float Share = 0.45f;
-    private const float LastShare = 0.95f;
+    private const float Fraction = 0.45f;
+    private const float LastFraction = 0.95f;
 
     /// <summary>Brings a head's point to a target, its snout pointing as wanted.</summary>
     /// <param name="body">Whose.</param>
@@ -46,7 +46,7 @@ internal static class PointReach
             {
                 for (int k = 0; k < chain.Length - 1; k++)
                 {
-                    Turn(body.Skeleton, chain, k, model.Positions[head], joint, Share, local, model);
+                    Turn(body.Skeleton, chain, k, model.Positions[head], joint, Fraction, local, model);
                 }
             }
 
@@ -58,7 +58,7 @@ internal static class PointReach
         {
             for (int k = 0; k < chain.Length; k++)
             {
-                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(tool, false, model), target, round < Rounds / 2 ? Share : LastShare, local, model);
+                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(tool, false, model), target, round < Rounds / 2 ? Fraction : LastFraction, local, model);
             }
         }
 
@@ -81,7 +81,7 @@ internal static class PointReach
         {
             for (int k = 0; k < chain.Length; k++)
             {
-                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(aim.Tool, aim.Mirrored, model), target, round < Rounds / 2 ? Share : LastShare, local, model);
+                Turn(body.Skeleton, chain, k, body.Tools.PlaceOf(aim.Tool, aim.Mirrored, model), target, round < Rounds / 2 ? Fraction : LastFraction, local, model);
             }
         }
 

@@ -5,9 +5,9 @@ namespace CreatureGen.Motion.Acts.Playing;
 /// <summary>How far a trunk goes each way without lifting a planted foot: what acts and moods ask beyond is not done; and where its legs fold. Immutable once it is found.</summary>
 internal sealed class TrunkRoom
 {
-    private readonly (ActChannel Channel, float Least, float Most)[] ways;
+    private readonly (ActChannel Channel, float Min, float Max)[] ways;
 
-    public TrunkRoom((ActChannel Channel, float Least, float Most)[] ways, FoldedLegs legs)
+    public TrunkRoom((ActChannel Channel, float Min, float Max)[] ways, FoldedLegs legs)
     {
         this.ways = ways;
         Legs = legs;

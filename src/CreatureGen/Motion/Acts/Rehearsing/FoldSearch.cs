@@ -20,7 +20,7 @@ internal static class FoldSearch
     private const float LastStep = 0.03f;
 
     /// <summary>How far a body comes down at the least, and in which steps, parts of its belly's height; and how deep the skin may be, parts of the body's length.</summary>
-    private const float LeastDown = 0.65f;
+    private const float MinDown = 0.65f;
     private const float DownStep = 0.1f;
     private const float MaxSunk = 0.009f;
 
@@ -79,7 +79,7 @@ internal static class FoldSearch
         values[(int)ActChannel.HindFold] = 1f;
 
         // Legs that do not fold so far carry the body higher.
-        for (float down = 1f; down > LeastDown; down -= DownStep)
+        for (float down = 1f; down > MinDown; down -= DownStep)
         {
             values[(int)ActChannel.ForeDown] = down;
             values[(int)ActChannel.HindDown] = down;
@@ -92,7 +92,7 @@ internal static class FoldSearch
         }
     }
 
-    private static void Find(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Least) manner, float[] values)
+    private static void Find(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Min) manner, float[] values)
     {
         for (int leg = 0; leg < body.Legs!.Legs.Length; leg++)
         {
@@ -105,7 +105,7 @@ internal static class FoldSearch
         }
     }
 
-    private static void Find(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Least) manner, (int Left, int Right) pair, float[] values)
+    private static void Find(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Min) manner, (int Left, int Right) pair, float[] values)
     {
         (int left, int right) = pair;
         LegRig rig = body.Legs!.Legs[left];
@@ -138,7 +138,7 @@ internal static class FoldSearch
             bool Move(int number, float by)
             {
                 float before = now[number];
-                now[number] = Scalar.Clamp(before + by, manner.Least[number], most[number]);
+                now[number] = Scalar.Clamp(before + by, manner.Min[number], most[number]);
                 float tried = Cost(now);
                 if (tried < cost - 1e-4f)
                 {

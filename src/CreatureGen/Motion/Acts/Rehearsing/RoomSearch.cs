@@ -14,7 +14,7 @@ internal static class RoomSearch
     private const int Halvings = 6;
 
     // Farthest that is tried, and whether the other way is the same.
-    private static readonly (ActChannel Channel, float Least, float Most)[] farthest =
+    private static readonly (ActChannel Channel, float Min, float Max)[] farthest =
     {
         (ActChannel.Ahead, -0.5f, 0.5f),
         (ActChannel.Aside, 0f, 0.3f),

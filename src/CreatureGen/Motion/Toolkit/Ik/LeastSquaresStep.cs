@@ -20,7 +20,7 @@ internal static class LeastSquaresStep
     private const float MaxStep = 0.35f;
 
     /// <summary>Least gain of a joint at its limit, which the step may turn back from it.</summary>
-    private const float LeastGain = 0.1f;
+    private const float MinGain = 0.1f;
 
     /// <summary>Takes a step.</summary>
     /// <param name="skeleton">Gives parents and limits.</param>
@@ -60,7 +60,7 @@ internal static class LeastSquaresStep
             Quaternion turned = Rotation.Normalize(Rotation.Multiply(before, Rotation.FromAxisAngle(own / angle, Math.Min(angle, maxTurn))));
             local.Rotations[chain[k]] = SwingTwistLimit.ClampLocal(turned, joint);
             float missed = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(turned), local.Rotations[chain[k]]));
-            gains[k] = Scalar.Clamp(1f - (missed / Math.Min(angle, maxTurn)), LeastGain, 1f);
+            gains[k] = Scalar.Clamp(1f - (missed / Math.Min(angle, maxTurn)), MinGain, 1f);
         }
 
         for (int k = 0; k < chain.Length; k++)

@@ -8,7 +8,7 @@ namespace CreatureGen.Motion.Toolkit;
 public readonly struct RagdollSettings
 {
     /// <summary>s⁻¹: beyond that nothing moves anyway.</summary>
-    private const float MostDamping = 1e4f;
+    private const float MaxDamping = 1e4f;
 
     /// <summary>Sets the material.</summary>
     /// <param name="gravity">World space, m/s²; up to 1 000 along each axis.</param>
@@ -21,7 +21,7 @@ public readonly struct RagdollSettings
     {
         Finite.RequireWithin(gravity, 1000f, nameof(gravity));
         Finite.RequireWithin(jointDamping, 0f, 1e4f, nameof(jointDamping));
-        Finite.RequireWithin(airDamping, 0f, MostDamping, nameof(airDamping));
+        Finite.RequireWithin(airDamping, 0f, MaxDamping, nameof(airDamping));
         Finite.RequireWithin(friction, 0f, 100f, nameof(friction));
         Finite.RequireWithin(tone, 0f, 1e4f, nameof(tone));
         Gravity = gravity;
@@ -35,7 +35,7 @@ public readonly struct RagdollSettings
     public static RagdollSettings Default { get; } = new(new Vector3(0f, -StandardGravity.Acceleration, 0f));
 
     /// <summary>The same with more damping of everything.</summary>
-    internal RagdollSettings Slowed(float damping) => new(Gravity, JointDamping, Math.Min(AirDamping + damping, MostDamping), Friction, Tone);
+    internal RagdollSettings Slowed(float damping) => new(Gravity, JointDamping, Math.Min(AirDamping + damping, MaxDamping), Friction, Tone);
 
     /// <summary>World space, m/s².</summary>
     public Vector3 Gravity { get; }

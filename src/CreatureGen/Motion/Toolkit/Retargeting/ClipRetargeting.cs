@@ -16,7 +16,7 @@ namespace CreatureGen.Motion.Toolkit;
 public static class ClipRetargeting
 {
     /// <summary>How far a foot may stay from where it goes, parts of its leg's length.</summary>
-    private const float MostMissed = 0.05f;
+    private const float MaxMissed = 0.05f;
 
     /// <summary>By how much lower the body is carried at a time if it stays farther, and at most: parts of the longest leg.</summary>
     private const float Lower = 0.02f;
@@ -49,7 +49,7 @@ public static class ClipRetargeting
         var positions = new Vector3[frames * count];
         float scale = map.Scale;
         float drop = 0f;
-        while (Fill(clip, map, scale, drop * LegOf(map), rotations, positions) > MostMissed && scale > Smallest * map.Scale)
+        while (Fill(clip, map, scale, drop * LegOf(map), rotations, positions) > MaxMissed && scale > Smallest * map.Scale)
         {
             (drop, scale) = drop < Lowest ? (drop + Lower, scale) : (drop, scale * Smaller);
         }

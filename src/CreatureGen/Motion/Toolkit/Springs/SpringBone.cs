@@ -43,7 +43,7 @@ internal struct SpringBone
     public float Slowed;
 
     /// <summary>Part of gravity that it feels.</summary>
-    public float GravityShare;
+    public float GravityFraction;
 
     /// <summary>One substep of its spring.</summary>
     public DampedSpring Step;

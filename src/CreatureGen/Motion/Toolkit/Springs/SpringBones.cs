@@ -236,7 +236,7 @@ public static class SpringBones
         float radius = Math.Max(settings.Radius.At(rig.Places[index]), 0f) * scale;
         float width = length * state.Width;
         ref SpringBone bone = ref state.Bones[index];
-        Vector3 push = settings.Gravity * (Substep * bone.GravityShare);
+        Vector3 push = settings.Gravity * (Substep * bone.GravityFraction);
         DampedSpring step = bone.Step;
         for (int k = 0; k < fractions.Length; k++)
         {
@@ -278,7 +278,7 @@ public static class SpringBones
         bone.Shown = moment.Place + tail;
         float fraction = state.Debt / Substep;
         Vector3 goalVelocity = fraction > MinFraction ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
-        Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * (Substep * bone.GravityShare), length * state.Width);
+        Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * (Substep * bone.GravityFraction), length * state.Width);
         velocity = bone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, bone.Slowed) : velocity;
         Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), fraction);
         Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);

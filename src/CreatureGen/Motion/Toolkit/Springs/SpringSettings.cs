@@ -63,7 +63,7 @@ public readonly struct SpringSettings
         MaxSpeed = maxSpeed;
         Drag = drag;
         Wind = wind;
-        GravityShare = gravityShare ?? new ChainCurve(1f);
+        GravityFraction = gravityShare ?? new ChainCurve(1f);
     }
 
     /// <summary>Hz along the chain.</summary>
@@ -103,7 +103,7 @@ public readonly struct SpringSettings
     public ChainCurve Drag { get; }
 
     /// <summary>Part of <see cref="Gravity"/> along the chain.</summary>
-    public ChainCurve GravityShare { get; }
+    public ChainCurve GravityFraction { get; }
 
     /// <summary>World space, m/s.</summary>
     public Vector3 Wind { get; }

@@ -43,7 +43,7 @@ internal static class IdleLife
         double side = ((2 * ease) - 1) * (place < 0.5 ? 1 : -1);
         double spread = body.Rows > 2 ? ManyLegs : body.Legs[0].Lateral ? WideLegs : 1;
         double sway = Wave(place * body.Idle.TailSwings) * TailSwing * (1 - (TailCalm * 0.5 * (1 - side))) * still;
-        double shift = side * spread * still * body.ShiftShare;
+        double shift = side * spread * still * body.ShiftWeight;
         return new IdlePose((float)breath, (float)(ShiftFraction * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway);
     }
 

@@ -41,7 +41,7 @@ internal static class WeightShift
         double seconds = 0;
         foreach (float share in shares)
         {
-            body.ShiftShare = share;
+            body.ShiftWeight = share;
             float slip = 0f;
             foreach (float moment in moments)
             {

@@ -12,7 +12,7 @@ namespace CreatureGen.Motion.Walking.Trunk;
 internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shift, float Lean)
 {
     /// <summary>Most that counts, parts of gravity.</summary>
-    private const float Most = 0.5f;
+    private const float Max = 0.5f;
 
     // Leg lengths for each part of gravity.
     private const float CrouchOfStart = 0.16f;
@@ -34,7 +34,7 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     /// <param name="climb">Rise of the ground along the way: uphill the weight brakes, downhill it speeds up, and what it does the legs need not.</param>
     public static Effort Of(LeggedBody body, float acceleration, float climb)
     {
-        float push = Scalar.Clamp(acceleration < 0f ? Math.Min(acceleration + Math.Max(climb, 0f), 0f) : Math.Max(acceleration + Math.Min(climb, 0f), 0f), -Most, Most);
+        float push = Scalar.Clamp(acceleration < 0f ? Math.Min(acceleration + Math.Max(climb, 0f), 0f) : Math.Max(acceleration + Math.Min(climb, 0f), 0f), -Max, Max);
         float shown = body.LegLength * (body.Legs[0].Lateral ? LateralFraction : body.Subject.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
         return push > 0f
             ? new Effort(CrouchOfStart * push * shown, -RiseOfStart * push * shown, ShiftOfStart * push * shown, LeanOfStart * push)

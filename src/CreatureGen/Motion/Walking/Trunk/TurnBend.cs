@@ -15,7 +15,7 @@ internal struct TurnBend
     private const float ArcFraction = 0.7f;
 
     /// <summary>Most that it bends, radians.</summary>
-    private const float Most = 0.5f;
+    private const float Max = 0.5f;
 
     /// <summary>Part of a walking speed below which an arc is no narrower.</summary>
     private const float SlowestFraction = 0.35f;
@@ -41,6 +41,6 @@ internal struct TurnBend
     {
         float walking = (float)Math.Sqrt(0.12f * gravity * body.LegLength);
         float arc = velocity.Turn / Math.Max(Math.Abs(velocity.Speed), SlowestFraction * walking) * body.TrunkLength;
-        spring.Step(Scalar.Clamp(arc * ArcFraction, -Most, Most), Rate, dt);
+        spring.Step(Scalar.Clamp(arc * ArcFraction, -Max, Max), Rate, dt);
     }
 }
