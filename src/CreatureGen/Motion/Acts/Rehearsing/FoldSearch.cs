@@ -36,8 +36,8 @@ internal static class FoldSearch
     /// <summary>What a foot costs that its ankle does not let turn as it is asked, for each square of a radian: far beyond its limit it would come round from the other side.</summary>
     private const float TurnCost = 0.15f;
 
-    // Ahead, out, up: parts of the leg; toes down, radians. Ways to begin with: where they stand, feet ahead as a sphinx, wrists folded and hooves behind, legs out to the side.
-    private static readonly float[][] beginnings = { new[] { 0f, 0f, 0f, 0f }, new[] { 0.45f, 0f, 0f, 0f }, new[] { -0.4f, 0f, 0.05f, 1.2f }, new[] { 0.15f, 0.4f, 0f, 0.2f } };
+    // Ahead, out, up: parts of the leg; toes down, radians. Ways to begin with: where they stand, feet ahead as a sphinx, far ahead on the heels, wrists folded and hooves behind, legs out to the side.
+    private static readonly float[][] beginnings = { new[] { 0f, 0f, 0f, 0f }, new[] { 0.45f, 0f, 0f, 0f }, new[] { 0.8f, 0.05f, 0.05f, -0.4f }, new[] { -0.4f, 0f, 0.05f, 1.2f }, new[] { 0.15f, 0.4f, 0f, 0.2f } };
     private static readonly float[] least = { -0.9f, -0.2f, 0f, -0.6f };
     private static readonly float[] most = { 0.9f, 0.7f, 0.2f, 1.8f };
 

@@ -135,9 +135,13 @@ internal sealed class LegPoser
             if (foot.Phase == FootPhase.Swing)
             {
                 LegSolver.Raise(leg, parts, chord.Y - foot.Lift, tolerance, ref solved);
-                local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
+            }
+            else
+            {
+                LegSolver.Bend(leg, parts, chord, tolerance, ref solved);
             }
 
+            local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
             foot.Residual = Vec.Distance(EndOf(leg, parts, solved), chord);
         }
 

@@ -45,6 +45,10 @@ internal static class LegSolver
     /// <summary>How much earlier in the middle of the swing.</summary>
     private const float SwingSlack = 0.07f;
 
+    /// <summary>Distance of a target from the knee, in lengths of the shank, from which on a leg whose thigh is held turns its shank to it, and at which it does so all the way.</summary>
+    private const float Near = 0.5f;
+    private const float Far = 0.8f;
+
     /// <summary>Solves a leg.</summary>
     /// <param name="leg">At rest.</param>
     /// <param name="parts">Its parts at rest, or with the metatarsus folded.</param>
@@ -92,6 +96,33 @@ internal static class LegSolver
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
     }
 
+    /// <summary>Bends the knee of a leg whose thigh is held where it is, so that its end comes as near to its target as it can.</summary>
+    /// <param name="leg">At rest.</param>
+    /// <param name="parts">Its parts.</param>
+    /// <param name="target">Where the end should be, from the hip.</param>
+    /// <param name="tolerance">How far the knee may stay beyond its limits, about half the angle in radians.</param>
+    /// <param name="turns">The turns; those of knee and shank are made anew.</param>
+    public static void Bend(LegRig leg, in LegSegments parts, Vector3 target, float tolerance, ref LegRotations turns)
+    {
+        Vector3 n = leg.Hinge;
+        Vector3 aim = Rotation.Rotate(Rotation.Inverse(turns.Thigh), target) - parts.Upper;
+
+        // The shank points to the target: in the plane across the hinge, from its direction at rest.
+        double cos = Vec.Dot(aim, leg.Shank) - (Vec.Dot(aim, n) * Vec.Dot(leg.Shank, n));
+        double sin = Vec.Dot(aim, Vec.Cross(n, leg.Shank));
+        double distance = Math.Sqrt((cos * cos) + (sin * sin));
+        double fraction = Scalar.Smooth((float)((distance / Vec.LengthSquared(leg.Shank)) - Near) / (Far - Near));
+        if (fraction > 0)
+        {
+            // Nearer to the knee than that it would turn about it for the least of ways.
+            double before = (turns.Knee.W * turns.Knee.W) - (turns.KneeHalfSine * turns.KneeHalfSine);
+            cos = Scalar.Lerp(before, cos / distance, fraction);
+            sin = Scalar.Lerp(2d * turns.Knee.W * turns.KneeHalfSine, sin / distance, fraction);
+            double scale = 1d / Math.Sqrt(Math.Max((cos * cos) + (sin * sin), 1e-12));
+            SetKnee(leg, cos * scale, sin * scale, tolerance, ref turns);
+        }
+    }
+
     /// <summary>Bends the knee of a leg whose thigh is held where it is, until its end is as high as asked, or as high as it comes; one that is high enough stays as it is.</summary>
     /// <param name="leg">At rest.</param>
     /// <param name="parts">Its parts.</param>
@@ -117,12 +148,17 @@ internal static class LegSolver
             double side = ((sin * a) - (cos * b) < 0 ? -1d : 1d) * Math.Sqrt((1d - asked) * (1d + asked));
             cos = ((a * asked) - (b * side)) * scale;
             sin = ((b * asked) + (a * side)) * scale;
-            leg.KneeFold.Clamp(ref cos, ref sin, 2f * tolerance);
-            HalfAngle.Of(cos, sin, out double halfCosine, out double halfSine);
-            turns.KneeHalfSine = (float)halfSine;
-            turns.Knee = new Quaternion(n * (float)halfSine, (float)halfCosine);
+            SetKnee(leg, cos, sin, tolerance, ref turns);
         }
+    }
 
+    /// <summary>Turns the knee, within its limits, and the shank with it.</summary>
+    private static void SetKnee(LegRig leg, double cos, double sin, float tolerance, ref LegRotations turns)
+    {
+        leg.KneeFold.Clamp(ref cos, ref sin, 2f * tolerance);
+        HalfAngle.Of(cos, sin, out double halfCosine, out double halfSine);
+        turns.KneeHalfSine = (float)halfSine;
+        turns.Knee = new Quaternion(leg.Hinge * (float)halfSine, (float)halfCosine);
         turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
     }
 
