@@ -257,7 +257,7 @@ internal sealed class MeshReduction
         }
 
         surface.Moved(moved);
-        if (guard != null && (guard.Cross(moved) || (twinFrom != from && guard.CrossImages(moved, twin))))
+        if (guard != null && (guard.Cross(moved, to) || (twinFrom != from && guard.CrossImages(moved, twin))))
         {
             surface.Undo();
             return false;

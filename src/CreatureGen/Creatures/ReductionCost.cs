@@ -131,19 +131,21 @@ internal sealed class ReductionCost
     private static double WeightChange(in SkinWeights a, in SkinWeights b)
     {
         double common = 0;
-        for (int i = 0; i < 4; i++)
-        {
-            float weight = Weight(a, i);
-            for (int k = 0; k < 4 && weight > 0f; k++)
-            {
-                common += Joint(a, i) == Joint(b, k) ? Math.Min(weight, Weight(b, k)) : 0f;
-            }
-        }
-
+        AddCommon(ref common, a.Weights.X, a.Joint0, b);
+        AddCommon(ref common, a.Weights.Y, a.Joint1, b);
+        AddCommon(ref common, a.Weights.Z, a.Joint2, b);
+        AddCommon(ref common, a.Weights.W, a.Joint3, b);
         return 1 - common;
     }
 
-    private static int Joint(in SkinWeights w, int i) => i switch { 0 => w.Joint0, 1 => w.Joint1, 2 => w.Joint2, _ => w.Joint3 };
-
-    private static float Weight(in SkinWeights w, int i) => i switch { 0 => w.Weights.X, 1 => w.Weights.Y, 2 => w.Weights.Z, _ => w.Weights.W };
+    private static void AddCommon(ref double common, float weight, int joint, in SkinWeights b)
+    {
+        if (weight > 0f)
+        {
+            common += joint == b.Joint0 ? Math.Min(weight, b.Weights.X) : 0f;
+            common += joint == b.Joint1 ? Math.Min(weight, b.Weights.Y) : 0f;
+            common += joint == b.Joint2 ? Math.Min(weight, b.Weights.Z) : 0f;
+            common += joint == b.Joint3 ? Math.Min(weight, b.Weights.W) : 0f;
+        }
+    }
 }

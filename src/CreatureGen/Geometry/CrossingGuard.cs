@@ -14,7 +14,7 @@ namespace CreatureGen.Geometry;
 internal sealed class CrossingGuard
 {
     /// <summary>Side of a cell in mean diagonals of the triangles' boxes.</summary>
-    private const double CellSize = 0.8;
+    private const double CellSize = 1.4;
 
     /// <summary>Most cells along the diagonal of the surface.</summary>
     private const int MaxCells = 256;
@@ -29,12 +29,10 @@ internal sealed class CrossingGuard
     private readonly double tolerance;
     private readonly double diagonal;
     private readonly Vector3 origin;
-    private readonly Vector3[] lows;
-    private readonly Vector3[] highs;
+    private readonly Box[] boxes;
     private readonly int[] heads;
-    private readonly int[] stamps;
-    private int[] triangles;
-    private int[] following;
+    private readonly List<int> nearby = new();
+    private Entry[] chain;
     private int entries;
     private int limit;
     private float perCell;
@@ -56,13 +54,10 @@ internal sealed class CrossingGuard
         tolerance = Tolerance.CrossingLengthPerDiagonal * diagonal;
         origin = bounds.Min;
         int count = points.Length / 3;
-        lows = new Vector3[count];
-        highs = new Vector3[count];
-        stamps = new int[count];
-        triangles = new int[16 * count];
-        following = new int[16 * count];
+        boxes = new Box[count];
+        chain = new Entry[16 * count];
         int slots = 64;
-        while (slots < 2 * count)
+        while (slots < 8 * count)
         {
             slots *= 2;
         }
@@ -70,18 +65,26 @@ internal sealed class CrossingGuard
         heads = new int[slots];
         for (int t = 0; t < count; t++)
         {
-            Measure(t);
+            boxes[t] = BoxOf(t);
         }
 
         LayGrid();
     }
 
     /// <summary>Whether one of the triangles cuts through another of its piece with which it shares no point.</summary>
-    public bool Cross(List<int> moved)
+    /// <param name="moved">The triangles; all have <paramref name="pulledTo"/> for a corner.</param>
+    /// <param name="pulledTo">The point that they were pulled to.</param>
+    public bool Cross(List<int> moved, int pulledTo)
     {
+        if (moved.Count == 0)
+        {
+            return false;
+        }
+
+        Gather(moved, pulledTo);
         foreach (int t in moved)
         {
-            if (Crosses(t))
+            if (nearby.Count > 0 && CrossesNearby(t))
             {
                 return true;
             }
@@ -121,7 +124,7 @@ internal sealed class CrossingGuard
     {
         foreach (int t in moved)
         {
-            Measure(t);
+            boxes[t] = BoxOf(t);
             Enter(t);
         }
 
@@ -135,9 +138,9 @@ internal sealed class CrossingGuard
     {
         double sizes = 0;
         int live = 0;
-        for (int t = 0; t < lows.Length; t++)
+        for (int t = 0; t < boxes.Length; t++)
         {
-            sizes += surface.IsGone(t) ? 0 : Vec.Distance(lows[t], highs[t]);
+            sizes += surface.IsGone(t) ? 0 : Vec.Distance(boxes[t].Low, boxes[t].High);
             live += surface.IsGone(t) ? 0 : 1;
         }
 
@@ -145,7 +148,7 @@ internal sealed class CrossingGuard
         perCell = cell > 0 ? (float)(1 / cell) : 1f;
         Array.Fill(heads, -1);
         entries = 0;
-        for (int t = 0; t < lows.Length; t++)
+        for (int t = 0; t < boxes.Length; t++)
         {
             if (!surface.IsGone(t))
             {
@@ -156,45 +159,68 @@ internal sealed class CrossingGuard
         limit = (int)(MaxGrowth * entries) + 64;
     }
 
-    private bool Crosses(int t)
+    /// <summary>Lists the triangles that the box of all moved ones meets, without those that share the point with all of these: one way through the grid instead of one for each triangle, which halves the time of a reduction.</summary>
+    private void Gather(List<int> moved, int pulledTo)
     {
-        int a = points[3 * t], b = points[(3 * t) + 1], c = points[(3 * t) + 2];
-        int piece = pieceOf[a];
-        Box(t, out Vector3 low, out Vector3 high);
-        (int X, int Y, int Z) first = Cell(low);
-        (int X, int Y, int Z) last = Cell(high);
-        var side = new PlaneSide(positions[a], positions[b], positions[c], tolerance);
+        Box all = BoxOf(moved[0]);
+        foreach (int t in moved)
+        {
+            Box box = BoxOf(t);
+            all.Low = Vec.Min(all.Low, box.Low);
+            all.High = Vec.Max(all.High, box.High);
+        }
+
+        nearby.Clear();
+        int piece = pieceOf[pulledTo];
         stamp++;
-        stamps[t] = stamp;
+        (int X, int Y, int Z) first = Cell(all.Low);
+        (int X, int Y, int Z) last = Cell(all.High);
         for (int x = first.X; x <= last.X; x++)
         {
             for (int y = first.Y; y <= last.Y; y++)
             {
                 for (int z = first.Z; z <= last.Z; z++)
                 {
-                    for (int e = heads[Slot(x, y, z)]; e >= 0; e = following[e])
+                    for (int e = heads[Slot(x, y, z)]; e >= 0; e = chain[e].Following)
                     {
-                        int u = triangles[e];
-                        if (stamps[u] == stamp)
+                        int u = chain[e].Triangle;
+                        ref Box box = ref boxes[u];
+                        if (box.Stamp == stamp)
                         {
                             continue;
                         }
 
-                        stamps[u] = stamp;
-                        Vector3 otherLow = lows[u];
-                        Vector3 otherHigh = highs[u];
-                        if (otherLow.X > high.X || otherHigh.X < low.X || otherLow.Y > high.Y || otherHigh.Y < low.Y || otherLow.Z > high.Z || otherHigh.Z < low.Z || surface.IsGone(u))
+                        box.Stamp = stamp;
+                        if (box.Meets(all) && !surface.IsGone(u))
                         {
-                            continue;
-                        }
-
-                        int i = points[3 * u], j = points[(3 * u) + 1], k = points[(3 * u) + 2];
-                        if (!Connected(a, b, c, i, j, k) && pieceOf[i] == piece && !side.IsOneOf(positions[i], positions[j], positions[k]) && TriangleCrossing.Cross(positions[a], positions[b], positions[c], positions[i], positions[j], positions[k], tolerance))
-                        {
-                            return true;
+                            int i = points[3 * u], j = points[(3 * u) + 1], k = points[(3 * u) + 2];
+                            if (i != pulledTo && j != pulledTo && k != pulledTo && pieceOf[i] == piece)
+                            {
+                                nearby.Add(u);
+                            }
                         }
                     }
                 }
+            }
+        }
+    }
+
+    private bool CrossesNearby(int t)
+    {
+        int a = points[3 * t], b = points[(3 * t) + 1], c = points[(3 * t) + 2];
+        Box own = BoxOf(t);
+        var side = new PlaneSide(positions[a], positions[b], positions[c], tolerance);
+        foreach (int u in nearby)
+        {
+            if (!boxes[u].Meets(own))
+            {
+                continue;
+            }
+
+            int i = points[3 * u], j = points[(3 * u) + 1], k = points[(3 * u) + 2];
+            if (!Connected(a, b, c, i, j, k) && !side.IsOneOf(positions[i], positions[j], positions[k]) && TriangleCrossing.Cross(positions[a], positions[b], positions[c], positions[i], positions[j], positions[k], tolerance))
+            {
+                return true;
             }
         }
 
@@ -205,41 +231,54 @@ internal sealed class CrossingGuard
 
     private void Enter(int t)
     {
-        (int X, int Y, int Z) first = Cell(lows[t]);
-        (int X, int Y, int Z) last = Cell(highs[t]);
+        (int X, int Y, int Z) first = Cell(boxes[t].Low);
+        (int X, int Y, int Z) last = Cell(boxes[t].High);
         for (int x = first.X; x <= last.X; x++)
         {
             for (int y = first.Y; y <= last.Y; y++)
             {
                 for (int z = first.Z; z <= last.Z; z++)
                 {
-                    if (entries == triangles.Length)
+                    if (entries == chain.Length)
                     {
-                        Array.Resize(ref triangles, 2 * entries);
-                        Array.Resize(ref following, 2 * entries);
+                        Array.Resize(ref chain, 2 * entries);
                     }
 
-                    int slot = Slot(x, y, z);
-                    triangles[entries] = t;
-                    following[entries] = heads[slot];
-                    heads[slot] = entries++;
+                    ref int head = ref heads[Slot(x, y, z)];
+                    chain[entries] = new Entry { Triangle = t, Following = head };
+                    head = entries++;
                 }
             }
         }
     }
 
-    private void Measure(int t) => Box(t, out lows[t], out highs[t]);
-
-    private void Box(int t, out Vector3 low, out Vector3 high)
+    private Box BoxOf(int t)
     {
         Vector3 a = positions[points[3 * t]], b = positions[points[(3 * t) + 1]], c = positions[points[(3 * t) + 2]];
-        low = new Vector3(Math.Min(a.X, Math.Min(b.X, c.X)), Math.Min(a.Y, Math.Min(b.Y, c.Y)), Math.Min(a.Z, Math.Min(b.Z, c.Z)));
-        high = new Vector3(Math.Max(a.X, Math.Max(b.X, c.X)), Math.Max(a.Y, Math.Max(b.Y, c.Y)), Math.Max(a.Z, Math.Max(b.Z, c.Z)));
+        return new Box { Low = Vec.Min(a, Vec.Min(b, c)), High = Vec.Max(a, Vec.Max(b, c)) };
     }
 
     private (int X, int Y, int Z) Cell(Vector3 p) => ((int)((p.X - origin.X) * perCell), (int)((p.Y - origin.Y) * perCell), (int)((p.Z - origin.Z) * perCell));
 
     private int Slot(int x, int y, int z) => unchecked((x * 73856093) ^ (y * 19349663) ^ (z * 83492791)) & (heads.Length - 1);
+
+    /// <summary>A triangle in a cell of the grid, and the next one there.</summary>
+    private struct Entry
+    {
+        public int Triangle;
+        public int Following;
+    }
+
+    /// <summary>The box of a triangle, and by which search it was seen last: side by side, as they are asked for together.</summary>
+    private struct Box
+    {
+        public Vector3 Low;
+        public int Stamp;
+        public Vector3 High;
+
+        public readonly bool Meets(in Box other) =>
+            Low.X <= other.High.X & High.X >= other.Low.X & Low.Y <= other.High.Y & High.Y >= other.Low.Y & Low.Z <= other.High.Z & High.Z >= other.Low.Z;
+    }
 
     /// <summary>The plane of a triangle, without the length of its normal, whose root costs most of the test of two triangles.</summary>
     private readonly struct PlaneSide

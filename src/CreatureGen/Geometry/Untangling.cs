@@ -1,5 +1,4 @@
 using System;
-using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
@@ -44,7 +43,7 @@ internal static class Untangling
     /// <param name="mirror">For each vertex its mirror image in the plane x = 0, itself on the plane; empty for a mesh without symmetry. Of two images the one of lower index is computed and the other copied, so they stay exact; a vertex on the plane keeps its x. The image of each triangle is a triangle.</param>
     /// <param name="held">Vertices that may not move; a vertex is held with its mirror image. Empty for none.</param>
     /// <param name="grounded">Vertices that keep their height, as the soles do; empty for none.</param>
-    /// <param name="workspace">Buffers of the search.</param>
+    /// <param name="crossings">The search, and its buffers.</param>
     /// <exception cref="ArgumentException">An index is out of range, a position is not finite, or a span has not one entry per vertex.</exception>
     public static UntanglingReport Repair(
         Span<Vector3> positions,
@@ -52,7 +51,7 @@ internal static class Untangling
         ReadOnlySpan<int> mirror,
         ReadOnlySpan<bool> held,
         ReadOnlySpan<bool> grounded,
-        SelfIntersectionWorkspace workspace)
+        CrossingPairs crossings)
     {
         RequireLength(mirror.Length, positions.Length, nameof(mirror));
         RequireLength(held.Length, positions.Length, nameof(held));
@@ -60,13 +59,7 @@ internal static class Untangling
         TriangleList.RequireFinite(positions);
         RequireImages(mirror);
         TriangleList.Count(positions.Length, triangles);
-        var pairs = new List<(int First, int Second)>();
-        if (!mirror.IsEmpty && IsLeftSideClean(positions, triangles, pairs, workspace))
-        {
-            return new UntanglingReport(0, 0, 0);
-        }
-
-        int before = SelfIntersection.Find(positions, triangles, pairs, workspace);
+        int before = crossings.Find(positions, triangles, mirror);
         if (before == 0)
         {
             return new UntanglingReport(0, 0, 0);
@@ -74,13 +67,15 @@ internal static class Untangling
 
         var neighbours = new VertexNeighbours(positions.Length, triangles);
         Vector3[] best = positions.ToArray();
+        bool[] moved = new bool[positions.Length];
         int fewest = before;
         int rounds = 0;
         for (; rounds < MaxRounds && fewest > 0; rounds++)
         {
-            List<int> region = Region(pairs, triangles, neighbours, mirror, held);
+            List<int> region = Region(crossings.Pairs, triangles, neighbours, mirror, held);
             Smooth(positions, region, neighbours, mirror, grounded, FirstIterations + rounds);
-            int count = SelfIntersection.Find(positions, triangles, pairs, workspace);
+            Mark(moved, region, mirror);
+            int count = crossings.FindAgain(positions, triangles, moved);
             if (count < fewest)
             {
                 fewest = count;
@@ -92,37 +87,13 @@ internal static class Untangling
         return new UntanglingReport(rounds, before, fewest);
     }
 
-    /// <summary>Whether no two triangles of the left side cross, and none reaches across the plane or lies in it: then no two of the right side do, nor any of both, which have only the plane in common.</summary>
-    private static bool IsLeftSideClean(ReadOnlySpan<Vector3> positions, ReadOnlySpan<int> triangles, List<(int First, int Second)> pairs, SelfIntersectionWorkspace workspace)
+    private static void Mark(bool[] moved, List<int> region, ReadOnlySpan<int> mirror)
     {
-        int[] rented = ArrayPool<int>.Shared.Rent(triangles.Length);
-        try
+        Array.Clear(moved, 0, moved.Length);
+        foreach (int v in region)
         {
-            int count = 0;
-            for (int i = 0; i + 2 < triangles.Length; i += 3)
-            {
-                float a = positions[triangles[i]].X;
-                float b = positions[triangles[i + 1]].X;
-                float c = positions[triangles[i + 2]].X;
-                bool left = a > 0f || b > 0f || c > 0f;
-                if (left == (a < 0f || b < 0f || c < 0f))
-                {
-                    // Across the plane, or in it.
-                    return false;
-                }
-
-                if (left)
-                {
-                    triangles.Slice(i, 3).CopyTo(rented.AsSpan(count));
-                    count += 3;
-                }
-            }
-
-            return SelfIntersection.Find(positions, rented.AsSpan(0, count), pairs, workspace) == 0;
-        }
-        finally
-        {
-            ArrayPool<int>.Shared.Return(rented);
+            moved[v] = true;
+            moved[mirror.IsEmpty ? v : mirror[v]] = true;
         }
     }
 

@@ -8,7 +8,7 @@ namespace CreatureGen.Limbs;
 internal static class SurfaceUntangler
 {
     [ThreadStatic]
-    private static SelfIntersectionWorkspace? workspace;
+    private static CrossingPairs? crossings;
 
     /// <summary>Moves the points of the surface in place, where triangles cross and only there; left and right stay exact mirror images.</summary>
     public static void Untangle(Surface surface)
@@ -21,6 +21,6 @@ internal static class SurfaceUntangler
             grounded[v] = surface.Positions[v].Y == 0f;
         }
 
-        Untangling.Repair(surface.Positions, surface.Triangles, surface.Mirror, held, grounded, workspace ??= new SelfIntersectionWorkspace());
+        Untangling.Repair(surface.Positions, surface.Triangles, surface.Mirror, held, grounded, crossings ??= new CrossingPairs());
     }
 }

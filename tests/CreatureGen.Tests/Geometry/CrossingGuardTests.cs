@@ -39,7 +39,7 @@ public sealed class CrossingGuardTests
             for (int t = 0; t < Count; t++)
             {
                 bool expected = crossing.Any(pair => pair.First == t || pair.Second == t);
-                Assert.Equal(expected, guard.Cross([t]));
+                Assert.Equal(expected, guard.Cross([t], points[3 * t]));
                 found += expected ? 1 : 0;
             }
         }
@@ -52,9 +52,9 @@ public sealed class CrossingGuardTests
     {
         Vector3[] positions = [new(0, 0, 0), new(2, 0, 0), new(0, 2, 0), new(0.5f, 0.5f, -1), new(0.5f, 0.5f, 1), new(3, 3, 0)];
         int[] apart = [0, 1, 2, 3, 4, 5];
-        Assert.True(Guard(positions, apart, new int[6]).Cross([0]));
-        Assert.False(Guard(positions, apart, [0, 0, 0, 1, 1, 1]).Cross([0]));
-        Assert.False(Guard(positions, [0, 1, 2, 3, 4, 1], new int[6]).Cross([0]));
+        Assert.True(Guard(positions, apart, new int[6]).Cross([0], 0));
+        Assert.False(Guard(positions, apart, [0, 0, 0, 1, 1, 1]).Cross([0], 0));
+        Assert.False(Guard(positions, [0, 1, 2, 3, 4, 1], new int[6]).Cross([0], 0));
     }
 
     /// <summary>Corners that a step has moved count where they are now, however often the grid has been laid since.</summary>
@@ -73,7 +73,7 @@ public sealed class CrossingGuardTests
             }
 
             guard.Note([1]);
-            Assert.Equal(far == 0f, guard.Cross([0]));
+            Assert.Equal(far == 0f, guard.Cross([0], 0));
         }
     }
 

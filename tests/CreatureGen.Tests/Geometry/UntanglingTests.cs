@@ -65,7 +65,7 @@ public sealed class UntanglingTests
                 // Bends the sides in on themselves, and in the end across the plane.
                 Vector3[] bent = Array.ConvertAll(surface.Positions, p => new Vector3(p.X - (squeeze * p.X * Math.Abs(p.X) * 4f), p.Y, p.Z));
                 int whole = SelfIntersection.Find(bent, surface.Triangles, new List<(int, int)>());
-                UntanglingReport report = Untangling.Repair(bent, surface.Triangles, surface.Mirror, default, default, new SelfIntersectionWorkspace());
+                UntanglingReport report = Untangling.Repair(bent, surface.Triangles, surface.Mirror, default, default, new CrossingPairs());
                 Assert.Equal(whole, report.PairsBefore);
                 crossed += whole > 0 ? 1 : 0;
             }
@@ -80,7 +80,7 @@ public sealed class UntanglingTests
         Vector3[] positions = [.. left, .. left.Select(p => new Vector3(-p.X, p.Y, p.Z))];
         int[] triangles = [.. Enumerable.Range(0, left.Length), .. Enumerable.Range(0, left.Length).Select(i => left.Length + (i / 3 * 3) + (2 - (i % 3)))];
         int[] mirror = [.. Enumerable.Range(left.Length, left.Length), .. Enumerable.Range(0, left.Length)];
-        Assert.Equal(SelfIntersection.Find(positions, triangles, new List<(int, int)>()), Untangling.Repair(positions.ToArray(), triangles, mirror, default, default, new SelfIntersectionWorkspace()).PairsBefore);
+        Assert.Equal(SelfIntersection.Find(positions, triangles, new List<(int, int)>()), Untangling.Repair(positions.ToArray(), triangles, mirror, default, default, new CrossingPairs()).PairsBefore);
         return SelfIntersection.Find(positions, triangles, new List<(int, int)>());
     }
 
