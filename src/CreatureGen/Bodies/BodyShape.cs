@@ -10,18 +10,44 @@ namespace CreatureGen.Bodies;
 /// </summary>
 internal sealed class BodyShape
 {
-    private readonly float[] sine = new float[BodyGrid.Rings];
-    private readonly float[] cosine = new float[BodyGrid.Rings];
+    private readonly float[] sine;
+    private readonly float[] cosine;
 
     /// <summary>Takes the pitch of the spine at each ring, radians.</summary>
     public BodyShape(double[] pitch)
     {
+        sine = new float[BodyGrid.Rings];
+        cosine = new float[BodyGrid.Rings];
         Pitch = pitch;
+        Width = new double[BodyGrid.Rings];
+        Top = new double[BodyGrid.Rings];
+        Bottom = new double[BodyGrid.Rings];
+        TopExponent = new double[BodyGrid.Rings];
+        BottomExponent = new double[BodyGrid.Rings];
+        Step = new double[BodyGrid.Rings];
+        Arc = new double[BodyGrid.Rings];
+        Rise = new double[BodyGrid.Rings];
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             sine[i] = (float)PortableMath.Sin(pitch[i]);
             cosine[i] = (float)PortableMath.Cos(pitch[i]);
         }
+    }
+
+    /// <summary>The same body in another place: all but <see cref="Y"/> and <see cref="Z"/> is shared with it.</summary>
+    private BodyShape(BodyShape same)
+    {
+        sine = same.sine;
+        cosine = same.cosine;
+        Pitch = same.Pitch;
+        Width = same.Width;
+        Top = same.Top;
+        Bottom = same.Bottom;
+        TopExponent = same.TopExponent;
+        BottomExponent = same.BottomExponent;
+        Step = same.Step;
+        Arc = same.Arc;
+        Rise = same.Rise;
     }
 
     /// <summary>Height of the spine.</summary>
@@ -30,48 +56,52 @@ internal sealed class BodyShape
     /// <summary>Place of the spine along the body; the nose has the greatest.</summary>
     public double[] Z { get; } = new double[BodyGrid.Rings];
 
+    /// <summary>Height of the spine above that of the nose, as it is bent and before it is raised or laid on the ground.</summary>
+    public double[] Rise { get; }
+
     /// <summary>Pitch of the spine, radians; its forward direction is (0, sin, cos).</summary>
     public double[] Pitch { get; }
 
     /// <summary>Half width of the section.</summary>
-    public double[] Width { get; } = new double[BodyGrid.Rings];
+    public double[] Width { get; }
 
     /// <summary>Height of the section above the spine.</summary>
-    public double[] Top { get; } = new double[BodyGrid.Rings];
+    public double[] Top { get; }
 
     /// <summary>Depth of the section below the spine.</summary>
-    public double[] Bottom { get; } = new double[BodyGrid.Rings];
+    public double[] Bottom { get; }
 
     /// <summary>Superellipse exponent above the spine.</summary>
-    public double[] TopExponent { get; } = new double[BodyGrid.Rings];
+    public double[] TopExponent { get; }
 
     /// <summary>Superellipse exponent below the spine.</summary>
-    public double[] BottomExponent { get; } = new double[BodyGrid.Rings];
+    public double[] BottomExponent { get; }
 
     /// <summary>Length of the spine from the ring before; 0 at ring 0.</summary>
-    public double[] Step { get; } = new double[BodyGrid.Rings];
+    public double[] Step { get; }
 
     /// <summary>Length of the spine from the nose.</summary>
-    public double[] Arc { get; } = new double[BodyGrid.Rings];
+    public double[] Arc { get; }
 
     /// <summary>The shape moved along z.</summary>
     public BodyShape Placed(double shift)
     {
-        var placed = new BodyShape(Pitch);
+        var placed = new BodyShape(this);
         Y.CopyTo(placed.Y, 0);
-        Width.CopyTo(placed.Width, 0);
-        Top.CopyTo(placed.Top, 0);
-        Bottom.CopyTo(placed.Bottom, 0);
-        TopExponent.CopyTo(placed.TopExponent, 0);
-        BottomExponent.CopyTo(placed.BottomExponent, 0);
-        Step.CopyTo(placed.Step, 0);
-        Arc.CopyTo(placed.Arc, 0);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             placed.Z[i] = Z[i] + shift;
         }
 
         return placed;
+    }
+
+    /// <summary>The shape with other heights of its spine, which are still to be set.</summary>
+    public BodyShape WithOtherHeights()
+    {
+        var other = new BodyShape(this);
+        Z.CopyTo(other.Z, 0);
+        return other;
     }
 
     /// <summary>Unit forward direction of the spine at a ring.</summary>

@@ -75,14 +75,18 @@ internal static class BodyShaper
         width.CopyTo(shape.Width, 0);
         top.CopyTo(shape.Top, 0);
         bottom.CopyTo(shape.Bottom, 0);
-        LaySpine(shape, step, body.Elevation);
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            shape.Y[i] = Scalar.Lerp(shape.Y[i], Rest * bottom[i], Lying(plan, i));
-        }
-
+        LaySpine(shape, step);
+        SetHeights(shape, plan, body.Elevation);
         SetExponents(shape, stations, head, tail);
         return shape;
+    }
+
+    /// <summary>What <see cref="Shape"/> gives for the same body at another elevation, for a fortieth of its cost.</summary>
+    public static BodyShape Raised(BodyShape shape, BodyPlan plan, double elevation)
+    {
+        BodyShape raised = shape.WithOtherHeights();
+        SetHeights(raised, plan, elevation);
+        return raised;
     }
 
     /// <summary>How far a ring of a legless body lies on the ground, 0..1.</summary>
@@ -327,23 +331,30 @@ internal static class BodyShaper
         }
     }
 
-    private static void LaySpine(BodyShape shape, ReadOnlySpan<double> step, double elevation)
+    private static void LaySpine(BodyShape shape, ReadOnlySpan<double> step)
     {
         for (int i = 1; i < BodyGrid.Rings; i++)
         {
             double p = (shape.Pitch[i] + shape.Pitch[i - 1]) / 2;
             shape.Step[i] = step[i];
             shape.Arc[i] = shape.Arc[i - 1] + step[i];
-            shape.Y[i] = shape.Y[i - 1] - (step[i] * PortableMath.Sin(p));
+            shape.Rise[i] = shape.Rise[i - 1] - (step[i] * PortableMath.Sin(p));
             shape.Z[i] = shape.Z[i - 1] - (step[i] * PortableMath.Cos(p));
         }
 
-        double y = shape.Y[BodyGrid.AnchorRing] - elevation;
         double z = shape.Z[BodyGrid.AnchorRing];
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            shape.Y[i] -= y;
             shape.Z[i] -= z;
+        }
+    }
+
+    private static void SetHeights(BodyShape shape, BodyPlan plan, double elevation)
+    {
+        double y = shape.Rise[BodyGrid.AnchorRing] - elevation;
+        for (int i = 0; i < BodyGrid.Rings; i++)
+        {
+            shape.Y[i] = Scalar.Lerp(shape.Rise[i] - y, Rest * shape.Bottom[i], Lying(plan, i));
         }
     }
 

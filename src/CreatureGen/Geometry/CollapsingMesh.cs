@@ -32,6 +32,9 @@ internal sealed class CollapsingMesh
     private readonly int[] last;
     private readonly int[] next;
     private readonly int[] marks;
+
+    // The drawn vertex of a point that has but one, as most have: then an edge between two of these says at once which takes the place of which. −1 for others.
+    private readonly int[] onlyVertex;
     private int mark;
 
     private readonly List<int> movedCorners = new();
@@ -56,10 +59,12 @@ internal sealed class CollapsingMesh
         last = new int[positions.Length];
         next = new int[points.Length];
         marks = new int[positions.Length];
+        onlyVertex = new int[positions.Length];
         Array.Fill(first, -1);
         for (int c = points.Length - 1; c >= 0; c--)
         {
             int p = points[c];
+            onlyVertex[p] = first[p] < 0 || onlyVertex[p] == vertices[c] ? vertices[c] : -1;
             next[c] = first[p];
             last[p] = first[p] < 0 ? c : last[p];
             first[p] = c;
@@ -113,12 +118,18 @@ internal sealed class CollapsingMesh
     /// Says onto which vertex of <paramref name="to"/> each vertex of <paramref name="from"/> would be pulled: the one at the other end of the edge, on the same side of it.
     /// </summary>
     /// <param name="from">The point that would go.</param>
-    /// <param name="to">Its neighbour.</param>
+    /// <param name="to">A neighbour of it.</param>
     /// <param name="pairs">Receives the vertices; the second is −1 when the edge does not say.</param>
     /// <returns>Whether the edge says it for all, so that nothing is torn out of its place in the texture.</returns>
     public bool Match(int from, int to, List<(int From, int To)> pairs)
     {
         pairs.Clear();
+        if (onlyVertex[from] >= 0 && onlyVertex[to] >= 0)
+        {
+            pairs.Add((onlyVertex[from], onlyVertex[to]));
+            return true;
+        }
+
         bool whole = true;
         for (int c = first[from]; c >= 0; c = next[c])
         {

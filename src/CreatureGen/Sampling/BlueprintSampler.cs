@@ -52,7 +52,8 @@ public static class BlueprintSampler
         var choice = new PlanChoice(options);
 
         // First the creature that it is when nobody counts its legs.
-        var free = new PlanChoice(options with { MinLegPairs = CreatureOptions.Default.MinLegPairs, MaxLegPairs = CreatureOptions.Default.MaxLegPairs });
+        CreatureOptions uncounted = options with { MinLegPairs = CreatureOptions.Default.MinLegPairs, MaxLegPairs = CreatureOptions.Default.MaxLegPairs };
+        PlanChoice free = uncounted.MinLegPairs == options.MinLegPairs && uncounted.MaxLegPairs == options.MaxLegPairs ? choice : new PlanChoice(uncounted);
         var root = new Seed(seed);
         for (int attempt = -1; attempt < Attempts; attempt++)
         {

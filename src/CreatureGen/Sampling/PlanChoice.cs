@@ -20,6 +20,9 @@ internal sealed class PlanChoice
 
     private readonly CreatureOptions options;
 
+    /// <summary>The weight of each species, by kind: asked for with every draw, and the same each time.</summary>
+    private readonly double[]?[] speciesWeights = new double[kindWeights.Length][];
+
     /// <summary>Narrows the choice.</summary>
     /// <exception cref="ArgumentException">Nothing is left.</exception>
     public PlanChoice(CreatureOptions options)
@@ -82,17 +85,7 @@ internal sealed class PlanChoice
     }
 
     /// <summary>Draws a species.</summary>
-    public SpeciesProfile Species(RandomStream random, LocomotionKind kind)
-    {
-        IReadOnlyList<SpeciesProfile> all = SpeciesCatalogue.All;
-        double[] weights = new double[all.Count];
-        for (int i = 0; i < weights.Length; i++)
-        {
-            weights[i] = WeightOf(kind, all[i]);
-        }
-
-        return all[random.Weighted(weights)];
-    }
+    public SpeciesProfile Species(RandomStream random, LocomotionKind kind) => SpeciesCatalogue.All[random.Weighted(WeightsOf(kind))];
 
     /// <summary>
     /// Any body in place of one that was drawn, all as often as the options ask for them: on a strange creature the trunk of a shark may stand on legs. The one that was drawn lends
@@ -150,12 +143,30 @@ internal sealed class PlanChoice
     private double WeightOf(LocomotionKind kind)
     {
         double sum = 0;
-        foreach (SpeciesProfile species in SpeciesCatalogue.All)
+        foreach (double weight in WeightsOf(kind))
         {
-            sum += WeightOf(kind, species);
+            sum += weight;
         }
 
         return sum * Asked(kind);
+    }
+
+    private double[] WeightsOf(LocomotionKind kind)
+    {
+        if (speciesWeights[(int)kind] is double[] known)
+        {
+            return known;
+        }
+
+        IReadOnlyList<SpeciesProfile> all = SpeciesCatalogue.All;
+        double[] weights = new double[all.Count];
+        for (int i = 0; i < weights.Length; i++)
+        {
+            weights[i] = WeightOf(kind, all[i]);
+        }
+
+        speciesWeights[(int)kind] = weights;
+        return weights;
     }
 
     private double WeightOf(LocomotionKind kind, SpeciesProfile species)

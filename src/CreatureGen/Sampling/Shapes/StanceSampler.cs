@@ -67,18 +67,14 @@ internal static class StanceSampler
         }
 
         double draw = Scalar.Clamp(builder.Stream("stance").Uniform() + builder.StanceShift, 0, 1);
-        for (int attempt = 0; attempt < Attempts; attempt++)
+        Measure(builder);
+        Place(builder, draw);
+        for (int attempt = 0; attempt < Attempts && Adjust(builder); attempt++)
         {
             Measure(builder);
             Place(builder, draw);
-            if (!Adjust(builder))
-            {
-                break;
-            }
         }
 
-        Measure(builder);
-        Place(builder, draw);
         for (int attempt = 0; attempt < Attempts && builder.Plan == BodyPlan.Legless && IsFrontHeavy(builder.Shape); attempt++)
         {
             // No rearing carries this head: it is too large.
@@ -215,6 +211,7 @@ internal static class StanceSampler
         };
     }
 
+    /// <summary>Raises a body that has just been measured.</summary>
     private static void Place(CreatureBuilder builder, double draw)
     {
         BodyShape s = builder.Shape;
@@ -246,7 +243,7 @@ internal static class StanceSampler
             builder.HipHeight = hip;
             double height = Scalar.Lerp(preset.Height.Min, preset.Height.Max, draw);
             builder.Elevation = Math.Max(height - lowest, 0.03 - Lowest(s, 23, 55));
-            builder.Shape = ShapeOf(builder);
+            builder.Shape = BodyShaper.Raised(s, builder.Plan, builder.Elevation);
             return;
         }
 
@@ -293,7 +290,7 @@ internal static class StanceSampler
         }
 
         builder.Elevation = elevation;
-        builder.Shape = ShapeOf(builder);
+        builder.Shape = BodyShaper.Raised(s, builder.Plan, builder.Elevation);
     }
 
     /// <summary>Whether the raised front of a legless body nearly tips it over the front end of the trunk that lies on the ground.</summary>
