@@ -69,6 +69,9 @@ export class Frame {
     this.theatre = new Theatre(this.canvas, this.drawing, this.world, this.herd, this.orbit, this.lab, this.courtship, this.portraits, [this.looks, gaits, this.treats]);
     this.theatre.still = query.has('still');
     this.lab.alone = query.has('alone');
+    if (!this.theatre.still) {
+      this.lab.curtain = this.theatre.seen;
+    }
     this.play = new Playmate(this.lab, this.treats, (what, ...more) => this.#report(what, ...more));
     this.keeping = new Keeping(this.lab, studio, size => this.theatre.snapshot(size));
     this.visits = new Visits(this.library, this.lab, this.notices);

@@ -35,6 +35,9 @@ export class Lab extends EventTarget {
 
     /** Whether nobody lives round it. */
     this.alone = false;
+
+    /** What is not needed for the first picture waits for this. */
+    this.curtain = Promise.resolve();
   }
 
   get facts() {
@@ -68,10 +71,7 @@ export class Lab extends EventTarget {
     this.family.add(design, nameOfDesign(design), parents);
     this.mate = null;
     this.#tell('met');
-    this.#dress(round);
-    if (this.neighbours.length === 0 && !this.alone) {
-      this.neighbourhood.settle(design, this.orbit.azimuth + Math.PI, () => round === this.#round).catch(problem => this.#tell('trouble', problem));
-    }
+    this.curtain.then(() => this.#furnish(round, design)).catch(problem => this.#tell('trouble', problem));
     return facts;
   }
 
@@ -218,6 +218,18 @@ export class Lab extends EventTarget {
   /** Grows a design in a slot of the stage, or of another library: its facts. */
   async grow(slot, design, library = this.library) {
     return JSON.parse(await library.call(...growing(slot, design)));
+  }
+
+  /** Texture and neighbours for whoever is still there. */
+  async #furnish(round, design) {
+    if (round !== this.#round) {
+      return;
+    }
+    const dressed = this.#dress(round);
+    if (this.neighbours.length === 0 && !this.alone) {
+      await this.neighbourhood.settle(design, this.orbit.azimuth + Math.PI, () => round === this.#round);
+    }
+    await dressed;
   }
 
   async #textOf(design) {

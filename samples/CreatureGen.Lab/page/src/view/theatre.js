@@ -98,7 +98,8 @@ export class Theatre extends EventTarget {
   #draw(now) {
     const milliseconds = now - this.#before;
     this.#before = now;
-    setTimeout(() => requestAnimationFrame(next => this.#draw(next)), milliseconds > slowPicture ? Math.min(milliseconds, longestRest) : 0);
+    // Nobody rests before the first picture: it is waited for.
+    setTimeout(() => requestAnimationFrame(next => this.#draw(next)), this.#begun && milliseconds > slowPicture ? Math.min(milliseconds, longestRest) : 0);
     if (this.still || this.covered || !this.herd.members.get(0)) {
       return;
     }
