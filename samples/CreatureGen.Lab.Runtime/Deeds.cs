@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Motion;
@@ -10,23 +11,45 @@ namespace CreatureGen.Lab.Runtime;
 internal sealed class Deeds(CreatureAnimator animator)
 {
     private readonly Dictionary<string, ActAbility> tried = new(StringComparer.OrdinalIgnoreCase);
+    private readonly Dictionary<string, IEnumerator<ActAbility?>> trials = new(StringComparer.OrdinalIgnoreCase);
 
     /// <summary>How the creature does an act, or why it does not.</summary>
     public ActAbility Find(string name)
     {
-        if (!tried.TryGetValue(name, out ActAbility? ability))
-        {
-            ActAbility[] variants = [.. ActLibrary.All.Where(act => string.Equals(act.Name, name, StringComparison.OrdinalIgnoreCase)).Select(animator.Acts.Rehearse)];
-            if (variants.Length == 0)
-            {
-                throw new ArgumentException("\u201c" + name + "\u201d is no act");
-            }
+        Try(name, double.PositiveInfinity);
+        return tried[name];
+    }
 
-            ability = Array.Find(variants, variant => variant.IsPossible) ?? variants[0];
-            tried[name] = ability;
+    /// <summary>Goes on trying an act for some milliseconds. Whether it is known now how the creature does it.</summary>
+    public bool Try(string name, double milliseconds)
+    {
+        if (tried.ContainsKey(name))
+        {
+            return true;
         }
 
-        return ability;
+        if (!trials.TryGetValue(name, out IEnumerator<ActAbility?>? trial))
+        {
+            trials[name] = trial = Trial(name).GetEnumerator();
+        }
+
+        long begin = Stopwatch.GetTimestamp();
+        while (trial.MoveNext())
+        {
+            if (trial.Current is { } ability)
+            {
+                tried[name] = ability;
+                trials.Remove(name);
+                return true;
+            }
+
+            if (Stopwatch.GetElapsedTime(begin).TotalMilliseconds > milliseconds)
+            {
+                return false;
+            }
+        }
+
+        throw new ArgumentException("\u201c" + name + "\u201d is no act");
     }
 
     /// <summary>Begins an act.</summary>
@@ -49,6 +72,31 @@ internal sealed class Deeds(CreatureAnimator animator)
         }
 
         return false;
+    }
+
+    /// <summary>The first way of doing an act that the creature can do; if it can do none, why not the first.</summary>
+    private IEnumerable<ActAbility?> Trial(string name)
+    {
+        ActAbility? refused = null;
+        foreach (Act act in ActLibrary.All.Where(act => string.Equals(act.Name, name, StringComparison.OrdinalIgnoreCase)))
+        {
+            foreach (ActAbility? step in animator.Acts.RehearseInSteps(act))
+            {
+                if (step is { IsPossible: true })
+                {
+                    yield return step;
+                    yield break;
+                }
+
+                refused ??= step;
+                yield return null;
+            }
+        }
+
+        if (refused != null)
+        {
+            yield return refused;
+        }
     }
 
     /// <summary>A blow of a strength: 0.3 makes it stagger, 0.7 knocks most over.</summary>

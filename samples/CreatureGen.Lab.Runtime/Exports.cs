@@ -221,9 +221,9 @@ internal static partial class Exports
     [JSExport]
     internal static void GoOn(int slot) => stage[slot].Animator.GoOn();
 
-    /// <summary>Tries an act beforehand, so that it begins at once when it is asked for. Whether the creature can do it.</summary>
+    /// <summary>Tries an act for some milliseconds, so that others live on meanwhile. Whether all of it is tried: it begins at once then, or is refused.</summary>
     [JSExport]
-    internal static bool Rehearse(int slot, string act) => stage[slot].Deeds.Find(act).IsPossible;
+    internal static bool Rehearse(int slot, string act, double milliseconds) => stage[slot].Deeds.Try(act, milliseconds);
 
     /// <summary>Food lies there: it comes and eats.</summary>
     [JSExport]

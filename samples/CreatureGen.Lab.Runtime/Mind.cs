@@ -15,8 +15,12 @@ internal sealed class Mind
     /// <summary>How far a swimmer's lowest point is below the surface of a lake at least, parts of its height: its back shows.</summary>
     private const float SwimmingDepth = 0.8f;
 
-    /// <summary>What it passes its time with: acts that are tried on a body in a moment, as everybody waits meanwhile. How it grazes takes up to a second to find out.</summary>
+    /// <summary>What it passes its time with, and what it does if it cannot do that.</summary>
     private static readonly string[] pastimes = ["Sniff", "Shake", "Scratch", "Groom", "Call"];
+    private const string Substitute = "Sniff";
+
+    /// <summary>Milliseconds of a move in which it tries what it is about to do.</summary>
+    private const double Trial = 3.0;
 
     private readonly RandomStream chance;
     private SeekState seek;
@@ -33,6 +37,7 @@ internal sealed class Mind
     private bool eats;
     private float feels;
     private float bored = 5f;
+    private string? pastime;
 
     public Mind(int slot) => chance = new Seed(0x6c6162).Child("mind").Child(slot).Stream();
 
@@ -127,7 +132,7 @@ internal sealed class Mind
             Feel(self, new Emotion(0.3f, 0.9f, 0f), 4f);
         }
 
-        if (food is { } meal && Eats(self, meal))
+        if (food is { } meal && self.Deeds.Try("Eat", Trial) && self.Deeds.Try(Substitute, Trial) && Eats(self, meal))
         {
             return new MotionInput(0f, Medium: medium);
         }
@@ -194,7 +199,7 @@ internal sealed class Mind
         }
 
         table++;
-        eats = self.Deeds.Perform("Eat", ActTarget.At(meal)).Length == 0 || (table == tables.Length && self.Deeds.PerformAny(["Eat", "Sniff"]));
+        eats = self.Deeds.Perform("Eat", ActTarget.At(meal)).Length == 0 || (table == tables.Length && self.Deeds.PerformAny(["Eat", Substitute]));
         if (table == tables.Length && !eats)
         {
             food = null;
@@ -211,7 +216,13 @@ internal sealed class Mind
         if (bored <= 0f && !travels && can.Medium == Medium.Ground && !airborne)
         {
             bored = (float)chance.Uniform(7.0, 18.0);
-            self.Deeds.PerformAny([pastimes[(int)(chance.Uniform() * pastimes.Length)], "Sniff"]);
+            pastime = pastimes[(int)(chance.Uniform() * pastimes.Length)];
+        }
+
+        if (pastime is { } wanted && !travels && self.Deeds.Try(wanted, Trial) && self.Deeds.Try(Substitute, Trial))
+        {
+            pastime = null;
+            self.Deeds.PerformAny([wanted, Substitute]);
         }
     }
 

@@ -118,6 +118,9 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void A_browser_that_cannot_run_it_gets_pictures() => page.Holds("a browser that cannot run it gets pictures");
 
     [Fact]
+    public void While_an_act_is_tried_others_live_on() => page.Holds("while an act is tried others live on");
+
+    [Fact]
     public void Axe_finds_no_serious_issue_on_any_tab() => page.Holds("axe finds no serious issue on any tab");
 
     [Fact]

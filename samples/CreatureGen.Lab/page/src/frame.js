@@ -204,7 +204,7 @@ export class Frame {
       this.looks.show();
       this.#thumb();
       // The first act that is tried takes longest: it is tried before somebody asks for one.
-      this.library.call('Rehearse', 0, 'Dance').catch(() => {});
+      this.play.rehearse('Dance').catch(() => {});
     });
     lab.addEventListener('neighbours', () => {
       this.#showNeighbours();

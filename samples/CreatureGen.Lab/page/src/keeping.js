@@ -19,8 +19,9 @@ export class Keeping {
     return nameOfDesign(this.lab.design);
   }
 
+  /** Its portrait; where there is none yet, what is seen. */
   thumb() {
-    return this.snapshot(thumbSize).toDataURL('image/jpeg', 0.8);
+    return this.lab.herd.members.get(0).thumb ?? this.snapshot(thumbSize).toDataURL('image/jpeg', 0.8);
   }
 
   save() {

@@ -25,8 +25,10 @@ const browser = await openBrowser();
 const troubles = [];
 const strangers = [];
 
-async function visit(address, size = { width: 900, height: 640 }) {
+/** Opens the page and waits for its creature; `before` runs in it before anything else. */
+async function visit(address, size = { width: 900, height: 640 }, before = () => {}) {
   const page = await browser.newPage({ viewport: size });
+  await page.addInitScript(before);
   page.setDefaultTimeout(longest);
   page.on('pageerror', error => troubles.push(String(error)));
   page.on('request', request => {

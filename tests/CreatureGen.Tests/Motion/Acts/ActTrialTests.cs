@@ -45,6 +45,33 @@ public class ActTrialTests
     }
 
     [Theory]
+    [InlineData(RequestedKind.Walking, 25)]
+    [InlineData(RequestedKind.Flying, 4101)]
+    [InlineData(RequestedKind.Swimming, 4102)]
+    public void An_act_that_is_tried_in_steps_comes_to_the_same_as_one_that_is_tried_at_once(RequestedKind kind, ulong seed)
+    {
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
+        CreatureActs atOnce = new MotionProfile(creature).Acts;
+        CreatureActs stepped = new MotionProfile(creature).Acts;
+        foreach (Act act in ActLibrary.All)
+        {
+            ActAbility expected = atOnce.Rehearse(act);
+            List<ActAbility?> steps = [.. stepped.RehearseInSteps(act)];
+
+            Assert.All(steps.Take(steps.Count - 1), Assert.Null);
+            ActAbility found = steps[^1]!;
+            Assert.Equal((expected.Refusal, expected.Seconds, expected.SecondsToContact, expected.UsualAim, expected.Parts, expected.Reach), (found.Refusal, found.Seconds, found.SecondsToContact, found.UsualAim, found.Parts, found.Reach));
+        }
+    }
+
+    [Fact]
+    public void Where_legs_fold_is_found_in_many_small_steps()
+    {
+        CreatureActs acts = new MotionProfile(CreatureGenerator.Generate(25, CreatureOptions.Default with { Kind = RequestedKind.Walking })).Acts;
+        Assert.InRange(ActLibrary.All.Where(act => act.Name == "Lie").Max(act => acts.RehearseInSteps(act).Count()), 10, 1000);
+    }
+
+    [Theory]
     [InlineData(6006, "Lie")]
     [InlineData(6021, "Die")]
     [InlineData(6022, "Sleep")]

@@ -30,15 +30,15 @@ export function meetPanel(act) {
     root,
     refresh(f) {
       const rows = [
+        [texts.facts.body, f.bodies.slice(0, 3).map(beast).join(', '), 'long'],
         [texts.facts.plan, words(f.plan)],
-        [texts.facts.body, f.bodies.slice(0, 3).map(beast).join(', ')],
         [texts.facts.mass, weight(f.mass)],
         [texts.facts.length, length(f.length)],
         [f.medium === 'ground' ? texts.facts.pace : texts.facts.flight, `${f.pace.toFixed(2)} m/s`],
         f.legs ? [texts.facts.legs, f.legs] : null,
         f.generation ? [texts.facts.generation, f.generation] : null,
       ];
-      facts.replaceChildren(...rows.filter(Boolean).map(([what, value]) => h('div', {}, h('dt', {}, what), h('dd', {}, value))));
+      facts.replaceChildren(...rows.filter(Boolean).map(([what, value, room = '']) => h('div', { className: room }, h('dt', {}, what), h('dd', {}, value))));
     },
     people(neighbours) {
       near.replaceChildren(...neighbours.map(member => h('li', {},

@@ -4,6 +4,9 @@ const calmSeconds = 3.5;
 const restSeconds = 2.2;
 const firstPush = 0.32;
 
+// What the library tries of an act at once: in between frames go on.
+const trialMilliseconds = 8;
+
 /** What one does with a creature: push it, pet it, feed it, let it dance. Knows the library and the stage, nothing of panels. */
 export class Playmate {
   #pushes = 0;
@@ -102,7 +105,15 @@ export class Playmate {
     this.treats.hearts(place, size, innerHeight);
   }
 
-  #try(name) {
+  /** Has an act tried on the body, a little at a time, so that it begins at once when it is asked for. */
+  async rehearse(name) {
+    while (!await this.lab.library.call('Rehearse', 0, name, trialMilliseconds)) {
+      // Frames, and what else is asked for, come in between.
+    }
+  }
+
+  async #try(name) {
+    await this.rehearse(name);
     return this.lab.library.call('Perform', 0, name);
   }
 }

@@ -114,6 +114,29 @@ export async function checkPlay({ claim, require, page }) {
     require(!seen.soft.includes('limp') && seen.hard.includes('limp') && seen.hard.includes('rising') && seen.end === 'supported', JSON.stringify(seen));
   });
 
+  await claim('while an act is tried others live on', async () => {
+    const { longest, whole, slices } = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      const lives = { seed: '25', kind: 'walking', strangeness: 0.6, traits: {}, text: null };
+      await frame.lab.meet(lives);
+      const begin = performance.now();
+      let goesOn = true;
+      const tried = frame.play.rehearse('Eat').then(() => frame.play.rehearse('Lie')).then(() => { goesOn = false; });
+      let longest = 0;
+      let slices = 0;
+      while (goesOn) {
+        const asked = performance.now();
+        await frame.library.call('UsualStrangeness');
+        longest = Math.max(longest, performance.now() - asked);
+        slices++;
+      }
+      await tried;
+      return { longest, whole: performance.now() - begin, slices };
+    });
+    require(slices > 10 && longest < 0.4 * whole, `the library answered after ${longest.toFixed()} of ${whole.toFixed()} ms, ${slices} times`);
+    return `${longest.toFixed()} of ${whole.toFixed()} ms at most, ${slices} answers`;
+  });
+
   await claim('it is petted, dances, and comes for its fruit', async () => {
     const seen = await page.evaluate(async () => {
       const frame = creatureLab.lab;

@@ -21,13 +21,28 @@ export async function checkStart({ claim, require, browser, visit, lab, longest 
     await waiting.close();
     require(moved, 'the picture of the first creature stands still');
 
-    const other = await visit(lab.address);
-    await other.evaluate(() => creatureLab.lab.theatre.seen);
+    const other = await visit(lab.address, { width: 900, height: 640 }, () => {
+      window.asked = [];
+      window.Worker = class extends Worker {
+        constructor(...values) {
+          super(...values);
+          window.asked.push({ name: 'worker', at: performance.now() });
+        }
+
+        postMessage(call, ...more) {
+          window.asked.push({ name: call.name, at: performance.now() });
+          super.postMessage(call, ...more);
+        }
+      };
+    });
+    await other.waitForFunction(() => creatureLab.count() > 1);
     const marks = await other.evaluate(() => Object.fromEntries(performance.getEntriesByType('mark').map(mark => [mark.name, Math.round(mark.startTime)])));
     const [baked, live] = ['baked', 'live'].map(name => marks[`creature:${name}`]);
+    const early = await other.evaluate(live => window.asked.filter(({ at }) => at < live).map(({ name }) => name), live);
     await other.waitForFunction(() => !document.getElementById('cover'));
     await other.close();
     require(baked < live, JSON.stringify(marks));
+    require(['worker', 'Grow'].every(name => early.filter(one => one === name).length === 1), `asked for before the first picture: ${early}`);
     return `${baked}, ${live} ms`;
   });
 

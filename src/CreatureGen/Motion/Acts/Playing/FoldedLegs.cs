@@ -27,7 +27,22 @@ internal sealed class FoldedLegs
     public float Tip { get; set; }
 
     /// <summary>Whether they have been found: a body without feet that stand is brought to the ground from then on.</summary>
-    public bool IsFound { get; set; }
+    public bool IsFound { get; private set; }
+
+    /// <summary>Takes what was found for the same legs; what others took before stays.</summary>
+    public void Take(FoldedLegs found)
+    {
+        lock (Folded)
+        {
+            if (!IsFound)
+            {
+                Folded.Take(found.Folded);
+                Stretched.Take(found.Stretched);
+                Tip = found.Tip;
+                IsFound = true;
+            }
+        }
+    }
 
     /// <summary>Adds a share of them to what is asked of a foot.</summary>
     public void AddTo(ref FootLayer foot, int leg, float folded, float stretched)
@@ -65,4 +80,11 @@ internal sealed class FootWays
 
     /// <summary>Toes down, radians.</summary>
     public float[] Pitches { get; }
+
+    /// <summary>Takes those of others.</summary>
+    public void Take(FootWays others)
+    {
+        others.Ways.CopyTo(Ways, 0);
+        others.Pitches.CopyTo(Pitches, 0);
+    }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -49,19 +50,25 @@ internal static class FoldSearch
     /// <param name="body">Whose.</param>
     /// <param name="stage">Where it is tried.</param>
     /// <param name="legs">Receives it; the stage shows it.</param>
-    public static void Find(ActBody body, ActStage stage, FoldedLegs legs)
+    /// <returns>What each way of folding that was tried costs, one pair of legs a step.</returns>
+    public static IEnumerable<float> Steps(ActBody body, ActStage stage, FoldedLegs legs)
     {
-        FindFolded(body, stage, legs);
-        if (body.Build == BodyBuild.Upright)
+        foreach (float cost in Folded(body, stage, legs))
         {
-            FindStretched(body, stage, legs);
+            yield return cost;
         }
 
-        legs.IsFound = true;
+        if (body.Build == BodyBuild.Upright)
+        {
+            foreach (float cost in Stretched(body, stage, legs))
+            {
+                yield return cost;
+            }
+        }
     }
 
     /// <summary>How far the trunk tips over until it is level, and where the legs are then.</summary>
-    private static void FindStretched(ActBody body, ActStage stage, FoldedLegs legs)
+    private static IEnumerable<float> Stretched(ActBody body, ActStage stage, FoldedLegs legs)
     {
         var values = new float[Act.ChannelCount];
         stage.Show(values);
@@ -69,10 +76,10 @@ internal static class FoldSearch
         legs.Tip = (float)PortableMath.Atan2(trunk.Y, trunk.Z) - Propped;
         values[(int)ActChannel.HindDown] = 1f;
         values[(int)ActChannel.ForeFold] = 1f;
-        Find(body, stage, legs.Stretched, (stretchedBeginnings, stretchedLeast), values);
+        return Pairs(body, stage, legs.Stretched, (stretchedBeginnings, stretchedLeast), values);
     }
 
-    private static void FindFolded(ActBody body, ActStage stage, FoldedLegs legs)
+    private static IEnumerable<float> Folded(ActBody body, ActStage stage, FoldedLegs legs)
     {
         var values = new float[Act.ChannelCount];
         values[(int)ActChannel.ForeFold] = body.Build == BodyBuild.Upright ? 0f : 1f;
@@ -83,16 +90,20 @@ internal static class FoldSearch
         {
             values[(int)ActChannel.ForeDown] = down;
             values[(int)ActChannel.HindDown] = down;
-            Find(body, stage, legs.Folded, (beginnings, least), values);
+            foreach (float cost in Pairs(body, stage, legs.Folded, (beginnings, least), values))
+            {
+                yield return cost;
+            }
+
             stage.Show(values);
             if (stage.Sunk() <= MaxSunk)
             {
-                return;
+                yield break;
             }
         }
     }
 
-    private static void Find(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Min) manner, float[] values)
+    private static IEnumerable<float> Pairs(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Min) manner, float[] values)
     {
         for (int leg = 0; leg < body.Legs!.Legs.Length; leg++)
         {
@@ -100,12 +111,15 @@ internal static class FoldSearch
             int other = Array.FindIndex(body.Legs.Legs, one => one.Row == rig.Row && one.Side == Side.Right);
             if (rig.Side == Side.Left && other >= 0)
             {
-                Find(body, stage, ways, manner, (leg, other), values);
+                foreach (float cost in Pair(body, stage, ways, manner, (leg, other), values))
+                {
+                    yield return cost;
+                }
             }
         }
     }
 
-    private static void Find(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Min) manner, (int Left, int Right) pair, float[] values)
+    private static IEnumerable<float> Pair(ActBody body, ActStage stage, FootWays ways, (float[][] Beginnings, float[] Min) manner, (int Left, int Right) pair, float[] values)
     {
         (int left, int right) = pair;
         LegRig rig = body.Legs!.Legs[left];
@@ -134,6 +148,8 @@ internal static class FoldSearch
                 least = cost;
                 now.CopyTo(best, 0);
             }
+
+            yield return cost;
 
             bool Move(int number, float by)
             {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Maths;
@@ -34,14 +35,13 @@ internal sealed class Rehearsal
     private readonly ActBody body;
     private readonly Func<ILocomotionMode?> mode;
     private readonly FoldedLegs legs;
-    private bool folds;
 
     public Rehearsal(ActBody body, Func<ILocomotionMode?> mode)
     {
         this.body = body;
         this.mode = mode;
         legs = new FoldedLegs(body.Legs?.Legs.Length ?? 0);
-        Room = RoomSearch.Find(body, StageWithoutRoom(), legs);
+        Room = RoomSearch.Find(body, StageWithoutRoom(legs), legs);
     }
 
     /// <summary>How far the trunk goes over planted feet.</summary>
@@ -53,18 +53,40 @@ internal sealed class Rehearsal
     /// <summary>Finds out how a body does an act.</summary>
     public ActAbility Try(Act act, ActStage stage)
     {
+        ActAbility? found = null;
+        foreach (ActAbility? step in Steps(act, stage))
+        {
+            found = step;
+        }
+
+        return found!;
+    }
+
+    /// <summary>The same a little at a time, one search or one phase of the act a step: nothing, and with the last what was found.</summary>
+    public IEnumerable<ActAbility?> Steps(Act act, ActStage stage)
+    {
         float[] ends = ActPlayer.EndsOf(act, body.TimeUnit(MotionSettings.Default.Gravity) * ActTempo.Of(act, body));
         if (Lacks(act) is string lack)
         {
-            return new ActAbility(act, lack, default, ends, default(ActAim), () => null);
+            yield return new ActAbility(act, lack, default, ends, default(ActAim), () => null);
+            yield break;
         }
 
         if (Folds(act))
         {
-            FindFolds();
+            foreach (float _ in FindFolds())
+            {
+                yield return null;
+            }
         }
 
-        Vector3 usual = act.Reaches ? UsualTarget.Of(act, body, stage) : default;
+        Vector3 usual = default;
+        foreach (Vector3? target in act.Reaches ? UsualTarget.Steps(act, body, stage) : [])
+        {
+            usual = target ?? usual;
+            yield return null;
+        }
+
         string? refusal = null;
         foreach (ActGain gain in act.Reaches ? reachingGains : gains)
         {
@@ -74,33 +96,44 @@ internal sealed class Rehearsal
             {
                 float missing = ReachSearch.Find(stage, body, act, gain, ref aim);
                 refusal = missing > MaxMiss * ReachLength(act, body) ? FormattableString.Invariant($"it stays {missing:0.00} m from where it would reach") : null;
+                yield return null;
             }
 
-            refusal ??= Spoils(act, stage, gain, aim);
+            foreach (string? spoilt in refusal == null ? Spoils(act, stage, gain, aim) : [])
+            {
+                refusal = spoilt;
+                yield return null;
+            }
+
             if (refusal == null)
             {
-                return new ActAbility(act, null, gain, ends, aim, () => act.Reaches ? ReachOf(act, gain, usual) : null);
+                yield return new ActAbility(act, null, gain, ends, aim, () => act.Reaches ? ReachOf(act, gain, usual) : null);
+                yield break;
             }
         }
 
-        return new ActAbility(act, refusal, default, ends, new ActAim(act.Tool, false, usual, act.SnoutDown, default), () => null);
+        yield return new ActAbility(act, refusal, default, ends, new ActAim(act.Tool, false, usual, act.SnoutDown, default), () => null);
     }
 
     /// <summary>Finds where legs fold to when the first act asks for it: it takes ten times as long as all else here, and most creatures never lie down.</summary>
-    private void FindFolds()
+    private IEnumerable<float> FindFolds()
     {
-        lock (legs)
+        if (legs.IsFound || body.Legs == null)
         {
-            if (!folds && body.Legs != null)
-            {
-                FoldSearch.Find(body, StageWithoutRoom(), legs);
-            }
-
-            folds = true;
+            yield break;
         }
+
+        // Others perform, and search, meanwhile: they see all of it or nothing.
+        var found = new FoldedLegs(body.Legs.Legs.Length);
+        foreach (float cost in FoldSearch.Steps(body, StageWithoutRoom(found), found))
+        {
+            yield return cost;
+        }
+
+        legs.Take(found);
     }
 
-    private ActStage StageWithoutRoom() => new(body, mode(), TrunkRoom.Any(legs));
+    private ActStage StageWithoutRoom(FoldedLegs shown) => new(body, mode(), TrunkRoom.Any(shown));
 
     private static bool Folds(Act act)
     {
@@ -135,8 +168,8 @@ internal sealed class Rehearsal
         return act.Tool != ActTool.None && body.Tools.JointOf(act.Tool, false) < 0 ? "it has nothing to do it with" : null;
     }
 
-    /// <summary>What goes wrong in the course of an act, in words; null for nothing.</summary>
-    private string? Spoils(Act act, ActStage stage, ActGain gain, in ActAim aim)
+    /// <summary>What goes wrong in the course of an act, in words, one phase a step: null for nothing, up to the first that something spoils.</summary>
+    private IEnumerable<string?> Spoils(Act act, ActStage stage, ActGain gain, ActAim aim)
     {
         for (int phase = 0; phase < act.Phases.Count; phase++)
         {
@@ -146,17 +179,19 @@ internal sealed class Rehearsal
                 stage.Show(act, phase, k == Moments ? 1 : (k - Offbeat) / Moments, gain, aim);
                 if (body.Legs != null && stage.Slip() > MaxSlip)
                 {
-                    return "its feet would not stay where they stand";
+                    yield return "its feet would not stay where they stand";
+                    yield break;
                 }
 
                 if (stage.Sunk() > MaxSunk)
                 {
-                    return "it would sink into the ground";
+                    yield return "it would sink into the ground";
+                    yield break;
                 }
             }
-        }
 
-        return null;
+            yield return null;
+        }
     }
 
     private ActReach? ReachOf(Act act, ActGain gain, Vector3 usual)

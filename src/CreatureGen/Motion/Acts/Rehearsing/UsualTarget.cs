@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
@@ -21,10 +22,9 @@ internal static class UsualTarget
     // Parts of the distance at which a snap is tried, the farthest first.
     private static readonly float[] parts = { 1f, 0.7f, 0.45f, 0.25f };
 
-    /// <summary>The target, model space.</summary>
-    public static Vector3 Of(Act act, ActBody body, ActStage stage)
+    /// <summary>The target, model space: nothing while it is sought, one search a step, then where it is.</summary>
+    public static IEnumerable<Vector3?> Steps(Act act, ActBody body, ActStage stage)
     {
-        float unit = body.Unit;
         stage.Show(act, 0, 0, ActGain.Full, default);
         Vector3 now = stage.PlaceOf(act.Tool, false);
         if (act.Tool is ActTool.Mouth or ActTool.Brow)
@@ -33,7 +33,13 @@ internal static class UsualTarget
             return grounded ? OnGround(act, body, stage, now) : InFront(act, body, stage, now);
         }
 
-        return act.Tool switch
+        return new Vector3?[] { Beside(act.Tool, body, now) };
+    }
+
+    private static Vector3 Beside(ActTool tool, ActBody body, Vector3 now)
+    {
+        float unit = body.Unit;
+        return tool switch
         {
             ActTool.ForeFoot => now + ((body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? new Vector3(-0.05f, 0.22f, 0.2f) : new Vector3(-0.05f, 0.45f, 0.45f)) * unit),
 ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, body.Legs.IsBiped ? 0.45f : -0.55f) * unit),
@@ -43,7 +49,7 @@ ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, bod
     }
 
     /// <summary>As far in front as it reaches, of a few distances.</summary>
-    private static Vector3 InFront(Act act, ActBody body, ActStage stage, Vector3 now)
+    private static IEnumerable<Vector3?> InFront(Act act, ActBody body, ActStage stage, Vector3 now)
     {
         Vector3 way = (act.Kind == ActKind.Upkeep && body.Build == BodyBuild.Legless ? new Vector3(0f, 0.15f, -0.3f) : Before(body.Build)) * body.Unit;
         foreach (float part in parts)
@@ -51,11 +57,14 @@ ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, bod
             var aim = new ActAim(act.Tool, false, now + (way * part), act.SnoutDown, default);
             if (ReachSearch.Find(stage, body, act, ActGain.Full, ref aim) < 1.5f * ReachSearch.Near * body.Unit)
             {
-                return aim.Target;
+                yield return aim.Target;
+                yield break;
             }
+
+            yield return null;
         }
 
-        return now + (way * parts[^1]);
+        yield return now + (way * parts[^1]);
     }
 
     /// <summary>What a mouth snaps at, units from where it is: ahead; of crawlers above where the head lies.</summary>
@@ -66,7 +75,7 @@ ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, bod
         _ => new Vector3(0f, -0.12f, 0.4f),
     };
 
-    private static Vector3 OnGround(Act act, ActBody body, ActStage stage, Vector3 now)
+    private static IEnumerable<Vector3?> OnGround(Act act, ActBody body, ActStage stage, Vector3 now)
     {
         Vector3 best = now;
         float least = float.MaxValue;
@@ -84,8 +93,10 @@ ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, bod
             {
                 break;
             }
+
+            yield return null;
         }
 
-        return best;
+        yield return best;
     }
 }
