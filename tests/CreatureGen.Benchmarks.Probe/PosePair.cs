@@ -18,7 +18,11 @@ internal sealed class PosePair
 
     public PosePair(MotionProfile profile)
     {
+#if EARLIER
+        Skeleton = profile.Creature.Skeleton;
+#else
         Skeleton = profile.Subject.Skeleton;
+#endif
         Totals = new float[Skeleton.Count];
         var animator = new CreatureAnimator(profile);
         for (int pose = 0; pose < 3; pose++)

@@ -64,10 +64,14 @@ internal static class Rows
     private static CreatureOptions Animals => CreatureOptions.Default;
 
     private static void Levels(CreatureMesh mesh) => CreatureLevels.Of(mesh);
+
+    private static CreatureMesh MeshOf(MotionProfile profile) => profile.Creature.Mesh;
 #else
     private static CreatureOptions Animals => CreatureOptions.Default with { Strangeness = 0 };
 
     private static void Levels(CreatureMesh mesh) => CreatureLods.Of(mesh);
+
+    private static CreatureMesh MeshOf(MotionProfile profile) => profile.Subject.Mesh;
 #endif
 
     private static Row Glb(Subjects subjects, GltfOptions options, int count)
@@ -140,7 +144,7 @@ internal static class Rows
         ForwardKinematics.LocalToModel(pair.Skeleton, pair.First, pair.Result);
         var matrices = new Matrix4x4[pair.Skeleton.Count];
         SkinMatrices.Fill(pair.Skeleton, pair.Result, matrices);
-        CreatureMesh mesh = p.Subject.Mesh;
+        CreatureMesh mesh = MeshOf(p);
         var positions = new Vector3[mesh.Positions.Length];
         var normals = new Vector3[mesh.Positions.Length];
         return () => CpuSkinning.Skin(matrices, mesh.Weights, mesh.Positions, mesh.Normals, positions, normals);

@@ -31,6 +31,11 @@ internal sealed class MeshReduction
     private readonly int[] standsFor;
     private readonly CostQueue queue;
     private readonly bool[] queued;
+
+    // The neighbour that was found to cost least for a point, or −1 once something around the point has changed: spares ranking the neighbours a second time when that price is due.
+    // Not kept where the texture tears: then it depends on vertices farther away.
+    private readonly int[] cheapest;
+    private bool tears;
     private readonly double[] neighbourCosts = new double[64];
     private readonly List<int> neighbours = new();
     private readonly List<int> around = new();
@@ -84,6 +89,8 @@ internal sealed class MeshReduction
         pieceOf = pieces.PieceOf;
         lost = new bool[positions.Length];
         queued = new bool[positions.Length];
+        cheapest = new int[positions.Length];
+        Array.Fill(cheapest, -1);
         queue = new CostQueue(positions.Length);
         OfferPieces(pieces);
         for (int p = 0; p < positions.Length; p++)
@@ -193,11 +200,19 @@ internal sealed class MeshReduction
     /// <summary>Pulls a point onto the neighbour for which that costs least; puts it back when that costs more than was known, and sets it aside when no neighbour will do.</summary>
     private void Step(int point, double known)
     {
+        int best = cheapest[point];
+        if (best >= 0 && TryBoth(point, best))
+        {
+            Requeue(best);
+            return;
+        }
+
         Rank(point);
-        for (int i = 0; i < candidates.Count; i++)
+        for (int i = best >= 0 ? 1 : 0; i < candidates.Count; i++)
         {
             if (neighbourCosts[i] > known)
             {
+                cheapest[point] = i == 0 && !tears ? candidates[0] : -1;
                 queued[point] = true;
                 queue.Add(point, neighbourCosts[i]);
                 return;
@@ -216,6 +231,7 @@ internal sealed class MeshReduction
     {
         surface.Neighbours(point, neighbours);
         candidates.Clear();
+        tears = false;
         foreach (int n in neighbours)
         {
             bool sidesKept = !mirrored || (twin[point] == point ? twin[n] == n : n != twin[point] && !OnOtherSide(n));
@@ -225,6 +241,7 @@ internal sealed class MeshReduction
             }
 
             bool torn = !Match(point, n, pairs);
+            tears |= torn;
             double price = cost.Of(point, n, pairs, torn);
             int at = candidates.Count;
             candidates.Add(n);
@@ -330,6 +347,7 @@ internal sealed class MeshReduction
         neighbours.Add(to);
         foreach (int n in neighbours)
         {
+            cheapest[n] = -1;
             if (!mirrored || !OnOtherSide(n))
             {
                 Enqueue(n);
