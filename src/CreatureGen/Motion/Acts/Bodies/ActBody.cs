@@ -40,7 +40,7 @@ internal sealed class ActBody
         Neck = new TurnedChain(Skeleton, Bearers.Length > 1 ? Bearers[..^1] : Bearers);
         Tail = new TurnedChain(Skeleton, TailOf());
         Back = new TurnedChain(Skeleton, legs == null && Build != BodyBuild.Legless ? Spine : Array.Empty<int>());
-        Ears = Joints(JointRole.Ear).Where(joint => Skeleton.Joints[Skeleton.Parents[joint]].Role != JointRole.Ear).ToArray();
+        Ears = RootsOf(JointRole.Ear);
         Arms = subject.Limbs.Where(limb => limb.Kind == LimbKind.Arm && limb.Joints.Count == 6).ToArray();
         Fins = subject.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral || (limb.Kind == LimbKind.Wing && subject.Kind != LocomotionKind.Flying)).ToArray();
         Size = SizeOf();
@@ -53,7 +53,9 @@ internal sealed class ActBody
 
         Has = PartsOf();
         Skin = SupportPoints.Of(subject);
-        HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1));
+        Feelers = Array.ConvertAll(RootsOf(JointRole.Antenna), root => new TurnedChain(Skeleton, Joints(JointRole.Antenna).Where(joint => Hangs(joint, root)).ToArray()));
+        FeelerSkins = Array.ConvertAll(Feelers, feeler => Skin.Of(joint => Hangs(joint, feeler.Joints[0])));
+        HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Array.Exists(Feelers, feeler => Hangs(joint, feeler.Joints[0])));
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
         BearingSkin = Skin.Of(joint => !Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1) && !Array.Exists(Arms, arm => Hangs(joint, arm.Joints[1])));
@@ -106,6 +108,9 @@ internal sealed class ActBody
     /// <summary>The roots of the ears.</summary>
     public int[] Ears { get; }
 
+    /// <summary>Each feeler, from its root.</summary>
+    public TurnedChain[] Feelers { get; }
+
     public LimbChain[] Arms { get; }
 
     /// <summary>Paired fins, and wings that do not fly.</summary>
@@ -123,13 +128,16 @@ internal sealed class ActBody
     /// <summary>What of the skin can touch the ground.</summary>
     public SupportPoints Skin { get; }
 
-    /// <summary>The same of neck and head, and of the tail.</summary>
+    /// <summary>The same of neck and head without feelers, and of the tail.</summary>
     public SupportPoints HeadSkin { get; }
 
     public SupportPoints TailSkin { get; }
 
     /// <summary>The same of each arm.</summary>
     public SupportPoints[] ArmSkins { get; }
+
+    /// <summary>The same of each feeler.</summary>
+    public SupportPoints[] FeelerSkins { get; }
 
     /// <summary>The same of trunk and legs: what a body lies on.</summary>
     public SupportPoints BearingSkin { get; }
@@ -234,6 +242,9 @@ internal sealed class ActBody
 
         return Math.Max(front - rear, Legs?.HipHeight ?? 0f);
     }
+
+    /// <summary>Joints of a role whose parents are of another.</summary>
+    private int[] RootsOf(JointRole role) => Joints(role).Where(joint => Skeleton.Joints[Skeleton.Parents[joint]].Role != role).ToArray();
 
     private int[] Joints(params JointRole[] roles)
     {

@@ -43,13 +43,13 @@ internal static class Displays
             new ActPhase("recover", 2.4f).To(HindDown, 0f).To(Pitch, 0f).To(NeckPitch, 0f).To(Ahead, 0f).To(Jaw, 0f).To(Ears, 0f).To(Wings, 0f).To(ArmsOut, 0f).To(ArmsAhead, 0f).To(ArmsBend, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Legs).For(BodyBuild.TwoLegged | BodyBuild.Upright).OnTheSpot(),
         new Act("Threaten", ActKind.Display,
-            new ActPhase("lower", 1.8f).To(ForeDown, 0.22f).To(HindDown, 0.04f).To(NeckPitch, -0.45f).To(HeadPitch, 0.05f).To(Ears, 1f).To(TailPitch, 0.35f).To(Lids, 0.25f),
-            new ActPhase("show", 3f).To(Jaw, 0.75f).To(Ahead, 0.1f).With(new ActWave(HeadSide, 0.16f, 1.5f)).With(new ActWave(TailSide, 0.3f, 2f)),
+            new ActPhase("lower", 1.8f).To(ForeDown, 0.22f).To(HindDown, 0.04f).To(NeckPitch, -0.45f).To(HeadPitch, 0.05f).To(Ears, 1f).To(TailPitch, 0.35f).To(Lids, 0.25f).To(Wings, 0.75f),
+            new ActPhase("show", 3f).To(Jaw, 0.75f).To(Ahead, 0.1f).With(new ActWave(HeadSide, 0.16f, 1.5f)).With(new ActWave(TailSide, 0.3f, 2f)).With(new ActWave(Wings, 0.08f, 4f)),
             new ActPhase("paw", 0.8f).To(Aside, -0.06f).To(ForeFootUp, 0.14f).To(ForeFootAhead, 0.12f),
             new ActPhase("rake", 0.5f).To(ForeFootUp, 0.03f).To(ForeFootAhead, -0.12f),
             new ActPhase("paw again", 0.8f).To(ForeFootUp, 0.14f).To(ForeFootAhead, 0.12f),
             new ActPhase("set down", 0.7f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f),
-            new ActPhase("recover", 2.2f).To(Aside, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Lids, 0f))
+            new ActPhase("recover", 2.2f).To(Aside, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Jaw, 0f).To(Ears, 0f).To(TailPitch, 0f).To(Lids, 0f).To(Wings, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar).OnTheSpot(),
         new Act("Submit", ActKind.Display,
             new ActPhase("crouch", 2.2f).To(ForeDown, 0.4f).To(HindDown, 0.55f).To(Ahead, -0.10f).To(NeckPitch, -0.35f).To(HeadPitch, -0.1f).To(HeadRoll, 0.2f).To(Ears, 1f).To(Lids, 0.4f).To(TailPitch, -0.6f).To(TailCurl, -0.4f).To(Wings, -0.4f).To(BackPitch, -0.15f),

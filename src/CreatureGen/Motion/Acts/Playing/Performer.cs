@@ -10,8 +10,9 @@ namespace CreatureGen.Motion.Acts.Playing;
 /// <summary>What one creature on the scene performs: sequences the player, the layer and what is brought to a target, and nothing else. Allocates nothing once it is made.</summary>
 internal sealed class Performer
 {
-    /// <summary>How often neck and tail are raised off the ground, and by how much at most, radians.</summary>
+    /// <summary>How often neck and tail are raised off the ground, feelers too, which go deeper, and by how much at most, radians: a turn that is spread over a chain raises its end about half as far.</summary>
     private const int ClearingRounds = 3;
+    private const int FeelerRounds = 6;
     private const float MaxCleared = 0.5f;
 
     /// <summary>How quickly what a standing creature does by itself gives way to an act, per second, and what counts as none.</summary>
@@ -193,8 +194,13 @@ internal sealed class Performer
         if (carried)
         {
             Settle(ground, local, model);
-            KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, local, model);
-            KeepOffGround(ground, body.Tail, body.TailSkin, 1f, local, model);
+            KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, ClearingRounds, local, model);
+            KeepOffGround(ground, body.Tail, body.TailSkin, 1f, ClearingRounds, local, model);
+            for (int i = 0; i < body.Feelers.Length; i++)
+            {
+                KeepOffGround(ground, body.Feelers[i], body.FeelerSkins[i], -1f, FeelerRounds, local, model);
+            }
+
             for (int i = 0; i < body.Arms.Length; i++)
             {
                 KeepArmOffGround(ground, body.Arms[i].Joints[1], body.ArmSkins[i], local, model);
@@ -237,10 +243,10 @@ internal sealed class Performer
         }
     }
 
-    /// <summary>Raises neck or tail where it would be in the ground, as seen from the root: before the whole body has to.</summary>
-    private void KeepOffGround(in ActGround ground, TurnedChain chain, SupportPoints skin, float sign, in Pose local, in Pose model)
+    /// <summary>Raises neck, feeler or tail where it would be in the ground, as seen from the root: before the whole body has to.</summary>
+    private void KeepOffGround(in ActGround ground, TurnedChain chain, SupportPoints skin, float sign, int rounds, in Pose local, in Pose model)
     {
-        for (int round = 0; round < ClearingRounds && chain.Count > 0; round++)
+        for (int round = 0; round < rounds && chain.Count > 0; round++)
         {
             float raise = skin.Raise(ground, model.Positions[chain.Joints[0]], model);
             if (raise == 0f)
