@@ -385,7 +385,8 @@ internal sealed class FootPlanner
         Vector3 wanted = there + Rotation.Rotate(turn, home);
 
         // Who stands shifts its weight, and its feet go home whatever its hips do.
-        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body.Legs[leg], foot.Hip, step.RootVelocity, flight, wanted) : wanted);
+        Vector3 shift = Rotation.Rotate(turn, new Vector3(0f, 0f, foot.Nudge));
+        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body.Legs[leg], foot.Hip, step.RootVelocity, flight, wanted + shift) - shift : wanted);
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
         float fraction = foot.Swing > 0f && foot.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
         foot.Wanted += (next - foot.Wanted) * fraction;
