@@ -121,17 +121,12 @@ internal sealed class LegPoser
             parts = ref folded;
         }
 
-        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, foot.Heading), slack, tolerance, out solved);
-        foot.Stretch = solved.Stretch;
-        foot.Residual = solved.Residual;
+        Quaternion heading = foot.Heading;
         foot.Hip = hip;
-        turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
-        local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
-        if (Bound(local.Rotations, leg.Hip, leg.HipJoint, tolerance) > tolerance)
+        float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
+        if (!Aim(leg, parts, carrier, chord, heading, slack, tolerance, local, out solved))
         {
             // The foot keeps its own turn where the thigh cannot go, and in the air is not led into the ground.
-            solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
-            solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
             if (foot.Phase == FootPhase.Swing)
             {
                 LegSolver.Raise(leg, parts, chord.Y - foot.Lift, tolerance, ref solved);
@@ -141,13 +136,44 @@ internal sealed class LegPoser
                 LegSolver.Bend(leg, parts, chord, tolerance, ref solved);
             }
 
-            local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
-            foot.Residual = Vec.Distance(EndOf(leg, parts, solved), chord);
+            if (arriving > 0f)
+            {
+                // It will stand where it comes down: with the leg as it then is.
+                LegRotations held = solved;
+                Aim(leg, parts, carrier, EndOf(leg, parts, solved), heading, slack, tolerance, local, out solved);
+                solved.Blend(held, 1f - arriving, leg.Hinge);
+            }
+
+            SetHip(leg, carrier, solved, local);
+            SetKnee(leg, solved, local);
+            solved.Residual = Vec.Distance(EndOf(leg, parts, solved), chord);
         }
 
-        float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
+        foot.Stretch = solved.Stretch;
+        foot.Residual = solved.Residual;
         foot.Astray = arriving > 0f ? (EndOf(leg, parts, solved) - chord) * arriving : default;
     }
+
+    /// <summary>Solves hip and knee for a place from the hip and writes them, the hip within its limits.</summary>
+    /// <returns>Whether the hip goes as far as it is asked.</returns>
+    private bool Aim(LegRig leg, in LegSegments parts, Quaternion carrier, Vector3 chord, Quaternion heading, float slack, float tolerance, in Pose local, out LegRotations solved)
+    {
+        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, heading), slack, tolerance, out solved);
+        SetHip(leg, carrier, solved, local);
+        SetKnee(leg, solved, local);
+        if (Bound(local.Rotations, leg.Hip, leg.HipJoint, tolerance) <= tolerance)
+        {
+            return true;
+        }
+
+        solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
+        solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
+        return false;
+    }
+
+    private void SetHip(LegRig leg, Quaternion carrier, in LegRotations solved, in Pose local) => turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
+
+    private static void SetKnee(LegRig leg, in LegRotations solved, in Pose local) => local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
 
     /// <summary>Where the solved parts end, from the hip.</summary>
     private static Vector3 EndOf(LegRig leg, in LegSegments parts, in LegRotations solved) => Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank);

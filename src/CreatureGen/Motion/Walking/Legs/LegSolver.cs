@@ -34,6 +34,18 @@ internal struct LegRotations
 
     /// <summary>Turn of the shank relative to the thigh about the hinge, radians.</summary>
     public readonly float KneeTurn => 2f * FastTrigonometry.Of(KneeHalfSine, Knee.W);
+
+    /// <summary>Goes part of the way to other turns of the same leg.</summary>
+    /// <param name="other">The other turns.</param>
+    /// <param name="fraction">How far, 0..1.</param>
+    /// <param name="hinge">Axis of the knee.</param>
+    public void Blend(in LegRotations other, float fraction, Vector3 hinge)
+    {
+        Thigh = UnitRotation.Nlerp(Thigh, other.Thigh, fraction);
+        Knee = UnitRotation.Nlerp(Knee, other.Knee, fraction);
+        KneeHalfSine = Vec.Dot(new Vector3(Knee.X, Knee.Y, Knee.Z), hinge);
+        Shank = Rotation.Multiply(Thigh, Knee);
+    }
 }
 
 /// <summary>
