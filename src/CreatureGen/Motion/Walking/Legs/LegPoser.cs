@@ -106,9 +106,12 @@ internal sealed class LegPoser
     private void Solve(LegRig leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegRotations solved)
     {
         Vector3 chord = pose.Target - hip;
+        float ground = chord.Y - foot.Lift;
         if (carried > 0f)
         {
+            // Where the body carries it, and not through the ground: a body that brakes is lower than one that leaps.
             chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Row > 0 ? leg.Tucked : leg.Trailed), carried);
+            chord.Y = Math.Max(chord.Y, ground + foot.Over);
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegGaitParameters.SlackCurve.At(foot.Swing) : 0f;
@@ -121,15 +124,13 @@ internal sealed class LegPoser
             parts = ref folded;
         }
 
-        Quaternion heading = foot.Heading;
-        foot.Hip = hip;
         float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
-        if (!Aim(leg, parts, carrier, chord, heading, slack, tolerance, local, out solved))
+        if (!Aim(leg, parts, carrier, chord, foot.Heading, slack, tolerance, local, out solved))
         {
             // The foot keeps its own turn where the thigh cannot go, and in the air is not led into the ground.
             if (foot.Phase == FootPhase.Swing)
             {
-                LegSolver.Raise(leg, parts, chord.Y - foot.Lift, tolerance, ref solved);
+                LegSolver.Raise(leg, parts, ground, tolerance, ref solved);
             }
             else
             {
@@ -140,7 +141,7 @@ internal sealed class LegPoser
             {
                 // It will stand where it comes down: with the leg as it then is.
                 LegRotations held = solved;
-                Aim(leg, parts, carrier, EndOf(leg, parts, solved), heading, slack, tolerance, local, out solved);
+                Aim(leg, parts, carrier, EndOf(leg, parts, solved), foot.Heading, slack, tolerance, local, out solved);
                 solved.Blend(held, 1f - arriving, leg.Hinge);
             }
 
@@ -149,6 +150,7 @@ internal sealed class LegPoser
             solved.Residual = Vec.Distance(EndOf(leg, parts, solved), chord);
         }
 
+        foot.Hip = hip;
         foot.Stretch = solved.Stretch;
         foot.Residual = solved.Residual;
         foot.Astray = arriving > 0f ? (EndOf(leg, parts, solved) - chord) * arriving : default;
