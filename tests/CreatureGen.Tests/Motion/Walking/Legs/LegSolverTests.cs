@@ -50,6 +50,85 @@ public sealed class LegSolverTests
         Assert.Equal(held.Knee, after.Knee);
     }
 
+    [Fact]
+    public void A_leg_whose_thigh_is_held_brings_its_end_as_near_to_its_target_as_any_bend_of_its_knee_does()
+    {
+        int moved = 0;
+        foreach (ulong seed in new ulong[] { 3, 9, 42, 101, 125 })
+        {
+            foreach (LegRig leg in new MotionProfile(Walkers.Any(seed)).Legs!.Legs)
+            {
+                for (int i = 0; i < 20; i++)
+                {
+                    // Targets around where its end is, none within a shank of the knee.
+                    LegRotations held = Held(leg, (0.1f * i) - 1f);
+                    Vector3 target = End(leg, held) + (leg.Length * new Vector3(0.05f * (i % 3), 0.1f * (i % 4), 0.15f * ((i % 5) - 2)));
+                    Vector3 knee = Rotation.Rotate(held.Thigh, leg.Parts.Upper);
+                    if (Vector3.Distance(knee, target) < leg.Shank.Length())
+                    {
+                        continue;
+                    }
+
+                    LegRotations after = held;
+                    LegSolver.Bend(leg, leg.Parts, target, 0f, ref after);
+                    float miss = Vector3.Distance(End(leg, after), target);
+                    float least = NearestOfAll(leg, held, target);
+                    Assert.True(miss <= least + (1e-3f * leg.Length), $"{seed}: {miss} from its target, a search came to {least}");
+                    moved += Vector3.Distance(End(leg, held), target) > miss + (0.05f * leg.Length) ? 1 : 0;
+                }
+            }
+        }
+
+        Assert.True(moved > 30, $"only {moved} came nearer");
+    }
+
+    [Fact]
+    public void A_leg_whose_target_is_close_to_its_knee_keeps_its_bend()
+    {
+        LegRig leg = new MotionProfile(Walkers.Any(42)).Legs!.Legs[0];
+        LegRotations held = Held(leg, 0.3f);
+        LegRotations after = held;
+        LegSolver.Bend(leg, leg.Parts, Rotation.Rotate(held.Thigh, leg.Parts.Upper) + (0.3f * leg.Shank), 0f, ref after);
+        Assert.Equal(held.Knee, after.Knee);
+    }
+
+    [Fact]
+    public void Turns_of_a_leg_are_blended_from_the_one_to_the_other()
+    {
+        LegRig leg = new MotionProfile(Walkers.Any(42)).Legs!.Legs[0];
+        LegRotations one = Held(leg, 0.3f);
+        LegRotations other = Held(leg, -0.2f);
+        LegSolver.Raise(leg, leg.Parts, Height(leg, other) + (0.2f * leg.Length), 0f, ref other);
+        LegRotations none = one;
+        none.Blend(other, 0f, leg.Hinge);
+        LegRotations all = one;
+        all.Blend(other, 1f, leg.Hinge);
+        LegRotations half = one;
+        half.Blend(other, 0.5f, leg.Hinge);
+        Assert.InRange(Vector3.Distance(End(leg, one), End(leg, none)), 0f, Tolerance * leg.Length);
+        Assert.InRange(Vector3.Distance(End(leg, other), End(leg, all)), 0f, Tolerance * leg.Length);
+        Assert.InRange(half.KneeTurn, Math.Min(one.KneeTurn, other.KneeTurn), Math.Max(one.KneeTurn, other.KneeTurn));
+    }
+
+    /// <summary>How near any turn of the knee within its limits, in steps of a hundredth of a radian, brings the end.</summary>
+    private static float NearestOfAll(LegRig leg, LegRotations turns, Vector3 target)
+    {
+        float least = float.MaxValue;
+        for (int i = -314; i < 314; i++)
+        {
+            double cosine = Math.Cos(0.01 * i);
+            double sine = Math.Sin(0.01 * i);
+            if (leg.KneeFold.Clamp(ref cosine, ref sine, 0f) == 0)
+            {
+                turns.Knee = Rotation.FromAxisAngle(leg.Hinge, 0.01f * i);
+                turns.Shank = Rotation.Multiply(turns.Thigh, turns.Knee);
+                least = Math.Min(least, Vector3.Distance(End(leg, turns), target));
+            }
+        }
+
+        return least;
+    }
+
     /// <summary>A leg at rest with its thigh swung by an angle.</summary>
     private static LegRotations Held(LegRig leg, float angle)
     {
@@ -59,5 +138,7 @@ public sealed class LegSolverTests
         return turns;
     }
 
-    private static float Height(LegRig leg, in LegRotations turns) => (Rotation.Rotate(turns.Thigh, leg.Parts.Upper) + Rotation.Rotate(turns.Shank, leg.Shank)).Y;
+    private static Vector3 End(LegRig leg, in LegRotations turns) => Rotation.Rotate(turns.Thigh, leg.Parts.Upper) + Rotation.Rotate(turns.Shank, leg.Shank);
+
+    private static float Height(LegRig leg, in LegRotations turns) => End(leg, turns).Y;
 }
