@@ -61,6 +61,10 @@ internal static class LegSolver
     private const float Near = 0.5f;
     private const float Far = 0.8f;
 
+    /// <summary>Parts of its reach below which such a leg is folded under the body, where it keeps its bend, and from which on it is not.</summary>
+    private const float Folded = 0.55f;
+    private const float Unfolded = 0.7f;
+
     /// <summary>Solves a leg.</summary>
     /// <param name="leg">At rest.</param>
     /// <param name="parts">Its parts at rest, or with the metatarsus folded.</param>
@@ -123,7 +127,7 @@ internal static class LegSolver
         double cos = Vec.Dot(aim, leg.Shank) - (Vec.Dot(aim, n) * Vec.Dot(leg.Shank, n));
         double sin = Vec.Dot(aim, Vec.Cross(n, leg.Shank));
         double distance = Math.Sqrt((cos * cos) + (sin * sin));
-        double fraction = Scalar.Smooth((float)((distance / Vec.LengthSquared(leg.Shank)) - Near) / (Far - Near));
+        double fraction = Scalar.Smooth((float)((distance / Vec.LengthSquared(leg.Shank)) - Near) / (Far - Near)) * Scalar.Smooth((turns.Stretch - Folded) / (Unfolded - Folded));
         if (fraction > 0)
         {
             // Nearer to the knee than that it would turn about it for the least of ways.
