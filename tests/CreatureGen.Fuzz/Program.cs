@@ -14,6 +14,9 @@ internal static class Program
     /// <summary>Seconds between two notes of how far it is.</summary>
     private const double SaveAfter = 5;
 
+    /// <summary>Most seconds of processor time for an input: reading it, and building and inspecting its creature.</summary>
+    private const double MaxSeconds = 1;
+
     /// <summary>Inputs that were repaired and are kept, to look at.</summary>
     private const int MaxSamples = 100;
 
@@ -44,7 +47,7 @@ internal static class Program
             else
             {
                 FuzzInput input = inputs.Of(tally.Next);
-                Note(input, input.Index % every == 0 ? FuzzTrial.Of(input) : FuzzTrial.WithoutCreature(input), tally, folder);
+                Note(input, Try(input, built: input.Index % every == 0), tally, folder);
             }
 
             if (Stopwatch.GetElapsedTime(saved).TotalSeconds > SaveAfter || tally.Next == end)
@@ -61,6 +64,19 @@ internal static class Program
     }
 
     private static bool TryNumber(string word, out long number) => long.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out number) && number > 0;
+
+    /// <summary>Reads an input, builds it as well if it is asked for, against the clock; what is broken is then repaired, however long that takes.</summary>
+    private static FuzzTrial Try(FuzzInput input, bool built)
+    {
+        TimeSpan start = ProcessorTime();
+        FuzzTrial trial = built ? FuzzTrial.WithoutRepair(input) : FuzzTrial.WithoutCreature(input);
+        double seconds = (ProcessorTime() - start).TotalSeconds;
+        return seconds > MaxSeconds && trial.Verdict != FuzzVerdict.Crashed ? new FuzzTrial(FuzzVerdict.Dear, string.Create(CultureInfo.InvariantCulture, $"{seconds:F2} s"))
+            : trial.Verdict == FuzzVerdict.Told ? FuzzTrial.Of(input)
+            : trial;
+    }
+
+    private static TimeSpan ProcessorTime() => Process.GetCurrentProcess().TotalProcessorTime;
 
     private static void Note(FuzzInput input, FuzzTrial trial, FuzzTally tally, string folder)
     {
