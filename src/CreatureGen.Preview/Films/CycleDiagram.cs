@@ -103,7 +103,7 @@ internal static class CycleDiagram
     private static (string Name, float[] Values, bool Up) Stroke(Film film)
     {
         Vector3[][] moments = Enumerable.Range(0, film.Take.StrokeMoments).Select(film.Take.JointsAt).ToArray();
-        (string Name, float[] Values, bool Up) max = ("", [0f], true);
+        (string Name, float[] Values, bool Up) max = ("", new float[moments.Length], true);
         foreach ((string name, int tip) in Tips(film))
         {
             foreach (bool up in new[] { true, false })

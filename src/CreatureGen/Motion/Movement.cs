@@ -74,7 +74,7 @@ public sealed class Movement
         List<Movement> movements = Going(profile);
         foreach (ActAbility ability in profile.Acts.Possible)
         {
-            movements.Add(new Movement(ability.Act.Name, default, null, ClipKind.Act, act: ability));
+            movements.Add(new Movement(ability.Act.Name, Resting(profile), null, ClipKind.Act, act: ability));
         }
 
         return movements;
@@ -91,7 +91,7 @@ public sealed class Movement
             throw new ArgumentNullException(nameof(profile));
         }
 
-        var movements = new List<Movement> { new("Idle", default, null) };
+        var movements = new List<Movement> { new("Idle", Resting(profile), null) };
         if (profile.Gaits != null)
         {
             foreach (GaitSpeed speed in profile.Gaits.Speeds)
@@ -134,6 +134,9 @@ public sealed class Movement
 
         return movements;
     }
+
+    /// <summary>What asks nothing of it: it stands, lies or hangs in the water; a flier without legs hovers.</summary>
+    private static MotionInput Resting(MotionProfile profile) => new(0f, Medium: profile.Flight != null && profile.Legs == null ? MotionMedium.Air : MotionMedium.Ground);
 
     /// <summary>What a player has it do beside them, and that repeats: turning, going aside, backing up, gliding.</summary>
     internal static IReadOnlyList<Movement> Manoeuvres(MotionProfile profile)

@@ -87,6 +87,15 @@ internal struct FlightState
     /// <summary>A flier that stands, as if it had always stood.</summary>
     internal static FlightState OnGround => new() { Planted = CriticallyDampedSpring.At(1), Upright = CriticallyDampedSpring.At(1), Raised = 1 };
 
+    /// <summary>A flier that hangs in the air on its wings.</summary>
+    internal static FlightState Hovering(FlightProfile profile)
+    {
+        FlightState state = InAir(profile);
+        state.Ahead = default;
+        state.Cruises = 0;
+        return state;
+    }
+
     /// <summary>A flier in the air at cruise in standard gravity.</summary>
     /// <param name="profile">How the creature flies.</param>
     /// <exception cref="System.ArgumentNullException">There is no profile.</exception>

@@ -10,7 +10,8 @@ namespace CreatureGen.Motion.Flying;
 
 /// <summary>
 /// Drives a flier: on its legs while it has ground under its feet, on its wings else. Between the two it crouches and pushes off with its feet where they stand, and comes down onto feet that are
-/// set below it: the pose on the legs is mixed with that in the air by how much the feet are planted. Wings belong to the flight at all times.
+/// set below it: the pose on the legs is mixed with that in the air by how much the feet are planted. Wings belong to the flight at all times. What has no legs is always in the air: it hovers
+/// where others stand.
 /// </summary>
 internal sealed class FlyingMode : ILocomotionMode
 {
@@ -27,7 +28,7 @@ internal sealed class FlyingMode : ILocomotionMode
     private readonly WalkingMode? legs;
     private readonly StancePose stance;
     private readonly EventQueue events;
-    private FlightState state = FlightState.OnGround;
+    private FlightState state;
     private BodyLayer? layer;
     private float turn;
 
@@ -37,6 +38,7 @@ internal sealed class FlyingMode : ILocomotionMode
         this.legs = legs;
         this.events = events;
         stance = new StancePose(profile.Skeleton);
+        state = Resting;
     }
 
     /// <summary>Most beats of wings in the longest update.</summary>
@@ -70,6 +72,9 @@ internal sealed class FlyingMode : ILocomotionMode
             }
         }
     }
+
+    /// <summary>How it is where nothing is asked of it.</summary>
+    private FlightState Resting => legs != null ? FlightState.OnGround : FlightState.Hovering(profile);
 
     /// <summary>Whether it stands still with its wings folded.</summary>
     public bool IsFolded => StandsOnFeet && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
@@ -123,7 +128,7 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
-        state = FlightState.OnGround;
+        state = Resting;
         Speed = 0f;
         Fly(place, 0f, default, settings, ground, local);
         if (legs != null)
@@ -197,7 +202,7 @@ internal sealed class FlyingMode : ILocomotionMode
 
     private BodyVelocity Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
     {
-        FlightIntent intent = input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
+        FlightIntent intent = legs == null || input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;
         if (IsOnFeet)
         {
