@@ -48,8 +48,7 @@ internal static class Gecko
         var joints = new List<JointPlacement> { new("Body", -1, Quaternion.Identity, new Vector3(0f, 0.15f, 0f)), new("Head", 0, Quaternion.Identity, new Vector3(0f, 0.02f, 0.4f)), new("Nose", 1, Quaternion.Identity, new Vector3(0f, 0f, 0.15f)) };
         for (int leg = 0; leg < 4; leg++)
         {
-            string side = hips[leg].X > 0f ? "Left" : "Right";
-            float aside = 1.4f * hips[leg].X;
+            (string side, float aside) = (hips[leg].X > 0f ? "Left" : "Right", 1.4f * hips[leg].X);
             joints.Add(new JointPlacement($"{side} Hip {leg}", 0, Quaternion.Identity, hips[leg]));
             joints.Add(new JointPlacement($"{side} Knee {leg}", 3 + (3 * leg), Quaternion.Identity, new Vector3(aside, 0.06f, 0f)));
             joints.Add(new JointPlacement($"{side} Foot {leg}", 4 + (3 * leg), Quaternion.Identity, new Vector3(aside, -0.12f, 0f)));

@@ -26,8 +26,7 @@ internal static class Hound
         Pose local = BoneStrip.Room(skeleton), model = BoneStrip.Room(skeleton);
         for (int i = 0; i < 150; i++)
         {
-            double bound = i < 50 ? Math.Sin(i * 0.35) : 0;
-            float ahead = Math.Min(i, 50) / 15f;
+            (double bound, float ahead) = (i < 50 ? Math.Sin(i * 0.35) : 0, Math.Min(i, 50) / 15f);
             var place = new RootPlace(new Vector3(0f, 0.12f * (float)Math.Abs(bound), ahead), Rotation.FromAxisAngle(Vector3.UnitX, 0.15 * bound));
             Quaternion stride = Rotation.FromAxisAngle(Vector3.UnitX, 1.2 * bound * Math.Cos(i * 0.35));
             local.SetToRest(skeleton);

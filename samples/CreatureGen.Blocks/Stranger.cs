@@ -17,8 +17,7 @@ internal static class Stranger
     {
         Skeleton skeleton = Rig();
         var legs = SteppingLegs.Of(skeleton);
-        float[] bump = [.. Enumerable.Range(0, 11 * 41).Select(i => Bump((0.1f * (i / 11)) - 1f))];
-        var ground = new HeightFieldGround(bump, 11, 0.1f, new Vector3(-0.5f, 0f, -1f));
+        var ground = new HeightFieldGround([.. Enumerable.Range(0, 11 * 41).Select(i => Bump((0.1f * (i / 11)) - 1f))], 11, 0.1f, new Vector3(-0.5f, 0f, -1f));
         (Vector3[] homes, float height, int turn) = (new Vector3[legs.Count], 0f, -1);
         legs.FillHomes(RootPlace.Identity, homes);
         SteppingFoot[] feet = Array.ConvertAll(homes, home => new SteppingFoot(home));

@@ -38,7 +38,7 @@ public sealed class PhaseBlend : IClip
         this.clips = new List<IClip>(clips ?? throw new ArgumentNullException(nameof(clips))).ToArray();
         if (this.clips.Length == 0)
         {
-            throw new ArgumentException("no clips; expected one at least", nameof(clips));
+            throw new ArgumentException($"blend {name} has no clips; expected one at least", nameof(clips));
         }
 
         foreach (IClip clip in this.clips)
