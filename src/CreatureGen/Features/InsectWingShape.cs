@@ -38,7 +38,7 @@ internal static class InsectWingShape
         float width = (float)wing.Width * scale;
         float aspect = width / length;
         Vector3 along = Direction(wing);
-        Vector3 back = Trailing(wing, along);
+        Vector3 back = ThinWingBlade.Trailing(along);
         Vector3 up = Vec.Cross(along, back);
         Vector3 root = skin.Position - (skin.Normal * (RootDepth * scale));
 
@@ -189,13 +189,5 @@ internal static class InsectWingShape
             (float)PortableMath.Cos(wing.Azimuth) * level,
             (float)PortableMath.Sin(wing.Elevation),
             (float)PortableMath.Sin(wing.Azimuth) * level);
-    }
-
-    // Straight back from a spread wing, its rear edge a little raised; of a wing laid back over the body, towards the midline and down.
-    private static Vector3 Trailing(InsectWingBlueprint wing, Vector3 along)
-    {
-        float folded = Scalar.Smooth((-(float)wing.Azimuth - 0.6f) / 0.5f);
-        var back = new Vector3((float)PortableMath.Sin(wing.Azimuth), Scalar.Lerp(0.22f, -0.28f, folded), -(float)PortableMath.Cos(wing.Azimuth));
-        return Vec.Normalize(Vec.Reject(back, along), Vector3.UnitZ);
     }
 }

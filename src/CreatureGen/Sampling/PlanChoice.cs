@@ -124,7 +124,7 @@ internal sealed class PlanChoice
         BodyPlan.Centaur => (3, 3),
         BodyPlan.Theropod or BodyPlan.Upright => (1, 2),
         BodyPlan.Hexapod => (3, 4),
-        BodyPlan.ManyLegged => (3, 9),
+        BodyPlan.ManyLegged => (4, 9),
         BodyPlan.Flapping => (0, 4),
         BodyPlan.Buzzing => (0, 8),
         _ when ExtraLegs.Suits(plan) => (2, ExtraLegs.Max),
@@ -188,6 +188,17 @@ internal sealed class PlanChoice
         if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegPreset own)
         {
             least = most = own.SitesWithin(options.MinLegPairs, options.MaxLegPairs).Length + own.Arms.Length;
+        }
+
+        if (plan == BodyPlan.Theropod && species.Bird != null)
+        {
+            // Birds have wings for arms.
+            most = 1;
+        }
+
+        if (plan == BodyPlan.Buzzing && species.Class != AnimalClass.Arthropod)
+        {
+            most = FlierLegs.MostUnderOthers;
         }
 
         if (most < options.MinLegPairs || least > options.MaxLegPairs)

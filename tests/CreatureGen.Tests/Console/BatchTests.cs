@@ -159,7 +159,7 @@ public sealed class BatchTests
     public void Seeds_without_a_creature_are_listed_and_the_batch_goes_on()
     {
         using var run = new ConsoleRun();
-        const string some = "generate --seeds 1-8 --kind flying --leg-pairs 8-8 --no-picture --textures none --out farm";
+        const string some = "generate --seeds 1-8 " + RareCreatures.Options + " --no-picture --textures none --out farm";
         Assert.Equal(ExitCode.CheckFailed, run.Run(Words(some + " --manifest")));
         string[] lines = File.ReadAllLines(run.At("farm/manifest.jsonl"));
         Assert.Equal(10, lines.Length);

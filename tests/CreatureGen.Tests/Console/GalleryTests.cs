@@ -46,7 +46,7 @@ public sealed class GalleryTests
     public void Seeds_without_a_creature_are_told_and_left_out()
     {
         using var run = new ConsoleRun();
-        Assert.Equal(ExitCode.CheckFailed, run.Run(["gallery", "--seeds", "1-8", "--leg-pairs", "8-8", "--kind", "flying", .. Small.Split(' ')]));
+        Assert.Equal(ExitCode.CheckFailed, run.Run(["gallery", "--seeds", "1-8", .. RareCreatures.Options.Split(' '), .. Small.Split(' ')]));
         Assert.Contains("gave no creature", run.Error, StringComparison.Ordinal);
         Assert.Contains(" missing", run.Out, StringComparison.Ordinal);
         Assert.True(File.Exists(run.At("site/index.html")));

@@ -1,5 +1,6 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
@@ -31,6 +32,7 @@ internal sealed class BuzzPair
     private readonly double level;
     private readonly double lag;
     private readonly double plane;
+    private readonly double incidence;
 
     /// <summary>Takes a pair, how it folds, its place among those of the creature from the front, 0 the first, and how broad the wings are, 0..1.</summary>
     public BuzzPair(PairedChain chain, FoldedWing folded, int place, double breadth)
@@ -40,6 +42,7 @@ internal sealed class BuzzPair
         lag = Scalar.Lerp(NarrowLag, BroadLag, breadth) * place;
         plane = place == 0 ? HoverPlane : HindHoverPlane;
         Vector3 axis = chain.Axes[0];
+        incidence = ThinWingBlade.RestIncidence(axis);
 
         // The stroke's middle lies a little above level.
         level = 0.30 - PortableMath.Atan2(axis.Y, System.Math.Sqrt(((double)axis.X * axis.X) + ((double)axis.Z * axis.Z)));
@@ -66,7 +69,7 @@ internal sealed class BuzzPair
         for (int k = 0; k < chain.Count; k++)
         {
             Quaternion beat = k == 0
-                ? Rotation.Multiply(AxisRotation.Pitch(-Scalar.Lerp(StrokePlane, plane, stroke.Hover)), chain.Stroke(0, raise, sweep, twist))
+                ? Rotation.Multiply(AxisRotation.Pitch(-Scalar.Lerp(StrokePlane, plane, stroke.Hover)), chain.Stroke(0, raise, sweep, twist - incidence))
                 : chain.Stroke(k, bend, 0, 0.3 * twist);
             chain.Write(local, side, k, open >= 1 ? beat : Rotation.Slerp(folded.Turn(k), beat, open));
         }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Wings;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
@@ -244,7 +245,7 @@ internal sealed class FlightProfile
         double breadth = Scalar.Smooth(((area / (span * span)) - NarrowWings) / (BroadWings - NarrowWings));
         for (int k = 0; k < buzzers.Length; k++)
         {
-            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(subject, thin[k], k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k, breadth);
+            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(subject, thin[k], ThinWingBlade.RestIncidence(thin[k].Axes[0]), k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k, breadth);
         }
 
         legs = limbs.ToArray();
@@ -265,7 +266,7 @@ internal sealed class FlightProfile
         var wings = new WingPair[order.Length];
         foreach (int k in order)
         {
-            FoldedWing folded = FoldedWing.Of(subject, stitched[k], FoldRange.Stitched, room);
+            FoldedWing folded = FoldedWing.Of(subject, stitched[k], 0, FoldRange.Stitched, room);
             wings[k] = new WingPair(stitched[k], folded);
             if (order.Length > 1)
             {

@@ -22,13 +22,15 @@ internal sealed class FoldedWing
 
     private readonly PairedChain chain;
     private readonly WingSkin skin;
+    private readonly double incidence;
     private readonly Quaternion[] turns;
     private float length;
 
-    private FoldedWing(PairedChain chain, WingSkin skin)
+    private FoldedWing(PairedChain chain, WingSkin skin, double incidence)
     {
         this.chain = chain;
         this.skin = skin;
+        this.incidence = incidence;
         turns = new Quaternion[chain.Count];
     }
 
@@ -38,10 +40,10 @@ internal sealed class FoldedWing
     /// <summary>The turn of a joint of the left wing.</summary>
     public Quaternion Turn(int joint) => turns[joint];
 
-    /// <summary>Fits a pair of wings to a body.</summary>
-    public static FoldedWing Of(MotionSubject subject, PairedChain chain, FoldRange range, FoldRoom room)
+    /// <summary>Fits a pair of wings to a body; their rear edges are raised by an incidence at rest, radians.</summary>
+    public static FoldedWing Of(MotionSubject subject, PairedChain chain, double incidence, FoldRange range, FoldRoom room)
     {
-        var wing = new FoldedWing(chain, WingSkin.Of(subject, chain));
+        var wing = new FoldedWing(chain, WingSkin.Of(subject, chain), incidence);
         wing.Fold(wing.Search(range, room));
         return wing;
     }
@@ -105,7 +107,7 @@ internal sealed class FoldedWing
         Quaternion carried = Quaternion.Identity;
         for (int k = 0; k < turns.Length; k++)
         {
-            Quaternion rest = JointFrame.Raised(chain.Axes[k], Vector3.UnitY);
+            Quaternion rest = Rotation.Multiply(Rotation.FromAxisAngle(chain.Axes[k], incidence), JointFrame.Raised(chain.Axes[k], Vector3.UnitY));
             Quaternion target = JointFrame.Raised(fold.Direction(k), fold.Face(k));
             Quaternion wanted = Rotation.Multiply(target, Rotation.Inverse(rest));
             turns[k] = chain.Limit(k, Rotation.Multiply(Rotation.Inverse(carried), wanted));

@@ -21,6 +21,9 @@ internal static class ExtraLegs
     /// <summary>How much longer the middle of the torso is for each further pair.</summary>
     private const double Room = 0.24;
 
+    /// <summary>Shortest of eight legs, in lengths of the body.</summary>
+    private const double EightLegged = 0.24;
+
     /// <summary>Whether a plan may stand on more than two pairs.</summary>
     public static bool Suits(BodyPlan plan) => plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Sprawling;
 
@@ -55,6 +58,8 @@ internal static class ExtraLegs
         }
 
         legs.Add(rear with { Ring = last });
-        return set with { Legs = legs, MinimumPairs = legs.Count, Arms = null };
+        // Eight legs find room for their strides under a body that is carried low.
+        StanceLimits stance = extra > 1 ? set.Stance with { MinimumLength = Math.Min(set.Stance.MinimumLength, EightLegged) } : set.Stance;
+        return set with { Legs = legs, MinimumPairs = legs.Count, Arms = null, Stance = stance };
     }
 }

@@ -46,7 +46,7 @@ internal static class ExtraWings
         RandomStream random = builder.Stream("wings of a walker");
         bool winged = random.Chance(WingedWalkers * builder.Strangeness);
         WingStyle style = WingSampler.StyleOf(builder, random);
-        double span = random.Uniform(0.75, 1.05) * Math.Max(builder.TorsoLength, WingSampler.MinTorso);
+        double span = random.Uniform(0.75, 1.05) * WingSampler.CarriedTorso(builder);
         double rise = random.Uniform(0.7, 1);
         double sweep = random.Uniform(0.2, 0.4);
         if (winged && builder.Species.Class != AnimalClass.Arthropod && builder.Parents.Legs.Bird is null)

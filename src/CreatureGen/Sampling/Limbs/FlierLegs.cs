@@ -43,6 +43,13 @@ internal static class FlierLegs
     /// <summary>Shortest leg relative to the body's length.</summary>
     private const double ShortestLeg = 0.05;
 
+    /// <summary>Most pairs of legs of what is no insect.</summary>
+    public const int MostUnderOthers = 4;
+
+    /// <summary>Pairs of legs beyond which each has a slim thigh and few toes: these grow out of few cells, and there is room for all.</summary>
+    private const int ManyPairs = 2;
+    private const int FewToes = 3;
+
     /// <summary>Adds wings and legs to the creature, and sets its body down on these.</summary>
     public static void Add(CreatureBuilder builder, LegStyle style)
     {
@@ -56,7 +63,7 @@ internal static class FlierLegs
         RandomStream random = builder.Stream("flier legs");
         int pairs = PairsOf(builder, random);
         LegArrangement arrangement = insect && random.Chance(0.5) ? LegArrangement.Clustered : LegArrangement.Spread;
-        FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : FlierLegAnatomy.Dragon;
+        FlierLegAnatomy anatomy = insect ? FlierLegAnatomy.Insect : pairs == 1 ? FlierLegAnatomy.Bird : pairs == 2 ? FlierLegAnatomy.Dragon : FlierLegAnatomy.Beast;
         if (insect && pairs <= 4)
         {
             // Few legs all grow from the thorax.
@@ -66,7 +73,7 @@ internal static class FlierLegs
         if (builder.Parents.Legs.Bird is BirdPreset own)
         {
             double thigh = CreatureBuilder.Between(builder.Stream("thigh"), own.Thigh);
-            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).ConvertAll(site => site with { Archetype = LimbArchetype.Bird, Girth = thigh }) };
+            anatomy = anatomy with { Sockets = new List<LimbSocket>(anatomy.Sockets).ConvertAll(site => site with { Archetype = LimbArchetype.Bird, Girth = pairs > ManyPairs ? Math.Min(thigh, site.Girth) : thigh }) };
             style = OwnLegs.StyleOf(builder, style, own);
         }
 
@@ -74,7 +81,7 @@ internal static class FlierLegs
         double girth = builder.Parents.Legs.LegGirth * (pairs == 1 && builder.Parents.Legs.Bird is null ? SlenderPair : 1);
         double feet = Math.Max(girth, MinFeet);
         style = style with { FootSize = style.FootSize / feet };
-        anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = insect ? anatomy.Size.Foot / feet : style.FootSize, Toes = insect ? 0 : style.Toes } };
+        anatomy = anatomy with { Size = anatomy.Size with { Girth = girth, Foot = insect ? anatomy.Size.Foot / feet : style.FootSize, Toes = insect ? 0 : pairs > ManyPairs ? Math.Min(style.Toes, FewToes) : style.Toes } };
         WingMotion motion = builder.Plan == BodyPlan.Buzzing ? WingMotion.Buzzing : WingMotion.Flapping;
         FlyingPlacement placement = FlyingRules.Place(LegSampler.Measure(builder), motion, motion == WingMotion.Buzzing ? 2 : 1, new FlyingLegs(pairs, arrangement), anatomy, builder.Sockets, builder.Seed.Child("flier"));
         WingSampler.Add(builder, placement);
@@ -89,7 +96,7 @@ internal static class FlierLegs
     /// <summary>How many pairs of legs are drawn for one that has no insect's own.</summary>
     public static int PairsOf(CreatureBuilder builder) => PairsOf(builder, builder.Stream("flier legs"));
 
-    /// <summary>Now and then any number of legs: up to eight pairs under an insect, up to four under others.</summary>
+    /// <summary>Now and then any number of legs: up to eight pairs under an insect, up to four under others; always one that is asked for.</summary>
     private static int PairsOf(CreatureBuilder builder, RandomStream legs)
     {
         bool insect = builder.Parents.Legs.Class == AnimalClass.Arthropod;
@@ -97,7 +104,7 @@ internal static class FlierLegs
         RandomStream random = builder.Stream("strange flier legs");
         bool strange = random.Chance(AnyPairs * builder.Strangeness);
         int drawn = FlyingRules.DrawLegs(random).Pairs;
-        return strange ? insect ? drawn : drawn / 2 : pairs;
+        return Math.Min(Math.Max(builder.MinLegPairs, Math.Min(strange ? insect ? drawn : drawn / 2 : pairs, builder.MaxLegPairs)), FlyingRules.MaxPairs);
     }
 
     /// <summary>An insect stands with spread wings as it does with folded ones.</summary>

@@ -15,7 +15,7 @@ namespace CreatureGen.Sampling.Limbs;
 internal static class WingSampler
 {
     /// <summary>Fore and hind wings of insects; where they sit is the placement's.</summary>
-    private static readonly ThinWing[] insectWings = { new(0, 0.95, 0.21, -6, 36), new(0, 0.68, 0.17, -36, 26) };
+    private static readonly ThinWing[] insectWings = { new(0, 1.05, 0.28, -6, 36), new(0, 0.76, 0.23, -36, 26) };
 
     /// <summary>Those of heavier bodies, of each family one: long and broad, or they would look too small to carry them.</summary>
     private static readonly ThinWing[][] fairyWings =
@@ -30,11 +30,18 @@ internal static class WingSampler
     private static readonly Weighted<WingStyle>[] feathers =
         Weights.Of((WingStyle.Feathered, 0.25), (WingStyle.Falcon, 0.2), (WingStyle.Owl, 0.25), (WingStyle.Albatross, 0.15), (WingStyle.Hummingbird, 0.15));
 
-    /// <summary>Metres. Wings of a shorter torso are as large as this one's.</summary>
-    public const double MinTorso = 0.66;
+    /// <summary>Metres. Wings of a shorter torso are as large as this one's, but no more enlarged than so many times.</summary>
+    private const double MinTorso = 0.66;
+    private const double MostEnlarged = 1.4;
+
+    /// <summary>Longest wing, in torsos: longer ones are whips on a small body.</summary>
+    private const double LongestWing = 1.6;
 
     /// <summary>Deepest wing, in torsos: a deeper one would hide the body.</summary>
     public const double DeepestWing = 0.66;
+
+    /// <summary>Length of the torso that a creature's wings are made for, metres: those of small bodies are larger for it.</summary>
+    public static double CarriedTorso(CreatureBuilder builder) => Math.Min(Math.Max(builder.TorsoLength, MinTorso), MostEnlarged * builder.TorsoLength);
 
     /// <summary>Adds thin wings of a species' own.</summary>
     public static void AddThin(CreatureBuilder builder, ThinWing[] wings)
@@ -87,8 +94,8 @@ internal static class WingSampler
             {
                 if (builder.Sockets.TryReserve(socket, 0))
                 {
-                    double torso = Math.Max(builder.TorsoLength, MinTorso);
-                    double span = 1.36 * form.Span * wing.Scale.X * torso;
+                    double torso = CarriedTorso(builder);
+                    double span = Math.Min(1.36 * form.Span * wing.Scale.X, LongestWing) * torso;
                     double chord = Math.Min(form.Depth * span * random.Uniform(0.9, 1.15), DeepestWing * torso);
                     builder.Wings.Add(new WingBlueprint(style, socket, span, chord, rise, sweep));
                 }

@@ -37,6 +37,9 @@ internal sealed record FlierLegAnatomy(IReadOnlyList<LimbSocket> Sockets, double
     /// <summary>One pair of a bird's legs.</summary>
     public static FlierLegAnatomy Bird { get; } = new(SocketSets.BirdLegs(), 0.58, LegSize.Nominal);
 
+    /// <summary>Three or four pairs.</summary>
+    public static FlierLegAnatomy Beast { get; } = new(SocketSets.WingedBeastLegs(), 0.72, LegSize.Nominal);
+
     /// <summary>Fore and hind legs of a winged quadruped.</summary>
     public static FlierLegAnatomy Dragon { get; } = new(SocketSets.DragonLegs(), 0.72, LegSize.Nominal);
 

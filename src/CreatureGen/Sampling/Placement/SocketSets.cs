@@ -145,6 +145,21 @@ internal static class SocketSets
         return row;
     }
 
+    /// <summary>Three or four pairs of legs of a winged beast, anywhere along the trunk from 23 to 43: fore legs ahead of the belly, hind legs behind it.</summary>
+    public static IReadOnlyList<LimbSocket> WingedBeastLegs()
+    {
+        const int First = 23;
+        const int Belly = 34;
+        const int Last = 43;
+        var row = new List<LimbSocket>();
+        for (int ring = First; ring <= Last; ring++)
+        {
+            row.Add(Under(ring, 10.9, ring < Belly ? LimbArchetype.DigitigradeFore : LimbArchetype.DigitigradeHind, 0.45 + (0.15 * (ring - First) / (Last - First))) with { Bounds = SocketBounds.Short });
+        }
+
+        return row;
+    }
+
     /// <summary>Legs of a winged insect, hanging at any ring from 22 to 39: room for eight pairs.</summary>
     public static IReadOnlyList<LimbSocket> WingedInsectLegs()
     {

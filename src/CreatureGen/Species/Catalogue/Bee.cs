@@ -35,7 +35,7 @@ internal static class Bee
         Frequency = (0, 0.24, 0),
         Eye = (8.8, 6.6), EyeSize = 0.50, EyeSink = 0.55,
         Legs = new LegPreset { Sites = InsectParts.Sixth(0.45, -0.05, -0.6), Reach = (0.22, 0.28), Height = (0.14, 0.2), Thickness = 0.04 },
-        Wings = new ThinWings { Spread = new[] { new ThinWing(26, 0.72, 0.22, -4, 34), new ThinWing(30, 0.48, 0.17, -36, 26) } },
+        Wings = new ThinWings { Spread = new[] { new ThinWing(26, 0.8, 0.26, -4, 34), new ThinWing(30, 0.56, 0.2, -36, 26) } },
         Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(6, 2.6, 0.24, 0.014, 0.35, 1.05, 0.35, -0.6, 0.6), 0.85, 1.1))) },
         Colourings = new[]
         {

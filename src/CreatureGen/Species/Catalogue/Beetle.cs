@@ -39,7 +39,7 @@ internal static class Beetle
             Reach = (0.24, 0.30), Height = (0.13, 0.20), Thickness = 0.055, KneeRise = 0.9,
         },
         Shell = new ShellBlueprint(ShellStyle.Elytra, 34, 19, 7, 0.07),
-        Wings = new ThinWings { Spread = new[] { new ThinWing(32, 0.9, 0.24, -8, 26) } },
+        Wings = new ThinWings { Spread = new[] { new ThinWing(32, 1.15, 0.32, -8, 26) } },
         Parts = new[]
         {
             new PartSlot(

@@ -43,7 +43,7 @@ internal static class Mantis
         },
         Wings = new ThinWings
         {
-            Spread = new[] { new ThinWing(28, 0.85, 0.16, -18, 32), new ThinWing(31, 0.75, 0.22, -44, 24) },
+            Spread = new[] { new ThinWing(28, 0.95, 0.22, -18, 32), new ThinWing(31, 0.85, 0.28, -44, 24) },
             Folded = new[] { new ThinWing(30, 0.80, 0.13, -84, 3) },
         },
         Parts = new[] { InsectParts.SmallJaws(), InsectParts.Long(0.42) },
