@@ -130,7 +130,15 @@ internal sealed class LegPoser
             // The foot keeps its own turn where the thigh cannot go, and in the air is not led into the ground.
             if (foot.Phase == FootPhase.Swing)
             {
+                LegRotations stood = solved;
                 LegSolver.Raise(leg, parts, ground, tolerance, ref solved);
+                float leaving = 1f - Scalar.Smooth(foot.Swing / Release);
+                if (leaving > 0f)
+                {
+                    // It leaves the ground as it stood there.
+                    LegSolver.Bend(leg, parts, chord, tolerance, ref stood);
+                    solved.Blend(stood, leaving, leg.Hinge);
+                }
             }
             else
             {
