@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -190,6 +191,10 @@ internal sealed class StandIn
         {
             places.Add(ChestBefore(places[0]));
         }
+        else if (legs.Count > 1)
+        {
+            places[places.Count - 1] = ChestAtShoulders(places[places.Count - 1]);
+        }
 
         builder.Add(-1, Side.Median, new JointDraft("Root", JointRole.Root, Vector3.Zero, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Root)));
         int parent = builder.Add(0, Side.Median, new JointDraft("Body", JointRole.Body, (places[0] + places[places.Count - 1]) * 0.5f, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Body)));
@@ -219,6 +224,19 @@ internal sealed class StandIn
 
         Vector3 foremost = legs[legs.Count - 1].Points[0];
         return legs.Count > 1 ? new Vector3(0f, pelvis.Y, foremost.Z) : pelvis + new Vector3(0f, ChestAhead * foremost.Y, 0f);
+    }
+
+    /// <summary>Where the last joint of a trunk is that legs hang on: at their hips. A trunk is pitched to bring that joint to its height, and hips far ahead of it would swing up and down with it.</summary>
+    private Vector3 ChestAtShoulders(Vector3 last)
+    {
+        StandInLimb fore = legs[legs.Count - 1];
+        int above = source.Parents[fore.Pair.Left[0]];
+        while (above >= 0 && !roles.Trunk.Any(one => one.Joint == above))
+        {
+            above = source.Parents[above];
+        }
+
+        return above == roles.Trunk[roles.Trunk.Count - 1].Joint ? new Vector3(0f, last.Y, Math.Max(last.Z, fore.Points[0].Z)) : last;
     }
 
     private void AddHead(int chest)
