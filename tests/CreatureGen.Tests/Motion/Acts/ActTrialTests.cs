@@ -64,6 +64,20 @@ public class ActTrialTests
         }
     }
 
+    [Theory]
+    [InlineData(7100062)]
+    [InlineData(7100075)]
+    public void Arms_that_hang_behind_a_body_that_bends_down_to_eat_are_not_thrown_out_of_the_ground(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 0.6f }));
+        foreach (ActTrial trial in ActTrial.Of(profile).Where(trial => trial.Ability.Act.Name is "Eat" or "Drink"))
+        {
+            ActReport report = trial.Run(profile);
+            Assert.InRange(report.JointSpeed, 0f, 60f);
+            Assert.InRange(report.Penetration ?? 0f, 0f, 0.02f);
+        }
+    }
+
     [Fact]
     public void Where_legs_fold_is_found_in_many_small_steps()
     {

@@ -60,6 +60,40 @@ public sealed class LeglessFlierTests
         Assert.True(idle.IsCyclic);
     }
 
+    [Theory]
+    [MemberData(nameof(Seeds))]
+    public void A_flier_without_legs_darts_ahead_to_bite_and_dances_from_side_to_side_while_its_wings_beat(ulong seed)
+    {
+        var animator = new CreatureAnimator(Grown(seed));
+        int body = animator.Profile.Subject.Skeleton.FirstOf(JointRole.Body);
+        float[] along = animator.Profile.Subject.Skeleton.ModelPositions.ToArray().Select(place => place.Z).ToArray();
+        float length = along.Max() - along.Min();
+        Vector3 bite = Way("Bite");
+        Vector3 dance = Way("Dance");
+        Assert.True(bite.Z > 0.2f * length, $"{bite} of {length}");
+        Assert.True(dance.X > 0.2f * length, $"{dance} of {length}");
+
+        // How far the body goes to and fro in an act.
+        Vector3 Way(string act)
+        {
+            Assert.Equal(ActStatus.Started, animator.Perform(act).Status);
+            ActAbility ability = animator.Acts.Find(act);
+            var low = new Vector3(float.MaxValue);
+            Vector3 high = -low;
+            int beats = 0;
+            for (float seconds = 0f; seconds < ability.Seconds; seconds += Step)
+            {
+                animator.Update(Step, default, FlatGround.Level);
+                beats += animator.Events.ToArray().Count(e => e.Kind == MotionEventKind.WingBeat);
+                low = Vector3.Min(low, animator.ModelPose.Positions[body]);
+                high = Vector3.Max(high, animator.ModelPose.Positions[body]);
+            }
+
+            Assert.True(beats >= (int)(0.7f * ability.Seconds * animator.Frequency), $"{act}: {beats} beats");
+            return high - low;
+        }
+    }
+
     private static Creature Grown(ulong seed)
     {
         Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, MinLegPairs = 0, MaxLegPairs = 0 });

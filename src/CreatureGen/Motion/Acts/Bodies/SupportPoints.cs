@@ -55,13 +55,14 @@ internal sealed class SupportPoints
         return most;
     }
 
-    /// <summary>The angle about an axis to the left by which what hangs down from a joint has to swing ahead so that nothing of it is in the ground, radians; 0 for none.</summary>
+    /// <summary>The angles about an axis to the left by which what hangs down from a joint has to swing ahead, or back instead, so that nothing of it is in the ground, radians; 0 for none.</summary>
     /// <param name="ground">That it may be in.</param>
     /// <param name="pivot">Model space.</param>
     /// <param name="model">Pose in model space.</param>
-    public float Swing(in ActGround ground, Vector3 pivot, in Pose model)
+    public (float Ahead, float Back) Swing(in ActGround ground, Vector3 pivot, in Pose model)
     {
-        float most = 0f;
+        float ahead = 0f;
+        float back = 0f;
         float above = ground.HeightOf(pivot);
         foreach ((int joint, Vector3 point) in points)
         {
@@ -69,14 +70,16 @@ internal sealed class SupportPoints
             float height = ground.HeightOf(place);
             if (height < 0f)
             {
-                float ahead = place.Z - pivot.Z;
+                float way = place.Z - pivot.Z;
                 float down = above - height;
-                float level = (float)Math.Sqrt(Math.Max((ahead * ahead) + (down * down) - (above * above), 0f));
-                most = Math.Max(most, (float)(PortableMath.Atan2(down, ahead) - PortableMath.Atan2(above, level)));
+                float level = (float)Math.Sqrt(Math.Max((way * way) + (down * down) - (above * above), 0f));
+                double at = PortableMath.Atan2(down, way);
+                ahead = Math.Max(ahead, (float)(at - PortableMath.Atan2(above, level)));
+                back = Math.Max(back, (float)(PortableMath.Atan2(above, -level) - at));
             }
         }
 
-        return most;
+        return (ahead, back);
     }
 
     /// <summary>Height of the lowest point of a pose above the ground, metres.</summary>

@@ -23,7 +23,14 @@ internal static class Attacks
             new ActPhase("shut", 0.25f, ActEase.Out).To(Jaw, 0f).To(Reach, 1f).Then(ActMark.Contact),
             new ActPhase("wrench", 1.6f).With(new ActWave(BackSide, 0.25f, 2f)).With(new ActWave(Roll, 0.2f, 2f, 0.2f)),
             new ActPhase("recover", 3f).To(Reach, 0f).To(BackSide, 0f).To(Wings, 0f))
-            .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Swimming | BodyBuild.Airborne),
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Swimming),
+        new Act("Bite", ActKind.Strike,
+            new ActPhase("draw", 3f).To(Ahead, -0.8f).To(Up, 0.8f).To(Pitch, 0.2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.4f).To(Jaw, 0.25f).To(TailPitch, -0.3f).To(Wings, 0.35f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("stoop", 1.6f, ActEase.In).To(Ahead, 0f).To(Up, 0f).To(Pitch, -0.35f).To(NeckPitch, 0f).To(HeadPitch, 0.2f).To(Jaw, 1f).To(Reach, 0.85f).To(TailPitch, 0.3f).To(Wings, 0f),
+            new ActPhase("shut", 0.4f, ActEase.Out).To(Jaw, 0f).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("wrench", 3f).To(Pitch, 0.15f).With(new ActWave(NeckSide, 0.25f, 2f)).With(new ActWave(HeadRoll, 0.25f, 2f)).With(new ActWave(Roll, 0.25f, 2f, 0.2f)),
+            new ActPhase("recover", 6f).To(Reach, 0f).To(Pitch, 0f).To(HeadPitch, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Airborne),
         new Act("Bite", ActKind.Strike,
             new ActPhase("draw", 1.4f).To(Ahead, -0.18f).To(ForeDown, 0.10f).To(HindDown, 0.08f).To(NeckPitch, 0.35f).To(Jaw, 0.25f).To(Ears, 0.6f).To(TailPitch, 0.2f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.04f).To(NeckPitch, 0f).To(Jaw, 1f).To(Reach, 0.85f),

@@ -18,7 +18,15 @@ internal static class Dances
         new ActPhase("sway", 14f)
             .With(new ActWave(NeckSide, 0.5f, 4f)).With(new ActWave(HeadSide, 0.3f, 4f, 0.2f)).With(new ActWave(BackSide, 0.4f, 4f)).With(new ActWave(Roll, 0.35f, 4f, 0.15f))
             .With(new ActWave(Pitch, 0.2f, 8f)).With(new ActWave(Wings, 0.4f, 8f)).With(new ActWave(NeckPitch, 0.15f, 8f, 0.25f)),
-        new ActPhase("sink", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Wings, 0f));
+        new ActPhase("sink", 2f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Wings, 0f)).For(BodyBuild.Swimming | BodyBuild.Legless);
+
+    /// <summary>On the wing: from bank to bank, swinging aside and up into each and stooping between them, with neck and tail across.</summary>
+    public static readonly Act OfFliers = new Act("Dance", ActKind.Display,
+        new ActPhase("rise", 4f).To(Up, 0.6f).To(Pitch, 0.25f).To(NeckPitch, 0.3f),
+        new ActPhase("sway", 28f)
+            .With(new ActWave(Aside, 1.1f, 4f)).With(new ActWave(Roll, 0.6f, 4f)).With(new ActWave(Yaw, 0.3f, 4f, 0.75f)).With(new ActWave(Up, 0.45f, 8f, 0.25f)).With(new ActWave(Pitch, 0.16f, 8f))
+            .With(new ActWave(NeckSide, 0.4f, 4f, 0.15f)).With(new ActWave(HeadRoll, 0.3f, 4f)).With(new ActWave(NeckPitch, 0.15f, 8f, 0.25f)).With(new ActWave(TailSide, 0.5f, 4f, 0.35f)).With(new ActWave(TailPitch, 0.25f, 8f, 0.4f)),
+        new ActPhase("sink", 5f).To(Up, 0f).To(Pitch, 0f).To(NeckPitch, 0f)).For(BodyBuild.Airborne);
 
     private static ActPhase[] Steps()
     {

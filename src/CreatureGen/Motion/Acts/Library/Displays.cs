@@ -57,6 +57,7 @@ internal static class Displays
             new ActPhase("rise", 2.4f).To(ForeDown, 0f).To(HindDown, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(Ears, 0f).To(Lids, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(Wings, 0f).To(BackPitch, 0f))
             .Needing(ActNeeds.Head).OnTheSpot(),
         Dances.OfLegs,
+        Dances.OfFliers,
         Dances.OfOthers,
         new Act("Flinch", ActKind.Reflex,
             new ActPhase("start", 0.5f, ActEase.Out).To(Ahead, -0.12f).To(ForeDown, 0.2f).To(HindDown, 0.12f).To(NeckPitch, 0.35f).To(HeadPitch, -0.3f).To(NeckSide, -0.35f).To(BackSide, -0.08f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -0.5f).To(ArmsBend, 0.8f).To(ArmsAhead, 0.4f).To(Wings, 0.35f),

@@ -62,10 +62,10 @@ internal static class Upkeep
             new ActPhase("recover", 1.6f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing).OnTheSpot(),
         new Act("Scratch", ActKind.Upkeep,
-            new ActPhase("squat", 2f).To(Aside, -0.08f).To(HindDown, 0.35f).To(BackSide, 0.25f).To(NeckSide, 0.3f),
-            new ActPhase("raise", 1.6f).To(HindFootUp, 0.42f).To(HindFootAhead, 0.42f).To(HindFootOut, 0.22f).To(HeadRoll, 0.4f).To(HeadSide, 0.25f).To(Lids, 0.7f),
-            new ActPhase("scratch", 7f).With(new ActWave(HindFootUp, 0.06f, 9f)).With(new ActWave(HindFootAhead, 0.05f, 9f, 0.25f)).With(new ActWave(HeadRoll, 0.04f, 9f)),
-            new ActPhase("lower", 1.6f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootOut, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(Lids, 0f),
+            new ActPhase("squat", 2.2f).To(Aside, -0.1f).To(HindDown, 0.6f).To(BackSide, 0.35f).To(NeckSide, 0.4f),
+            new ActPhase("raise", 1.8f).To(HindFootUp, 0.62f).To(HindFootAhead, 0.75f).To(HindFootOut, 0.16f).To(NeckSide, 0.9f).To(NeckPitch, -0.2f).To(HeadRoll, 0.5f).To(HeadSide, 0.3f).To(Lids, 0.7f),
+            new ActPhase("scratch", 7f).With(new ActWave(HindFootUp, 0.07f, 9f)).With(new ActWave(HindFootAhead, 0.06f, 9f, 0.25f)).With(new ActWave(HeadRoll, 0.05f, 9f)),
+            new ActPhase("lower", 1.8f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootOut, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(NeckPitch, 0f).To(Lids, 0f),
             new ActPhase("stand", 2f).To(Aside, 0f).To(HindDown, 0f).To(BackSide, 0f).To(NeckSide, 0f))
             .Needing(ActNeeds.FourLegs).For(BodyBuild.Pawed).OnTheSpot(),
         new Act("Groom", ActKind.Upkeep,

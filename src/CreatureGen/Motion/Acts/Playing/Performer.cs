@@ -233,12 +233,19 @@ internal sealed class Performer
         }
     }
 
-    /// <summary>Swings an arm ahead that would be in the ground.</summary>
+    /// <summary>Swings an arm that would be in the ground out of it by the shorter way; one of a body that comes down on it always ahead, where there is room for it.</summary>
     private void KeepArmOffGround(in ActGround ground, int shoulder, SupportPoints skin, in Pose local, in Pose model)
     {
-        for (int round = 0; round < ClearingRounds && skin.Swing(ground, model.Positions[shoulder], model) is > 0f and float swing; round++)
+        for (int round = 0; round < ClearingRounds; round++)
         {
-            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(-Math.Min(swing, MaxCleared)), local);
+            (float ahead, float back) = skin.Swing(ground, model.Positions[shoulder], model);
+            if (ahead == 0f)
+            {
+                return;
+            }
+
+            float swing = layer.Loose > 0f || ahead <= back ? -Math.Min(ahead, MaxCleared) : Math.Min(back, MaxCleared);
+            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(swing), local);
             Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
         }
     }

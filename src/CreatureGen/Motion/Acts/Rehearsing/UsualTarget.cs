@@ -67,11 +67,12 @@ ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, bod
         yield return now + (way * parts[^1]);
     }
 
-    /// <summary>What a mouth snaps at, units from where it is: ahead; of crawlers above where the head lies.</summary>
+    /// <summary>What a mouth snaps at, units from where it is: ahead; of crawlers above where the head lies; of what is in the air far ahead, as it flies there.</summary>
     private static Vector3 Before(BodyBuild build) => build switch
     {
         BodyBuild.Legless => new Vector3(0f, 0.6f, -0.55f),
         BodyBuild.Sprawling or BodyBuild.ManyLegged => new Vector3(0f, -0.02f, 0.2f),
+        BodyBuild.Airborne => new Vector3(0f, -0.1f, 2f),
         _ => new Vector3(0f, -0.12f, 0.4f),
     };
 
