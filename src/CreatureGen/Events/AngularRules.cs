@@ -48,10 +48,10 @@ public static class AngularRules
     {
         Track = "Foley",
         Roles = new[] { JointRole.Chest },
-        ThresholdPower = 2.2,
+        ThresholdPower = 3.2,
         ThresholdFraction = 0.5f,
         Space = AngularSpace.Model,
-        Interval = 0.25f,
+        Interval = 0.15f,
         Winner = IntervalWinner.Strongest,
     };
 

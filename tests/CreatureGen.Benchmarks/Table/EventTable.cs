@@ -5,7 +5,7 @@ using CreatureGen.Tests.Events;
 
 namespace CreatureGen.Benchmarks.Table;
 
-/// <summary>How many moments the presets of rules for events find, and how many of them are false: footsteps against those of the animator by gait, whole clips and live; the others against the places of joints by clip.</summary>
+/// <summary>How many moments the presets of rules for events find, and how many of them are false: footsteps against those of the animator by gait, whole clips and live; whooshes and rustling against what the acts know of themselves; the others against the places of joints by clip.</summary>
 internal static class EventTable
 {
     private const int LiveLoops = 4;
@@ -25,6 +25,12 @@ internal static class EventTable
             Action<Creatures.Creature> add = preset == "live" ? creature => steps.AddLive(creature, LiveLoops) : steps.Add;
             Measure(RequestedKind.Walking, add);
             output.Write(steps);
+        }
+        else if (preset is "stuff" or "whoosh")
+        {
+            var scripted = new ScriptedFigures(preset);
+            Measure(RequestedKind.Walking, scripted.Add);
+            output.Write(scripted);
         }
         else
         {

@@ -28,4 +28,25 @@ public sealed class PresetAccuracyTests(ITestOutputHelper output)
         Assert.True(all.Steps >= count, $"{all.Steps} moments");
         Assert.True(all.Found >= leastFound * all.Steps && all.False <= mostFalse * (all.Found + all.False), $"{all}");
     }
+
+    /// <summary>What is told is what the acts know of themselves: when a blow strikes, and how long a body shakes. The rules read it off the motion.</summary>
+    [Theory]
+    [InlineData("whoosh", 201, 6)]
+    [InlineData("whoosh", 1001, 24, Explicit = true)]
+    [InlineData("stuff", 201, 6)]
+    [InlineData("stuff", 1001, 24, Explicit = true)]
+    public void Presets_hear_what_the_acts_know_of_themselves(string preset, int first, int count)
+    {
+        (double leastFound, double mostFalse) = preset == "whoosh" ? (0.6, 0.35) : (0.75, 0.05);
+        var figures = new ScriptedFigures(preset);
+        for (int i = 0; i < count; i++)
+        {
+            figures.Add(CreatureGenerator.Generate((ulong)(first + i), CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        }
+
+        output.WriteLine(figures.ToString());
+        FootstepFigures.Row all = figures.All;
+        Assert.True(all.Steps >= count, $"{all.Steps} moments");
+        Assert.True(all.Found >= leastFound * all.Steps && all.False <= mostFalse * (all.Found + all.False), $"{all}");
+    }
 }
