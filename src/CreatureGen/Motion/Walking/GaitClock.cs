@@ -37,6 +37,10 @@ internal sealed class GaitClock
     /// <summary>Radians per second from which on it is looked for how sharp a turn is possible.</summary>
     private const float SharpestAsked = 20f;
 
+    /// <summary>Time of a swing in which no leg is stretched out behind, and from which on it has all the time for it, √(leg/g).</summary>
+    private const float HurriedSwing = 0.6f;
+    private const float UnhurriedSwing = 1.6f;
+
     private readonly LeggedBody body;
     private readonly float[] lags;
     private readonly float quickest;
@@ -85,6 +89,14 @@ internal sealed class GaitClock
 
     /// <summary>The side that leads in canter and gallop.</summary>
     public Lead Lead { get; private set; }
+
+    /// <summary>How far legs of the hindmost pair are stretched out behind in the air, 0..1: less the shorter that is, or they would be flung there and back.</summary>
+    /// <param name="gravity">Metres of the model per second squared.</param>
+    public float TrailIn(float gravity)
+    {
+        float swing = (1f - Duty) * Cycle * (float)Math.Sqrt(gravity / body.LegLength);
+        return Shape.Trail * Scalar.Smooth((swing - HurriedSwing) / (UnhurriedSwing - HurriedSwing));
+    }
 
     /// <summary>Lag of each leg's touchdown, 0..1.</summary>
     public ReadOnlySpan<float> Lags => lags;

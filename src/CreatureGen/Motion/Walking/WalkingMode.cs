@@ -322,7 +322,7 @@ internal sealed class WalkingMode : ILocomotionMode
         poser.PoseTrunk(placer, local);
         for (int i = 0; i < poses.Length; i++)
         {
-            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], clock.Shape.Tuck * activity, clock.Shape.Trail * activity, local);
+            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], clock.Shape.Tuck * activity, clock.TrailIn(settings.Gravity) * activity, local);
         }
 
         HeadPosture.Pose(body, turns, placer, context, local);

@@ -69,16 +69,18 @@ internal sealed class LegPoser
         Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
         turns.Slide(local, leg.Girdle, slide);
         float carried = Carried(leg, foot, tuck, trail);
+        Solve(leg, carrier, hip, pose, carried, ref foot, local, out LegRotations solved);
         FootPose wanted = pose;
         if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
         {
-            // Not before the toes are well off the ground.
-            Quaternion point = AxisRotation.About(leg.RollAxis, carried * carried * carried * TrailedPitch);
+            // Not before the toes are well off the ground: a hip may keep the leg from where it is carried.
+            float raised = EndOf(leg, leg.Parts, solved).Y - (pose.Target.Y - hip.Y - foot.Lift);
+            float clear = Scalar.Smooth(raised / (Vec.Length(leg.Metatarsus) + leg.Toe));
+            Quaternion point = AxisRotation.About(leg.RollAxis, carried * carried * carried * clear * TrailedPitch);
             wanted.Foot = Rotation.Multiply(wanted.Foot, point);
             wanted.Toes = Rotation.Multiply(wanted.Toes, point);
         }
 
-        Solve(leg, carrier, hip, wanted, carried, ref foot, local, out LegRotations solved);
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
         foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
         float fraction = excess > 0f ? YieldFraction(leg, foot, excess) : 0f;
