@@ -24,6 +24,9 @@ internal static class NeckSampler
     /// <summary>Hair that would have to be cut shorter than this is left out, metres.</summary>
     private const double MinHair = 0.02;
 
+    /// <summary>First ring of a swimmer's tail that a fin sits on.</summary>
+    private const double TailFinRing = 50;
+
     /// <summary>Places along a collar that are held against the ground.</summary>
     private const int FrillSteps = 12;
 
@@ -69,7 +72,7 @@ internal static class NeckSampler
         foreach (ManeBlueprint mane in preset.Fields)
         {
             ManeBlueprint cut = OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit });
-            if (cut.Length >= MinHair && !LiesUnder(builder, cut))
+            if (cut.Length >= MinHair && !LiesUnder(builder, cut) && !HangsFromFin(builder, cut))
             {
                 builder.Manes.Add(cut);
             }
@@ -127,6 +130,9 @@ internal static class NeckSampler
     /// <summary>Whether hair grows from below a body that lies on the ground.</summary>
     private static bool LiesUnder(CreatureBuilder builder, ManeBlueprint mane) =>
         builder.Plan == BodyPlan.Legless && mane.LastSegment > BodyGrid.Segments / 4 && BodyShaper.Lying(builder.Plan, (int)mane.LastRing) > 0;
+
+    /// <summary>Whether hair grows where a tail fin does: it would hang over its edge like icicles.</summary>
+    private static bool HangsFromFin(CreatureBuilder builder, ManeBlueprint mane) => builder.Kind == LocomotionKind.Swimming && mane.LastRing >= TailFinRing;
 
     /// <summary>Whether the lowest hair of every row ends above the ground: as far along the body as it is long, and below the body by what it stands off and hangs down.</summary>
     private static bool Clears(BodyShape s, ManeBlueprint mane)

@@ -1,0 +1,67 @@
+using System;
+using CreatureGen.Bodies;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Shapes;
+
+/// <summary>Heads of strange creatures in proportion to their trunks: a head on a trunk that is thinner than itself is a wedge on a tube from every side.</summary>
+internal static class HeadFit
+{
+    // Largest head against its trunk, each at its widest: by breadth, and by the mean of breadth and height.
+    private const double Breadth = 1.15;
+    private const double Size = 1;
+
+    /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>
+    private const double HeadsPart = 0.7;
+
+    /// <summary>Most that a trunk grows by.</summary>
+    private const double MostGirth = 1.2;
+
+    /// <summary>Heads that are flatter carry a hammer or a beak across, which their breadth is for.</summary>
+    private const double Flattest = 2.2;
+
+    // Rings of the head behind its lips, and of the trunk between the girdles.
+    private const int FirstOfHead = 3;
+    private const int LastOfHead = 14;
+    private const int FirstOfTrunk = 23;
+    private const int LastOfTrunk = 42;
+
+    /// <summary>The proportions with a smaller head and a thicker trunk where the head is too large; those of animals stay as they are, and those of insects' own heads.</summary>
+    public static BodyProportions Fit(CreatureBuilder builder)
+    {
+        BodyProportions drawn = builder.Proportions;
+        if (builder.Parents.Head.Class == AnimalClass.Arthropod)
+        {
+            return drawn;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        (double headWidth, double headHeight) = Largest(shape, FirstOfHead, LastOfHead);
+        (double width, double height) = Largest(shape, FirstOfTrunk, LastOfTrunk);
+        double size = Math.Sqrt(headWidth * headHeight / (width * height)) / Size;
+        double breadth = headWidth > Flattest * headHeight ? 0 : headWidth / (width * Breadth);
+        double excess = Math.Max(1, Math.Max(size, breadth));
+        double strange = Math.Min(1, 2 * builder.Strangeness);
+        return drawn with
+        {
+            Head = drawn.Head * PortableMath.Pow(excess, -HeadsPart * strange),
+            Girth = drawn.Girth * Math.Min(MostGirth, PortableMath.Pow(excess, (1 - HeadsPart) * strange)),
+        };
+    }
+
+    /// <summary>Half the width and half the height of the largest sections, metres.</summary>
+    private static (double Width, double Height) Largest(BodyShape shape, int first, int last)
+    {
+        double width = 0;
+        double height = 0;
+        for (int ring = first; ring <= last; ring++)
+        {
+            width = Math.Max(width, shape.Width[ring]);
+            height = Math.Max(height, 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
+        }
+
+        return (width, height);
+    }
+}

@@ -1,0 +1,45 @@
+using System;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling;
+using CreatureGen.Species;
+using Xunit;
+
+namespace CreatureGen.Tests.Sampling;
+
+public sealed class HeadFitTests
+{
+    /// <summary>Largest head against its trunk, by the mean of breadth and height: what the posture leaves of the rule's 1.</summary>
+    private const double Largest = 1.15;
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    [InlineData(RequestedKind.Swimming)]
+    public void No_head_of_a_mixed_creature_but_an_insects_is_larger_than_the_trunk_behind_it(RequestedKind kind)
+    {
+        for (ulong seed = 9794001; seed <= 9794060; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+            if (SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double size = Size(shape, 3, 14) / Size(shape, 23, 42);
+                Assert.True(size <= Largest, FormattableString.Invariant($"{kind} {seed}: a head of {size:0.00} trunks"));
+            }
+        }
+    }
+
+    private static double Size(BodyShape shape, int first, int last)
+    {
+        double width = 0;
+        double height = 0;
+        for (int ring = first; ring <= last; ring++)
+        {
+            width = Math.Max(width, shape.Width[ring]);
+            height = Math.Max(height, 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
+        }
+
+        return Math.Sqrt(width * height);
+    }
+}
