@@ -1,4 +1,4 @@
-import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3 } from 'three';
+import { Box3, Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { h } from '../dom.js';
 
 const pixels = 128;
@@ -37,12 +37,12 @@ export class Portraits {
     return this.herd.members.get(member.slot) === member;
   }
 
-  #picture({ body: { group }, facts: { height, length, medium } }) {
+  #picture({ body: { group, mesh }, facts: { height, length } }) {
     const { renderer } = this;
     const canvas = renderer.domElement;
     const stage = group.parent;
     const side = pixels / renderer.getPixelRatio();
-    this.#frame(group, Math.max(0.72 * length, height), (medium === 'ground' ? 0.5 : 0.25) * height);
+    this.#frame(group, Math.max(0.72 * length, height), new Box3().setFromArray(mesh.positions).getCenter(new Vector3()));
     this.#scene.add(group);
     renderer.setScissorTest(true);
     renderer.setScissor(0, 0, side, side);
@@ -57,12 +57,11 @@ export class Portraits {
   }
 
   /** From before it and a little aside, whichever way it looks. */
-  #frame(group, size, lift) {
+  #frame(group, size, middle) {
     const far = 2.65 * size;
     const way = new Vector3(0.62, 0.26, 0.74).applyQuaternion(group.quaternion).multiplyScalar(far);
     way.y = 0.26 * far;
-    const focus = group.position.clone();
-    focus.y += lift;
+    const focus = middle.applyQuaternion(group.quaternion).add(group.position);
     this.#camera.near = far / 50;
     this.#camera.far = far * 20;
     this.#camera.position.copy(focus).add(way);
