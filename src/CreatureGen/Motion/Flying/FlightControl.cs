@@ -54,6 +54,9 @@ internal static class FlightControl
     /// <summary>Leg lengths above the ground below which a flier that is to stay in the air does not go.</summary>
     private const double LowestFlight = 1.2;
 
+    /// <summary>Share of its beat that a flier without legs makes on the ground.</summary>
+    public const double LowBeat = 0.2;
+
     /// <summary>Cruises that are missing at which it works its hardest to get faster; cruises too many at which it does to get slower.</summary>
     private const double PushingGap = 0.4;
     private const double BrakingGap = 0.35;
@@ -132,7 +135,7 @@ internal static class FlightControl
         double advance = state.Frequency.Step(flying ? beats : 0, flying ? 2 * k : 4 * k, dt);
         Beat(profile, state.Spread.Value, advance, dt, ref state);
         double width = Math.Min((1 + (0.28 * hover) + (0.22 * Math.Max(0, rise)) + Math.Max(leap, 0.18 * push)) * settings.BeatAmplitude, WidestBeat);
-        state.Amplitude.Step(down ? 0 : width, 2 * k, dt);
+        state.Amplitude.Step(down ? 0 : width * Room(profile, height), 2 * k, dt);
         state.Effort.Step(effort, 1.5 * k, dt);
 
         // A steep dive half folds the wings.
@@ -152,6 +155,10 @@ internal static class FlightControl
         state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
         return dt > 0 ? Velocity(way / dt, up / dt, turned / dt) : default;
     }
+
+    /// <summary>How much of its beat a flier that has no legs to stand on makes so far above the ground, 0..1: wings of one that lies on it would beat into it.</summary>
+    private static double Room(FlightProfile profile, double height) =>
+        profile.Stands ? 1 : Scalar.Lerp(LowBeat, 1, Scalar.Smooth(height / (LowestFlight * profile.LegLength)));
 
     /// <summary>The speed ahead that it goes for: to land, what its legs can run.</summary>
     private static double GoalAhead(in FlightState state, double speed) => state.Phase switch

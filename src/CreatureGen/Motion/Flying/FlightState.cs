@@ -87,12 +87,13 @@ internal struct FlightState
     /// <summary>A flier that stands, as if it had always stood.</summary>
     internal static FlightState OnGround => new() { Planted = CriticallyDampedSpring.At(1), Upright = CriticallyDampedSpring.At(1), Raised = 1 };
 
-    /// <summary>A flier that hangs in the air on its wings.</summary>
+    /// <summary>A flier that hangs in the air on its wings, and begins to beat them.</summary>
     internal static FlightState Hovering(FlightProfile profile)
     {
         FlightState state = InAir(profile);
         state.Ahead = default;
         state.Cruises = 0;
+        state.Amplitude = CriticallyDampedSpring.At(FlightControl.LowBeat);
         return state;
     }
 
