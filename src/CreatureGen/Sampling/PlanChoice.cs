@@ -118,14 +118,16 @@ internal sealed class PlanChoice
         return plans[random.Weighted(weights)].Value;
     }
 
-    /// <summary>Fewest and most pairs of legs and arms of a plan.</summary>
-    private static (int Min, int Max) PairsOf(BodyPlan plan) => plan switch
+    /// <summary>Fewest and most pairs of legs and arms of a plan with a body's legs: birds have wings for arms, and only insects more legs than winged beasts.</summary>
+    private static (int Min, int Max) PairsOf(SpeciesProfile species, BodyPlan plan) => plan switch
     {
+        BodyPlan.Theropod when species.Bird != null => (1, 1),
+        BodyPlan.Buzzing when species.Class != AnimalClass.Arthropod => (0, FlierLegs.MaxUnderOthers),
         BodyPlan.Centaur => (3, 3),
         BodyPlan.Theropod or BodyPlan.Upright => (1, 2),
         BodyPlan.Hexapod => (3, 4),
         BodyPlan.ManyLegged => (4, 9),
-        BodyPlan.Flapping => (0, 4),
+        BodyPlan.Flapping => (0, FlierLegs.MaxUnderOthers),
         BodyPlan.Buzzing => (0, 8),
         _ when ExtraLegs.Suits(plan) => (2, ExtraLegs.Max),
         BodyPlan.Legless or BodyPlan.Fish or BodyPlan.Eel or BodyPlan.Whale or BodyPlan.Flipper => (0, 0),
@@ -184,21 +186,10 @@ internal sealed class PlanChoice
 
     private double FactorOf(SpeciesProfile species, BodyPlan plan)
     {
-        (int least, int most) = PairsOf(plan);
+        (int least, int most) = PairsOf(species, plan);
         if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegPreset own)
         {
             least = most = own.SitesWithin(options.MinLegPairs, options.MaxLegPairs).Length + own.Arms.Length;
-        }
-
-        if (plan == BodyPlan.Theropod && species.Bird != null)
-        {
-            // Birds have wings for arms.
-            most = 1;
-        }
-
-        if (plan == BodyPlan.Buzzing && species.Class != AnimalClass.Arthropod)
-        {
-            most = FlierLegs.MostUnderOthers;
         }
 
         if (most < options.MinLegPairs || least > options.MaxLegPairs)

@@ -44,7 +44,7 @@ internal static class FlierLegs
     private const double ShortestLeg = 0.05;
 
     /// <summary>Most pairs of legs of what is no insect.</summary>
-    public const int MostUnderOthers = 4;
+    public const int MaxUnderOthers = 4;
 
     /// <summary>Pairs of legs beyond which each has a slim thigh and few toes: these grow out of few cells, and there is room for all.</summary>
     private const int ManyPairs = 2;
