@@ -103,7 +103,7 @@ internal sealed class Deeds(CreatureAnimator animator)
     public static Vector3 Impulse(Actor actor, float x, float z, float strength)
     {
         float length = (float)Math.Sqrt((x * x) + (z * z));
-        float speed = strength * (float)Math.Sqrt(9.81f * 0.5f * actor.Abilities.Height);
+        float speed = strength * (float)Math.Sqrt(MotionSettings.Default.Gravity * 0.5f * actor.Abilities.Height);
         return length > 0f ? new Vector3(x / length, 0.1f, z / length) * (speed * actor.Creature.Mass.Mass) : Vector3.Zero;
     }
 }

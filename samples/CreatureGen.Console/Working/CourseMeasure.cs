@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Console.Text;
+using CreatureGen.Motion;
 
 namespace CreatureGen.Console.Working;
 
@@ -8,7 +9,7 @@ namespace CreatureGen.Console.Working;
 internal static class CourseMeasure
 {
     private const float DegreesPerRadian = 57.29578f;
-    private const float StandardGravity = 9.81f;
+    private static readonly float gravity = MotionSettings.Default.Gravity;
 
     public static readonly Measure<MeasuredCourse> LimitExcess = Of("limitExcessMaxDegrees", run => run.Report.LimitExcess * DegreesPerRadian);
     public static readonly Measure<MeasuredCourse> JointSpeed = Of("jointSpeedMaxRadiansPerSecond", run => run.Report.JointSpeed);
@@ -17,7 +18,7 @@ internal static class CourseMeasure
     public static readonly Measure<MeasuredCourse> Clearance = new("clearanceMinLegLengths", WorseFigure.Smaller, run => run.Report.Clearance);
     public static readonly Measure<MeasuredCourse> RootLag = Of("rootLagMaxLegLengths", run => run.Report.RootLag);
     public static readonly Measure<MeasuredCourse> LostGround = Of("lostGround", run => run.Report.LostGround);
-    public static readonly Measure<MeasuredCourse> LinearAcceleration = Of("linearAccelerationMaxG", run => run.Report.LinearAcceleration / StandardGravity);
+    public static readonly Measure<MeasuredCourse> LinearAcceleration = Of("linearAccelerationMaxG", run => run.Report.LinearAcceleration / gravity);
     public static readonly Measure<MeasuredCourse> RestingFootSpread = Of("restingFootSpreadLegLengths", run => run.Report.RestingFootSpread);
 
     /// <summary>All, in the order of the JSON.</summary>

@@ -7,8 +7,6 @@ namespace CreatureGen.Motion.Toolkit;
 /// <summary>How spring bones move. May change from frame to frame without disturbing the motion.</summary>
 public readonly struct SpringSettings
 {
-    private const double Gravity9 = 9.81;
-
     /// <summary>Sets how bones move.</summary>
     /// <param name="frequency">Hz at which a bone swings about its animated direction, along the chain; 0 lets it hang.</param>
     /// <param name="dampingRatio">Below 1 it swings through, from 1 on it does not; along the chain.</param>
@@ -128,7 +126,7 @@ public readonly struct SpringSettings
     private static SpringSettings Swinging(float length, double factor, float dampingRatio)
     {
         Finite.RequireWithin(length, 1e-6f, 1e6f, nameof(length));
-        float tip = (float)(factor * Math.Sqrt(1.5 * Gravity9 / length) / PortableMath.Tau);
+        float tip = (float)(factor * Math.Sqrt(1.5 * StandardGravity.Precise / length) / PortableMath.Tau);
         return new SpringSettings(new ChainCurve(1.9f * tip, tip), new ChainCurve(dampingRatio), maxSpeed: 0.8f);
     }
 }

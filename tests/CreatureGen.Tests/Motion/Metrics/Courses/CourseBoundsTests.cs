@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Sampling;
 using Xunit;
@@ -10,7 +11,6 @@ namespace CreatureGen.Tests.Motion.Metrics.Courses;
 public sealed class CourseBoundsTests
 {
     private const float DegreesPerRadian = 57.29578f;
-    private const float StandardGravity = 9.81f;
 
     [Fact]
     public void Walkers_are_no_worse_than_they_were() => Hold(RequestedKind.Walking, [1, 2, 4, 5], 0f, new Bounds(Degrees: 0.094f, RadiansPerSecond: 60.6f, Gs: 15.3f, Depth: 0.066f, Slip: 0.043f, Lag: 0.255f, Lost: 0, Spread: 0.004f));
@@ -40,7 +40,7 @@ public sealed class CourseBoundsTests
                 string name = FormattableString.Invariant($"{kind} {seed} {run.Course.Script} {run.Course.Ground} {run.Course.Rate}");
                 Check(name, "degrees beyond limits", report.LimitExcess * DegreesPerRadian, bounds.Degrees);
                 Check(name, "rad/s of a joint", report.JointSpeed, bounds.RadiansPerSecond);
-                Check(name, "g", report.LinearAcceleration / StandardGravity, bounds.Gs);
+                Check(name, "g", report.LinearAcceleration / StandardGravity.Acceleration, bounds.Gs);
                 Check(name, "legs in the ground", run.Course.Ground == CourseGround.Stairs ? null : report.Penetration, bounds.Depth);
                 Check(name, "legs of slip", report.StanceSlip, bounds.Slip);
                 Check(name, "legs of lag", report.RootLag, bounds.Lag);
