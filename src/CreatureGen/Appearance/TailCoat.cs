@@ -7,8 +7,6 @@ namespace CreatureGen.Appearance;
 /// <summary>What the end of the tail wears: a tip, a fin with rays, or a fan of feathers.</summary>
 internal sealed class TailCoat
 {
-    private const int FirstRing = 44;
-
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
     private readonly Vector3 finColour;
@@ -28,7 +26,7 @@ internal sealed class TailCoat
     /// <summary>The colour of a place of the trunk with the tail's own colours laid over <paramref name="colour"/>.</summary>
     public Vector3 Over(Vector3 colour, in SkinPlace place)
     {
-        if (place.Ring < FirstRing)
+        if (place.Ring < StationRing.TorsoLast)
         {
             return colour;
         }

@@ -105,8 +105,8 @@ internal static class BodyBlender
             double tail = i < 14 ? 0 : i == 14 ? 0.4 : i == 15 ? 0.8 : 1;
 
             // The neck bends from its base up to the nape; the head turns back by three quarters, so that it looks ahead.
-            double neckBend = ring >= 24 ? 0 : ring >= 16 ? (24 - ring) / 8.0 : 0.25;
-            double tailBend = ring <= 42 ? 0 : (ring - 42) / 12.0;
+            double neckBend = ring >= 24 ? 0 : ring >= StationRing.Nape ? (24 - ring) / 8.0 : 0.25;
+            double tailBend = ring <= StationRing.Pelvis ? 0 : (ring - StationRing.Pelvis) / 12.0;
             s.Pitch[i] += (i <= 5 ? p.Head : 0)
                 + (neck * p.Neck)
                 + (i is >= 9 and <= 12 ? p.Torso : 0)

@@ -25,9 +25,6 @@ internal static class BodyShaper
     /// <summary>Metres that the outline of a tail's fan or fin lies off its ring, along the spine: a bend must leave room for it.</summary>
     private const double TailOutline = 0.16;
 
-    private const int HeadRings = 16;
-    private const int TailRing = 44;
-
     private static readonly double[] stationKnots = Array.ConvertAll(BodyGrid.StationRings.ToArray(), r => (double)r);
     private static readonly int[] stationOfRing = IntervalOfRing();
 
@@ -141,10 +138,10 @@ internal static class BodyShaper
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             double share = i <= 6 ? Scalar.Lerp(0.08, 0.25, i / 6.0)
-                : i <= 20 ? Scalar.Lerp(0.25, 1, (i - 6) / 14.0)
-                : i <= 34 ? 1
-                : i <= 44 ? Scalar.Lerp(1, 0.4, (i - 34) / 10.0)
-                : Scalar.Lerp(0.4, 0, (i - 44) / 10.0);
+                : i <= StationRing.TrunkFirst ? Scalar.Lerp(0.25, 1, (i - 6) / 14.0)
+                : i <= StationRing.Belly ? 1
+                : i <= StationRing.TorsoLast ? Scalar.Lerp(1, 0.4, (i - StationRing.Belly) / 10.0)
+                : Scalar.Lerp(0.4, 0, (i - StationRing.TorsoLast) / 10.0);
             double factor = 1 + (share * (depth - 1));
             top[i] *= factor;
             bottom[i] *= factor;
@@ -167,7 +164,7 @@ internal static class BodyShaper
 
     private static void ShapeTail(TailBlueprint tail, double[] width, double[] top, double[] bottom)
     {
-        const int Start = 46;
+        const int Start = StationRing.TailFirst;
         double width0 = width[Start];
         double top0 = top[Start];
         double bottom0 = bottom[Start];
@@ -224,12 +221,12 @@ internal static class BodyShaper
     private static void Taper(TailTaper form, double share, double[] width, double[] top, double[] bottom)
     {
         const int Last = BodyGrid.Rings - 1;
-        (double width0, double height0) = (width[TailRing], (top[TailRing] + bottom[TailRing]) / 2);
-        for (int i = TailRing + 1; i <= Last; i++)
+        (double width0, double height0) = (width[StationRing.TorsoLast], (top[StationRing.TorsoLast] + bottom[StationRing.TorsoLast]) / 2);
+        for (int i = StationRing.TorsoLast + 1; i <= Last; i++)
         {
-            (double w, double h) = form.At((double)(i - TailRing) / (Last - TailRing));
+            (double w, double h) = form.At((double)(i - StationRing.TorsoLast) / (Last - StationRing.TorsoLast));
             double bead = i % 2 == 1 ? 1 : 1 - form.Beads;
-            double weight = share * Scalar.Smooth((i - TailRing) / 3.0);
+            double weight = share * Scalar.Smooth((i - StationRing.TorsoLast) / 3.0);
             width[i] = Math.Max(ThinnestSection, Scalar.Lerp(width[i], w * bead * width0, weight));
             top[i] = Math.Max(ThinnestSection, Scalar.Lerp(top[i], h * bead * height0, weight));
             bottom[i] = Math.Max(ThinnestSection, Scalar.Lerp(bottom[i], h * bead * height0, weight));
@@ -239,7 +236,7 @@ internal static class BodyShaper
     /// <summary>Spreads the end of the tail into an upright fin.</summary>
     private static void Spread(TailFin form, TailBlueprint tail, double[] width, double[] top, double[] bottom)
     {
-        const int Start = 46;
+        const int Start = StationRing.TailFirst;
         (double width0, double top0, double bottom0) = (width[Start], top[Start], bottom[Start]);
         for (int i = Start; i < BodyGrid.Rings; i++)
         {
@@ -287,7 +284,7 @@ internal static class BodyShaper
             double worst = 0;
             for (int i = 1; i <= last; i++)
             {
-                double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > TailRing ? tailReach : 0);
+                double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > StationRing.TorsoLast ? tailReach : 0);
                 double limit = BendLimit * step[i] / inner;
                 clamped[i] = Scalar.Clamp(bend[i], -limit, limit);
                 worst = Math.Max(worst, Math.Abs(clamped[i] - bend[i]));
@@ -319,7 +316,7 @@ internal static class BodyShaper
         pitch[0] = 0;
         for (int i = 1; i <= last; i++)
         {
-            double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > TailRing ? tailReach : 0);
+            double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > StationRing.TorsoLast ? tailReach : 0);
             double limit = BendLimit * step[i] / inner;
             pitch[i] = pitch[i - 1] + Scalar.Clamp(bend[i], -limit, limit);
         }
@@ -365,7 +362,7 @@ internal static class BodyShaper
         {
             double top = stations.TopExponent;
             double bottom = stations.BottomExponent;
-            if (i < HeadRings)
+            if (i < StationRing.Nape)
             {
                 top = bottom = 2.2;
                 if (i < 9)
@@ -375,14 +372,14 @@ internal static class BodyShaper
                     top = bottom = 2.2 + (Math.Max(0, q) * (head.MuzzleSquareness - 2.2));
                 }
             }
-            else if (i >= TailRing)
+            else if (i >= StationRing.TorsoLast)
             {
-                top = bottom = finned && i >= 46 ? 1.7 : 2;
+                top = bottom = finned && i >= StationRing.TailFirst ? 1.7 : 2;
             }
 
             // A body that is thin at its edges thins out from the muzzle on; its tail is round again.
-            double thin = i < HeadRings ? Scalar.Smooth((i - 2) / 9.0) : i >= TailRing ? 0 : 1;
-            double edge = Scalar.Smooth((i - 38) / 8.0);
+            double thin = i < StationRing.Nape ? Scalar.Smooth((i - 2) / 9.0) : i >= StationRing.TorsoLast ? 0 : 1;
+            double edge = Scalar.Smooth((i - StationRing.Loin) / 8.0);
             shape.TopExponent[i] = stations.TopExponent < Edged ? Scalar.Lerp(Scalar.Lerp(1.8, stations.TopExponent, thin), 1.7, edge) : top;
             shape.BottomExponent[i] = stations.BottomExponent < Edged ? Scalar.Lerp(Scalar.Lerp(1.8, stations.BottomExponent, thin), 1.7, edge) : bottom;
         }

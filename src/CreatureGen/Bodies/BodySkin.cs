@@ -14,12 +14,6 @@ internal sealed class BodySkin
 {
     private const int Half = BodyGrid.Segments / 2;
 
-    /// <summary>First ring that bumps of the torso shape, and not those of the head.</summary>
-    private const int TorsoRing = 20;
-
-    /// <summary>First ring of the tail.</summary>
-    private const int TailRing = 46;
-
     private static readonly float[] sine = Around(PortableMath.Sin);
     private static readonly float[] cosine = Around(PortableMath.Cos);
 
@@ -51,7 +45,7 @@ internal sealed class BodySkin
         double topExponent = 0;
         double bottomExponent = 0;
         double tailStep = 0;
-        for (int i = 46; i < 54; i++)
+        for (int i = StationRing.TailFirst; i < StationRing.TailTip; i++)
         {
             tailStep += shape.Step[i] / 8;
         }
@@ -72,11 +66,11 @@ internal sealed class BodySkin
                 y[j] = powers[(2 * j) + 1] * (float)(j < Half / 2 ? shape.Top[i] : shape.Bottom[i]);
             }
 
-            if (i < TorsoRing)
+            if (i < StationRing.TrunkFirst)
             {
                 ApplyBumps(head.Bumps, i, x, y);
             }
-            else if (i < TailRing)
+            else if (i < StationRing.TailFirst)
             {
                 ApplyBumps(relief, i, x, y);
             }
@@ -88,7 +82,7 @@ internal sealed class BodySkin
             Vector3 forward = shape.Forward(i);
             for (int j = 0; j <= Half; j++)
             {
-                float along = i >= 46 ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
+                float along = i >= StationRing.TailFirst ? TailShift(shape, tail, tailStep, i, x[j], y[j]) : 0f;
                 float lift = 0f;
                 if (wide)
                 {

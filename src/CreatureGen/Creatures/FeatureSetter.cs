@@ -138,9 +138,9 @@ internal sealed class FeatureSetter
         }
 
         BodyShape shape = grown.Skin.Shape;
-        float length = (float)(mouth.Teeth * shape.Width[4] * 1.4);
-        Row(grown.Mouth.UpperLip, -shape.Up(2), "Head");
-        Row(grown.Mouth.LowerLip, shape.Up(2), "Jaw");
+        float length = (float)(mouth.Teeth * shape.Width[StationRing.MuzzleMiddle] * 1.4);
+        Row(grown.Mouth.UpperLip, -shape.Up(StationRing.MuzzleFront), "Head");
+        Row(grown.Mouth.LowerLip, shape.Up(StationRing.MuzzleFront), "Jaw");
 
         void Row(int[] lip, Vector3 direction, string joint)
         {

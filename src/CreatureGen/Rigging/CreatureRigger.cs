@@ -92,7 +92,7 @@ internal static class CreatureRigger
     private static Vector3 PivotOf(SpineNode node, SpineLine line, BodyShape shape)
     {
         Vector3 pivot = line.At(node.Ring);
-        if (node.Role == JointRole.Head && node.Ring < 17)
+        if (node.Role == JointRole.Head && node.Ring < StationRing.Nape + 1)
         {
             int ring = (int)node.Ring;
             pivot -= shape.Up(ring) * (float)(shape.Bottom[ring] * OcciputDrop);

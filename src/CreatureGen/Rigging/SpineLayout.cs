@@ -37,7 +37,7 @@ internal sealed class SpineLayout
     private const double HeadRing = 15.3;
     private const double DefaultHipRing = 41;
     private const double DefaultShoulderRing = 27;
-    private const double SwimmerRootRing = 20;
+    private const double SwimmerRootRing = StationRing.TrunkFirst;
     private const double LastTailRing = 52;
 
     /// <summary>Length of the tail's bones of a legless body over that of its trunk's, and their greatest number.</summary>

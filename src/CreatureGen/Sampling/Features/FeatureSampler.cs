@@ -20,12 +20,6 @@ internal static class FeatureSampler
     private const double Shortening = 0.85;
     private const int MaxCuts = 12;
 
-    /// <summary>Last ring of the nape.</summary>
-    private const int NeckRing = 16;
-
-    /// <summary>First ring of the end of the tail.</summary>
-    private const int TailEndRing = 46;
-
     /// <summary>Fills in the features of the creature, as many as are asked for.</summary>
     public static void Sample(CreatureBuilder builder, OrnamentLevel level)
     {
@@ -37,7 +31,7 @@ internal static class FeatureSampler
 
     private static void Ornaments(CreatureBuilder builder, double plenty)
     {
-        double head = builder.Shape.Width[13];
+        double head = builder.Shape.Width[StationRing.Cranium];
         if (builder.Parents.Ornaments.Parts is PartSlot[] slots)
         {
             OwnParts(builder, slots, plenty, builder.Stream("own parts"));
@@ -98,7 +92,7 @@ internal static class FeatureSampler
             foreach (PartPreset preset in choice.Parts)
             {
                 FeatureBlueprint part = preset.Part;
-                double factor = Maths.Scalar.Lerp(preset.Min, preset.Max, size) * (part.Ring < 16 ? head : 1);
+                double factor = Maths.Scalar.Lerp(preset.Min, preset.Max, size) * (part.Ring < StationRing.Nape ? head : 1);
                 builder.Features.Add(OffGround(builder, part with { Length = part.Length * factor, Radius = part.Radius * Math.Sqrt(factor) }));
             }
         }
@@ -109,7 +103,7 @@ internal static class FeatureSampler
 
     /// <summary>Whether a choice stands along the midline of the back.</summary>
     private static bool OnBack(PartChoice choice) =>
-        choice.Mane != null || Array.Exists(choice.Parts, part => part.Part.Segment < 3 && part.Part.Ring is > NeckRing and < TailEndRing);
+        choice.Mane != null || Array.Exists(choice.Parts, part => part.Part.Segment < 3 && part.Part.Ring is > StationRing.Nape and < StationRing.TailFirst);
 
     /// <summary>The sting at the end of a scorpion's tail.</summary>
     private static void Sting(CreatureBuilder builder)
@@ -267,7 +261,7 @@ internal static class FeatureSampler
         }
 
         BodyShape s = builder.Shape;
-        double radius = Math.Max(0.035, 1.5 * s.Width[48]);
+        double radius = Math.Max(0.035, 1.5 * s.Width[StationRing.TailThird]);
         if (!TailClears(builder, radius))
         {
             return;
@@ -290,7 +284,7 @@ internal static class FeatureSampler
         double radius = 0;
         foreach (FeatureBlueprint part in parts)
         {
-            radius = part.Kind == FeatureKind.Club || (part.Kind == FeatureKind.Spike && part.Ring >= TailEndRing && part.Segment > 0) ? Math.Max(radius, part.Radius / 0.85) : radius;
+            radius = part.Kind == FeatureKind.Club || (part.Kind == FeatureKind.Spike && part.Ring >= StationRing.TailFirst && part.Segment > 0) ? Math.Max(radius, part.Radius / 0.85) : radius;
         }
 
         return radius == 0 || TailClears(builder, radius);
@@ -298,7 +292,7 @@ internal static class FeatureSampler
 
     private static bool TailClears(CreatureBuilder builder, double radius)
     {
-        for (int ring = TailEndRing; ring < BodyGrid.Rings; ring++)
+        for (int ring = StationRing.TailFirst; ring < BodyGrid.Rings; ring++)
         {
             if (builder.Shape.Y[ring] < (1.2 * radius) + Clearance)
             {

@@ -32,7 +32,7 @@ internal static class HeadSampler
     private const double SingleForward = 1.3;
 
     /// <summary>Mean of half the width and half the height of a head at the eyes, metres.</summary>
-    public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[10] + (0.5 * (shape.Top[10] + shape.Bottom[10])));
+    public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[StationRing.Brow] + (0.5 * (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow])));
 
     /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
     public static double LargestEye(CreatureBuilder builder)
@@ -61,7 +61,7 @@ internal static class HeadSampler
             return;
         }
 
-        double head = builder.Parents.Ears.EarSize * builder.Shape.Width[13];
+        double head = builder.Parents.Ears.EarSize * builder.Shape.Width[StationRing.Cranium];
         double size = random.Uniform(0.85, 1.2) * head;
         EarShape shape = builder.Parents.Ears.Ears[random.Weighted(Array.ConvertAll(builder.Parents.Ears.Ears, ear => ear.Weight))].Value;
         var socket = new SocketBlueprint(13, shape == EarShape.Sideways ? 4 : 2, 2, 2);

@@ -68,7 +68,7 @@ internal static class NeckSampler
     public static void Add(CreatureBuilder builder, in ManePreset preset, double size)
     {
         double factor = Scalar.Lerp(preset.Min, preset.Max, size);
-        double unit = builder.HalfDepth(19);
+        double unit = builder.HalfDepth(StationRing.NeckMiddle);
         foreach (ManeBlueprint mane in preset.Fields)
         {
             ManeBlueprint cut = OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit });
@@ -82,7 +82,7 @@ internal static class NeckSampler
     /// <summary>Adds a collar; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
     public static void Add(CreatureBuilder builder, in FrillPreset preset, double size)
     {
-        double unit = Math.Min(builder.Shape.Width[13], WidestCollared * builder.HalfDepth(13));
+        double unit = Math.Min(builder.Shape.Width[StationRing.Cranium], WidestCollared * builder.HalfDepth(StationRing.Cranium));
         builder.Frills.Add(OffGround(builder, preset.Frill with { Length = preset.Frill.Length * Scalar.Lerp(preset.Min, preset.Max, size) * unit, Thickness = preset.Frill.Thickness * unit }));
     }
 

@@ -58,7 +58,7 @@ internal static class StrangeParts
         }
     }
 
-    private static bool IsHorned(CreatureBuilder builder) => builder.Features.Exists(part => part.Ring is > 8 and < 17) || builder.Manes.Count > 0;
+    private static bool IsHorned(CreatureBuilder builder) => builder.Features.Exists(part => part.Ring is > 8 and < StationRing.Nape + 1) || builder.Manes.Count > 0;
 
     /// <summary>An eye or a pair of them, so far behind and below the two that the face has, in radii of these; on the midline where the way down is 0.</summary>
     private static void Eye(CreatureBuilder builder, double behind, double below, double radius)
@@ -93,8 +93,8 @@ internal static class StrangeParts
             return;
         }
 
-        double length = (0.75 + (0.4 * size)) * Math.Max(s.Arc[BodyGrid.Rings - 1] - s.Arc[44], 0.35 * builder.TorsoLength);
-        double radius = 0.62 * 0.5 * (s.Width[45] + builder.HalfDepth(45));
+        double length = (0.75 + (0.4 * size)) * Math.Max(s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast], 0.35 * builder.TorsoLength);
+        double radius = 0.62 * 0.5 * (s.Width[StationRing.TailBase] + builder.HalfDepth(StationRing.TailBase));
         var tail = new FeatureBlueprint(FeatureKind.Tail, TailRing, 4.6, length, radius, 0.55, 0.2, -1, 0.35, 0.12, 0, 0.2, 1, 0.85);
         builder.Features.Add(FeatureSampler.OffGround(builder, tail));
     }

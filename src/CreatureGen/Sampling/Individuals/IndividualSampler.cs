@@ -28,8 +28,8 @@ internal static class IndividualSampler
         IndividualBody body = IndividualBody.Of(type, ofType, traits);
         CreatureBuilder builder = body.Draft;
         BodyShape was = ofType.Shape;
-        double skull = builder.Shape.Width[13] / was.Width[13];
-        double girth = builder.HalfDepth(19) / ofType.HalfDepth(19);
+        double skull = builder.Shape.Width[StationRing.Cranium] / was.Width[StationRing.Cranium];
+        double girth = builder.HalfDepth(StationRing.NeckMiddle) / ofType.HalfDepth(StationRing.NeckMiddle);
         double side = (builder.Shape.Arc[FoldTo] - builder.Shape.Arc[FoldFrom]) / (was.Arc[FoldTo] - was.Arc[FoldFrom]);
         var individual = type with
         {

@@ -4,14 +4,14 @@ using CreatureGen.Anatomy;
 
 namespace CreatureGen.Sampling.Placement;
 
-/// <summary>Where each plan carries its legs and arms. Rings and segments are those of the anatomy that all bodies share: 22 neck base, 26 shoulder, 30 ribs, 34 belly, 38 loin, 42 pelvis.</summary>
+/// <summary>Where each plan carries its legs and arms. Rings and segments are those of the anatomy that all bodies share; <see cref="StationRing"/> has their names.</summary>
 internal static class SocketSets
 {
     /// <summary>First ring of a row of many legs.</summary>
     public const int RowFirstRing = 25;
 
     /// <summary>Last ring of a row of many legs.</summary>
-    public const int RowLastRing = 42;
+    public const int RowLastRing = StationRing.Pelvis;
 
     /// <summary>The places of a walking plan.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The plan is one of a flier or a swimmer.</exception>

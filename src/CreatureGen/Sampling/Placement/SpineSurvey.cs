@@ -7,12 +7,6 @@ namespace CreatureGen.Sampling.Placement;
 /// <summary>Measures a torso for the attachment rules from the sections of a body.</summary>
 internal static class SpineSurvey
 {
-    /// <summary>First ring of the torso: the base of the neck.</summary>
-    public const int TorsoFirstRing = 22;
-
-    /// <summary>Last ring of the torso: just before the base of the tail.</summary>
-    public const int TorsoLastRing = 44;
-
     /// <summary>Bones of a torso when nothing else is asked for: one for every two rings.</summary>
     public const int TorsoBones = 11;
 
@@ -22,7 +16,7 @@ internal static class SpineSurvey
     /// <summary>Measures the torso, rings 22 to 44, as 11 bones.</summary>
     /// <inheritdoc cref="Measure(ReadOnlySpan{double}, ReadOnlySpan{double}, ReadOnlySpan{double}, ReadOnlySpan{double}, ReadOnlySpan{double}, int, int, int)"/>
     public static SpineMeasure Measure(ReadOnlySpan<double> y, ReadOnlySpan<double> z, ReadOnlySpan<double> width, ReadOnlySpan<double> top, ReadOnlySpan<double> bottom) =>
-        Measure(y, z, width, top, bottom, TorsoFirstRing, TorsoLastRing, TorsoBones);
+        Measure(y, z, width, top, bottom, StationRing.NeckBase, StationRing.TorsoLast, TorsoBones);
 
     /// <summary>
     /// Cuts the rings from <paramref name="firstRing"/> to <paramref name="lastRing"/> into bones of equally many rings. The body's length is that of these bones,

@@ -11,7 +11,7 @@ namespace CreatureGen.Sampling.Placement;
 internal static class SwimmingRules
 {
     /// <summary>First ring that a fin on the midline may cover: the base of the neck lies before it.</summary>
-    public const int MidlineFirstRing = 22;
+    public const int MidlineFirstRing = StationRing.NeckBase;
 
     /// <summary>Last ring that a fin on the midline may cover: the tail fin lies behind it.</summary>
     public const int MidlineLastRing = 47;

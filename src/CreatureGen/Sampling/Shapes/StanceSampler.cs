@@ -17,13 +17,6 @@ internal static class StanceSampler
     /// <summary>First ring that a raised tail takes with it: its root stays as low as the rump, however steep the rest.</summary>
     private const int FirstRaised = 47;
 
-    /// <summary>Ring at which a tail leaves the rump.</summary>
-    private const int TailRoot = 44;
-
-    /// <summary>Rings between which the slope of a trunk is taken.</summary>
-    private const int Front = 20;
-    private const int Rump = 42;
-
     /// <summary>How far a tail may come down for each unit that it goes back.</summary>
     private const double SteepestTail = 1.1;
 
@@ -98,13 +91,13 @@ internal static class StanceSampler
     private static void Level(CreatureBuilder builder, double steepest)
     {
         BodyShape s = ShapeOf(builder);
-        double pitch = PortableMath.Atan2(s.Y[Front] - s.Y[Rump], s.Z[Front] - s.Z[Rump]);
+        double pitch = PortableMath.Atan2(s.Y[StationRing.TrunkFirst] - s.Y[StationRing.Pelvis], s.Z[StationRing.TrunkFirst] - s.Z[StationRing.Pelvis]);
         double excess = pitch - Scalar.Clamp(pitch, -steepest, steepest);
         builder.Posture = builder.Posture with { Trunk = builder.Posture.Trunk - excess, Tail = builder.Posture.Tail + (0.5 * excess) };
         if (builder.Kind == LocomotionKind.Swimming)
         {
             s = ShapeOf(builder);
-            double fall = PortableMath.Atan2(s.Y[TailRoot] - s.Y[BodyGrid.Rings - 1], s.Z[TailRoot] - s.Z[BodyGrid.Rings - 1]);
+            double fall = PortableMath.Atan2(s.Y[StationRing.TorsoLast] - s.Y[BodyGrid.Rings - 1], s.Z[StationRing.TorsoLast] - s.Z[BodyGrid.Rings - 1]);
             builder.Posture = builder.Posture with { Tail = builder.Posture.Tail - fall + Scalar.Clamp(fall, -steepestProne, steepestProne) };
         }
     }
@@ -140,7 +133,7 @@ internal static class StanceSampler
         foreach (FeatureBlueprint feeler in builder.Features)
         {
             int ring = (int)Scalar.Clamp(Math.Round(feeler.Ring), 1, BodyGrid.Rings - 2);
-            if (feeler.Kind != FeatureKind.Antenna || ring > 20)
+            if (feeler.Kind != FeatureKind.Antenna || ring > StationRing.TrunkFirst)
             {
                 continue;
             }
@@ -201,8 +194,8 @@ internal static class StanceSampler
     {
         builder.Elevation = 0;
         builder.Shape = ShapeOf(builder);
-        double length = Math.Abs(builder.Shape.Z[22] - builder.Shape.Z[42]);
-        double arc = builder.Shape.Arc[42] - builder.Shape.Arc[22];
+        double length = Math.Abs(builder.Shape.Z[StationRing.NeckBase] - builder.Shape.Z[StationRing.Pelvis]);
+        double arc = builder.Shape.Arc[StationRing.Pelvis] - builder.Shape.Arc[StationRing.NeckBase];
         builder.TorsoLength = builder.Plan switch
         {
             BodyPlan.Flapping or BodyPlan.Theropod => Math.Max(length, arc * 0.92),
@@ -216,7 +209,7 @@ internal static class StanceSampler
     {
         BodyShape s = builder.Shape;
         double torso = builder.TorsoLength;
-        double lowest = Lowest(s, 20, 44);
+        double lowest = Lowest(s, StationRing.TrunkFirst, StationRing.TorsoLast);
         (double min, double max) = builder.Plan switch
         {
             BodyPlan.Digitigrade => (0.62, 0.92),
@@ -242,7 +235,7 @@ internal static class StanceSampler
         {
             builder.HipHeight = hip;
             double height = Scalar.Lerp(preset.Height.Min, preset.Height.Max, draw);
-            builder.Elevation = Math.Max(height - lowest, 0.03 - Lowest(s, 23, 55));
+            builder.Elevation = Math.Max(height - lowest, 0.03 - Lowest(s, StationRing.NeckBase + 1, BodyGrid.Rings));
             builder.Shape = BodyShaper.Raised(s, builder.Plan, builder.Elevation);
             return;
         }
@@ -253,17 +246,17 @@ internal static class StanceSampler
         {
             case BodyPlan.Digitigrade:
             case BodyPlan.Centaur:
-                elevation = Math.Max(hip - s.Y[42], (0.30 * torso) - lowest);
+                elevation = Math.Max(hip - s.Y[StationRing.Pelvis], (0.30 * torso) - lowest);
                 break;
             case BodyPlan.Unguligrade:
-                elevation = Math.Max(hip - s.Y[42], (0.42 * torso) - lowest);
+                elevation = Math.Max(hip - s.Y[StationRing.Pelvis], (0.42 * torso) - lowest);
                 break;
             case BodyPlan.Plantigrade:
             case BodyPlan.Columnar:
-                elevation = Math.Max(hip - s.Y[42], (0.20 * torso) - lowest);
+                elevation = Math.Max(hip - s.Y[StationRing.Pelvis], (0.20 * torso) - lowest);
                 break;
             case BodyPlan.Upright:
-                elevation = Math.Max(hip - s.Y[42], (0.22 * torso) - lowest);
+                elevation = Math.Max(hip - s.Y[StationRing.Pelvis], (0.22 * torso) - lowest);
                 break;
             case BodyPlan.Theropod:
                 elevation = Math.Max(hip - s.Y[36], ((builder.Parents.Legs.Bird != null ? 0.1 : 0.3) * torso) - lowest);
@@ -278,7 +271,7 @@ internal static class StanceSampler
                 elevation = LyingElevation(s);
                 break;
             case BodyPlan.Hexapod:
-                elevation = Math.Max(Scalar.Lerp(0.16, 0.34, draw) - lowest, 0.035 - Lowest(s, 23, 55));
+                elevation = Math.Max(Scalar.Lerp(0.16, 0.34, draw) - lowest, 0.035 - Lowest(s, StationRing.NeckBase + 1, BodyGrid.Rings));
                 break;
             case BodyPlan.Flapping:
             case BodyPlan.Buzzing:
@@ -296,7 +289,7 @@ internal static class StanceSampler
     /// <summary>Whether the raised front of a legless body nearly tips it over the front end of the trunk that lies on the ground.</summary>
     private static bool IsFrontHeavy(BodyShape s)
     {
-        double front = s.Z[26];
+        double front = s.Z[StationRing.Shoulder];
         return CentreOfMass(s) > front - (0.15 * (front - s.Z[BodyGrid.Rings - 1]));
     }
 
@@ -325,7 +318,7 @@ internal static class StanceSampler
                 tail -= lift;
             }
 
-            if (Lowest(s, 0, 20) < headGap)
+            if (Lowest(s, StationRing.Nose, StationRing.TrunkFirst) < headGap)
             {
                 neck += lift;
             }
@@ -338,8 +331,8 @@ internal static class StanceSampler
 
         if (builder.Plan == BodyPlan.Upright && torsoPitch < Scalar.Radians(80))
         {
-            double ahead = CentreOfMass(s) - s.Z[40];
-            if (ahead > 0.30 * s.Y[40])
+            double ahead = CentreOfMass(s) - s.Z[StationRing.UprightHip];
+            if (ahead > 0.30 * s.Y[StationRing.UprightHip])
             {
                 torsoPitch += Scalar.Radians(6);
             }
@@ -355,16 +348,16 @@ internal static class StanceSampler
         const int End = BodyGrid.Rings - 1;
         BodyShape s = builder.Shape;
         bool stands = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur or BodyPlan.Upright && builder.Parents.Legs.Legs is null;
-        double down = s.Y[TailRoot] - s.Y[End];
-        double back = s.Z[TailRoot] - s.Z[End];
-        return stands && down > SteepestTail * back && s.Y[End] < 0.75 * s.Y[TailRoot];
+        double down = s.Y[StationRing.TorsoLast] - s.Y[End];
+        double back = s.Z[StationRing.TorsoLast] - s.Z[End];
+        return stands && down > SteepestTail * back && s.Y[End] < 0.75 * s.Y[StationRing.TorsoLast];
     }
 
     /// <summary>The elevation at which the raised front of a legless body just clears the ground; its trunk lies on it anyway.</summary>
     private static double LyingElevation(BodyShape s)
     {
         double elevation = 0;
-        for (int i = 12; i < 27; i++)
+        for (int i = 12; i <= StationRing.Shoulder; i++)
         {
             double below = s.Bottom[i] - s.Y[i];
             elevation = Math.Max(elevation, below / (1 - BodyShaper.Lying(BodyPlan.Legless, i)));
