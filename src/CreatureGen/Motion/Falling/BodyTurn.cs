@@ -48,16 +48,3 @@ internal readonly record struct BodyTurn(float Yaw, float Pitch, float Roll)
 
     private static Quaternion Carrier(Skeleton skeleton, int joint) => skeleton.Parents[joint] < 0 ? Quaternion.Identity : skeleton.ModelRotations[skeleton.Parents[joint]];
 }
-
-/// <summary>A part of a time in which something goes from 0 to 1, from rest to rest.</summary>
-/// <param name="Begin">Where it begins, 0..1.</param>
-/// <param name="End">Where it ends.</param>
-internal readonly record struct TimeWindow(float Begin, float End)
-{
-    /// <summary>How far it has gone, 0..1.</summary>
-    public float At(float u)
-    {
-        float x = Scalar.Clamp((u - Begin) / (End - Begin), 0f, 1f);
-        return x * x * x * (10f + (x * ((6f * x) - 15f)));
-    }
-}

@@ -17,16 +17,10 @@ namespace CreatureGen.Motion.Walking;
 internal sealed class LeggedBody
 {
     /// <summary>Part of the joints' limits that bends to a side take up: the rest is for pitch and roll.</summary>
-    /// <summary>How far the ends of a trunk that yaws with its feet go aside at most, leg lengths.</summary>
-    private const float MaxEndSway = 0.1f;
-
     private const float BendFraction = 0.95f;
 
     /// <summary>Part of these that bends up and down take up: the rest is for the bends to a side that go with them.</summary>
     private const float PitchBendFraction = 0.75f;
-
-    /// <summary>Distance of the hips from the middle, leg lengths, beyond which the body yaws less.</summary>
-    private const float WideHips = 0.55f;
 
     /// <summary>How far a body rolls with the ground at most, radians.</summary>
     private const float SteepestRoll = 0.5f;
@@ -96,10 +90,9 @@ internal sealed class LeggedBody
             ForeStoop = leg.IsHind(Rows) ? ForeStoop : Math.Max(ForeStoop, leg.Stoop);
         }
 
-        float steady = SteadyFraction();
-        TrunkTraits traits = TrunkTraits.Of(subject.Plan, subject.Manner, Mass);
-        Traits = traits with { PelvisYaw = traits.PelvisYaw * steady, ChestYaw = traits.ChestYaw * steady };
         TrunkLength = Vec.Distance(Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]]);
+        Yaw = TrunkYaw.Of(Legs, LegLength, TrunkLength);
+        Traits = Yaw.Of(TrunkTraits.Of(subject.Plan, subject.Manner, Mass));
         Posture = StandingPosture.Of(subject);
         Span = TrunkSpan.Of(Legs, GoingHomes, Rows, Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]], TrunkLength);
         Neck = ChainOf(Skeleton, JointRole.Neck, JointRole.Head);
@@ -120,7 +113,6 @@ internal sealed class LeggedBody
         Body = Skeleton.FirstOf(JointRole.Body);
         MaxRoll = IsBiped ? 0f : MaxRollOf(Legs);
         MaxSway = MaxSwayOf(Legs);
-        MaxTrunkYaw = 2f * MaxEndSway * LegLength / Math.Max(TrunkLength, LegLength);
         MaxBendYaw = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingZ);
         MaxBendPitch = PitchBendFraction * MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.SwingX);
         MaxBendRoll = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.Twist);
@@ -176,8 +168,8 @@ internal sealed class LeggedBody
     /// <summary>How far it sways to a side at most, metres: what its hips draw their legs in beyond the narrowest track.</summary>
     public float MaxSway { get; }
 
-    /// <summary>How far the whole trunk yaws from side to side with its feet at most, radians: what takes its ends a little way aside.</summary>
-    public float MaxTrunkYaw { get; }
+    /// <summary>How far the trunk yaws with its feet at most.</summary>
+    public TrunkYaw Yaw { get; }
 
     /// <summary>Neck joints and the head, which is the last.</summary>
     public int[] Neck { get; }
@@ -367,18 +359,6 @@ internal sealed class LeggedBody
         }
 
         return arms.ToArray();
-    }
-
-    /// <summary>Share of its yaw with the feet that a body has: on hips far from the middle a turn takes the feet farther than the legs step.</summary>
-    private float SteadyFraction()
-    {
-        float widest = 0f;
-        foreach (LegRig leg in Legs)
-        {
-            widest = Math.Max(widest, Math.Abs(leg.HipRest.X));
-        }
-
-        return Math.Min(1f, WideHips * LegLength / Math.Max(widest, 1e-6f));
     }
 
     private bool LongFeet() => Vec.Length(Legs[0].Metatarsus) + Legs[0].Toe > 0.42f * LegLength;

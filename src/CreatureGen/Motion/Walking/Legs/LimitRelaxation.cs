@@ -35,7 +35,8 @@ internal static class LimitRelaxation
     {
         Span<Vector3> before = stackalloc Vector3[SoleExtent.Directions];
         Span<Vector3> after = stackalloc Vector3[SoleExtent.Directions];
-        float sunk = Lay(leg, normal, pose.Foot, pose.Toes, before) - Lay(leg, normal, foot, toes, after);
+        float lowest = Lay(leg, normal, foot, toes, after);
+        float sunk = Lay(leg, normal, pose.Foot, pose.Toes, before) - lowest;
 
         // A foot that follows its leg turns on the middle of its sole, or on its toes as it rolls off; so does one that stands aslant for all of its stance.
         Vector3 pivot = Pivot(leg, pitch);
@@ -43,7 +44,7 @@ internal static class LimitRelaxation
         float level = leg.Follows ? 0f : Scalar.Smooth((normal.Y - Slanting) / (Level - Slanting));
         if (level > 0f)
         {
-            way = Vec.Lerp(way, Hold(before, after, normal, Touch * leg.Length), level);
+            way = Vec.Lerp(way, Hold(before, after, normal, lowest, Touch * leg.Length), level);
         }
 
         way.Y += (sunk - Vec.Dot(normal, way)) / Math.Max(normal.Y, MinRise);
@@ -54,14 +55,8 @@ internal static class LimitRelaxation
     }
 
     /// <summary>How far the ball has to go for what touches the ground to stay where it was.</summary>
-    private static Vector3 Hold(ReadOnlySpan<Vector3> before, ReadOnlySpan<Vector3> after, Vector3 normal, float touch)
+    private static Vector3 Hold(ReadOnlySpan<Vector3> before, ReadOnlySpan<Vector3> after, Vector3 normal, float lowest, float touch)
     {
-        float lowest = float.MaxValue;
-        foreach (Vector3 point in after)
-        {
-            lowest = Math.Min(lowest, Vec.Dot(normal, point));
-        }
-
         Vector3 way = default;
         float sum = 0f;
         for (int i = 0; i < after.Length; i++)

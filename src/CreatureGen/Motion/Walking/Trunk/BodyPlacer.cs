@@ -185,8 +185,7 @@ internal sealed class BodyPlacer
         if (body.Legs[0].Lateral)
         {
             // Its ends turn against one another: turned together they would take the hips off their feet.
-            float together = 0.5f * (pelvisYaw + chestYaw);
-            float excess = together - Scalar.ClampSoftly(together, body.MaxTrunkYaw);
+            float excess = body.Yaw.Excess(0.5f * (pelvisYaw + chestYaw));
             pelvisYaw -= excess;
             chestYaw -= excess;
         }
