@@ -126,32 +126,16 @@ internal sealed class LegPoser
             parts = ref folded;
         }
 
+        var goal = new LegGoal(chord, foot.Heading, slack, tolerance);
         float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
-        if (!Aim(leg, parts, carrier, chord, foot.Heading, slack, tolerance, local, out solved))
+        if (!Aim(leg, parts, carrier, goal, local, out solved))
         {
-            // The foot keeps its own turn where the thigh cannot go, and in the air is not led into the ground.
-            if (foot.Phase == FootPhase.Swing)
-            {
-                LegRotations stood = solved;
-                LegSolver.Raise(leg, parts, ground, tolerance, ref solved);
-                float leaving = 1f - Scalar.Smooth(foot.Swing / Release);
-                if (leaving > 0f)
-                {
-                    // It leaves the ground as it stood there.
-                    LegSolver.Bend(leg, parts, chord, tolerance, ref stood);
-                    solved.Blend(stood, leaving, leg.Hinge);
-                }
-            }
-            else
-            {
-                LegSolver.Bend(leg, parts, chord, tolerance, ref solved);
-            }
-
+            Yield(leg, parts, goal, ground, foot, ref solved);
             if (arriving > 0f)
             {
                 // It will stand where it comes down: with the leg as it then is.
                 LegRotations held = solved;
-                Aim(leg, parts, carrier, EndOf(leg, parts, solved), foot.Heading, slack, tolerance, local, out solved);
+                Aim(leg, parts, carrier, goal with { Chord = EndOf(leg, parts, solved) }, local, out solved);
                 solved.Blend(held, 1f - arriving, leg.Hinge);
             }
 
@@ -166,14 +150,38 @@ internal sealed class LegPoser
         foot.Astray = arriving > 0f ? (EndOf(leg, parts, solved) - chord) * arriving : default;
     }
 
-    /// <summary>Solves hip and knee for a place from the hip and writes them, the hip within its limits.</summary>
-    /// <returns>Whether the hip goes as far as it is asked.</returns>
-    private bool Aim(LegRig leg, in LegSegments parts, Quaternion carrier, Vector3 chord, Quaternion heading, float slack, float tolerance, in Pose local, out LegRotations solved)
+    /// <summary>Bends the knee of a leg whose hip is at its limit: as it stands its foot comes as near to its place as it can, as it swings it keeps out of the ground, and it goes from the one to the other as it leaves. The foot keeps its own turn.</summary>
+    private static void Yield(LegRig leg, in LegSegments parts, in LegGoal goal, float ground, in Foot foot, ref LegRotations solved)
     {
-        LegSolver.Solve(leg, parts, chord, Side(leg, carrier, chord, heading), slack, tolerance, out solved);
+        bool swings = foot.Phase == FootPhase.Swing;
+        float standing = swings ? 1f - Scalar.Smooth(foot.Swing / Release) : 1f;
+        LegRotations stood = solved;
+        if (standing > 0f)
+        {
+            LegSolver.Bend(leg, parts, goal.Chord, goal.Tolerance, ref stood);
+        }
+
+        if (!swings)
+        {
+            solved = stood;
+            return;
+        }
+
+        LegSolver.Raise(leg, parts, ground, goal.Tolerance, ref solved);
+        if (standing > 0f)
+        {
+            solved.Blend(stood, standing, leg.Hinge);
+        }
+    }
+
+    /// <summary>Solves hip and knee for a goal and writes them, the hip within its limits.</summary>
+    /// <returns>Whether the hip goes as far as it is asked.</returns>
+    private bool Aim(LegRig leg, in LegSegments parts, Quaternion carrier, in LegGoal goal, in Pose local, out LegRotations solved)
+    {
+        LegSolver.Solve(leg, parts, goal.Chord, Side(leg, carrier, goal.Chord, goal.Heading), goal.Slack, goal.Tolerance, out solved);
         SetHip(leg, carrier, solved, local);
         SetKnee(leg, solved, local);
-        if (Bound(local.Rotations, leg.Hip, leg.HipJoint, tolerance) <= tolerance)
+        if (Bound(local.Rotations, leg.Hip, leg.HipJoint, goal.Tolerance) <= goal.Tolerance)
         {
             return true;
         }

@@ -1,0 +1,10 @@
+using System.Numerics;
+
+namespace CreatureGen.Motion.Walking.Legs;
+
+/// <summary>What hip and knee of a leg are solved for.</summary>
+/// <param name="Chord">From the hip to where the end of its shank has to be, model space, metres.</param>
+/// <param name="Heading">Of the foot.</param>
+/// <param name="Slack">0..1: how early the reach is eased.</param>
+/// <param name="Tolerance">How far hip and knee may stay beyond their limits, about half the angle in radians.</param>
+internal readonly record struct LegGoal(Vector3 Chord, Quaternion Heading, float Slack, float Tolerance);
