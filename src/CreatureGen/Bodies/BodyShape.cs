@@ -83,19 +83,6 @@ internal sealed class BodyShape
     /// <summary>Length of the spine from the nose.</summary>
     public double[] Arc { get; }
 
-    /// <summary>The shape moved along z.</summary>
-    public BodyShape Placed(double shift)
-    {
-        var placed = new BodyShape(this);
-        Y.CopyTo(placed.Y, 0);
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            placed.Z[i] = Z[i] + shift;
-        }
-
-        return placed;
-    }
-
     /// <summary>The shape with other heights of its spine, which are still to be set.</summary>
     public BodyShape WithOtherHeights()
     {

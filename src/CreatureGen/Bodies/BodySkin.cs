@@ -100,18 +100,6 @@ internal sealed class BodySkin
         return skin;
     }
 
-    /// <summary>The skin moved along z.</summary>
-    public BodySkin Placed(double shift)
-    {
-        var placed = new BodySkin(Shape.Placed(shift), Shell);
-        for (int v = 0; v < grid.Length; v++)
-        {
-            placed.grid[v] = grid[v] + new Vector3(0f, 0f, (float)shift);
-        }
-
-        return placed;
-    }
-
     /// <summary>A point between the grid's points and the skin's outward direction there. The segment may be any number; 0 is dorsal.</summary>
     public SurfacePoint At(double ring, double segment)
     {

@@ -9,7 +9,7 @@ namespace CreatureGen.Genetics;
 
 /// <summary>Breeds creatures of any kinds with one another. A child is a function of its parents, a seed and the settings: the same ones always have the same child.</summary>
 /// <remarks>
-/// Crossing by linked groups (<see cref="Crossover"/>), then mutation (<see cref="Mutation"/>), then repair. Based on: J. Hudson, "Creature Generation using Genetic Algorithms and
+/// Crossing by linked groups, then mutation (<see cref="Mutation"/>), then repair. Based on: J. Hudson, "Creature Generation using Genetic Algorithms and
 /// Auto-Rigging" (2013), which crosses whole meshes of one topology; linked groups are our own.
 /// </remarks>
 public static class Breeding

@@ -10,7 +10,7 @@ namespace CreatureGen.Genetics;
 /// <summary>
 /// Crosses two blueprints by linked groups: what has to fit together comes from one parent, what can be mixed is mixed by region. What does not fit all the same is left to the repair.
 /// </summary>
-public static class Crossover
+internal static class Crossover
 {
     /// <summary>How far head and tail go towards the parent that gives them.</summary>
     private const double RegionFraction = 0.85;
@@ -19,13 +19,10 @@ public static class Crossover
     private const int HeadSlices = 3;
     private const int TailSlice = 8;
 
-    /// <summary>Last ring of the head.</summary>
-    private const double HeadEnd = 16;
-
     /// <summary>The child of two valid blueprints before mutation and repair. Any kinds and plans may be crossed.</summary>
     public static CreatureBlueprint Cross(CreatureBlueprint first, CreatureBlueprint second, Seed seed) => Cross(first, second, seed, out _);
 
-    internal static CreatureBlueprint Cross(CreatureBlueprint first, CreatureBlueprint second, Seed seed, out Inheritance inheritance)
+    public static CreatureBlueprint Cross(CreatureBlueprint first, CreatureBlueprint second, Seed seed, out Inheritance inheritance)
     {
         inheritance = Inheritance.Draw(seed.Child("groups").Stream());
         RandomStream random = seed.Child("shares").Stream();
@@ -223,7 +220,7 @@ public static class Crossover
         return new ValueList<FeatureBlueprint>(parts);
     }
 
-    private static bool IsOfHead(FeatureBlueprint part) => part.Ring < HeadEnd && part.Kind is FeatureKind.Antenna or FeatureKind.Mandible or FeatureKind.Lure or FeatureKind.Tusk or FeatureKind.Ocellus;
+    private static bool IsOfHead(FeatureBlueprint part) => part.Ring < StationRing.Nape && part.Kind is FeatureKind.Antenna or FeatureKind.Mandible or FeatureKind.Lure or FeatureKind.Tusk or FeatureKind.Ocellus;
 
     /// <summary>One parent's skin, now and then with belly, legs or marks of the other; eyes come with the head.</summary>
     private static CoatBlueprint Coat(CreatureBlueprint skin, CreatureBlueprint other, CreatureBlueprint head, RandomStream random)

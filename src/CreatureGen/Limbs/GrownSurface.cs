@@ -142,37 +142,6 @@ internal sealed class GrownSurface
         }
     }
 
-    /// <summary>Moves the creature along z; the surface and the appendages are moved in place.</summary>
-    public GrownSurface Placed(double shift)
-    {
-        var offset = new Vector3(0f, 0f, (float)shift);
-        for (int v = 0; v < Surface.Positions.Length; v++)
-        {
-            Surface.Positions[v] = Place(Surface.Positions[v]);
-        }
-
-        foreach (Appendage appendage in Appendages)
-        {
-            appendage.Joints = System.Array.ConvertAll(appendage.Joints, Place);
-            appendage.Contact = Place(appendage.Contact);
-        }
-
-        var placed = new LimbEnds();
-        foreach (ToeWeb web in Webs)
-        {
-            placed.Webs.Add(web with { Root = Place(web.Root), First = Place(web.First), Second = Place(web.Second) });
-        }
-
-        foreach (DigitTip t in Tips)
-        {
-            placed.Tips.Add(new DigitTip(t.Kind, Place(t.Position), t.Direction, t.Radius, t.ClawLength, t.Vertex));
-        }
-
-        return new GrownSurface(Surface, Adjacency, Skin.Placed(shift), Appendages, placed, Mouth, bodyVertices);
-
-        Vector3 Place(Vector3 p) => p + offset;
-    }
-
     /// <summary>Toes grow out of the end of a leg as a leg does out of the body: their roots are seams too.</summary>
     private static void AddToeRoots(Surface surface, SurfaceAdjacency adjacency, List<int> borders)
     {

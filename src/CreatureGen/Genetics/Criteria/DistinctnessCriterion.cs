@@ -4,9 +4,8 @@ using CreatureGen.Blueprints;
 
 namespace CreatureGen.Genetics.Criteria;
 
-/// <summary>How different a creature is from those it lives with: its mean distance (<see cref="SpeciesDistance"/>) to the nearest of them. 1 for one that is alone.</summary>
-/// <remarks>Based on: J. Lehman and K. O. Stanley, "Abandoning objectives: evolution through the search for novelty alone" (2011), the measure of sparseness.</remarks>
-public sealed class DistinctnessCriterion : ICriterion
+/// <inheritdoc cref="CriterionCatalogue.Distinct"/>
+internal sealed class DistinctnessCriterion : ICriterion
 {
     /// <summary>Neighbours that count.</summary>
     private const int Neighbours = 5;

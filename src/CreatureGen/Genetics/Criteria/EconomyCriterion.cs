@@ -3,8 +3,8 @@ using CreatureGen.Motion;
 
 namespace CreatureGen.Genetics.Criteria;
 
-/// <summary>How far a creature comes for its work: 1 / <see cref="TransportCost"/> at its usual speed.</summary>
-public sealed class EconomyCriterion : ICriterion
+/// <inheritdoc cref="CriterionCatalogue.Efficient"/>
+internal sealed class EconomyCriterion : ICriterion
 {
     /// <inheritdoc/>
     public string Name => "efficient";

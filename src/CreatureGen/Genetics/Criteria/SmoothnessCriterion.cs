@@ -3,8 +3,8 @@ using CreatureGen.Motion;
 
 namespace CreatureGen.Genetics.Criteria;
 
-/// <summary>How cleanly a creature moves, 0..1: 1 when no foot slips, no joint leaves its limits and no leg goes into another in any of its movements on flat ground, halved by each fault that one can just see.</summary>
-public sealed class SmoothnessCriterion : ICriterion
+/// <inheritdoc cref="CriterionCatalogue.Smooth"/>
+internal sealed class SmoothnessCriterion : ICriterion
 {
     private const float Hertz = 60f;
 

@@ -4,9 +4,8 @@ using CreatureGen.Inspection;
 
 namespace CreatureGen.Genetics.Criteria;
 
-/// <summary>How firmly a creature stands: the tangent of the least slope on which it would tip over. 0 for what does not stand.</summary>
-/// <remarks>Based on: R. B. McGhee and A. A. Frank, "On the stability properties of quadruped creeping gaits" (1968), the margin of static stability, here over the height of the centre of mass.</remarks>
-public sealed class StabilityCriterion : ICriterion
+/// <inheritdoc cref="CriterionCatalogue.Stable"/>
+internal sealed class StabilityCriterion : ICriterion
 {
     /// <inheritdoc/>
     public string Name => "stable";

@@ -5,8 +5,8 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Genetics.Criteria;
 
-/// <summary>How far a creature is from any animal: parts of other animals than that which leads in its torso, bodies in the mix of its torso, proportions unlike theirs. Near 0 for an animal, 1 and more for what has no name.</summary>
-public sealed class StrangenessCriterion : ICriterion
+/// <inheritdoc cref="CriterionCatalogue.Strange"/>
+internal sealed class StrangenessCriterion : ICriterion
 {
     /// <summary>What an animal scores that is only itself: below all others, but alive.</summary>
     private const double Animal = 0.05;

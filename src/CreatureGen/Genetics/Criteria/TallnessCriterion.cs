@@ -3,8 +3,8 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Genetics.Criteria;
 
-/// <summary>Height for its size: how high the highest joint of trunk, neck and head is. Giraffes rather than hippos; ears and horns do not count.</summary>
-public sealed class TallnessCriterion : ICriterion
+/// <inheritdoc cref="CriterionCatalogue.Tall"/>
+internal sealed class TallnessCriterion : ICriterion
 {
     /// <inheritdoc/>
     public string Name => "tall";

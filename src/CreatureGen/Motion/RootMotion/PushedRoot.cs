@@ -6,6 +6,7 @@ namespace CreatureGen.Motion;
 
 /// <summary>
 /// The other direction of root motion: the game moves the creature, and its velocity is read off its places, smoothed, for the animation to follow. A value to keep per creature. Nothing is allocated.
+/// For clips and rigs of one's own: <see cref="CreatureAnimator.Follow"/> does it for grown creatures.
 /// </summary>
 public struct PushedRoot
 {

@@ -3,7 +3,7 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Toolkit;
 
-/// <summary>Times within clips.</summary>
+/// <summary>Times within clips: what an <see cref="IClip"/> of one's own needs to loop and to stay as those of the library do.</summary>
 public static class ClipTime
 {
     /// <summary>The time within a clip that a time on the clock of its player means: around again in a clip that loops, both ways; at the end or the beginning in one that stays.</summary>
