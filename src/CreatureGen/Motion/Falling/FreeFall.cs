@@ -124,7 +124,7 @@ internal sealed class FreeFall
         Vector3 ahead = Rotation.Rotate(Rotation.Inverse(place.Rotation), velocity) / place.Scale;
         legs.Sink = (float)sink.Value;
         legs.Bow = 0f;
-        legs.Arrive(place, ahead.Z, turn, settings, floor, local);
+        legs.Arrive(place, ahead.Z, ahead.Z, turn, settings, floor, local);
         fade.Apply(dt, FadeTime * tau, local);
         if (down)
         {

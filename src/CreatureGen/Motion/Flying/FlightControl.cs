@@ -150,8 +150,8 @@ internal static class FlightControl
         Crouch(tempo, Math.Sqrt(gravity * leg), dt, ref state);
         state.Upright.Step(state.Raised, 4 * tempo, dt);
         state.Air.Step(flying ? 1 : 0, 2 * tempo, dt);
-        bool reaches = state.Phase == FlightPhase.Landing;
-        state.Planted.Step(reaches ? 1 - Scalar.Smooth(((height / leg) - PlantedHeight) / (PlantingHeight - PlantedHeight)) : flying ? 0 : 1, reaches || !flying ? 60 * tempo : 4 * tempo, dt);
+        state.Planting = state.Phase == FlightPhase.Landing ? 1 - Scalar.Smooth(((height / leg) - PlantedHeight) / (PlantingHeight - PlantedHeight)) : flying ? 0 : 1;
+        state.Planted.Step(state.Planting, state.Planting > 0 ? 60 * tempo : 4 * tempo, dt);
         state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
         return dt > 0 ? Velocity(way / dt, up / dt, turned / dt) : default;
     }

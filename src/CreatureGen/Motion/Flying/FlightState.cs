@@ -25,7 +25,11 @@ internal struct FlightState
     internal CriticallyDampedSpring Path;
     internal CriticallyDampedSpring Crouch;
     internal CriticallyDampedSpring Air;
+
+    /// <summary>Share of how it is posed on its legs, and the share to which that goes.</summary>
     internal CriticallyDampedSpring Planted;
+    internal double Planting;
+
     internal CriticallyDampedSpring Height;
     internal CriticallyDampedSpring Upright;
 
@@ -85,7 +89,7 @@ internal struct FlightState
     public readonly float WingSpread => (float)Spread.Value;
 
     /// <summary>A flier that stands, as if it had always stood.</summary>
-    internal static FlightState OnGround => new() { Planted = CriticallyDampedSpring.At(1), Upright = CriticallyDampedSpring.At(1), Raised = 1 };
+    internal static FlightState OnGround => new() { Planting = 1, Planted = CriticallyDampedSpring.At(1), Upright = CriticallyDampedSpring.At(1), Raised = 1 };
 
     /// <summary>A flier that hangs in the air on its wings, and begins to beat them.</summary>
     internal static FlightState Hovering(FlightProfile profile)

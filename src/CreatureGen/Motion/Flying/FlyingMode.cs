@@ -32,6 +32,9 @@ internal sealed class FlyingMode : ILocomotionMode
     private BodyLayer? layer;
     private float turn;
 
+    /// <summary>Speed at which it began to reach for the ground, metres of the model per second; null while it does not.</summary>
+    private float? foreseen;
+
     public FlyingMode(FlightProfile profile, WalkingMode? legs, EventQueue events)
     {
         this.profile = profile;
@@ -149,6 +152,7 @@ internal sealed class FlyingMode : ILocomotionMode
         stance.CopyFrom(mode.stance);
         state = mode.state;
         turn = mode.turn;
+        foreseen = mode.foreseen;
         Speed = mode.Speed;
     }
 
@@ -169,8 +173,9 @@ internal sealed class FlyingMode : ILocomotionMode
         if (!before)
         {
             legs!.Sink = 0f;
-            legs.Arrive(place, Speed, turn, settings, ground, stance.Cleared());
+            legs.Arrive(place, Speed, foreseen ?? Speed, turn, settings, ground, stance.Cleared());
             legs.Tell(MotionEventKind.FootDown, Speed * place.Scale, PushForce);
+            foreseen = null;
         }
     }
 
@@ -185,10 +190,15 @@ internal sealed class FlyingMode : ILocomotionMode
     /// <summary>Sets the feet of a flier that comes down where they will stand.</summary>
     private void Reach(in RootPlace place, in MotionSettings settings, IGround ground)
     {
-        if (legs != null && state.Phase == FlightPhase.Landing && state.Planted.Value > 0)
+        if (legs != null && state.Phase == FlightPhase.Landing && state.Planting > 0)
         {
+            foreseen ??= Speed;
             legs.Sink = 0f;
-            legs.Arrive(place, Speed, turn, settings, ground, stance.Cleared());
+            legs.Arrive(place, Speed, foreseen.Value, turn, settings, ground, stance.Cleared());
+        }
+        else
+        {
+            foreseen = null;
         }
     }
 

@@ -17,7 +17,7 @@ public static class GaitLibrary
     public static Gait DiagonalWalk { get; } = Walk with { Name = "DiagonalWalk", Phases = new ListedPhases(0f, 0.5f, 0.75f, 0.25f) };
 
     /// <summary>Fast walk without a bounce: elephants.</summary>
-    public static Gait Amble { get; } = Walk with { Name = "Amble", Comfortable = 0.3f, Fastest = 1f, Lift = 0.9f, Track = 0.85f, Crouch = 0.02f, ForceDip = 0.1f };
+    public static Gait Amble { get; } = Walk with { Name = "Amble", MaxRows = int.MaxValue, Comfortable = 0.3f, Fastest = 1f, Lift = 0.9f, Track = 0.85f, Crouch = 0.02f, ForceDip = 0.1f };
 
     /// <summary>Walk of sprawlers: diagonal feet nearly together, the fore foot a little later.</summary>
     public static Gait Crawl { get; } = new("Crawl", new ListedPhases(0f, 0.5f, 0.42f, 0.92f), walking, StrideLaw.Symmetric)
@@ -25,40 +25,40 @@ public static class GaitLibrary
         MinRows = 2, MaxRows = 2, Comfortable = 0.12f, Fastest = 0.5f, Crouch = 0.01f, ForceDip = 0.1f, BounceCap = 0.022f, Emphasis = 1.15f, ForeBias = 0f, HindBias = 0f,
     };
 
-    /// <summary>Diagonal feet together.</summary>
+    /// <summary>Diagonal feet together; of more than four legs every other one.</summary>
     public static Gait Trot { get; } = new("Trot", new ListedPhases(0f, 0.5f, 0.5f, 0f), running, StrideLaw.Symmetric)
     {
-        MinRows = 2, MaxRows = 2, Comfortable = 0.8f, Fastest = 2.5f, Lift = 1.15f, Track = 0.78f, Crouch = 0.03f, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, Comfortable = 0.8f, Fastest = 2.5f, Lift = 1.15f, Track = 0.78f, Crouch = 0.03f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Trot of sprawlers: feet stay longer on the ground.</summary>
     public static Gait SprawlTrot { get; } = Trot with { Name = "SprawlTrot", Duty = new DutyLaw(0.60f, 0.12f, 0.40f, 0.56f), Comfortable = 0.5f, Fastest = 1.5f, Lift = 1f, Track = 0.9f, Crouch = 0.01f, BounceCap = 0.022f };
 
-    /// <summary>Feet of one side together.</summary>
+    /// <summary>Feet of one side together, of any number of pairs.</summary>
     public static Gait Pace { get; } = new("Pace", new ListedPhases(0f, 0.5f, 0.04f, 0.54f), running, StrideLaw.Symmetric)
     {
-        MinRows = 2, MaxRows = 2, Comfortable = 0.8f, Fastest = 2.2f, Lift = 0.95f, Track = 0.72f, Crouch = 0.025f, ForceDip = 0.1f, BounceCap = 0.03f, Emphasis = 1.1f,
+        MinRows = 2, Comfortable = 0.8f, Fastest = 2.2f, Lift = 0.95f, Track = 0.72f, Crouch = 0.025f, ForceDip = 0.1f, BounceCap = 0.03f, Emphasis = 1.1f,
     };
 
     /// <summary>Three-beat canter: right hind, then left hind with right fore, then left fore.</summary>
-    public static Gait Canter { get; } = new("Canter", new ListedPhases(0.30f, 0f, 0.66f, 0.34f), new DutyLaw(0.50f, 0.10f, 0.34f, 0.42f), StrideLaw.Asymmetric)
+    public static Gait Canter { get; } = new("Canter", new SpreadPhases(0.30f, 0f, 0.66f, 0.34f), new DutyLaw(0.50f, 0.10f, 0.34f, 0.42f), StrideLaw.Asymmetric)
     {
-        MinRows = 2, MaxRows = 2, Comfortable = 1.6f, Fastest = 3.5f, Lift = 1.35f, Track = 0.78f, Crouch = 0.045f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, Comfortable = 1.6f, Fastest = 3.5f, Lift = 1.35f, Track = 0.78f, Crouch = 0.045f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Gallop in which hind and fore feet follow in the same order: horses.</summary>
-    public static Gait TransverseGallop { get; } = new("TransverseGallop", new ListedPhases(0.12f, 0f, 0.60f, 0.47f), galloping, StrideLaw.Asymmetric)
+    public static Gait TransverseGallop { get; } = new("TransverseGallop", new SpreadPhases(0.12f, 0f, 0.60f, 0.47f), galloping, StrideLaw.Asymmetric)
     {
-        MinRows = 2, MaxRows = 2, Comfortable = 3f, Fastest = 14f, Lift = 1.55f, Track = 0.72f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, Comfortable = 3f, Fastest = 14f, Lift = 1.55f, Track = 0.72f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, Symmetry = GaitSymmetry.Leading, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>Gallop in which the feet follow round the body: dogs and cats.</summary>
-    public static Gait RotaryGallop { get; } = TransverseGallop with { Name = "RotaryGallop", Phases = new ListedPhases(0.08f, 0f, 0.50f, 0.60f), Fastest = 18f };
+    public static Gait RotaryGallop { get; } = TransverseGallop with { Name = "RotaryGallop", Phases = new SpreadPhases(0.08f, 0f, 0.50f, 0.60f), Fastest = 18f };
 
     /// <summary>Hind feet together, then fore feet together.</summary>
-    public static Gait Bound { get; } = new("Bound", new ListedPhases(0.03f, 0f, 0.50f, 0.46f), galloping, StrideLaw.Asymmetric)
+    public static Gait Bound { get; } = new("Bound", new SpreadPhases(0.03f, 0f, 0.50f, 0.46f), galloping, StrideLaw.Asymmetric)
     {
-        MinRows = 2, MaxRows = 2, Comfortable = 2.2f, Fastest = 10f, Lift = 1.6f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, Comfortable = 2.2f, Fastest = 10f, Lift = 1.6f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, ForeBias = 0f, HindBias = 0f,
     };
 
     /// <summary>All four feet together: gazelles.</summary>

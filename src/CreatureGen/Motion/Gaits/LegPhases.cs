@@ -46,6 +46,37 @@ public sealed class ListedPhases : LegPhases
     public override float Lag(int row, int rows, Side side, float duty) => lags[(2 * (row % Rows)) + (side == Side.Right ? 1 : 0)];
 }
 
+/// <summary>Touchdowns given for the rearmost and the foremost pair; those of pairs between lie evenly between them, so that canters and gallops roll along bodies of any number of legs.</summary>
+public sealed class SpreadPhases : LegPhases
+{
+    private readonly float rearLeft;
+    private readonly float rearRight;
+    private readonly float frontLeft;
+    private readonly float frontRight;
+
+    /// <summary>Takes the lags of the rearmost and the foremost pair, part of a cycle.</summary>
+    /// <exception cref="ArgumentException">One is not finite.</exception>
+    public SpreadPhases(float rearLeft, float rearRight, float frontLeft, float frontRight)
+    {
+        Finite.Require(rearLeft, nameof(rearLeft));
+        Finite.Require(rearRight, nameof(rearRight));
+        Finite.Require(frontLeft, nameof(frontLeft));
+        Finite.Require(frontRight, nameof(frontRight));
+        this.rearLeft = rearLeft;
+        this.rearRight = rearRight;
+        this.frontLeft = frontLeft;
+        this.frontRight = frontRight;
+    }
+
+    /// <inheritdoc/>
+    public override float Lag(int row, int rows, Side side, float duty)
+    {
+        float rear = side == Side.Right ? rearRight : rearLeft;
+        float front = side == Side.Right ? frontRight : frontLeft;
+        return row == 0 ? rear : row == rows - 1 ? front : Scalar.Lerp(rear, front, row / (rows - 1f));
+    }
+}
+
 /// <summary>Which way steps run along the body.</summary>
 public enum WaveDirection
 {

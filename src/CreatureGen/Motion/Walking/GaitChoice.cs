@@ -15,6 +15,12 @@ internal static class GaitChoice
     /// <summary>Legs longer than this part of the trunk get into each other's way in a trot: camels pace.</summary>
     private const float PacingLegs = 1.5f;
 
+    /// <summary>Part of a gait's comfortable Froude number below which it is not entered.</summary>
+    private const float Shuffling = 0.25f;
+
+    /// <summary>How much faster it has to be than where it is entered.</summary>
+    private const float WorthIt = 1.02f;
+
     /// <summary>The gaits of a body, slow to fast.</summary>
     public static GaitSet For(LeggedBody body, float gravity)
     {
@@ -30,24 +36,24 @@ internal static class GaitChoice
             steps.Add(new GaitStep(GaitLibrary.BipedWalk, 0f, 0f));
             steps.Add(body.Hops ? new GaitStep(GaitLibrary.Hop, 0.40f, 0.28f) : new GaitStep(GaitLibrary.BipedRun, 0.50f, 0.36f));
         }
-        else if (body.Rows > 2)
+        else if (body.Rows > 2 && body.Sprawls)
         {
             steps.Add(new GaitStep(WaveOf(body), 0f, 0f));
             steps.Add(body.Leaps ? new GaitStep(GaitLibrary.Leap, 0.15f, 0.09f) : new GaitStep(GaitLibrary.Tripod, 0.45f, 0.33f));
         }
-        else if (plan == BodyPlan.Sprawling || body.Legs[0].Lateral)
+        else if (plan == BodyPlan.Sprawling || body.Sprawls)
         {
             steps.Add(new GaitStep(GaitLibrary.Crawl, 0f, 0f));
             steps.Add(body.Leaps ? new GaitStep(GaitLibrary.Leap, 0.15f, 0.09f) : new GaitStep(GaitLibrary.SprawlTrot, 0.35f, 0.25f));
         }
         else if (plan == BodyPlan.Columnar)
         {
-            steps.Add(new GaitStep(GaitLibrary.Walk, 0f, 0f));
+            steps.Add(new GaitStep(WalkOf(body), 0f, 0f));
             steps.Add(new GaitStep(GaitLibrary.Amble, 0.22f, 0.15f));
         }
         else
         {
-            steps.Add(new GaitStep(GaitLibrary.Walk, 0f, 0f));
+            steps.Add(new GaitStep(WalkOf(body), 0f, 0f));
             bool paces = body.LegLength > PacingLegs * body.TrunkLength;
             steps.Add(new GaitStep(paces ? GaitLibrary.Pace : GaitLibrary.Trot, 0.35f, 0.25f));
             if (body.Mass < BoundingMass)
@@ -64,22 +70,40 @@ internal static class GaitChoice
         return Kept(steps, body, gravity);
     }
 
+    /// <summary>Four legs walk in four beats; more legs one behind the other, the wave running ahead.</summary>
+    private static Gait WalkOf(LeggedBody body) => body.Rows > 2 ? GaitLibrary.Wave : GaitLibrary.Walk;
+
     /// <summary>Waves of three pairs run ahead, as in insects; those of more pairs the way in which neighbouring feet leave each other the longer stances.</summary>
     private static Gait WaveOf(LeggedBody body) =>
         body.Rows > 3 && body.LongestStance(GaitLibrary.BackwardWave) > body.LongestStance(GaitLibrary.Wave) ? GaitLibrary.BackwardWave : GaitLibrary.Wave;
 
-    /// <summary>The set without gaits that the creature's legs are too short or too slow for: those whose top speed is not above where they are entered.</summary>
+    /// <summary>
+    /// The set without gaits that the creature's legs are too short or too slow for: in which it gets hardly faster than where they are entered. Where the gait before one that is kept
+    /// ends before that, because its steps would come too quick, the next is entered there.
+    /// </summary>
     private static GaitSet Kept(List<GaitStep> steps, LeggedBody body, float gravity)
     {
-        var set = new GaitSet(steps, body.LegLength, body.Mass, gravity, body.LongestStance);
-        for (int i = steps.Count - 1; i > 0; i--)
+        var kept = new List<GaitStep> { steps[0] };
+        GaitSet set = SetOf();
+        for (int i = 1; i < steps.Count; i++)
         {
-            if (set.Speeds[i].Fastest <= 1.02f * (float)System.Math.Sqrt(steps[i].Enter * gravity * body.LegLength))
+            float before = set.TopSpeed;
+            float reached = System.Math.Max(before * before / (gravity * body.LegLength), Shuffling * steps[i].Gait.Comfortable);
+            float fraction = System.Math.Min(reached / steps[i].Enter, 1f);
+            kept.Add(steps[i] with { Enter = fraction * steps[i].Enter, Leave = fraction * steps[i].Leave });
+            GaitSet longer = SetOf();
+            if (longer.TopSpeed > WorthIt * System.Math.Min(before, (float)System.Math.Sqrt(steps[i].Enter * gravity * body.LegLength)))
             {
-                steps.RemoveAt(i);
+                set = longer;
+            }
+            else
+            {
+                kept.RemoveAt(kept.Count - 1);
             }
         }
 
-        return new GaitSet(steps, body.LegLength, body.Mass, gravity, body.LongestStance);
+        return set;
+
+        GaitSet SetOf() => new GaitSet(kept, body.LegLength, body.Mass, gravity, body.LongestStance);
     }
 }

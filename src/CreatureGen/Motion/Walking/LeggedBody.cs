@@ -241,6 +241,12 @@ internal sealed class LeggedBody
 
     public bool IsBiped => Rows == 1;
 
+    /// <summary>Whether its rearmost legs stand out to the side.</summary>
+    public bool Sprawls => Legs[0].Lateral;
+
+    /// <summary>Whether its rear and its front rise and sink with the legs under each: quadrupeds, and whatever trots and gallops on more legs under it.</summary>
+    public bool RidesOnGirdles => Rows == 2 || (Rows > 2 && !Sprawls);
+
     /// <summary>The legged body of a creature, or null when it stands on nothing.</summary>
     public static LeggedBody? Of(MotionSubject subject)
     {
@@ -262,16 +268,7 @@ internal sealed class LeggedBody
     /// <summary>Rows from the rear by the number of the pair.</summary>
     private static int[] RowsOf(LimbChain[] legs)
     {
-        var pairs = new List<int>();
-        foreach (LimbChain leg in legs)
-        {
-            if (!pairs.Contains(leg.Pair))
-            {
-                pairs.Add(leg.Pair);
-            }
-        }
-
-        pairs.Sort();
+        List<int> pairs = legs.Select(leg => leg.Pair).Distinct().OrderBy(pair => pair).ToList();
         var rows = new int[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {

@@ -26,12 +26,17 @@ internal sealed class RestRotations
     }
 
     /// <summary>Turns a joint away from rest. What two products lose of the length of a unit turn is not made up for.</summary>
-    public void Set(in Pose local, int joint, Quaternion turn) =>
-        local.Rotations[joint] = Rotation.Multiply(before[joint], Rotation.Multiply(turn, after[joint]));
+    public void Set(in Pose local, int joint, Quaternion turn) => local.Rotations[joint] = Local(joint, turn);
+
+    /// <summary>The local rotation of a joint that is turned away from rest.</summary>
+    public Quaternion Local(int joint, Quaternion turn) => Rotation.Multiply(before[joint], Rotation.Multiply(turn, after[joint]));
 
     /// <summary>How far a joint is turned away from rest.</summary>
-    public Quaternion Of(in Pose local, int joint) =>
-        UnitRotation.Renormalize(Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(before[joint]), local.Rotations[joint]), Rotation.Inverse(after[joint])));
+    public Quaternion Of(in Pose local, int joint) => Of(joint, local.Rotations[joint]);
+
+    /// <summary>How far a joint with a local rotation is turned away from rest.</summary>
+    public Quaternion Of(int joint, Quaternion local) =>
+        UnitRotation.Renormalize(Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(before[joint]), local), Rotation.Inverse(after[joint])));
 
     /// <summary>Slides a joint away from rest.</summary>
     public void Slide(in Pose local, int joint, Vector3 slide) =>

@@ -5,7 +5,7 @@ namespace CreatureGen.Motion.Walking;
 /// <summary>What the feet are told in a step of time.</summary>
 internal readonly struct StepContext
 {
-    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, MotionSettings settings, IGround ground, float step, float left, float activity, bool moving, float slope)
+    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, MotionSettings settings, IGround ground, float step, float since, float left, float activity, bool moving, float slope)
     {
         Frame = frame;
         RootVelocity = velocity;
@@ -13,6 +13,7 @@ internal readonly struct StepContext
         Settings = settings;
         Ground = ground;
         Step = step;
+        Since = since;
         Left = left;
         Activity = activity;
         Moving = moving;
@@ -32,6 +33,9 @@ internal readonly struct StepContext
 
     /// <summary>Seconds.</summary>
     public float Step { get; }
+
+    /// <summary>Seconds from the last pose to the end of this step.</summary>
+    public float Since { get; }
 
     /// <summary>Seconds from the end of this step to the end of the update.</summary>
     public float Left { get; }

@@ -144,29 +144,29 @@ internal sealed class WalkingMode : ILocomotionMode
     /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
     /// <param name="place">Where the root is.</param>
     /// <param name="speed">Metres per second ahead, of the model.</param>
+    /// <param name="foreseen">The same when it began to reach for the ground, which decides the gait: legs in the air do not change it.</param>
     /// <param name="turn">Radians per second.</param>
     /// <param name="settings">What can be set.</param>
     /// <param name="ground">Where feet find footing.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Arrive(in RootPlace place, float speed, float turn, MotionSettings settings, IGround ground, in Pose local)
+    public void Arrive(in RootPlace place, float speed, float foreseen, float turn, MotionSettings settings, IGround ground, in Pose local)
     {
-        MotionSettings own = settings;
-        own.Gravity = GravityOf(own, place.Scale);
+        MotionSettings own = settings with { Gravity = GravityOf(settings, place.Scale) };
         float unit = own.Gravity * body.LegLength;
         float walking = (float)Math.Sqrt(0.06f * unit);
         int before = gait;
         Stand(place, own, ground);
-        if (speed > ArrivalSpeed * walking)
+        if (foreseen > ArrivalSpeed * walking)
         {
             float froude = speed * speed / unit;
             velocity = RootVelocity.At(speed, 0f, turn);
             activity = Math.Min((speed / walking) + (0.35f * Math.Abs(turn)), 1f);
-            gait = gaits.Choose(before, froude);
+            gait = gaits.Choose(before, foreseen * foreseen / unit);
             clock.Restart(settings.Walking.Gait ?? gaits.Steps[gait].Gait, froude, turn < 0f ? Lead.Right : Lead.Left);
             clock.Shape.Track = Math.Max(clock.Shape.Track, ArrivalTrack);
             clock.Phase = 0;
             clock.Slide(0f, velocity, own.Gravity, Math.Min(speed / walking, 1f), 0f, own.Walking.Stride);
-            planner.PlaceInStride(new StepContext(place, velocity, clock, own, ground, 0f, 0f, activity, true, 0f));
+            planner.PlaceInStride(new StepContext(place, velocity, clock, own, ground, 0f, 0f, 0f, activity, true, 0f));
             PoseFeet(place, 0f, own);
             placer.Reset(planner.Feet);
         }
@@ -199,7 +199,7 @@ internal sealed class WalkingMode : ILocomotionMode
         gait = 0;
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
         clock.Slide(0f, velocity, settings.Gravity, 0f, 0f);
-        planner.PlaceAll(new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, false, 0f));
+        planner.PlaceAll(new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, 0f, false, 0f));
         PoseFeet(placement, 0f, settings);
         placer.Reset(planner.Feet);
         standing = true;
@@ -278,7 +278,7 @@ internal sealed class WalkingMode : ILocomotionMode
             Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisRotation.Yaw(yaw));
             placement = new RootPlace(placement.ToWorld(way), UnitRotation.Upright(rotation, settings.Up), scale);
             placement = height.Follow(placement, body.LegLength, placer, velocity.Speed, h, settings.Up);
-            Step(placement, h, left, settings, ground);
+            Step(placement, h, dt - left, left, settings, ground);
         }
 
         acceleration = velocity.Acceleration;
@@ -303,7 +303,7 @@ internal sealed class WalkingMode : ILocomotionMode
             while (left > 0f)
             {
                 float h = ticker.Next(ref left);
-                Step(goal, h, left, settings, ground);
+                Step(goal, h, dt - left, left, settings, ground);
             }
         }
     }
@@ -348,7 +348,7 @@ internal sealed class WalkingMode : ILocomotionMode
         }
     }
 
-    private void Step(in RootPlace placement, float h, float left, in MotionSettings settings, IGround ground)
+    private void Step(in RootPlace placement, float h, float since, float left, in MotionSettings settings, IGround ground)
     {
         float unit = settings.Gravity * body.LegLength;
         float speed = (float)Math.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways));
@@ -370,7 +370,7 @@ internal sealed class WalkingMode : ILocomotionMode
             clock.Phase = phase - Math.Floor(phase);
         }
 
-        var step = new StepContext(placement, velocity, clock, settings, ground, h, left, activity, moving, placer.Climb);
+        var step = new StepContext(placement, velocity, clock, settings, ground, h, since, left, activity, moving, placer.Climb);
         planner.Advance(step);
         if (ticker.Decides)
         {

@@ -1,7 +1,9 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Motion;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Gaits;
@@ -76,6 +78,57 @@ public class GaitTests
             Assert.True(animator.FootCount >= 6);
             Walkers.Run(animator, 2f, 60f, new MotionInput(animator.Profile.Gaits!.Speeds[0].Comfortable), FlatGround.Level);
             Assert.InRange(Enumerable.Range(0, animator.FootCount).Count(i => animator.Foot(i).Phase == FootPhase.Stance), animator.FootCount / 2, animator.FootCount);
+        }
+    }
+
+    [Fact]
+    public void Of_more_than_two_pairs_those_between_come_down_evenly_between_the_rearmost_and_the_foremost()
+    {
+        var phases = new SpreadPhases(0.1f, 0f, 0.7f, 0.4f);
+        Assert.Equal(0.1f, phases.Lag(0, 4, Side.Left, 0.5f));
+        Assert.Equal(0.3f, phases.Lag(1, 4, Side.Left, 0.5f), 1e-6f);
+        Assert.Equal(0.5f, phases.Lag(2, 4, Side.Left, 0.5f), 1e-6f);
+        Assert.Equal(0.4f, phases.Lag(3, 4, Side.Right, 0.5f));
+        Assert.Equal(0f, phases.Lag(0, 1, Side.Right, 0.5f));
+        Assert.Contains("frontLeft", Assert.ThrowsAny<ArgumentException>(() => new SpreadPhases(0f, 0f, float.NaN, 0f)).Message);
+    }
+
+    [Fact]
+    public void Mammals_and_winged_beasts_on_six_and_eight_legs_trot_and_the_lightest_footed_gallop()
+    {
+        var profiles = new List<MotionProfile>();
+        foreach (RequestedKind kind in new[] { RequestedKind.Walking, RequestedKind.Flying })
+        {
+            for (ulong seed = 1; seed <= 40; seed++)
+            {
+                var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind, MinLegPairs = 3, MaxLegPairs = 4 }));
+                if (profile.Legs is { Sprawls: false, Rows: > 2 })
+                {
+                    profiles.Add(profile);
+                }
+            }
+        }
+
+        Assert.True(profiles.Count > 30);
+        Assert.True(profiles.Count(profile => profile.Gaits!.Speeds.Count > 1) > 0.6 * profiles.Count, "too many only walk");
+        Assert.Contains(profiles, profile => profile.Gaits!.Speeds.Any(speed => speed.Gait == GaitLibrary.TransverseGallop || speed.Gait == GaitLibrary.RotaryGallop));
+        Assert.All(profiles, profile => Assert.All(profile.Gaits!.Speeds, speed => Assert.True(speed.Gait.MaxRows >= profile.Legs!.Rows, speed.Gait.Name)));
+    }
+
+    [Fact]
+    public void A_gait_is_entered_where_the_one_before_it_ends_unless_it_would_be_a_shuffle()
+    {
+        for (ulong seed = 1; seed <= 60; seed++)
+        {
+            var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+            for (int i = 1; i < (profile.Gaits?.Steps.Count ?? 0); i++)
+            {
+                float fastest = profile.Gaits!.Speeds[i - 1].Fastest;
+                float reached = fastest * fastest / (MotionSettings.Default.Gravity * profile.LegLength);
+                GaitStep step = profile.Gaits.Steps[i];
+                Assert.InRange(step.Enter, 0f, Math.Max(reached, 0.25f * step.Gait.Comfortable) * 1.001f);
+                Assert.InRange(step.Leave, 0f, 0.9f * step.Enter);
+            }
         }
     }
 

@@ -168,7 +168,7 @@ internal sealed class FootPlanner
             float u = StepPhase.Swing(p, duty);
             float ahead = step.Moving ? StepPhase.ToMidstance((1f - p) * cycle, duty, cycle) : (1f - p) * cycle;
             foot.Steps = false;
-            if (FootRelease.IsDue(ref foot, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead)))
+            if (FootRelease.IsDue(ref foot, body, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead)))
             {
                 Release(i, step, (1f - duty) * cycle);
             }

@@ -28,15 +28,19 @@ internal static class FootRelease
     private const float LateDrop = 0.24f;
     private const float LateStance = 0.8f;
 
+    /// <summary>Seconds since its last pose from which on it is foreseen what the joints of a leg do.</summary>
+    private const float Overdue = 1.5f * DecisionClock.Period;
+
     /// <summary>Seconds of a swing out of step: as long as those of the gait, within these.</summary>
     private const float ShortestFlight = 0.06f;
     private const float LongestFlight = 0.35f;
 
     /// <summary>Whether a foot has to leave the ground at once.</summary>
     /// <param name="foot">Stands; since its leg was posed the body may have moved on.</param>
+    /// <param name="body">Whose foot it is.</param>
     /// <param name="leg">Its leg.</param>
     /// <param name="step">The moment.</param>
-    public static bool IsDue(ref Foot foot, LegRig leg, in StepContext step)
+    public static bool IsDue(ref Foot foot, LeggedBody body, LegRig leg, in StepContext step)
     {
         Vector3 chord = foot.Chord + step.Frame.ToModel(foot.From.Position) - foot.Base;
         float reached = Vec.Length(chord + new Vector3(0f, foot.Lowered, 0f));
@@ -45,7 +49,8 @@ internal static class FootRelease
         float slides = foot.Residual - foot.Missed;
         foot.Reached = reached;
         foot.Missed = foot.Residual;
-        if (slides > 0f && foot.Residual + slides > MaxMiss * leg.Length)
+        bool misses = slides > 0f && foot.Residual + slides > MaxMiss * leg.Length;
+        if (misses || (leg.Lateral && step.Since > Overdue && Missing(foot, body, leg, chord) > MaxMiss * leg.Length))
         {
             return true;
         }
@@ -53,6 +58,13 @@ internal static class FootRelease
         float drop = LegRoom.Asked(leg, chord, Vec.Length(chord)) / leg.Length;
         return drop > (late ? LateDrop : MaxDrop)
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
+    }
+
+    /// <summary>How far a foot will be off its place when it is posed next, metres: in long updates the hip may come to its end between two poses.</summary>
+    private static float Missing(in Foot foot, LeggedBody body, LegRig leg, Vector3 chord)
+    {
+        float now = HipRoom.Miss(body, leg, chord, foot.Heading);
+        return now == 0f ? 0f : foot.Residual + now - HipRoom.Miss(body, leg, foot.Chord, foot.Heading);
     }
 
     /// <summary>Seconds that such a swing takes.</summary>

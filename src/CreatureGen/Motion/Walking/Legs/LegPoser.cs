@@ -196,10 +196,10 @@ internal sealed class LegPoser
     private static void SetKnee(LegRig leg, in LegRotations solved, in Pose local) => local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
 
     /// <summary>Where the solved parts end, from the hip.</summary>
-    private static Vector3 EndOf(LegRig leg, in LegSegments parts, in LegRotations solved) => Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank);
+    public static Vector3 EndOf(LegRig leg, in LegSegments parts, in LegRotations solved) => Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank);
 
-    /// <summary>Where the hinge of the knee has to point.</summary>
-    private static Vector3 Side(LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading)
+    /// <summary>Where the hinge of the knee has to point, for a place from the hip.</summary>
+    public static Vector3 Side(LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading)
     {
         Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
         if (!leg.Lateral)

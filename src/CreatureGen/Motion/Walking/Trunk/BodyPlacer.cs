@@ -146,7 +146,7 @@ internal sealed class BodyPlacer
         float hindRise;
         float foreRise;
         float nod;
-        if (body.Rows == 2)
+        if (body.RidesOnGirdles)
         {
             hindRise = response.Height(hind, 2, scale, cap, out _) * bounce;
             foreRise = response.Height(fore, 2, scale, cap, out nod) * bounce;
@@ -281,7 +281,7 @@ internal sealed class BodyPlacer
                 FastTrigonometry.OfTurns(-clock.Lags[i] - (0.5f * clock.Duty), out float s, out float c);
                 track.Add(s, c, leg.Home.X * clock.Shape.Track);
                 all.Add(s, c, 1f);
-                if (body.Rows == 2)
+                if (body.RidesOnGirdles && (leg.Row == 0 || leg.Row == body.Rows - 1))
                 {
                     (leg.Row == 0 ? hind : fore).Add(s, c, 1f);
                 }
@@ -291,7 +291,7 @@ internal sealed class BodyPlacer
         FastTrigonometry.OfTurns((float)clock.Phase, out float sine, out float cosine);
         track.Turn(sine, cosine);
         all.Turn(sine, cosine);
-        if (body.Rows == 2)
+        if (body.RidesOnGirdles)
         {
             hind.Turn(sine, cosine);
             fore.Turn(sine, cosine);
