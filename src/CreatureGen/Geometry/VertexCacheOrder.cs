@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 
 namespace CreatureGen.Geometry;
 
@@ -22,21 +23,35 @@ internal static class VertexCacheOrder
             throw new ArgumentException(FormattableString.Invariant($"room for {ordered.Length} indices; expected {triangles.Length}"), nameof(ordered));
         }
 
-        int[] start = new int[vertices + 1];
-        int[] live = new int[vertices];
-        int[] fans = TrianglesOfVertices(triangles, start, live);
-        int[] entered = new int[vertices];
-        bool[] emitted = new bool[count];
-        int[] deadEnds = new int[triangles.Length];
+        // One structure for each vertex, since what is asked of it is asked together; lists are rented, for those of a creature are large enough to make the collector clear up behind each of them.
+        ArrayPool<Vertex> vertexPool = ArrayPool<Vertex>.Shared;
+        ArrayPool<int> pool = ArrayPool<int>.Shared;
+        Vertex[] rented = vertexPool.Rent(vertices + 1);
+        int[] fans = pool.Rent(triangles.Length);
+        int[] deadEnds = pool.Rent(triangles.Length);
+        bool[] emitted = ArrayPool<bool>.Shared.Rent(count);
+        Array.Clear(rented, 0, vertices + 1);
+        Array.Clear(emitted, 0, count);
+        FanOut(triangles, rented.AsSpan(0, vertices + 1), fans);
+        Order(triangles, rented.AsSpan(0, vertices + 1), fans, emitted, deadEnds, ordered);
+        ArrayPool<bool>.Shared.Return(emitted);
+        pool.Return(deadEnds);
+        pool.Return(fans);
+        vertexPool.Return(rented);
+    }
+
+    private static void Order(ReadOnlySpan<int> triangles, Span<Vertex> vertices, int[] fans, bool[] emitted, int[] deadEnds, Span<int> ordered)
+    {
         int deadEndCount = 0;
         int written = 0;
         int clock = CacheSize + 1;
         int cursor = 0;
-        int fan = NextInInput(live, ref cursor);
+        int fan = NextInInput(vertices, ref cursor);
         while (fan >= 0)
         {
             int ring = deadEndCount;
-            for (int f = start[fan]; f < start[fan + 1]; f++)
+            int end = vertices[fan + 1].Start;
+            for (int f = vertices[fan].Start; f < end; f++)
             {
                 int t = fans[f];
                 if (emitted[t])
@@ -45,29 +60,31 @@ internal static class VertexCacheOrder
                 }
 
                 emitted[t] = true;
-                for (int k = 3 * t; k < (3 * t) + 3; k++)
+                ReadOnlySpan<int> corners = triangles.Slice(3 * t, 3);
+                for (int k = 0; k < corners.Length; k++)
                 {
-                    int v = triangles[k];
+                    int v = corners[k];
                     ordered[written++] = v;
                     deadEnds[deadEndCount++] = v;
-                    live[v]--;
-                    if (clock - entered[v] > CacheSize)
+                    ref Vertex vertex = ref vertices[v];
+                    vertex.Live--;
+                    if (clock - vertex.Entered > CacheSize)
                     {
-                        entered[v] = clock++;
+                        vertex.Entered = clock++;
                     }
                 }
             }
 
-            fan = NextInCache(deadEnds.AsSpan(ring, deadEndCount - ring), live, entered, clock);
+            fan = NextInCache(deadEnds.AsSpan(ring, deadEndCount - ring), vertices, clock);
             while (fan < 0 && deadEndCount > 0)
             {
                 int v = deadEnds[--deadEndCount];
-                fan = live[v] > 0 ? v : -1;
+                fan = vertices[v].Live > 0 ? v : -1;
             }
 
             if (fan < 0)
             {
-                fan = NextInInput(live, ref cursor);
+                fan = NextInInput(vertices, ref cursor);
             }
         }
     }
@@ -105,39 +122,44 @@ internal static class VertexCacheOrder
         return used;
     }
 
-    private static int[] TrianglesOfVertices(ReadOnlySpan<int> triangles, int[] start, int[] live)
+    /// <summary>Lists the triangles of each vertex, in their order; the last of the vertices is none and tells where the lists end.</summary>
+    private static void FanOut(ReadOnlySpan<int> triangles, Span<Vertex> vertices, int[] fans)
     {
         foreach (int v in triangles)
         {
-            live[v]++;
+            vertices[v].Live++;
         }
 
-        for (int v = 0; v < live.Length; v++)
+        // Where each list ends; filled from its end, it is where it begins.
+        int end = 0;
+        for (int v = 0; v < vertices.Length; v++)
         {
-            start[v + 1] = start[v] + live[v];
+            end += vertices[v].Live;
+            vertices[v].Start = end;
         }
 
-        int[] fans = new int[triangles.Length];
-        int[] next = (int[])start.Clone();
-        for (int i = 0; i < triangles.Length; i++)
+        for (int t = (triangles.Length / 3) - 1; t >= 0; t--)
         {
-            fans[next[triangles[i]]++] = i / 3;
+            ReadOnlySpan<int> corners = triangles.Slice(3 * t, 3);
+            for (int k = 0; k < corners.Length; k++)
+            {
+                fans[--vertices[corners[k]].Start] = t;
+            }
         }
-
-        return fans;
     }
 
     /// <summary>Of the vertices just used, the one longest in the cache whose own triangles can all be drawn before it leaves; failing that, one that has triangles; −1 when none has.</summary>
-    private static int NextInCache(ReadOnlySpan<int> ring, int[] live, int[] entered, int clock)
+    private static int NextInCache(ReadOnlySpan<int> ring, Span<Vertex> vertices, int clock)
     {
         int best = -1;
         int longest = -1;
         foreach (int v in ring)
         {
-            if (live[v] > 0)
+            ref Vertex vertex = ref vertices[v];
+            if (vertex.Live > 0)
             {
-                int age = clock - entered[v];
-                int priority = age + (2 * live[v]) <= CacheSize ? age : 0;
+                int age = clock - vertex.Entered;
+                int priority = age + (2 * vertex.Live) <= CacheSize ? age : 0;
                 if (priority > longest)
                 {
                     longest = priority;
@@ -149,13 +171,26 @@ internal static class VertexCacheOrder
         return best;
     }
 
-    private static int NextInInput(int[] live, ref int cursor)
+    private static int NextInInput(Span<Vertex> vertices, ref int cursor)
     {
-        while (cursor < live.Length && live[cursor] == 0)
+        while (cursor < vertices.Length && vertices[cursor].Live == 0)
         {
             cursor++;
         }
 
-        return cursor < live.Length ? cursor : -1;
+        return cursor < vertices.Length ? cursor : -1;
+    }
+
+    /// <summary>What is known of a vertex.</summary>
+    private struct Vertex
+    {
+        /// <summary>How many of its triangles have not been written.</summary>
+        public int Live;
+
+        /// <summary>When it last came into the cache.</summary>
+        public int Entered;
+
+        /// <summary>The first of its triangles in the list of all fans.</summary>
+        public int Start;
     }
 }
