@@ -340,8 +340,13 @@ public sealed partial class CreatureAnimator
     private Vector3 Balanced()
     {
         float bank = Mode?.BalancedBank ?? 0f;
+        if (bank == 0f)
+        {
+            return Vector3.Zero;
+        }
+
         PortableMath.SinCos(bank, out double sine, out double cosine);
-        return bank == 0f ? Vector3.Zero : Rotation.Rotate(Root.Rotation, Vector3.UnitX) * (float)(settings.Gravity * sine / cosine);
+        return Rotation.Rotate(Root.Rotation, Vector3.UnitX) * (float)(settings.Gravity * sine / cosine);
     }
 
     private void Finish(float dt)

@@ -127,8 +127,12 @@ internal sealed class HeadAttention
     /// <summary>How far lids are shut: held by the game, or by act, mood and limpness, and what is left by blinks.</summary>
     private float Shut(float dt)
     {
-        slack += ((IsLimp ? LimpLids : 0f) - slack) * (1f - (float)PortableMath.Exp(-SlackRate * dt));
-        slack = slack < SlackRate * 1e-4f && !IsLimp ? 0f : slack;
+        if (IsLimp || slack != 0f)
+        {
+            slack += ((IsLimp ? LimpLids : 0f) - slack) * (1f - (float)PortableMath.Exp(-SlackRate * dt));
+            slack = slack < SlackRate * 1e-4f && !IsLimp ? 0f : slack;
+        }
+
         float shut = slack + ((1f - slack) * Lids);
         float blink = Held?.Lids ?? (IsLimp ? 0f : Blinks.At(blinks, seconds, blinkPeriod));
         return shut + ((1f - shut) * blink);

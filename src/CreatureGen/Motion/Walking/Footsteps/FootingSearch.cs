@@ -78,8 +78,7 @@ internal sealed class FootingSearch
     {
         LegRig shape = body.Legs[leg];
         Vector3 up = step.Settings.Up;
-        PortableMath.SinCos(yaw, out double sine, out double cosine);
-        var ahead = new Vector3((float)sine, 0f, (float)cosine);
+        Vector3 ahead = Ahead(yaw);
         Vector3 target = wanted + (ahead * nudge);
         bool found = Down(step, target, out GroundHit hit);
         if (!found)
@@ -117,6 +116,18 @@ internal sealed class FootingSearch
         }
 
         return true;
+    }
+
+    /// <summary>Where a heading points; most feet point straight ahead.</summary>
+    private static Vector3 Ahead(float yaw)
+    {
+        if (yaw == 0f)
+        {
+            return Vector3.UnitZ;
+        }
+
+        PortableMath.SinCos(yaw, out double sine, out double cosine);
+        return new Vector3((float)sine, 0f, (float)cosine);
     }
 
     /// <summary>Feels the ground along the way of a swing, all of it as the foot leaves the ground, and later on what is just ahead of it.</summary>

@@ -95,7 +95,9 @@ internal struct IntendedSpeed
     {
         float behind = slope * lag;
         float away = Speed - intention + behind;
-        float keep = (float)PortableMath.Exp(-time / lag);
+
+        // One that goes as it intends, as most do, has nothing of which a part could be kept.
+        float keep = away == 0f ? 0f : (float)PortableMath.Exp(-time / lag);
         Speed = intention + (slope * time) - behind + (away * keep);
         return ((intention - behind + (0.5f * slope * time)) * time) + (away * lag * (1f - keep));
     }
