@@ -12,6 +12,9 @@ public sealed class HeadFitTests
     /// <summary>Largest head against its trunk, by the mean of breadth and height: what the posture leaves of the rule's 1.</summary>
     private const double Largest = 1.15;
 
+    /// <summary>Broadest head in breadths of its trunk: what the posture leaves of the rule's 1.15.</summary>
+    private const double Broadest = 1.25;
+
     [Theory]
     [InlineData(RequestedKind.Walking)]
     [InlineData(RequestedKind.Flying)]
@@ -28,6 +31,35 @@ public sealed class HeadFitTests
                 Assert.True(size <= Largest, FormattableString.Invariant($"{kind} {seed}: a head of {size:0.00} trunks"));
             }
         }
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    [InlineData(RequestedKind.Swimming)]
+    public void No_head_of_a_mixed_creature_but_an_insects_is_broader_than_its_trunk_by_a_quarter_however_flat_it_is(RequestedKind kind)
+    {
+        for (ulong seed = 9943001; seed <= 9943150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
+            if (SpeciesCatalogue.Find(creature.Body.Blend.Face).Class != AnimalClass.Arthropod)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double breadth = Breadth(shape, 3, 14) / Breadth(shape, 23, 42);
+                Assert.True(breadth <= Broadest, FormattableString.Invariant($"{kind} {seed}: a head of {breadth:0.00} trunks' breadth"));
+            }
+        }
+    }
+
+    private static double Breadth(BodyShape shape, int first, int last)
+    {
+        double width = 0;
+        for (int ring = first; ring <= last; ring++)
+        {
+            width = Math.Max(width, shape.Width[ring]);
+        }
+
+        return width;
     }
 
     private static double Size(BodyShape shape, int first, int last)

@@ -19,8 +19,9 @@ internal static class HeadFit
     /// <summary>Most that a trunk grows by.</summary>
     private const double MostGirth = 1.2;
 
-    /// <summary>Heads that are flatter carry a hammer or a beak across, which their breadth is for.</summary>
-    private const double Flattest = 2.2;
+    // Flatness from which on a head is a plate, and the largest breadth of one against its trunk: it may not overhang what carries it.
+    private const double Plate = 2.2;
+    private const double PlateBreadth = 0.75;
 
     // Rings of the head behind its lips, and of the trunk between the girdles.
     private const int FirstOfHead = 3;
@@ -41,7 +42,7 @@ internal static class HeadFit
         (double headWidth, double headHeight) = Largest(shape, FirstOfHead, LastOfHead);
         (double width, double height) = Largest(shape, FirstOfTrunk, LastOfTrunk);
         double size = Math.Sqrt(headWidth * headHeight / (width * height)) / Size;
-        double breadth = headWidth > Flattest * headHeight ? 0 : headWidth / (width * Breadth);
+        double breadth = headWidth / (width * Scalar.Lerp(Breadth, PlateBreadth, Scalar.Smooth((headWidth / headHeight) - (Plate - 0.5))));
         double excess = Math.Max(1, Math.Max(size, breadth));
         double strange = Math.Min(1, 2 * builder.Strangeness);
         return drawn with
