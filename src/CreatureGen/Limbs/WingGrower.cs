@@ -40,10 +40,11 @@ internal static class WingGrower
     /// <summary>Least depth of a wing, relative to its greatest: a tip of no depth has no area.</summary>
     private const float MinDepth = 0.03f;
 
-    // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip; and the share of the span over which it comes to hang as it does at rest.
+    // Radians by which the depth of a wing falls to the rear at its root, and by how much more at its tip; and the share of the span over which it comes to hang as it does at rest, and from which on beyond the elbow.
     private const double RootFall = 0.22;
     private const double TipFall = 0.16;
     private const float Hung = 0.3f;
+    private const float OuterHung = 0.2f;
 
     private const int MembraneRows = 28;
 
@@ -109,21 +110,22 @@ internal static class WingGrower
             return straight;
         }
 
-        Vector3 Open(float s)
+        Vector3 Open(float s) => edge(s) + (Back(s) * Scalar.Lerp(root, DepthAt(wing, form, s), Scalar.Smooth(s / Rooted)));
+
+        Vector3 whole = edge(1f) - edge(0f);
+        Vector3 off = Vec.Normalize(new Vector3(whole.Y, -whole.X, 0f), -Vector3.UnitY);
+        Vector3 Along(float s) => edge(Math.Min(s + 0.02f, 1f)) - edge(Math.Max(s - 0.02f, 0f));
+
+        // It falls off its own plane, not off the level: a raised wing that hung straight down would be the line of its edge from the front.
+        Vector3 Back(float s)
         {
             double turn = form.Feathers > 0 ? FeatherTurn * s : 0;
-            PortableMath.SinCos(RootFall + (TipFall * s) + (WingForm.RestIncidence * Scalar.Smooth(s / Hung)), out double down, out double level);
-            var direction = new Vector3((float)(level * PortableMath.Sin(turn)), -(float)down, -(float)(level * PortableMath.Cos(turn)));
-            return edge(s) + (direction * Scalar.Lerp(root, DepthAt(wing, form, s), Scalar.Smooth(s / Rooted)));
+            double incidence = (WingForm.RestIncidence * Scalar.Smooth(s / Hung)) + (WingForm.OuterIncidence * Scalar.Smooth((s - OuterHung) / (1f - OuterHung - Hung)));
+            PortableMath.SinCos(RootFall + (TipFall * s) + incidence, out double down, out double level);
+            return (Vec.Lerp(-Vector3.UnitY, off, Scalar.Smooth(s / Hung)) * (float)down) + new Vector3((float)(level * PortableMath.Sin(turn)), 0f, -(float)(level * PortableMath.Cos(turn)));
         }
 
-        Vector3 Normal(float s)
-        {
-            Vector3 along = edge(Math.Min(s + 0.02f, 1f)) - edge(Math.Max(s - 0.02f, 0f));
-            Vector3 n = Vec.Cross(along, -Vector3.UnitZ);
-            n = n.Y < 0f ? -n : n;
-            return -Vec.Normalize(n, Vector3.UnitY);
-        }
+        Vector3 Normal(float s) => -Vec.Normalize(Vec.Cross(Along(s), Vec.Lerp(-Vector3.UnitZ, Back(s), Scalar.Smooth(s / Hung))), Vector3.UnitY);
 
         // Bones lie along an arm that hardly bends, behind whatever edge is in front of them, so that all wings fold alike.
         Vector3 Joint(float s)

@@ -10,6 +10,9 @@ internal sealed record WingForm
     /// <summary>By how much more the blade of a wing hangs at rest than in flight, radians: from the front it is seen as a wing and not as the line of its edge.</summary>
     public const double RestIncidence = 0.34;
 
+    /// <summary>The same of what is beyond the elbow against what is before it, radians.</summary>
+    public const double OuterIncidence = 0.24;
+
     /// <summary>Where along the span the edges are given, 0..1, ascending.</summary>
     public double[] Stations { get; init; } = Array.Empty<double>();
 

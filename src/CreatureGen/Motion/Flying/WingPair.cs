@@ -92,7 +92,7 @@ internal sealed class WingPair
             case 1:
                 raise = a * ((0.10 * b.Height) - (0.10 * b.Up));
                 sweep = a * -0.34 * b.Up;
-                twist = a * ((0.05 * b.Down) - (0.10 * b.Up));
+                twist = WingForm.OuterIncidence + (a * ((0.05 * b.Down) - (0.10 * b.Up)));
                 break;
             case 2:
                 raise = a * ((0.09 * b.Height) - (0.34 * b.Up) + (0.06 * b.Down));
@@ -119,7 +119,7 @@ internal sealed class WingPair
             case 1:
                 raise = -0.10 * dihedral;
                 sweep = 0.12;
-                twist = 0;
+                twist = WingForm.OuterIncidence;
                 break;
             case 2:
                 raise = -0.20 * dihedral;

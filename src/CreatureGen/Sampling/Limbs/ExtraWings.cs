@@ -55,7 +55,7 @@ internal static class ExtraWings
             SocketBlueprint socket = armed ? FlyingRules.WingSocket with { Segment = FlyingRules.WingSocket.Segment - AboveArms } : FlyingRules.WingSocket;
             WingForm form = WingForm.Of(style);
             span *= form.Span;
-            Add(builder, new WingBlueprint(style, socket, span, form.Depth * span, rise, sweep));
+            Add(builder, new WingBlueprint(style, socket, span, WingSampler.DepthOf(builder, form, span), rise, sweep));
         }
     }
 

@@ -40,8 +40,30 @@ internal static class WingSampler
     /// <summary>Deepest wing, in torsos: a deeper one would hide the body.</summary>
     public const double DeepestWing = 0.66;
 
+    // Least depth of a wing, in spans and in depths of the trunk between the girdles; and how many times as deep as its form a wing may become for it.
+    private const double SlimmestOfSpan = 0.29;
+    private const double SlimmestOfTrunk = 0.95;
+    private const double MostDeepened = 1.6;
+    private const int FirstOfTrunk = 26;
+    private const int LastOfTrunk = 40;
+
     /// <summary>Length of the torso that a creature's wings are made for, metres: those of small bodies are larger for it.</summary>
     public static double CarriedTorso(CreatureBuilder builder) => Math.Min(Math.Max(builder.TorsoLength, MinTorso), MostEnlarged * builder.TorsoLength);
+
+    /// <summary>Depth of a spread wing, metres: that of its form, but on mixed bodies no slimmer than so much of its span, and of the trunk's depth: a narrower one is a line on a small body and a stub on a stout one.</summary>
+    public static double DepthOf(CreatureBuilder builder, WingForm form, double span)
+    {
+        BodyShape shape = builder.Shape;
+        double trunk = 0;
+        for (int ring = FirstOfTrunk; ring <= LastOfTrunk; ring++)
+        {
+            trunk = Math.Max(trunk, shape.Top[ring] + shape.Bottom[ring]);
+        }
+
+        double own = form.Depth * span;
+        double least = Math.Min(Math.Max(SlimmestOfSpan * span, SlimmestOfTrunk * trunk), MostDeepened * own);
+        return Scalar.Lerp(own, Math.Max(own, least), Math.Min(1, 2 * builder.Strangeness));
+    }
 
     /// <summary>Adds thin wings of a species' own.</summary>
     public static void AddThin(CreatureBuilder builder, ThinWing[] wings)
@@ -96,7 +118,7 @@ internal static class WingSampler
                 {
                     double torso = CarriedTorso(builder);
                     double span = Math.Min(1.36 * form.Span * wing.Scale.X, LongestWing) * torso;
-                    double chord = Math.Min(form.Depth * span * random.Uniform(0.9, 1.15), DeepestWing * torso);
+                    double chord = Math.Min(DepthOf(builder, form, span) * random.Uniform(0.9, 1.15), DeepestWing * torso);
                     builder.Wings.Add(new WingBlueprint(style, socket, span, chord, rise, sweep));
                 }
             }

@@ -44,7 +44,7 @@ internal static class Wasp
         Wings = new ThinWings
         {
             Spread = new[] { new ThinWing(26, 1.0, 0.26, -6, 36), new ThinWing(30, 0.72, 0.21, -36, 26) },
-            Folded = new[] { new ThinWing(26, 0.68, 0.15, -66, 14), new ThinWing(29, 0.50, 0.12, -74, 10) },
+            Folded = new[] { new ThinWing(26, 0.68, 0.17, -79, 6), new ThinWing(29, 0.50, 0.13, -83, 4) },
         },
         Parts = new[] { InsectParts.SmallJaws(), InsectParts.Elbowed() },
         Colourings = new[]

@@ -1,0 +1,56 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Creatures;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Sampling;
+
+/// <summary>Spread wings are seen as wings from every side.</summary>
+public sealed class SpreadWingTests
+{
+    [Fact]
+    public void From_the_front_the_wings_of_a_mixed_flier_show_an_eighth_of_their_length_as_depth()
+    {
+        int seen = 0;
+        for (ulong seed = 9943001; seed <= 9943080; seed++)
+        {
+            CreatureBlueprint flier = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying });
+            if (flier.Wings.Count == 1 && flier.Wings[0].Style != WingStyle.Folded)
+            {
+                double depth = DepthFromTheFront(CreatureGenerator.Build(flier));
+                Assert.True(depth > 1 / 8.0, FormattableString.Invariant($"{seed} {flier.Wings[0].Style}: {depth:0.000}"));
+                seen++;
+            }
+        }
+
+        Assert.InRange(seen, 30, 80);
+    }
+
+    /// <summary>Mean depth of the left wing as it is seen from the front, in its lengths from shoulder to tip.</summary>
+    private static double DepthFromTheFront(Creature creature)
+    {
+        double area = 0;
+        CreatureMesh mesh = creature.Mesh;
+        for (int t = 0; t < mesh.Triangles.Length; t += 3)
+        {
+            Vector3 a = mesh.Positions[mesh.Triangles[t]];
+            Vector3 b = mesh.Positions[mesh.Triangles[t + 1]] - a;
+            Vector3 c = mesh.Positions[mesh.Triangles[t + 2]] - a;
+            area += IsWing(creature, mesh.Triangles[t]) ? 0.25 * Math.Abs((b.X * c.Y) - (b.Y * c.X)) : 0;
+        }
+
+        LimbChain wing = Assert.Single(creature.Limbs, limb => limb.Kind == LimbKind.Wing && limb.Side == Side.Left);
+        Vector3 reach = creature.Skeleton.ModelPositions[wing.Joints[wing.Joints.Count - 1]] - creature.Skeleton.ModelPositions[wing.Joints[0]];
+        return area / ((reach.X * reach.X) + (reach.Y * reach.Y));
+    }
+
+    private static bool IsWing(Creature creature, int vertex)
+    {
+        Joint joint = creature.Skeleton.Joints[creature.Mesh.Weights[vertex].Joint0];
+        return joint.Role == JointRole.Wing && creature.Mesh.Positions[vertex].X > 0;
+    }
+}
