@@ -245,7 +245,7 @@ internal sealed class FlightProfile
         double breadth = Scalar.Smooth(((area / (span * span)) - NarrowWings) / (BroadWings - NarrowWings));
         for (int k = 0; k < buzzers.Length; k++)
         {
-            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(subject, thin[k], ThinWingBlade.RestIncidence(thin[k].Axes[0]), k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k, breadth);
+            buzzers[k] = new BuzzPair(thin[k], FoldedWing.Of(subject, thin[k], ThinWingBlade.RestIncidence(thin[k].Axes[0]), 0, k == 0 ? FoldRange.Thin : FoldRange.ThinHind, room), k, breadth);
         }
 
         legs = limbs.ToArray();
@@ -266,7 +266,7 @@ internal sealed class FlightProfile
         var wings = new WingPair[order.Length];
         foreach (int k in order)
         {
-            FoldedWing folded = FoldedWing.Of(subject, stitched[k], 0, FoldRange.Stitched, room);
+            FoldedWing folded = FoldedWing.Of(subject, stitched[k], 0, -WingForm.OuterIncidence, FoldRange.Stitched, room);
             wings[k] = new WingPair(stitched[k], folded);
             if (order.Length > 1)
             {

@@ -23,14 +23,16 @@ internal sealed class FoldedWing
     private readonly PairedChain chain;
     private readonly WingSkin skin;
     private readonly double incidence;
+    private readonly double beyond;
     private readonly Quaternion[] turns;
     private float length;
 
-    private FoldedWing(PairedChain chain, WingSkin skin, double incidence)
+    private FoldedWing(PairedChain chain, WingSkin skin, double incidence, double beyond)
     {
         this.chain = chain;
         this.skin = skin;
         this.incidence = incidence;
+        this.beyond = beyond;
         turns = new Quaternion[chain.Count];
     }
 
@@ -40,10 +42,10 @@ internal sealed class FoldedWing
     /// <summary>The turn of a joint of the left wing.</summary>
     public Quaternion Turn(int joint) => turns[joint];
 
-    /// <summary>Fits a pair of wings to a body; their rear edges are raised by an incidence at rest, radians.</summary>
-    public static FoldedWing Of(MotionSubject subject, PairedChain chain, double incidence, FoldRange range, FoldRoom room)
+    /// <summary>Fits a pair of wings to a body; their rear edges are raised by an incidence at rest, and by so much more beyond the elbow, radians.</summary>
+    public static FoldedWing Of(MotionSubject subject, PairedChain chain, double incidence, double beyond, FoldRange range, FoldRoom room)
     {
-        var wing = new FoldedWing(chain, WingSkin.Of(subject, chain), incidence);
+        var wing = new FoldedWing(chain, WingSkin.Of(subject, chain), incidence, beyond);
         wing.Fold(wing.Search(range, room));
         return wing;
     }
@@ -107,7 +109,7 @@ internal sealed class FoldedWing
         Quaternion carried = Quaternion.Identity;
         for (int k = 0; k < turns.Length; k++)
         {
-            Quaternion rest = Rotation.Multiply(Rotation.FromAxisAngle(chain.Axes[k], incidence), JointFrame.Raised(chain.Axes[k], Vector3.UnitY));
+            Quaternion rest = Rotation.Multiply(Rotation.FromAxisAngle(chain.Axes[k], incidence + (k == 0 ? 0 : beyond)), JointFrame.Raised(chain.Axes[k], Vector3.UnitY));
             Quaternion target = JointFrame.Raised(fold.Direction(k), fold.Face(k));
             Quaternion wanted = Rotation.Multiply(target, Rotation.Inverse(rest));
             turns[k] = chain.Limit(k, Rotation.Multiply(Rotation.Inverse(carried), wanted));
