@@ -36,6 +36,7 @@ internal static class BodySampler
         builder.Slices = Slices(builder);
         builder.Disc = Disc(builder);
         builder.Proportions = HeadFit.Fit(builder);
+        builder.Proportions = TailFit.Fit(builder);
     }
 
     private static DiscBlueprint Disc(CreatureBuilder builder)

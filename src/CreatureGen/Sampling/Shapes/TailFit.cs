@@ -1,0 +1,52 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Shapes;
+
+/// <summary>Tails of strange creatures in proportion to their trunks: one that swells behind the rump is a sack that the creature drags.</summary>
+internal static class TailFit
+{
+    /// <summary>Largest tail against its trunk, each at its largest section.</summary>
+    private const double Size = 0.62;
+
+    /// <summary>Least girth that is left of a tail.</summary>
+    private const double MinGirth = 0.5;
+
+    // Rings of the trunk between the girdles, and of the tail behind its root.
+    private const int FirstOfTrunk = 25;
+    private const int LastOfTrunk = 42;
+    private const int FirstOfTail = 47;
+    private const int LastOfTail = 54;
+
+    /// <summary>The proportions with a thinner tail where it is too thick; swimmers and what crawls move by theirs, and insects bear a thick abdomen.</summary>
+    public static BodyProportions Fit(CreatureBuilder builder)
+    {
+        BodyProportions drawn = builder.Proportions;
+        if (builder.Kind == LocomotionKind.Swimming || builder.Species.Class == AnimalClass.Arthropod || builder.Plan == BodyPlan.Legless)
+        {
+            return drawn;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double size = Largest(shape, FirstOfTail, LastOfTail) / Largest(shape, FirstOfTrunk, LastOfTrunk);
+        double excess = Math.Max(1, size / Size);
+        double strange = Math.Min(1, 2 * builder.Strangeness);
+        return drawn with { TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess, -strange)) };
+    }
+
+    /// <summary>Radius of the largest section, metres.</summary>
+    private static double Largest(BodyShape shape, int first, int last)
+    {
+        double size = 0;
+        for (int ring = first; ring <= last; ring++)
+        {
+            size = Math.Max(size, Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring])));
+        }
+
+        return size;
+    }
+}
