@@ -11,7 +11,7 @@ namespace CreatureGen.Sampling.Shapes;
 internal static class TailFit
 {
     /// <summary>Largest tail against its trunk, each at its largest section.</summary>
-    private const double Size = 0.62;
+    private const double Size = 0.8;
 
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
