@@ -55,7 +55,7 @@ internal struct Footing
         float right = float.MaxValue;
         foreach (ref readonly Foot foot in legs.Feet)
         {
-            Vector3 place = root.ToModel(foot.Phase == FootPhase.Stance ? foot.From.Position : foot.To.Position);
+            Vector3 place = root.ToModel(foot.Phase == FootPhase.Stance ? foot.From.Position : foot.Plan.To.Position);
             if (Carries(body, root, place, up, ground))
             {
                 front = Math.Max(front, place.Z);

@@ -138,7 +138,7 @@ public sealed class SteadySlopeTests
         var feet = new Foot[4];
         for (int i = 0; i < feet.Length; i++)
         {
-            feet[i].Start = feet[i].End = new Vector3(i % 2, 0.3f, i - 1.5f);
+            feet[i].Path.Start = feet[i].Path.End = new Vector3(i % 2, 0.3f, i - 1.5f);
         }
 
         GroundSlope slope = default;
@@ -146,7 +146,7 @@ public sealed class SteadySlopeTests
         Assert.Equal(0f, slope.Rise, 6);
         for (int i = 0; i < feet.Length; i++)
         {
-            feet[i].Start.Y = feet[i].End.Y = 0.3f + (0.2f * feet[i].Start.Z);
+            feet[i].Path.Start.Y = feet[i].Path.End.Y = 0.3f + (0.2f * feet[i].Path.Start.Z);
         }
 
         slope.Feel(feet, 1f, 0f, 0.1f);
@@ -165,8 +165,8 @@ public sealed class SteadySlopeTests
         var feet = new Foot[2];
         for (int i = 0; i < feet.Length; i++)
         {
-            feet[i].Start = new Vector3(i, -0.3f, -1f);
-            feet[i].End = new Vector3(i, 0.3f, 1f);
+            feet[i].Path.Start = new Vector3(i, -0.3f, -1f);
+            feet[i].Path.End = new Vector3(i, 0.3f, 1f);
         }
 
         GroundSlope slope = default;
@@ -178,11 +178,11 @@ public sealed class SteadySlopeTests
     public void A_slope_is_felt_the_sooner_the_faster_it_is_gone()
     {
         var level = new Foot[2];
-        level[0].Start = level[0].End = new Vector3(0f, 0f, -1f);
-        level[1].Start = level[1].End = new Vector3(0f, 0f, 1f);
+        level[0].Path.Start = level[0].Path.End = new Vector3(0f, 0f, -1f);
+        level[1].Path.Start = level[1].Path.End = new Vector3(0f, 0f, 1f);
         var steep = new Foot[2];
-        steep[0].Start = steep[0].End = new Vector3(0f, -0.2f, -1f);
-        steep[1].Start = steep[1].End = new Vector3(0f, 0.2f, 1f);
+        steep[0].Path.Start = steep[0].Path.End = new Vector3(0f, -0.2f, -1f);
+        steep[1].Path.Start = steep[1].Path.End = new Vector3(0f, 0.2f, 1f);
         GroundSlope slow = default;
         slow.Reset(level, 1f);
         GroundSlope fast = slow;

@@ -88,8 +88,8 @@ internal sealed class FootPlanner
         foreach (ref Foot foot in feet.AsSpan())
         {
             foot.From.Position += offset;
-            foot.To.Position += offset;
-            foot.Wanted += offset;
+            foot.Plan.To.Position += offset;
+            foot.Plan.Wanted += offset;
         }
     }
 
@@ -121,9 +121,9 @@ internal sealed class FootPlanner
         {
             feet[i] = default;
             ref Foot foot = ref feet[i];
-            foot.Hip = body.Legs[i].HipRest;
+            foot.Leg.Hip = body.Legs[i].HipRest;
             Target(i, step, body.Legs[i].Home, body.Legs[i].Home, 0f, step.Frame.Rotation);
-            foot.From = foot.To;
+            foot.From = foot.Plan.To;
             foot.Stance = 0.5f;
         }
     }
@@ -137,15 +137,15 @@ internal sealed class FootPlanner
         {
             float p = step.Clock.LegPhase(i);
             feet[i] = default;
-            feet[i].Hip = body.Legs[i].HipRest;
+            feet[i].Leg.Hip = body.Legs[i].HipRest;
             Aim(i, step, ((0.5f * duty) - p) * cycle, 0f);
-            feet[i].From = feet[i].To;
+            feet[i].From = feet[i].Plan.To;
             feet[i].Stance = Math.Min(p / duty, 1f);
             if (p >= duty)
             {
                 feet[i].Phase = FootPhase.Swing;
                 feet[i].Swing = StepPhase.Swing(p, duty);
-                feet[i].Aimed = false;
+                feet[i].Plan.Aimed = false;
                 Aim(i, step, (1f - p + (0.5f * duty)) * cycle, (1f - p) * cycle);
             }
         }
@@ -167,14 +167,14 @@ internal sealed class FootPlanner
             float p = step.Clock.LegPhase(i);
             float u = StepPhase.Swing(p, duty);
             float ahead = step.Moving ? StepPhase.ToMidstance((1f - p) * cycle, duty, cycle) : (1f - p) * cycle;
-            foot.Steps = false;
+            foot.Plan.Steps = false;
             if (FootRelease.IsDue(ref foot, body, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead)))
             {
                 Release(i, step, (1f - duty) * cycle);
             }
             else if (p < duty)
             {
-                foot.Steps = (duty - p) * cycle < DecisionsAhead * DecisionClock.Period && Wants(i, step, ahead);
+                foot.Plan.Steps = (duty - p) * cycle < DecisionsAhead * DecisionClock.Period && Wants(i, step, ahead);
             }
             else if (u < (IsFar(i, step) ? LatestRescue : StepPhase.LatestLift) && Wants(i, step, ahead))
             {
@@ -190,9 +190,9 @@ internal sealed class FootPlanner
     {
         Lift(leg, step, 0f);
         feet[leg].Posture.Begin();
-        feet[leg].Correcting = true;
-        feet[leg].Flight = FootRelease.Flight(swing);
-        Aim(leg, step, feet[leg].Flight, feet[leg].Flight);
+        feet[leg].Plan.Correcting = true;
+        feet[leg].Plan.Flight = FootRelease.Flight(swing);
+        Aim(leg, step, feet[leg].Plan.Flight, feet[leg].Plan.Flight);
     }
 
     /// <summary>Moves all feet on by a step of time; the clock has been moved already.</summary>
@@ -204,7 +204,7 @@ internal sealed class FootPlanner
         {
             ref Foot foot = ref feet[i];
             float p = step.Clock.LegPhase(i);
-            if (foot.Correcting)
+            if (foot.Plan.Correcting)
             {
                 Correct(i, step, p, duty, cycle);
             }
@@ -215,7 +215,7 @@ internal sealed class FootPlanner
                     Land(i, step, Math.Min(p * cycle, step.Step));
                 }
 
-                else if (step.Step > (1f - duty) * cycle && foot.Stance > p / duty && !foot.Held && Wants(i, step, ((0.5f * duty) - p) * cycle))
+                else if (step.Step > (1f - duty) * cycle && foot.Stance > p / duty && !foot.Plan.Held && Wants(i, step, ((0.5f * duty) - p) * cycle))
                 {
                     // Steps so quick that a whole swing has passed unseen: it stepped all the same.
                     Lift(i, step, 0f);
@@ -240,18 +240,18 @@ internal sealed class FootPlanner
         if (p >= duty && joined <= LatestJoin)
         {
             // Its own swing has come: it goes on in step with the gait, from where it is.
-            foot.Correcting = false;
-            foot.LiftAt = joined;
+            foot.Plan.Correcting = false;
+            foot.Plan.LiftAt = joined;
             Swing(leg, step, u, duty, cycle);
             return;
         }
 
-        foot.Swing += step.Step / foot.Flight;
+        foot.Swing += step.Step / foot.Plan.Flight;
         if (foot.Swing >= 1f)
         {
-            Land(leg, step, Math.Min((foot.Swing - 1f) * foot.Flight, step.Step));
-            foot.Held = p < 0.5f * duty || p >= duty;
-            foot.Stance = foot.Held ? 0.5f : p / duty;
+            Land(leg, step, Math.Min((foot.Swing - 1f) * foot.Plan.Flight, step.Step));
+            foot.Plan.Held = p < 0.5f * duty || p >= duty;
+            foot.Stance = foot.Plan.Held ? 0.5f : p / duty;
             foot.Posture.Begin();
             return;
         }
@@ -259,7 +259,7 @@ internal sealed class FootPlanner
         if (foot.Swing < StepPhase.Frozen)
         {
             // For the middle of what is left of its stance, or of the next one.
-            float flight = (1f - foot.Swing) * foot.Flight;
+            float flight = (1f - foot.Swing) * foot.Plan.Flight;
             float stance = Math.Max(((p < duty ? duty - p : 1f - p + duty) * cycle) - flight, 0f);
             Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f), flight);
         }
@@ -270,7 +270,7 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         float flight = (1f - u) * (1f - duty) * cycle;
         float ahead = step.Moving ? StepPhase.ToMidstance(flight, duty, cycle) : flight;
-        if (foot.Phase == FootPhase.Swing && u - foot.LiftAt < (foot.Swing - 0.5f) * (1f - foot.LiftAt))
+        if (foot.Phase == FootPhase.Swing && u - foot.Plan.LiftAt < (foot.Swing - 0.5f) * (1f - foot.Plan.LiftAt))
         {
             // Steps so quick that a whole stance has passed unseen: it stood all the same.
             Land(leg, step, Math.Min((duty + (u * (1f - duty))) * cycle, step.Step));
@@ -278,9 +278,9 @@ internal sealed class FootPlanner
 
         if (foot.Phase == FootPhase.Stance)
         {
-            if (!foot.Steps)
+            if (!foot.Plan.Steps)
             {
-                foot.Held = true;
+                foot.Plan.Held = true;
                 Rest(ref foot, step, 0f);
                 return;
             }
@@ -289,8 +289,8 @@ internal sealed class FootPlanner
         }
 
         // A step of its own that the gait has caught up with goes on to the place of the gait's, however far it has come.
-        foot.Swing = (u - foot.LiftAt) / (1f - foot.LiftAt);
-        if ((foot.LiftAt < 0f ? u : foot.Swing) < StepPhase.Frozen)
+        foot.Swing = (u - foot.Plan.LiftAt) / (1f - foot.Plan.LiftAt);
+        if ((foot.Plan.LiftAt < 0f ? u : foot.Swing) < StepPhase.Frozen)
         {
             Aim(leg, step, ahead, flight);
         }
@@ -299,14 +299,14 @@ internal sealed class FootPlanner
     /// <summary>Lets the stance go on with the cycle; a foot that sits out goes back to the middle of its stance and is taken up again there.</summary>
     private static void Rest(ref Foot foot, in StepContext step, float stance)
     {
-        if (foot.Held && stance < 0.5f)
+        if (foot.Plan.Held && stance < 0.5f)
         {
             float max = MidstanceRate * step.Step;
             foot.Stance += Scalar.Clamp(0.5f - foot.Stance, -max, max);
             return;
         }
 
-        foot.Held = false;
+        foot.Plan.Held = false;
         foot.Stance = stance;
     }
 
@@ -332,13 +332,13 @@ internal sealed class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         foot.Phase = FootPhase.Swing;
-        foot.Steps = false;
-        foot.Held = false;
-        foot.Correcting = false;
-        foot.LiftAt = at;
-        foot.Aimed = false;
+        foot.Plan.Steps = false;
+        foot.Plan.Held = false;
+        foot.Plan.Correcting = false;
+        foot.Plan.LiftAt = at;
+        foot.Plan.Aimed = false;
         foot.Swing = 0f;
-        foot.Nudge = 0f;
+        foot.Plan.Nudge = 0f;
         events.Tell(MotionEventKind.FootUp, leg, step, foot.From, 0f);
     }
 
@@ -346,13 +346,13 @@ internal sealed class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         foot.Phase = FootPhase.Stance;
-        foot.Correcting = false;
+        foot.Plan.Correcting = false;
         StandWhereItIs(leg, step);
-        foot.From = foot.To;
+        foot.From = foot.Plan.To;
         foot.Swing = 0f;
-        foot.Reached = float.MaxValue;
-        foot.Missed = foot.Residual;
-        if (foot.HasTarget)
+        foot.Leg.Reached = float.MaxValue;
+        foot.Leg.Missed = foot.Leg.Residual;
+        if (foot.Plan.HasTarget)
         {
             events.Tell(MotionEventKind.FootDown, leg, step, foot.From, ago);
         }
@@ -362,13 +362,13 @@ internal sealed class FootPlanner
     private void StandWhereItIs(int leg, in StepContext step)
     {
         ref Foot foot = ref feet[leg];
-        var astray = new Vector3(foot.Astray.X, 0f, foot.Astray.Z);
-        if (!foot.HasTarget || Vec.LengthSquared(astray) < Square(MaxAstray * body.Legs[leg].Length))
+        var astray = new Vector3(foot.Leg.Astray.X, 0f, foot.Leg.Astray.Z);
+        if (!foot.Plan.HasTarget || Vec.LengthSquared(astray) < Square(MaxAstray * body.Legs[leg].Length))
         {
             return;
         }
 
-        Target(leg, step, step.Frame.ToModel(foot.To.Position) + astray, body.Legs[leg].Home, foot.To.YawFrom(step.Frame), foot.To.Heading);
+        Target(leg, step, step.Frame.ToModel(foot.Plan.To.Position) + astray, body.Legs[leg].Home, foot.Plan.To.YawFrom(step.Frame), foot.Plan.To.Heading);
     }
 
     /// <summary>Sets the target of a swing.</summary>
@@ -385,24 +385,24 @@ internal sealed class FootPlanner
         Vector3 wanted = there + Rotation.Rotate(turn, home);
 
         // Who stands shifts its weight, and its feet go home whatever its hips do.
-        Vector3 shift = Rotation.Rotate(turn, new Vector3(0f, 0f, foot.Nudge));
-        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body.Legs[leg], foot.Hip, step.RootVelocity, flight, wanted + shift) - shift : wanted);
+        Vector3 shift = Rotation.Rotate(turn, new Vector3(0f, 0f, foot.Plan.Nudge));
+        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body.Legs[leg], foot.Leg.Hip, step.RootVelocity, flight, wanted + shift) - shift : wanted);
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
-        float fraction = foot.Swing > 0f && foot.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
-        foot.Wanted += (next - foot.Wanted) * fraction;
-        heading = fraction < 1f ? UnitRotation.Nlerp(foot.To.Heading, heading, fraction) : heading;
-        Target(leg, step, step.Frame.ToModel(foot.Wanted), home, yaw, heading);
+        float fraction = foot.Swing > 0f && foot.Plan.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
+        foot.Plan.Wanted += (next - foot.Plan.Wanted) * fraction;
+        heading = fraction < 1f ? UnitRotation.Nlerp(foot.Plan.To.Heading, heading, fraction) : heading;
+        Target(leg, step, step.Frame.ToModel(foot.Plan.Wanted), home, yaw, heading);
         search.Survey(step, leg, foot, ways[leg]);
-        foot.Aimed = true;
+        foot.Plan.Aimed = true;
     }
 
     /// <summary>Looks for ground under where a foot goes, and sets it there.</summary>
     private void Target(int leg, in StepContext step, Vector3 wanted, Vector3 home, float yaw, Quaternion heading)
     {
         ref Foot foot = ref feet[leg];
-        foot.HasTarget = search.Find(step, leg, wanted, home, yaw, ref foot.Nudge, out foot.To);
-        foot.To.Heading = heading;
-        foot.To.Attach(step.Ground as IMovingGround);
+        foot.Plan.HasTarget = search.Find(step, leg, wanted, home, yaw, ref foot.Plan.Nudge, out foot.Plan.To);
+        foot.Plan.To.Heading = heading;
+        foot.Plan.To.Attach(step.Ground as IMovingGround);
     }
 
     private static float Square(float x) => x * x;

@@ -42,14 +42,14 @@ internal static class FootRelease
     /// <param name="step">The moment.</param>
     public static bool IsDue(ref Foot foot, LeggedBody body, LegRig leg, in StepContext step)
     {
-        Vector3 chord = foot.Chord + step.Frame.ToModel(foot.From.Position) - foot.Base;
-        float reached = Vec.Length(chord + new Vector3(0f, foot.Lowered, 0f));
+        Vector3 chord = foot.Leg.Chord + step.Frame.ToModel(foot.From.Position) - foot.Path.Base;
+        float reached = Vec.Length(chord + new Vector3(0f, foot.Leg.Lowered, 0f));
         bool late = foot.Stance > LateStance || !step.Moving;
-        bool grows = reached > foot.Reached;
-        float slides = foot.Residual - foot.Missed;
-        foot.Reached = reached;
-        foot.Missed = foot.Residual;
-        bool misses = slides > 0f && foot.Residual + slides > MaxMiss * leg.Length;
+        bool grows = reached > foot.Leg.Reached;
+        float slides = foot.Leg.Residual - foot.Leg.Missed;
+        foot.Leg.Reached = reached;
+        foot.Leg.Missed = foot.Leg.Residual;
+        bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
         if (misses || (leg.Lateral && step.Since > Overdue && Missing(foot, body, leg, chord) > MaxMiss * leg.Length))
         {
             return true;
@@ -63,8 +63,8 @@ internal static class FootRelease
     /// <summary>How far a foot will be off its place when it is posed next, metres: in long updates the hip may come to its end between two poses.</summary>
     private static float Missing(in Foot foot, LeggedBody body, LegRig leg, Vector3 chord)
     {
-        float now = HipRoom.Miss(body, leg, chord, foot.Heading);
-        return now == 0f ? 0f : foot.Residual + now - HipRoom.Miss(body, leg, foot.Chord, foot.Heading);
+        float now = HipRoom.Miss(body, leg, chord, foot.Path.Heading);
+        return now == 0f ? 0f : foot.Leg.Residual + now - HipRoom.Miss(body, leg, foot.Leg.Chord, foot.Path.Heading);
     }
 
     /// <summary>Seconds that such a swing takes.</summary>

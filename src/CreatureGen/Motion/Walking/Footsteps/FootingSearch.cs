@@ -133,7 +133,7 @@ internal sealed class FootingSearch
     /// <summary>Feels the ground along the way of a swing, all of it as the foot leaves the ground, and later on what is just ahead of it.</summary>
     public void Survey(in StepContext step, int leg, in Foot foot, SwingClearance way)
     {
-        if (!foot.Aimed)
+        if (!foot.Plan.Aimed)
         {
             way.Clear();
         }
@@ -146,12 +146,12 @@ internal sealed class FootingSearch
         LegRig shape = body.Legs[leg];
         Quaternion inverse = Rotation.Inverse(step.Frame.Rotation);
         Vector3 from = step.Frame.ToModel(foot.From.Position);
-        Vector3 to = step.Frame.ToModel(foot.To.Position);
+        Vector3 to = step.Frame.ToModel(foot.Plan.To.Position);
         Vector3 slopeFrom = Slope(Rotation.Rotate(inverse, foot.From.Normal));
-        Vector3 slopeTo = Slope(Rotation.Rotate(inverse, foot.To.Normal));
+        Vector3 slopeTo = Slope(Rotation.Rotate(inverse, foot.Plan.To.Normal));
         int first = 0;
         int last = SwingClearance.Knots;
-        if (foot.Aimed)
+        if (foot.Plan.Aimed)
         {
             first = SwingClearance.After(StepPhase.Along(foot.Swing));
             last = Math.Min(first + 1, last);
@@ -162,7 +162,7 @@ internal sealed class FootingSearch
             float along = SwingClearance.At(i);
             if (Obstacle(step, shape, Vec.Lerp(from, to, along), Vec.Lerp(slopeFrom, slopeTo, along), out float height))
             {
-                way.Feel(i, height, foot.Aimed ? Renewal : 1f);
+                way.Feel(i, height, foot.Plan.Aimed ? Renewal : 1f);
             }
         }
 

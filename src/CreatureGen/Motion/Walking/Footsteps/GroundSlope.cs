@@ -60,8 +60,8 @@ internal struct GroundSlope
         float zz = 0f;
         for (int i = 0; i < feet.Length; i++)
         {
-            Vector3 start = feet[i].Start;
-            Vector3 end = feet[i].End;
+            Vector3 start = feet[i].Path.Start;
+            Vector3 end = feet[i].Path.End;
             z += start.Z + end.Z;
             y += start.Y + end.Y;
             zy += (start.Z * start.Y) + (end.Z * end.Y);

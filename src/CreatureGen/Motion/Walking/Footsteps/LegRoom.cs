@@ -61,7 +61,7 @@ internal static class LegRoom
             }
 
             Vector3 chord = poses[i].Target - placer.HipOf(i, feet[i], out _);
-            feet[i].Chord = chord;
+            feet[i].Leg.Chord = chord;
             float distance = Vec.Length(chord);
             float steep = Steepness(chord, distance);
             float max = (leg.Lateral ? LateralDrop : MaxDrop) * leg.Length;
@@ -69,8 +69,8 @@ internal static class LegRoom
 
             // One that has left the ground draws the body no farther down than it did there.
             bool leaves = feet[i].Phase == FootPhase.Swing && arriving == 0f;
-            float drawn = leaves ? Math.Min(asked, feet[i].Drawn) : asked;
-            feet[i].Drawn = leaves ? feet[i].Drawn : weight * asked;
+            float drawn = leaves ? Math.Min(asked, feet[i].Leg.Drawn) : asked;
+            feet[i].Leg.Drawn = leaves ? feet[i].Leg.Drawn : weight * asked;
             float drop = weight * drawn;
             float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxRaise * leg.Length);
             float holds = feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i]);
@@ -94,7 +94,7 @@ internal static class LegRoom
         foreDrop = Net(Math.Max(fore.Drop, level * hindest), fore.Rise);
         for (int i = 0; i < feet.Length; i++)
         {
-            feet[i].Lowered = body.Legs[i].IsHind(body.Rows) ? hindDrop : foreDrop;
+            feet[i].Leg.Lowered = body.Legs[i].IsHind(body.Rows) ? hindDrop : foreDrop;
         }
     }
 

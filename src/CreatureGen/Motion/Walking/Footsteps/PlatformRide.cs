@@ -29,7 +29,7 @@ internal static class PlatformRide
             Vector3 before = foot.From.Position;
             Quaternion heading = foot.From.Heading;
             foot.From.Follow(moving);
-            foot.To.Follow(moving);
+            foot.Plan.To.Follow(moving);
             if (foot.Phase == FootPhase.Stance)
             {
                 way += foot.From.Position - before;

@@ -42,24 +42,24 @@ internal static class FootPoser
         Vector3 from = frame.ToModel(foot.From.Position);
         Quaternion heading = Rotation.Multiply(inverse, foot.From.Heading);
         Vector3 normal = Rotation.Rotate(inverse, foot.From.Normal);
-        foot.Lift = 0f;
-        foot.Over = 0f;
-        foot.Start = from;
-        foot.End = from;
+        foot.Path.Lift = 0f;
+        foot.Path.Over = 0f;
+        foot.Path.Start = from;
+        foot.Path.End = from;
         if (foot.Phase == FootPhase.Swing)
         {
             float u = foot.Swing;
-            Vector3 to = frame.ToModel(foot.To.Position);
-            foot.End = to;
+            Vector3 to = frame.ToModel(foot.Plan.To.Position);
+            foot.Path.End = to;
             float r = StepPhase.Along(u);
             from += (to - from) * r;
-            heading = UnitRotation.Nlerp(heading, Rotation.Multiply(inverse, foot.To.Heading), r);
-            normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
-            foot.Over = way.Rise(r);
-            foot.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (MinLift + ((1f - MinLift) * gait.Activity))) + foot.Over;
+            heading = UnitRotation.Nlerp(heading, Rotation.Multiply(inverse, foot.Plan.To.Heading), r);
+            normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.Plan.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
+            foot.Path.Over = way.Rise(r);
+            foot.Path.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (MinLift + ((1f - MinLift) * gait.Activity))) + foot.Path.Over;
         }
 
-        foot.Base = from;
+        foot.Path.Base = from;
         if (leg.Follows)
         {
             // The foot turns with the leg on the middle of its sole.
@@ -70,8 +70,8 @@ internal static class FootPoser
             from += shift;
         }
 
-        foot.Heading = heading;
-        foot.Normal = normal;
+        foot.Path.Heading = heading;
+        foot.Path.Normal = normal;
         FootPosture posture = foot.Posture.Follow(FootRoll.At(foot, leg, gait), leg.PostureSeconds, gait.Step);
         float pitch = posture.Pitch;
         Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitRotation.FromTo(Vector3.UnitY, normal), heading) : heading;
@@ -90,7 +90,7 @@ internal static class FootPoser
         }
 
         pose.Ball = from + Rotation.Rotate(ground, ball);
-        pose.Ball.Y += foot.Lift;
+        pose.Ball.Y += foot.Path.Lift;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
         {
             pose.Fold = posture.Fold;
@@ -112,7 +112,7 @@ internal static class FootPoser
         if (layer.Pitch != 0f)
         {
             // On the ground the heel of a flat foot rises about its ball; others stand on their toes already.
-            Vector3 axis = Rotation.Rotate(foot.Heading, leg.RollAxis);
+            Vector3 axis = Rotation.Rotate(foot.Path.Heading, leg.RollAxis);
             pose.Foot = Rotation.Multiply(AxisRotation.About(axis, layer.Pitch * (leg.FlatFoot ? 1f : foot.Taken)), pose.Foot);
             pose.Toes = Rotation.Multiply(AxisRotation.About(axis, layer.Pitch * foot.Taken), pose.Toes);
         }

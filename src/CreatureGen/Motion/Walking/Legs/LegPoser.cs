@@ -74,7 +74,7 @@ internal sealed class LegPoser
         if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
         {
             // Not before the toes are well off the ground: a hip may keep the leg from where it is carried.
-            float raised = EndOf(leg, leg.Parts, solved).Y - (pose.Target.Y - hip.Y - foot.Lift);
+            float raised = EndOf(leg, leg.Parts, solved).Y - (pose.Target.Y - hip.Y - foot.Path.Lift);
             float clear = Scalar.Smooth(raised / (Vec.Length(leg.Metatarsus) + leg.Toe));
             Quaternion point = AxisRotation.About(leg.RollAxis, carried * carried * carried * clear * TrailedPitch);
             wanted.Foot = Rotation.Multiply(wanted.Foot, point);
@@ -82,7 +82,7 @@ internal sealed class LegPoser
         }
 
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
-        foot.Yield = foot.Phase == FootPhase.Swing ? foot.Yield : excess;
+        foot.Leg.Yield = foot.Phase == FootPhase.Swing ? foot.Leg.Yield : excess;
         float fraction = excess > 0f ? YieldFraction(leg, foot, excess) : 0f;
 
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Posture.Shown.Pitch) : foot.Posture.Shown.Pitch;
@@ -91,7 +91,7 @@ internal sealed class LegPoser
         for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? YieldRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
-            LimitRelaxation.Turn(leg, foot.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, pitch, fraction, ref wanted);
+            LimitRelaxation.Turn(leg, foot.Path.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, pitch, fraction, ref wanted);
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
             metatarsus = PoseFoot(leg, solved, wanted, local, out excess);
         }
@@ -108,12 +108,12 @@ internal sealed class LegPoser
     private void Solve(LegRig leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegRotations solved)
     {
         Vector3 chord = pose.Target - hip;
-        float ground = chord.Y - foot.Lift;
+        float ground = chord.Y - foot.Path.Lift;
         if (carried > 0f)
         {
             // Where the body carries it, and not through the ground: a body that brakes is lower than one that leaps.
             chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Row > 0 ? leg.Tucked : leg.Trailed), carried);
-            chord.Y = Math.Max(chord.Y, ground + foot.Over);
+            chord.Y = Math.Max(chord.Y, ground + foot.Path.Over);
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegGaitParameters.SlackCurve.At(foot.Swing) : 0f;
@@ -126,7 +126,7 @@ internal sealed class LegPoser
             parts = ref folded;
         }
 
-        var goal = new LegGoal(chord, foot.Heading, slack, tolerance);
+        var goal = new LegGoal(chord, foot.Path.Heading, slack, tolerance);
         float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
         if (!Aim(leg, parts, carrier, goal, local, out solved))
         {
@@ -144,10 +144,10 @@ internal sealed class LegPoser
             solved.Residual = Vec.Distance(EndOf(leg, parts, solved), chord);
         }
 
-        foot.Hip = hip;
-        foot.Stretch = solved.Stretch;
-        foot.Residual = solved.Residual;
-        foot.Astray = arriving > 0f ? (EndOf(leg, parts, solved) - chord) * arriving : default;
+        foot.Leg.Hip = hip;
+        foot.Leg.Stretch = solved.Stretch;
+        foot.Leg.Residual = solved.Residual;
+        foot.Leg.Astray = arriving > 0f ? (EndOf(leg, parts, solved) - chord) * arriving : default;
     }
 
     /// <summary>Bends the knee of a leg whose hip is at its limit: as it stands its foot comes as near to its place as it can, as it swings it keeps out of the ground, and it goes from the one to the other as it leaves. The foot keeps its own turn.</summary>
@@ -251,7 +251,7 @@ internal sealed class LegPoser
     /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
     private static float YieldFraction(LegRig leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
         ? 1f
-        : Math.Max(Arriving(foot), Math.Min(foot.Yield / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
+        : Math.Max(Arriving(foot), Math.Min(foot.Leg.Yield / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
 
     /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
     private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));

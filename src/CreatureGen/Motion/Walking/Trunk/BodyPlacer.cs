@@ -249,7 +249,7 @@ internal sealed class BodyPlacer
         LegRig shape = body.Legs[leg];
         bool front = body.Rows > 1 && shape.Row == body.Rows - 1;
         TrunkTraits traits = body.Traits;
-        float z = Scalar.Clamp((foot.Base.Z - shape.Home.Z) / body.LegLength, -0.6f, 0.6f);
+        float z = Scalar.Clamp((foot.Path.Base.Z - shape.Home.Z) / body.LegLength, -0.6f, 0.6f);
         slide = new Vector3(0f, front ? traits.ForeRise * shape.Length * (foot.Load - 0.45f) * SlideFraction : 0f, (front ? traits.ForeSlide : traits.HindSlide) * shape.Length * z);
         int slot = shape.TrunkSlot;
         return Trunk.Positions[slot] + Rotation.Rotate(Trunk.Turns[slot], (shape.HipRest - Trunk.Rest[slot]) + slide);
@@ -306,7 +306,7 @@ internal sealed class BodyPlacer
         for (int i = 0; i < feet.Length; i++)
         {
             LegRig leg = body.Legs[i];
-            float z = (feet[i].Base.Z - leg.Home.Z) / body.LegLength;
+            float z = (feet[i].Path.Base.Z - leg.Home.Z) / body.LegLength;
             if (leg.Row == 0)
             {
                 rear.Add(leg.Side, z, feet[i].Load);
@@ -346,7 +346,7 @@ internal sealed class BodyPlacer
         for (int i = 0; i < feet.Length; i++)
         {
             LegRig leg = body.Legs[i];
-            float y = feet[i].Base.Y + (leg.Lateral ? feet[i].Over : 0f) - (Climb * (feet[i].Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
+            float y = feet[i].Path.Base.Y + (leg.Lateral ? feet[i].Path.Over : 0f) - (Climb * (feet[i].Path.Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
             if (leg.IsHind(body.Rows))
             {
                 hindMin = Math.Min(hindMin, y);

@@ -1,0 +1,26 @@
+using System.Numerics;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>Where a foot is on its way at present: where it stands, or between where it left the ground and where it comes down. The leg has to bring it there.</summary>
+internal struct FootPath
+{
+    /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
+    public Vector3 Base;
+
+    /// <summary>Where it left the ground and where it comes down, under the ball in model space at present; both where it stands.</summary>
+    public Vector3 Start;
+    public Vector3 End;
+
+    /// <summary>What of its height above that place is for what stands in its way, metres.</summary>
+    public float Over;
+
+    /// <summary>Height above that place, metres.</summary>
+    public float Lift;
+
+    /// <summary>Heading in model space at present.</summary>
+    public Quaternion Heading;
+
+    /// <summary>Normal of the ground in model space at present.</summary>
+    public Vector3 Normal;
+}

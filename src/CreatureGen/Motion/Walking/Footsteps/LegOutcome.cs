@@ -1,0 +1,37 @@
+using System.Numerics;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>What came of a foot's place when its leg was last posed: how far it reached, and by how much joints and length kept the foot from its place. Planner and body look at it in the next update.</summary>
+internal struct LegOutcome
+{
+    /// <summary>From the hip to what the leg reaches for, when last posed, before the body was lowered for it. Model space.</summary>
+    public Vector3 Chord;
+
+    /// <summary>How far its leg drew the body down when it last stood or was about to, metres.</summary>
+    public float Drawn;
+
+    /// <summary>How far the body was lowered when it was last posed, metres.</summary>
+    public float Lowered;
+
+    /// <summary>The hip of its leg, when last posed. Model space.</summary>
+    public Vector3 Hip;
+
+    /// <summary>Length that the leg would need, as part of its reach, when last posed.</summary>
+    public float Stretch;
+
+    /// <summary>Distance by which the foot missed its place when last posed, metres.</summary>
+    public float Residual;
+
+    /// <summary>From where it was to be to where its leg brought it when last posed, the more of it the nearer it was to coming down. Model space.</summary>
+    public Vector3 Astray;
+
+    /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
+    public float Yield;
+
+    /// <summary>How far its leg reached when that was last looked at, metres.</summary>
+    public float Reached;
+
+    /// <summary>By how much it missed its place then, metres.</summary>
+    public float Missed;
+}
