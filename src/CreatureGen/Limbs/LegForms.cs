@@ -178,8 +178,8 @@ internal static class LegForms
 
     /// <summary>Legs that sprawl on land, as they are carried in the water: laid back along the flank, the elbow out, the foot on edge like an oar between two strokes.</summary>
     private static readonly LegForm trailing = new(LimbArchetype.Sprawl, FootEnd.Toes, hinges: (2, 5, 7), thickness: (0, 0), footRows: 2, toes: (0.75, 0.75, 0.13),
-        0, 0, 0, 1000, 800, -110, 80, 310, 780, 660, -320, 210, 530, 560, 500, -570, 330, 600, 420, 400,
-        -810, 420, 630, 340, 330, -990, 470, 630, 300, 380, -1120, 500, 630, 250, 460, -1230, 510, 630, 220, 500);
+        0, 0, 0, 1000, 800, -90, 90, 330, 780, 660, -300, 260, 600, 560, 500, -540, 420, 720, 420, 400,
+        -800, 560, 800, 340, 330, -1000, 660, 830, 300, 380, -1140, 720, 860, 250, 460, -1260, 760, 890, 220, 500);
 
     /// <summary>The form of a leg: legs that sprawl trail where they do not stand.</summary>
     public static LegForm Of(LegBlueprint leg) => leg.Archetype == LimbArchetype.Sprawl && leg.Stance == LegStance.Hanging ? trailing : Of(leg.Archetype);

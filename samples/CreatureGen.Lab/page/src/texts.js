@@ -94,6 +94,7 @@ export const texts = {
   remove: name => `Let ${name} go`,
   exportAll: 'Export all',
   working: 'Working…',
+  looked: n => `Looked at ${number(Number(n))} seeds…`,
   waking: 'Waking up…',
   filters: { all: 'All', small: 'Small', medium: 'Middling', large: 'Large', anyBuild: 'Any build', size: 'Size', plan: 'Build', strange: 'Strangeness' },
   close: 'Close',

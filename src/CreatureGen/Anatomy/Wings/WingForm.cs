@@ -11,7 +11,7 @@ internal sealed record WingForm
     public const double RestIncidence = 0.34;
 
     /// <summary>The same of what is beyond the elbow against what is before it, radians.</summary>
-    public const double OuterIncidence = 0.24;
+    public const double OuterIncidence = 0.21;
 
     /// <summary>Where along the span the edges are given, 0..1, ascending.</summary>
     public double[] Stations { get; init; } = Array.Empty<double>();

@@ -36,7 +36,7 @@ internal static class GaitChoice
             steps.Add(new GaitStep(GaitLibrary.BipedWalk, 0f, 0f));
             steps.Add(body.Hops ? new GaitStep(GaitLibrary.Hop, 0.40f, 0.28f) : new GaitStep(GaitLibrary.BipedRun, 0.50f, 0.36f));
         }
-        else if (body.Rows > 2 && body.Sprawls)
+        else if (body.Rows > 2 && (body.Sprawls || plan == BodyPlan.Sprawling))
         {
             steps.Add(new GaitStep(WaveOf(body), 0f, 0f));
             steps.Add(body.Leaps ? new GaitStep(GaitLibrary.Leap, 0.15f, 0.09f) : new GaitStep(GaitLibrary.Tripod, 0.45f, 0.33f));

@@ -16,6 +16,10 @@ const apart = 1000;
 const captionHeight = 50;
 const childMutation = 0.25;
 
+// Seeds that are looked at in one go, and the milliseconds after them in which the worker does other things.
+const stretch = 100n;
+const breath = 50;
+
 // Metres of scale at which creatures count as small and as large.
 const sizes = { all: () => true, small: scale => scale < 0.7, medium: scale => scale >= 0.7 && scale <= 1.4, large: scale => scale > 1.4 };
 
@@ -132,6 +136,7 @@ export class Grid {
   async #begin() {
     this.#round++;
     await this.#clear();
+    this.end.textContent = texts.working;
     this.kind.take(this.#filters.kind);
     this.#next = 1n;
     this.#fill();
@@ -148,24 +153,27 @@ export class Grid {
     }
   }
 
-  /** Adds the next creatures that pass the filters. */
+  /** Adds the next creatures that pass the filters, however many seeds that takes, and says how many it were. */
   async #fill() {
     if (this.#filling) {
       return;
     }
     this.#filling = true;
     const round = this.#round;
-    const before = this.#cards.size;
-    for (let added = 0, tries = 0; added < batch && tries < 400 && round === this.#round; tries++) {
+    for (let added = 0; added < batch && round === this.#round;) {
       const candidate = await this.#candidate().catch(() => null);
       if (candidate && round === this.#round) {
         this.#add(candidate);
         added++;
       }
+      if (this.#next % stretch === 0n) {
+        this.end.textContent = texts.looked(this.#next);
+        await new Promise(done => setTimeout(done, breath));
+      }
     }
     this.#filling = false;
     const more = this.end.getBoundingClientRect().top < this.scroller.getBoundingClientRect().bottom + margin;
-    if (round !== this.#round || (more && this.#cards.size > before && this.dialog.open)) {
+    if (round !== this.#round || (more && this.dialog.open)) {
       this.#fill();
     }
   }
