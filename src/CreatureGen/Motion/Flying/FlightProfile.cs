@@ -16,6 +16,9 @@ namespace CreatureGen.Motion.Flying;
 /// <summary>How a creature flies, worked out once from its build: its wings, their tempo, its legs, neck and tail. Immutable, and safe to share between threads.</summary>
 internal sealed class FlightProfile
 {
+    /// <summary>How far spread wings are turned back as they fold, of what they hang beyond the elbow: somewhat farther, or they would hang off the flank with a corner.</summary>
+    private const double Flattened = 1.4;
+
     /// <summary>That which its tempo and speeds are given for.</summary>
     private const double Gravity = StandardGravity.Acceleration;
     private const double AirDensity = 1.225;
@@ -266,7 +269,7 @@ internal sealed class FlightProfile
         var wings = new WingPair[order.Length];
         foreach (int k in order)
         {
-            FoldedWing folded = FoldedWing.Of(subject, stitched[k], 0, -WingForm.OuterIncidence, FoldRange.Stitched, room);
+            FoldedWing folded = FoldedWing.Of(subject, stitched[k], 0, -Flattened * WingForm.OuterIncidence, FoldRange.Stitched, room);
             wings[k] = new WingPair(stitched[k], folded);
             if (order.Length > 1)
             {
