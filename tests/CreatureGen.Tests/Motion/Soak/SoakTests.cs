@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Threading;
@@ -59,7 +60,10 @@ public sealed class SoakTests
         }
 
         Assert.True(failure is null, failure?.ToString());
-        string[] wrong = runs[1].Failures.Where(f => runs[0].Failures.ContainsKey(f.Key)).Select(f => FormattableString.Invariant($"{f.Value} × {f.Key}")).ToArray();
+        IEnumerable<string> failed = runs[1].Failures.Where(f => runs[0].Failures.ContainsKey(f.Key)).Select(f => FormattableString.Invariant($"{f.Value} × {f.Key}"));
+        IEnumerable<string> allocating = runs[1].Rooms.Where(runs[0].Rooms.Contains).GroupBy(room => room.Who).Where(made => made.Count() > SoakRun.MaxRooms)
+            .Select(made => FormattableString.Invariant($"{made.Key}: {made.Count()} updates allocated memory, the last was update {made.Max(room => room.Update)}"));
+        string[] wrong = failed.Concat(allocating).ToArray();
         TestContext.Current.TestOutputHelper?.WriteLine(Report(runs[1]));
         Assert.True(wrong.Length == 0, Report(runs[1]) + "\nfirst: " + (runs[1].FirstException ?? runs[1].First) + "\n" + string.Join("\n", wrong.Take(40)));
         return runs[1];

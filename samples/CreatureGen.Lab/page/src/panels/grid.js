@@ -173,7 +173,7 @@ export class Grid {
     }
     this.#filling = false;
     const more = this.end.getBoundingClientRect().top < this.scroller.getBoundingClientRect().bottom + margin;
-    if (round !== this.#round || (more && this.dialog.open)) {
+    if (this.dialog.open && (round !== this.#round || more)) {
       this.#fill();
     }
   }
