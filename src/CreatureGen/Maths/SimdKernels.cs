@@ -102,7 +102,7 @@ internal static class SimdKernels
 
     /// <summary>Hamilton's product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Multiply(Quaternion a, Quaternion b) => new(
+    public static Quaternion Multiply(Quaternion a, Quaternion b) => Of(
         (a.W * b.X) + (a.X * b.W) + (a.Y * b.Z) - (a.Z * b.Y),
         (a.W * b.Y) - (a.X * b.Z) + (a.Y * b.W) + (a.Z * b.X),
         (a.W * b.Z) + (a.X * b.Y) - (a.Y * b.X) + (a.Z * b.W),
@@ -110,7 +110,7 @@ internal static class SimdKernels
 
     /// <summary>The quaternion of opposite vector part.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Conjugate(Quaternion q) => new(-q.X, -q.Y, -q.Z, q.W);
+    public static Quaternion Conjugate(Quaternion q) => Of(-q.X, -q.Y, -q.Z, q.W);
 
     /// <summary>Right-handed vector product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -118,7 +118,7 @@ internal static class SimdKernels
 
     /// <summary>All components of a quaternion times a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Scale(Quaternion q, float factor) => new(q.X * factor, q.Y * factor, q.Z * factor, q.W * factor);
+    public static Quaternion Scale(Quaternion q, float factor) => Of(q.X * factor, q.Y * factor, q.Z * factor, q.W * factor);
 
     /// <summary>The sum of the products of all components, x first.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -126,6 +126,22 @@ internal static class SimdKernels
 
     /// <summary>a·u + b·v, component by component.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Quaternion Mix(Quaternion a, float u, Quaternion b, float v) => new((a.X * u) + (b.X * v), (a.Y * u) + (b.Y * v), (a.Z * u) + (b.Z * v), (a.W * u) + (b.W * v));
+    public static Quaternion Mix(Quaternion a, float u, Quaternion b, float v) => Of((a.X * u) + (b.X * v), (a.Y * u) + (b.Y * v), (a.Z * u) + (b.Z * v), (a.W * u) + (b.W * v));
+
+    /// <summary>A quaternion of its components, set one by one.</summary>
+    /// <remarks>
+    /// The runtime of browsers makes one instruction of the constructor, and its compiler of traces copies the four numbers one after the other to where the result belongs. Where that is the argument of a call and lies over
+    /// the numbers themselves (after 16 bytes of other arguments), the third and the fourth are overwritten before they are read: rotations without unit length, in .NET 10.0.12.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Quaternion Of(float x, float y, float z, float w)
+    {
+        Quaternion q;
+        q.X = x;
+        q.Y = y;
+        q.Z = z;
+        q.W = w;
+        return q;
+    }
 #endif
 }
