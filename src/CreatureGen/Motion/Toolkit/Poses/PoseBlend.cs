@@ -1,9 +1,6 @@
 using System;
 using System.Numerics;
 using System.Runtime.InteropServices;
-#if NET
-using System.Runtime.Intrinsics;
-#endif
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Poses;
 using CreatureGen.Rigging;
@@ -89,13 +86,12 @@ public static class PoseBlend
         q = q.Slice(0, count);
         rotations = rotations.Slice(0, count);
         positions = positions.Slice(0, count);
-        float nought = PlaceSums.Mix(p, 1f - weight, q, weight, positions);
+        float nought = WeightedSums.Mix(MemoryMarshal.Cast<Vector3, float>(p), 1f - weight, MemoryMarshal.Cast<Vector3, float>(q), weight, MemoryMarshal.Cast<Vector3, float>(positions));
         int first = 0;
 #if NET
         if (FourRotations.Pay)
         {
-            nought += BetweenFours(a, b, weight, rotations);
-            first = count - (count % FourRotations.Count);
+            first = RotationBlend.Between(a, b, weight, rotations, ref nought);
         }
 #endif
         for (int i = first; i < count; i++)
@@ -105,38 +101,6 @@ public static class PoseBlend
 
         return nought;
     }
-
-#if NET
-    /// <summary><see cref="Between"/> for all joints but the last few that make no four.</summary>
-    private static float BetweenFours(ReadOnlySpan<Vector4> from, ReadOnlySpan<Vector4> to, float weight, Span<Vector4> result)
-    {
-        ref Vector4 a = ref MemoryMarshal.GetReference(from);
-        ref Vector4 b = ref MemoryMarshal.GetReference(to);
-        ref Vector4 r = ref MemoryMarshal.GetReference(result);
-        Vector128<float> back = Vector128.Create(1f - weight);
-        float nought = 0f;
-        for (int i = 0; i <= result.Length - FourRotations.Count; i += FourRotations.Count)
-        {
-            Vector128<float> b0 = FourRotations.Load(ref b, i), b1 = FourRotations.Load(ref b, i + 1), b2 = FourRotations.Load(ref b, i + 2), b3 = FourRotations.Load(ref b, i + 3);
-            Vector128<float> a0 = FourRotations.Load(ref a, i), a1 = FourRotations.Load(ref a, i + 1), a2 = FourRotations.Load(ref a, i + 2), a3 = FourRotations.Load(ref a, i + 3);
-            Vector128<float> dots = FourRotations.Sums(a0 * b0, a1 * b1, a2 * b2, a3 * b3);
-            Vector128<float> v = FourRotations.WithSignsOf(dots, weight);
-            a0 = (a0 * back) + (b0 * FourRotations.First(v));
-            a1 = (a1 * back) + (b1 * FourRotations.Second(v));
-            a2 = (a2 * back) + (b2 * FourRotations.Third(v));
-            a3 = (a3 * back) + (b3 * FourRotations.Fourth(v));
-            Vector128<float> squares = FourRotations.Sums(a0 * a0, a1 * a1, a2 * a2, a3 * a3);
-            Vector128<float> scales = FourRotations.Scales(squares);
-            nought += FourRotations.Nought(squares + scales);
-            FourRotations.Store(a0 * FourRotations.First(scales), ref r, i);
-            FourRotations.Store(a1 * FourRotations.Second(scales), ref r, i + 1);
-            FourRotations.Store(a2 * FourRotations.Third(scales), ref r, i + 2);
-            FourRotations.Store(a3 * FourRotations.Fourth(scales), ref r, i + 3);
-        }
-
-        return nought;
-    }
-#endif
 
     private static float Mix(ReadOnlySpan<Vector4> a, ReadOnlySpan<Vector4> b, ReadOnlySpan<Vector3> p, ReadOnlySpan<Vector3> q, float weight, ReadOnlySpan<float> mask, Span<Vector4> rotations, Span<Vector3> positions)
     {

@@ -1,9 +1,6 @@
 using System;
 using System.Numerics;
-#if NET
 using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
-#endif
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Poses;
 using CreatureGen.Rigging;
@@ -24,6 +21,9 @@ public readonly ref struct PoseMixer
     /// <summary>Where the weights of a joint add up to less than this, the fallback makes up for the rest, so that layers fade in and out without a jump.</summary>
     public const float MinTotal = 0.1f;
 
+    /// <summary>What the first joint's weight is before anything is added; no sum of weights is negative.</summary>
+    private const float Untouched = -1f;
+
     private readonly Pose result;
     private readonly Span<float> totals;
 
@@ -40,10 +40,14 @@ public readonly ref struct PoseMixer
 
         this.result = result;
         this.totals = totals;
-        result.Rotations.Clear();
-        result.Positions.Clear();
-        totals.Clear();
+        if (totals.Length > 0)
+        {
+            totals[0] = Untouched;
+        }
     }
+
+    /// <summary>Whether nothing has been added: the first pose is then written and not added to noughts, which saves a walk over the result.</summary>
+    private bool IsUntouched => totals.Length > 0 && totals[0] == Untouched;
 
     /// <summary>Adds a pose with one weight for all joints.</summary>
     /// <param name="pose">As long as the result.</param>
@@ -73,6 +77,7 @@ public readonly ref struct PoseMixer
             return;
         }
 
+        ClearIfUntouched();
         for (int i = 0; i < count; i++)
         {
             Finite.RequireWithin(mask[i], 0f, 1f, nameof(mask));
@@ -83,20 +88,33 @@ public readonly ref struct PoseMixer
         }
     }
 
+    private void ClearIfUntouched()
+    {
+        if (IsUntouched)
+        {
+            result.Rotations.Clear();
+            result.Positions.Clear();
+            totals.Clear();
+        }
+    }
+
     private void AddEvenly(in Pose pose, float weight)
     {
-        PlaceSums.Add(result.Positions, pose.Positions, weight);
-        foreach (ref float total in totals)
+        if (IsUntouched)
         {
-            total += weight;
+            WeightedSums.Begin(MemoryMarshal.Cast<Quaternion, float>(result.Rotations), MemoryMarshal.Cast<Quaternion, float>(pose.Rotations), weight);
+            WeightedSums.Begin(MemoryMarshal.Cast<Vector3, float>(result.Positions), MemoryMarshal.Cast<Vector3, float>(pose.Positions), weight);
+            totals.Fill(weight);
+            return;
         }
 
+        WeightedSums.Add(MemoryMarshal.Cast<Vector3, float>(result.Positions), MemoryMarshal.Cast<Vector3, float>(pose.Positions), weight);
+        WeightedSums.Add(totals, weight);
         int first = 0;
 #if NET
         if (FourRotations.Pay)
         {
-            AddFours(MemoryMarshal.Cast<Quaternion, Vector4>(pose.Rotations), weight, MemoryMarshal.Cast<Quaternion, Vector4>(result.Rotations));
-            first = totals.Length - (totals.Length % FourRotations.Count);
+            first = RotationSums.Add(pose.Rotations, weight, result.Rotations);
         }
 #endif
         for (int i = first; i < totals.Length; i++)
@@ -116,43 +134,27 @@ public readonly ref struct PoseMixer
         sum.W += q.W * s;
     }
 
-#if NET
-    /// <summary>Adds the rotations of all joints but the last few that make no four.</summary>
-    private static void AddFours(ReadOnlySpan<Vector4> rotations, float weight, Span<Vector4> sums)
-    {
-        ref Vector4 q = ref MemoryMarshal.GetReference(rotations);
-        ref Vector4 s = ref MemoryMarshal.GetReference(sums);
-        for (int i = 0; i <= sums.Length - FourRotations.Count; i += FourRotations.Count)
-        {
-            Vector128<float> q0 = FourRotations.Load(ref q, i), q1 = FourRotations.Load(ref q, i + 1), q2 = FourRotations.Load(ref q, i + 2), q3 = FourRotations.Load(ref q, i + 3);
-            Vector128<float> s0 = FourRotations.Load(ref s, i), s1 = FourRotations.Load(ref s, i + 1), s2 = FourRotations.Load(ref s, i + 2), s3 = FourRotations.Load(ref s, i + 3);
-            Vector128<float> dots = FourRotations.Sums(s0 * q0, s1 * q1, s2 * q2, s3 * q3);
-            Vector128<float> signed = FourRotations.WithSignsOf(dots, weight);
-            FourRotations.Store(s0 + (q0 * FourRotations.First(signed)), ref s, i);
-            FourRotations.Store(s1 + (q1 * FourRotations.Second(signed)), ref s, i + 1);
-            FourRotations.Store(s2 + (q2 * FourRotations.Third(signed)), ref s, i + 2);
-            FourRotations.Store(s3 + (q3 * FourRotations.Fourth(signed)), ref s, i + 3);
-        }
-    }
-#endif
-
     /// <summary>Divides by the weights; the result is a pose now.</summary>
     /// <param name="fallback">For joints whose weights add up to less than <see cref="MinTotal"/>; usually the rest pose.</param>
     /// <exception cref="ArgumentException">The fallback is of another length, or a pose had a number that is not finite.</exception>
     public void Finish(in Pose fallback)
     {
         PoseCheck.SameLength(fallback, result);
+        ClearIfUntouched();
         float nought = 0f;
-        for (int i = 0; i < totals.Length; i++)
+        int i = 0;
+        while (i < totals.Length)
         {
 #if NET
-            if (FourRotations.Pay && i <= totals.Length - FourRotations.Count && FinishFour(i, ref nought))
+            if (FourRotations.Pay)
             {
-                i += FourRotations.Count - 1;
-                continue;
+                i += RotationSums.Finish(i, totals, result, ref nought);
             }
 #endif
-            nought += FinishOne(i, fallback);
+            for (int end = Math.Min(i + 4, totals.Length); i < end; i++)
+            {
+                nought += FinishOne(i, fallback);
+            }
         }
 
         if (nought != 0f)
@@ -187,39 +189,4 @@ public readonly ref struct PoseMixer
         // A length that is nought or infinite leaves no rotation.
         return (squared + scale + (p.X + p.Y + p.Z)) * 0f;
     }
-
-#if NET
-    /// <summary>Divides four joints by their weights, if none needs the fallback.</summary>
-    private bool FinishFour(int first, ref float nought)
-    {
-        Vector128<float> weights = Vector128.LoadUnsafe(ref totals[first]);
-        if (weights.GetElement(0) < MinTotal || weights.GetElement(1) < MinTotal || weights.GetElement(2) < MinTotal || weights.GetElement(3) < MinTotal)
-        {
-            return false;
-        }
-
-        ref Vector4 q = ref MemoryMarshal.GetReference(MemoryMarshal.Cast<Quaternion, Vector4>(result.Rotations));
-        Vector128<float> q0 = FourRotations.Load(ref q, first), q1 = FourRotations.Load(ref q, first + 1), q2 = FourRotations.Load(ref q, first + 2), q3 = FourRotations.Load(ref q, first + 3);
-        Vector128<float> squares = FourRotations.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3);
-        Vector128<float> scales = FourRotations.Scales(squares);
-        FourRotations.Store(q0 * FourRotations.First(scales), ref q, first);
-        FourRotations.Store(q1 * FourRotations.Second(scales), ref q, first + 1);
-        FourRotations.Store(q2 * FourRotations.Third(scales), ref q, first + 2);
-        FourRotations.Store(q3 * FourRotations.Fourth(scales), ref q, first + 3);
-
-        // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3
-        Span<float> places = MemoryMarshal.Cast<Vector3, float>(result.Positions.Slice(first, FourRotations.Count));
-        Vector128<float> shares = Vector128.Create(1f) / weights;
-        Vector128<float> p0 = Vector128.LoadUnsafe(ref places[0]) * Vector128.Shuffle(shares, Vector128.Create(0, 0, 0, 1));
-        Vector128<float> p1 = Vector128.LoadUnsafe(ref places[4]) * Vector128.Shuffle(shares, Vector128.Create(1, 1, 2, 2));
-        Vector128<float> p2 = Vector128.LoadUnsafe(ref places[8]) * Vector128.Shuffle(shares, Vector128.Create(2, 3, 3, 3));
-        p0.StoreUnsafe(ref places[0]);
-        p1.StoreUnsafe(ref places[4]);
-        p2.StoreUnsafe(ref places[8]);
-
-        // A length that is nought or infinite leaves no rotation.
-        nought += FourRotations.Nought(squares + scales + p0 + p1 + p2);
-        return true;
-    }
-#endif
 }

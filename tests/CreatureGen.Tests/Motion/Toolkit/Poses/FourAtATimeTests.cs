@@ -39,6 +39,7 @@ public sealed class FourAtATimeTests
         (Quaternion[] r, Vector3[] p) = Poses(3);
         (Quaternion[] s, Vector3[] q) = Poses(4);
         (Quaternion[] f, Vector3[] g) = Poses(5);
+        (Quaternion[] e, Vector3[] h) = Poses(8);
         float[] mask = new float[Joints];
         for (int i = 0; i < Joints; i++)
         {
@@ -50,6 +51,7 @@ public sealed class FourAtATimeTests
         var mixer = new PoseMixer(new Pose(rotations, positions), new float[Joints]);
         mixer.Add(new Pose(r, p), 0.02f);
         mixer.Add(new Pose(s, q), 0.7f, mask);
+        mixer.Add(new Pose(e, h), 0.03f);
         mixer.Finish(new Pose(f, g));
         for (int i = 0; i < Joints; i++)
         {
@@ -58,9 +60,46 @@ public sealed class FourAtATimeTests
             var alone = new PoseMixer(new Pose(rotation, position), new float[1]);
             alone.Add(One(r, p, i), 0.02f);
             alone.Add(One(s, q, i), 0.7f, mask.AsSpan(i, 1));
+            alone.Add(One(e, h, i), 0.03f);
             alone.Finish(One(f, g, i));
             Assert.Equal(rotation[0], rotations[i]);
             Assert.Equal(position[0], positions[i]);
+        }
+    }
+
+    [Fact]
+    public void A_mean_has_the_bits_of_sums_that_begin_at_nought_whichever_way_its_first_pose_is_added()
+    {
+        (Quaternion[] r, Vector3[] p) = Poses(3);
+        (Quaternion[] s, Vector3[] q) = Poses(4);
+        float[] ones = new float[Joints];
+        ones.AsSpan().Fill(1f);
+        var evenly = new Pose(new Quaternion[Joints], new Vector3[Joints]);
+        var masked = new Pose(new Quaternion[Joints], new Vector3[Joints]);
+        var mixer = new PoseMixer(evenly, new float[Joints]);
+        mixer.Add(new Pose(r, p), 0.4f);
+        mixer.Add(new Pose(s, q), 0.6f);
+        mixer.Finish(new Pose(r, p));
+        mixer = new PoseMixer(masked, new float[Joints]);
+        mixer.Add(new Pose(r, p), 0.4f, ones);
+        mixer.Add(new Pose(s, q), 0.6f, ones);
+        mixer.Finish(new Pose(r, p));
+        Assert.Equal(masked.Rotations.ToArray(), evenly.Rotations.ToArray());
+        Assert.Equal(masked.Positions.ToArray(), evenly.Positions.ToArray());
+    }
+
+    [Fact]
+    public void A_mean_of_nothing_is_the_fallback_whatever_was_in_the_result_before()
+    {
+        (Quaternion[] r, Vector3[] p) = Poses(3);
+        (Quaternion[] f, Vector3[] g) = Poses(5);
+        var mixer = new PoseMixer(new Pose(r, p), new float[Joints]);
+        mixer.Add(new Pose(f, g), 0f);
+        mixer.Finish(new Pose(f, g));
+        for (int i = 0; i < Joints; i++)
+        {
+            Assert.True((r[i] - f[i]).Length() < 1e-6f, $"joint {i}: {r[i]}; expected {f[i]}");
+            Assert.True(Vector3.Distance(p[i], g[i]) < 1e-6f, $"joint {i}: {p[i]}; expected {g[i]}");
         }
     }
 
