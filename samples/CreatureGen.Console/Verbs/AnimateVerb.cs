@@ -75,9 +75,9 @@ internal sealed class AnimateVerb : IVerb
         FileSet.RequireWritable(path, surroundings);
         FileSet.RequireWritable(stripPath, surroundings);
         string? soundPath = arguments.Value(sound.Name) is string wav ? surroundings.Locate(wav) : null;
-        if (soundPath == Surroundings.Standard || soundPath == path)
+        if (soundPath == Surroundings.Standard || soundPath == path || soundPath == stripPath)
         {
-            throw arguments.Wrong(sound.Name, soundPath, "a file beside the moving picture");
+            throw arguments.Wrong(sound.Name, soundPath, "a file beside the moving picture and its strip");
         }
 
         if (soundPath != null)

@@ -70,7 +70,7 @@ internal sealed class EventsVerb : IVerb
     private static AngularRule ReadRule(ParsedArguments arguments)
     {
         string name = arguments.Value(preset.Name) ?? AngularRules.Footstep.Name;
-        return AngularRules.All.FirstOrDefault(rule => rule.Name == name) ?? throw arguments.Wrong(preset.Name, name, "one of " + string.Join(", ", AngularRules.All.Select(rule => rule.Name)));
+        return AngularRules.All.FirstOrDefault(rule => rule.Name == name) ?? throw arguments.Wrong(preset.Name, name, "one of " + string.Join(", ", preset.Words) + Suggestion.For(name, preset.Words));
     }
 
     private static void WriteText(TextWriter output, IReadOnlyList<(IClip Clip, AngularFinding Finding)> clips)

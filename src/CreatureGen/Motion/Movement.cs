@@ -138,7 +138,7 @@ public sealed class Movement
     /// <summary>What asks nothing of it: it stands, lies or hangs in the water; a flier without legs hovers.</summary>
     private static MotionInput Resting(MotionProfile profile) => new(0f, Medium: profile.Flight != null && profile.Legs == null ? MotionMedium.Air : MotionMedium.Ground);
 
-    /// <summary>What a player has it do beside them, and that repeats: turning, going aside, backing up, gliding.</summary>
+    /// <summary>What a player has it do beside them, and that repeats: turning, going aside, backing up, looking around, banking, gliding.</summary>
     internal static IReadOnlyList<Movement> Manoeuvres(MotionProfile profile)
     {
         var movements = new List<Movement>();
@@ -164,9 +164,15 @@ public sealed class Movement
             }
         }
 
-        if (profile.Gaze != null && (profile.Legs != null || profile.Slither != null))
+        if (profile.Gaze != null)
         {
-            movements.Add(new Movement("LookAround", default, null) { Glances = WideGlances });
+            movements.Add(new Movement("LookAround", Resting(profile), null) { Glances = WideGlances });
+        }
+
+        if (profile.Flight is { } wings && profile.Legs != null)
+        {
+            movements.Add(new Movement("BankLeft", new MotionInput(wings.CruiseSpeed, CruiseTurn, Medium: MotionMedium.Air), null));
+            movements.Add(new Movement("BankRight", new MotionInput(wings.CruiseSpeed, -CruiseTurn, Medium: MotionMedium.Air), null));
         }
 
         if (profile.Flight is { GlidesBetweenBeats: true } flight)

@@ -29,7 +29,7 @@ public static class ClipBaker
     {
         "Idle", "Walk", "DiagonalWalk", "Amble", "Crawl", "Trot", "SprawlTrot", "Pace", "Canter", "TransverseGallop", "RotaryGallop", "Bound", "Pronk", "Run", "Hop", "Leap", "Wave", "Tripod", "Tetrapod",
         "SlowWave", "BackwardWave", "Fly", "Hover", "Glide", "TakeOff", "Land", "Swim", "CStart", "Slither", "Sidewind", "Rectilinear",
-        "TurnLeft", "TurnRight", "StrafeLeft", "StrafeRight", "Reverse", "LookAround", "Start", "Stop", "Jump", "Fall", "Dart",
+        "TurnLeft", "TurnRight", "BankLeft", "BankRight", "StrafeLeft", "StrafeRight", "Reverse", "LookAround", "Start", "Stop", "Jump", "Fall", "Dart",
     };
 
     /// <summary>Every name that a clip of a creature with the library's own gaits and acts can have.</summary>
@@ -49,7 +49,7 @@ public static class ClipBaker
         return clips;
     }
 
-    /// <summary>Everything that can be baked of a creature, each clip by its name: what <see cref="Bake(Creature)"/> bakes, turning, going aside and back, looking around, gliding, starting, stopping, jumping, falling, landing, darting, and every act that it can do.</summary>
+    /// <summary>Everything that can be baked of a creature, each clip by its name: what <see cref="Bake(Creature)"/> bakes, turning, going aside and back, looking around, banking, gliding, starting, stopping, jumping, falling, landing, darting, and every act that it can do.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
     public static IReadOnlyList<ClipRecipe> RecipesOf(MotionProfile profile)
     {

@@ -6,6 +6,7 @@ using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Gltf;
 using CreatureGen.Gltf.Models;
+using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
@@ -17,18 +18,24 @@ namespace CreatureGen.Tests.Motion.Clips;
 
 public sealed class ClipRecipeTests
 {
+    // Each body with everything that it does: what goes and stands, what leads from one to another, and its acts.
     [Theory]
-    [InlineData("feline", RequestedKind.Walking, "Idle Walk Trot Start Stop TurnLeft TurnRight StrafeLeft StrafeRight Reverse Jump Fall Land LookAround Bite Die")]
-    [InlineData("raptor", RequestedKind.Flying, "Idle Fly Hover Glide TakeOff Land Start Stop TurnLeft TurnRight Jump Dart LookAround Die")]
-    [InlineData("fish", RequestedKind.Swimming, "Idle Swim Start Stop TurnLeft TurnRight Dart")]
-    [InlineData("cobra", RequestedKind.Walking, "Idle Slither Sidewind Start Stop TurnLeft TurnRight LookAround Bite")]
-    public void All_that_games_ask_for_is_baked(string body, RequestedKind kind, string names)
+    [InlineData("feline", RequestedKind.Walking, "Idle Walk Trot Canter TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround Start Stop Jump Fall Land", "Bite Claw Kick TailSweep Eat Drink Sniff Shake Scratch Groom Call Threaten Submit Dance Flinch Sit Lie Sleep Die")]
+    [InlineData("frog", RequestedKind.Walking, "Idle Crawl Leap TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround Start Stop Jump Fall Land", "Bite Claw TailSweep Drink Sniff Shake Groom Call Threaten Submit Dance Flinch Lie Sleep Die")]
+    [InlineData("cobra", RequestedKind.Walking, "Idle Slither Sidewind Rectilinear TurnLeft TurnRight LookAround Start Stop", "Bite Eat Sniff Call Threaten Submit Flinch Sleep Die")]
+    [InlineData("raptor", RequestedKind.Flying, "Idle Walk Run Fly Hover TakeOff Land TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround BankLeft BankRight Glide Start Stop Jump Dart", "Bite Kick TailSweep Eat Drink Sniff Shake Groom Call Threaten Submit Dance Flinch Lie Sleep Die")]
+    [InlineData("bee", RequestedKind.Flying, "Idle Wave Tripod Fly Hover TakeOff Land TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround BankLeft BankRight Start Stop Jump Dart", "Bite Claw TailSweep Eat Drink Sniff Shake Groom Threaten Submit Dance Flinch Lie Sleep Die")]
+    [InlineData("fish", RequestedKind.Swimming, "Idle Swim TurnLeft TurnRight LookAround Start Stop Dart", "Bite Eat Sniff Call Threaten Submit Dance Flinch Sleep Die")]
+    [InlineData("turtle", RequestedKind.Swimming, "Idle Swim TurnLeft TurnRight LookAround Start Stop Dart", "Bite Eat Sniff Call Threaten Submit Dance Flinch Sleep Die")]
+    public void All_that_games_ask_for_is_baked(string body, RequestedKind kind, string ways, string acts)
     {
         var profile = new MotionProfile(SpeciesSubject.Of(body, kind));
         string[] all = [.. ClipBaker.RecipesOf(profile).Select(recipe => recipe.Name)];
-        Assert.Empty(names.Split(' ').Except(all));
+        Assert.Equal($"{ways} {acts}", string.Join(' ', all));
         Assert.Equal(all.Length, all.Distinct(StringComparer.Ordinal).Count());
         Assert.Empty(all.Except(ClipBaker.Names));
+        Assert.Equal(profile.Acts.Possible.Select(ability => ability.Act.Name), acts.Split(' '));
+        Assert.Empty(Movement.Of(profile).Select(movement => movement.Name).Except(all));
     }
 
     [Theory]
@@ -45,6 +52,11 @@ public sealed class ClipRecipeTests
             Clip again = recipe.Bake();
             Assert.Equal(recipe.Name, clip.Name);
             Assert.Equal((again.Frames, again.Speed, again.End), (clip.Frames, clip.Speed, clip.End));
+            if (clip.End == ClipEnd.Loops)
+            {
+                Assert.True(clip.RotationsAt(0).SequenceEqual(clip.RotationsAt(clip.Frames - 1)) && clip.PositionsAt(0).SequenceEqual(clip.PositionsAt(clip.Frames - 1)), clip.Name);
+            }
+
             for (int frame = 0; frame < clip.Frames; frame++)
             {
                 Assert.True(clip.RotationsAt(frame).SequenceEqual(again.RotationsAt(frame)), clip.Name);
@@ -88,6 +100,22 @@ public sealed class ClipRecipeTests
         Assert.True(End("Reverse").Position.Z < -0.2f * profile.LegLength);
         Assert.True(End("Walk").Position.Z > 0.5f * profile.LegLength);
         Assert.True(End("Jump").Position.Z > 0.5f * profile.LegLength);
+    }
+
+    [Fact]
+    public void A_flier_banks_into_its_turns()
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of("raptor", RequestedKind.Flying));
+        int body = profile.Subject.Skeleton.IndexOf("Body");
+        float LeftWingUp(string name)
+        {
+            Clip clip = ClipBaker.RecipesOf(profile).First(recipe => recipe.Name == name).Bake();
+            Assert.Equal(Math.Sign(clip.Path[^1].Heading), name == "BankLeft" ? 1 : -1);
+            return Enumerable.Range(0, clip.Frames).Average(frame => Rotation.Rotate(clip.RotationsAt(frame)[body], Vector3.UnitX).Y);
+        }
+
+        float left = LeftWingUp("BankLeft"), right = LeftWingUp("BankRight");
+        Assert.True(left < -0.1f && right > 0.1f, $"{left} {right}");
     }
 
     [Fact]
