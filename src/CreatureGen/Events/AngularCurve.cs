@@ -53,7 +53,7 @@ public sealed class AngularCurve
     /// <param name="rate">Samples per second.</param>
     /// <param name="edge">Whether the last is followed by the first.</param>
     /// <param name="sweep">Says towards what.</param>
-    internal static AngularCurve Of(string joint, ReadOnlySpan<Vector3> ends, float rate, ClipEdge edge, AngularSweep sweep)
+    internal static AngularCurve Of(string joint, ReadOnlySpan<SweepEnd> ends, float rate, ClipEdge edge, AngularSweep sweep)
     {
         int count = ends.Length;
         float[] speeds = new float[edge == ClipEdge.Joined ? count : count - 1];

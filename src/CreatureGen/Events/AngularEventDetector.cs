@@ -68,7 +68,7 @@ public static class AngularEventDetector
     {
         int samples = edge == ClipEdge.Joined ? steps : steps + 1;
         SweepLine[] lines = SweepLine.All(skeleton, joints, rule.Sweep!);
-        var ends = new Vector3[lines.Length * samples];
+        var ends = new SweepEnd[lines.Length * samples];
         var pose = new Pose(new Quaternion[skeleton.Count], new Vector3[skeleton.Count]);
         for (int i = 0; i < samples; i++)
         {

@@ -24,7 +24,7 @@ public sealed class AngularEventStream
     private readonly Track[] tracks;
     private readonly SweepLine[] lines;
     private readonly SweepTrack[] sweeps;
-    private readonly Vector3[] ends;
+    private readonly SweepEnd[] ends;
     private readonly AngularMoment[] found;
     private int count;
     private float time;
@@ -46,7 +46,7 @@ public sealed class AngularEventStream
         tracks = new Track[joints.Length];
         lines = rule.Sweep is { } sweep ? SweepLine.All(skeleton, joints, sweep) : Array.Empty<SweepLine>();
         sweeps = new SweepTrack[lines.Length];
-        ends = new Vector3[lines.Length];
+        ends = new SweepEnd[lines.Length];
         found = new AngularMoment[joints.Length];
     }
 
@@ -76,7 +76,7 @@ public sealed class AngularEventStream
         {
             if (rule.Sweep!.IsAnyWay)
             {
-                Vector3 end = lines[j].End(skeleton, model);
+                SweepEnd end = lines[j].End(skeleton, model);
                 if (updates > 1)
                 {
                     Listen(ref tracks[j], lines[j].To, rule.Sweep.Speed(ends[j], end, 1f / dt), time - (0.5f * dt), dt);
@@ -84,7 +84,7 @@ public sealed class AngularEventStream
 
                 ends[j] = end;
             }
-            else if (sweeps[j].Passes(Vec.Dot(lines[j].End(skeleton, model), rule.Sweep.Towards), dt, rule, out float strength, out float ago))
+            else if (sweeps[j].Passes(Vec.Dot(lines[j].End(skeleton, model).About, rule.Sweep.Towards), dt, rule, out float strength, out float ago))
             {
                 Tell(ref tracks[j], lines[j].To, time - ago, strength);
             }

@@ -19,14 +19,15 @@ public static class AngularRules
         Scope = IntervalScope.EachJoint,
     };
 
-    /// <summary>An arm, a leg or a tail cuts through the air: its end is fastest about its root.</summary>
+    /// <summary>An arm, a leg or a tail cuts through the air: its end is fastest about its root, and not only because the trunk turns over a foot that stands.</summary>
     public static AngularRule Whoosh { get; } = new("whoosh")
     {
         Track = "Whooshes",
         Roles = new[] { JointRole.Hip, JointRole.Tail },
-        ThresholdPower = 2.36,
-        ThresholdFraction = 0.6f,
-        Sweep = AngularSweep.AnyWay with { Ends = new[] { JointRole.Ball, JointRole.Ankle, JointRole.End } },
+        ThresholdPower = 2.3,
+        ThresholdFraction = 0.7f,
+        FractionScope = IntervalScope.Together,
+        Sweep = AngularSweep.ThroughAir with { Ends = new[] { JointRole.Ball, JointRole.Ankle, JointRole.End } },
         Interval = 0.3f,
         Winner = IntervalWinner.Strongest,
         Scope = IntervalScope.EachJoint,

@@ -23,6 +23,9 @@ public sealed record AngularSweep
     /// <summary>Looks at how fast the end of the line goes, whichever way. Its moments are those at which it is fastest, told by the same thresholds, gaps and intervals as those of accelerations, but in degrees per second: a tail beats to one side and to the other, a limb cuts through the air.</summary>
     public static AngularSweep AnyWay { get; } = new();
 
+    /// <summary>As <see cref="AnyWay"/>, but how fast the end goes is told about where its line begins and through the model's space, and the slower counts: a foot on the ground rests however the trunk turns over it, and a tail that is only carried along does not beat.</summary>
+    public static AngularSweep ThroughAir { get; } = new() { IsThroughAir = true };
+
     /// <summary>Sets the direction that is swept to.</summary>
     /// <param name="towards">In model space, any length but none: (0, 0, −1) is back.</param>
     /// <exception cref="ArgumentException">It is not finite or has no length.</exception>
@@ -53,11 +56,23 @@ public sealed record AngularSweep
     /// <summary>Whether all ways count.</summary>
     internal bool IsAnyWay => Towards == Vector3.Zero;
 
+    /// <summary>Whether what rests in the model's space counts as resting.</summary>
+    private bool IsThroughAir { get; init; }
+
     /// <summary>Speed of a line, radians per second; below 0 where it goes the other way.</summary>
     /// <param name="from">Where it ends, lengths.</param>
     /// <param name="to">The same later.</param>
     /// <param name="rate">How much later, as a rate.</param>
-    internal float Speed(Vector3 from, Vector3 to, float rate) => (IsAnyWay ? Vec.Distance(from, to) : Vec.Dot(to - from, Towards)) * rate;
+    internal float Speed(in SweepEnd from, in SweepEnd to, float rate)
+    {
+        if (!IsAnyWay)
+        {
+            return Vec.Dot(to.About - from.About, Towards) * rate;
+        }
+
+        float about = Vec.Distance(from.About, to.About);
+        return (IsThroughAir ? Math.Min(about, Vec.Distance(from.Through, to.Through)) : about) * rate;
+    }
 
     /// <summary>Throws unless all numbers are within their ranges.</summary>
     internal void Require(string rule)

@@ -61,10 +61,17 @@ internal readonly record struct SweepLine(int From, int To)
         return new SweepLine(joint, joint);
     }
 
-    /// <summary>Where the line ends, seen from where it begins, in parts of its length at rest; of a joint alone the unit direction of its bone. Model space. A limb that folds comes nearer: a foot on the ground goes back evenly all the same.</summary>
-    public Vector3 End(Skeleton skeleton, in Pose model)
+    /// <summary>Where the line ends. A limb that folds comes nearer: a foot on the ground goes back evenly all the same.</summary>
+    public SweepEnd End(Skeleton skeleton, in Pose model)
     {
-        return From == To ? Rotation.Rotate(model.Rotations[From], skeleton.Joints[From].Along) : (model.Positions[To] - model.Positions[From]) / Math.Max(Vec.Distance(skeleton.ModelPositions[To], skeleton.ModelPositions[From]), Tolerance.DirectionLength);
+        if (From == To)
+        {
+            Vector3 along = Rotation.Rotate(model.Rotations[From], skeleton.Joints[From].Along);
+            return new SweepEnd(along, along);
+        }
+
+        float length = Math.Max(Vec.Distance(skeleton.ModelPositions[To], skeleton.ModelPositions[From]), Tolerance.DirectionLength);
+        return new SweepEnd((model.Positions[To] - model.Positions[From]) / length, model.Positions[To] / length);
     }
 
     private static bool IsLast(Skeleton skeleton, int joint)

@@ -31,7 +31,7 @@ internal sealed class PresetFigures(string preset)
         foreach (Clip clip in ClipsFor(creature))
         {
             var truth = new PresetTruth(creature.Skeleton, clip);
-            float[] told = preset switch { "flap" => truth.Flaps(), "bite" => truth.Bites(), "splash" => truth.Splashes(), _ => truth.Whooshes() };
+            float[] told = preset switch { "flap" => truth.Flaps(), "bite" => truth.Bites(), _ => truth.Splashes() };
             float[] found = [.. AngularEventDetector.Find(clip, creature.Skeleton, rule).Events.Select(e => e.Time)];
             rows[clip.Name] = rows.GetValueOrDefault(clip.Name) + Compare(told, found, clip.End == ClipEnd.Loops ? clip.Duration : 0f);
         }
@@ -52,9 +52,8 @@ internal sealed class PresetFigures(string preset)
     private IEnumerable<Clip> ClipsFor(Creature creature) => preset switch
     {
         "flap" => ClipBaker.Bake(creature).Where(clip => clip.End == ClipEnd.Loops),
-        "splash" => ClipBaker.Bake(creature).Where(clip => clip.End == ClipEnd.Loops && clip.Speed > 0f),
         "bite" => ClipBaker.BakeActs(creature).Where(clip => clip.Name is "Bite" or "Call" or "Threaten" or "Sit" or "Kick"),
-        _ => ClipBaker.BakeActs(creature).Where(clip => clip.Name is "Claw" or "Kick" or "TailSweep" or "Sit" or "Sniff").Concat(ClipBaker.Bake(creature).Where(clip => clip.Name is "Idle" or "LookAround")),
+        _ => ClipBaker.Bake(creature).Where(clip => clip.End == ClipEnd.Loops && clip.Speed > 0f),
     };
 
     private static FootstepFigures.Row Compare(float[] told, float[] found, float loop)

@@ -50,9 +50,6 @@ internal sealed class PresetTruth
         return FirstOfEach(all, 0.05f);
     }
 
-    /// <summary>Moments at which a limb's end is fastest about its root, at least as fast as four times its length in a second and 0.6 of its greatest.</summary>
-    public float[] Whooshes() => [.. Limbs().SelectMany(limb => Peaks(Speed(limb.Root, limb.End), Math.Max(4f * Length(limb.Root, limb.End), 0.6f * Speed(limb.Root, limb.End).Max()), 0.3f)).Order()];
-
     /// <summary>Moments at which a jaw snaps shut: its end has come back to a fifth of how far it was open, which was at least half of the widest and a sixth of its length, from seven tenths of that within a fifth of a second.</summary>
     public float[] Bites()
     {
@@ -131,35 +128,6 @@ internal sealed class PresetTruth
     }
 
     private int Find(JointRole role) => Enumerable.Range(0, skeleton.Count).FirstOrDefault(i => skeleton.Joints[i].Role == role, -1);
-
-    private IEnumerable<(int Root, int End)> Limbs()
-    {
-        for (int i = 0; i < skeleton.Count; i++)
-        {
-            if (skeleton.Joints[i].Role == JointRole.Hip)
-            {
-                int ball = Enumerable.Range(i, skeleton.Count - i).FirstOrDefault(k => skeleton.Joints[k].Role is JointRole.Ball && Below(k, i), -1);
-                if (ball >= 0)
-                {
-                    yield return (i, ball);
-                }
-            }
-            else if (skeleton.Joints[i].Role == JointRole.End && Root(i) is >= 0 and int root && skeleton.Joints[root].Role == JointRole.Tail)
-            {
-                yield return (root, i);
-            }
-        }
-    }
-
-    private bool Below(int joint, int above)
-    {
-        while (joint > above)
-        {
-            joint = skeleton.Parents[joint];
-        }
-
-        return joint == above;
-    }
 
     /// <summary>The first joint of the tail, fin or body that ends with a joint; −1 if it ends something else.</summary>
     private int Root(int end)
@@ -246,21 +214,5 @@ internal sealed class PresetTruth
         }
 
         return found;
-    }
-
-    /// <summary>Moments of the highest values, none nearer to a higher one than so many seconds.</summary>
-    private float[] Peaks(float[] values, float least, float apart)
-    {
-        int n = values.Length;
-        var found = new List<int>();
-        foreach (int i in Enumerable.Range(0, n).Where(i => values[i] >= least && values[i] >= values[loops ? (i + n - 1) % n : Math.Max(i - 1, 0)] && values[i] >= values[loops ? (i + 1) % n : Math.Min(i + 1, n - 1)]).OrderByDescending(i => values[i]))
-        {
-            if (found.TrueForAll(k => Math.Abs(k - i) * Step >= apart && (!loops || (n - Math.Abs(k - i)) * Step >= apart)))
-            {
-                found.Add(i);
-            }
-        }
-
-        return [.. found.Select(i => (i + 0.5f) * Step).Order()];
     }
 }

@@ -19,7 +19,8 @@ internal sealed class ScriptedFigures(string preset)
     /// <summary>Swings of the trunk in a shake, as the act has it.</summary>
     private const int Swings = 6;
 
-    private static readonly string[] blows = ["Claw", "Kick", "TailSweep", "Gore", "Sting"];
+    // Struck with a limb or a tail; who gores strikes with the brow, which whooshes do not listen to.
+    private static readonly string[] blows = ["Claw", "Kick", "TailSweep", "Sting"];
 
     // Acts in which nothing strikes and no trunk shakes.
     private static readonly string[] quiet = ["Idle", "LookAround", "Sit", "Lie", "Sleep", "Call", "Sniff", "Groom"];

@@ -46,10 +46,10 @@ internal static class Attacks
             new ActPhase("recover", 2.2f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(NeckSide, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Horns | ActNeeds.Head).With(ActTool.Brow, 0.1f).For(BodyBuild.Standing),
         new Act("Claw", ActKind.Strike,
-            new ActPhase("raise", 1.4f).To(ArmAhead, 1.2f).To(ArmOut, 0.7f).To(ArmBend, 0.8f).To(BackTwist, 0.15f).To(BackSide, -0.2f).To(Yaw, -0.12f).To(Jaw, 0.5f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("raise", 1.9f).To(ArmAhead, 0.9f).To(ArmOut, 1.0f).To(ArmBend, 0.3f).To(BackTwist, 0.15f).To(BackSide, -0.2f).To(Yaw, -0.12f).To(Jaw, 0.5f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("strike", 0.75f, ActEase.In).To(Ahead, 0.12f).To(ArmOut, 0.2f).To(ArmBend, 0.2f).To(BackTwist, -0.1f).To(Yaw, 0.12f).To(Reach, 0.85f),
             new ActPhase("hit", 0.3f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("tear", 0.9f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.5f).To(ArmOut, -0.15f).To(ArmBend, 0.5f),
+            new ActPhase("tear", 0.9f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.6f).To(ArmOut, -0.25f).To(ArmBend, 0.5f),
             new ActPhase("recover", 1.8f).To(Ahead, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(ArmBend, 0f).To(BackTwist, 0f).To(BackSide, 0f).To(Yaw, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Arms | ActNeeds.Legs).With(ActTool.Hand).For(BodyBuild.Standing),
         new Act("Claw", ActKind.Strike,
@@ -65,7 +65,7 @@ internal static class Attacks
             new ActPhase("fold", 0.9f).To(Pitch, -0.12f).To(NeckPitch, -0.3f).To(HindFeetUp, 0.22f).To(HindFeetAhead, 0.08f).To(ForeDown, 0.05f).Then(ActMark.Commit),
             new ActPhase("strike", 0.4f, ActEase.In).To(Pitch, -0.22f).To(HindFeetUp, 0.42f).To(HindFeetAhead, -0.5f).To(Reach, 0.9f),
             new ActPhase("hit", 0.15f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("fold back", 0.8f).To(Reach, 0f).To(Pitch, -0.1f).To(HindFeetUp, 0.2f).To(HindFeetAhead, 0f),
+            new ActPhase("fold back", 1.1f).To(Reach, 0f).To(Pitch, -0.1f).To(HindFeetUp, 0.2f).To(HindFeetAhead, 0f),
             new ActPhase("land", 0.8f).To(Pitch, 0f).To(HindFeetUp, 0f).To(HindDown, 0.08f),
             new ActPhase("recover", 1.8f).To(Ahead, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(NeckPitch, 0f).To(Ears, 0f).To(ForeDown, 0f).To(HindDown, 0f))
             .Needing(ActNeeds.FourLegs).With(ActTool.HindFoot).For(BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.Pawed).OnTheSpot(),
@@ -73,7 +73,7 @@ internal static class Attacks
             new ActPhase("raise", 1.5f).To(Aside, -0.16f).To(HindFootUp, 0.4f).To(HindFootAhead, 0.15f).To(HindFootPitch, 0.4f).To(ArmsOut, 0.4f).To(Wings, 0.5f).To(TailPitch, -0.1f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("strike", 0.45f, ActEase.In).To(HindFootPitch, -0.3f).To(Pitch, 0.12f).To(Reach, 0.9f),
             new ActPhase("hit", 0.18f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("fold back", 0.9f).To(Reach, 0f).To(Pitch, 0f).To(HindFootUp, 0.3f).To(HindFootAhead, 0.05f).To(HindFootPitch, 0.3f),
+            new ActPhase("fold back", 1.4f).To(Reach, 0f).To(Pitch, 0f).To(HindFootUp, 0.3f).To(HindFootAhead, 0.05f).To(HindFootPitch, 0.3f),
             new ActPhase("land", 1.1f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootPitch, 0f),
             new ActPhase("recover", 1.4f).To(Aside, 0f).To(ArmsOut, 0f).To(Wings, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Legs).With(ActTool.HindFoot).For(BodyBuild.TwoLegged | BodyBuild.Upright).OnTheSpot(),

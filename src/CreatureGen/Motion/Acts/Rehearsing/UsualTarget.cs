@@ -16,6 +16,9 @@ internal static class UsualTarget
     /// <summary>Height of what is eaten off the ground, units.</summary>
     private const float FoodHeight = 0.03f;
 
+    // Where a hand strikes, arms from its shoulder.
+    private static readonly Vector3 acrossAndAhead = new(-0.2f, -0.1f, 0.85f);
+
     // Where the mouth may meet the ground, units ahead of where it is.
     private static readonly float[] places = { 0f, -0.25f, 0.25f, -0.5f, 0.5f };
 
@@ -42,10 +45,23 @@ internal static class UsualTarget
         return tool switch
         {
             ActTool.ForeFoot => now + ((body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? new Vector3(-0.05f, 0.22f, 0.2f) : new Vector3(-0.05f, 0.45f, 0.45f)) * unit),
-ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, body.Legs.IsBiped ? 0.45f : -0.55f) * unit),
-            ActTool.Hand => now + (new Vector3(-0.1f, 0.35f, 0.4f) * unit),
+            ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, body.Legs.IsBiped ? 0.45f : -0.55f) * unit),
+            ActTool.Hand => BeforeShoulder(body),
             _ => Vec.Lerp(now, new Vector3(0f, 1.2f * unit, body.Skeleton.ModelPositions[Math.Max(body.Head, 0)].Z), 0.5f),
         };
+    }
+
+    /// <summary>Ahead of the shoulder and a little across, as far as an arm that is all but straight.</summary>
+    private static Vector3 BeforeShoulder(ActBody body)
+    {
+        int[] arm = body.Tools.ArmOf(false);
+        float reach = 0f;
+        for (int i = 1; i < arm.Length; i++)
+        {
+            reach += Vec.Distance(body.Skeleton.ModelPositions[arm[i - 1]], body.Skeleton.ModelPositions[arm[i]]);
+        }
+
+        return body.Skeleton.ModelPositions[arm[0]] + (acrossAndAhead * reach);
     }
 
     /// <summary>As far in front as it reaches, of a few distances.</summary>
