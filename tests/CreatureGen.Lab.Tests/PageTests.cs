@@ -76,6 +76,10 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
     public void The_grid_shows_creatures_that_live_by_kind_of_one_species_and_of_one_family() => page.Holds("the grid shows creatures that live: by kind, of one species, of one family");
 
     [Fact]
+    public void The_grid_holds_to_its_filters_tells_what_cannot_be_grown_and_stops_when_it_is_closed() =>
+        page.Holds("the grid holds to its filters, tells what cannot be grown, and stops when it is closed");
+
+    [Fact]
     public void It_begins_as_strange_as_the_library_does() => page.Holds("it begins as strange as the library’s own default");
 
     [Fact]

@@ -95,6 +95,7 @@ export const texts = {
   exportAll: 'Export all',
   working: 'Working…',
   looked: n => `Looked at ${number(Number(n))} seeds…`,
+  notGrown: reason => `Could not be grown: ${reason}`,
   waking: 'Waking up…',
   filters: { all: 'All', small: 'Small', medium: 'Middling', large: 'Large', anyBuild: 'Any build', size: 'Size', plan: 'Build', strange: 'Strangeness' },
   close: 'Close',

@@ -1,4 +1,4 @@
-import { BufferAttribute, BufferGeometry, DataTexture, DetachedBindMode, DoubleSide, Bone, FrontSide, Group, LinearFilter, LinearMipmapLinearFilter, Matrix4, MeshStandardMaterial, NoColorSpace, RGBAFormat, Skeleton, SkinnedMesh, Sphere, SRGBColorSpace, Vector3 } from 'three';
+import { Box3, BufferAttribute, BufferGeometry, DataTexture, DetachedBindMode, DoubleSide, Bone, FrontSide, Group, LinearFilter, LinearMipmapLinearFilter, Matrix4, MeshStandardMaterial, NoColorSpace, RGBAFormat, Skeleton, SkinnedMesh, Sphere, SRGBColorSpace, Vector3 } from 'three';
 
 /** The parts of a mesh as the library packs it: views of one buffer. */
 export function readMesh(buffer, offset = 0) {
@@ -81,6 +81,8 @@ function textureOf(pixels, size, colourSpace) {
 
 /** A creature as it is drawn. No bone of it is ever moved: the library's matrices go straight to the texture of bones. */
 export class Body {
+  #middle = null;
+
   constructor(mesh) {
     this.group = new Group();
     this.#take(mesh);
@@ -127,6 +129,12 @@ export class Body {
       boneMatrices[i] = from[i] + (to[i] - from[i]) * share;
     }
     boneTexture.needsUpdate = true;
+  }
+
+  /** Where the middle of the creature is now, as if it were at rest. */
+  middle() {
+    this.#middle ??= new Box3().setFromArray(this.mesh.positions).getCenter(new Vector3());
+    return this.#middle.clone().applyQuaternion(this.group.quaternion).add(this.group.position);
   }
 
   /** Where a point of the creature at rest is now, in its own space. */

@@ -1,4 +1,4 @@
-import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3 } from 'three';
+import { DirectionalLight, HemisphereLight, PerspectiveCamera, Scene } from 'three';
 import { Body, readMesh } from '../creature/body.js';
 import { Herd } from '../creature/herd.js';
 import { growing, ofSeed, ofText, usualStrangeness } from '../design.js';
@@ -28,11 +28,15 @@ export class Grid {
   #next = 1n;
   #filling = false;
   #round = 0;
-  #cards = new Map();
   #free = [];
+  #rest = 0;
+  #picture = 0;
   #filters = { kind: 'walking', size: 'all', plan: 'all', strangeness: usualStrangeness };
   #plans = new Set();
   #who = 'seeds';
+
+  /** Cards in their order, by their items: who is on them, a glance at them, and the slot in which they live if they are grown. */
+  cards = new Map();
 
   /** @param act `choose` takes the one that is picked, `shown` hears whether the grid is open. */
   constructor(studio, act) {
@@ -44,13 +48,13 @@ export class Grid {
     this.library = await this.studio();
     this.design = design;
     this.family = family;
-    this.#filters.kind = design.kind === 'any' ? 'walking' : design.kind;
     this.#build();
+    this.#take(design.kind === 'any' ? 'walking' : design.kind);
     this.#choose(this.#who === 'species' && design.text !== null ? 'seeds' : this.#who);
     this.dialog.showModal();
     this.act.shown(true);
     this.#begin();
-    requestAnimationFrame(now => this.#draw(now, now));
+    this.#picture = requestAnimationFrame(now => this.#draw(now, now));
   }
 
   #build() {
@@ -67,13 +71,15 @@ export class Grid {
       h('div', { className: 'filters' },
         h('h2', {}, texts.grid),
         this.whose = choices(texts.grid, texts.who, 'seeds', who => { this.#choose(who); this.#begin(); }),
-        this.kind = choices(texts.kind, texts.kinds, this.#filters.kind, kind => { this.#filters.kind = kind; this.#filters.plan = 'all'; this.#plans.clear(); this.#begin(); }),
+        this.kind = choices(texts.kind, texts.kinds, this.#filters.kind, kind => { this.#take(kind); this.#begin(); }),
         this.size = choices(texts.filters.size, { all: texts.filters.all, small: texts.filters.small, medium: texts.filters.medium, large: texts.filters.large }, 'all', size => { this.#filters.size = size; this.#begin(); }),
         this.plan,
         this.strange = h('label', { className: 'strange' }, texts.filters.strange, strange),
         h('button', { type: 'button', className: 'quiet', 'aria-label': texts.close, onclick: () => this.dialog.close() }, icon('close'))),
       this.scroller, this.canvas);
     this.dialog.addEventListener('close', () => {
+      clearTimeout(this.#rest);
+      cancelAnimationFrame(this.#picture);
       this.act.shown(false);
       this.#round++;
       this.#clear();
@@ -94,7 +100,7 @@ export class Grid {
     new IntersectionObserver(entries => entries.some(entry => entry.isIntersecting) && this.#fill(), { root: this.scroller, rootMargin: `${margin}px` }).observe(this.end);
     this.seen = new IntersectionObserver(entries => {
       for (const { target, isIntersecting } of entries) {
-        const card = this.#cards.get(target);
+        const card = this.cards.get(target);
         if (card) {
           card.seen = isIntersecting;
         }
@@ -113,44 +119,60 @@ export class Grid {
     this.whose.querySelector('[data-value=species]').disabled = this.design.text !== null;
   }
 
+  /** Another kind has builds of its own. */
+  #take(kind) {
+    if (kind !== this.#filters.kind) {
+      this.#plans.clear();
+      Object.assign(this.#filters, { kind, plan: 'all' });
+    }
+    this.kind.take(kind);
+    this.#offer();
+  }
+
+  /** The builds that were seen so far can be asked for. */
+  #offer() {
+    this.plan.replaceChildren(h('option', { value: 'all' }, texts.filters.anyBuild), ...[...this.#plans].sort().map(name => h('option', { value: name }, words(name))));
+    this.plan.value = this.#filters.plan;
+  }
+
   /** The next that may be shown; null for one that no filter lets through. */
-  async #candidate() {
-    const n = this.#next++;
+  async #candidate(n) {
     if (this.#who === 'family') {
       return { child: n, name: nameOf(`${this.design.seed}.${n}`, this.design.kind) };
     }
     const { kind, size, plan, strangeness } = this.#filters;
     const design = this.#who === 'species' ? ofSeed(this.design.seed, this.design.kind, this.design.strangeness, n) : ofSeed(n, kind, strangeness);
-    const glance = JSON.parse(await this.library.call('Glance', design.seed, design.kind, design.strangeness, design.individual));
+    let glance;
+    try {
+      glance = JSON.parse(await this.library.call('Glance', design.seed, design.kind, design.strangeness, design.individual));
+    } catch (problem) {
+      return { design, problem };
+    }
     if (this.#who === 'species') {
       return { design, glance };
     }
     if (!this.#plans.has(glance.plan)) {
       this.#plans.add(glance.plan);
-      this.plan.replaceChildren(h('option', { value: 'all' }, texts.filters.anyBuild), ...[...this.#plans].sort().map(name => h('option', { value: name }, words(name))));
-      this.plan.value = plan;
+      this.#offer();
     }
     return sizes[size](glance.scale) && (plan === 'all' || plan === glance.plan) ? { design, glance } : null;
   }
 
   async #begin() {
     this.#round++;
-    await this.#clear();
-    this.end.textContent = texts.working;
-    this.kind.take(this.#filters.kind);
     this.#next = 1n;
+    this.end.textContent = texts.working;
+    await this.#clear();
     this.#fill();
   }
 
   async #clear() {
     const gone = [...this.herd.members.keys()];
-    this.#cards.clear();
+    this.cards.clear();
     this.seen.disconnect();
     this.list.replaceChildren();
     this.#free = Array.from({ length: slots }, (_, n) => firstSlot + n);
-    for (const slot of gone) {
-      await this.herd.remove(slot);
-    }
+    await Promise.all(gone.map(slot => this.herd.remove(slot)));
   }
 
   /** Adds the next creatures that pass the filters, however many seeds that takes, and says how many it were. */
@@ -161,13 +183,14 @@ export class Grid {
     this.#filling = true;
     const round = this.#round;
     for (let added = 0; added < batch && round === this.#round;) {
-      const candidate = await this.#candidate().catch(() => null);
+      const looked = this.#next++;
+      const candidate = await this.#candidate(looked);
       if (candidate && round === this.#round) {
         this.#add(candidate);
         added++;
       }
-      if (this.#next % stretch === 0n) {
-        this.end.textContent = texts.looked(this.#next);
+      if (looked % stretch === 0n) {
+        this.end.textContent = texts.looked(looked);
         await new Promise(done => setTimeout(done, breath));
       }
     }
@@ -178,18 +201,27 @@ export class Grid {
     }
   }
 
-  #add({ design, glance, child, name = nameOfDesign(design) }) {
-    const card = { design, child, name, seen: false, slot: null };
-    const button = h('button', { type: 'button', className: 'card', onclick: () => this.#take(card) },
-      h('b', {}, name), h('span', {}, glance ? `${beast(glance.body)} · ${design.individual || design.seed}` : texts.child));
-    card.item = h('li', {}, button);
-    this.#cards.set(card.item, card);
+  #add({ design, glance, child, problem, name = nameOfDesign(design) }) {
+    const told = h('span', {}, glance ? `${beast(glance.body)} · ${design.individual || design.seed}` : texts.child);
+    const card = { design, glance, child, name, told, seen: false, slot: null };
+    card.item = h('li', {}, h('button', { type: 'button', className: 'card', onclick: () => this.#meet(card) }, h('b', {}, name), told));
+    if (problem) {
+      this.#fail(card, problem);
+    }
+    this.cards.set(card.item, card);
     this.list.append(card.item);
     this.seen.observe(card.item);
   }
 
+  /** Tells on a card why nobody lives there. */
+  #fail(card, problem) {
+    card.failed = true;
+    card.told.textContent = texts.notGrown(problem.message);
+    card.told.className = 'wrong';
+  }
+
   /** One of them is met: a child by the blueprint that it was born with. */
-  async #take({ design, name, slot }) {
+  async #meet({ design, name, slot }) {
     if (!design && slot === null) {
       return;
     }
@@ -206,29 +238,34 @@ export class Grid {
     }
     this.waking = true;
     const round = this.#round;
-    for (let card; round === this.#round && (card = [...this.#cards.values()].find(c => c.seen && c.slot === null && !c.failed));) {
+    for (let card; round === this.#round && (card = [...this.cards.values()].find(c => c.seen && c.slot === null && !c.failed));) {
       if (this.#free.length === 0) {
-        const asleep = [...this.#cards.values()].find(c => !c.seen && c.slot !== null);
+        const asleep = [...this.cards.values()].find(c => !c.seen && c.slot !== null);
         if (!asleep) {
           break;
         }
         await this.herd.remove(asleep.slot);
+        if (round !== this.#round) {
+          break;
+        }
         this.#free.push(asleep.slot);
         asleep.slot = null;
       }
       const slot = this.#free.pop();
       try {
         const facts = JSON.parse(await this.#grow(slot, card));
-        await this.library.call('Place', slot, apart * slot, 0, 0, 0);
-        await this.library.call('Habit', slot, 'stay', apart * slot, 0, 1);
-        const bytes = await this.library.call('Mesh', slot);
+        const bytes = round === this.#round ? await this.#settle(slot) : null;
         if (round === this.#round) {
           this.herd.put(slot, facts, new Body(readMesh(bytes.buffer, bytes.byteOffset)));
           card.slot = slot;
+        } else {
+          await this.library.call('Remove', slot);
         }
-      } catch {
-        card.failed = true;
-        this.#free.push(slot);
+      } catch (problem) {
+        this.#fail(card, problem);
+        if (round === this.#round) {
+          this.#free.push(slot);
+        }
       }
     }
     this.waking = false;
@@ -237,17 +274,20 @@ export class Grid {
     }
   }
 
+  /** Lets whoever was grown in a slot stay there, far from others: the mesh. */
+  async #settle(slot) {
+    const calls = [['Place', slot, apart * slot, 0, 0, 0], ['Habit', slot, 'stay', apart * slot, 0, 1], ['Mesh', slot]];
+    return (await Promise.all(calls.map(call => this.library.call(...call)))).at(-1);
+  }
+
   #grow(slot, { design, child }) {
     return this.library.call(...(design ? growing(slot, design) : ['GrowChild', slot, ...this.family, String(child), childMutation, 1]));
   }
 
   #draw(now, before) {
-    if (!this.dialog.open) {
-      return;
-    }
     const milliseconds = now - before;
     const rest = milliseconds > 60 ? Math.min(milliseconds, 500) : 0;
-    setTimeout(() => requestAnimationFrame(next => this.#draw(next, now)), rest);
+    this.#rest = setTimeout(() => { this.#picture = requestAnimationFrame(next => this.#draw(next, now)); }, rest);
     const seconds = Math.min(milliseconds / 1000, 0.1);
     this.herd.step(seconds);
     this.herd.glide(seconds);
@@ -264,7 +304,7 @@ export class Grid {
     renderer.setScissor(0, 0, frame.width, frame.height);
     renderer.setClearAlpha(0);
     renderer.clear();
-    for (const card of this.#cards.values()) {
+    for (const card of this.cards.values()) {
       const member = this.herd.members.get(card.slot);
       if (!card.seen || !member?.moved) {
         continue;
@@ -275,9 +315,8 @@ export class Grid {
       for (const other of this.herd.members.values()) {
         other.body.group.visible = other === member;
       }
-      const { position } = member.body.group;
-      const { height, length, medium } = member.facts;
-      const focus = new Vector3(position.x, position.y + (medium === 'ground' ? 0.48 : 0.25) * height, position.z);
+      const { height, length } = member.facts;
+      const focus = member.body.middle();
       const far = 2.5 * Math.max(0.72 * length, height);
       camera.aspect = rect.width / rect.height;
       camera.near = far / 50;

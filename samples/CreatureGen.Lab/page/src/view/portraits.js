@@ -1,4 +1,4 @@
-import { Box3, Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3 } from 'three';
+import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, Vector3 } from 'three';
 import { h } from '../dom.js';
 
 const pixels = 128;
@@ -37,12 +37,13 @@ export class Portraits {
     return this.herd.members.get(member.slot) === member;
   }
 
-  #picture({ body: { group, mesh }, facts: { height, length } }) {
+  #picture({ body, facts: { height, length } }) {
     const { renderer } = this;
+    const { group } = body;
     const canvas = renderer.domElement;
     const stage = group.parent;
     const side = pixels / renderer.getPixelRatio();
-    this.#frame(group, Math.max(0.72 * length, height), new Box3().setFromArray(mesh.positions).getCenter(new Vector3()));
+    this.#frame(body, Math.max(0.72 * length, height));
     this.#scene.add(group);
     renderer.setScissorTest(true);
     renderer.setScissor(0, 0, side, side);
@@ -57,11 +58,11 @@ export class Portraits {
   }
 
   /** From before it and a little aside, whichever way it looks. */
-  #frame(group, size, middle) {
+  #frame(body, size) {
     const far = 2.65 * size;
-    const way = new Vector3(0.62, 0.26, 0.74).applyQuaternion(group.quaternion).multiplyScalar(far);
+    const way = new Vector3(0.62, 0.26, 0.74).applyQuaternion(body.group.quaternion).multiplyScalar(far);
     way.y = 0.26 * far;
-    const focus = middle.applyQuaternion(group.quaternion).add(group.position);
+    const focus = body.middle();
     this.#camera.near = far / 50;
     this.#camera.far = far * 20;
     this.#camera.position.copy(focus).add(way);

@@ -80,6 +80,74 @@ export async function checkMany({ claim, require, page, mode }) {
     await page.evaluate(() => document.querySelector('.many').close());
   });
 
+  await claim('the grid holds to its filters, tells what cannot be grown, and stops when it is closed', async () => {
+    await page.evaluate(() => creatureLab.lab.lab.meet({ seed: '7', kind: 'walking', strangeness: 0, traits: {}, text: null }));
+    await page.click('[aria-label="Many at once"]');
+    await page.click('.many [data-value=seeds]');
+    await page.click('.many [data-value=all]');
+    await page.waitForFunction(() => creatureLab.lab.grid.cards.size >= 12 && document.querySelectorAll('.many select option').length > 2);
+    const filtered = await page.evaluate(async () => {
+      const { grid, library } = creatureLab.lab;
+      const { plan, strange } = grid;
+      const shown = () => [...grid.cards.values()];
+      const filled = async () => { while (shown().length < 8) { await new Promise(done => setTimeout(done, 20)); } };
+      const wanted = plan.options[2].value;
+      plan.value = wanted;
+      plan.dispatchEvent(new Event('change'));
+      await filled();
+      strange.querySelector('input').value = '0.2';
+      strange.querySelector('input').dispatchEvent(new Event('change'));
+      await filled();
+      const cards = [];
+      for (const { design } of shown()) {
+        cards.push({ ...design, ...JSON.parse(await library.call('Glance', design.seed, design.kind, design.strangeness, design.individual)) });
+      }
+      return { wanted, cards };
+    });
+    require(filtered.cards.every(card => card.kind === 'walking' && card.plan === filtered.wanted && card.strangeness === 0.2), JSON.stringify(filtered));
+    require(new Set(filtered.cards.map(card => card.seed)).size === filtered.cards.length, `a seed comes twice: ${filtered.cards.map(card => card.seed)}`);
+
+    // Closed, it asks the library for nothing more, and nobody is left there.
+    const closed = await page.evaluate(async () => {
+      const { grid } = creatureLab.lab;
+      const { library } = grid;
+      const asked = [];
+      document.querySelector('.many').close();
+      await library.call('Memory');
+      grid.library = { call: (...values) => { asked.push(values[0]); return library.call(...values); } };
+      await new Promise(done => setTimeout(done, 600));
+      // Whom others in that library paint stay in its first slots.
+      const numbers = new Float32Array((await library.frame(0, -1, new ArrayBuffer(1 << 17))).buffer);
+      const slots = [];
+      for (let n = 0, at = 2; n < numbers[0]; n++) {
+        slots.push(numbers[at]);
+        at += 15 + 4 * numbers[at + 2] + 16 * numbers[at + 1];
+      }
+      return { asked: asked.filter(name => name !== 'Remove'), cards: grid.cards.size, bodies: grid.herd.members.size, left: slots.filter(slot => slot >= 4) };
+    });
+
+    // Opened on another kind, it asks for no build of the kind before; a library that fails is told where its creature would be.
+    const other = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      await frame.lab.meet({ seed: '7', kind: 'swimming', strangeness: 0, traits: {}, text: null });
+      const { call } = Object.getPrototypeOf(frame.library);
+      const studio = await frame.studio();
+      studio.call = (name, ...values) => (name === 'Glance' && values[0] === '2' ? Promise.reject(new Error('<b>broken</b>')) : call.call(studio, name, ...values));
+      document.querySelector('[aria-label="Many at once"]').click();
+      while (!(frame.grid.dialog.open && frame.grid.cards.size >= 3)) {
+        await new Promise(done => setTimeout(done, 20));
+      }
+      const [one, two, three] = [...frame.grid.cards.values()];
+      delete studio.call;
+      const seen = { plan: frame.grid.plan.value, kind: one.design.kind, seeds: [one, two, three].map(card => card.design.seed), told: two.item.textContent };
+      document.querySelector('.many').close();
+      return seen;
+    });
+    require(closed.asked.length === 0 && closed.cards === 0 && closed.bodies === 0 && closed.left.length === 0, JSON.stringify(closed));
+    require(other.plan === 'all' && other.kind === 'swimming' && other.seeds.join() === '1,2,3' && other.told.endsWith('<b>broken</b>'), JSON.stringify(other));
+    return `${filtered.cards.length} cards of ${filtered.wanted}`;
+  });
+
   await claim('axe finds no serious issue on any tab', async () => {
     await page.evaluate(axe);
     const found = [];
