@@ -14,7 +14,7 @@ namespace CreatureGen.Lab.Runtime;
 /// </summary>
 internal static class AddressText
 {
-    private const int MaxLetters = 8192;
+    private const int MaxLetters = 2000;
     private static readonly byte[] words = ReadWords();
 
     /// <summary>The letters of a blueprint.</summary>

@@ -80,6 +80,18 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
         page.Holds("the grid holds to its filters, tells what cannot be grown, and stops when it is closed");
 
     [Fact]
+    public void Surprises_and_nudges_are_sound_and_undo_and_redo_go_back_and_forth_between_them() => page.Holds("surprises and nudges are sound, and undo and redo go back and forth between them");
+
+    [Fact]
+    public void A_finger_turns_the_eye_and_pulls_on_the_body_two_zoom() => page.Holds("a finger turns the eye and pulls on the body, two zoom");
+
+    [Fact]
+    public void Nothing_is_heard_until_somebody_asks_for_it() => page.Holds("nothing is heard until somebody asks for it");
+
+    [Fact]
+    public void Addresses_have_two_thousand_letters_at_most_read_and_written() => page.Holds("addresses have two thousand letters at most, read and written");
+
+    [Fact]
     public void It_begins_as_strange_as_the_library_does() => page.Holds("it begins as strange as the library’s own default");
 
     [Fact]

@@ -1,9 +1,14 @@
 // A creature as the page keeps it: a seed and what was changed of it, or a whole blueprint and what was changed. Plain data that is replaced, never changed.
 
+import { number } from './texts.js';
+
 export const maxSeed = 18446744073709551615n;
 
 /** How strange creatures are if nobody says otherwise: the library's own default, which a test compares. */
 export const usualStrangeness = 0.6;
+
+/** What some mail programs and chats cut off: addresses have no more letters. */
+export const mostLetters = 2000;
 
 /** A creature of a seed. */
 export const ofSeed = (seed, kind = 'walking', strangeness = usualStrangeness, individual = '') => ({ seed: String(seed), kind, strangeness, individual: String(individual), traits: {}, text: null });
@@ -32,6 +37,9 @@ export function readAddress(hash) {
   const text = hash.replace(/^#/, '');
   if (text === '') {
     return null;
+  }
+  if (hash.length > mostLetters) {
+    throw new Error(`it has ${number(hash.length)} letters; expected at most ${number(mostLetters)}`);
   }
   if (text.startsWith('b=')) {
     // A whole blueprint, or the seed of a creature and how it differs from it.

@@ -82,6 +82,8 @@ export const texts = {
   share: 'Copy its address',
   shared: 'The address is on your clipboard.',
   addressIs: 'Its address is in the address bar.',
+  noAddress: (letters, most) => `An address has room for ${number(most)} letters, and this creature takes ${number(letters)}. Its picture, GLB and blueprint hold it.`,
+  takeFile: 'It has no address. Its picture, GLB and blueprint hold it.',
   photo: 'Picture',
   glb: 'GLB',
   whole: 'GLB, textured and animated',

@@ -1,4 +1,4 @@
-import { first, History, maxSeed, ofSeed, readAddress, seedAddress } from './design.js';
+import { first, History, maxSeed, mostLetters, ofSeed, readAddress, seedAddress } from './design.js';
 import { texts } from './texts.js';
 
 /** Throws with a message for people if a text is no seed. */
@@ -16,6 +16,11 @@ export class Visits extends EventTarget {
     super();
     Object.assign(this, { library, lab, notices });
     this.history = new History();
+  }
+
+  /** Whether the address bar tells who is there. */
+  get told() {
+    return this.#address !== '';
   }
 
   addressOf(design) {
@@ -90,10 +95,15 @@ export class Visits extends EventTarget {
     this.dispatchEvent(new Event('kept'));
   }
 
-  /** The address tells the creature. */
+  /** The address tells the creature; one that takes too many letters has none, and that is told. */
   async remember() {
     const { design } = this.lab;
-    this.#address = design.text === null ? this.addressOf(design) : `#b=${await this.library.call('Address', 0)}`;
-    window.history.replaceState(null, '', this.#address);
+    const address = design.text === null ? this.addressOf(design) : `#b=${await this.library.call('Address', 0)}`;
+    const room = address.length <= mostLetters;
+    if (!room && this.#address !== '') {
+      this.notices.complain(texts.noAddress(address.length, mostLetters));
+    }
+    this.#address = room ? address : '';
+    window.history.replaceState(null, '', this.#address || location.pathname + location.search);
   }
 }

@@ -25,6 +25,10 @@ export class Taking extends EventTarget {
   }
 
   async share() {
+    if (!this.visits.told) {
+      this.notices.say(texts.takeFile);
+      return;
+    }
     try {
       await navigator.clipboard.writeText(location.href);
       this.notices.say(texts.shared);

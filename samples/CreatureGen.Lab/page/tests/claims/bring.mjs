@@ -69,6 +69,37 @@ export async function checkBringing({ claim, require, page }) {
     await page.waitForFunction(() => location.hash.startsWith('#5.'));
   });
 
+  await claim('addresses have two thousand letters at most, read and written', async () => {
+    const told = () => page.evaluate(() => { const alert = document.querySelector('.alert'); const text = alert.hidden ? '' : alert.textContent; alert.hidden = true; return text; });
+    const meets = async hash => {
+      await told();
+      await page.evaluate(hash => { location.hash = hash; }, hash);
+      await page.waitForFunction(() => !document.querySelector('.alert').hidden);
+      return told();
+    };
+    const [long, longer] = [await meets(`#b=${'A'.repeat(1997)}`), await meets(`#b=${'A'.repeat(1998)}`)];
+    require(long.includes('mistyped') && longer.includes('2,001 letters; expected at most 2,000'), `${long}; ${longer}`);
+    const bar = letters => page.evaluate(async letters => {
+      const { visits, library, lab, taking, notices } = creatureLab.lab;
+      const { call } = Object.getPrototypeOf(library);
+      const { design } = lab;
+      lab.design = { ...design, text: '{}' };
+      library.call = (name, ...values) => (name === 'Address' ? Promise.resolve('A'.repeat(letters - 3)) : call.call(library, name, ...values));
+      await visits.remember();
+      const { hash } = location;
+      await taking.share();
+      const { textContent } = notices.status;
+      delete library.call;
+      lab.design = design;
+      await visits.remember();
+      notices.say('');
+      return { letters: hash.length, status: textContent };
+    }, letters);
+    const [held, none] = [await bar(2000), await bar(2001)];
+    const complaint = await told();
+    require(held.letters === 2000 && none.letters === 0 && none.status.includes('no address') && complaint.includes('takes 2,001'), JSON.stringify({ held, none, complaint }));
+  });
+
   await claim('names bring no markup', async () => {
     const found = await page.evaluate(() => {
       const frame = creatureLab.lab;

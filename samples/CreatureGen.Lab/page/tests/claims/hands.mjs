@@ -243,6 +243,64 @@ export async function checkHands({ claim, require, page }) {
     require(seen.called.startsWith('Somebody') && seen.came > 0.3 && seen.went > 0.3 && seen.turned !== 0 && seen.zoomed < 0.6, JSON.stringify(seen));
   });
 
+  await claim('a finger turns the eye and pulls on the body, two zoom', async () => {
+    const finger = await page.context().newCDPSession(page);
+    const touch = (type, ...points) => finger.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+    const view = () => page.evaluate(() => { const { azimuth, wantedDistance } = creatureLab.lab.orbit; return { azimuth, wantedDistance }; });
+    await finger.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 2 });
+    try {
+      const trunk = await page.evaluate(async () => {
+        const frame = creatureLab.lab;
+        await frame.lab.meet({ seed: '3', kind: 'walking', strangeness: 0, traits: {}, text: null });
+        frame.show('make');
+        delete frame.canvas.setPointerCapture;
+        // The eye follows whoever came to where the one before had gone.
+        Object.assign(frame.orbit, { azimuth: 0.62, elevation: 0.12 });
+        await frame.theatre.portrait(3);
+        await frame.touch.learn();
+        const focus = frame.lab.focus().project(frame.orbit.camera);
+        let part = null;
+        const listen = ({ detail }) => { part = detail?.part; };
+        frame.pointer.addEventListener('hover', listen);
+        let [x, y] = [0, 0];
+        for (const [aside, up] of [0, 30, -30, 60, -60, 90, -90].flatMap(aside => [0, 25, 50, -25].map(up => [aside, up]))) {
+          [x, y] = [((focus.x + 1) / 2) * innerWidth + aside, ((1 - focus.y) / 2) * innerHeight - up];
+          frame.canvas.dispatchEvent(new PointerEvent('pointermove', { pointerId: 7, clientX: x, clientY: y, pointerType: 'mouse', bubbles: true }));
+          if (part === 'trunk' && document.elementFromPoint(x, y) === frame.canvas) {
+            break;
+          }
+        }
+        frame.pointer.removeEventListener('hover', listen);
+        return [x, y];
+      });
+      const before = await view();
+      await touch('touchStart', [40, 300]);
+      await touch('touchMove', [70, 300]);
+      await touch('touchMove', [120, 300]);
+      await touch('touchEnd');
+      const turned = await view();
+      await touch('touchStart', [40, 300]);
+      await touch('touchStart', [40, 300], [140, 300]);
+      await touch('touchMove', [40, 300], [240, 300]);
+      await touch('touchEnd');
+      const zoomed = await view();
+      const [x, y] = trunk;
+      await touch('touchStart', [x, y]);
+      await touch('touchMove', [x, y - 20]);
+      await touch('touchMove', [x, y - 60]);
+      const label = await page.evaluate(() => (creatureLab.lab.ghost.hidden ? '' : creatureLab.lab.ghost.textContent));
+      await touch('touchEnd');
+      await page.waitForFunction(() => !document.body.classList.contains('working'));
+      const girth = await page.evaluate(() => creatureLab.lab.lab.design.traits.girth);
+      require(turned.azimuth < before.azimuth - 0.3 && turned.wantedDistance === before.wantedDistance, `a finger: ${JSON.stringify([before, turned])}`);
+      require(zoomed.wantedDistance < 0.7 * turned.wantedDistance, `two fingers: ${JSON.stringify([turned, zoomed])}`);
+      require(label.startsWith('Girth') && girth > 1.2, `on the trunk: “${label}”, girth ${girth}`);
+    } finally {
+      await finger.send('Emulation.setTouchEmulationEnabled', { enabled: false });
+      await finger.detach();
+    }
+  });
+
   await claim('the creature of the day is that of the date', async () => {
     await page.click('.today');
     const date = await page.evaluate(() => { const now = new Date(); return String(now.getUTCFullYear() * 10000 + (now.getUTCMonth() + 1) * 100 + now.getUTCDate()); });

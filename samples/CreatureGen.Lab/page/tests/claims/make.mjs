@@ -25,6 +25,45 @@ export async function checkMaking({ claim, require, page }) {
     require(back === before, `undo did not take ${address} back: ${back} kg; expected ${before}`);
   });
 
+  await claim('surprises and nudges are sound, and undo and redo go back and forth between them', async () => {
+    const seen = await page.evaluate(async () => {
+      const frame = creatureLab.lab;
+      const { lab, library } = frame;
+      lab.dressing = false;
+      await frame.visits.meet({ seed: '12', kind: 'walking', strangeness: 0, individual: '', traits: {}, text: null });
+      frame.show('make');
+      const sliders = JSON.parse(await library.call('Sliders'));
+      const buttons = [...document.querySelectorAll('#panel-make .row button')];
+      const [surprise, nudge] = ['Surprise', 'Nudge'].map(words => buttons.find(button => button.textContent.startsWith(words)));
+      const [undo, redo] = ['Undo', 'Redo'].map(words => document.querySelector(`[aria-label=${words}]`));
+      const press = async button => {
+        button.click();
+        do {
+          await new Promise(done => setTimeout(done, 20));
+        } while (document.body.classList.contains('working'));
+        await lab.idle();
+        return { traits: lab.design.traits, hash: location.hash, mass: lab.facts.mass, violations: lab.facts.violations, undo: !undo.disabled, redo: !redo.disabled };
+      };
+      const { random } = Math;
+      let n = 0;
+      Math.random = () => (n = (n + 0.618034) % 1);
+      const [first, second] = [await press(surprise), await press(nudge)];
+      Math.random = random;
+      const [back, forth] = [await press(undo), await press(redo)];
+      const far = Object.entries(second.traits).map(([name, value]) => { const { least, most } = sliders.find(slider => slider.name === name); return Math.abs(value - first.traits[name]) / (most - least); });
+      await press(undo);
+      const anew = await press(nudge);
+      lab.dressing = true;
+      return { first, second, back, forth, anew, far };
+    });
+    const { first, second, back, forth, anew, far } = seen;
+    require([first, second, back, forth].every(one => one.violations.length === 0), JSON.stringify(seen));
+    require(far.length > 5 && Math.max(...far) > 0 && Math.max(...far) <= 0.1201 && first.mass !== second.mass, `a nudge moves sliders by ${far}`);
+    require(back.hash === first.hash && back.mass === first.mass && back.redo && forth.hash === second.hash && forth.mass === second.mass && !forth.redo, JSON.stringify(seen));
+    require(!anew.redo && anew.undo, 'what was undone can be done again after something else was done');
+    return `${far.length} traits`;
+  });
+
   await claim('pulling on the body changes it, and Escape takes it back', async () => {
     const seen = await page.evaluate(async () => {
       const frame = creatureLab.lab;

@@ -1,6 +1,29 @@
 // What is heard.
 
 export async function checkSound({ claim, require, page }) {
+  await claim('nothing is heard until somebody asks for it', async () => {
+    const seen = await page.evaluate(() => {
+      const { sound, lab } = creatureLab.lab;
+      const button = document.querySelector('.deeds [aria-label=Sound]');
+      const contexts = [];
+      const { makeContext } = sound;
+      sound.makeContext = () => { const context = makeContext(); contexts.push(context); return context; };
+      const state = () => ({ on: sound.on, pressed: button.getAttribute('aria-pressed'), contexts: contexts.length });
+      const step = () => sound.play('footfall', 1, 0, lab.facts, 0);
+      step();
+      const before = state();
+      button.click();
+      step();
+      const asked = state();
+      button.click();
+      const after = state();
+      sound.makeContext = makeContext;
+      return { before, asked, after };
+    });
+    require(!seen.before.on && seen.before.pressed === 'false' && seen.before.contexts === 0, `at the beginning: ${JSON.stringify(seen.before)}`);
+    require(seen.asked.on && seen.asked.pressed === 'true' && seen.asked.contexts === 1 && !seen.after.on && seen.after.pressed === 'false', JSON.stringify(seen));
+  });
+
   await claim('sounds begin and end without a click, do not clip, and are deeper the heavier who makes them', async () => {
     const seen = await page.evaluate(async () => {
       const Sound = creatureLab.lab.sound.constructor;
