@@ -54,9 +54,9 @@ public sealed class CreatureActs
     /// <exception cref="ArgumentNullException">There is no act.</exception>
     public ActAbility Rehearse(Act act) => rehearsal.Try(act ?? throw new ArgumentNullException(nameof(act)), rehearsal.Stage());
 
-    /// <summary>The same a little at a time, for who may not wait: each step gives null, the last what <see cref="Rehearse"/> would. A step is one search or one phase of the act.</summary>
+    /// <summary>The same a little at a time, for who may not wait: each step gives null, the last what <see cref="Rehearse"/> would. A step shows the body in at most some ten poses.</summary>
     /// <exception cref="ArgumentNullException">There is no act.</exception>
-    public IEnumerable<ActAbility?> RehearseInSteps(Act act) => rehearsal.Steps(act ?? throw new ArgumentNullException(nameof(act)), rehearsal.Stage());
+    public IEnumerable<ActAbility?> RehearseInSteps(Act act) => rehearsal.Steps(act ?? throw new ArgumentNullException(nameof(act)));
 
     /// <summary>How far the trunk goes over planted feet.</summary>
     internal TrunkRoom Room => rehearsal.Room;

@@ -82,7 +82,17 @@ public class ActTrialTests
     public void Where_legs_fold_is_found_in_many_small_steps()
     {
         CreatureActs acts = new MotionProfile(CreatureGenerator.Generate(25, CreatureOptions.Default with { Kind = RequestedKind.Walking })).Acts;
-        Assert.InRange(ActLibrary.All.Where(act => act.Name == "Lie").Max(act => acts.RehearseInSteps(act).Count()), 10, 1000);
+        Assert.InRange(ActLibrary.All.Where(act => act.Name == "Lie").Max(act => acts.RehearseInSteps(act).Count()), 50, 1000);
+    }
+
+    [Fact]
+    public void How_far_a_trunk_goes_and_where_it_reaches_is_found_in_many_small_steps()
+    {
+        CreatureActs acts = new MotionProfile(CreatureGenerator.Generate(25, CreatureOptions.Default with { Kind = RequestedKind.Walking })).Acts;
+        int first = ActLibrary.All.Where(act => act.Name == "Dance").Max(act => acts.RehearseInSteps(act).Count());
+        int again = ActLibrary.All.Where(act => act.Name == "Dance").Max(act => acts.RehearseInSteps(act).Count());
+        Assert.InRange(first - again, 10, 20);
+        Assert.InRange(ActLibrary.All.Where(act => act.Name == "Eat").Max(act => acts.RehearseInSteps(act).Count()), 50, 2000);
     }
 
     [Theory]

@@ -50,7 +50,7 @@ internal static class FoldSearch
     /// <param name="body">Whose.</param>
     /// <param name="stage">Where it is tried.</param>
     /// <param name="legs">Receives it; the stage shows it.</param>
-    /// <returns>What each way of folding that was tried costs, one pair of legs a step.</returns>
+    /// <returns>What the legs cost as they are found so far, one sweep over the numbers of a pair a step.</returns>
     public static IEnumerable<float> Steps(ActBody body, ActStage stage, FoldedLegs legs)
     {
         foreach (float cost in Folded(body, stage, legs))
@@ -141,6 +141,7 @@ internal static class FoldSearch
                 }
 
                 step = better ? step : 0.5f * step;
+                yield return cost;
             }
 
             if (cost < least)
@@ -148,8 +149,6 @@ internal static class FoldSearch
                 least = cost;
                 now.CopyTo(best, 0);
             }
-
-            yield return cost;
 
             bool Move(int number, float by)
             {

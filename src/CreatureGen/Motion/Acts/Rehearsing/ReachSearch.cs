@@ -8,9 +8,10 @@ namespace CreatureGen.Motion.Acts.Rehearsing;
 
 /// <summary>
 /// Finds how the trunk helps a tool to its target: one way after the other a step to and fro, kept where it brings the tool nearer without lifting a foot or sinking into the ground, with ever smaller steps.
+/// Who may not wait goes on with it a way at a time; it allocates nothing.
 /// Based on: R. Hooke and T. A. Jeeves, "Direct search solution of numerical and statistical problems" (1961).
 /// </summary>
-internal static class ReachSearch
+internal struct ReachSearch
 {
     /// <summary>How near is there, parts of the unit, and what stops the search.</summary>
     public const float Near = 0.012f;
@@ -36,7 +37,48 @@ internal static class ReachSearch
     private static readonly float[] twoLegged = { -0.35f, 0.35f, -0.4f, 0.4f, -0.4f, 0.3f, 0f, 0f, -0.1f, 0.8f, -1.15f, 0.35f, -0.15f, 0.15f };
     private static readonly float[] lateral = { -0.30f, 0.30f, -0.3f, 0.3f, -0.4f, 0.4f, -0.5f, 0.9f, -0.5f, 0.9f, -0.3f, 0.3f, -0.2f, 0.2f };
 
-    /// <summary>Finds the help.</summary>
+    private readonly ActStage stage;
+    private readonly ActBody body;
+    private readonly Act act;
+    private readonly ActGain gain;
+    private readonly int phase;
+    private readonly float[]? bounds;
+    private ActAim aim;
+    private float cost;
+    private float step;
+    private int sweep;
+    private int way;
+    private bool begun;
+    private bool better;
+
+    /// <summary>Begins to search.</summary>
+    /// <param name="stage">Where it is tried.</param>
+    /// <param name="body">Whose.</param>
+    /// <param name="act">The act.</param>
+    /// <param name="gain">Its gain.</param>
+    /// <param name="aim">What is brought where; its plan is sought.</param>
+    public ReachSearch(ActStage stage, ActBody body, Act act, ActGain gain, in ActAim aim)
+        : this()
+    {
+        this.stage = stage;
+        this.body = body;
+        this.act = act;
+        this.gain = gain;
+        this.aim = aim with { Plan = default };
+        phase = ReachedIn(act);
+        step = FirstStep;
+        bounds = body.Legs == null ? null : body.Legs.IsBiped ? twoLegged : body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? lateral : upright;
+    }
+
+    /// <summary>What is brought where, with the plan found so far.</summary>
+    public readonly ActAim Aim => aim;
+
+    /// <summary>How far the tool stays from its target by that plan, metres.</summary>
+    public float Missing { get; private set; }
+
+    private readonly bool GoesOn => bounds != null && sweep < Sweeps && step > LastStep && Missing > Near * body.Unit;
+
+    /// <summary>Searches to the end.</summary>
     /// <param name="stage">Where it is tried.</param>
     /// <param name="body">Whose.</param>
     /// <param name="act">The act.</param>
@@ -45,53 +87,60 @@ internal static class ReachSearch
     /// <returns>How far the tool stays from its target, metres.</returns>
     public static float Find(ActStage stage, ActBody body, Act act, ActGain gain, ref ActAim aim)
     {
-        int phase = ReachedIn(act);
-        ReachPlan best = default;
-        ActAim tries = aim;
-        float missing = Try(stage, body, act, phase, gain, aim, best, out float cost);
-        if (body.Legs == null)
+        var search = new ReachSearch(stage, body, act, gain, aim);
+        while (search.Advance())
         {
-            aim = aim with { Plan = best };
-            return missing;
+            // Nobody waits here.
         }
 
-        float[] bounds = body.Legs.IsBiped ? twoLegged : body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? lateral : upright;
-        float step = FirstStep;
-        for (int sweep = 0; sweep < Sweeps && step > LastStep && missing > Near * body.Unit; sweep++)
-        {
-            bool better = false;
-            for (int way = 0; way < ReachPlan.Count; way++)
-            {
-                float width = bounds[(2 * way) + 1] - bounds[2 * way];
-                better |= width > 0f && (Move(way, 0.5f * step * width) || Move(way, -0.5f * step * width));
-            }
+        aim = search.aim;
+        return search.Missing;
+    }
 
-            step = better ? step : 0.5f * step;
+    /// <summary>Tries the next way, to and fro. Whether more is to be tried.</summary>
+    public bool Advance()
+    {
+        if (!begun)
+        {
+            begun = true;
+            Missing = Try(aim.Plan, out cost);
+            return GoesOn;
         }
 
-        aim = aim with { Plan = best };
-        return missing;
-
-        bool Move(int way, float by)
+        float width = bounds![(2 * way) + 1] - bounds[2 * way];
+        better |= width > 0f && (Move(0.5f * step * width) || Move(-0.5f * step * width));
+        way++;
+        if (way < ReachPlan.Count)
         {
-            ReachPlan tried = best;
-            tried[way] = Scalar.Clamp(tried[way] + by, bounds[2 * way], bounds[(2 * way) + 1]);
-            if (tried[way] == best[way])
-            {
-                return false;
-            }
-
-            float left = Try(stage, body, act, phase, gain, tries, tried, out float price);
-            if (price >= cost - 1e-4f)
-            {
-                return false;
-            }
-
-            best = tried;
-            cost = price;
-            missing = left;
             return true;
         }
+
+        step = better ? step : 0.5f * step;
+        better = false;
+        way = 0;
+        sweep++;
+        return GoesOn;
+    }
+
+    private bool Move(float by)
+    {
+        ReachPlan tried = aim.Plan;
+        tried[way] = Scalar.Clamp(tried[way] + by, bounds![2 * way], bounds[(2 * way) + 1]);
+        if (tried[way] == aim.Plan[way])
+        {
+            return false;
+        }
+
+        float left = Try(tried, out float price);
+        if (price >= cost - 1e-4f)
+        {
+            return false;
+        }
+
+        aim = aim with { Plan = tried };
+        cost = price;
+        Missing = left;
+        return true;
     }
 
     /// <summary>The phase at whose end the tool is at its target.</summary>
@@ -112,7 +161,7 @@ internal static class ReachSearch
         return most;
     }
 
-    private static float Try(ActStage stage, ActBody body, Act act, int phase, ActGain gain, in ActAim aim, in ReachPlan plan, out float cost)
+    private readonly float Try(in ReachPlan plan, out float price)
     {
         stage.Show(act, phase, 1, gain, aim with { Plan = plan });
         float missing = Vec.Distance(stage.PlaceOf(aim.Tool, aim.Mirrored), aim.Target);
@@ -122,7 +171,7 @@ internal static class ReachSearch
             effort += plan[i] * plan[i];
         }
 
-        cost = (missing / body.Unit) + (Effort * effort) + (Spoil * Math.Max(0f, stage.Slip() - MaxSlip)) + (Spoil * Math.Max(0f, stage.Sunk() - MaxSunk));
+        price = (missing / body.Unit) + (Effort * effort) + (Spoil * Math.Max(0f, stage.Slip() - MaxSlip)) + (Spoil * Math.Max(0f, stage.Sunk() - MaxSunk));
         return missing;
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
+using System.Threading;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Motion.Acts.Playing;
@@ -35,17 +36,28 @@ internal sealed class Rehearsal
     private readonly ActBody body;
     private readonly Func<ILocomotionMode?> mode;
     private readonly FoldedLegs legs;
+    private TrunkRoom? room;
 
     public Rehearsal(ActBody body, Func<ILocomotionMode?> mode)
     {
         this.body = body;
         this.mode = mode;
         legs = new FoldedLegs(body.Legs?.Legs.Length ?? 0);
-        Room = RoomSearch.Find(body, StageWithoutRoom(legs), legs);
     }
 
-    /// <summary>How far the trunk goes over planted feet.</summary>
-    public TrunkRoom Room { get; }
+    /// <summary>How far the trunk goes over planted feet; found when it is first asked for.</summary>
+    public TrunkRoom Room
+    {
+        get
+        {
+            foreach (TrunkRoom? _ in FindRoom())
+            {
+                // Nobody waits here.
+            }
+
+            return room!;
+        }
+    }
 
     /// <summary>A stage of one's own.</summary>
     public ActStage Stage() => new(body, mode(), Room);
@@ -62,8 +74,21 @@ internal sealed class Rehearsal
         return found!;
     }
 
-    /// <summary>The same a little at a time, one search or one phase of the act a step: nothing, and with the last what was found.</summary>
-    public IEnumerable<ActAbility?> Steps(Act act, ActStage stage)
+    /// <summary>The same a little at a time: nothing, and with the last what was found.</summary>
+    public IEnumerable<ActAbility?> Steps(Act act)
+    {
+        foreach (TrunkRoom? _ in FindRoom())
+        {
+            yield return null;
+        }
+
+        foreach (ActAbility? step in Steps(act, Stage()))
+        {
+            yield return step;
+        }
+    }
+
+    private IEnumerable<ActAbility?> Steps(Act act, ActStage stage)
     {
         float[] ends = ActPlayer.EndsOf(act, body.TimeUnit(MotionSettings.Default.Gravity) * ActTempo.Of(act, body));
         if (Lacks(act) is string lack)
@@ -94,9 +119,15 @@ internal sealed class Rehearsal
             refusal = null;
             if (act.Reaches)
             {
-                float missing = ReachSearch.Find(stage, body, act, gain, ref aim);
+                var search = new ReachSearch(stage, body, act, gain, aim);
+                while (search.Advance())
+                {
+                    yield return null;
+                }
+
+                aim = search.Aim;
+                float missing = search.Missing;
                 refusal = missing > MaxMiss * ReachLength(act, body) ? FormattableString.Invariant($"it stays {missing:0.00} m from where it would reach") : null;
-                yield return null;
             }
 
             foreach (string? spoilt in refusal == null ? Spoils(act, stage, gain, aim) : [])
@@ -113,6 +144,26 @@ internal sealed class Rehearsal
         }
 
         yield return new ActAbility(act, refusal, default, ends, new ActAim(act.Tool, false, usual, act.SnoutDown, default), () => null);
+    }
+
+    /// <summary>Finds how far the trunk goes, unless that is known.</summary>
+    private IEnumerable<TrunkRoom?> FindRoom()
+    {
+        if (room != null)
+        {
+            yield break;
+        }
+
+        foreach (TrunkRoom? found in RoomSearch.Steps(body, StageWithoutRoom(legs), legs))
+        {
+            // Others may seek it meanwhile: what was found first stays.
+            Interlocked.CompareExchange(ref room, found, null);
+            yield return found;
+            if (room != null)
+            {
+                yield break;
+            }
+        }
     }
 
     /// <summary>Finds where legs fold to when the first act asks for it: it takes ten times as long as all else here, and most creatures never lie down.</summary>

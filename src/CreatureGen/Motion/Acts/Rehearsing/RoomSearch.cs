@@ -25,27 +25,30 @@ internal static class RoomSearch
         (ActChannel.BackTwist, 0f, 0.5f),
     };
 
-    /// <summary>The room of a body that legs carry; any room for others.</summary>
+    /// <summary>The room of a body that legs carry, any room for others: nothing while it is sought, one end of a way a step, then the room.</summary>
     /// <param name="body">Whose.</param>
     /// <param name="stage">Where it is tried.</param>
     /// <param name="legs">Where its legs fold.</param>
-    public static TrunkRoom Find(ActBody body, ActStage stage, FoldedLegs legs)
+    public static IEnumerable<TrunkRoom?> Steps(ActBody body, ActStage stage, FoldedLegs legs)
     {
         if (body.Legs == null)
         {
-            return TrunkRoom.Any(legs);
+            yield return TrunkRoom.Any(legs);
+            yield break;
         }
 
         var ways = new List<(ActChannel, float, float)>();
         foreach ((ActChannel channel, float least, float most) in farthest)
         {
             float to = End(stage, channel, most);
+            yield return null;
 
             // A way without a least is the same to both sides.
             ways.Add((channel, least == 0f ? -to : End(stage, channel, least), to));
+            yield return null;
         }
 
-        return new TrunkRoom(ways.ToArray(), legs);
+        yield return new TrunkRoom(ways.ToArray(), legs);
     }
 
     private static float End(ActStage stage, ActChannel channel, float farthest)

@@ -25,7 +25,7 @@ internal static class UsualTarget
     // Parts of the distance at which a snap is tried, the farthest first.
     private static readonly float[] parts = { 1f, 0.7f, 0.45f, 0.25f };
 
-    /// <summary>The target, model space: nothing while it is sought, one search a step, then where it is.</summary>
+    /// <summary>The target, model space: nothing while it is sought, one way of the trunk a step, then where it is.</summary>
     public static IEnumerable<Vector3?> Steps(Act act, ActBody body, ActStage stage)
     {
         stage.Show(act, 0, 0, ActGain.Full, default);
@@ -71,13 +71,17 @@ internal static class UsualTarget
         foreach (float part in parts)
         {
             var aim = new ActAim(act.Tool, false, now + (way * part), act.SnoutDown, default);
-            if (ReachSearch.Find(stage, body, act, ActGain.Full, ref aim) < 1.5f * ReachSearch.Near * body.Unit)
+            var search = new ReachSearch(stage, body, act, ActGain.Full, aim);
+            while (search.Advance())
+            {
+                yield return null;
+            }
+
+            if (search.Missing < 1.5f * ReachSearch.Near * body.Unit)
             {
                 yield return aim.Target;
                 yield break;
             }
-
-            yield return null;
         }
 
         yield return now + (way * parts[^1]);
@@ -99,19 +103,22 @@ internal static class UsualTarget
         foreach (float ahead in places)
         {
             var aim = new ActAim(act.Tool, false, new Vector3(now.X, (FoodHeight * body.Unit) + body.Tools.ChinBelowMouth, now.Z + (ahead * body.Unit)), act.SnoutDown, default);
-            float missing = ReachSearch.Find(stage, body, act, ActGain.Full, ref aim);
-            if (missing < 0.8f * least)
+            var search = new ReachSearch(stage, body, act, ActGain.Full, aim);
+            while (search.Advance())
             {
-                least = missing;
+                yield return null;
+            }
+
+            if (search.Missing < 0.8f * least)
+            {
+                least = search.Missing;
                 best = aim.Target;
             }
 
-            if (missing < 2f * ReachSearch.Near * body.Unit)
+            if (search.Missing < 2f * ReachSearch.Near * body.Unit)
             {
                 break;
             }
-
-            yield return null;
         }
 
         yield return best;
