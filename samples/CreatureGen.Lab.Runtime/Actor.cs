@@ -16,8 +16,6 @@ namespace CreatureGen.Lab.Runtime;
 /// <summary>A living creature.</summary>
 internal sealed class Actor
 {
-    private const float LongestStep = 0.1f;
-
     /// <summary>Numbers before the matrices: slot, joints, feet, place, turn, speed, phase, age, state of the body, seconds of the move.</summary>
     private const int HeadLength = 15;
     private const int MaxMoments = 16;
@@ -104,9 +102,12 @@ internal sealed class Actor
         Passed++;
     }
 
-    public void Move(Stage stage)
+    /// <summary>Lives on by the time that has passed.</summary>
+    /// <param name="stage">Where.</param>
+    /// <param name="longest">Seconds at most; what is left waits.</param>
+    public void Move(Stage stage, float longest)
     {
-        float seconds = Math.Min(waited, LongestStep);
+        float seconds = Math.Min(waited, longest);
         Passed = 0;
         moved = seconds;
         waited -= seconds;

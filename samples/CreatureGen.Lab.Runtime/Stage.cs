@@ -16,7 +16,7 @@ internal sealed class Stage
 
     /// <summary>
     /// Creatures that move in every frame at most: the one that is looked at and those nearest to it. The others take turns: those that have waited longest come first, as many as there is time for. Where so many take too long,
-    /// fewer move in every frame, so that one turn is always left.
+    /// fewer move in every frame, so that one turn is left; where there is not even time for that, there is one in every other frame.
     /// </summary>
     private const int MaxNear = 4;
 
@@ -26,6 +26,10 @@ internal sealed class Stage
     /// <summary>How much of what a move takes is taken from the last frame.</summary>
     private const double Freshness = 0.1;
 
+    /// <summary>Longest move of who moves in every frame and of who takes turns, seconds. A long one takes hardly more time than a short one.</summary>
+    private const float LongestStep = 0.1f;
+    private const float LongestTurn = 0.2f;
+
     private const int MomentLength = 6;
 
     private static readonly Comparer<Actor> longestWait = Comparer<Actor>.Create(static (a, b) => a.Passed != b.Passed ? b.Passed.CompareTo(a.Passed) : a.Slot.CompareTo(b.Slot));
@@ -34,6 +38,8 @@ internal sealed class Stage
     private readonly List<Actor> living = [];
     private float[] frame = GC.AllocateArray<float>(1 << 15, pinned: true);
     private double moveMilliseconds = 0.3;
+    private double turnMilliseconds = 0.3;
+    private bool turned;
 
     /// <summary>What they stand on.</summary>
     public Land Land { get; private set; } = Land.Plane;
@@ -107,31 +113,31 @@ internal sealed class Stage
         long begin = Stopwatch.GetTimestamp();
         Rank(eye);
         int at = 2;
-        int moved = 0;
         foreach (Actor actor in living)
         {
             actor.Wait(seconds);
         }
 
-        int near = Math.Clamp((int)(Budget / Math.Max(moveMilliseconds, 0.01)) - 1, 1, MaxNear);
-        for (int rank = 0; rank < living.Count; rank++)
+        int near = Math.Min(living.Count, Math.Clamp((int)((Budget - turnMilliseconds) / Math.Max(moveMilliseconds, 0.01)), 1, MaxNear));
+        for (int rank = 0; rank < near; rank++)
         {
-            if (rank == near)
-            {
-                living.Sort(near, living.Count - near, longestWait);
-            }
+            at = Move(living[rank], LongestStep, at);
+        }
 
-            if (rank > near && Stopwatch.GetElapsedTime(begin).TotalMilliseconds * (rank + 1) > Budget * rank)
-            {
-                break;
-            }
-
-            living[rank].Move(this);
-            at = living[rank].Write(Room(at, living[rank].FrameLength), at);
+        double passed = Stopwatch.GetElapsedTime(begin).TotalMilliseconds;
+        moveMilliseconds += Freshness * ((passed / Math.Max(near, 1)) - moveMilliseconds);
+        living.Sort(near, living.Count - near, longestWait);
+        int moved = near;
+        while (moved < living.Count && (passed + turnMilliseconds <= Budget || (moved == near && !turned)))
+        {
+            at = Move(living[moved], LongestTurn, at);
+            double till = Stopwatch.GetElapsedTime(begin).TotalMilliseconds;
+            turnMilliseconds += Freshness * (till - passed - turnMilliseconds);
+            passed = till;
             moved++;
         }
 
-        moveMilliseconds += Freshness * ((Stopwatch.GetElapsedTime(begin).TotalMilliseconds / Math.Max(moved, 1)) - moveMilliseconds);
+        turned = moved > near;
         frame[0] = moved;
         frame[1] = 0f;
         foreach (Actor actor in living)
@@ -151,6 +157,14 @@ internal sealed class Stage
         }
 
         return at;
+    }
+
+    /// <summary>Moves one on and writes it.</summary>
+    /// <returns>The index after what was written.</returns>
+    private int Move(Actor actor, float longest, int at)
+    {
+        actor.Move(this, longest);
+        return actor.Write(Room(at, actor.FrameLength), at);
     }
 
     private float[] Room(int at, int more)
