@@ -116,14 +116,14 @@ export async function checkMany({ claim, require, page, mode }) {
       await library.call('Memory');
       grid.library = { call: (...values) => { asked.push(values[0]); return library.call(...values); } };
       await new Promise(done => setTimeout(done, 600));
-      // Whom others in that library paint stay in its first slots.
+      // Whom others in that library paint and write stay in slots of their own.
       const numbers = new Float32Array((await library.frame(0, -1, new ArrayBuffer(1 << 17))).buffer);
       const slots = [];
       for (let n = 0, at = 2; n < numbers[0]; n++) {
         slots.push(numbers[at]);
         at += 15 + 4 * numbers[at + 2] + 16 * numbers[at + 1];
       }
-      return { asked: asked.filter(name => name !== 'Remove'), cards: grid.cards.size, bodies: grid.herd.members.size, left: slots.filter(slot => slot >= 4) };
+      return { asked: asked.filter(name => name !== 'Remove'), cards: grid.cards.size, bodies: grid.herd.members.size, left: slots.filter(slot => slot >= 4 && slot < 28) };
     });
 
     // Opened on another kind, it asks for no build of the kind before; a library that fails is told where its creature would be.
