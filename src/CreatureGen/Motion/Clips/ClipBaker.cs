@@ -17,13 +17,9 @@ namespace CreatureGen.Motion;
 public static class ClipBaker
 {
     private const int FewestFrames = 8;
-    private const int HighestRate = 240;
 
     /// <summary>Metres of air below what sinks as it goes.</summary>
     private const float Depth = 1000f;
-
-    /// <summary>Most that a joint may turn from frame to frame, radians; about twelve frames make a beat of a wing.</summary>
-    private const float FarthestTurn = 0.5f;
 
     private static readonly string[] ways =
     {
@@ -94,7 +90,7 @@ public static class ClipBaker
         float seconds = motion.CycleSeconds();
         int rate = Clip.UsualRate;
         RecordedCycle cycle = Record(motion, seconds, rate);
-        while (cycle.FarthestTurn() > FarthestTurn && rate < HighestRate)
+        while (ClipRate.IsTooLow(rate, cycle.FarthestTurn()))
         {
             rate *= 2;
             motion = motion.Closes ? motion : Begin(profile, movement);

@@ -36,21 +36,21 @@ internal static class Passages
         Movement? goes = Going(profile);
         if (goes != null)
         {
-            yield return new ClipRecipe("Start", () => Start(profile, goes));
-            yield return new ClipRecipe("Stop", () => Stop(profile, goes));
+            yield return Recipe("Start", rate => Start(profile, goes, rate));
+            yield return Recipe("Stop", rate => Stop(profile, goes, rate));
         }
 
         if (profile.Legs != null && profile.Gaits != null)
         {
             if (new CreatureAnimator(profile).JumpReach.Speed > 0f)
             {
-                yield return new ClipRecipe("Jump", () => Jump(profile));
+                yield return Recipe("Jump", rate => Jump(profile, rate));
             }
 
             if (profile.Flight == null)
             {
-                yield return new ClipRecipe("Fall", () => Fall(profile));
-                yield return new ClipRecipe("Land", () => Land(profile));
+                yield return Recipe("Fall", rate => Fall(profile, rate));
+                yield return Recipe("Land", rate => Land(profile, rate));
             }
         }
 
@@ -58,9 +58,11 @@ internal static class Passages
         {
             if (movement.Name is "Fly" or "Swim")
             {
-                yield return new ClipRecipe("Dart", () => Dart(profile, movement));
+                yield return Recipe("Dart", rate => Dart(profile, movement, rate));
             }
         }
+
+        ClipRecipe Recipe(string name, Func<int, Clip> record) => new(name, () => ClipRate.Record(profile.Subject.Skeleton, record));
     }
 
     /// <summary>What it goes in from standing: the slowest of its ways.</summary>
@@ -97,25 +99,25 @@ internal static class Passages
     }
 
     /// <summary>From standing until its cycle begins at full speed, where the clip of the movement begins.</summary>
-    private static Clip Start(MotionProfile profile, Movement goes)
+    private static Clip Start(MotionProfile profile, Movement goes, int rate)
     {
         CreatureAnimator animator = AtRest(profile, goes);
-        return new RecordedPassage(animator).Stage(LongestStage, goes.Input, FlatGround.Level, Beginning(0.97f * goes.Input.Speed)).Finish("Start");
+        return new RecordedPassage(animator, rate).Stage(LongestStage, goes.Input, FlatGround.Level, Beginning(0.97f * goes.Input.Speed)).Finish("Start");
     }
 
     /// <summary>From the beginning of its cycle until it stands.</summary>
-    private static Clip Stop(MotionProfile profile, Movement goes)
+    private static Clip Stop(MotionProfile profile, Movement goes, int rate)
     {
         CreatureAnimator animator = AtRest(profile, goes);
         Settle(animator, SteadyMotion.SettleSeconds, goes.Input, FlatGround.Level, _ => false);
         Settle(animator, LongestStage, goes.Input, FlatGround.Level, Beginning(0f));
-        return Rest(new RecordedPassage(animator), animator, default).Finish("Stop");
+        return Rest(new RecordedPassage(animator, rate), animator, default).Finish("Stop");
     }
 
-    private static Clip Jump(MotionProfile profile)
+    private static Clip Jump(MotionProfile profile, int rate)
     {
         CreatureAnimator animator = AtRest(profile, null);
-        var jump = new RecordedPassage(animator);
+        var jump = new RecordedPassage(animator, rate);
         animator.Jump(animator.Root.Position + new Vector3(0f, 0f, JumpPart * animator.JumpReach.Length));
         jump.Stage(LongestStage, default, FlatGround.Level, now => now.State == BodyState.Landed);
         jump.Stage(LongestStage, default, FlatGround.Level, now => now.State == BodyState.Supported);
@@ -123,28 +125,28 @@ internal static class Passages
     }
 
     /// <summary>In the air over nothing, legs reaching: the game moves it down.</summary>
-    private static Clip Fall(MotionProfile profile)
+    private static Clip Fall(MotionProfile profile, int rate)
     {
         CreatureAnimator animator = AtRest(profile, null);
         var below = new FlatGround(new Vector3(0f, -Depth * profile.LegLength, 0f), Vector3.UnitY);
         Settle(animator, LongestStage, default, below, now => now.State == BodyState.Falling);
-        return new RecordedPassage(animator).InPlace().Stage(FallSeconds, default, below).Finish("Fall");
+        return new RecordedPassage(animator, rate).InPlace().Stage(FallSeconds, default, below).Finish("Fall");
     }
 
     /// <summary>From the touch of the feet after a drop until it stands.</summary>
-    private static Clip Land(MotionProfile profile)
+    private static Clip Land(MotionProfile profile, int rate)
     {
         CreatureAnimator animator = AtRest(profile, null);
         var below = new FlatGround(new Vector3(0f, -Drop * profile.LegLength, 0f), Vector3.UnitY);
         Settle(animator, LongestStage, default, below, now => now.State == BodyState.Falling);
         Settle(animator, LongestStage, default, below, now => now.State != BodyState.Falling);
-        var landing = new RecordedPassage(animator);
+        var landing = new RecordedPassage(animator, rate);
         landing.Stage(LongestStage, default, below, now => now.State == BodyState.Supported);
         return Rest(landing, animator, default, below).Finish("Land");
     }
 
     /// <summary>Shoots ahead out of hovering or rest, and stands in the air or water again.</summary>
-    private static Clip Dart(MotionProfile profile, Movement cruises)
+    private static Clip Dart(MotionProfile profile, Movement cruises, int rate)
     {
         bool flies = cruises.Input.Medium == MotionMedium.Air;
         FlatGround at = flies ? new FlatGround(new Vector3(0f, -Depth, 0f), Vector3.UnitY) : FlatGround.Level;
@@ -152,7 +154,7 @@ internal static class Passages
         CreatureAnimator animator = AtRest(profile, null);
         animator.Teleport(animator.Root, at);
         Settle(animator, SteadyMotion.SettleSeconds, still, at, _ => false);
-        var dart = new RecordedPassage(animator);
+        var dart = new RecordedPassage(animator, rate);
         dart.Stage(DartSeconds, still with { Speed = DartSpeed * cruises.Input.Speed }, at);
         return Rest(dart, animator, still, at).Finish("Dart");
     }

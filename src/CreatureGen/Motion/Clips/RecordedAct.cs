@@ -14,9 +14,11 @@ internal static class RecordedAct
 
     private const float SettleSeconds = 0.5f;
 
-    public static Clip Bake(MotionProfile profile, ActAbility ability)
+    public static Clip Bake(MotionProfile profile, ActAbility ability) => ClipRate.Record(profile.Subject.Skeleton, rate => Record(profile, ability, rate));
+
+    private static Clip Record(MotionProfile profile, ActAbility ability, int rate)
     {
-        const float Step = 1f / Clip.UsualRate;
+        float step = 1f / rate;
         var animator = new CreatureAnimator(profile);
         MotionSettings settings = animator.Settings;
 
@@ -24,15 +26,15 @@ internal static class RecordedAct
         settings.Idle = 0f;
         animator.Settings = settings;
         animator.Teleport(animator.Root, FlatGround.Level);
-        for (int i = 0; i < (int)(SettleSeconds / Step); i++)
+        for (int i = 0; i < (int)(SettleSeconds / step); i++)
         {
-            animator.Update(Step, default, FlatGround.Level);
+            animator.Update(step, default, FlatGround.Level);
         }
 
         animator.Perform(ability);
         int joints = profile.Subject.Skeleton.Count;
-        int frames = (int)Math.Ceiling((ability.Seconds + Afterwards) / Step);
-        int leaves = ability.SecondsToLast > 0f ? (int)(ability.SecondsToLast / Step) : -1;
+        int frames = (int)Math.Ceiling((ability.Seconds + Afterwards) / step);
+        int leaves = ability.SecondsToLast > 0f ? (int)(ability.SecondsToLast / step) : -1;
         var rotations = new Quaternion[(frames + 1) * joints];
         var positions = new Vector3[(frames + 1) * joints];
         var events = new List<ClipEvent>();
@@ -45,17 +47,17 @@ internal static class RecordedAct
                 animator.GoOn();
             }
 
-            animator.Update(Step, default, FlatGround.Level);
+            animator.Update(step, default, FlatGround.Level);
             foreach (ActEvent one in animator.ActEvents)
             {
-                float at = ((frame + 1) * Step) - one.SecondsAgo;
+                float at = ((frame + 1) * step) - one.SecondsAgo;
                 if (frame < frames && ClipEvents.NameOf(one.Act, one.Mark) is { } name)
                 {
-                    events.Add(new ClipEvent(Scalar.Clamp(at, 0f, frames / (float)Clip.UsualRate), name, one.Joint < 0 ? string.Empty : profile.Subject.Skeleton.Joints[one.Joint].Name, 1f));
+                    events.Add(new ClipEvent(Scalar.Clamp(at, 0f, frames / (float)rate), name, one.Joint < 0 ? string.Empty : profile.Subject.Skeleton.Joints[one.Joint].Name, 1f));
                 }
             }
         }
 
-        return new Clip(ability.Act.Name, ClipEnd.Stays, Clip.UsualRate, 0f, joints, rotations, positions).WithEvents(events);
+        return new Clip(ability.Act.Name, ClipEnd.Stays, rate, 0f, joints, rotations, positions).WithEvents(events);
     }
 }

@@ -93,14 +93,9 @@ internal sealed class RecordedCycle
     public float FarthestTurn()
     {
         float min = 1f;
-        for (int i = Joints; i < Rotations.Length; i++)
+        for (int frame = 1; frame <= Frames; frame++)
         {
-            if (skeleton.Joints[i % Joints].Role == JointRole.Lid)
-            {
-                continue;
-            }
-
-            min = Math.Min(min, Math.Abs(SimdKernels.Dot(Rotations[i - Joints], Rotations[i])));
+            min = Math.Min(min, ClipRate.LeastDot(skeleton, Rotations.AsSpan((frame - 1) * Joints, Joints), Rotations.AsSpan(frame * Joints, Joints)));
         }
 
         return 2f * (float)PortableMath.Acos(min);

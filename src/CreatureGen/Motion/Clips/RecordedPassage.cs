@@ -10,8 +10,12 @@ namespace CreatureGen.Motion.Clips;
 /// <summary>Records what happens once, stage by stage, as a clip in place that stays at its end: the joint <c>Body</c> carries heading and height, the path is kept beside it.</summary>
 internal sealed class RecordedPassage
 {
-    private const int UpdatesPerFrame = 2;
-    private const float Step = 1f / (Clip.UsualRate * UpdatesPerFrame);
+    /// <summary>Updates in a second at the least.</summary>
+    private const int UsualUpdates = 2 * Clip.UsualRate;
+
+    private readonly int rate;
+    private readonly int updatesPerFrame;
+    private readonly float step;
 
     private readonly CreatureAnimator animator;
     private readonly RootPlace start;
@@ -24,16 +28,21 @@ internal sealed class RecordedPassage
     private bool falls;
 
     /// <summary>Begins with the pose that is shown.</summary>
-    public RecordedPassage(CreatureAnimator animator)
+    /// <param name="animator">Of whom.</param>
+    /// <param name="rate">Frames a second, the usual or a power of two of it.</param>
+    public RecordedPassage(CreatureAnimator animator, int rate)
     {
         this.animator = animator;
+        this.rate = rate;
+        updatesPerFrame = Math.Max(UsualUpdates / rate, 1);
+        step = 1f / (rate * updatesPerFrame);
         start = animator.Root;
         body = animator.Profile.Subject.Skeleton.FirstOf(JointRole.Body);
         Keep();
     }
 
     /// <summary>Seconds recorded so far.</summary>
-    public float Seconds => (path.Count - 1) / (float)Clip.UsualRate;
+    public float Seconds => (path.Count - 1) / (float)rate;
 
     /// <summary>Leaves out the height from here on: the game moves it.</summary>
     public RecordedPassage InPlace()
@@ -49,17 +58,17 @@ internal sealed class RecordedPassage
     /// <param name="isOver">What ends it sooner.</param>
     public RecordedPassage Stage(float seconds, in MotionInput input, IGround ground, Func<CreatureAnimator, bool>? isOver = null)
     {
-        for (int frame = 0; frame < (int)Math.Ceiling(seconds * Clip.UsualRate) && !(isOver?.Invoke(animator) ?? false); frame++)
+        for (int frame = 0; frame < (int)Math.Ceiling(seconds * rate) && !(isOver?.Invoke(animator) ?? false); frame++)
         {
-            for (int i = 0; i < UpdatesPerFrame; i++)
+            for (int i = 0; i < updatesPerFrame; i++)
             {
-                Update(animator, input, ground);
-                way += animator.Speed * Step;
+                Update(animator, step, input, ground);
+                way += animator.Speed * step;
                 foreach (MotionEvent one in animator.Events)
                 {
                     if (ClipEvents.NameOf(one.Kind) is { } name)
                     {
-                        float at = Seconds + ((i + 1) * Step) - one.SecondsAgo;
+                        float at = Seconds + ((i + 1) * step) - one.SecondsAgo;
                         events.Add(new ClipEvent(Math.Max(at, 0f), name, animator.Profile.Subject.Skeleton.Joints[one.Joint].Name, Math.Max(one.Strength, 0f)));
                     }
                 }
@@ -80,16 +89,18 @@ internal sealed class RecordedPassage
         }
 
         float duration = Seconds;
-        var clip = new Clip(name, ClipEnd.Stays, Clip.UsualRate, way / duration, animator.Profile.Subject.Skeleton.Count, rotations.ToArray(), positions.ToArray());
+        var clip = new Clip(name, ClipEnd.Stays, rate, way / duration, animator.Profile.Subject.Skeleton.Count, rotations.ToArray(), positions.ToArray());
         return clip.WithEvents(events.ConvertAll(one => new ClipEvent(Math.Min(one.Time, duration), one.Name, one.Joint, one.Strength))).WithPath(path);
     }
 
     /// <summary>Goes on by one update, looking straight ahead: glances of its own are no part of a clip.</summary>
-    public static void Update(CreatureAnimator animator, in MotionInput input, IGround ground)
+    public static void Update(CreatureAnimator animator, in MotionInput input, IGround ground) => Update(animator, 1f / UsualUpdates, input, ground);
+
+    private static void Update(CreatureAnimator animator, float step, in MotionInput input, IGround ground)
     {
         float height = animator.Profile.Subject.StandingHeight;
         animator.LookAt = animator.Root.Position + Rotation.Rotate(animator.Root.Rotation, new Vector3(0f, height, 100f * height));
-        animator.Update(Step, input, ground);
+        animator.Update(step, input, ground);
     }
 
     private void Keep()
