@@ -146,4 +146,14 @@ public sealed class SeekTests
         left.Y = settings.ClimbSpeed > 0f ? left.Y : 0f;
         return left.Length();
     }
+
+    [Fact]
+    public void A_decided_velocity_asks_for_the_same_ahead_aside_up_and_around_within_what_an_input_may_ask()
+    {
+        var velocity = new BodyVelocity(new Vector3(0.5f, -0.25f, 3f), 0.75f);
+        Assert.Equal(new MotionInput(3f, 0.75f, 0.5f, -0.25f, MotionMedium.Air), MotionInput.From(velocity, MotionMedium.Air));
+        Assert.Equal(new MotionInput(-10_000f, 1_000f, 10_000f, 10_000f), MotionInput.From(new BodyVelocity(new Vector3(1e9f, 1e9f, -1e9f), 1e9f)));
+        Assert.Throws<ArgumentException>(() => MotionInput.From(new BodyVelocity(new Vector3(0f, float.NaN, 0f), 0f)));
+        Assert.Throws<ArgumentException>(() => MotionInput.From(new BodyVelocity(Vector3.Zero, float.PositiveInfinity)));
+    }
 }

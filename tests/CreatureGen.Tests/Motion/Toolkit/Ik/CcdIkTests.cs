@@ -37,6 +37,23 @@ public sealed class CcdIkTests(ITestOutputHelper output)
         Assert.True(reached >= 295, $"{reached} of 300");
     }
 
+    /// <summary>No joint has a limit here, and the target is well within reach: all that is missing are rounds.</summary>
+    [Fact]
+    public void Rounds_that_are_too_few_are_told_apart_from_limits_and_from_targets_out_of_reach()
+    {
+        Skeleton skeleton = MovingPose.Chain(6, 0.5f, JointLimit.Free);
+        IkStatus After(int rounds, Vector3 target)
+        {
+            MovingPose pose = new(skeleton);
+            return CcdIk.Apply(skeleton, chain, target, new CcdSettings(rounds), pose.Local, pose.Model).Status;
+        }
+
+        var beside = new Vector3(1.5f, -1f, 0.5f);
+        Assert.Equal(IkStatus.NotConverged, After(1, beside));
+        Assert.Equal(IkStatus.Reached, After(60, beside));
+        Assert.Equal(IkStatus.TooFar, After(60, 10f * beside));
+    }
+
     [Fact]
     public void One_joint_turns_by_the_whole_angle_and_not_by_twice_it()
     {
