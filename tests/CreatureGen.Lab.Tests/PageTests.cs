@@ -80,6 +80,9 @@ public sealed class PageTests(PageFixture page) : IClassFixture<PageFixture>
         page.Holds("the grid holds to its filters, tells what cannot be grown, and stops when it is closed");
 
     [Fact]
+    public void The_sliders_and_parts_that_the_page_shows_before_the_library_runs_are_the_librarys_own() => page.Holds("the sliders and parts that the page shows before the library runs are the library's own");
+
+    [Fact]
     public void Surprises_and_nudges_are_sound_and_undo_and_redo_go_back_and_forth_between_them() => page.Holds("surprises and nudges are sound, and undo and redo go back and forth between them");
 
     [Fact]

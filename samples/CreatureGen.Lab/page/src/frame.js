@@ -19,6 +19,7 @@ import { Nursery } from './play/nursery.js';
 import { Taking } from './play/taking.js';
 import { Lab } from './lab.js';
 import { first } from './design.js';
+import offered from './offered.json';
 import { Visits } from './visits.js';
 import { Notices } from './notices.js';
 import { h } from './dom.js';
@@ -102,7 +103,7 @@ export class Frame {
       document.getElementById('cover').textContent = texts.stopped(problem.message);
       throw problem;
     }
-    this.#fillPanel(JSON.parse(await this.library.call('Sliders')), JSON.parse(await this.library.call('Palette')));
+    this.#fillPanel(offered.sliders, offered.parts);
     if (!await this.notices.guard(() => this.visits.arrive(wanted), texts.badAddress)) {
       await this.visits.arrive(first);
     }

@@ -17,8 +17,6 @@ if (problem) {
 
 /** What is asked of the library before anything else: by the time that the stage is built, the creature has grown. */
 function askAhead(library) {
-  library.ahead('Sliders');
-  library.ahead('Palette');
   try {
     const wanted = readAddress(location.hash) ?? first;
     if (!wanted.packed) {

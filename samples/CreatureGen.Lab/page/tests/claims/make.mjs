@@ -1,4 +1,5 @@
 // What is changed of a creature.
+import { readFileSync } from 'node:fs';
 
 export async function checkMaking({ claim, require, page }) {
   await claim('it begins as strange as the library’s own default', async () => {
@@ -23,6 +24,16 @@ export async function checkMaking({ claim, require, page }) {
     await page.waitForFunction(() => !location.hash.includes('girth'));
     const back = await page.evaluate(() => creatureLab.lab.lab.facts.mass);
     require(back === before, `undo did not take ${address} back: ${back} kg; expected ${before}`);
+  });
+
+  await claim('the sliders and parts that the page shows before the library runs are the library\'s own', async () => {
+    const asked = await page.evaluate(async () => {
+      const { library } = creatureLab.lab;
+      return { sliders: JSON.parse(await library.call('Sliders')).map(({ name, least, most, own }) => ({ name, least, most, own })), parts: JSON.parse(await library.call('Palette')) };
+    });
+    const shown = JSON.parse(readFileSync(new URL('../../src/offered.json', import.meta.url), 'utf8'));
+    require(JSON.stringify(shown) === JSON.stringify(asked), `src/offered.json has to be ${JSON.stringify(asked)}`);
+    return `${shown.sliders.length} sliders, ${shown.parts.length} parts`;
   });
 
   await claim('surprises and nudges are sound, and undo and redo go back and forth between them', async () => {
