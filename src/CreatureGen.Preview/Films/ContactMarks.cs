@@ -1,7 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Motion;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Scenes;
 

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Motion;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Preview.Pictures;
 
 namespace CreatureGen.Preview.Films;

@@ -4,7 +4,7 @@ using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Motion;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Rigging;
 

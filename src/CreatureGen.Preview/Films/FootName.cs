@@ -1,6 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Preview.Pictures;
 

@@ -12,7 +12,8 @@ using CreatureGen.Motion.Slithering;
 using CreatureGen.Motion.Swimming;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
-using CreatureGen.Motion.Walking.Idle;
+using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Walking.Pace;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion;

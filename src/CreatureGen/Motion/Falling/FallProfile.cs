@@ -6,6 +6,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;

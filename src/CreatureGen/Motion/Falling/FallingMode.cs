@@ -4,6 +4,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;

@@ -3,6 +3,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;

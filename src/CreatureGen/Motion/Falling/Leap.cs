@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;

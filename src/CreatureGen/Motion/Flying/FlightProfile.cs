@@ -7,7 +7,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Chains;
-using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Flying;

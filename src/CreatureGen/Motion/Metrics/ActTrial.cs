@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 

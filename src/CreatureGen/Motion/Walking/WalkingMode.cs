@@ -3,9 +3,11 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Idle;
-using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Pace;
+using CreatureGen.Motion.Walking.Poses;
 using CreatureGen.Motion.Walking.Trunk;
 using CreatureGen.Rigging;
 
@@ -381,8 +383,7 @@ internal sealed class WalkingMode : ILocomotionMode
     private void ChooseGait(float froude, in MotionSettings settings)
     {
         float ahead = velocity.SpeedAfter(Foresight);
-        float unit = settings.Gravity * body.LegLength;
-        gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / unit) : 0f);
+        gait = gaits.Choose(gait, ahead > 0f ? Math.Max(froude, ahead * ahead / (settings.Gravity * body.LegLength)) : 0f);
         Gait wanted = settings.Walking.Gait ?? gaits.Steps[gait].Gait;
         if (ReferenceEquals(wanted, clock.Gait))
         {
@@ -402,8 +403,7 @@ internal sealed class WalkingMode : ILocomotionMode
 
     private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings)
     {
-        float roll = activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength);
-        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, roll, clock.Cycle, dt);
+        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, dt);
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);

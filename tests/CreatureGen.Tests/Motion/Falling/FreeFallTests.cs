@@ -5,7 +5,7 @@ using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
-using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using Xunit;
 

@@ -6,7 +6,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 using Xunit;

@@ -1,9 +1,9 @@
 using System;
 using System.Numerics;
 using CreatureGen.Motion;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
-using CreatureGen.Motion.Walking.Trunk;
+using CreatureGen.Motion.Walking.Pace;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Walking;
@@ -120,7 +120,7 @@ public sealed class SteadySlopeTests
             foreach (Gait gait in new[] { GaitLibrary.Walk, GaitLibrary.Trot, GaitLibrary.TransverseGallop })
             {
                 SlopeStance stance = SlopeStance.Of(body, gait);
-                Assert.Equal(body.LongestStance(gait), stance.At(0f));
+                Assert.Equal(SlopeStance.OnLevel(body, gait), stance.At(0f));
                 float last = stance.At(0f);
                 for (float slope = 0.05f; slope < 0.6f; slope += 0.05f)
                 {

@@ -1,6 +1,6 @@
 using System;
 using CreatureGen.Motion;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using Xunit;
 

@@ -1,3 +1,4 @@
+
 namespace CreatureGen.Motion;
 
 /// <summary>What an act is for.</summary>

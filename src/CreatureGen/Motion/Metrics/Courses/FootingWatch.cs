@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;

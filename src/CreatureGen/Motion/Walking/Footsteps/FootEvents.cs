@@ -1,6 +1,7 @@
 using System;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Walking.Bodies;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 

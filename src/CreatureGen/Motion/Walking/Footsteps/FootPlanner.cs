@@ -3,7 +3,8 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Toolkit.Steps;
-using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Walking.Pace;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
@@ -103,7 +104,7 @@ internal sealed class FootPlanner
                 return true;
             }
 
-            Vector3 away = frame.ToModel(feet[i].From.Position) - NeutralFootholds.Under(body, i, activity, clock, 0f, 0f);
+            Vector3 away = frame.ToModel(feet[i].From.Position) - GaitFootholds.Under(body, i, activity, clock, 0f, 0f);
             away.Y = 0f;
             if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].From.YawFrom(frame)) > 2f * MinTurn)
             {
@@ -322,7 +323,7 @@ internal sealed class FootPlanner
     {
         Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);
-        Vector3 next = there + Rotation.Rotate(turn, NeutralFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
+        Vector3 next = there + Rotation.Rotate(turn, GaitFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
         Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
         away.Y = 0f;
         return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].From.YawFrom(step.Frame) - yaw) > MinTurn;
@@ -381,7 +382,7 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);
-        Vector3 home = NeutralFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
+        Vector3 home = GaitFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
         Vector3 wanted = there + Rotation.Rotate(turn, home);
 
         // Who stands shifts its weight, and its feet go home whatever its hips do.

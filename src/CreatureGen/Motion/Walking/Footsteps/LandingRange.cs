@@ -3,6 +3,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 

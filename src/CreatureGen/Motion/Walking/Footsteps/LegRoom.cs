@@ -1,13 +1,13 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
-using CreatureGen.Motion.Walking.Trunk;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
 /// <summary>How far hind and fore body come down so that no standing leg reaches beyond its share of the reach, or up so that none is folded beyond the limit of its knee.</summary>
-internal static class LegRoom
+internal struct LegRoom
 {
     /// <summary>Part of its reach beyond which a standing leg draws the body down.</summary>
     private const float MaxStretch = 0.972f;
@@ -39,55 +39,61 @@ internal static class LegRoom
     /// <summary>Part of a stance after which a stretched leg lets others raise the body more and more.</summary>
     private const float RollsOff = 0.6f;
 
-    /// <summary>Finds how far the body comes down.</summary>
-    /// <param name="placer">Gives the hips.</param>
-    /// <param name="body">Gives the legs.</param>
-    /// <param name="feet">What the feet do.</param>
-    /// <param name="poses">Where they have to be.</param>
-    /// <param name="hindDrop">Of the hind body, metres; negative is up.</param>
-    /// <param name="foreDrop">Of the fore body.</param>
-    public static void Find(BodyPlacer placer, LeggedBody body, Span<Foot> feet, ReadOnlySpan<FootPose> poses, out float hindDrop, out float foreDrop)
+    private readonly LeggedBody body;
+    private Girdle hind;
+    private Girdle fore;
+
+    public LegRoom(LeggedBody body)
     {
-        var hind = new Girdle(float.MaxValue);
-        var fore = new Girdle(float.MaxValue);
-        for (int i = 0; i < feet.Length; i++)
+        this.body = body;
+        hind = new Girdle(float.MaxValue);
+        fore = new Girdle(float.MaxValue);
+    }
+
+    /// <summary>How much a leg counts, 0..1: less as it leaves the ground, more as it comes down, and not where an act has taken it.</summary>
+    public static float Weight(LegRig leg, in Foot foot) => Math.Max(Arrival(leg, foot), Leaving(foot)) * (1f - foot.Taken);
+
+    /// <summary>Adds what a leg asks that counts.</summary>
+    /// <param name="leg">The leg.</param>
+    /// <param name="chord">From its hip to what it reaches for, the body not lowered yet.</param>
+    /// <param name="foot">Its foot; takes note of the chord and of what was asked.</param>
+    public void Add(LegRig leg, Vector3 chord, ref Foot foot)
+    {
+        float weight = Weight(leg, foot);
+        float arriving = Arrival(leg, foot);
+        foot.Leg.Chord = chord;
+        float distance = Vec.Length(chord);
+        float steep = Steepness(chord, distance);
+        float max = (leg.Lateral ? LateralDrop : MaxDrop) * leg.Length;
+        float asked = Math.Min(Asked(leg, chord, distance), max);
+
+        // One that has left the ground draws the body no farther down than it did there.
+        bool leaves = foot.Phase == FootPhase.Swing && arriving == 0f;
+        float drawn = leaves ? Math.Min(asked, foot.Leg.Drawn) : asked;
+        foot.Leg.Drawn = leaves ? foot.Leg.Drawn : weight * asked;
+        float drop = weight * drawn;
+        float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxRaise * leg.Length);
+        float holds = foot.Phase == FootPhase.Swing ? arriving : Standing(foot);
+        float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);
+
+        // Bodies on many legs come down level.
+        if (body.Rows != 2 || leg.Row == 0)
         {
-            LegRig leg = body.Legs[i];
-            float arriving = Arrival(leg, feet[i]);
-            float weight = Math.Max(arriving, Leaving(feet[i])) * (1f - feet[i].Taken);
-            if (weight == 0f)
-            {
-                continue;
-            }
-
-            Vector3 chord = poses[i].Target - placer.HipOf(i, feet[i], out _);
-            feet[i].Leg.Chord = chord;
-            float distance = Vec.Length(chord);
-            float steep = Steepness(chord, distance);
-            float max = (leg.Lateral ? LateralDrop : MaxDrop) * leg.Length;
-            float asked = Math.Min(Asked(leg, chord, distance), max);
-
-            // One that has left the ground draws the body no farther down than it did there.
-            bool leaves = feet[i].Phase == FootPhase.Swing && arriving == 0f;
-            float drawn = leaves ? Math.Min(asked, feet[i].Leg.Drawn) : asked;
-            feet[i].Leg.Drawn = leaves ? feet[i].Leg.Drawn : weight * asked;
-            float drop = weight * drawn;
-            float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxRaise * leg.Length);
-            float holds = feet[i].Phase == FootPhase.Swing ? arriving : Standing(feet[i]);
-            float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);
-
-            // Bodies on many legs come down level.
-            if (body.Rows != 2 || leg.Row == 0)
-            {
-                hind.Add(drop, raise, room);
-            }
-
-            if (body.Rows != 2 || leg.Row == 1)
-            {
-                fore.Add(drop, raise, room);
-            }
+            hind.Add(drop, raise, room);
         }
 
+        if (body.Rows != 2 || leg.Row == 1)
+        {
+            fore.Add(drop, raise, room);
+        }
+    }
+
+    /// <summary>Finds how far the body comes down when all legs that count have been added.</summary>
+    /// <param name="feet">All; take note of it.</param>
+    /// <param name="hindDrop">Of the hind body, metres; negative is up.</param>
+    /// <param name="foreDrop">Of the fore body.</param>
+    public readonly void Find(Span<Foot> feet, out float hindDrop, out float foreDrop)
+    {
         float level = Math.Max(0f, 1f - body.Span.Fraction);
         float hindest = Math.Max(hind.Drop, level * fore.Drop);
         hindDrop = Net(hindest, hind.Rise);

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Pace;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Walking.Footsteps;

@@ -1,6 +1,6 @@
 using System;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Walking.Trunk;
+using CreatureGen.Motion.Walking.Bodies;
 
 namespace CreatureGen.Motion.Walking.Idle;
 

@@ -1,7 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Walking.Footsteps;
 
 namespace CreatureGen.Motion.Walking.Legs;
 

@@ -1,10 +1,9 @@
+using System;
 using System.Collections.Generic;
 using System.Numerics;
-using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Ik;
-using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Walking.Legs;

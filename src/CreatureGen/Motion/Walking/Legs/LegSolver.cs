@@ -54,6 +54,9 @@ internal struct LegRotations
 /// </summary>
 internal static class LegSolver
 {
+    /// <summary>Share of the body's own axis in the plane of a leg out to the side.</summary>
+    private const float BodyFraction = 0.3f;
+
     /// <summary>How much earlier in the middle of the swing.</summary>
     private const float SwingSlack = 0.07f;
 
@@ -190,5 +193,23 @@ internal static class LegSolver
 
         float fraction = (float)Math.Sqrt(wanted / level);
         return new Vector3(target.X * fraction, target.Y, target.Z * fraction);
+    }
+
+    /// <summary>Where the solved parts end, from the hip.</summary>
+    public static Vector3 EndOf(LegRig leg, in LegSegments parts, in LegRotations solved) => Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank);
+
+    /// <summary>Where the hinge of the knee has to point, for a place from the hip.</summary>
+    public static Vector3 Side(LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading)
+    {
+        Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);
+        if (!leg.Lateral)
+        {
+            // Half with the pelvis, half with the foot.
+            return carried + (Rotation.Rotate(heading, leg.Hinge) * 0.5f) + (leg.Hinge * 0.5f);
+        }
+
+        // The leg's plane stands upright through hip and ankle; the share of the body's own axis keeps it when the foot is nearly below the hip.
+        Vector3 across = Vec.Cross(chord, Rotation.Rotate(carrier, Vector3.UnitY)) * (leg.AcrossSign / Math.Max(Vec.Length(chord), 1e-6f));
+        return across + Rotation.Rotate(carrier, leg.Skew * Vec.Length(across)) + (carried * BodyFraction);
     }
 }

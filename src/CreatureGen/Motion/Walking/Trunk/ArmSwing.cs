@@ -1,6 +1,7 @@
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Walking.Trunk;

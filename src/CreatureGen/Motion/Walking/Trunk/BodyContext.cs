@@ -1,4 +1,5 @@
-using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Idle;
+using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
@@ -41,11 +42,3 @@ internal readonly struct BodyContext
     /// <summary>How much farther the fore body is let down than the hind body, metres.</summary>
     public float Bow { get; }
 }
-
-/// <summary>What a standing body does by itself.</summary>
-/// <param name="Breath">Rise of the trunk, metres.</param>
-/// <param name="Shift">Shift of the weight to the left, metres.</param>
-/// <param name="Roll">Roll of the pelvis with it, radians.</param>
-/// <param name="Yaw">Yaw of the pelvis with it, radians.</param>
-/// <param name="TailSway">Yaw of the tail, radians.</param>
-internal readonly record struct IdlePose(float Breath, float Shift, float Roll, float Yaw, float TailSway);

@@ -2,8 +2,10 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
@@ -111,9 +113,9 @@ internal sealed class BodyPlacer
     public void Reset(ReadOnlySpan<Foot> feet)
     {
         way.Reset(feet, body.LegLength);
-        Grounds(feet, out float hindGround, out float foreGround, out _);
-        HindGround = hindGround;
-        ForeGround = foreGround;
+        var ground = GroundUnderFeet.Of(body, feet, Climb);
+        HindGround = ground.Hind;
+        ForeGround = ground.Fore;
         slope = 0f;
         turnBend = default;
     }
@@ -216,7 +218,7 @@ internal sealed class BodyPlacer
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
         {
-            Pelvis = new Vector3(rest.X + sway + inward + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + effort.Shift + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * NeutralFootholds.Shortening(Climb))),
+            Pelvis = new Vector3(rest.X + sway + inward + (body.Legs[0].Lateral ? -slope * body.HipHeight : 0f), rest.Y + hindRise, rest.Z + surge + effort.Shift + (body.Posture.Ahead * context.Upright) - (body.IsBiped ? 0f : rest.Z * SlopeShift.Shortening(Climb))),
             PelvisYaw = pelvisYaw,
             PelvisPitch = (lean < 0f ? Math.Min(lean, -raised) : lean - raised) - (0.5f * flexion) - (body.IsBiped ? Rock : 0f),
             PelvisRoll = pelvisRoll - bank + slope,
@@ -228,7 +230,7 @@ internal sealed class BodyPlacer
         plan.Add(layer, body, ref foreRise);
         Vector3 between = Trunk.Flex(plan);
         Settle(plan, layer, between, rest.Y, foreRise, 0f, 0f);
-        LegRoom.Find(this, body, feet, poses, out float hindDrop, out float foreDrop);
+        MakeRoom(feet, poses, out float hindDrop, out float foreDrop);
         if (Math.Max(Math.Abs(hindDrop), Math.Abs(foreDrop)) > 1e-5f * length)
         {
             Settle(plan, layer, between, rest.Y, foreRise, hindDrop, foreDrop);
@@ -241,6 +243,21 @@ internal sealed class BodyPlacer
         float rises = foreRise - hindRise;
         foreRise = hindRise + (rises * body.Span.Fore);
         hindRise += rises * body.Span.Hind;
+    }
+
+    /// <summary>How far the placed trunk has to come down for the legs.</summary>
+    private void MakeRoom(Span<Foot> feet, ReadOnlySpan<FootPose> poses, out float hindDrop, out float foreDrop)
+    {
+        var room = new LegRoom(body);
+        for (int i = 0; i < feet.Length; i++)
+        {
+            if (LegRoom.Weight(body.Legs[i], feet[i]) != 0f)
+            {
+                room.Add(body.Legs[i], poses[i].Target - HipOf(i, feet[i], out _), ref feet[i]);
+            }
+        }
+
+        room.Find(feet, out hindDrop, out foreDrop);
     }
 
     /// <summary>Model place of a leg's hip, its girdle slid and risen with its foot.</summary>
@@ -322,58 +339,14 @@ internal sealed class BodyPlacer
     /// <summary>Follows the ground under the feet.</summary>
     private void Follow(in BodyContext context, ReadOnlySpan<Foot> feet)
     {
-        Grounds(feet, out float hindGround, out float foreGround, out float across);
+        var ground = GroundUnderFeet.Of(body, feet, Climb);
         float fraction = groundDecay.Fraction((GroundRate + (GroundRateOfWay * Math.Abs(context.RootVelocity.Speed) / body.LegLength)) * context.Step);
-        HindGround += (hindGround - HindGround) * fraction;
-        ForeGround += (foreGround - ForeGround) * fraction;
+        HindGround += (ground.Hind - HindGround) * fraction;
+        ForeGround += (ground.Fore - ForeGround) * fraction;
         way.Feel(feet, body.LegLength, context.RootVelocity.Speed, context.Step);
-        float wanted = Scalar.Clamp(0.5f * (body.Legs[0].Lateral ? LateralSlopeFraction : SlopeFraction) * across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MaxRoll, body.MaxRoll);
+        float wanted = Scalar.Clamp(0.5f * (body.Legs[0].Lateral ? LateralSlopeFraction : SlopeFraction) * ground.Across / Math.Max(body.HalfTrack, 0.05f * body.LegLength), -body.MaxRoll, body.MaxRoll);
         slope += (wanted - slope) * slopeDecay.Fraction(SlopeRate * context.Step);
         SlideFraction = context.Activity;
-    }
-
-    /// <summary>Ground under hind and fore feet, seen along the slope from the middle of where they belong: half way between their lowest and their mean; and how much higher it is on the left than on the right.</summary>
-    private void Grounds(ReadOnlySpan<Foot> feet, out float hindGround, out float foreGround, out float across)
-    {
-        float hindMin = float.MaxValue;
-        float foreMin = float.MaxValue;
-        float hindSum = 0f;
-        float foreSum = 0f;
-        float left = 0f;
-        float right = 0f;
-        int hindCount = 0;
-        int leftCount = 0;
-        for (int i = 0; i < feet.Length; i++)
-        {
-            LegRig leg = body.Legs[i];
-            float y = feet[i].Path.Base.Y + (leg.Lateral ? feet[i].Path.Over : 0f) - (Climb * (feet[i].Path.Base.Z - (leg.IsHind(body.Rows) ? body.Span.Rear : body.Span.Front)));
-            if (leg.IsHind(body.Rows))
-            {
-                hindMin = Math.Min(hindMin, y);
-                hindSum += y;
-                hindCount++;
-            }
-            else
-            {
-                foreMin = Math.Min(foreMin, y);
-                foreSum += y;
-            }
-
-            if (leg.Side == Anatomy.Side.Left)
-            {
-                left += y;
-                leftCount++;
-            }
-            else
-            {
-                right += y;
-            }
-        }
-
-        int foreCount = feet.Length - hindCount;
-        hindGround = 0.5f * (hindMin + (hindSum / hindCount));
-        foreGround = foreCount == 0 ? hindGround : 0.5f * (foreMin + (foreSum / foreCount));
-        across = (left / Math.Max(leftCount, 1)) - (right / Math.Max(feet.Length - leftCount, 1));
     }
 
     /// <summary>Places the bent trunk with the pelvis at its height, and pitches it so that the fore legs' joint comes to its own.</summary>

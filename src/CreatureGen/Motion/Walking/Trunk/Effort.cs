@@ -1,6 +1,7 @@
 using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Bodies;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 

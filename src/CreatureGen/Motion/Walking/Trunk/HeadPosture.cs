@@ -1,7 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
-using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Walking.Trunk;

@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Trunk;

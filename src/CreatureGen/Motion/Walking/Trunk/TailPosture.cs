@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Walking.Trunk;
@@ -12,9 +13,6 @@ internal static class TailPosture
 
     /// <summary>Part of the pelvis's roll that the tail takes back.</summary>
     private const float Steadiness = 0.5f;
-
-    /// <summary>Part of a joint's limit that is used; the rest is for its swing.</summary>
-    public const float MaxFraction = 0.4f;
 
     /// <summary>Writes the tail.</summary>
     public static void Pose(LeggedBody body, RestRotations turns, BodyPlacer placer, in BodyContext context, in Pose local)
@@ -36,7 +34,7 @@ internal static class TailPosture
         Quaternion turn = Quaternion.Identity;
         for (int i = 0; i < count; i++)
         {
-            float max = MaxFraction * body.TailLimits[i];
+            float max = StandingPosture.TailFraction * body.TailLimits[i];
             float ownYaw = Scalar.Clamp(yaw * fraction, -max, max);
             float ownPitch = Scalar.Clamp(pitch * fraction, -max, max);
             if (ownYaw != lastYaw || ownPitch != lastPitch)

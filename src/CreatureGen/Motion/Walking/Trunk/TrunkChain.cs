@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking.Bodies;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 

@@ -1,7 +1,8 @@
 using System;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
-using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 

@@ -2,9 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Motion;
-using CreatureGen.Motion.Metrics.Courses;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Metrics;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Pace;
 using CreatureGen.Sampling;
 using Xunit;
 

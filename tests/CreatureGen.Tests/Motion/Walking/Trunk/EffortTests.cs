@@ -1,5 +1,5 @@
 using CreatureGen.Motion;
-using CreatureGen.Motion.Walking;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Trunk;
 using CreatureGen.Sampling;
 using Xunit;

@@ -1,6 +1,0 @@
-using CreatureGen.Anatomy;
-
-namespace CreatureGen.Motion.Walking;
-
-/// <summary>An arm that swings as its body walks.</summary>
-internal readonly record struct ArmShape(int Shoulder, int Elbow, int Wrist, Side Side);

@@ -1,0 +1,51 @@
+using CreatureGen.Motion.Walking.Pace;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <summary>What the feet are told in a step of time.</summary>
+internal readonly struct StepContext
+{
+    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, MotionSettings settings, IGround ground, float step, float since, float left, float activity, bool moving, float slope)
+    {
+        Frame = frame;
+        RootVelocity = velocity;
+        Clock = clock;
+        Settings = settings;
+        Ground = ground;
+        Step = step;
+        Since = since;
+        Left = left;
+        Activity = activity;
+        Moving = moving;
+        Slope = slope;
+    }
+
+    /// <summary>Where the creature is at the end of the step.</summary>
+    public RootPlace Frame { get; }
+
+    public RootVelocity RootVelocity { get; }
+
+    public GaitClock Clock { get; }
+
+    public MotionSettings Settings { get; }
+
+    public IGround Ground { get; }
+
+    /// <summary>Seconds.</summary>
+    public float Step { get; }
+
+    /// <summary>Seconds from the last pose to the end of this step.</summary>
+    public float Since { get; }
+
+    /// <summary>Seconds from the end of this step to the end of the update.</summary>
+    public float Left { get; }
+
+    /// <summary>0 stands, 1 walks.</summary>
+    public float Activity { get; }
+
+    /// <summary>Whether it goes or turns.</summary>
+    public bool Moving { get; }
+
+    /// <summary>Rise of the ground along the way, over some steps.</summary>
+    public float Slope { get; }
+}

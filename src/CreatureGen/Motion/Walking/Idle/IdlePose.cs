@@ -1,0 +1,9 @@
+namespace CreatureGen.Motion.Walking.Idle;
+
+/// <summary>What a standing body does by itself.</summary>
+/// <param name="Breath">Rise of the trunk, metres.</param>
+/// <param name="Shift">Shift of the weight to the left, metres.</param>
+/// <param name="Roll">Roll of the pelvis with it, radians.</param>
+/// <param name="Yaw">Yaw of the pelvis with it, radians.</param>
+/// <param name="TailSway">Yaw of the tail, radians.</param>
+internal readonly record struct IdlePose(float Breath, float Shift, float Roll, float Yaw, float TailSway);

@@ -1,0 +1,316 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Gaits;
+using CreatureGen.Motion.Toolkit.Steps;
+using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Walking.Legs;
+
+namespace CreatureGen.Motion.Walking.Pace;
+
+/// <summary>
+/// Where a creature is in its cycle, and the numbers of its gait at present. Gaits change by sliding their constants, never their poses: each lag by at most 0.30 cycle and the duty by at most 0.35
+/// in a cycle, so that no leg's phase runs backwards; all else at 2 s⁻¹.
+/// </summary>
+internal sealed class GaitClock
+{
+    /// <summary>The slowest that a change of gaits makes the clock, as part of the new gait's own frequency.</summary>
+    private const float SlowestFraction = 0.1f;
+
+    private const float LagPerCycle = 0.30f;
+    private const float DutyPerCycle = 0.35f;
+    private const float ShapeRate = 2f;
+
+    /// <summary>Yaw of the body in one cycle on the spot, radians.</summary>
+    private const float YawPerCycle = 0.45f;
+
+    /// <summary>Seconds ahead of which the speed decides how quick steps are.</summary>
+    private const float Foresight = 0.25f;
+
+    /// <summary>How quickly a change of that is taken up, per second.</summary>
+    private const float GainRate = 8f;
+
+    /// <summary>Times that a rate of turning is brought down to what steps can follow, by half at most.</summary>
+    private const int TurnTrials = 4;
+
+    /// <summary>Radians per second from which on it is looked for how sharp a turn is possible.</summary>
+    private const float SharpestAsked = 20f;
+
+    /// <summary>Time of a swing in which no leg is stretched out behind, and from which on it has all the time for it, √(leg/g).</summary>
+    private const float HurriedSwing = 0.6f;
+    private const float UnhurriedSwing = 1.6f;
+
+    private readonly LeggedBody body;
+    private readonly float[] lags;
+    private readonly float quickest;
+    private float frequencyRest;
+    private ExponentialDecay shapeDecay;
+    private ExponentialDecay gainDecay;
+    private float gainAhead;
+    private Gait? measured;
+    private float measuredFroude;
+    private float measuredGravity;
+    private float measuredSlope;
+    private float measuredFrequency;
+    private SlopeStance longest;
+    private float slope;
+
+    public GaitClock(LeggedBody body, Gait gait)
+    {
+        this.body = body;
+        lags = new float[body.Legs.Length];
+        quickest = GaitSet.QuickestOf(body.Mass);
+        Gait = gait;
+        Shape = GaitShape.Of(gait);
+        Restart(gait, 0f, Lead.Left);
+    }
+
+    /// <summary>The gait at present, or the one being gone over to.</summary>
+    public Gait Gait { get; private set; }
+
+    /// <summary>Its numbers at present.</summary>
+    public GaitShape Shape;
+
+    /// <summary>Place in the cycle, 0..1.</summary>
+    public double Phase { get; set; }
+
+    /// <summary>Cycles per second.</summary>
+    public float Frequency { get; private set; }
+
+    /// <summary>Seconds of a cycle, 10 at most.</summary>
+    public float Cycle => 1f / Math.Max(Frequency, 0.1f);
+
+    /// <summary>How long steps are, of those that go straight ahead at the same speed, 0..1: in a turn they come quicker, and are shorter for it.</summary>
+    public float Length { get; private set; } = 1f;
+
+    /// <summary>Part of the cycle that a foot is down.</summary>
+    public float Duty { get; private set; }
+
+    /// <summary>The side that leads in canter and gallop.</summary>
+    public Lead Lead { get; private set; }
+
+    /// <summary>How far legs of the hindmost pair are stretched out behind in the air, 0..1: less the shorter that is, or they would be flung there and back.</summary>
+    /// <param name="gravity">Metres of the model per second squared.</param>
+    public float TrailIn(float gravity)
+    {
+        float swing = (1f - Duty) * Cycle * (float)Math.Sqrt(gravity / body.LegLength);
+        return Shape.Trail * Scalar.Smooth((swing - HurriedSwing) / (UnhurriedSwing - HurriedSwing));
+    }
+
+    /// <summary>Lag of each leg's touchdown, 0..1.</summary>
+    public ReadOnlySpan<float> Lags => lags;
+
+    /// <summary>A leg's place in its own cycle, 0..1: stance up to the duty, then swing.</summary>
+    public float LegPhase(int leg) => StepPhase.Place((float)Phase, lags[leg]);
+
+    /// <summary>Takes over the place and the numbers of another.</summary>
+    public void CopyFrom(GaitClock other)
+    {
+        Gait = other.Gait;
+        Shape = other.Shape;
+        Phase = other.Phase;
+        Frequency = other.Frequency;
+        Length = other.Length;
+        Duty = other.Duty;
+        Lead = other.Lead;
+        other.lags.CopyTo(lags, 0);
+        frequencyRest = other.frequencyRest;
+        shapeDecay = other.shapeDecay;
+        gainDecay = other.gainDecay;
+        gainAhead = other.gainAhead;
+        slope = other.slope;
+        measured = other.measured;
+        measuredFroude = other.measuredFroude;
+        measuredGravity = other.measuredGravity;
+        measuredSlope = other.measuredSlope;
+        measuredFrequency = other.measuredFrequency;
+        longest = other.longest;
+    }
+
+    /// <summary>Takes a gait at once: only while all feet stand.</summary>
+    public void Restart(Gait gait, float froude, Lead lead)
+    {
+        Gait = gait;
+        Lead = lead;
+        Shape = GaitShape.Of(gait);
+        Duty = gait.Duty.At(froude);
+        frequencyRest = 0f;
+        for (int i = 0; i < lags.Length; i++)
+        {
+            lags[i] = WantedLag(i);
+        }
+    }
+
+    /// <summary>Begins to go over to another gait.</summary>
+    public void Change(Gait gait, float froude, float gravity, Lead lead)
+    {
+        frequencyRest += FrequencyOf(Gait, froude, gravity) - FrequencyOf(gait, froude, gravity);
+        Gait = gait;
+        Lead = lead;
+    }
+
+    /// <summary>Lets the numbers go on their way.</summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="velocity">How the body goes.</param>
+    /// <param name="gravity">Metres per second squared.</param>
+    /// <param name="pace">Speed, in slow walks, 0..1: what of a turn is done on the spot.</param>
+    /// <param name="rise">Of the ground along the way: long strides are shorter uphill and downhill.</param>
+    /// <param name="stride">Length of strides, a factor.</param>
+    public void Slide(float dt, in RootVelocity velocity, float gravity, float pace, float rise, float stride = 1f)
+    {
+        float unit = gravity * body.LegLength;
+
+        // A body that speeds up takes the steps of the speed that it will have: else the first of them would be lunges.
+        float speed = Math.Abs(velocity.Speed);
+        float gain = Math.Max(Math.Abs(velocity.SpeedAfter(Foresight)) - speed, 0f);
+        gainAhead = dt > 0f ? gainAhead + ((gain - gainAhead) * gainDecay.Fraction(GainRate * dt)) : gain;
+        speed += gainAhead;
+        float froude = ((speed * speed) + (velocity.Sideways * velocity.Sideways)) / unit;
+        slope = rise;
+        float fraction = shapeDecay.Fraction(ShapeRate * dt);
+        Shape.Approach(Gait, fraction);
+        frequencyRest -= frequencyRest * fraction;
+
+        // What is left of a much slower gait must not stop the clock: feet in the air would never come down.
+        float own = FrequencyOf(Gait, froude, gravity);
+        float straight = Math.Max(own + frequencyRest, SlowestFraction * own) / stride;
+        float spot = Math.Abs(velocity.Turn) / YawPerCycle * (1f - (0.5f * pace));
+        Frequency = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
+        Length = Math.Min(straight / Frequency, 1f);
+        float cycle = Frequency * dt;
+        float duty = DutyInTurn(Gait, froude, velocity.Turn, unit);
+        Duty += Scalar.Clamp(duty - Duty, -DutyPerCycle * cycle, DutyPerCycle * cycle);
+        float max = LagPerCycle * cycle;
+        for (int i = 0; i < lags.Length; i++)
+        {
+            float d = WantedLag(i) - lags[i] + 0.5f;
+            d -= (float)Math.Floor(d) + 0.5f;
+            float lag = lags[i] + Scalar.Clamp(d, -max, max);
+            lags[i] = lag - (float)Math.Floor(lag);
+        }
+    }
+
+    /// <summary>The speed that a creature goes on a slope when it is asked for one: less where shorter strides would come quicker than its mass lets them.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="gravity">Metres per second squared.</param>
+    public float OnSlope(float speed, float gravity)
+    {
+        float stance = longest.At(slope);
+        if (stance >= longest.Level)
+        {
+            return speed;
+        }
+
+        float froude = speed * speed / (gravity * body.LegLength);
+        float level = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level);
+        float here = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, stance);
+        return speed * Math.Min(1f, Math.Max(quickest, level) / here);
+    }
+
+    /// <summary>The rate of turning, up to what is asked, at which steps as quick as the creature's mass lets them still take all feet along.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="turn">That is asked, radians per second.</param>
+    /// <param name="gravity">Metres per second squared.</param>
+    public float ReachableTurn(float speed, float turn, float gravity)
+    {
+        float unit = gravity * body.LegLength;
+        float froude = speed * speed / unit;
+        float straight = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level);
+        for (int i = 0; i < TurnTrials; i++)
+        {
+            float needed = FrequencyInTurn(speed, 0f, turn, straight, DutyInTurn(Gait, froude, turn, unit));
+            float max = Math.Max(quickest, straight);
+            if (needed <= max)
+            {
+                break;
+            }
+
+            turn *= Math.Max(max / needed, 0.5f);
+        }
+
+        return turn;
+    }
+
+    /// <summary>The sharpest turn at a speed that the steps of the present gait and the grip of the feet allow, radians per second.</summary>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="bounds">Give the grip.</param>
+    /// <param name="gravity">Metres per second squared.</param>
+    public float SharpestTurn(float speed, in TravelBounds bounds, float gravity)
+    {
+        float turn = SharpestAsked;
+        float before;
+        do
+        {
+            before = turn;
+            turn = ReachableTurn(speed, before, gravity);
+        }
+        while (turn < 0.999f * before);
+        return speed == 0f ? turn : Math.Min(turn, bounds.Aside / Math.Abs(speed));
+    }
+
+    /// <summary>Cycles per second at which no foot goes farther in a stance than it can.</summary>
+    private float FrequencyInTurn(float speed, float sideways, float turn, float straight, float duty)
+    {
+        if (turn == 0f && sideways == 0f)
+        {
+            return 0f;
+        }
+
+        float half = 0.5f * Math.Abs(speed) * duty / straight;
+        float max = 0f;
+        for (int i = 0; i < body.StepRanges.Length; i++)
+        {
+            StepRange range = body.StepRanges[i];
+            Vector3 home = body.GoingHomes[i];
+            float aside = (sideways + (turn * home.Z)) / range.Aside;
+            float along = (speed - (turn * home.X)) / Math.Max(range.Ahead, half);
+            max = Math.Max(max, (aside * aside) + (along * along));
+        }
+
+        return 0.5f * duty * (float)Math.Sqrt(max);
+    }
+
+    /// <summary>Part of the cycle that a foot is down in a turn: by the speed of the foot that is farthest from the pivot.</summary>
+    private float DutyInTurn(Gait gait, float froude, float turn, float unit)
+    {
+        float fastest = turn * body.FarthestFoot;
+        return gait.Duty.At(Math.Max(froude, fastest * fastest / unit));
+    }
+
+    /// <summary>Cycles per second of a gait at a speed.</summary>
+    public float FrequencyOf(Gait gait, float froude, float gravity)
+    {
+        if (!ReferenceEquals(gait, measured))
+        {
+            measured = gait;
+            longest = SlopeStance.Of(body, gait);
+            measuredFroude = float.NaN;
+        }
+
+        if (froude != measuredFroude || gravity != measuredGravity || slope != measuredSlope)
+        {
+            measuredFroude = froude;
+            measuredGravity = gravity;
+            measuredSlope = slope;
+            measuredFrequency = GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, longest.At(slope));
+        }
+
+        return measuredFrequency;
+    }
+
+    private float WantedLag(int leg)
+    {
+        LegRig shape = body.Legs[leg];
+        bool mirrored = Gait.Symmetry == GaitSymmetry.Leading && Lead == Lead.Right;
+        Anatomy.Side side = mirrored == (shape.Side == Anatomy.Side.Left) ? Anatomy.Side.Right : Anatomy.Side.Left;
+        float lag = Gait.Phases.Lag(shape.Row, body.Rows, side, Duty);
+        return lag - (float)Math.Floor(lag);
+    }
+}
+
+/// <summary>The side whose foot comes down last in canter and gallop.</summary>
+internal enum Lead
+{
+    Left,
+    Right,
+}

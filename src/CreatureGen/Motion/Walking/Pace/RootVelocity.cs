@@ -1,0 +1,104 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Motion.Walking.Pace;
+
+/// <summary>How the body moves over the ground, in its own axes, and what it is going over to.</summary>
+internal struct RootVelocity
+{
+    /// <summary>Seconds ahead for which turns are kept within bounds.</summary>
+    private const float Foresight = 0.25f;
+
+    private IntendedSpeed ahead;
+    private IntendedSpeed aside;
+    private IntendedSpeed yaw;
+
+    /// <summary>How quickly it may change.</summary>
+    public TravelBounds Bounds;
+
+    /// <summary>Metres per second ahead.</summary>
+    public readonly float Speed => ahead.Speed;
+
+    /// <summary>Metres per second to the left.</summary>
+    public readonly float Sideways => aside.Speed;
+
+    /// <summary>Radians per second to the left.</summary>
+    public readonly float Turn => yaw.Speed;
+
+    /// <summary>Metres per second ahead that it is going over to.</summary>
+    public readonly float GoalSpeed => ahead.Goal;
+
+    /// <summary>Metres per second squared ahead.</summary>
+    public readonly float Acceleration => ahead.IsSteady ? 0f : ahead.Acceleration(Bounds.Along);
+
+    /// <summary>Steady motion.</summary>
+    public static RootVelocity At(float speed, float sideways, float turn) => new() { ahead = IntendedSpeed.At(speed), aside = IntendedSpeed.At(sideways), yaw = IntendedSpeed.At(turn) };
+
+    /// <summary>Asks for another motion. Turns are no sharper than the grip allows at the present speed and at that of a moment later.</summary>
+    public void Ask(float speed, float sideways, float turn)
+    {
+        ahead.Ask(speed);
+        aside.Ask(sideways);
+        float fastest = Math.Max(Math.Abs(Speed), Math.Abs(SpeedAfter(Foresight)));
+        float sharpest = fastest > 0f ? Bounds.Aside / fastest : float.MaxValue;
+        yaw.Ask(Scalar.Clamp(turn, -sharpest, sharpest));
+    }
+
+    /// <summary>Changes it at once; what it is going over to stays.</summary>
+    public void Push(float ahead, float aside, float yaw)
+    {
+        this.ahead.Push(ahead);
+        this.aside.Push(aside);
+        this.yaw.Push(yaw);
+    }
+
+    /// <summary>Goes on for a time, and tells the way gone meanwhile.</summary>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="turned">Turn in that time, radians.</param>
+    /// <returns>Displacement in the axes at the start.</returns>
+    public Vector3 Advance(float dt, out float turned)
+    {
+        float forward = ahead.Advance(dt, Bounds.Along);
+        float left = aside.Advance(dt, Bounds.Along);
+        float turn = yaw.Advance(dt, Bounds.Yaw);
+        turned = turn * dt;
+        return Along(forward, left, turn, dt);
+    }
+
+    /// <summary>Where the body will be after a time.</summary>
+    public readonly Vector3 Predict(float dt, out float turned)
+    {
+        RootVelocity later = this;
+        return later.Advance(dt, out turned);
+    }
+
+    /// <summary>Speed ahead after a time.</summary>
+    public readonly float SpeedAfter(float dt)
+    {
+        IntendedSpeed later = ahead;
+        later.Advance(dt, Bounds.Along);
+        return later.Speed;
+    }
+
+    /// <summary>Displacement along an arc at steady speeds.</summary>
+    private static Vector3 Along(float ahead, float left, float turn, float dt)
+    {
+        float angle = turn * dt;
+        float a;
+        float b;
+        if (Math.Abs(angle) < 1e-3f)
+        {
+            a = dt;
+            b = 0.5f * angle * dt;
+        }
+        else
+        {
+            PortableMath.SinCos(angle, out double sine, out double cosine);
+            a = (float)(sine / turn);
+            b = (float)((1 - cosine) / turn);
+        }
+
+        return new Vector3((left * a) + (ahead * b), 0f, (ahead * a) - (left * b));
+    }
+}

@@ -1,0 +1,104 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Toolkit.Steps;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Legs;
+
+namespace CreatureGen.Motion.Walking.Poses;
+
+/// <summary>Turns the state of a foot into a pose of it: along the arc of its swing, rolled from heel to toe, laid onto the ground.</summary>
+internal static class FootPoser
+{
+    /// <summary>Share of a swing's height that is left when the creature hardly moves.</summary>
+    private const float MinLift = 0.35f;
+
+    /// <summary>Height at which a foot that an act takes has left the ground wholly, leg lengths.</summary>
+    private const float TakenHeight = 0.02f;
+
+    /// <summary>Poses a foot.</summary>
+    public static void Pose(LegRig leg, ref Foot foot, SwingClearance way, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
+    {
+        Quaternion inverse = Rotation.Inverse(frame.Rotation);
+        Vector3 from = frame.ToModel(foot.From.Position);
+        Quaternion heading = Rotation.Multiply(inverse, foot.From.Heading);
+        Vector3 normal = Rotation.Rotate(inverse, foot.From.Normal);
+        foot.Path.Lift = 0f;
+        foot.Path.Over = 0f;
+        foot.Path.Start = from;
+        foot.Path.End = from;
+        if (foot.Phase == FootPhase.Swing)
+        {
+            float u = foot.Swing;
+            Vector3 to = frame.ToModel(foot.Plan.To.Position);
+            foot.Path.End = to;
+            float r = StepPhase.Along(u);
+            from += (to - from) * r;
+            heading = UnitRotation.Nlerp(heading, Rotation.Multiply(inverse, foot.Plan.To.Heading), r);
+            normal = Vec.Normalize(Vec.Lerp(normal, Rotation.Rotate(inverse, foot.Plan.To.Normal), Scalar.Smooth(u)), Vector3.UnitY);
+            foot.Path.Over = way.Rise(r);
+            foot.Path.Lift = (leg.Traits.Lift * leg.Length * leg.Traits.LiftCurve.At(u) * gait.Lift * (MinLift + ((1f - MinLift) * gait.Activity))) + foot.Path.Over;
+        }
+
+        foot.Path.Base = from;
+        if (leg.Follows)
+        {
+            // The foot turns with the leg on the middle of its sole.
+            Vector3 shift = Rotation.Rotate(heading, leg.SoleMiddle);
+            heading = leg.Sweep(from);
+            shift -= Rotation.Rotate(heading, leg.SoleMiddle);
+            shift.Y = -((normal.X * shift.X) + (normal.Z * shift.Z)) / Math.Max(normal.Y, 0.3f);
+            from += shift;
+        }
+
+        foot.Path.Heading = heading;
+        foot.Path.Normal = normal;
+        FootPosture posture = foot.Posture.Follow(FootRoll.At(foot, leg, gait), leg.PostureSeconds, gait.Step);
+        float pitch = posture.Pitch;
+        Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitRotation.FromTo(Vector3.UnitY, normal), heading) : heading;
+        pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisRotation.About(leg.RollAxis, pitch));
+        Vector3 ball;
+        if (leg.FlatFoot)
+        {
+            float toes = FootRoll.ToePitch(pitch);
+            ball = FootRoll.BallAt(leg, foot, toes);
+            pose.Toes = toes == 0f ? ground : Rotation.Multiply(ground, AxisRotation.About(leg.RollAxis, toes));
+        }
+        else
+        {
+            ball = FootRoll.BallAt(leg, foot, pitch);
+            pose.Toes = pose.Foot;
+        }
+
+        pose.Ball = from + Rotation.Rotate(ground, ball);
+        pose.Ball.Y += foot.Path.Lift;
+        if (leg.Traits.Linkage == LegLinkage.Pantograph)
+        {
+            pose.Fold = posture.Fold;
+            pose.Target = pose.Ball;
+        }
+        else
+        {
+            pose.Fold = 0f;
+            pose.Target = pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
+        }
+    }
+
+    /// <summary>Takes a foot where an act asks for it.</summary>
+    public static void Add(LegRig leg, in FootLayer layer, ref Foot foot, ref FootPose pose)
+    {
+        Vector3 way = Vec.Lerp(layer.Way, layer.Aim - pose.Ball, layer.AimFraction);
+        foot.Taken = Scalar.Smooth(Math.Max(way.Y / leg.Length, Math.Max(layer.AimFraction, layer.Loose)) / TakenHeight);
+        pose.Ball += way;
+        if (layer.Pitch != 0f)
+        {
+            // On the ground the heel of a flat foot rises about its ball; others stand on their toes already.
+            Vector3 axis = Rotation.Rotate(foot.Path.Heading, leg.RollAxis);
+            pose.Foot = Rotation.Multiply(AxisRotation.About(axis, layer.Pitch * (leg.FlatFoot ? 1f : foot.Taken)), pose.Foot);
+            pose.Toes = Rotation.Multiply(AxisRotation.About(axis, layer.Pitch * foot.Taken), pose.Toes);
+        }
+
+        pose.Target = leg.Traits.Linkage == LegLinkage.Pantograph ? pose.Ball : pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
+    }
+}

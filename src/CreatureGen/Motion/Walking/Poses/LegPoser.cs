@@ -1,0 +1,292 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Motion.Walking.Trunk;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking.Poses;
+
+/// <summary>Writes the trunk and the legs into a local pose.</summary>
+internal sealed class LegPoser
+{
+    /// <summary>How far hip and knee of a standing leg may be beyond their limits, half the angle in radians: a tenth of a degree, so that rounding does not move the foot.</summary>
+    private const float StandingLeeway = 0.0008f;
+
+    /// <summary>Part of a swing in which a foot comes off the edge of the sole that it stood on.</summary>
+    private const float Release = 0.35f;
+
+    /// <summary>Part of a swing from which on a foot turns onto the edge of the sole that it will stand on.</summary>
+    private const float Arrival = 0.85f;
+
+    /// <summary>How often a foot that yields to its joints is laid on the ground anew at most.</summary>
+    private const int YieldRounds = 3;
+
+    /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
+    private const float TrailedPitch = 0.9f;
+
+    private readonly LeggedBody body;
+    private readonly RestRotations turns;
+
+    public LegPoser(LeggedBody body, RestRotations turns)
+    {
+        this.body = body;
+        this.turns = turns;
+    }
+
+    /// <summary>Writes body, spine and chest; the pelvis stays as it is at rest under the body.</summary>
+    public void PoseTrunk(BodyPlacer placer, in Pose local)
+    {
+        // The body's own joint goes half way with pitch and roll; it carries the place of all.
+        TrunkChain trunk = placer.Trunk;
+        ReadOnlySpan<Vector3> rest = body.Skeleton.ModelPositions;
+        Quaternion whole = trunk.Turns[0];
+        Vector3 place = trunk.Positions[0] - Rotation.Rotate(whole, trunk.Rest[0] - rest[body.Body]);
+        turns.Set(local, body.Body, whole);
+        local.Positions[body.Body] = place;
+        for (int i = 1; i < body.Trunk.Length; i++)
+        {
+            turns.Set(local, body.Trunk[i], trunk.LocalTurn(i));
+        }
+    }
+
+    /// <summary>Solves and writes a leg.</summary>
+    /// <param name="index">Which.</param>
+    /// <param name="placer">Gives trunk and hip.</param>
+    /// <param name="foot">Its foot.</param>
+    /// <param name="pose">Where the leg has to bring it.</param>
+    /// <param name="tuck">How far legs ahead of the hindmost pair are folded to the body in the air, 0..1.</param>
+    /// <param name="trail">How far those of the hindmost pair are stretched out behind, 0..1.</param>
+    /// <param name="local">The pose.</param>
+    public void PoseLeg(int index, BodyPlacer placer, ref Foot foot, in FootPose pose, float tuck, float trail, in Pose local)
+    {
+        LegRig leg = body.Legs[index];
+        Quaternion carrier = placer.Trunk.Turns[leg.TrunkSlot];
+        Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
+        turns.Slide(local, leg.Girdle, slide);
+        float carried = Carried(leg, foot, tuck, trail);
+        Solve(leg, carrier, hip, pose, carried, ref foot, local, out LegRotations solved);
+        FootPose wanted = pose;
+        if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
+        {
+            // Not before the toes are well off the ground: a hip may keep the leg from where it is carried.
+            float raised = LegSolver.EndOf(leg, leg.Parts, solved).Y - (pose.Target.Y - hip.Y - foot.Path.Lift);
+            float clear = Scalar.Smooth(raised / (Vec.Length(leg.Metatarsus) + leg.Toe));
+            Quaternion point = AxisRotation.About(leg.RollAxis, carried * carried * carried * clear * TrailedPitch);
+            wanted.Foot = Rotation.Multiply(wanted.Foot, point);
+            wanted.Toes = Rotation.Multiply(wanted.Toes, point);
+        }
+
+        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
+        foot.Leg.Yield = foot.Phase == FootPhase.Swing ? foot.Leg.Yield : excess;
+        float fraction = excess > 0f ? YieldFraction(leg, foot, excess) : 0f;
+
+        float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Posture.Shown.Pitch) : foot.Posture.Shown.Pitch;
+
+        // As the ankle comes up for it the shank leans farther, and asks for a little more.
+        for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? YieldRounds : 1) && fraction > 0f && excess > 0f; i++)
+        {
+            Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
+            LimitRelaxation.Turn(leg, foot.Path.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, pitch, fraction, ref wanted);
+            Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
+            metatarsus = PoseFoot(leg, solved, wanted, local, out excess);
+        }
+    }
+
+    /// <summary>How far a leg in the air is where the body carries it instead of on its foot's way, 0..1.</summary>
+    private static float Carried(LegRig leg, in Foot foot, float tuck, float trail)
+    {
+        float fraction = leg.Row > 0 ? tuck : trail;
+        return fraction == 0f || foot.Phase != FootPhase.Swing ? 0f : fraction * (leg.Row > 0 ? LegGaitParameters.TuckCurve : LegGaitParameters.TrailCurve).At(foot.Swing);
+    }
+
+    /// <summary>Solves hip and knee and writes them.</summary>
+    private void Solve(LegRig leg, Quaternion carrier, Vector3 hip, in FootPose pose, float carried, ref Foot foot, in Pose local, out LegRotations solved)
+    {
+        Vector3 chord = pose.Target - hip;
+        float ground = chord.Y - foot.Path.Lift;
+        if (carried > 0f)
+        {
+            // Where the body carries it, and not through the ground: a body that brakes is lower than one that leaps.
+            chord = Vec.Lerp(chord, Rotation.Rotate(carrier, leg.Row > 0 ? leg.Tucked : leg.Trailed), carried);
+            chord.Y = Math.Max(chord.Y, ground + foot.Path.Over);
+        }
+
+        float slack = foot.Phase == FootPhase.Swing ? LegGaitParameters.SlackCurve.At(foot.Swing) : 0f;
+        float tolerance = foot.Phase == FootPhase.Stance ? StandingLeeway : 0f;
+        LegSegments folded = default;
+        scoped ref readonly LegSegments parts = ref leg.Parts;
+        if (pose.Fold != 0f)
+        {
+            folded = new LegSegments(leg.Thigh + Rotation.Rotate(AxisRotation.About(leg.Hinge, pose.Fold), leg.Metatarsus), leg.Shank, leg.Hinge, leg.MinBendCosine);
+            parts = ref folded;
+        }
+
+        var goal = new LegGoal(chord, foot.Path.Heading, slack, tolerance);
+        float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
+        if (!Aim(leg, parts, carrier, goal, local, out solved))
+        {
+            Yield(leg, parts, goal, ground, foot, ref solved);
+            if (arriving > 0f)
+            {
+                // It will stand where it comes down: with the leg as it then is.
+                LegRotations held = solved;
+                Aim(leg, parts, carrier, goal with { Chord = LegSolver.EndOf(leg, parts, solved) }, local, out solved);
+                solved.Blend(held, 1f - arriving, leg.Hinge);
+            }
+
+            SetHip(leg, carrier, solved, local);
+            SetKnee(leg, solved, local);
+            solved.Residual = Vec.Distance(LegSolver.EndOf(leg, parts, solved), chord);
+        }
+
+        foot.Leg.Hip = hip;
+        foot.Leg.Stretch = solved.Stretch;
+        foot.Leg.Residual = solved.Residual;
+        foot.Leg.Astray = arriving > 0f ? (LegSolver.EndOf(leg, parts, solved) - chord) * arriving : default;
+    }
+
+    /// <summary>Bends the knee of a leg whose hip is at its limit: as it stands its foot comes as near to its place as it can, as it swings it keeps out of the ground, and it goes from the one to the other as it leaves. The foot keeps its own turn.</summary>
+    private static void Yield(LegRig leg, in LegSegments parts, in LegGoal goal, float ground, in Foot foot, ref LegRotations solved)
+    {
+        bool swings = foot.Phase == FootPhase.Swing;
+        float standing = swings ? 1f - Scalar.Smooth(foot.Swing / Release) : 1f;
+        LegRotations stood = solved;
+        if (standing > 0f)
+        {
+            LegSolver.Bend(leg, parts, goal.Chord, goal.Tolerance, ref stood);
+        }
+
+        if (!swings)
+        {
+            solved = stood;
+            return;
+        }
+
+        LegSolver.Raise(leg, parts, ground, goal.Tolerance, ref solved);
+        if (standing > 0f)
+        {
+            solved.Blend(stood, standing, leg.Hinge);
+        }
+    }
+
+    /// <summary>Solves hip and knee for a goal and writes them, the hip within its limits.</summary>
+    /// <returns>Whether the hip goes as far as it is asked.</returns>
+    private bool Aim(LegRig leg, in LegSegments parts, Quaternion carrier, in LegGoal goal, in Pose local, out LegRotations solved)
+    {
+        LegSolver.Solve(leg, parts, goal.Chord, LegSolver.Side(leg, carrier, goal.Chord, goal.Heading), goal.Slack, goal.Tolerance, out solved);
+        SetHip(leg, carrier, solved, local);
+        SetKnee(leg, solved, local);
+        if (Bound(local.Rotations, leg.Hip, leg.HipJoint, goal.Tolerance) <= goal.Tolerance)
+        {
+            return true;
+        }
+
+        solved.Thigh = Rotation.Multiply(carrier, turns.Of(local, leg.Hip));
+        solved.Shank = Rotation.Multiply(solved.Thigh, solved.Knee);
+        return false;
+    }
+
+    private void SetHip(LegRig leg, Quaternion carrier, in LegRotations solved, in Pose local) => turns.Set(local, leg.Hip, Rotation.Multiply(Rotation.Inverse(carrier), solved.Thigh));
+
+    private static void SetKnee(LegRig leg, in LegRotations solved, in Pose local) => local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
+
+    /// <summary>Writes ankle and ball, within their limits.</summary>
+    /// <returns>The turn of the metatarsus from rest.</returns>
+    private Quaternion PoseFoot(LegRig leg, in LegRotations solved, in FootPose pose, in Pose local, out float excess)
+    {
+        Quaternion metatarsus = pose.Foot;
+        if (leg.Traits.Linkage == LegLinkage.Pantograph)
+        {
+            metatarsus = pose.Fold == 0f ? solved.Thigh : Rotation.Multiply(solved.Thigh, AxisRotation.About(leg.Hinge, FoldOf(leg, pose.Fold, solved.KneeTurn)));
+        }
+
+        turns.Set(local, leg.Ankle, Rotation.Multiply(Rotation.Inverse(solved.Shank), metatarsus));
+        turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
+        Quaternion asked = local.Rotations[leg.Ankle];
+        if (leg.Traits.Linkage == LegLinkage.Foot && !leg.Lateral)
+        {
+            FoldBack(leg, ref local.Rotations[leg.Ankle]);
+        }
+
+        // The toes go along with a foot that its ankle turns; those of a flat foot stay on the ground as its heel comes off.
+        Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f);
+        Quaternion kept = local.Rotations[leg.Ankle];
+        float ankle = asked == kept ? 0f : Chord(asked, kept);
+        if (ankle > 0f)
+        {
+            metatarsus = Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle));
+            if (leg.FlatFoot && !leg.Lateral)
+            {
+                turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
+            }
+        }
+
+        excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f));
+        return metatarsus;
+    }
+
+    /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
+    private static float YieldFraction(LegRig leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
+        ? 1f
+        : Math.Max(Arriving(foot), Math.Min(foot.Leg.Yield / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
+
+    /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
+    private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));
+
+    /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
+    private static void FoldBack(LegRig leg, ref Quaternion ankle)
+    {
+        Quaternion folded = Rotation.Multiply(leg.AnkleJoint.LocalRotation, leg.AnkleFolded);
+        Quaternion beyond = Rotation.Multiply(Rotation.Inverse(folded), ankle);
+        if (beyond.X * beyond.W * leg.AnkleFolded.X <= 0f)
+        {
+            return;
+        }
+
+        float scale = (beyond.W < 0f ? -1f : 1f) / (float)Math.Sqrt((beyond.X * beyond.X) + (beyond.W * beyond.W));
+        var fold = new Quaternion(-beyond.X * scale, 0f, 0f, beyond.W * scale);
+        ankle = Rotation.Multiply(folded, Rotation.Multiply(beyond, fold));
+    }
+
+    /// <summary>Brings a joint back towards its limit; says how far beyond it was, about half the angle in radians.</summary>
+    private static float Bound(Span<Quaternion> rotations, int index, Joint joint, float tolerance)
+    {
+        Quaternion turn = rotations[index];
+        Quaternion bounded = SwingTwistLimit.ClampLocal(turn, joint);
+        if (bounded == turn)
+        {
+            return 0f;
+        }
+
+        float chord = Chord(turn, bounded);
+        float kept = tolerance / chord;
+        if (kept < 1f)
+        {
+            rotations[index] = kept > 0f ? UnitRotation.Nlerp(bounded, turn, kept) : bounded;
+        }
+
+        return chord;
+    }
+
+    /// <summary>Difference of two turns, about half the angle in radians.</summary>
+    private static float Chord(Quaternion a, Quaternion b)
+    {
+        float sign = SimdKernels.Dot(a, b) < 0f ? -1f : 1f;
+        float x = a.X - (sign * b.X);
+        float y = a.Y - (sign * b.Y);
+        float z = a.Z - (sign * b.Z);
+        float w = a.W - (sign * b.W);
+        return (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
+    }
+
+    /// <summary>Fold of the metatarsus that the ankle can follow. Bounded here, as an angle: folded by more than half a turn the ankle would seem to be bent the other way.</summary>
+    private static float FoldOf(LegRig leg, float fold, float knee)
+    {
+        AngleRange range = leg.AnkleJoint.Limit.SwingX;
+        return knee + Scalar.Clamp(fold - knee, range.Min, range.Max);
+    }
+}
