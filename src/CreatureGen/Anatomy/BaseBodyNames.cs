@@ -64,6 +64,7 @@ public static class BaseBodyNames
         ("ceratops", "reptile"),
         ("lizard", "reptile"),
         ("hedgehog", "canine"),
+        ("rooster", "avian"),
     };
 
     /// <summary>All names, in a fixed order.</summary>

@@ -330,6 +330,9 @@ public enum FeatureKind
 
     /// <summary>A further tail.</summary>
     Tail,
+
+    /// <summary>Lobes of flesh: on the midline a comb of five, elsewhere a pair of wattles (cock).</summary>
+    Comb,
 }
 
 /// <summary>A hard cover over the back.</summary>

@@ -139,7 +139,8 @@ internal static class AnatomyChoices
         (FeatureKind.Plate, "plate"),
         (FeatureKind.Club, "club"),
         (FeatureKind.Eye, "eye"),
-        (FeatureKind.Tail, "tail"));
+        (FeatureKind.Tail, "tail"),
+        (FeatureKind.Comb, "comb"));
 
     public static readonly ChoiceNames<ShellStyle> Shell = new(
         (ShellStyle.None, "none"),

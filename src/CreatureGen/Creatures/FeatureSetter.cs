@@ -20,6 +20,7 @@ internal sealed class FeatureSetter
     private static readonly Vector3 toothColour = new(0.85f, 0.82f, 0.72f);
     private static readonly Vector3 gumColour = new(0.42f, 0.13f, 0.13f);
     private static readonly Vector3 lureColour = new(1f, 0.96f, 0.62f);
+    private static readonly Vector3 combColour = new(0.46f, 0.022f, 0.026f);
     private static readonly Vector3 beadColour = new(0.012f, 0.011f, 0.012f);
 
     /// <summary>Wings broader than this, relative to their length, are covered with coloured scales (butterfly).</summary>
@@ -254,6 +255,11 @@ internal sealed class FeatureSetter
         else if (feature.Kind == FeatureKind.Lure)
         {
             AntennaShape.Append(builder, feature, curve, 1f, palette.Back, lureColour);
+        }
+        else if (feature.Kind == FeatureKind.Comb)
+        {
+            builder.Clear();
+            CombShape.Append(builder, feature, grown.Skin, combColour);
         }
         else if (feature.Kind == FeatureKind.Antler)
         {

@@ -66,6 +66,7 @@ internal static class SpeciesCatalogue
         Ceratops.Profile,
         Lizard.Profile,
         Hedgehog.Profile,
+        Rooster.Profile,
     };
 
     /// <summary>Every profile, in a fixed order.</summary>

@@ -129,7 +129,7 @@ public sealed class CreatureOptionsTests
     {
         BodyPlanWeight[] many = Enumerable.Repeat(new BodyPlanWeight(BodyPlan.Eel, 0), 18).ToArray();
         Assert.Equal(
-            new[] { "bodyPlans = 18 elements; expected an array of 0..17 elements", "baseBodies = null; expected an array of 0..56 elements" },
+            new[] { "bodyPlans = 18 elements; expected an array of 0..17 elements", "baseBodies = null; expected an array of 0..57 elements" },
             Sentences(new CreatureOptions { BodyPlans = new ValueList<BodyPlanWeight>(many), BaseBodies = null! }));
     }
 

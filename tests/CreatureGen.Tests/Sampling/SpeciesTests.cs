@@ -221,6 +221,18 @@ public sealed class SpeciesTests
     }
 
     [Fact]
+    public void A_cock_has_a_comb_and_a_pair_of_wattles_and_carries_its_tail_high()
+    {
+        foreach (CreatureBlueprint blueprint in Drawn("rooster", RequestedKind.Walking))
+        {
+            Assert.Single(blueprint.Features, part => part.Kind == FeatureKind.Comb && part.Segment == 0);
+            Assert.Single(blueprint.Features, part => part.Kind == FeatureKind.Comb && part.Segment > 10);
+            BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
+            Assert.True(shape.Y[53] > shape.Y[40] + 0.1, "the end of its tail is above its back");
+        }
+    }
+
+    [Fact]
     public void An_angler_has_a_lure_and_teeth()
     {
         foreach (CreatureBlueprint blueprint in Drawn("angler", RequestedKind.Swimming))
