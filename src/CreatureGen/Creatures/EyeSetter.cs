@@ -74,9 +74,8 @@ internal static class EyeSetter
             EyeShape.Append(builder, frame, eye.Style, coat.Palette.Iris, skin * 0.8f);
         }
 
-        Piece ball = builder.ToPiece(MaterialKind.Skin);
-        ball.SimplificationWeight = eye.Style == EyeStyle.Compound ? 1f : EyeSimplificationWeight;
-        AddPair(pieces, ball, "Eye_L", eye.IsSingle ? "" : "Eye_R");
+        Piece ball = builder.ToPiece(MaterialKind.Skin, new PieceBinding.Joint("Eye_L"), eye.Style == EyeStyle.Compound ? 1f : EyeSimplificationWeight);
+        AddPair(pieces, ball, eye.IsSingle ? "" : "Eye_R");
         if (rim == EyeRim.Bare)
         {
             return;
@@ -95,7 +94,7 @@ internal static class EyeSetter
             }
 
             bool moves = rim == EyeRim.Lids;
-            AddPair(pieces, builder.ToPiece(MaterialKind.Skin), moves ? joint + "L" : "Head", eye.IsSingle ? "" : moves ? joint + "R" : "Head");
+            AddPair(pieces, builder.ToPiece(MaterialKind.Skin, new PieceBinding.Joint(moves ? joint + "L" : "Head")), eye.IsSingle ? "" : moves ? joint + "R" : "Head");
         }
     }
 
@@ -114,17 +113,12 @@ internal static class EyeSetter
     }
 
     /// <summary>Adds a piece and, if it has a joint on the right, its mirror image.</summary>
-    private static void AddPair(List<Piece> pieces, Piece left, string leftJoint, string rightJoint)
+    private static void AddPair(List<Piece> pieces, Piece left, string rightJoint)
     {
-        left.JointName = leftJoint;
         pieces.Add(left);
-        if (rightJoint.Length == 0)
+        if (rightJoint.Length > 0)
         {
-            return;
+            pieces.Add(PieceMirror.Mirror(left, new PieceBinding.Joint(rightJoint)));
         }
-
-        Piece right = PieceMirror.Mirror(left);
-        right.JointName = rightJoint;
-        pieces.Add(right);
     }
 }

@@ -154,8 +154,7 @@ internal sealed class FeatureSetter
             builder.Clear();
             GumShape.Append(builder, points.ToArray(), direction, length, gumColour);
             builder.AppendMirrored(0, 0);
-            AddRigid(joint);
-            pieces[pieces.Count - 1].SimplificationWeight = GumSimplificationWeight;
+            AddRigid(joint, GumSimplificationWeight);
             builder.Clear(SurfaceFinish.Tooth);
             ToothRow.Append(builder, points.ToArray(), direction, length, toothColour);
             builder.AppendMirrored(0, 0);
@@ -273,10 +272,7 @@ internal sealed class FeatureSetter
         int vertex = grown.BodyVertex(ring, (int)Math.Round(feature.Segment));
         if (median)
         {
-            Piece piece = builder.ToPiece(MaterialKind.Skin);
-            piece.Binding = PieceBinding.Surface;
-            piece.SurfaceVertex = vertex;
-            pieces.Add(piece);
+            pieces.Add(builder.ToPiece(MaterialKind.Skin, new PieceBinding.SurfaceVertex(vertex)));
         }
         else
         {
@@ -301,16 +297,8 @@ internal sealed class FeatureSetter
         builder.Clear(SurfaceFinish.Hair);
         var addresses = new List<SkinAddress>();
         ManeShape.Append(builder, mane, grown.Skin, palette.Accent, addresses);
-        Piece piece = builder.ToPiece(MaterialKind.Skin);
-        piece.Binding = PieceBinding.Skin;
-        piece.SimplificationWeight = HairSimplificationWeight;
-        piece.SurfaceVertices = new int[addresses.Count];
-        for (int v = 0; v < addresses.Count; v++)
-        {
-            piece.SurfaceVertices[v] = grown.BodyVertex(addresses[v].Ring, addresses[v].Segment);
-        }
-
-        pieces.Add(piece);
+        int[] vertices = addresses.ConvertAll(address => grown.BodyVertex(address.Ring, address.Segment)).ToArray();
+        pieces.Add(builder.ToPiece(MaterialKind.Skin, new PieceBinding.Skin(vertices), HairSimplificationWeight));
     }
 
     private void AddFrill(FrillBlueprint frill)
@@ -333,23 +321,14 @@ internal sealed class FeatureSetter
     }
 
     /// <summary>Adds what the builder holds, left and right, as one piece on a joint of the midline.</summary>
-    private void AddRigid(string joint)
-    {
-        Piece piece = builder.ToPiece(MaterialKind.Skin);
-        piece.JointName = joint;
-        pieces.Add(piece);
-    }
+    private void AddRigid(string joint, float simplificationWeight = 1f) => pieces.Add(builder.ToPiece(MaterialKind.Skin, new PieceBinding.Joint(joint), simplificationWeight));
 
     /// <summary>Adds what the builder holds on a vertex of the left side, and its mirror image.</summary>
     private void AddOnSurface(int vertex)
     {
-        Piece left = builder.ToPiece(MaterialKind.Skin);
-        left.Binding = PieceBinding.Surface;
-        left.SurfaceVertex = vertex;
+        Piece left = builder.ToPiece(MaterialKind.Skin, new PieceBinding.SurfaceVertex(vertex));
         pieces.Add(left);
-        Piece right = PieceMirror.Mirror(left);
-        right.SurfaceVertex = grown.Surface.Mirror[vertex];
-        pieces.Add(right);
+        pieces.Add(PieceMirror.Mirror(left, new PieceBinding.SurfaceVertex(grown.Surface.Mirror[vertex])));
     }
 
     /// <summary>Adds what the builder holds as an appendage with joints of its own, and its mirror image.</summary>
@@ -361,11 +340,9 @@ internal sealed class FeatureSetter
             pair += other.Kind == kind ? 1 : 0;
         }
 
-        Piece left = builder.ToPiece(material);
-        left.Binding = PieceBinding.Chain;
-        left.Appendage = appendages.Count;
+        Piece left = builder.ToPiece(material, new PieceBinding.Chain(appendages.Count, Side.Left));
         pieces.Add(left);
-        pieces.Add(PieceMirror.Mirror(left));
+        pieces.Add(PieceMirror.Mirror(left, new PieceBinding.Chain(appendages.Count, Side.Right)));
         appendages.Add(new Appendage
         {
             Kind = kind,

@@ -88,15 +88,17 @@ internal static class MeshAssembler
     {
         switch (piece.Binding)
         {
-            case PieceBinding.Surface:
-                return new[] { surface[piece.SurfaceVertex] };
-            case PieceBinding.Skin:
-                return Array.ConvertAll(piece.SurfaceVertices, vertex => surface[vertex]);
-            case PieceBinding.Chain:
-                AppendageJoints joints = rig.Appendages[piece.Appendage];
-                return ChainWeights.Solve(rig.Skeleton, piece.Side == Side.Right ? joints.Right : joints.Left, piece.Positions);
+            case PieceBinding.SurfaceVertex vertex:
+                return new[] { surface[vertex.Index] };
+            case PieceBinding.Skin skin:
+                return Array.ConvertAll(skin.Indices, vertex => surface[vertex]);
+            case PieceBinding.Chain chain:
+                AppendageJoints joints = rig.Appendages[chain.Appendage];
+                return ChainWeights.Solve(rig.Skeleton, chain.Side == Side.Right ? joints.Right : joints.Left, piece.Positions);
+            case PieceBinding.Joint joint:
+                return new[] { new SkinWeights(IndexOf(rig.Skeleton, joint.Name), 0, 0, 0, Vector4.UnitX) };
             default:
-                return new[] { new SkinWeights(IndexOf(rig.Skeleton, piece.JointName), 0, 0, 0, Vector4.UnitX) };
+                throw new InvalidOperationException($"a piece is bound by {piece.Binding}; expected a joint, a vertex or vertices of the surface, or a chain");
         }
     }
 

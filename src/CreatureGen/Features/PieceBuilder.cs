@@ -182,8 +182,11 @@ internal sealed class PieceBuilder
     }
 
     /// <summary>A piece with copies of the collected arrays; the builder keeps its content.</summary>
+    /// <param name="material">What it is made of.</param>
+    /// <param name="binding">What it moves with.</param>
+    /// <param name="simplificationWeight">How much larger a viewer takes it for than it is.</param>
     /// <exception cref="InvalidOperationException">A position or normal is not a finite number.</exception>
-    public Piece ToPiece(MaterialKind material)
+    public Piece ToPiece(MaterialKind material, PieceBinding binding, float simplificationWeight = 1f)
     {
         for (int v = 0; v < VertexCount; v++)
         {
@@ -195,7 +198,7 @@ internal sealed class PieceBuilder
             }
         }
 
-        return new Piece
+        return new Piece(binding)
         {
             Positions = positions.AsSpan(0, VertexCount).ToArray(),
             Normals = normals.AsSpan(0, VertexCount).ToArray(),
@@ -203,6 +206,7 @@ internal sealed class PieceBuilder
             Triangles = triangles.AsSpan(0, IndexCount).ToArray(),
             Finish = finish,
             Material = material,
+            SimplificationWeight = simplificationWeight,
         };
     }
 }

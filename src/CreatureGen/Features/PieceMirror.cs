@@ -7,10 +7,11 @@ namespace CreatureGen.Features;
 internal static class PieceMirror
 {
     /// <summary>
-    /// The mirror image of a piece (x → −x, winding reversed), vertex by vertex; colours are shared with the original. Binding is copied as it is:
-    /// the caller names the joint or surface vertex of the other side.
+    /// The mirror image of a piece (x → −x, winding reversed), vertex by vertex; colours are shared with the original.
     /// </summary>
-    public static Piece Mirror(Piece piece)
+    /// <param name="piece">The original.</param>
+    /// <param name="binding">What the image moves with.</param>
+    public static Piece Mirror(Piece piece, PieceBinding binding)
     {
         var positions = new Vector3[piece.Positions.Length];
         var normals = new Vector3[positions.Length];
@@ -26,7 +27,7 @@ internal static class PieceMirror
             (triangles[i + 1], triangles[i + 2]) = (triangles[i + 2], triangles[i + 1]);
         }
 
-        return new Piece
+        return new Piece(binding)
         {
             Positions = positions,
             Normals = normals,
@@ -35,11 +36,6 @@ internal static class PieceMirror
             Material = piece.Material,
             Finish = piece.Finish,
             SimplificationWeight = piece.SimplificationWeight,
-            Binding = piece.Binding,
-            JointName = piece.JointName,
-            SurfaceVertex = piece.SurfaceVertex,
-            Appendage = piece.Appendage,
-            Side = piece.Side == Anatomy.Side.Left ? Anatomy.Side.Right : piece.Side,
         };
     }
 }

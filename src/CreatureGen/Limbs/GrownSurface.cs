@@ -125,8 +125,7 @@ internal sealed class GrownSurface
 
         void Take(Appendage appendage, SocketBlueprint socket)
         {
-            appendage.Pair = 1 + CountOf(appendages, appendage);
-            appendages.Add(appendage);
+            appendages.Add(appendage with { Pair = 1 + CountOf(appendages, appendage) });
             borders.AddRange(SocketLoop.BorderOf(body, socket));
         }
 

@@ -57,7 +57,7 @@ public sealed class CombShapeTests
     {
         var builder = new PieceBuilder();
         CombShape.Append(builder, feature, skin, red);
-        return builder.ToPiece(MaterialKind.Skin);
+        return builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
     }
 
     private static BodySkin SkinOf(CreatureBlueprint blueprint) =>

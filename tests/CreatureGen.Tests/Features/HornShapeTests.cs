@@ -138,7 +138,7 @@ public sealed class HornShapeTests
         FeatureBlueprint feature = Feature(FeatureKind.Antenna);
         var builder = new PieceBuilder();
         AntennaShape.Append(builder, feature, new FeatureCurve(feature, shoulder, Vector3.UnitZ, Vector3.UnitY, 1f), 1f, bone, knob);
-        Piece piece = builder.ToPiece(MaterialKind.Skin);
+        Piece piece = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         Assert.Contains(knob, piece.Colours);
         Assert.Contains(bone, piece.Colours);
     }
@@ -159,7 +159,7 @@ public sealed class HornShapeTests
             HornShape.Append(builder, feature, curve, scale, bone);
         }
 
-        return builder.ToPiece(MaterialKind.Skin);
+        return builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
     }
 
     private static double Volume(Piece piece)

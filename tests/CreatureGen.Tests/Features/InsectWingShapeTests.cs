@@ -102,6 +102,6 @@ public sealed class InsectWingShapeTests
     {
         var builder = new PieceBuilder();
         InsectWingShape.Append(builder, back, blueprint, 1f, membrane, vein);
-        return builder.ToPiece(MaterialKind.Membrane);
+        return builder.ToPiece(MaterialKind.Membrane, PieceChecks.Anywhere);
     }
 }

@@ -80,7 +80,7 @@ public sealed class LidShapeTests
         EyeBlueprint eye = calm with { UpperLid = upper, LowerLid = lower, LidTilt = tilt };
         var builder = new PieceBuilder();
         EyeShape.Append(builder, ahead, EyeStyle.Round, Vector3.One);
-        Piece ball = builder.ToPiece(MaterialKind.Skin);
+        Piece ball = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         for (int step = 0; step <= 4; step++)
         {
             Piece top = Shut(eye, LidPart.Upper, step / 4f);
@@ -143,7 +143,7 @@ public sealed class LidShapeTests
     {
         var builder = new PieceBuilder();
         LidShape.Append(builder, frame, eye, part, new Vector3(0.4f, 0.3f, 0.2f));
-        return builder.ToPiece(MaterialKind.Skin);
+        return builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
     }
 
     /// <summary>A lid turned by a share of its closing angle.</summary>

@@ -135,7 +135,7 @@ public sealed class ManeShapeTests
             BodySkin skin = SkinOf(blueprint);
             var builder = new PieceBuilder();
             FrillShape.Append(builder, frill, skin, Vector3.One * 0.5f, Vector3.One * 0.3f, Vector3.One * 0.1f);
-            Piece collar = builder.ToPiece(MaterialKind.Skin);
+            Piece collar = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
             PieceChecks.IsSound(collar);
             PieceChecks.IsSymmetric(collar);
             Vector3 centre = skin.Shape.Centre((int)frill.Ring);
@@ -154,7 +154,7 @@ public sealed class ManeShapeTests
         addresses = new List<SkinAddress>();
         var builder = new PieceBuilder();
         ManeShape.Append(builder, mane, skin, Vector3.One * 0.5f, addresses);
-        return builder.ToPiece(MaterialKind.Skin);
+        return builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
     }
 
     private static BodySkin SkinOf(CreatureBlueprint blueprint)

@@ -41,7 +41,7 @@ public sealed class PieceBuilderTests
         int pole = builder.Vertex(Vector3.UnitY, Vector3.UnitY, Vector3.One);
         builder.FillBelow(0, sides);
         builder.Fan(0, pole, sides);
-        PieceChecks.IsSound(builder.ToPiece(MaterialKind.Skin));
+        PieceChecks.IsSound(builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere));
         Assert.Equal(3 * ((2 * sides) - 2), builder.IndexCount);
     }
 
@@ -50,10 +50,10 @@ public sealed class PieceBuilderTests
     {
         var builder = new PieceBuilder();
         NailShape.Append(builder, Vector3.UnitY, Vector3.UnitZ, 0.1f, 0f, Vector3.One * 0.5f);
-        Piece first = builder.ToPiece(MaterialKind.Skin);
+        Piece first = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         builder.Clear();
         NailShape.Append(builder, Vector3.UnitY, Vector3.UnitZ, 0.1f, 0f, Vector3.One * 0.5f);
-        Piece second = builder.ToPiece(MaterialKind.Skin);
+        Piece second = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         Assert.Equal(first.Positions, second.Positions);
         Assert.Equal(first.Triangles, second.Triangles);
     }

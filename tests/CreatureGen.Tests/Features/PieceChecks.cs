@@ -10,6 +10,9 @@ namespace CreatureGen.Tests.Features;
 /// <summary>What every piece must be, whatever it stands for.</summary>
 internal static class PieceChecks
 {
+    /// <summary>For pieces whose binding does not matter.</summary>
+    public static PieceBinding Anywhere { get; } = new PieceBinding.Joint("Head");
+
     /// <summary>Closed, oriented, without degenerate triangles, each shell of positive volume, unit normals, colours in range.</summary>
     public static void IsSound(Piece piece)
     {

@@ -67,7 +67,7 @@ public sealed class SampledCreatureTests
 
     private static void Check(PieceBuilder builder)
     {
-        PieceChecks.IsSound(builder.ToPiece(MaterialKind.Skin));
+        PieceChecks.IsSound(builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere));
         builder.Clear();
     }
 }

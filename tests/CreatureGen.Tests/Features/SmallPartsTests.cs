@@ -24,7 +24,7 @@ public sealed class SmallPartsTests
             float radius = (float)random.Uniform(0.006, 0.03);
             var builder = new PieceBuilder();
             ClawShape.Append(builder, new Vector3(0.2f, radius * 0.6f, 0.1f), direction, radius, radius * (float)random.Uniform(0.5, 3), 0f, ivory);
-            Piece claw = builder.ToPiece(MaterialKind.Skin);
+            Piece claw = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
             PieceChecks.IsSound(claw);
             Assert.InRange(PieceChecks.TriangleCount(claw), 10, 30);
             Assert.All(claw.Positions, p => Assert.InRange(p.Y, -1e-6f, 1f));
@@ -36,7 +36,7 @@ public sealed class SmallPartsTests
     {
         var builder = new PieceBuilder();
         ClawShape.Append(builder, new Vector3(0.2f, 0.5f, 0.1f), new Vector3(0f, -1f, 0f), 0.01f, 0.02f, float.NegativeInfinity, ivory);
-        Piece claw = builder.ToPiece(MaterialKind.Skin);
+        Piece claw = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         PieceChecks.IsSound(claw);
         Assert.True(claw.Positions.Min(p => p.Y) < 0.485f);
     }
@@ -46,7 +46,7 @@ public sealed class SmallPartsTests
     {
         var builder = new PieceBuilder();
         ClawShape.Append(builder, new Vector3(0f, 0.5f, 0f), Vector3.UnitZ, 0.01f, 0.03f, float.NegativeInfinity, ivory);
-        Assert.Equal(0.03f, builder.ToPiece(MaterialKind.Skin).Positions.Max(p => p.Z), 5);
+        Assert.Equal(0.03f, builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere).Positions.Max(p => p.Z), 5);
     }
 
     [Fact]
@@ -54,7 +54,7 @@ public sealed class SmallPartsTests
     {
         var builder = new PieceBuilder();
         NailShape.Append(builder, new Vector3(0.1f, 0.02f, 0.3f), Vector3.Normalize(new Vector3(0.4f, 0.1f, 0.9f)), 0.03f, 0f, ivory);
-        Piece nail = builder.ToPiece(MaterialKind.Skin);
+        Piece nail = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         PieceChecks.IsSound(nail);
         Assert.InRange(PieceChecks.TriangleCount(nail), 30, 80);
         Assert.Equal(0f, nail.Positions.Min(p => p.Y), 5);
@@ -66,7 +66,7 @@ public sealed class SmallPartsTests
         SurfacePoint[] lip = Lip(9);
         var builder = new PieceBuilder();
         ToothRow.Append(builder, lip, -Vector3.UnitY, 0.03f, ivory);
-        Piece left = builder.ToPiece(MaterialKind.Skin);
+        Piece left = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         PieceChecks.IsSound(left);
         Assert.InRange(PieceChecks.TriangleCount(left) / lip.Length, 8, 16);
         Assert.InRange(left.Positions.Min(p => p.Y), 0.9699f, 0.975f);
@@ -79,7 +79,7 @@ public sealed class SmallPartsTests
         var builder = new PieceBuilder();
         ToothRow.Append(builder, Lip(6), Vector3.UnitY, 0.03f, ivory);
         builder.AppendMirrored(0, 0);
-        Piece row = builder.ToPiece(MaterialKind.Skin);
+        Piece row = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         PieceChecks.IsSound(row);
         PieceChecks.IsSymmetric(row);
     }
@@ -90,7 +90,7 @@ public sealed class SmallPartsTests
         var builder = new PieceBuilder();
         var at = new SurfacePoint(new Vector3(0.02f, 1f, 0.8f), Vector3.Normalize(new Vector3(0.4f, 0.2f, 0.9f)));
         NostrilShape.Append(builder, at, Vector3.UnitY, 0.01f, ivory);
-        Piece nostril = builder.ToPiece(MaterialKind.Skin);
+        Piece nostril = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         PieceChecks.IsSound(nostril);
         Assert.InRange(PieceChecks.TriangleCount(nostril), 30, 130);
         Assert.All(nostril.Positions, p => Assert.InRange(Vector3.Dot(p - at.Position, at.Normal), -0.004f, 0.002f));

@@ -20,7 +20,7 @@ public sealed class TongueShapeTests
     {
         var builder = new PieceBuilder();
         TongueShape.AppendRounded(builder, Floor(), 0.76f, pink);
-        Piece tongue = builder.ToPiece(MaterialKind.Skin);
+        Piece tongue = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         PieceChecks.IsSound(tongue);
         PieceChecks.IsSymmetric(tongue);
         PieceChecks.NormalsFollowFaces(tongue, 0.97);
@@ -34,7 +34,7 @@ public sealed class TongueShapeTests
     {
         var builder = new PieceBuilder();
         TongueShape.AppendForked(builder, Floor(), 0.2f, pink);
-        Piece tongue = builder.ToPiece(MaterialKind.Skin);
+        Piece tongue = builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere);
         PieceChecks.IsSound(tongue);
         PieceChecks.IsSymmetric(tongue);
         float front = tongue.Positions.Max(p => p.Z);
@@ -103,7 +103,7 @@ public sealed class TongueShapeTests
     {
         var builder = new PieceBuilder();
         MouthSetter.AppendTongue(builder, blueprint, grown, pink);
-        return builder.ToPiece(MaterialKind.Skin).Positions;
+        return builder.ToPiece(MaterialKind.Skin, PieceChecks.Anywhere).Positions;
     }
 
     private static MouthFloor Floor()

@@ -52,7 +52,7 @@ internal sealed class ActBody
         }
 
         Has = PartsOf();
-        Skin = SupportPoints.Of(subject);
+        Skin = BonePoints.Of(subject);
         Feelers = Array.ConvertAll(RootsOf(JointRole.Antenna), root => new TurnedChain(Skeleton, Joints(JointRole.Antenna).Where(joint => Hangs(joint, root)).ToArray()));
         FeelerSkins = Array.ConvertAll(Feelers, feeler => Skin.Of(joint => Hangs(joint, feeler.Joints[0])));
         HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Array.Exists(Feelers, feeler => Hangs(joint, feeler.Joints[0])));
@@ -126,21 +126,21 @@ internal sealed class ActBody
     public ActTools Tools { get; }
 
     /// <summary>What of the skin can touch the ground.</summary>
-    public SupportPoints Skin { get; }
+    public BonePoints Skin { get; }
 
     /// <summary>The same of neck and head without feelers, and of the tail.</summary>
-    public SupportPoints HeadSkin { get; }
+    public BonePoints HeadSkin { get; }
 
-    public SupportPoints TailSkin { get; }
+    public BonePoints TailSkin { get; }
 
     /// <summary>The same of each arm.</summary>
-    public SupportPoints[] ArmSkins { get; }
+    public BonePoints[] ArmSkins { get; }
 
     /// <summary>The same of each feeler.</summary>
-    public SupportPoints[] FeelerSkins { get; }
+    public BonePoints[] FeelerSkins { get; }
 
     /// <summary>The same of trunk and legs: what a body lies on.</summary>
-    public SupportPoints BearingSkin { get; }
+    public BonePoints BearingSkin { get; }
 
     /// <summary>Seconds in which acts reckon: √(unit / gravity).</summary>
     public float TimeUnit(float gravity) => (float)Math.Sqrt(Unit / gravity);

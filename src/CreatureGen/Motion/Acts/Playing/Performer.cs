@@ -234,7 +234,7 @@ internal sealed class Performer
     }
 
     /// <summary>Swings an arm that would be in the ground out of it by the shorter way; one of a body that comes down on it always ahead, where there is room for it.</summary>
-    private void KeepArmOffGround(in ActGround ground, int shoulder, SupportPoints skin, in Pose local, in Pose model)
+    private void KeepArmOffGround(in ActGround ground, int shoulder, BonePoints skin, in Pose local, in Pose model)
     {
         for (int round = 0; round < ClearingRounds; round++)
         {
@@ -251,7 +251,7 @@ internal sealed class Performer
     }
 
     /// <summary>Raises neck, feeler or tail where it would be in the ground, as seen from the root: before the whole body has to.</summary>
-    private void KeepOffGround(in ActGround ground, TurnedChain chain, SupportPoints skin, float sign, int rounds, in Pose local, in Pose model)
+    private void KeepOffGround(in ActGround ground, TurnedChain chain, BonePoints skin, float sign, int rounds, in Pose local, in Pose model)
     {
         for (int round = 0; round < rounds && chain.Count > 0; round++)
         {

@@ -123,7 +123,7 @@ internal static class FoldSearch
     {
         (int left, int right) = pair;
         LegRig rig = body.Legs!.Legs[left];
-        SupportPoints skin = body.Skin.Of(joint => body.Hangs(joint, rig.Hip));
+        BonePoints skin = body.Skin.Of(joint => body.Hangs(joint, rig.Hip));
         var best = new float[Count];
         var now = new float[Count];
         float least = float.MaxValue;

@@ -9,14 +9,14 @@ using CreatureGen.Skinning;
 namespace CreatureGen.Motion.Acts.Bodies;
 
 /// <summary>The outermost points of the skin of each bone, rigid to it: what can touch the ground. A few hundred stand for all vertices.</summary>
-internal sealed class SupportPoints
+internal sealed class BonePoints
 {
     private readonly (int Joint, Vector3 Point)[] points;
 
-    private SupportPoints((int, Vector3)[] points) => this.points = points;
+    private BonePoints((int, Vector3)[] points) => this.points = points;
 
     /// <summary>Those of a creature.</summary>
-    public static SupportPoints Of(MotionSubject subject)
+    public static BonePoints Of(MotionSubject subject)
     {
         Skeleton skeleton = subject.Skeleton;
         CreatureMesh mesh = subject.Mesh;
@@ -27,11 +27,11 @@ internal sealed class SupportPoints
             points.Add((joint, Rotation.Rotate(Rotation.Inverse(skeleton.ModelRotations[joint]), mesh.Positions[v] - skeleton.ModelPositions[joint])));
         }
 
-        return new SupportPoints(points.ToArray());
+        return new BonePoints(points.ToArray());
     }
 
     /// <summary>Those of some joints.</summary>
-    public SupportPoints Of(Predicate<int> joints) => new(Array.FindAll(points, point => joints(point.Joint)));
+    public BonePoints Of(Predicate<int> joints) => new(Array.FindAll(points, point => joints(point.Joint)));
 
     /// <summary>The angle about an axis to the left by which what hangs on a joint has to be raised so that nothing of it is in the ground, radians; 0 for none.</summary>
     /// <param name="ground">That it may be in.</param>
