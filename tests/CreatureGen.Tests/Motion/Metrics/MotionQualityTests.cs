@@ -22,7 +22,7 @@ public class MotionQualityTests
         int stances = 0;
         foreach ((MotionReport report, string name) in Record(firstSeed, seeds, rate, GroundRelief.Flat))
         {
-            // Targets of docs/motion.md, in leg lengths.
+            // In leg lengths.
             Assert.True(report.Slip <= 0.001f, $"{name}: slip {report.Slip}");
             Assert.True(report.LockDrift <= 0.002f, $"{name}: foot off its place by {report.LockDrift}");
             Assert.Equal(0f, report.SkatingFraction);
