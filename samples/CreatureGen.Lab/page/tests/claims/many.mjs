@@ -112,7 +112,10 @@ export async function checkMany({ claim, require, page, mode }) {
       const { grid } = creatureLab.lab;
       const { library } = grid;
       const asked = [];
-      document.querySelector('.many').close();
+      const dialog = document.querySelector('.many');
+      const told = new Promise(done => dialog.addEventListener('close', done, { once: true }));
+      dialog.close();
+      await told;
       await library.call('Memory');
       grid.library = { call: (...values) => { asked.push(values[0]); return library.call(...values); } };
       await new Promise(done => setTimeout(done, 600));

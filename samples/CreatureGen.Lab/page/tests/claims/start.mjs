@@ -17,9 +17,11 @@ export async function checkStart({ claim, require, browser, visit, lab, longest 
     while (!moved && Date.now() - begin < longest) {
       moved = await seen() !== first;
     }
+    const crowded = await waiting.locator('.panel').isVisible();
     release();
     await waiting.close();
     require(moved, 'the picture of the first creature stands still');
+    require(!crowded, 'panels are painted before the first creature lives');
 
     const other = await visit(lab.address, { width: 900, height: 640 }, () => {
       window.asked = [];
@@ -40,7 +42,9 @@ export async function checkStart({ claim, require, browser, visit, lab, longest 
     const [baked, live] = ['baked', 'live'].map(name => marks[`creature:${name}`]);
     const early = await other.evaluate(live => window.asked.filter(({ at }) => at < live).map(({ name }) => name), live);
     await other.waitForFunction(() => !document.getElementById('cover'));
+    const offered = await other.locator('.panel').isVisible();
     await other.close();
+    require(offered, 'there is no panel beside the live creature');
     require(baked < live, JSON.stringify(marks));
     require(['worker', 'Grow'].every(name => early.filter(one => one === name).length === 1), `asked for before the first picture: ${early}`);
     return `${baked}, ${live} ms`;
