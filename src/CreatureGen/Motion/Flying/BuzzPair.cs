@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Wings;
@@ -15,6 +16,10 @@ internal sealed class BuzzPair
     private const double Flip = 0.70;
     private const double TipBend = 0.22;
     private const double TipLag = 0.4;
+
+    /// <summary>How much wider the outer wing beats in the tightest turn.</summary>
+    private const double Steering = 0.15;
+
     /// <summary>How far the top of the stroke lies behind its bottom, radians: the more the slower it flies, until wings beat to and fro. Hind wings have the body in their way.</summary>
     private const double StrokePlane = 0.25;
     private const double HoverPlane = 0.85;
@@ -45,8 +50,14 @@ internal sealed class BuzzPair
         incidence = ThinWingBlade.RestIncidence(axis);
 
         // The stroke's middle lies a little above level.
-        level = 0.30 - PortableMath.Atan2(axis.Y, System.Math.Sqrt(((double)axis.X * axis.X) + ((double)axis.Z * axis.Z)));
+        level = 0.30 - PortableMath.Atan2(axis.Y, Math.Sqrt(((double)axis.X * axis.X) + ((double)axis.Z * axis.Z)));
     }
+
+    /// <summary>Fastest that a wing turns at its root for each radian of its beat and a width of 1: as it goes through the middle of its stroke or flips.</summary>
+    public static double FastestBlade { get; } = Math.Sqrt(Math.Max(StrokeAngle * StrokeAngle, Flip * Flip) + (4 * Deviation * Deviation));
+
+    /// <summary>Factor on the width of the beat of the wing outside of a turn, at most.</summary>
+    public const double WidestSteer = 1 + Steering;
 
     /// <summary>Writes the joints of both sides.</summary>
     public void Write(in Pose local, in WingStroke stroke)
@@ -58,7 +69,7 @@ internal sealed class BuzzPair
     private void Write(in Pose local, Side side, in WingStroke stroke)
     {
         double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
-        double a = stroke.Amplitude * (1 - (0.15 * inside));
+        double a = stroke.Amplitude * (1 - (Steering * inside));
         double angle = 2 * PortableMath.Pi * (stroke.Phase - lag);
         PortableMath.SinCos(angle, out double sine, out double cosine);
         double raise = level + (Shown * stroke.Shown) + (a * StrokeAngle * cosine);

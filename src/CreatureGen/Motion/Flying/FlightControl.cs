@@ -78,6 +78,11 @@ internal static class FlightControl
     /// <summary>Speed of touchdown, in √(g·leg).</summary>
     private const double Touchdown = 0.25;
 
+    /// <summary>How much quicker it beats as it hovers, climbs and leaps, parts of the beats at cruise.</summary>
+    private const double HoverBeats = 0.22;
+    private const double ClimbBeats = 0.15;
+    private const double LeapBeats = 0.25;
+
     /// <summary>Spread below which a turn of the cycle is no beat.</summary>
     private const double SpreadForBeat = 0.3;
 
@@ -130,8 +135,8 @@ internal static class FlightControl
         double level = profile.GlidesBetweenBeats ? LevelEffort : 1;
         double effort = state.Phase == FlightPhase.Airborne ? Scalar.Clamp(level + (1.4 * path) + hover + (0.5 * Math.Max(0, Math.Abs(cruises) - 1.2)) + push - (0.5 * slow * (1 - hover)), 0, 1) : 1;
 
-        double leap = state.Phase == FlightPhase.Leaping ? 0.25 : 0;
-        double beats = profile.BeatsIn(gravity) * (1 + (0.22 * hover) + (0.15 * Math.Max(0, rise)) + Math.Max(leap, 0.12 * push));
+        double leap = state.Phase == FlightPhase.Leaping ? LeapBeats : 0;
+        double beats = profile.BeatsIn(gravity) * (1 + (HoverBeats * hover) + (ClimbBeats * Math.Max(0, rise)) + Math.Max(leap, 0.12 * push));
         double advance = state.Frequency.Step(flying ? beats : 0, flying ? 2 * k : 4 * k, dt);
         Beat(profile, state.Spread.Value, advance, dt, ref state);
         double width = Math.Min((1 + (0.28 * hover) + (0.22 * Math.Max(0, rise)) + Math.Max(leap, 0.18 * push)) * settings.BeatAmplitude, WidestBeat);
@@ -155,6 +160,10 @@ internal static class FlightControl
         state.Height.Step(Math.Min(height, FlightState.HighEnough * leg), 20 * tempo, dt);
         return dt > 0 ? Velocity(way / dt, up / dt, turned / dt) : default;
     }
+
+    /// <summary>Radians per second with which thin wings turn at their root at most: they beat quickest and widest.</summary>
+    public static double FastestBlade(FlightProfile profile) =>
+        2 * PortableMath.Pi * profile.BeatFrequency * (1 + HoverBeats + ClimbBeats + LeapBeats) * WidestBeat * BuzzPair.WidestSteer * BuzzPair.FastestBlade;
 
     /// <summary>How much of its beat a flier that has no legs to stand on makes so far above the ground, 0..1: wings of one that lies on it would beat into it.</summary>
     private static double Room(FlightProfile profile, double height) =>

@@ -40,7 +40,7 @@ public sealed record ActTrial(ActAbility Ability)
         var skin = new SkinWatch(profile);
         skin.Record(animator.ModelPose);
         float standing = skin.Lowest;
-        var joints = new JointWatch(profile.Subject.Skeleton, profile.SpringRigs);
+        var joints = new JointWatch(profile);
         var feet = new PlantedFeet(animator);
         joints.Record(animator.LocalPose.Rotations, 1f / Rate);
         animator.Perform(Ability, Ability.Act.Reaches ? ActTarget.At(Ability.Usual) : default);

@@ -1,7 +1,7 @@
 using System;
-using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Flying;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 
@@ -15,23 +15,26 @@ internal sealed class JointWatch
 
     private readonly Skeleton skeleton;
     private readonly bool[] driven;
+    private readonly float[] asked;
     private readonly Quaternion[] before;
     private readonly Vector3[] rates;
     private int frames;
 
-    /// <summary>Watches a skeleton.</summary>
-    /// <param name="skeleton">Gives roles, rest rotations and limits.</param>
-    /// <param name="swinging">What swings by itself: its speed does not count.</param>
-    public JointWatch(Skeleton skeleton, IReadOnlyList<SpringRig> swinging)
+    /// <summary>Watches a creature. What swings by itself does not count, nor do thin wings as long as they are no faster than they beat.</summary>
+    public JointWatch(MotionProfile profile)
     {
-        this.skeleton = skeleton;
+        skeleton = profile.Subject.Skeleton;
         driven = new bool[skeleton.Count];
+        asked = new float[skeleton.Count];
+        float beat = profile.Flight is FlightProfile flight && flight.Buzzes ? (float)FlightControl.FastestBlade(flight) : 0f;
         for (int j = 0; j < driven.Length; j++)
         {
-            driven[j] = IsLimited(skeleton.Joints[j].Role);
+            JointRole role = skeleton.Joints[j].Role;
+            driven[j] = IsLimited(role);
+            asked[j] = role == JointRole.Wing ? beat : 0f;
         }
 
-        foreach (SpringRig rig in swinging)
+        foreach (SpringRig rig in profile.SpringRigs)
         {
             foreach (int joint in rig.Joints)
             {
@@ -95,6 +98,7 @@ internal sealed class JointWatch
     private void Turn(int joint, Vector3 rate, float dt)
     {
         float speed = Vec.Length(rate);
+        speed = speed > asked[joint] ? speed : 0f;
         SpeedJoint = speed > Speed ? joint : SpeedJoint;
         Speed = Math.Max(Speed, speed);
         FastJoints += speed > Fast ? 1 : 0;

@@ -204,7 +204,7 @@ public sealed class FreeFallTests
     /// <summary>Degrees that the worst joint is beyond its limits.</summary>
     private static double Excess(CreatureAnimator animator)
     {
-        var watch = new JointWatch(animator.Profile.Subject.Skeleton, animator.Profile.SpringRigs);
+        var watch = new JointWatch(animator.Profile);
         watch.Record(animator.LocalPose.Rotations, Frame);
         return Scalar.Degrees(watch.Excess);
     }

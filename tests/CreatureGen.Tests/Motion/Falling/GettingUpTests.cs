@@ -156,7 +156,7 @@ public sealed class GettingUpTests
             string name = $"{seed} {creature.Blueprint.Plan}";
             var animator = new CreatureAnimator(profile);
             animator.Teleport(new RootPlace(new Vector3(0f, kind == RequestedKind.Walking ? 0f : 0.5f * height, 0f), Quaternion.Identity), FlatGround.Level);
-            var watch = new JointWatch(creature.Skeleton, profile.SpringRigs);
+            var watch = new JointWatch(profile);
             float sunk = 0f;
             int i = 0;
             for (; i < 6000 && (i <= 30 || animator.State != BodyState.Supported); i++)

@@ -16,7 +16,7 @@ internal sealed class CourseRecorder
     public CourseRecorder(CreatureAnimator animator, CourseSurface surface)
     {
         this.animator = animator;
-        joints = new JointWatch(animator.Profile.Subject.Skeleton, animator.Profile.SpringRigs);
+        joints = new JointWatch(animator.Profile);
         root = new RootWatch(animator.Root.Position);
         footing = animator.Profile.Legs == null ? null : new FootingWatch(animator, animator.Profile.Legs, surface);
     }

@@ -21,7 +21,7 @@ public sealed record CourseReport(int Frames, float Seconds, float LimitExcess, 
     /// <summary>Number of stances.</summary>
     public int? Stances { get; init; }
 
-    /// <summary>Deepest that any part of a foot was in the ground.</summary>
+    /// <summary>Deepest that any part of a foot was in the ground: the shortest way out of it, up or level.</summary>
     public float? Penetration { get; init; }
 
     /// <summary>Least height of the lowest point of a foot in the middle of its swing; below 0 in the ground.</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using CreatureGen.Maths;
 
@@ -6,6 +7,11 @@ namespace CreatureGen.Motion.Metrics.Courses;
 /// <summary>The ground of a course in the world at a moment: what lies where, and how it moves.</summary>
 internal class CourseSurface
 {
+    /// <summary>In how many steps the way out is looked for.</summary>
+    private const int WaySteps = 16;
+
+    private static readonly Vector3[] levelWays = { Vector3.UnitZ, -Vector3.UnitZ, Vector3.UnitX, -Vector3.UnitX };
+
     public CourseSurface(IGround ground) => Ground = ground;
 
     /// <summary>As creatures feel it.</summary>
@@ -26,6 +32,32 @@ internal class CourseSurface
     /// <returns>Metres; null where there is none.</returns>
     public float? HeightAt(Vector3 place, float reach) =>
         Ground.Cast(place + (Vector3.UnitY * reach), -Vector3.UnitY, 2f * reach, out GroundHit hit) ? hit.Point.Y : null;
+
+    /// <summary>How deep a place is in the ground: the shortest way out of it, up or level ahead, back or aside. What is just inside a riser is hardly in it.</summary>
+    /// <param name="place">World space.</param>
+    /// <param name="below">How far it is below the ground above it, metres.</param>
+    /// <param name="reach">How far above and below ground is looked for, metres.</param>
+    public float DepthOf(Vector3 place, float below, float reach)
+    {
+        float depth = below;
+        for (int i = 0; i < levelWays.Length; i++)
+        {
+            for (int k = 1; k < WaySteps; k++)
+            {
+                float way = below * k / WaySteps;
+                if (way >= depth)
+                {
+                    break;
+                }
+
+                // What is left to go up from there counts as well.
+                float left = HeightAt(place + (levelWays[i] * way), reach) is float height ? height - place.Y : 0f;
+                depth = Math.Min(depth, Math.Max(way, left));
+            }
+        }
+
+        return depth;
+    }
 }
 
 /// <summary>A platform without edges: it rises and sinks, goes to and fro and turns to and fro, each at a pace of its own.</summary>

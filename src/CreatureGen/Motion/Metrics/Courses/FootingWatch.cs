@@ -154,9 +154,12 @@ internal sealed class FootingWatch
             points[i] = frame.ToModel(point);
             heights[i] = surface.HeightAt(point, Lookout * legLength) is float height ? point.Y - height : legLength;
             lowest = Math.Min(lowest, heights[i]);
+            if (-heights[i] > penetration)
+            {
+                penetration = Math.Max(penetration, surface.DepthOf(point, -heights[i], Lookout * legLength));
+            }
         }
 
-        penetration = Math.Max(penetration, -lowest);
         if (foot.Phase == FootPhase.Stance)
         {
             stances[index].Stand(points.AsSpan(0, count), heights.AsSpan(0, count), lowest);

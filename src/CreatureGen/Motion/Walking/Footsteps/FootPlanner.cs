@@ -401,7 +401,7 @@ internal sealed class FootPlanner
     private void Target(int leg, in StepContext step, Vector3 wanted, Vector3 home, float yaw, Quaternion heading)
     {
         ref Foot foot = ref feet[leg];
-        foot.Plan.HasTarget = search.Find(step, leg, wanted, home, yaw, ref foot.Plan.Nudge, out foot.Plan.To);
+        foot.Plan.HasTarget = search.Find(step, leg, wanted, home, yaw, ref foot.Plan.Nudge, foot.Plan.Aimed ? 1 : FootingSearch.MaxLooks, out foot.Plan.To);
         foot.Plan.To.Heading = heading;
         foot.Plan.To.Attach(step.Ground as IMovingGround);
     }

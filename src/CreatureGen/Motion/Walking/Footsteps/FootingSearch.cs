@@ -57,6 +57,9 @@ internal sealed class FootingSearch
     /// <summary>Share of a change that is taken up when the ground along a way is felt again.</summary>
     private const float Renewal = 0.5f;
 
+    /// <summary>How often a foot may be shifted before it leaves the ground.</summary>
+    public const int MaxLooks = 8;
+
     private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
 
     /// <summary>Where a sole of spread toes may stand on something, of the length of its toes and half its width.</summary>
@@ -73,9 +76,10 @@ internal sealed class FootingSearch
     /// <param name="home">Where that is under the body in the middle of the stance, model space: feet turn with their legs.</param>
     /// <param name="yaw">Heading of the foot there, radians from the body's.</param>
     /// <param name="nudge">Shift along the foot that keeps it off an edge; carried on from update to update.</param>
+    /// <param name="looks">How often it may be shifted: once on its way, where it must not leap; as often as it takes before it leaves the ground.</param>
     /// <param name="place">The place; its heading is not set.</param>
     /// <returns>Whether there is ground.</returns>
-    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, ref float nudge, out Foothold place)
+    public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, ref float nudge, int looks, out Foothold place)
     {
         LegRig shape = body.Legs[leg];
         Vector3 up = step.Settings.Up;
@@ -105,12 +109,26 @@ internal sealed class FootingSearch
             return false;
         }
 
-        place = new Foothold { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
-        if (!(step.Ground is IPlaneGround))
+        bool uneven = !(step.Ground is IPlaneGround);
+        Sole sole = default;
+        for (int look = 1; uneven; look++)
         {
-            Sole sole = LaidOut(shape, home, ahead);
+            sole = LaidOut(shape, home, ahead);
             Feel(step, shape, target, hit, ref sole);
+            float before = nudge;
             KeepOffEdges(step, shape, target, hit, sole, ref nudge);
+            Vector3 shifted = target + (ahead * (nudge - before));
+            if (look >= looks || nudge == before || !Down(step, shifted, out GroundHit there))
+            {
+                break;
+            }
+
+            (target, hit) = (shifted, there);
+        }
+
+        place = new Foothold { Position = hit.Point, Normal = hit.Normal, Surface = hit.Surface, Platform = hit.Platform };
+        if (uneven)
+        {
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
             place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);
@@ -208,7 +226,7 @@ internal sealed class FootingSearch
     /// </summary>
     private void KeepOffEdges(in StepContext step, LegRig shape, Vector3 target, in GroundHit hit, in Sole sole, ref float nudge)
     {
-        float length = shape.Toe + shape.Heel;
+        float length = shape.Fore + shape.Aft;
         bool walls = sole.Toes == SoleEnd.Wall || sole.Heel == SoleEnd.Wall;
         SoleEnd bad = walls ? SoleEnd.Wall : SoleEnd.Hangs;
         if ((sole.Toes == bad) == (sole.Heel == bad))
@@ -226,7 +244,7 @@ internal sealed class FootingSearch
         float way = (back ? -NudgeStep : NudgeStep) * length;
         if (!walls)
         {
-            Rise(step, shape, target, sole.At((back ? -EndFraction * shape.Heel : EndFraction * shape.Toe) + way, 0f), hit, out SoleEnd there);
+            Rise(step, shape, target, sole.At((back ? -EndFraction * shape.Aft : EndFraction * shape.Fore) + way, 0f), hit, out SoleEnd there);
             way = there == SoleEnd.Wall ? 0f : way;
         }
 
@@ -257,6 +275,8 @@ internal sealed class FootingSearch
         float end = EndFraction * shape.Toe;
         float toe = Rise(step, shape, target, sole.At(end, 0f), hit, out sole.Toes);
         float heel = Rise(step, shape, target, sole.At(-EndFraction * shape.Heel, 0f), hit, out sole.Heel);
+        sole.Toes = shape.Fore > shape.Toe ? Bump(step, shape, target, sole.At(EndFraction * shape.Fore, 0f), hit, sole.Toes) : sole.Toes;
+        sole.Heel = shape.Aft > shape.Heel ? Bump(step, shape, target, sole.At(-EndFraction * shape.Aft, 0f), hit, sole.Heel) : sole.Heel;
         sole.Slope = (toe - heel) / (EndFraction * (shape.Toe + shape.Heel));
         sole.StandOn(toe, end, 0f);
         if (shape.Toe > LongSole * shape.Length)
@@ -281,6 +301,13 @@ internal sealed class FootingSearch
             float across = fan[i].Across * shape.HalfWidth;
             sole.StandOn(Rise(step, shape, target, sole.At(along, across), hit, out _), along, across);
         }
+    }
+
+    /// <summary>What is below an end of a sole, where a heel or toes above it may be in a wall that the sole itself is not in.</summary>
+    private SoleEnd Bump(in StepContext step, LegRig shape, Vector3 target, Vector3 beside, in GroundHit under, SoleEnd end)
+    {
+        Rise(step, shape, target, beside, under, out SoleEnd beyond);
+        return beyond == SoleEnd.Wall ? beyond : end;
     }
 
     /// <summary>Rise of the ground with a normal over its way, at the steepest.</summary>

@@ -12,6 +12,9 @@ internal sealed class SwingClearance
     /// <summary>Rise from one knot to the next, as part of their distance, from which on it is an edge: it may be anywhere between them.</summary>
     private const float EdgeSlope = 0.6f;
 
+    /// <summary>Slope at an end of a span, of its mean one, up to which the curve does not overshoot (Fritsch and Carlson 1980).</summary>
+    private const float SteepestMonotone = 3f;
+
     private readonly float[] heights = new float[Knots + 2];
     private readonly float[] rise = new float[Knots + 2];
     private readonly int[] hull = new int[Knots + 2];
@@ -98,11 +101,14 @@ internal sealed class SwingClearance
         // Hermite with slopes, in units of the knots' distance, that neither overshoot nor dip.
         float a = rise[i];
         float b = rise[i + 1];
-        float from = i == 0 ? b - a : Slope(a - rise[i - 1], b - a);
-        float to = i == Knots ? b - a : Slope(b - a, rise[i + 2] - b);
+        float from = i == 0 ? Steep(b - a) : Slope(a - rise[i - 1], b - a);
+        float to = i == Knots ? -Steep(a - b) : Slope(b - a, rise[i + 2] - b);
         float u = 1f - t;
         return (a * u * u * (1f + (2f * t))) + (b * t * t * (3f - (2f * t))) + (from * t * u * u) - (to * u * t * t);
     }
+
+    /// <summary>Slope at an end where the foot rises from the ground, or comes down to it: an edge may be right there.</summary>
+    private static float Steep(float rise) => rise > 0f ? SteepestMonotone * rise : rise;
 
     /// <summary>Slope at a knot between two spans: their harmonic mean, none at a peak (Fritsch and Butland 1984).</summary>
     private static float Slope(float before, float after) => before * after <= 0f ? 0f : 2f * before * after / (before + after);

@@ -102,6 +102,8 @@ internal sealed class LegRig
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
+        Fore = Math.Max(sole.Fore, Toe);
+        Aft = Math.Max(sole.Aft, Heel);
         HalfWidth = sole.HalfWidth;
         Breadth = WidestOf(bones);
         double tip = Scalar.Clamp(HighestRoll * Length / Toe, 0, 1);
@@ -338,6 +340,12 @@ internal sealed class LegRig
 
     /// <summary>From the ball back to the heel, level.</summary>
     public float Heel { get; }
+
+    /// <summary>How far the foot reaches ahead of the ball and behind it above its sole, too, as high as what it may run against, metres.</summary>
+    public float Fore { get; }
+
+    /// <inheritdoc cref="Fore"/>
+    public float Aft { get; }
 
     /// <summary>From the middle of the sole to its sides, level.</summary>
     public float HalfWidth { get; }

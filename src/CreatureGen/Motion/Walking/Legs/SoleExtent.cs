@@ -15,6 +15,9 @@ internal readonly struct SoleExtent
     /// <summary>Layer above its lowest point that counts as the sole's surface, part of the leg's length.</summary>
     private const float LayerFraction = 0.02f;
 
+    /// <summary>Height up to which a foot runs against what stands at its ends, part of the leg's length.</summary>
+    private const float BumpFraction = 0.06f;
+
     /// <summary>Weight from which on a vertex is of the foot alone.</summary>
     private const float Firm = 0.9f;
 
@@ -24,10 +27,12 @@ internal readonly struct SoleExtent
     /// <summary>Directions in which its outline is measured.</summary>
     public const int Directions = 8;
 
-    private SoleExtent(float toe, float heel, float width, Vector3 middle, Vector3[] outline)
+    private SoleExtent(float toe, float heel, (float Fore, float Aft) bumpers, float width, Vector3 middle, Vector3[] outline)
     {
         Toe = toe;
         Heel = heel;
+        Fore = Math.Max(toe, bumpers.Fore);
+        Aft = Math.Max(heel, bumpers.Aft);
         HalfWidth = width;
         Middle = middle;
         Outline = outline;
@@ -42,6 +47,12 @@ internal readonly struct SoleExtent
     public float Toe { get; }
 
     public float Heel { get; }
+
+    /// <summary>How far the foot reaches ahead of the ball above its sole, too, as high as what it may run against.</summary>
+    public float Fore { get; }
+
+    /// <summary>The same behind the ball: a heel or a spur that is carried clear of level ground.</summary>
+    public float Aft { get; }
 
     /// <summary>From the line through the ball to the farther side.</summary>
     public float HalfWidth { get; }
@@ -66,6 +77,7 @@ internal readonly struct SoleExtent
 
         var toe = new float[legs.Length];
         var heel = new float[legs.Length];
+        var bumpers = new (float Fore, float Aft)[legs.Length];
         var width = new float[legs.Length];
         var sum = new Vector3[legs.Length];
         var count = new int[legs.Length];
@@ -82,12 +94,17 @@ internal readonly struct SoleExtent
             }
 
             Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
+            float along = Vec.Dot(positions[v] - ball, ahead[leg]);
+            if (positions[v].Y < BumpFraction * Vec.Distance(skeleton.ModelPositions[legs[leg].Joints[1]], new Vector3(ball.X, 0f, ball.Z)))
+            {
+                bumpers[leg] = (Math.Max(bumpers[leg].Fore, along), Math.Max(bumpers[leg].Aft, -along));
+            }
+
             if (positions[v].Y > SoleFraction * ball.Y)
             {
                 continue;
             }
 
-            float along = Vec.Dot(positions[v] - ball, ahead[leg]);
             toe[leg] = Math.Max(toe[leg], along);
             heel[leg] = Math.Max(heel[leg], -along);
             width[leg] = Math.Max(width[leg], Math.Abs(((positions[v].X - ball.X) * ahead[leg].Z) - ((positions[v].Z - ball.Z) * ahead[leg].X)));
@@ -117,7 +134,7 @@ internal readonly struct SoleExtent
         var extents = new SoleExtent[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {
-            extents[i] = new SoleExtent(toe[i], heel[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])), outlines[i]);
+            extents[i] = new SoleExtent(toe[i], heel[i], bumpers[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])), outlines[i]);
         }
 
         return extents;

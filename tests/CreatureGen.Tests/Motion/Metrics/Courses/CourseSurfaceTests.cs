@@ -54,6 +54,18 @@ public sealed class CourseSurfaceTests
     }
 
     [Fact]
+    public void What_is_just_inside_a_riser_is_hardly_in_the_ground_and_what_is_below_a_floor_is_as_deep_as_it_lies()
+    {
+        var surface = new CourseSurface(new GroundProfile(5f, -3f).Floor(4f).Flight(3, 0.5f, 0.2f).Floor(3f).ToGround());
+        Assert.Equal(0.0125f, surface.DepthOf(new Vector3(0f, 0.05f, 1.01f), 0.15f, 9f), 0.01f);
+        Assert.Equal(0.15f, surface.DepthOf(new Vector3(0f, 0.05f, 1.25f), 0.15f, 9f), 1e-5f);
+        Assert.Equal(0.08f, surface.DepthOf(new Vector3(0f, -0.08f, -1f), 0.08f, 9f), 1e-5f);
+
+        // A sole a hair below its tread is as deep as its toes are in the riser.
+        Assert.Equal(0.05f, surface.DepthOf(new Vector3(0f, -0.0001f, 1.05f), 0.2001f, 9f), 0.013f);
+    }
+
+    [Fact]
     public void Ramps_join_floors_and_gaps_have_no_ground()
     {
         MeshGround ground = new GroundProfile(2f, 0f).Floor(1f).Ramp(2f, 1f).Gap(0.5f).Floor(1f).Riser(-1f).Floor(1f).ToGround();

@@ -82,7 +82,7 @@ public sealed class PushedBodyTests
             }
 
             var animator = new CreatureAnimator(profile);
-            var joints = new JointWatch(body.Skeleton, profile.SpringRigs);
+            var joints = new JointWatch(profile);
             animator.Teleport(RootPlace.Identity, FlatGround.Level);
             Vector3 place = Vector3.Zero;
             float heading = 0f;

@@ -19,6 +19,7 @@ public sealed class StairFootingTests
     [InlineData(7100003UL)]
     [InlineData(7100005UL)]
     [InlineData(7100006UL)]
+    [InlineData(9920017UL)]
     public void Standing_feet_are_seldom_in_the_risers_of_stairs_at_a_run(ulong seed)
     {
         Creature creature = Walkers.Any(seed);

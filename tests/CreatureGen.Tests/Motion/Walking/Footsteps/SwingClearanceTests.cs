@@ -84,6 +84,16 @@ public sealed class SwingClearanceTests
     }
 
     [Fact]
+    public void An_edge_right_before_the_foot_is_cleared_at_once()
+    {
+        SwingClearance up = Over(along => 0.2f * (1f - along));
+        SwingClearance down = Over(along => 0.2f * along);
+        float early = 0.3f * SwingClearance.At(0);
+        Assert.True(up.Rise(early) > 0.6f * up.Rise(SwingClearance.At(0)), $"{up.Rise(early)}");
+        Assert.Equal(up.Rise(early), down.Rise(1f - early), 5);
+    }
+
+    [Fact]
     public void An_edge_between_two_knots_counts_on_both_sides_of_it()
     {
         SwingClearance way = Over(along => along > 0.55f ? 0.9f * spacing : 0f);
