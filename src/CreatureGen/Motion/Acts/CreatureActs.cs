@@ -67,9 +67,27 @@ public sealed class CreatureActs
     private ActAbility[] TryAll()
     {
         ActStage stage = rehearsal.Stage();
-        return ActLibrary.All
-            .GroupBy(act => act.Name, StringComparer.Ordinal)
-            .Select(variants => rehearsal.Try(variants.FirstOrDefault(act => (act.Builds & Body.Build) != 0 && (act.Needs & ~Body.Has) == 0) ?? variants.FirstOrDefault(act => (act.Builds & Body.Build) != 0) ?? variants.First(), stage))
-            .ToArray();
+        return ActLibrary.All.GroupBy(act => act.Name, StringComparer.Ordinal).Select(ways => FirstPossible(ways, stage)).ToArray();
     }
+
+    /// <summary>The first way of doing an act that the body can do; where it can do none, why not the first of those that suit it best.</summary>
+    private ActAbility FirstPossible(IEnumerable<Act> ways, ActStage stage)
+    {
+        ActAbility? refused = null;
+        foreach (Act act in ways.OrderByDescending(Suits))
+        {
+            ActAbility ability = rehearsal.Try(act, stage);
+            if (ability.IsPossible)
+            {
+                return ability;
+            }
+
+            refused ??= ability;
+        }
+
+        return refused!;
+    }
+
+    /// <summary>2 for an act whose build and parts the body has, 1 for one whose build it has, 0 for others.</summary>
+    private int Suits(Act act) => (act.Builds & Body.Build) == 0 ? 0 : (act.Needs & ~Body.Has) == 0 ? 2 : 1;
 }

@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -67,6 +69,8 @@ public class ActTrialTests
     [Theory]
     [InlineData(7100062)]
     [InlineData(7100075)]
+    [InlineData(7100060)]
+    [InlineData(6024)]
     public void Arms_that_hang_behind_a_body_that_bends_down_to_eat_are_not_thrown_out_of_the_ground(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 0.6f }));
@@ -132,6 +136,68 @@ public class ActTrialTests
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         Assert.InRange(ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == act).Run(profile).Penetration!.Value, 0f, 0.01f);
+    }
+
+    [Theory]
+    [InlineData(RequestedKind.Flying, 7100092, "Scratch")]
+    [InlineData(RequestedKind.Flying, 7100040, "Threaten")]
+    public void Tails_come_out_of_the_ground_as_quickly_as_they_would_go_into_it_and_no_quicker(RequestedKind kind, ulong seed, string act)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+        ActReport report = ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == act).Run(profile);
+        Assert.InRange(report.Penetration!.Value, 0f, 0.02f);
+        Assert.InRange(report.JointSpeed, 0f, 30f);
+    }
+
+    [Theory]
+    [InlineData(7100003)]
+    [InlineData(7100059)]
+    [InlineData(9982050)]
+    public void Upright_bodies_lie_down_without_a_leg_that_springs_round(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        foreach (ActTrial trial in ActTrial.Of(profile).Where(trial => trial.Ability.Act.Name is "Lie" or "Sleep" or "Die"))
+        {
+            Assert.InRange(trial.Run(profile).JointSpeed, 0f, 60f);
+        }
+    }
+
+    [Fact]
+    public void What_a_body_cannot_do_one_way_it_does_another_way()
+    {
+        // Its head would be in the ground if it were raised as other low bodies raise theirs.
+        CreatureActs acts = new MotionProfile(CreatureGenerator.Generate(7100043, CreatureOptions.Default with { Kind = RequestedKind.Walking })).Acts;
+        Act[] ways = [.. ActLibrary.All.Where(act => act.Name == "Sniff")];
+        Assert.False(acts.Rehearse(ways[0]).IsPossible);
+        Assert.Same(ways[1], acts.Find("Sniff").Act);
+        Assert.True(acts.Find("Sniff").IsPossible);
+
+        // What no way suits tells why not the way that suits best.
+        Assert.Contains("it is not for a body", acts.Find("Scratch").Refusal, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(7100058)]
+    [InlineData(9982050)]
+    public void Bodies_with_arms_wash_their_faces(ulong seed)
+    {
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        var animator = new CreatureAnimator(creature);
+        int hand = creature.Limbs.First(limb => limb.Kind == LimbKind.Arm).Joints[^1];
+        int head = creature.Skeleton.FirstOf(JointRole.Head);
+        animator.Update(1f / 60f, default, FlatGround.Level);
+        float hanging = Apart();
+        animator.Perform("Groom");
+        float nearest = float.MaxValue;
+        for (int i = 0; i < 300; i++)
+        {
+            animator.Update(1f / 60f, default, FlatGround.Level);
+            nearest = Math.Min(nearest, Apart());
+        }
+
+        Assert.True(nearest < 0.7f * hanging, $"hands come to {nearest} m from the head, {hanging} m as they hang");
+
+        float Apart() => Vector3.Distance(animator.ModelPose.Positions[hand], animator.ModelPose.Positions[head]);
     }
 
     [Theory]

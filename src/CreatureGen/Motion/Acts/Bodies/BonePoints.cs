@@ -11,6 +11,9 @@ namespace CreatureGen.Motion.Acts.Bodies;
 /// <summary>The outermost points of the skin of each bone, rigid to it: what can touch the ground. A few hundred stand for all vertices.</summary>
 internal sealed class BonePoints
 {
+    /// <summary>Part of the level distance of the farthest point within which a point counts as that far from its pivot.</summary>
+    private const float ShortestLever = 0.25f;
+
     private readonly (int Joint, Vector3 Point)[] points;
 
     private BonePoints((int, Vector3)[] points) => this.points = points;
@@ -40,15 +43,22 @@ internal sealed class BonePoints
     public float Raise(in ActGround ground, Vector3 pivot, in Pose model)
     {
         float most = 0f;
+        float farthest = 0f;
+        foreach ((int joint, Vector3 point) in points)
+        {
+            Vector3 place = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
+            farthest = Math.Max(farthest, LevelSquared(place - pivot));
+        }
+
+        // What is close to the pivot is hardly raised by any angle.
+        float shortest = Math.Max(ShortestLever * ShortestLever * farthest, 1e-8f);
         foreach ((int joint, Vector3 point) in points)
         {
             Vector3 place = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
             float height = ground.HeightOf(place);
             if (height < 0f)
             {
-                float x = place.X - pivot.X;
-                float z = place.Z - pivot.Z;
-                most = Math.Max(most, -height / (float)Math.Sqrt(Math.Max((x * x) + (z * z), 1e-8f)));
+                most = Math.Max(most, -height / (float)Math.Sqrt(Math.Max(LevelSquared(place - pivot), shortest)));
             }
         }
 
@@ -81,6 +91,8 @@ internal sealed class BonePoints
 
         return (ahead, back);
     }
+
+    private static float LevelSquared(Vector3 way) => (way.X * way.X) + (way.Z * way.Z);
 
     /// <summary>Height of the lowest point of a pose above the ground, metres.</summary>
     public float Lowest(in ActGround ground, in Pose model)

@@ -31,6 +31,9 @@ internal sealed class Performer
     private readonly ActLayer layer;
     private readonly float[] values = new float[Act.ChannelCount];
     private readonly Mood mood = new();
+
+    /// <summary>The way by which each arm is kept out of the ground: −1 ahead, 1 back, 0 where it is not in it.</summary>
+    private readonly float[] armWays;
     private ActAim aim;
     private ActAim lastAim;
     private float side = 1f;
@@ -42,6 +45,7 @@ internal sealed class Performer
         this.body = body;
         this.room = room;
         layer = new ActLayer(body, room.Legs);
+        armWays = new float[body.Arms.Length];
     }
 
     /// <summary>What is performed at present; null for nothing.</summary>
@@ -195,7 +199,7 @@ internal sealed class Performer
         {
             Settle(ground, local, model);
             KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, ClearingRounds, local, model);
-            KeepOffGround(ground, body.Tail, body.TailSkin, 1f, ClearingRounds, local, model);
+            KeepOffGround(ground, body.Tail, body.TailSkin, 1f, FeelerRounds, local, model);
             for (int i = 0; i < body.Feelers.Length; i++)
             {
                 KeepOffGround(ground, body.Feelers[i], body.FeelerSkins[i], -1f, FeelerRounds, local, model);
@@ -203,7 +207,7 @@ internal sealed class Performer
 
             for (int i = 0; i < body.Arms.Length; i++)
             {
-                KeepArmOffGround(ground, body.Arms[i].Joints[1], body.ArmSkins[i], local, model);
+                KeepArmOffGround(ground, body.Arms[i].Joints[1], body.ArmSkins[i], ref armWays[i], local, model);
             }
         }
 
@@ -233,19 +237,23 @@ internal sealed class Performer
         }
     }
 
-    /// <summary>Swings an arm that would be in the ground out of it by the shorter way; one of a body that comes down on it always ahead, where there is room for it.</summary>
-    private void KeepArmOffGround(in ActGround ground, int shoulder, BonePoints skin, in Pose local, in Pose model)
+    /// <summary>
+    /// Swings an arm that would be in the ground out of it by the way that was the shorter one as it came there: it does not change its mind. One of a body that comes down on it goes
+    /// ahead, where there is room for it.
+    /// </summary>
+    private void KeepArmOffGround(in ActGround ground, int shoulder, BonePoints skin, ref float way, in Pose local, in Pose model)
     {
         for (int round = 0; round < ClearingRounds; round++)
         {
             (float ahead, float back) = skin.Swing(ground, model.Positions[shoulder], model);
             if (ahead == 0f)
             {
+                way = round == 0 ? 0f : way;
                 return;
             }
 
-            float swing = layer.Loose > 0f || ahead <= back ? -Math.Min(ahead, MaxCleared) : Math.Min(back, MaxCleared);
-            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(swing), local);
+            way = layer.Loose > 0f ? -1f : way != 0f ? way : ahead <= back ? -1f : 1f;
+            body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(way * Math.Min(way < 0f ? ahead : back, MaxCleared)), local);
             Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
         }
     }

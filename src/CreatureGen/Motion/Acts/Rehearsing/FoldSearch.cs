@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Library;
 using CreatureGen.Motion.Acts.Playing;
 using CreatureGen.Motion.Walking.Legs;
 
@@ -85,8 +86,8 @@ internal static class FoldSearch
         values[(int)ActChannel.ForeFold] = body.Build == BodyBuild.Upright ? 0f : 1f;
         values[(int)ActChannel.HindFold] = 1f;
 
-        // Legs that do not fold so far carry the body higher.
-        for (float down = 1f; down > MinDown; down -= DownStep)
+        // Legs that do not fold so far carry the body higher; an upright one only squats on them, on its way down.
+        for (float down = body.Build == BodyBuild.Upright ? Postures.SquatDown : 1f; down > MinDown; down -= DownStep)
         {
             values[(int)ActChannel.ForeDown] = down;
             values[(int)ActChannel.HindDown] = down;
