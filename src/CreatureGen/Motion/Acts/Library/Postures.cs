@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using CreatureGen.Motion.Acts.Data;
 using static CreatureGen.Motion.ActChannel;
 
 namespace CreatureGen.Motion.Acts.Library;
@@ -6,9 +7,6 @@ namespace CreatureGen.Motion.Acts.Library;
 /// <summary>Acts that last until the creature is told to go on: sitting, lying, sleeping, and the last.</summary>
 internal static class Postures
 {
-    /// <summary>How far hips come down as an upright body squats, before it stretches its legs out behind.</summary>
-    public const float SquatDown = 0.75f;
-
     private static readonly ActPhase[] lie =
     {
         new ActPhase("lie", 10f).To(NeckPitch, 0.08f).To(Lids, 0.1f).Lasting().With(new ActWave(Up, 0.004f, 3f)).With(new ActWave(HeadSide, 0.12f, 1f)).With(new ActWave(TailSide, 0.1f, 0.5f)),
@@ -104,7 +102,7 @@ internal static class Postures
         var phases = new List<ActPhase>
         {
             new ActPhase("look", 1.2f).To(NeckPitch, -0.35f).To(HeadPitch, -0.15f).To(HindDown, 0.12f),
-            new ActPhase("squat", 2.2f).To(HindDown, SquatDown).To(HindFold, 0.6f).To(ArmsAhead, 0.5f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
+            new ActPhase("squat", 2.2f).To(HindDown, Squat.HindDown).To(HindFold, 0.6f).To(ArmsAhead, 0.5f).To(NeckPitch, -0.1f).To(HeadPitch, 0f),
             new ActPhase("hands", 2.2f).To(HindDown, 0.9f).To(HindFold, 0.3f).To(ForeFold, 0.45f).To(ArmsAhead, 1.1f).To(NeckPitch, 0.3f),
             new ActPhase("sink", 2.6f).To(HindDown, 1f).To(HindFold, 0f).To(ForeFold, 1f).To(ArmsAhead, 1.3f).To(ArmsBend, 0.4f).To(NeckPitch, 0.6f),
         };

@@ -184,6 +184,9 @@ internal sealed class Performer
         layer.Aim(aim, root.ToModel(aim.Target), values[(int)ActChannel.Reach]);
     }
 
+    /// <summary>Forgets by which way arms came out of the ground: what is shown next does not follow on what was shown before.</summary>
+    public void Forget() => Array.Clear(armWays, 0, armWays.Length);
+
     /// <summary>Writes all that no leg carries.</summary>
     /// <param name="root">Where the creature is.</param>
     /// <param name="carried">Whether legs carry the trunk.</param>

@@ -21,6 +21,7 @@ internal sealed class ActStage
     private readonly Vector3[] modelPositions;
     private readonly Vector3[] feet;
     private readonly float standing;
+    private (Act? Act, int Phase, double At) moment;
     private readonly float[] values = new float[Act.ChannelCount];
 
     public ActStage(ActBody body, ILocomotionMode? mode, TrunkRoom room)
@@ -53,8 +54,10 @@ internal sealed class ActStage
     /// <summary>Shows a place in an act.</summary>
     public void Show(Act act, int phase, double at, ActGain gain, in ActAim aim)
     {
+        bool goesOn = act == moment.Act && (phase > moment.Phase || (phase == moment.Phase && at > moment.At));
+        moment = (act, phase, at);
         ActCurve.Write(act, phase, at, gain, values);
-        Show(aim);
+        Show(aim, goesOn);
     }
 
     /// <summary>Shows one channel alone.</summary>
@@ -62,18 +65,26 @@ internal sealed class ActStage
     {
         Array.Clear(values, 0, values.Length);
         values[(int)channel] = value;
-        Show(default(ActAim));
+        Show(default(ActAim), false);
     }
 
     /// <summary>Shows values of all channels.</summary>
     public void Show(float[] shown)
     {
         shown.CopyTo(values, 0);
-        Show(default(ActAim));
+        Show(default(ActAim), false);
     }
 
-    private void Show(in ActAim aim)
+    /// <summary>Shows the values.</summary>
+    /// <param name="aim">What is brought where.</param>
+    /// <param name="goesOn">Whether it is a later moment of what was shown before.</param>
+    private void Show(in ActAim aim, bool goesOn)
     {
+        if (!goesOn)
+        {
+            performer.Forget();
+        }
+
         performer.Show(values, aim, RootPlace.Identity);
         Local.SetToRest(body.Skeleton);
         if (mode != null)

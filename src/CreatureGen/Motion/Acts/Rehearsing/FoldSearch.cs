@@ -4,7 +4,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
-using CreatureGen.Motion.Acts.Library;
+using CreatureGen.Motion.Acts.Data;
 using CreatureGen.Motion.Acts.Playing;
 using CreatureGen.Motion.Walking.Legs;
 
@@ -87,7 +87,7 @@ internal static class FoldSearch
         values[(int)ActChannel.HindFold] = 1f;
 
         // Legs that do not fold so far carry the body higher; an upright one only squats on them, on its way down.
-        for (float down = body.Build == BodyBuild.Upright ? Postures.SquatDown : 1f; down > MinDown; down -= DownStep)
+        for (float down = body.Build == BodyBuild.Upright ? Squat.HindDown : 1f; down > MinDown; down -= DownStep)
         {
             values[(int)ActChannel.ForeDown] = down;
             values[(int)ActChannel.HindDown] = down;
