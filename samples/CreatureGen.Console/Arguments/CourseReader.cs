@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 
 namespace CreatureGen.Console.Arguments;
 

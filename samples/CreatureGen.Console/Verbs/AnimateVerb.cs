@@ -7,6 +7,7 @@ using CreatureGen.Console.Text;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Preview.Films;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Png;

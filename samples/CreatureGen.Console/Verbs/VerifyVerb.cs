@@ -8,6 +8,7 @@ using CreatureGen.Console.Text;
 using CreatureGen.Console.Working;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 
 namespace CreatureGen.Console.Verbs;

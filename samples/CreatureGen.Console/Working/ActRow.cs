@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Preview.Films;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Sheets;

@@ -8,6 +8,7 @@ using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Text;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 
@@ -72,7 +73,7 @@ internal sealed record MeasuredCourse(LocomotionKind Kind, BodyPlan Plan, ulong 
     /// <inheritdoc/>
     public override string ToString() => FormattableString.Invariant($"{WordList<LocomotionKind>.Instance[Kind]} {Seed} {WordList<BodyPlan>.Instance[Plan]} {Course.Script} {Ground} {Course.Rate} Hz");
 
-    private static MeasuredCourse Of(MotionProfile profile, CourseRun run)
+    private static MeasuredCourse Of(MotionProfile profile, (MotionCourse Course, CourseReport Report) run)
     {
         CreatureBlueprint blueprint = profile.Subject.Creature!.Blueprint;
         return new MeasuredCourse(

@@ -5,6 +5,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Inspection;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 
 namespace CreatureGen.Console.Working;
 

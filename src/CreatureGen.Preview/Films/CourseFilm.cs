@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using System.Threading;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Pictures;

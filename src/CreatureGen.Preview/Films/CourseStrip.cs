@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Threading;
 using CreatureGen.Motion;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Preview.Scenes;

@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Clips;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Preview.Scenes;
@@ -33,7 +34,7 @@ internal sealed class CourseTake
     {
         creature = profile.Subject.Creature!;
         Script = script;
-        var drive = new CourseDrive(profile, new MotionCourse(script, ground, CourseRate.Of(Rate)));
+        var drive = new CourseDrive(profile, script, ground, CourseRate.Of(Rate));
         surface = drive.Surface;
         Record(drive);
         foreach (float _ in drive.Updates())

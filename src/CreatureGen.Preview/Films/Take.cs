@@ -4,6 +4,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Clips;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;

@@ -3,6 +3,7 @@ using System.Linq;
 using CreatureGen.Console;
 using CreatureGen.Console.Arguments;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Sampling;
 using Xunit;

@@ -10,6 +10,7 @@ using CreatureGen.Console.Arguments;
 using CreatureGen.Console.Verbs;
 using CreatureGen.Console.Working;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Sampling;
 using Xunit;

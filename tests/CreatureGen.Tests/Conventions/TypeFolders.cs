@@ -10,7 +10,7 @@ namespace CreatureGen.Tests.Conventions;
 internal sealed partial class TypeFolders
 {
     /// <summary>Folders whose public types, and those of all folders in them, stand in one namespace: a door of the library. The nearest one upwards counts.</summary>
-    private static readonly string[] Doors = ["Motion/Toolkit", "Motion"];
+    private static readonly string[] Doors = ["Motion/Toolkit", "Motion/Metrics", "Motion"];
 
     private readonly Dictionary<string, string> folders = new(StringComparer.Ordinal);
 

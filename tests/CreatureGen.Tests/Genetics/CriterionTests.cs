@@ -10,6 +10,7 @@ using CreatureGen.Genetics.Criteria;
 using CreatureGen.Inspection;
 using CreatureGen.Inspection.Variety;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using Xunit;
 

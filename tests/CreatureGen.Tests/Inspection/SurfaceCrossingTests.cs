@@ -5,6 +5,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Geometry;
 using CreatureGen.Inspection;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
 using Xunit;

@@ -7,6 +7,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Walking.Footsteps;
 using Xunit;
 

@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Preview.Films;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Sampling;

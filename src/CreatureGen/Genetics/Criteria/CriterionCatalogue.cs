@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 
 namespace CreatureGen.Genetics.Criteria;
 

@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 
 namespace CreatureGen.Genetics.Criteria;
 

@@ -15,10 +15,34 @@ public abstract class LegPhases
     /// <param name="duty">Part of the cycle that a foot is down.</param>
     /// <returns>Part of a cycle; only its fraction counts.</returns>
     public abstract float Lag(int row, int rows, Side side, float duty);
+
+    /// <summary>
+    /// Leaps, as of grasshoppers: the hindmost pair pushes together, and after a flight all other legs catch the body together; they leave the ground when the hind feet have come down again.
+    /// For any number of pairs from two on.
+    /// </summary>
+    public static LegPhases Leaping() => new LeapPhases();
+
+    /// <summary>Touchdowns given for each leg; pairs beyond those listed repeat them from the rear.</summary>
+    /// <param name="lags">Rear left, rear right, then the next pair ahead, part of a cycle.</param>
+    /// <exception cref="ArgumentException">Their number is odd or nought, or one is not finite.</exception>
+    public static LegPhases Listed(params float[] lags) => new ListedPhases(lags);
+
+    /// <summary>Touchdowns given for the rearmost and the foremost pair, part of a cycle; those of pairs between lie evenly between them, so that canters and gallops roll along bodies of any number of legs.</summary>
+    /// <exception cref="ArgumentException">One is not finite.</exception>
+    public static LegPhases Spread(float rearLeft, float rearRight, float frontLeft, float frontRight) => new SpreadPhases(rearLeft, rearRight, frontLeft, frontRight);
+
+    /// <summary>
+    /// Steps that run along the body as a wave, left and right half a cycle apart: for any number of legs. By the classical rule a leg comes down when the one behind it has,
+    /// a swing later: with a duty of one half that is the insects' tripod, with two thirds the tetrapod, with five sixths one leg after the other.
+    /// </summary>
+    /// <param name="direction">Which way they run.</param>
+    /// <param name="waves">Waves from the first pair to the last, 0 to 64; 0 for each pair a swing later than its neighbour.</param>
+    /// <exception cref="ArgumentException">The waves are out of range.</exception>
+    public static LegPhases Wave(WaveDirection direction, float waves = 0f) => new WavePhases(direction, waves);
 }
 
 /// <summary>Touchdowns given for each leg.</summary>
-public sealed class ListedPhases : LegPhases
+internal sealed class ListedPhases : LegPhases
 {
     private readonly float[] lags;
 
@@ -47,7 +71,7 @@ public sealed class ListedPhases : LegPhases
 }
 
 /// <summary>Touchdowns given for the rearmost and the foremost pair; those of pairs between lie evenly between them, so that canters and gallops roll along bodies of any number of legs.</summary>
-public sealed class SpreadPhases : LegPhases
+internal sealed class SpreadPhases : LegPhases
 {
     private readonly float rearLeft;
     private readonly float rearRight;
@@ -91,7 +115,7 @@ public enum WaveDirection
 /// Steps that run along the body as a wave, left and right half a cycle apart: for any number of legs. By the classical rule a leg comes down when the one behind it has,
 /// a swing later: with a duty of one half that is the insects' tripod, with two thirds the tetrapod, with five sixths one leg after the other.
 /// </summary>
-public sealed class WavePhases : LegPhases
+internal sealed class WavePhases : LegPhases
 {
     private readonly WaveDirection direction;
     private readonly float waves;
@@ -125,7 +149,7 @@ public sealed class WavePhases : LegPhases
 /// Leaps, as of grasshoppers: the hindmost pair pushes together, and after a flight all other legs catch the body together; they leave the ground when the hind feet have come down again.
 /// For any number of pairs from two on.
 /// </summary>
-public sealed class LeapPhases : LegPhases
+internal sealed class LeapPhases : LegPhases
 {
     /// <summary>Part of their stance that the catching legs stay down beside the hind legs.</summary>
     private const float Overlap = 0.3f;

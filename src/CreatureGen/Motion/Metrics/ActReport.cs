@@ -1,4 +1,4 @@
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>How well a creature does an act. What does not apply is null.</summary>
 /// <param name="Frames">Updates.</param>

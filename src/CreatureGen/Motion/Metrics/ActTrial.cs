@@ -8,7 +8,7 @@ using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>An act of a creature that stands on level ground, measured from its beginning until it stands again: at 240 Hz, its skin at 30 Hz. The same trial gives the same figures.</summary>
 /// <param name="Ability">What.</param>

@@ -7,7 +7,7 @@ using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>How often a creature's surface cuts through itself wherever users see it.</summary>
 /// <param name="Rest">At rest.</param>

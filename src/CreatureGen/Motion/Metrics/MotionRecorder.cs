@@ -7,11 +7,11 @@ using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>Watches an animator and measures its motion: joints beyond their limits, jumps of the pose, and, while it is on its feet, sliding, sinking and floating, clearance, legs that fall short, feet on the ground.</summary>
 /// <remarks>For tools and tests, not for frames of a game: it skins the feet in every frame. <see cref="MotionTrial"/> runs it over the movements of a creature; by itself it measures what a game does with its own input and its own ground.</remarks>
-public sealed class MotionRecorder
+internal sealed class MotionRecorder
 {
     private const float LimitTolerance = 0.0017453f;
 

@@ -1,6 +1,6 @@
 using CreatureGen.Motion.Metrics;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>How well a motion keeps to what animals do: figures of a recording. Lengths are in leg lengths, so that creatures of all sizes compare. What does not apply is null: a fish has no feet that could slide.</summary>
 /// <param name="Frames">Number of frames recorded.</param>

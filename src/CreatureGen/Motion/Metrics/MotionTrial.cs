@@ -4,7 +4,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>A run of a creature that is measured: from standing straight ahead in one movement until it has settled, then for some cycles under the eyes of a <see cref="MotionRecorder"/>. The same trial gives the same figures.</summary>
 /// <param name="Movement">What the creature does.</param>

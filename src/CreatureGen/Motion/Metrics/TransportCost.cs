@@ -3,7 +3,7 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Metrics;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>The mechanical cost of transport: work per weight and way, without a unit. A creature with 0.2 does as much work on a metre as lifting itself by 20 cm.</summary>
 /// <remarks>

@@ -5,6 +5,7 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using Xunit;
 

@@ -5,6 +5,7 @@ using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Pace;

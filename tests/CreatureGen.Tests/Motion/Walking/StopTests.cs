@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using Xunit;

@@ -1,4 +1,4 @@
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>What a command tells an act that is under way.</summary>
 public enum ActOrder

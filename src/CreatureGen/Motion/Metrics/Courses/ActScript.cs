@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>Courses of one act.</summary>
 public static class ActScript

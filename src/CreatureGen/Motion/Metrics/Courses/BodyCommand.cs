@@ -1,4 +1,4 @@
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>What is done to the body as a command of a course begins, besides what the creature is asked.</summary>
 public enum BodyCommand

@@ -1,7 +1,7 @@
 using System;
 using System.Text;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>What a creature is asked to do for a time, as a player asks it: at once, whatever it did before.</summary>
 /// <param name="Seconds">How long, above 0.</param>

@@ -16,11 +16,11 @@ internal sealed class CourseDrive
     private readonly CourseScript script;
     private readonly IEnumerable<double> steps;
 
-    public CourseDrive(MotionProfile profile, MotionCourse course)
+    public CourseDrive(MotionProfile profile, CourseScript script, CourseGround ground, CourseRate rate)
     {
-        script = course.Script;
-        steps = course.Rate.Steps(new Seed(profile.Subject.Seed).Child("courses"));
-        Surface = CourseSurfaces.Lay(course.Ground, profile, script);
+        this.script = script;
+        steps = rate.Steps(new Seed(profile.Subject.Seed).Child("courses"));
+        Surface = CourseSurfaces.Lay(ground, profile, script);
         Animator = new CreatureAnimator(profile);
         Animator.Teleport(Animator.Root, Surface.Ground);
     }

@@ -1,4 +1,4 @@
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>What a course goes over. Lengths are in leg lengths of who goes over it.</summary>
 public enum CourseGround

@@ -4,7 +4,7 @@ using System.Globalization;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>How long the updates of a course are: all alike, or as uneven as those of a game that stutters.</summary>
 public readonly record struct CourseRate

@@ -1,4 +1,4 @@
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>How well a creature copes with a course. Lengths are in leg lengths, so that creatures of all sizes compare. What does not apply is null: a fish has no feet that could slip.</summary>
 /// <param name="Frames">Number of updates.</param>

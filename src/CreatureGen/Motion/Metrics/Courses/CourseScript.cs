@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Maths;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>Commands one after the other, as a player gives them. Immutable.</summary>
 public sealed class CourseScript

@@ -4,7 +4,7 @@ using System.Linq;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>Scripts as restless players give them, drawn from a creature's seed.</summary>
 /// <remarks>Commands last whole sixths of a second, so that those of 30, 60, 144 and 480 Hz begin with the same update.</remarks>

@@ -4,7 +4,7 @@ using System.Linq;
 using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Seeding;
 
-namespace CreatureGen.Motion;
+namespace CreatureGen.Motion.Metrics;
 
 /// <summary>A creature under the commands of a player, measured from its first step on: starts, stops, turns, changes of gait, on any ground and at any frame rate. The same course gives the same figures.</summary>
 /// <param name="Script">What is asked.</param>
@@ -43,9 +43,9 @@ public sealed record MotionCourse(CourseScript Script, CourseGround Ground, Cour
 
     /// <summary>Runs all courses of a creature. Of one script at several rates, those below the finest know how far from where they stood then the resting feet ended.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
-    public static IReadOnlyList<CourseRun> RunAll(MotionProfile profile)
+    public static IReadOnlyList<(MotionCourse Course, CourseReport Report)> RunAll(MotionProfile profile)
     {
-        var runs = new List<CourseRun>();
+        var runs = new List<(MotionCourse Course, CourseReport Report)>();
         var finest = new Dictionary<(CourseScript, CourseGround), RestingPlace>();
         foreach (MotionCourse course in Of(profile))
         {
@@ -56,7 +56,7 @@ public sealed record MotionCourse(CourseScript Script, CourseGround Ground, Cour
                 ? report with { RestingFootSpread = rest.FootSpread(fine), RestingRootSpread = rest.RootSpread(fine) }
                 : report;
             finest.TryAdd((course.Script, course.Ground), rest);
-            runs.Add(new CourseRun(course, report));
+            runs.Add((course, report));
         }
 
         return runs;
@@ -74,7 +74,7 @@ public sealed record MotionCourse(CourseScript Script, CourseGround Ground, Cour
             throw new ArgumentNullException(nameof(profile));
         }
 
-        var drive = new CourseDrive(profile, this);
+        var drive = new CourseDrive(profile, Script, Ground, Rate);
         var recorder = new CourseRecorder(drive.Animator, drive.Surface);
         foreach (float seconds in drive.Updates())
         {

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -38,7 +39,7 @@ public sealed class CourseBoundsTests
         foreach (ulong seed in seeds)
         {
             var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind, Strangeness = strangeness }));
-            foreach (CourseRun run in MotionCourse.RunAll(profile))
+            foreach ((MotionCourse Course, CourseReport Report) run in MotionCourse.RunAll(profile))
             {
                 CourseReport report = run.Report;
                 string name = FormattableString.Invariant($"{kind} {seed} {run.Course.Script} {run.Course.Ground} {run.Course.Rate}");

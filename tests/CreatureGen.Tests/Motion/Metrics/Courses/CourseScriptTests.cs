@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using CreatureGen.Seeding;
 using CreatureGen.Tests.Sampling;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Metrics.Courses;

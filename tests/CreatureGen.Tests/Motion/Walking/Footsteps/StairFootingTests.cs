@@ -24,7 +24,7 @@ public sealed class StairFootingTests
     {
         Creature creature = Walkers.Any(seed);
         var profile = new MotionProfile(creature);
-        var drive = new CourseDrive(profile, new MotionCourse(CourseScripts.Runner(profile, 8f), CourseGround.Stairs, CourseRate.Of(60f)));
+        var drive = new CourseDrive(profile, CourseScripts.Runner(profile, 8f), CourseGround.Stairs, CourseRate.Of(60f));
         FootSkin[] skins = Array.ConvertAll(profile.Legs!.Legs, leg => new FootSkin(new MotionSubject(creature), leg.Ankle, leg.Ball, leg.Length));
         var matrices = new Matrix4x4[creature.Skeleton.Count];
         int standing = 0;
