@@ -6,6 +6,9 @@ internal static class StationRing
     /// <summary>The front of the nose.</summary>
     public const int Nose = 0;
 
+    /// <summary>Just behind the front of the nose, where nostrils are and the mouth ends.</summary>
+    public const int Nostrils = 1;
+
     /// <summary>The front of the muzzle.</summary>
     public const int MuzzleFront = 2;
 
@@ -33,6 +36,9 @@ internal static class StationRing
     /// <summary>The base of the neck, the first ring of the torso.</summary>
     public const int NeckBase = 22;
 
+    /// <summary>The front edge of the root of a wing that is folded along the flank.</summary>
+    public const int WingRoot = 25;
+
     /// <summary>The shoulder.</summary>
     public const int Shoulder = 26;
 
@@ -41,6 +47,9 @@ internal static class StationRing
 
     /// <summary>The belly.</summary>
     public const int Belly = 34;
+
+    /// <summary>The hips of a trunk that two legs carry level.</summary>
+    public const int BipedHip = 36;
 
     /// <summary>The loin.</summary>
     public const int Loin = 38;

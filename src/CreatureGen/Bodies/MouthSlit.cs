@@ -51,12 +51,12 @@ internal sealed class MouthSlit
         SurfaceBuilder surface = body.Surface;
         BodyShape shape = body.Skin.Shape;
         int corner = head.Mouth.CornerRing;
-        float noseBulge = (float)shape.Width[0] * 0.75f;
-        int[] cap = CapGrid.Vertices(surface, body.NoseLoop(), CapCells, CapCells, shape.Forward(0), noseBulge, Address(SurfaceRegion.Nose, 0f, 0));
+        float noseBulge = (float)shape.Width[StationRing.Nose] * 0.75f;
+        int[] cap = CapGrid.Vertices(surface, body.NoseLoop(), CapCells, CapCells, shape.Forward(StationRing.Nose), noseBulge, Address(SurfaceRegion.Nose, 0f, 0));
         PairCap(surface, cap, CapCells, CapCells);
         MouthSlit mouth = corner == 0 ? new MouthSlit(0, Array.Empty<int>(), Array.Empty<int>()) : Split(surface, body, cap, corner);
         body.AddFaces(mouth);
-        mouth.FillNose(surface, cap, (float)shape.Width[0] * 2f);
+        mouth.FillNose(surface, cap, (float)shape.Width[StationRing.Nose] * 2f);
 
         CloseTail(body, tailStyle);
         if (corner > 0)

@@ -106,14 +106,14 @@ internal sealed class FeatureSetter
         if (leather)
         {
             // On the front of the nose, not on its bridge.
-            Vector3 forward = shape.Forward(0);
+            Vector3 forward = shape.Forward(StationRing.Nose);
             Vector3 normal = Vec.Normalize((at.Normal * 0.5f) + (forward * 0.85f));
-            Vector3 p = at.Position + (forward * (float)(shape.Width[0] * 0.22));
+            Vector3 p = at.Position + (forward * (float)(shape.Width[StationRing.Nose] * 0.22));
             at = new SurfacePoint(new Vector3(p.X * 0.62f, p.Y, p.Z), normal);
         }
 
         builder.Clear();
-        NostrilShape.Append(builder, at, shape.Up(1), (float)(shape.Width[1] * size * 0.8), leather ? palette.Muzzle : palette.Base);
+        NostrilShape.Append(builder, at, shape.Up(StationRing.Nostrils), (float)(shape.Width[StationRing.Nostrils] * size * 0.8), leather ? palette.Muzzle : palette.Base);
         builder.AppendMirrored(0, 0);
         AddRigid("Head");
     }

@@ -37,7 +37,7 @@ internal static class MouthSetter
 
         int middle = grown.Mouth.CornerRing / 2;
         bool beaked = SpeciesCatalogue.Find(blueprint.Body.Blend.Face).Snout == SnoutKind.Beak;
-        var floor = new MouthFloor(lip, shape.Up(middle), beaked ? ReachInBeak : Reach, (float)Math.Min(shape.Bottom[middle], shape.Bottom[1]));
+        var floor = new MouthFloor(lip, shape.Up(middle), beaked ? ReachInBeak : Reach, (float)Math.Min(shape.Bottom[middle], shape.Bottom[StationRing.Nostrils]));
         if (blueprint.Head.Mouth.Tongue == TongueStyle.Forked)
         {
             TongueShape.AppendForked(builder, floor, Forked, colour);

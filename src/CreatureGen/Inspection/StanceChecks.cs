@@ -31,7 +31,7 @@ internal static class StanceChecks
             }
         }
 
-        double margin = StandingBalance.Of(creature, skin).Share;
+        double margin = StandingBalance.Of(creature, skin).Fraction;
         if (!(margin >= MinMargin))
         {
             found.Add(CreatureInspection.Balanced, $"the centre of mass is inside the support polygon by {margin} of its width; expected at least {MinMargin}");

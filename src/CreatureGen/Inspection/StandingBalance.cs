@@ -6,9 +6,9 @@ using CreatureGen.Creatures;
 namespace CreatureGen.Inspection;
 
 /// <summary>How far a creature's centre of mass is inside the hull of all its soles, across the edge that it is nearest to in the hull's own measure.</summary>
-/// <param name="Share">As part of the hull's width across that edge; negative outside, and minus infinity where there is no hull.</param>
+/// <param name="Fraction">As part of the hull's width across that edge; negative outside, and minus infinity where there is no hull.</param>
 /// <param name="Metres">In metres, across the edge where that is least; negative outside.</param>
-internal readonly record struct StandingBalance(double Share, double Metres)
+internal readonly record struct StandingBalance(double Fraction, double Metres)
 {
     /// <summary>Part of the standing height. Skin this low carries weight: soles give.</summary>
     private const float SoleHeight = 4e-3f;

@@ -28,7 +28,7 @@ internal static class HeadRigger
         hinge.X = 0f;
 
         // The chin: under the middle of the lower lip.
-        Vector3 chin = input.Surface.Positions[mouth.LowerLip[mouth.LowerLip.Length / 2]] - (shape.Up(0) * (float)(shape.Bottom[0] / 2));
+        Vector3 chin = input.Surface.Positions[mouth.LowerLip[mouth.LowerLip.Length / 2]] - (shape.Up(StationRing.Nose) * (float)(shape.Bottom[StationRing.Nose] / 2));
         chin.X = 0f;
         Vector3 direction = chin - hinge;
         int jaw = skeleton.Add(head, Side.Median, new JointDraft("Jaw", JointRole.Jaw, hinge, JointFrame.Median(direction), Vec.Length(direction), JointLimits.Body(JointRole.Jaw)));

@@ -198,7 +198,7 @@ public sealed class CriterionTests
     public void The_share_of_balance_is_what_the_inspection_asks_for()
     {
         StandingBalance balance = StandingBalance.Of(Walker);
-        Assert.InRange(balance.Share, 0.05, 0.5);
+        Assert.InRange(balance.Fraction, 0.05, 0.5);
         Assert.True(balance.Metres > 0);
     }
 

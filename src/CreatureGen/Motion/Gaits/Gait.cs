@@ -81,7 +81,7 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
         }
 
         Finite.RequireWithin(Duty.Min, 0.05f, 0.95f, Name + ".Duty.Least");
-        Finite.RequireWithin(Duty.Max, Duty.Min, 0.95f, Name + ".Duty.Most");
+        Finite.RequireWithin(Duty.Max, Duty.Min, 0.95f, Name + ".Duty.Max");
         Finite.Require(Duty.Intercept, Name + ".Duty.Intercept");
         Finite.Require(Duty.Slope, Name + ".Duty.Slope");
         Finite.RequireWithin(Stride.Factor, 0.1f, 20f, Name + ".Stride.Factor");

@@ -176,7 +176,7 @@ internal static class HeadSampler
 
         BodyShape s = builder.Shape;
         int hinge = OpenJaw.HingeOf(builder);
-        double jaw = s.Arc[hinge] - s.Arc[0] + s.Bottom[0];
+        double jaw = s.Arc[hinge] - s.Arc[StationRing.Nose] + s.Bottom[StationRing.Nose];
         return Math.Max(0, (StanceSampler.Lowest(s, 0, hinge) - JawClearance) / jaw);
     }
 }

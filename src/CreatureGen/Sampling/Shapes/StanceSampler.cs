@@ -259,7 +259,7 @@ internal static class StanceSampler
                 elevation = Math.Max(hip - s.Y[StationRing.Pelvis], (0.22 * torso) - lowest);
                 break;
             case BodyPlan.Theropod:
-                elevation = Math.Max(hip - s.Y[36], ((builder.Parents.Legs.Bird != null ? 0.1 : 0.3) * torso) - lowest);
+                elevation = Math.Max(hip - s.Y[StationRing.BipedHip], ((builder.Parents.Legs.Bird != null ? 0.1 : 0.3) * torso) - lowest);
                 break;
             case BodyPlan.Sprawling:
                 elevation = (Scalar.Lerp(0.07, 0.16, draw) * torso) - lowest;

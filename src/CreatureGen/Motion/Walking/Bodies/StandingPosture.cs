@@ -73,7 +73,7 @@ internal sealed class StandingPosture
             legs += limb.Kind == LimbKind.Leg && limb.Stands ? 1 : 0;
         }
 
-        return subject.Plan == BodyPlan.Flapping && legs == 2 ? new Carriage(subject).Stand(Scalar.Radians(subject.Manner.StandingPitch)) : asBuilt;
+        return subject.Plan == BodyPlan.Flapping && legs == 2 ? new CarriedBody(subject).Stand(Scalar.Radians(subject.Manner.StandingPitch)) : asBuilt;
     }
 
     /// <summary>How much of the posture it keeps, 0..1: it comes down to walk, farther to run, and to crouch.</summary>
@@ -84,7 +84,7 @@ internal sealed class StandingPosture
         (1f - (LoweredToWalk * Scalar.Smooth(activity)) - (LoweredToRun * Scalar.Smooth(froude))) * (1f - (LoweredToCrouch * Scalar.Smooth(sunk / DeepCrouch)));
 
     /// <summary>What is weighed: trunk, neck with head, and tail, as capsules. Wings weigh little, and legs stay.</summary>
-    private sealed class Carriage
+    private sealed class CarriedBody
     {
         private readonly MotionSubject subject;
         private readonly Skeleton skeleton;
@@ -94,7 +94,7 @@ internal sealed class StandingPosture
         private readonly Vector3 tail;
         private readonly int tailBones;
 
-        public Carriage(MotionSubject subject)
+        public CarriedBody(MotionSubject subject)
         {
             this.subject = subject;
             skeleton = subject.Skeleton;
