@@ -35,6 +35,9 @@ internal static class BoxCode
     /// <summary>An upper corner ready for <see cref="Overlap"/>: its guard bits are set.</summary>
     public static ulong Guard(ulong high) => high | Guards;
 
+    /// <summary>An upper corner without its guard bits.</summary>
+    public static ulong Bare(ulong high) => high & ~Guards;
+
     /// <summary>One when two boxes have a cell in common, otherwise zero. The upper corners are guarded.</summary>
     public static int Overlap(ulong lowA, ulong highA, ulong lowB, ulong highB) =>
         ((highA - lowB) & (highB - lowA) & Guards) == Guards ? 1 : 0;

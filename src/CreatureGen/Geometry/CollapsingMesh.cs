@@ -90,6 +90,9 @@ internal sealed class CollapsingMesh
     /// <summary>Whether a point is still a corner of triangles.</summary>
     public bool IsUsed(int point) => first[point] >= 0;
 
+    /// <summary>The drawn vertex of a point that has but one, −1 for others.</summary>
+    public int OnlyVertexOf(int point) => onlyVertex[point];
+
     /// <summary>Lists the neighbours of a point, each once.</summary>
     public void Neighbours(int point, List<int> neighbours)
     {

@@ -57,24 +57,67 @@ public sealed class CrossingGuardTests
         Assert.False(Guard(positions, [0, 1, 2, 3, 4, 1], new int[6]).Cross([0], 0));
     }
 
-    /// <summary>Corners that a step has moved count where they are now, however often the grid has been laid since.</summary>
+    /// <summary>Corners that a step has moved count where they are now, however far they have gone.</summary>
     [Fact]
     public void What_has_moved_counts_where_it_is()
     {
-        Vector3[] positions = [new(0, 0, 0), new(2, 0, 0), new(0, 2, 0), new(0.5f, 0.5f, -1), new(0.5f, 0.5f, 1), new(3, 3, 0)];
+        Vector3[] near = [new(0.5f, 0.5f, -1), new(0.5f, 0.5f, 1), new(3, 3, 0)];
+        Vector3[] positions = [new(0, 0, 0), new(2, 0, 0), new(0, 2, 0), .. near, .. near.Select(p => p + (10f * Vector3.UnitX))];
         int[] points = [0, 1, 2, 3, 4, 5];
-        CrossingGuard guard = Guard(positions, points, new int[6]);
+        CrossingGuard guard = Guard(positions, points, new int[9]);
         for (int i = 0; i < 200; i++)
         {
-            float far = i % 2 == 0 ? 10f : 0f;
-            for (int p = 3; p < 6; p++)
+            for (int c = 3; c < 6; c++)
             {
-                positions[p].X += i % 2 == 0 ? 10f : -10f;
+                points[c] = i % 2 == 0 ? c + 3 : c;
             }
 
             guard.Note([1]);
-            Assert.Equal(far == 0f, guard.Cross([0], 0));
+            Assert.Equal(i % 2 == 1, guard.Cross([0], 0));
         }
+    }
+
+    /// <summary>A ball with a needle through it loses point after point, so that the tree is built anew several times: what the guard says is what a search of all that is left finds.</summary>
+    [Fact]
+    public void What_is_left_counts_and_what_has_gone_does_not()
+    {
+        const int Rings = 16;
+        const int Sectors = 24;
+        List<Vector3> ball = [Vector3.Zero, new(0.01f, 0, 0), new(0.4f, 0.3f, 3)];
+        List<int> corners = [0, 1, 2];
+        for (int ring = 0; ring < Rings; ring++)
+        {
+            for (int sector = 0; sector < Sectors; sector++)
+            {
+                double turn = Math.Tau * sector / Sectors;
+                double height = Math.PI * (ring + 1) / (Rings + 1);
+                ball.Add(new Vector3((float)(Math.Cos(turn) * Math.Sin(height)), (float)Math.Cos(height), (float)(Math.Sin(turn) * Math.Sin(height))));
+                int here = 3 + (Sectors * ring) + sector;
+                int beside = 3 + (Sectors * ring) + ((sector + 1) % Sectors);
+                corners.AddRange(ring + 1 < Rings ? [here, beside, beside + Sectors, here, beside + Sectors, here + Sectors] : []);
+            }
+        }
+
+        Vector3[] positions = ball.ToArray();
+        int[] points = corners.ToArray();
+        var surface = new CollapsingMesh(positions, new Vector3[positions.Length], points, corners.ToArray());
+        var guard = new CrossingGuard(surface, positions, points, new int[positions.Length]);
+        var crossing = new List<(int First, int Second)>();
+        var moved = new List<int>();
+        int all = surface.Triangles;
+        for (int from = 3; from + 1 < positions.Length; from++)
+        {
+            if (surface.IsUsed(from + 1) && surface.TryCollapse(from, from + 1, [(from, from + 1)]))
+            {
+                surface.Moved(moved);
+                guard.Note(moved);
+                int[] left = Enumerable.Range(0, points.Length).Where(c => !surface.IsGone(c / 3)).Select(c => points[c]).ToArray();
+                SelfIntersection.Find(positions, left, crossing);
+                Assert.Equal(crossing.Any(pair => pair.First == 0), guard.Cross([0], 0));
+            }
+        }
+
+        Assert.InRange(surface.Triangles, 3, all / 2);
     }
 
     private static CrossingGuard Guard(Vector3[] positions, int[] points, int[] pieces) =>
