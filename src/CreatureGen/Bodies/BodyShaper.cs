@@ -273,10 +273,17 @@ internal static class BodyShaper
         int last = pitch.Length - 1;
         Span<double> bend = stackalloc double[BodyGrid.Rings];
         Span<double> clamped = stackalloc double[BodyGrid.Rings];
+
+        // How far a ring may bend down and up: known before the rounds, which take most of the time of a shape.
+        Span<double> down = stackalloc double[BodyGrid.Rings];
+        Span<double> up = stackalloc double[BodyGrid.Rings];
         double anchor = pitch[BodyGrid.AnchorRing];
         for (int i = 1; i <= last; i++)
         {
             bend[i] = pitch[i] - pitch[i - 1];
+            double reach = i > StationRing.TorsoLast ? tailReach : 0;
+            down[i] = BendLimit * step[i] / Math.Max(Math.Max(top[i], top[i - 1]), reach);
+            up[i] = BendLimit * step[i] / Math.Max(Math.Max(bottom[i], bottom[i - 1]), reach);
         }
 
         for (int round = 0; round < Rounds; round++)
@@ -284,8 +291,7 @@ internal static class BodyShaper
             double worst = 0;
             for (int i = 1; i <= last; i++)
             {
-                double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > StationRing.TorsoLast ? tailReach : 0);
-                double limit = BendLimit * step[i] / inner;
+                double limit = bend[i] < 0 ? down[i] : up[i];
                 clamped[i] = Scalar.Clamp(bend[i], -limit, limit);
                 worst = Math.Max(worst, Math.Abs(clamped[i] - bend[i]));
             }
@@ -316,8 +322,7 @@ internal static class BodyShaper
         pitch[0] = 0;
         for (int i = 1; i <= last; i++)
         {
-            double inner = Math.Max(bend[i] < 0 ? Math.Max(top[i], top[i - 1]) : Math.Max(bottom[i], bottom[i - 1]), i > StationRing.TorsoLast ? tailReach : 0);
-            double limit = BendLimit * step[i] / inner;
+            double limit = bend[i] < 0 ? down[i] : up[i];
             pitch[i] = pitch[i - 1] + Scalar.Clamp(bend[i], -limit, limit);
         }
 

