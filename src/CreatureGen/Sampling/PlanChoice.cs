@@ -20,6 +20,9 @@ internal sealed class PlanChoice
 
     private readonly CreatureOptions options;
 
+    /// <summary>Whether there are bodies with fewer or more legs than the options ask for: no body has more than the most that they can ask for.</summary>
+    private readonly bool countsLegs;
+
     /// <summary>The weight of each species, by kind: asked for with every draw, and the same each time.</summary>
     private readonly double[]?[] speciesWeights = new double[kindWeights.Length][];
 
@@ -28,6 +31,7 @@ internal sealed class PlanChoice
     public PlanChoice(CreatureOptions options)
     {
         this.options = options;
+        countsLegs = options.MinLegPairs > CreatureOptions.Default.MinLegPairs || options.MaxLegPairs < CreatureOptions.Default.MaxLegPairs;
         double total = 0;
         for (int kind = 0; kind < kindWeights.Length; kind++)
         {
@@ -93,6 +97,11 @@ internal sealed class PlanChoice
     /// </summary>
     public SpeciesProfile Stranger(RandomStream random, LocomotionKind kind, SpeciesProfile drawn, double strangeness)
     {
+        if (!random.Chance(AnyBody * strangeness))
+        {
+            return drawn;
+        }
+
         IReadOnlyList<SpeciesProfile> all = SpeciesCatalogue.All;
         double[] weights = new double[all.Count];
         bool any = false;
@@ -102,7 +111,7 @@ internal sealed class PlanChoice
             any |= weights[i] > 0;
         }
 
-        return random.Chance(AnyBody * strangeness) && any ? all[random.Weighted(weights)] : drawn;
+        return any ? all[random.Weighted(weights)] : drawn;
     }
 
     /// <summary>Draws a plan.</summary>
@@ -144,6 +153,11 @@ internal sealed class PlanChoice
 
     private double WeightOf(LocomotionKind kind)
     {
+        if (Asked(kind) == 0)
+        {
+            return 0;
+        }
+
         double sum = 0;
         foreach (double weight in WeightsOf(kind))
         {
@@ -186,13 +200,7 @@ internal sealed class PlanChoice
 
     private double FactorOf(SpeciesProfile species, BodyPlan plan)
     {
-        (int least, int most) = PairsOf(species, plan);
-        if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegPreset own)
-        {
-            least = most = own.SitesWithin(options.MinLegPairs, options.MaxLegPairs).Length + own.Arms.Length;
-        }
-
-        if (most < options.MinLegPairs || least > options.MaxLegPairs)
+        if (countsLegs && !HasAskedLegs(species, plan))
         {
             return 0;
         }
@@ -206,5 +214,16 @@ internal sealed class PlanChoice
         }
 
         return 1;
+    }
+
+    private bool HasAskedLegs(SpeciesProfile species, BodyPlan plan)
+    {
+        (int least, int most) = PairsOf(species, plan);
+        if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegPreset own)
+        {
+            least = most = own.SitesWithin(options.MinLegPairs, options.MaxLegPairs).Length + own.Arms.Length;
+        }
+
+        return most >= options.MinLegPairs && least <= options.MaxLegPairs;
     }
 }

@@ -156,25 +156,24 @@ internal sealed class SpineMeasure
 
     private static void Check(SpineBone bone, int index, double previousRing)
     {
-        string where = FormattableString.Invariant($"bone {index}: ");
         if (bone.Index != index)
         {
-            throw new ArgumentException(where + FormattableString.Invariant($"index is {bone.Index}; expected its place in the list"), "bones");
+            throw new ArgumentException(FormattableString.Invariant($"bone {index}: index is {bone.Index}; expected its place in the list"), "bones");
         }
 
         if (!(bone.Ring > previousRing) || !(bone.Ring >= 0 && bone.Ring <= BodyGrid.Rings - 1))
         {
-            throw new ArgumentException(where + FormattableString.Invariant($"ring is {bone.Ring}; expected 0..{BodyGrid.Rings - 1}, behind the ring of the bone before it"), "bones");
+            throw new ArgumentException(FormattableString.Invariant($"bone {index}: ring is {bone.Ring}; expected 0..{BodyGrid.Rings - 1}, behind the ring of the bone before it"), "bones");
         }
 
         if (!(bone.HipWidth > 0 && bone.Length > 0 && bone.Thickness > 0) || !IsFinite(bone.HipWidth + bone.Length + bone.Thickness))
         {
-            throw new ArgumentException(where + FormattableString.Invariant($"width {bone.HipWidth}, length {bone.Length}, thickness {bone.Thickness}; expected positive numbers of metres"), "bones");
+            throw new ArgumentException(FormattableString.Invariant($"bone {index}: width {bone.HipWidth}, length {bone.Length}, thickness {bone.Thickness}; expected positive numbers of metres"), "bones");
         }
 
         if (!IsFinite(bone.Height) || !IsFinite(bone.Z))
         {
-            throw new ArgumentException(where + FormattableString.Invariant($"height {bone.Height}, z {bone.Z}; expected finite numbers of metres"), "bones");
+            throw new ArgumentException(FormattableString.Invariant($"bone {index}: height {bone.Height}, z {bone.Z}; expected finite numbers of metres"), "bones");
         }
     }
 
