@@ -48,6 +48,7 @@ internal static class Rows
         "atlas" => Glb(subjects, GltfOptions.Default with { TextureSize = AtlasSize }, 6),
         "profile" => new Row(subjects.Creatures.Take(60).Select<Creature, Action>(c => () => new MotionProfile(c)).ToArray()),
         "walk" => March(subjects, p => p.Legs != null && p.Legs.Rows == 2 && p.Flight == null, p => new MotionInput(p.Gaits!.Speeds[0].Comfortable)),
+        "far" => March(subjects, p => p.Legs != null && p.Legs.Rows == 2 && p.Flight == null, p => new MotionInput(p.Gaits!.Speeds[0].Comfortable), Far),
         "stand" => March(subjects, p => p.Legs != null && p.Legs.Rows == 2 && p.Flight == null, _ => default),
         "crawl" => March(subjects, p => p.Slither != null, _ => new MotionInput(0.5f)),
         "fly" => March(subjects, p => p.Flight != null, _ => new MotionInput(5f, Medium: MotionMedium.Air)),
@@ -65,11 +66,23 @@ internal static class Rows
 
     private static void Levels(CreatureMesh mesh) => CreatureLevels.Of(mesh);
 
+    /// <summary>There was nothing of the kind: the share is that of an update in full.</summary>
+    private static void Far(CreatureAnimator animator)
+    {
+    }
+
     private static CreatureMesh MeshOf(MotionProfile profile) => profile.Creature.Mesh;
 #else
     private static CreatureOptions Animals => CreatureOptions.Default with { Strangeness = 0 };
 
     private static void Levels(CreatureMesh mesh) => CreatureLods.Of(mesh);
+
+    private static void Far(CreatureAnimator animator)
+    {
+        MotionSettings settings = animator.Settings;
+        settings.Detail = MotionDetail.Far;
+        animator.Settings = settings;
+    }
 
     private static CreatureMesh MeshOf(MotionProfile profile) => profile.Subject.Mesh;
 #endif
@@ -84,7 +97,7 @@ internal static class Rows
         }).ToArray());
     }
 
-    private static Row March(Subjects subjects, Predicate<MotionProfile> chosen, Func<MotionProfile, MotionInput> asked)
+    private static Row March(Subjects subjects, Predicate<MotionProfile> chosen, Func<MotionProfile, MotionInput> asked, Action<CreatureAnimator>? prepared = null)
     {
         MotionProfile[] profiles = subjects.Profiles.Where(p => chosen(p)).ToArray();
         var animators = new CreatureAnimator[CrowdSize];
@@ -95,6 +108,7 @@ internal static class Rows
             inputs[i] = asked(profile);
             animators[i] = new CreatureAnimator(profile);
             animators[i].Teleport(new RootPlace(new Vector3(i * 10f, inputs[i].Medium == MotionMedium.Air ? 30f : 0f, 0f), Quaternion.Identity), FlatGround.Level);
+            prepared?.Invoke(animators[i]);
             for (int k = 0; k < 7 * i % 40; k++)
             {
                 animators[i].Update(1f / 60f, inputs[i], FlatGround.Level);

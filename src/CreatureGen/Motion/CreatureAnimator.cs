@@ -87,6 +87,11 @@ public sealed partial class CreatureAnimator
         {
             value.ThrowIfInvalid();
             settings = value;
+            if (value.Detail == MotionDetail.Far)
+            {
+                distant ??= new DistantMotion(Profile);
+            }
+
             if (value.IdleActs > 0f)
             {
                 // Here and not in an update, for it takes a while.
@@ -207,7 +212,7 @@ public sealed partial class CreatureAnimator
     {
         input.ThrowIfInvalid();
         CheckedGround sound = Check(ref dt, ground);
-        if (Mode != null)
+        if (Mode != null && !GoesAfar(dt, input, sound))
         {
             MotionInput asked = actor == null ? input : actor.Begin(dt, Root, locomotion, input, settings, IdlesOf(input));
             try
@@ -238,6 +243,11 @@ public sealed partial class CreatureAnimator
     {
         placement.Require(nameof(placement));
         CheckedGround sound = Check(ref dt, ground);
+        if (FollowsAfar(dt, placement, sound))
+        {
+            return;
+        }
+
         actor?.Begin(dt, Root, locomotion, default, settings, IdlesOf(default));
         try
         {
@@ -279,6 +289,7 @@ public sealed partial class CreatureAnimator
         }
 
         Root = placement;
+        distant?.Reset();
         secondary.Reset();
         attention?.Reset();
         Finish(0f);
@@ -351,11 +362,13 @@ public sealed partial class CreatureAnimator
 
     private void Finish(float dt)
     {
+        distant?.Fade(dt, LocalPose);
         ForwardKinematics.LocalToModel(Profile.Subject.Skeleton, LocalPose, ModelPose);
+        bool near = settings.Detail == MotionDetail.Full;
         bool awake = State is not (BodyState.Limp or BodyState.Rising);
         Performer? performer = awake && actor?.Performer is { IsActive: true } active ? active : null;
         bool looks = awake && performer is not { HoldsHead: true };
-        if (attention != null)
+        if (attention != null && near)
         {
             attention.Lids = performer?.Lids ?? 0f;
             attention.IsLimp = State == BodyState.Limp;
@@ -368,7 +381,7 @@ public sealed partial class CreatureAnimator
             actor!.Tell(Root, ModelPose);
         }
 
-        if (awake)
+        if (awake && near)
         {
             secondary.Update(Root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
         }

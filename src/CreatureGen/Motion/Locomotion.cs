@@ -89,6 +89,21 @@ internal sealed class Locomotion
         }
     }
 
+    /// <summary>Puts the feet of what was seen from afar where they are in their stride.</summary>
+    public void Resume(in RootPlace place, MotionSettings settings, CheckedGround ground, in Pose local)
+    {
+        Keep(ground, local);
+        try
+        {
+            Legs!.Resume(place, settings, ground);
+        }
+        catch when (ground.MayThrow)
+        {
+            Undo(local);
+            throw;
+        }
+    }
+
     private (WalkingMode? Legs, FallingMode? Mode) Make()
     {
         ILocomotionMode? inner = profile.Begin(events, out WalkingMode? legs);

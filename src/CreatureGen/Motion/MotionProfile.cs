@@ -4,6 +4,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Motion.Acts.Rehearsing;
+using CreatureGen.Motion.Distance;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Falling;
 using CreatureGen.Motion.Flying;
@@ -67,6 +68,7 @@ public sealed class MotionProfile
         }
 
         Fall = new Lazy<FallProfile>(() => FallProfile.Of(subject, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
+        Distant = new Lazy<DistantBody?>(() => DistantRecorder.Of(this), LazyThreadSafetyMode.ExecutionAndPublication);
         Gaze = subject.Skeleton.FirstOf(JointRole.Head) >= 0 ? GazeRig.Of(subject.Skeleton) : null;
         acts = new Lazy<CreatureActs>(RehearseActs);
         (SpringRigs, SpringSettings) = SecondaryMotion.Of(subject, Legs != null && !Legs.HasAbdomen);
@@ -107,6 +109,9 @@ public sealed class MotionProfile
 
     /// <summary>How it falls, lies and gets up; worked out when it is first asked for.</summary>
     internal Lazy<FallProfile> Fall { get; }
+
+    /// <summary>What is seen of it from afar; null for what does not walk, or flies too. Worked out when it is first asked for.</summary>
+    internal Lazy<DistantBody?> Distant { get; }
 
     /// <summary>A way of moving of its own for one of the creature on the scene.</summary>
     /// <param name="events">Receives what happens.</param>

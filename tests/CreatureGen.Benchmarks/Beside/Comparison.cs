@@ -17,6 +17,7 @@ internal sealed record Comparison(string Row, string Work, double? Goal)
         new("profile", "what is worked out before a creature moves", null),
         new("stand", "update, four legs, standing, of a crowd of 512", 0.7),
         new("walk", "update, four legs, walking", 0.7),
+        new("far", "the same seen from afar, over the update in full", 0.15),
         new("crawl", "update, no legs, crawling", null),
         new("fly", "update, flying", null),
         new("swim", "update, swimming", null),

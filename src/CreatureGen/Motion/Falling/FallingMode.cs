@@ -72,17 +72,16 @@ internal sealed class FallingMode : ILocomotionMode
     public bool IsFolded => inner.IsFolded;
 
     /// <inheritdoc/>
-    public BodyLayer? Layer
-    {
-        get => inner.Layer;
-        set => inner.Layer = value;
-    }
+    public BodyLayer? Layer { get => inner.Layer; set => inner.Layer = value; }
 
     public bool Escapes => inner.Escapes;
 
     public float Clearance => State == BodyState.Falling ? float.PositiveInfinity : inner.Clearance;
 
     public float BalancedBank => inner.BalancedBank;
+
+    /// <summary>Whether it goes on its legs and nothing else happens to it, or is about to.</summary>
+    public bool OnlyWalks => State == BodyState.Supported && inner == legs && !goesLimp && blow.Joint < 0 && recoil is not { IsActive: true } && reel is not { IsActive: true };
 
     /// <summary>Whether feet, wings or water carry it.</summary>
     private bool IsUp => State is BodyState.Supported or BodyState.Leaping or BodyState.Landed;

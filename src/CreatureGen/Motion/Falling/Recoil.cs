@@ -24,7 +24,6 @@ internal sealed class Recoil
     private readonly FallProfile profile;
     private readonly Vector3[] angles;
     private readonly Vector3[] rates;
-    private bool active;
 
     public Recoil(FallProfile profile)
     {
@@ -32,6 +31,9 @@ internal sealed class Recoil
         angles = new Vector3[profile.Skeleton.Count];
         rates = new Vector3[angles.Length];
     }
+
+    /// <summary>Whether anything is left of it.</summary>
+    public bool IsActive { get; private set; }
 
     /// <summary>Strikes a part.</summary>
     /// <param name="joint">Of it.</param>
@@ -55,7 +57,7 @@ internal sealed class Recoil
             int parent = skeleton.Parents[j];
             rates[j] += parent < 0 ? turn : Rotation.Rotate(Rotation.Inverse(model.Rotations[parent]), turn);
             share *= Inward;
-            active = true;
+            IsActive = true;
         }
     }
 
@@ -65,7 +67,7 @@ internal sealed class Recoil
     /// <param name="local">In the parents' space.</param>
     public void Apply(float dt, float tau, in Pose local)
     {
-        if (!active)
+        if (!IsActive)
         {
             return;
         }
@@ -100,7 +102,7 @@ internal sealed class Recoil
     {
         Array.Clear(angles, 0, angles.Length);
         Array.Clear(rates, 0, rates.Length);
-        active = false;
+        IsActive = false;
     }
 
     /// <summary>Goes on from where another is.</summary>
@@ -108,7 +110,7 @@ internal sealed class Recoil
     {
         other.angles.CopyTo(angles, 0);
         other.rates.CopyTo(rates, 0);
-        active = other.active;
+        IsActive = other.IsActive;
     }
 
     /// <summary>For each joint the moment of inertia of all that hangs on it about it, kg m² of the model; 0 where it does not give: it carries what stands, or does not turn.</summary>

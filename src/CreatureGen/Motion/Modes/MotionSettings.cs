@@ -35,6 +35,9 @@ public struct MotionSettings
     /// above 0 for the first time takes what <see cref="MotionProfile.Acts"/> takes.</summary>
     public float IdleActs { get; set; }
 
+    /// <summary>How much of it is worked out: less for creatures far from the camera. It may change at any time; poses do not jump. To set <see cref="MotionDetail.Far"/> for the first time of a profile takes some ten milliseconds.</summary>
+    public MotionDetail Detail { get; set; }
+
     /// <summary>On legs.</summary>
     public WalkingSettings Walking { get; set; }
 
@@ -60,6 +63,11 @@ public struct MotionSettings
         Finite.RequireWithin(Gravity, 0.1f, 1000f, nameof(Gravity));
         Finite.RequireWithin(Idle, 0f, 4f, nameof(Idle));
         Finite.RequireWithin(IdleActs, 0f, 4f, nameof(IdleActs));
+        if (Detail is not (MotionDetail.Full or MotionDetail.Far))
+        {
+            throw new ArgumentOutOfRangeException(nameof(Detail), Detail, "expected Full or Far");
+        }
+
         (Walking ?? throw new ArgumentNullException(nameof(Walking))).ThrowIfInvalid();
         (Flying ?? throw new ArgumentNullException(nameof(Flying))).ThrowIfInvalid();
         (Swimming ?? throw new ArgumentNullException(nameof(Swimming))).ThrowIfInvalid();

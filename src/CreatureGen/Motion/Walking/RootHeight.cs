@@ -27,8 +27,7 @@ internal struct RootHeight
     public RootPlace Follow(in RootPlace placement, float legLength, BodyPlacer placer, float speed, float h, Vector3 up)
     {
         float away = 0.5f * (placer.HindGround + placer.ForeGround);
-        float most = MaxLag * legLength;
-        float height = (away * decay.Fraction((Rate + (RateOfWay * Math.Abs(speed) / legLength)) * h)) + (away - Scalar.Clamp(away, -most, most));
+        float height = Part(away, legLength, speed, h);
         float climb = placer.Climb * speed * h;
         if (height == 0f && climb == 0f)
         {
@@ -37,5 +36,16 @@ internal struct RootHeight
 
         placer.RootRaised(height);
         return new RootPlace(placement.Position + (up * ((height + climb) * placement.Scale)), placement.Rotation, placement.Scale);
+    }
+
+    /// <summary>How far the root goes of its way to the ground.</summary>
+    /// <param name="away">The way, metres.</param>
+    /// <param name="legLength">Metres.</param>
+    /// <param name="speed">Metres per second ahead.</param>
+    /// <param name="h">Seconds.</param>
+    public float Part(float away, float legLength, float speed, float h)
+    {
+        float most = MaxLag * legLength;
+        return (away * decay.Fraction((Rate + (RateOfWay * Math.Abs(speed) / legLength)) * h)) + (away - Scalar.Clamp(away, -most, most));
     }
 }

@@ -14,7 +14,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Motion.Walking;
 
 /// <summary>Motion on legs: sequences the stages (travel, gait, feet, body, legs, head, arms and tail) and nothing else.</summary>
-internal sealed class WalkingMode : ILocomotionMode
+internal sealed partial class WalkingMode : ILocomotionMode
 {
     /// <summary>Seconds that an update counts at most.</summary>
     public const float LongestUpdate = 0.25f;
@@ -23,6 +23,9 @@ internal sealed class WalkingMode : ILocomotionMode
     public const int MaxSteps = (int)(LongestUpdate / DecisionClock.Period) + 2;
 
     private const float ActivityRate = 5f;
+
+    /// <summary>Froude number of a slow walk, in which it is as active as it gets.</summary>
+    private const float SlowWalk = 0.06f;
 
     /// <summary>What is left of activity, and of the trunk's way up, where it counts as still.</summary>
     private const float MinActivity = 0.02f;
@@ -155,7 +158,7 @@ internal sealed class WalkingMode : ILocomotionMode
     {
         MotionSettings own = settings with { Gravity = GravityOf(settings, place.Scale) };
         float unit = own.Gravity * body.LegLength;
-        float walking = (float)Math.Sqrt(0.06f * unit);
+        float walking = (float)Math.Sqrt(SlowWalk * unit);
         int before = gait;
         Stand(place, own, ground);
         if (foreseen > ArrivalSpeed * walking)
@@ -227,6 +230,7 @@ internal sealed class WalkingMode : ILocomotionMode
         (velocity, pushed, acceleration, gait, activity, seconds) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.activity, mode.seconds);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
         (activityDecay, height, raiseDecay, Sink, Bow, Raised) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised);
+        (underfoot, underfootDecay) = (mode.underfoot, mode.underfootDecay);
     }
 
     /// <inheritdoc/>
@@ -261,11 +265,8 @@ internal sealed class WalkingMode : ILocomotionMode
         settings.Gravity = GravityOf(settings, scale);
         Begin(placement, settings, ground);
         pushed = default;
-        float top = settings.Walking.Gait == null ? gaits.TopSpeed / (float)Math.Sqrt(settings.Walking.Heft) : (float)Math.Sqrt(settings.Walking.Gait.Fastest * settings.Gravity * body.LegLength);
-        float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
         velocity.Bounds = TravelBounds.Of(body, settings);
-        float goal = clock.OnSlope(Scalar.Clamp(input.Speed / scale, -back, top), settings.Gravity);
-        float aside = Scalar.Clamp(input.Sideways / scale, -back, back);
+        (float goal, float aside) = Asked(input, scale, settings);
         placement = PlatformRide.Carry(planner.Feet, placement, ground, settings.Up);
         float left = dt;
         while (left > 0f)
@@ -293,13 +294,7 @@ internal sealed class WalkingMode : ILocomotionMode
         PlatformRide.Carry(planner.Feet, goal, ground, settings.Up);
         if (dt > 0f)
         {
-            Vector3 way = placement.ToModel(goal.Position) / dt;
-            Quaternion turn = Rotation.Multiply(Rotation.Inverse(placement.Rotation), goal.Rotation);
-            float yaw = 2f * (turn.W < 0f ? -turn.Y : turn.Y) / dt;
-            float fraction = 1f - (float)PortableMath.Exp(-20f * dt);
-            float before = velocity.Speed;
-            velocity = RootVelocity.At(before + ((way.Z - before) * fraction), velocity.Sideways + ((way.X - velocity.Sideways) * fraction), velocity.Turn + ((yaw - velocity.Turn) * fraction));
-            acceleration += (((velocity.Speed - before) / dt) - acceleration) * fraction;
+            Approach(placement, dt, goal, out Vector3 way);
             placer.RootRaised((way.Y - (placer.Climb * velocity.Speed)) * dt);
             float left = dt;
             while (left > 0f)
@@ -354,7 +349,7 @@ internal sealed class WalkingMode : ILocomotionMode
     {
         float unit = settings.Gravity * body.LegLength;
         float speed = (float)Math.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways));
-        float walking = (float)Math.Sqrt(0.06f * unit);
+        float walking = (float)Math.Sqrt(SlowWalk * unit);
         if (ticker.Decides)
         {
             moving = speed > 0.05f * walking || Math.Abs(velocity.Turn) > 0.03f || placer.IsBent;

@@ -1,0 +1,81 @@
+using CreatureGen.Motion.Grounds;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion;
+
+/// <content>What is seen of it from afar.</content>
+public sealed partial class CreatureAnimator
+{
+    private DistantMotion? distant;
+
+    /// <summary>Whether it only travels, and shows the cycle of its gait: it is to be seen from afar, and does nothing else.</summary>
+    private bool OnlyTravels => settings.Detail == MotionDetail.Far && distant!.Body != null && Mode!.OnlyWalks && actor?.Performer is not { IsActive: true };
+
+    /// <summary>Moves on as asked, as it is seen from afar.</summary>
+    /// <returns>Whether it does; else it moves in full, from where it is.</returns>
+    private bool GoesAfar(float dt, in MotionInput input, CheckedGround ground)
+    {
+        if (distant == null)
+        {
+            return false;
+        }
+
+        distant.Turn(settings.Detail, LocalPose);
+        if (OnlyTravels)
+        {
+            distant.Begin(Legs!, LocalPose);
+            if (Legs!.Travel(Root, dt, input, settings, ground, out RootPlace next))
+            {
+                Root = next;
+                FinishAfar(dt);
+                return true;
+            }
+        }
+
+        Approach(ground);
+        return false;
+    }
+
+    /// <summary>The same where the game moves it.</summary>
+    private bool FollowsAfar(float dt, in RootPlace placement, CheckedGround ground)
+    {
+        if (distant == null || Mode == null)
+        {
+            return false;
+        }
+
+        distant.Turn(settings.Detail, LocalPose);
+        if (OnlyTravels)
+        {
+            distant.Begin(Legs!, LocalPose);
+            if (Legs!.TravelAlong(Root, dt, placement, settings, ground))
+            {
+                Root = placement;
+                FinishAfar(dt);
+                return true;
+            }
+        }
+
+        Approach(ground);
+        return false;
+    }
+
+    /// <summary>Goes on in full.</summary>
+    private void Approach(CheckedGround ground)
+    {
+        if (distant!.Travels)
+        {
+            locomotion.Resume(Root, settings, ground, LocalPose);
+            distant.End(LocalPose);
+        }
+    }
+
+    private void FinishAfar(float dt)
+    {
+        distant!.Pose(Legs!, LocalPose);
+        distant.Fade(dt, LocalPose);
+        secondary.Reset();
+        attention?.Reset();
+        ForwardKinematics.LocalToModel(Profile.Subject.Skeleton, LocalPose, ModelPose);
+    }
+}
