@@ -62,7 +62,7 @@ internal sealed class FoldedWing
     private WingFold Search(FoldRange range, FoldRoom room)
     {
         WingFold best = range.Usual;
-        double min = Try(best, range, room);
+        double min = Try(best, range, room, double.PositiveInfinity);
         double step = FirstStep;
         for (int round = 0; round < Rounds; round++, step *= Shrink)
         {
@@ -71,7 +71,7 @@ internal sealed class FoldedWing
                 for (int sign = -1; sign <= 1; sign += 2)
                 {
                     WingFold other = best.With(number, sign * step, range.Min, range.Max);
-                    double cost = other == best ? min : Try(other, range, room);
+                    double cost = other == best ? min : Try(other, range, room, min);
                     (best, min) = cost < min ? (other, cost) : (best, min);
                 }
             }
@@ -80,13 +80,15 @@ internal sealed class FoldedWing
         return best;
     }
 
-    private double Try(in WingFold fold, FoldRange range, FoldRoom room)
+    /// <summary>What a way of folding costs; infinity where that is more than a sum for certain.</summary>
+    private double Try(in WingFold fold, FoldRange range, FoldRoom room, double most)
     {
         Fold(fold);
         Span<Quaternion> carried = stackalloc Quaternion[chain.Count];
         Span<Vector3> joints = stackalloc Vector3[chain.Count];
         Place(joints, carried);
-        return skin.Cost(joints, carried, room, range) + (CornerCost * fold.Corners) + (CrowdingCost * skin.Crowding(joints, carried));
+        double cost = skin.Cost(joints, carried, room, range, most);
+        return double.IsPositiveInfinity(cost) ? cost : cost + (CornerCost * fold.Corners) + (CrowdingCost * skin.Crowding(joints, carried));
     }
 
     /// <summary>Where the joints are and how they are turned in the model.</summary>
