@@ -39,6 +39,7 @@ public sealed partial class CreatureAnimator
     private readonly HeadAttention? attention;
     private readonly CheckedGround stillGround = new();
     private readonly CheckedMovingGround movingGround = new();
+    private readonly CheckedPlaneGround planeGround = new();
     private CheckedGround gate;
     private Actor? actor;
     private Vector3? lookAt;
@@ -341,6 +342,12 @@ public sealed partial class CreatureAnimator
         {
             movingGround.Begin(moving);
             return gate = movingGround;
+        }
+
+        if (ground is IPlaneGround plane)
+        {
+            planeGround.Begin(plane);
+            return gate = planeGround;
         }
 
         stillGround.Begin(ground);

@@ -83,3 +83,19 @@ internal sealed class CheckedMovingGround : CheckedGround, IMovingGround
         return false;
     }
 }
+
+/// <summary>The gate for ground that promises to be one plane: the promise goes through with it.</summary>
+internal sealed class CheckedPlaneGround : CheckedGround, IPlaneGround
+{
+    private IPlaneGround plane = FlatGround.Level;
+
+    /// <inheritdoc/>
+    public Vector3 Normal => plane.Normal;
+
+    /// <summary>Begins an update over a ground.</summary>
+    public void Begin(IPlaneGround given)
+    {
+        base.Begin(given);
+        plane = given;
+    }
+}
