@@ -23,7 +23,7 @@ public sealed partial class CreatureAnimator
         distant.Turn(settings.Detail, LocalPose);
         if (OnlyTravels)
         {
-            distant.Begin(Legs!, LocalPose);
+            BeginAfar();
             if (Legs!.Travel(Root, dt, input, settings, ground, out RootPlace next))
             {
                 Root = next;
@@ -47,7 +47,7 @@ public sealed partial class CreatureAnimator
         distant.Turn(settings.Detail, LocalPose);
         if (OnlyTravels)
         {
-            distant.Begin(Legs!, LocalPose);
+            BeginAfar();
             if (Legs!.TravelAlong(Root, dt, placement, settings, ground))
             {
                 Root = placement;
@@ -70,12 +70,21 @@ public sealed partial class CreatureAnimator
         }
     }
 
+    /// <summary>Begins to travel if it does not yet: what swings and looks about begins anew when it is seen from near again.</summary>
+    private void BeginAfar()
+    {
+        if (!distant!.Travels)
+        {
+            distant.Begin(Legs!, LocalPose);
+            secondary.Reset();
+            attention?.Reset();
+        }
+    }
+
     private void FinishAfar(float dt)
     {
         distant!.Pose(Legs!, LocalPose);
         distant.Fade(dt, LocalPose);
-        secondary.Reset();
-        attention?.Reset();
         ForwardKinematics.LocalToModel(Profile.Subject.Skeleton, LocalPose, ModelPose);
     }
 }

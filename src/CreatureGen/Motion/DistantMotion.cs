@@ -39,17 +39,14 @@ internal sealed class DistantMotion
         }
     }
 
-    /// <summary>Begins to travel if it does not yet.</summary>
+    /// <summary>Begins to travel.</summary>
     /// <param name="legs">What goes.</param>
     /// <param name="local">The pose shown last.</param>
     public void Begin(WalkingMode legs, in Pose local)
     {
-        if (!Travels)
-        {
-            Travels = true;
-            legs.BeginDistant();
-            fade.Keep(local);
-        }
+        Travels = true;
+        legs.BeginDistant();
+        fade.Keep(local);
     }
 
     /// <summary>Has its feet on the ground again.</summary>

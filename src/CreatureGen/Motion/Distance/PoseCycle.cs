@@ -1,5 +1,8 @@
 using System;
 using System.Numerics;
+using System.Runtime.InteropServices;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit.Poses;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Distance;
@@ -80,7 +83,14 @@ internal sealed class PoseCycle
         float still = 1f - weight;
         ReadOnlySpan<Vector4> first = turns.AsSpan(frame * turning.Length, turning.Length);
         ReadOnlySpan<Vector4> second = turns.AsSpan(next * turning.Length, turning.Length);
-        for (int i = 0; i < first.Length; i++)
+        int done = 0;
+#if NET
+        if (FourRotations.Pay)
+        {
+            done = RotationBlend.Between(turning, standTurns, still, first, now, second, later, MemoryMarshal.Cast<Quaternion, Vector4>(local.Rotations));
+        }
+#endif
+        for (int i = done; i < first.Length; i++)
         {
             Vector4 turn = Unit((standTurns[i] * still) + (first[i] * now) + (second[i] * later));
             ref Quaternion shown = ref local.Rotations[turning[i]];
@@ -117,7 +127,7 @@ internal sealed class PoseCycle
     private static bool Shifts(LocalPose stand, LocalPose[] frames, int joint, float unseen)
     {
         Vector3 still = stand.Pose.Positions[joint];
-        return Array.Exists(frames, frame => Maths.Vec.Distance(frame.Pose.Positions[joint], still) > unseen);
+        return Array.Exists(frames, frame => Vec.Distance(frame.Pose.Positions[joint], still) > unseen);
     }
 
     /// <summary>A rotation on the side of another.</summary>

@@ -45,5 +45,39 @@ internal static class RotationBlend
         nought += FourRotations.Nought(noughts);
         return i;
     }
+
+    /// <summary>The unit means of three lists of quaternions that are on one side, each put where a number says; gives how many it made: what is left makes no four.</summary>
+    /// <param name="places">Where each mean goes in the result.</param>
+    /// <param name="a">As many.</param>
+    /// <param name="ofA">Weight of the first list.</param>
+    /// <param name="b">As many.</param>
+    /// <param name="ofB">Weight of the second list.</param>
+    /// <param name="c">As many.</param>
+    /// <param name="ofC">Weight of the third list.</param>
+    /// <param name="result">Long enough for all places.</param>
+    public static int Between(ReadOnlySpan<int> places, ReadOnlySpan<Vector4> a, float ofA, ReadOnlySpan<Vector4> b, float ofB, ReadOnlySpan<Vector4> c, float ofC, Span<Vector4> result)
+    {
+        ref Vector4 first = ref MemoryMarshal.GetReference(a.Slice(0, places.Length));
+        ref Vector4 second = ref MemoryMarshal.GetReference(b.Slice(0, places.Length));
+        ref Vector4 third = ref MemoryMarshal.GetReference(c.Slice(0, places.Length));
+        Vector128<float> weightA = Vector128.Create(ofA);
+        Vector128<float> weightB = Vector128.Create(ofB);
+        Vector128<float> weightC = Vector128.Create(ofC);
+        int i = 0;
+        for (; i <= places.Length - FourRotations.Count; i += FourRotations.Count)
+        {
+            Vector128<float> q0 = (FourRotations.Load(ref first, i) * weightA) + (FourRotations.Load(ref second, i) * weightB) + (FourRotations.Load(ref third, i) * weightC);
+            Vector128<float> q1 = (FourRotations.Load(ref first, i + 1) * weightA) + (FourRotations.Load(ref second, i + 1) * weightB) + (FourRotations.Load(ref third, i + 1) * weightC);
+            Vector128<float> q2 = (FourRotations.Load(ref first, i + 2) * weightA) + (FourRotations.Load(ref second, i + 2) * weightB) + (FourRotations.Load(ref third, i + 2) * weightC);
+            Vector128<float> q3 = (FourRotations.Load(ref first, i + 3) * weightA) + (FourRotations.Load(ref second, i + 3) * weightB) + (FourRotations.Load(ref third, i + 3) * weightC);
+            Vector128<float> scales = FourRotations.Scales(FourRotations.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3));
+            FourRotations.Store(q0 * FourRotations.First(scales), ref result[places[i]], 0);
+            FourRotations.Store(q1 * FourRotations.Second(scales), ref result[places[i + 1]], 0);
+            FourRotations.Store(q2 * FourRotations.Third(scales), ref result[places[i + 2]], 0);
+            FourRotations.Store(q3 * FourRotations.Fourth(scales), ref result[places[i + 3]], 0);
+        }
+
+        return i;
+    }
 }
 #endif
