@@ -187,7 +187,7 @@ internal static class BodyShaper
                 for (int i = Start; i < BodyGrid.Rings; i++)
                 {
                     double q = Scalar.Smooth((i - 46) / 7.0);
-                    width[i] = (width0 * (1 - q)) + (tail.Size * PortableMath.Pow(q, 1.2));
+                    width[i] = (width0 * (1 - q)) + (tail.Size * PortableMath.Pow(q, 1.7));
                     top[i] = (top0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
                     bottom[i] = (bottom0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
                 }

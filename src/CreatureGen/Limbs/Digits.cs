@@ -50,7 +50,7 @@ internal static class Digits
         float length = (form.LongToed ? 1f : foot.Length) * form.ToeLength * (hand ? thickness * (float)leg.FootSize : size);
         float tipRadius = form.ToeRadius * (hand ? thickness : size * Math.Max((float)leg.Stoutness, 0.8f));
 
-        // A foot that trails is carried on edge and nearly closed; others are level.
+        // A foot that trails is nearly closed.
         bool trails = form.Archetype == LimbArchetype.Sprawl && !standing;
         float splay = (trails ? Closed : 1f) * Math.Min((form.LongToed ? Math.Min(1f, foot.Splay) : foot.Splay) * form.ToeSplay, WidestSplay);
         var address = new VertexAddress { Region = SurfaceRegion.Toe, Appendage = (short)index, Sign = 1, Along = 1f };

@@ -143,7 +143,7 @@ internal static class LegForms
         new(LimbArchetype.PlantigradeFore, FootEnd.Toes, hinges: (2, 4, 6), thickness: (0.24, 0.31), footRows: 2, toes: (0.38, 0.22, 0.2),
             0, 0, 0, 1000, 850, 20, 220, 50, 800, 620, -70, 460, 40, 580, 500, -20, 680, 30, 440, 440,
             -10, 800, 20, 340, 400, 80, 915, 20, 290, 480, 200, 955, 20, 270, 530),
-        new(LimbArchetype.Column, FootEnd.Pad, hinges: (2, 4, 6), thickness: (0.25, 0.34), footRows: 3, toes: (0, 0, 0),
+        new(LimbArchetype.Column, FootEnd.Pad, hinges: (2, 4, 6), thickness: (0.18, 0.34), footRows: 3, toes: (0, 0, 0),
             0, 0, 0, 1000, 850, 40, 220, 50, 920, 700, 75, 450, 50, 680, 590, 10, 660, 35, 520, 490,
             -10, 830, 30, 470, 470, 15, 945, 30, 555, 560, 25, 1000, 30, 610, 620),
         new(LimbArchetype.Sprawl, FootEnd.Toes, hinges: (2, 5, 7), thickness: (0, 0), footRows: 2, toes: (0.75, 0.75, 0.13),
@@ -176,10 +176,10 @@ internal static class LegForms
             20, 800, 460, 320, 320, 80, 930, 460, 280, 400, 220, 950, 480, 260, 460),
     };
 
-    /// <summary>Legs that sprawl on land, as they are carried in the water: laid back along the flank, the elbow out, the foot on edge like an oar between two strokes.</summary>
+    /// <summary>Legs that sprawl on land, as they are carried in the water: laid back along the flank, the elbow out, the foot level like an oar between two strokes.</summary>
     private static readonly LegForm trailing = new(LimbArchetype.Sprawl, FootEnd.Toes, hinges: (2, 5, 7), thickness: (0, 0), footRows: 2, toes: (0.75, 0.75, 0.13),
-        0, 0, 0, 1000, 800, -90, 90, 330, 780, 660, -300, 260, 600, 560, 500, -540, 420, 720, 420, 400,
-        -800, 560, 800, 340, 330, -1000, 660, 830, 300, 380, -1140, 720, 860, 250, 460, -1260, 760, 890, 220, 500);
+        0, 0, 0, 1000, 800, -90, 40, 330, 780, 660, -300, 110, 560, 560, 500, -540, 170, 650, 420, 400,
+        -800, 220, 700, 340, 330, -1000, 260, 710, 300, 380, -1140, 280, 730, 250, 460, -1260, 300, 750, 220, 500);
 
     /// <summary>The form of a leg: legs that sprawl trail where they do not stand.</summary>
     public static LegForm Of(LegBlueprint leg) => leg.Archetype == LimbArchetype.Sprawl && leg.Stance == LegStance.Hanging ? trailing : Of(leg.Archetype);

@@ -99,7 +99,7 @@ internal static class LegGrower
             Blend = Scalar.Clamp(1.5f * socket.HalfLength / path.Length, 0.1f, 0.42f),
             Floor = standing ? 0f : float.NegativeInfinity,
             EndDirection = vertical ? -Vector3.UnitY : Vector3.Zero,
-            LevelFrom = standing && form.End == FootEnd.Toes ? 0.6f : 2f,
+            LevelFrom = form.End == FootEnd.Toes && (standing || form.Archetype == LimbArchetype.Sprawl) ? 0.6f : 2f,
             KeepOut = socket.Centre.X > 0.02f ? new BodyKeepOut(body.Skin, leg.Socket.Ring - GuardedRings, leg.Socket.Ring + leg.Socket.Rows + GuardedRings) : null,
             Address = new VertexAddress { Region = SurfaceRegion.Leg, Appendage = (short)index, Sign = 1 },
         };

@@ -39,7 +39,7 @@ internal sealed record LegBuild(
     private static readonly LegBuild unguligradeFore = new(LegCarriage.Under, 0.165, 0.34, 0.8, 32, 0.07, 0.01, 0.31, 0.31, 0.31);
     private static readonly LegBuild plantigradeHind = new(LegCarriage.Under, 0.24, 0.31, 0.85, 32, 0.14, 0.03, 0.30, 0.38, 0.55);
     private static readonly LegBuild plantigradeFore = new(LegCarriage.Under, 0.24, 0.31, 0.85, 32, 0.15, 0.03, 0.30, 0.38, 0.55);
-    private static readonly LegBuild column = new(LegCarriage.Under, 0.25, 0.34, 0.85, 28, 0.01, 0.03, 0.66, 0.66, 0.68);
+    private static readonly LegBuild column = new(LegCarriage.Under, 0.18, 0.34, 0.85, 28, 0.01, 0.03, 0.66, 0.66, 0.68);
     private static readonly LegBuild theropod = new(LegCarriage.Under, 0.145, 0.34, 0.8, 35, 0.06, 0.03, 0.21, 1.15, 0.60);
     private static readonly LegBuild sprawl = new(LegCarriage.Splayed, 0.20, 0.45, 0.8, 30, 0.32, 1.12, 0.28, 0.75, 0.50);
     private static readonly LegBuild insect = new(LegCarriage.Splayed, 0.08, 0.20, 1, 20, 0, 1.92, 0.16, 0.30, 0.16);

@@ -81,7 +81,7 @@ internal static class SocketSets
         var hips = new List<LimbSocket>();
         for (int ring = 34; ring <= 41; ring++)
         {
-            hips.Add(Under(ring, 10.4, LimbArchetype.Theropod, 0.66));
+            hips.Add(Under(ring, 11.3, LimbArchetype.Theropod, 0.66));
         }
 
         return new SocketSet(

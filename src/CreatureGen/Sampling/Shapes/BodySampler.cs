@@ -35,6 +35,7 @@ internal static class BodySampler
         builder.Posture = builder.Drawn;
         builder.Slices = Slices(builder);
         builder.Disc = Disc(builder);
+        builder.Proportions = TrunkFit.Fit(builder);
         builder.Proportions = HeadFit.Fit(builder);
         builder.Proportions = TailFit.Fit(builder);
     }

@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
@@ -13,6 +14,10 @@ internal static class TailFit
     /// <summary>Largest tail against its trunk, each at its largest section.</summary>
     private const double Size = 0.8;
 
+    // Longest tail against the trunk: of one that is carried up, which is a rod over the back, and of all others.
+    private const double Carried = 0.75;
+    private const double Trailing = 1.5;
+
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
 
@@ -22,7 +27,7 @@ internal static class TailFit
     private const int FirstOfTail = 47;
     private const int LastOfTail = 54;
 
-    /// <summary>The proportions with a thinner tail where it is too thick; swimmers and what crawls move by theirs, and insects bear a thick abdomen.</summary>
+    /// <summary>The proportions with a thinner tail where it is too thick, and a shorter one where it is too long; swimmers and what crawls move by theirs, and insects bear a thick abdomen.</summary>
     public static BodyProportions Fit(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
@@ -35,7 +40,14 @@ internal static class TailFit
         double size = Largest(shape, FirstOfTail, LastOfTail) / Largest(shape, FirstOfTrunk, LastOfTrunk);
         double excess = Math.Max(1, size / Size);
         double strange = Math.Min(1, 2 * builder.Strangeness);
-        return drawn with { TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess, -strange)) };
+        double trunk = shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst];
+        double length = (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / trunk;
+        double longest = TailTaper.Of(builder.Tail.Style) is { Curl: not 0 } ? Carried : Trailing;
+        return drawn with
+        {
+            Tail = drawn.Tail * PortableMath.Pow(Math.Max(1, length / longest), -strange),
+            TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess, -strange)),
+        };
     }
 
     /// <summary>Radius of the largest section, metres.</summary>

@@ -1,0 +1,58 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Maths;
+using CreatureGen.Species;
+
+namespace CreatureGen.Sampling.Shapes;
+
+/// <summary>Trunks of strange creatures with a shape: chest, waist and hips of three species may even one another out to a log.</summary>
+internal static class TrunkFit
+{
+    // Deepest section against the shallowest from girdle to girdle: below the first a trunk is a log, from the second on it has a shape.
+    private const double Log = 1.08;
+    private const double Shaped = 1.4;
+
+    // What a log gains at the chest and at the hips, and what its belly loses.
+    private const double Chest = 0.3;
+    private const double Rump = 0.2;
+    private const double Belly = 0.16;
+
+    /// <summary>What the abdomen of an insect gains: behind its waist it is the hips.</summary>
+    private const double Abdomen = 0.35;
+
+    // Rings of the trunk from the shoulders to the hips.
+    private const int First = 26;
+    private const int Last = 42;
+
+    /// <summary>The proportions with a deeper chest, a tucked belly and broader hips where the trunk has none; swimmers are spindles, what lies is a rope, and what stands on two legs would be top-heavy.</summary>
+    public static BodyProportions Fit(CreatureBuilder builder)
+    {
+        BodyProportions drawn = builder.Proportions;
+        if (builder.Kind == LocomotionKind.Swimming || builder.Plan is BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Upright or BodyPlan.Theropod || builder.Species.Disc.Sweep != 0)
+        {
+            return drawn;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double least = double.MaxValue;
+        double most = 0;
+        for (int ring = First; ring <= Last; ring++)
+        {
+            double size = shape.Top[ring] + shape.Bottom[ring];
+            least = Math.Min(least, size);
+            most = Math.Max(most, size);
+        }
+
+        double want = Math.Min(1, 2 * builder.Strangeness) * Scalar.Clamp((Shaped - (most / least)) / (Shaped - Log), 0, 1);
+        bool insect = builder.Species.Class == AnimalClass.Arthropod;
+        return drawn with
+        {
+            Chest = drawn.Chest * (1 + (Chest * want)),
+            Belly = drawn.Belly * (1 - (Belly * want)),
+            Rump = drawn.Rump * (1 + ((insect ? 0 : Rump) * want)),
+            TailGirth = drawn.TailGirth * (1 + ((insect ? Abdomen : 0) * want)),
+        };
+    }
+}
