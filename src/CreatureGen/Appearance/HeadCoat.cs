@@ -68,8 +68,8 @@ internal sealed class HeadCoat
         double[] arc = subject.Body.Arc;
         if (subject.Snout == SnoutKind.Beak)
         {
-            // Paler towards its root, where it meets the feathers with a soft edge, and dark at the tip.
-            float beak = Scalar.Smooth((float)((arc[6] - place.Arc) / (0.5 * arc[2])));
+            // Paler towards its root, where its edge meets the feathers, and dark at the tip.
+            float beak = Scalar.Smooth((float)((arc[6] - place.Arc) / (0.25 * arc[2])));
             float shade = Scalar.Lerp(0.72f, 1.05f, Scalar.Smooth((float)(place.Arc / (0.6 * arc[6]))));
             return Vec.Lerp(colour, palette.Muzzle * shade, beak);
         }

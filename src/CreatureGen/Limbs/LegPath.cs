@@ -20,6 +20,13 @@ internal sealed class LegPath
     /// <summary>Share of the bow of a long-toed leg, seen from the front, that is left between its thigh and its foot.</summary>
     private const float Bow = 0.25f;
 
+    /// <summary>Share of the way from below its hip to where both feet just clear each other that the foot of a tall long-toed leg is set in.</summary>
+    private const float Narrowing = 0.5f;
+
+    // Height of a hip in distances of the foot from the sagittal plane: from the first on a leg is tall, at the second it is fully so.
+    private const float Tall = 3.6f;
+    private const float Tallest = 5f;
+
     /// <summary>Metres between the toes of two feet and the sagittal plane.</summary>
     private const float FootGap = 0.02f;
 
@@ -173,6 +180,13 @@ internal sealed class LegPath
                 float least = (size * form.ToeLength * (form.LongToed ? form.ToeSplay : MinSplay)) + FootGap;
                 float halfWidth = radii[last].Y + Math.Max(least, beside + tip);
                 float shift = Math.Max(0f, halfWidth - joints[last].X);
+                if (form.LongToed && shift == 0f)
+                {
+                    // Straight down from the flanks, tall legs look like a wishbone.
+                    float tall = Scalar.Smooth(((joints[0].Y / joints[last].X) - Tall) / (Tallest - Tall));
+                    shift = Narrowing * tall * (halfWidth - joints[last].X);
+                }
+
                 for (int k = 0; k <= last; k++)
                 {
                     joints[k].X += shift * Scalar.Smooth(form.Down[k] / 0.9f);

@@ -31,6 +31,9 @@ internal static class HeadSampler
     private const double SingleSink = 0.45;
     private const double SingleForward = 1.3;
 
+    /// <summary>How far the root of a beak stands off the skull, in radii of the section.</summary>
+    private const double BeakEdge = 0.08;
+
     /// <summary>Mean of half the width and half the height of a head at the eyes, metres.</summary>
     public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[StationRing.Brow] + (0.5 * (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow])));
 
@@ -99,6 +102,13 @@ internal static class HeadSampler
             Add(ring - 1.6, segment - 1.9, 1.2, 1.1, 0.11 * species.Bone * (1 + (0.5 * mood)));
             Add(ring + 1.2, segment - 2.0, 1.4, 1.1, 0.11 * species.Bone * (1 - (0.4 * mood)));
             Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * species.Bone);
+        }
+
+        if (species.Snout == SnoutKind.Beak)
+        {
+            // The horn of a beak lies on the skull with an edge.
+            bumps.Add(new HeadBump(5.4, 8, 0.8, 16, BeakEdge));
+            bumps.Add(new HeadBump(7, 8, 0.9, 16, -BeakEdge));
         }
 
         bumps.AddRange(species.Skull.Muzzle);

@@ -38,6 +38,8 @@ internal static class BodySampler
         builder.Proportions = TrunkFit.Fit(builder);
         builder.Proportions = HeadFit.Fit(builder);
         builder.Proportions = TailFit.Fit(builder);
+        builder.Posture = TailFit.Lower(builder);
+        builder.Drawn = builder.Posture;
     }
 
     private static DiscBlueprint Disc(CreatureBuilder builder)

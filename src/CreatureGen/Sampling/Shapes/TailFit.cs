@@ -18,6 +18,9 @@ internal static class TailFit
     private const double Carried = 0.75;
     private const double Trailing = 1.5;
 
+    /// <summary>Least fall of a fan of feathers behind the rump.</summary>
+    private const double FallDegrees = 18;
+
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
 
@@ -48,6 +51,20 @@ internal static class TailFit
             Tail = drawn.Tail * PortableMath.Pow(Math.Max(1, length / longest), -strange),
             TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess, -strange)),
         };
+    }
+
+    /// <summary>The posture with a fan of feathers that falls away from the rump: level with the eye behind it a fan is a pair of lips.</summary>
+    public static BodyPosture Lower(CreatureBuilder builder)
+    {
+        BodyPosture drawn = builder.Posture;
+        if (builder.Tail.Style != TailStyle.Feathers || builder.Kind != LocomotionKind.Walking)
+        {
+            return drawn;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double fall = PortableMath.Atan2(shape.Y[StationRing.TorsoLast] - shape.Y[LastOfTail], shape.Z[StationRing.TorsoLast] - shape.Z[LastOfTail]);
+        return drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
     }
 
     /// <summary>Radius of the largest section, metres.</summary>
