@@ -178,8 +178,8 @@ internal static class LegForms
 
     /// <summary>Legs that sprawl on land, as they are carried in the water: laid back along the flank, the elbow out, the foot level like an oar between two strokes.</summary>
     private static readonly LegForm trailing = new(LimbArchetype.Sprawl, FootEnd.Toes, hinges: (2, 5, 7), thickness: (0, 0), footRows: 2, toes: (0.75, 0.75, 0.13),
-        0, 0, 0, 1000, 800, -90, 40, 330, 780, 660, -300, 110, 560, 560, 500, -540, 170, 650, 420, 400,
-        -800, 220, 700, 340, 330, -1000, 260, 710, 300, 380, -1140, 280, 730, 250, 460, -1260, 300, 750, 220, 500);
+        0, 0, 0, 1000, 800, -90, 40, 330, 780, 660, -300, 110, 600, 560, 500, -540, 170, 720, 420, 400,
+        -800, 220, 790, 340, 330, -1000, 260, 810, 300, 380, -1140, 280, 830, 250, 460, -1260, 300, 850, 220, 500);
 
     /// <summary>The form of a leg: legs that sprawl trail where they do not stand.</summary>
     public static LegForm Of(LegBlueprint leg) => leg.Archetype == LimbArchetype.Sprawl && leg.Stance == LegStance.Hanging ? trailing : Of(leg.Archetype);

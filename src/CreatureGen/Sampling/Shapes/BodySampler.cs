@@ -18,7 +18,7 @@ internal static class BodySampler
     private const double LongestTail = 2.4;
 
     /// <summary>How far the slices of a swimmer's lattice depart from 1 at full strangeness: without legs it is told apart by its outline alone.</summary>
-    private const double SwimmersSpread = 0.48;
+    private const double SwimmersSpread = 0.56;
 
     /// <summary>Largest head of another class on an insect: on its thin legs a larger one hides the rest from the front.</summary>
     private const double LargestOnInsect = 0.9;
