@@ -10,7 +10,7 @@ namespace CreatureGen.Sampling.Parents;
 internal static class Harmony
 {
     /// <summary>How often a head of an insect stays on another body.</summary>
-    private const double InsectHeads = 1 / 3.0;
+    private const double InsectHeads = 1 / 8.0;
 
     /// <summary>The parents after the rules.</summary>
     /// <param name="parents">The parents as drawn.</param>

@@ -18,6 +18,11 @@ internal static class TailFit
     private const double Carried = 0.75;
     private const double Trailing = 1.5;
 
+    // A swimmer's largest hips against its belly, least root of its tail against its hips, and most that the tail's girth grows by for it.
+    private const double Hips = 0.8;
+    private const double Root = 0.5;
+    private const double MostRoot = 1.3;
+
     /// <summary>Least fall of a fan of feathers behind the rump.</summary>
     private const double FallDegrees = 18;
 
@@ -34,7 +39,12 @@ internal static class TailFit
     public static BodyProportions Fit(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
-        if (builder.Kind == LocomotionKind.Swimming || builder.Species.Class == AnimalClass.Arthropod || builder.Plan == BodyPlan.Legless)
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            return Streamlined(builder);
+        }
+
+        if (builder.Species.Class == AnimalClass.Arthropod || builder.Plan == BodyPlan.Legless)
         {
             return drawn;
         }
@@ -50,6 +60,28 @@ internal static class TailFit
         {
             Tail = drawn.Tail * PortableMath.Pow(Math.Max(1, length / longest), -strange),
             TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess, -strange)),
+        };
+    }
+
+    /// <summary>The proportions of a swimmer that thins out behind its belly instead of ending like a sack with a tail tied to it; one as flat as a disc stays as it is.</summary>
+    private static BodyProportions Streamlined(CreatureBuilder builder)
+    {
+        BodyProportions drawn = builder.Proportions;
+        if (builder.Species.Disc.Sweep != 0)
+        {
+            return drawn;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double hips = Largest(shape, StationRing.Pelvis, StationRing.Pelvis);
+        double thin = Math.Min(1, Hips * Largest(shape, StationRing.Belly, StationRing.Belly) / hips);
+        double root = Largest(shape, FirstOfTail, FirstOfTail);
+        double thick = Math.Max(1, Root * thin * hips / root);
+        double strange = Math.Min(1, 2 * builder.Strangeness);
+        return drawn with
+        {
+            Rump = drawn.Rump * PortableMath.Pow(thin, strange),
+            TailGirth = drawn.TailGirth * Math.Min(MostRoot, PortableMath.Pow(thick, strange)),
         };
     }
 
