@@ -108,7 +108,7 @@ internal static class HeadSampler
         {
             // The horn of a beak lies on the skull with an edge.
             bumps.Add(new HeadBump(5.4, 8, 0.8, 16, BeakEdge));
-            bumps.Add(new HeadBump(7, 8, 0.9, 16, -BeakEdge));
+            bumps.Add(new HeadBump(7, 8, 0.9, 16, -0.6 * BeakEdge));
         }
 
         bumps.AddRange(species.Skull.Muzzle);
