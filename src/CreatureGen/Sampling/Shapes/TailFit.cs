@@ -18,13 +18,9 @@ internal static class TailFit
     private const double Carried = 0.75;
     private const double Trailing = 1.5;
 
-    // A swimmer's largest hips against its belly, least root of its tail against its hips, and most that the tail's girth grows by for it.
-    private const double Hips = 0.8;
-    private const double Root = 0.5;
-    private const double MostRoot = 1.3;
-
-    /// <summary>Least fall of a fan of feathers behind the rump.</summary>
+    // Least fall of a fan of feathers behind the rump, and rise from which on a fan is carried up as a cock's is.
     private const double FallDegrees = 18;
+    private const double RaisedDegrees = 12;
 
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
@@ -39,12 +35,7 @@ internal static class TailFit
     public static BodyProportions Fit(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
-        if (builder.Kind == LocomotionKind.Swimming)
-        {
-            return Streamlined(builder);
-        }
-
-        if (builder.Species.Class == AnimalClass.Arthropod || builder.Plan == BodyPlan.Legless)
+        if (builder.Kind == LocomotionKind.Swimming || builder.Species.Class == AnimalClass.Arthropod || builder.Plan == BodyPlan.Legless)
         {
             return drawn;
         }
@@ -63,28 +54,6 @@ internal static class TailFit
         };
     }
 
-    /// <summary>The proportions of a swimmer that thins out behind its belly instead of ending like a sack with a tail tied to it; one as flat as a disc stays as it is.</summary>
-    private static BodyProportions Streamlined(CreatureBuilder builder)
-    {
-        BodyProportions drawn = builder.Proportions;
-        if (builder.Species.Disc.Sweep != 0)
-        {
-            return drawn;
-        }
-
-        BodyShape shape = StanceSampler.ShapeOf(builder);
-        double hips = Largest(shape, StationRing.Pelvis, StationRing.Pelvis);
-        double thin = Math.Min(1, Hips * Largest(shape, StationRing.Belly, StationRing.Belly) / hips);
-        double root = Largest(shape, FirstOfTail, FirstOfTail);
-        double thick = Math.Max(1, Root * thin * hips / root);
-        double strange = Math.Min(1, 2 * builder.Strangeness);
-        return drawn with
-        {
-            Rump = drawn.Rump * PortableMath.Pow(thin, strange),
-            TailGirth = drawn.TailGirth * Math.Min(MostRoot, PortableMath.Pow(thick, strange)),
-        };
-    }
-
     /// <summary>The posture with a fan of feathers that falls away from the rump: level with the eye behind it a fan is a pair of lips.</summary>
     public static BodyPosture Lower(CreatureBuilder builder)
     {
@@ -96,7 +65,8 @@ internal static class TailFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double fall = PortableMath.Atan2(shape.Y[StationRing.TorsoLast] - shape.Y[LastOfTail], shape.Z[StationRing.TorsoLast] - shape.Z[LastOfTail]);
-        return drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
+        bool raised = fall < -Scalar.Radians(RaisedDegrees);
+        return raised ? drawn : drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
     }
 
     /// <summary>Radius of the largest section, metres.</summary>

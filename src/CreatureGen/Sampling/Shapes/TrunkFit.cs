@@ -22,15 +22,28 @@ internal static class TrunkFit
     /// <summary>What the abdomen of an insect gains: behind its waist it is the hips.</summary>
     private const double Abdomen = 0.35;
 
+    // A swimmer's largest hips against its belly, least root of its tail against its hips, and most that the tail's girth grows by for it.
+    private const double Hips = 0.8;
+    private const double Root = 0.5;
+    private const double MostRoot = 1.3;
+
+    /// <summary>Ring at which a swimmer's tail begins behind its root.</summary>
+    private const int TailRoot = 47;
+
     // Rings of the trunk from the shoulders to the hips.
     private const int First = 26;
     private const int Last = 42;
 
-    /// <summary>The proportions with a deeper chest, a tucked belly and broader hips where the trunk has none; swimmers are spindles, what lies is a rope, and what stands on two legs would be top-heavy.</summary>
+    /// <summary>The proportions with a deeper chest, a tucked belly and broader hips where the trunk has none; swimmers thin out to the tail, what lies is a rope, and what stands on two legs would be top-heavy.</summary>
     public static BodyProportions Fit(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
-        if (builder.Kind == LocomotionKind.Swimming || builder.Plan is BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Upright or BodyPlan.Theropod || builder.Species.Disc.Sweep != 0)
+        if (builder.Kind == LocomotionKind.Swimming)
+        {
+            return Streamlined(builder);
+        }
+
+        if (builder.Plan is BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Upright or BodyPlan.Theropod || builder.Species.Disc.Sweep != 0)
         {
             return drawn;
         }
@@ -55,4 +68,29 @@ internal static class TrunkFit
             TailGirth = drawn.TailGirth * (1 + ((insect ? Abdomen : 0) * want)),
         };
     }
+
+    /// <summary>The proportions of a swimmer that thins out behind its belly instead of ending like a sack with a tail tied to it; one as flat as a disc stays as it is.</summary>
+    private static BodyProportions Streamlined(CreatureBuilder builder)
+    {
+        BodyProportions drawn = builder.Proportions;
+        if (builder.Species.Disc.Sweep != 0)
+        {
+            return drawn;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double hips = Size(shape, StationRing.Pelvis);
+        double thin = Math.Min(1, Hips * Size(shape, StationRing.Belly) / hips);
+        double root = Size(shape, TailRoot);
+        double thick = Math.Max(1, Root * thin * hips / root);
+        double strange = Math.Min(1, 2 * builder.Strangeness);
+        return drawn with
+        {
+            Rump = drawn.Rump * PortableMath.Pow(thin, strange),
+            TailGirth = drawn.TailGirth * Math.Min(MostRoot, PortableMath.Pow(thick, strange)),
+        };
+    }
+
+    /// <summary>Radius of a section, metres.</summary>
+    private static double Size(BodyShape shape, int ring) => Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
 }

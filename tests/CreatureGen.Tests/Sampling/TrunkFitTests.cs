@@ -1,0 +1,47 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Sampling;
+
+public sealed class TrunkFitTests
+{
+    /// <summary>Largest hips of a swimmer in bellies: what is mixed and drawn after the rule leaves of its 0.8.</summary>
+    private const double Hips = 0.85;
+
+    /// <summary>Longest tail that is carried up, in trunks: what the lattice leaves of the rule's 0.75.</summary>
+    private const double Carried = 0.85;
+
+    [Fact]
+    public void Mixed_swimmers_thin_out_behind_their_bellies()
+    {
+        for (ulong seed = 9971001; seed <= 9971060; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            double hips = Size(shape, StationRing.Pelvis) / Size(shape, StationRing.Belly);
+            Assert.True(creature.Body.Disc.Sweep != 0 || hips <= Hips, FormattableString.Invariant($"{seed}: hips of {hips:0.00} bellies"));
+        }
+    }
+
+    [Fact]
+    public void No_tail_that_is_carried_up_is_a_rod_over_the_back()
+    {
+        for (ulong seed = 9971001; seed <= 9971100; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Walking);
+            if (TailTaper.Of(creature.Tail.Style) is { Curl: not 0 })
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double length = (shape.Arc[BodyGrid.Rings - 1] - shape.Arc[StationRing.TorsoLast]) / (shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst]);
+                Assert.True(length <= Carried, FormattableString.Invariant($"{seed}: a tail of {length:0.00} trunks"));
+            }
+        }
+    }
+
+    private static double Size(BodyShape shape, int ring) => Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
+}
