@@ -215,6 +215,7 @@ public sealed partial class CreatureAnimator
         CheckedGround sound = Check(ref dt, ground);
         if (Mode != null && !GoesAfar(dt, input, sound))
         {
+            Face(Root);
             MotionInput asked = actor == null ? input : actor.Begin(dt, Root, locomotion, input, settings, IdlesOf(input));
             try
             {
@@ -249,6 +250,7 @@ public sealed partial class CreatureAnimator
             return;
         }
 
+        Face(placement);
         actor?.Begin(dt, Root, locomotion, default, settings, IdlesOf(default));
         try
         {
@@ -365,6 +367,16 @@ public sealed partial class CreatureAnimator
 
         PortableMath.SinCos(bank, out double sine, out double cosine);
         return Rotation.Rotate(Root.Rotation, Vector3.UnitX) * (float)(settings.Gravity * sine / cosine);
+    }
+
+    /// <summary>Tells what carries it where it looks: the chest turns some of the way.</summary>
+    private void Face(in RootPlace place)
+    {
+        if (Legs != null)
+        {
+            Vector3 seen = lookAt is Vector3 point ? place.ToModel(point) : Vector3.Zero;
+            Legs.Facing = (seen.X == 0f && seen.Z == 0f) || actor?.Performer is { IsActive: true, HoldsHead: true } ? 0f : FastTrigonometry.Of(seen.X, seen.Z);
+        }
     }
 
     private void Finish(float dt)

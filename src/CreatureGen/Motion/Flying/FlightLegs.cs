@@ -15,6 +15,10 @@ internal sealed class FlightLegs
     private const double FullReach = 0.995;
     private const double Dangle = 0.05;
 
+    /// <summary>How far thighs that lie out to the side go up as they are swept back, parts of that: insects draw their knees up to the body, sprawlers let them hang.</summary>
+    private const double RaisedKnees = 0.25;
+    private const double LoweredKnees = -0.5;
+
     /// <summary>Share below which a leg is in the air alone.</summary>
     private const double MinPlanted = 1e-5;
 
@@ -23,6 +27,7 @@ internal sealed class FlightLegs
     private readonly LegPosture hanging;
     private readonly LegPosture reaching;
     private readonly bool lateral;
+    private readonly double raise;
     private readonly Vector3 normal;
     private readonly double side;
 
@@ -34,6 +39,7 @@ internal sealed class FlightLegs
         hanging = LegPosture.Hanging(archetype);
         reaching = LegPosture.Reaching(archetype);
         lateral = archetype is LimbArchetype.Sprawl or LimbArchetype.Insect;
+        raise = archetype == LimbArchetype.Insect ? RaisedKnees : LoweredKnees;
         Vector3 thigh = chain.Points[2] - chain.Points[1];
         Vector3 shank = chain.Points[3] - chain.Points[2];
         normal = Vec.Normalize(Vec.Cross(thigh, shank), Vector3.UnitX);
@@ -87,7 +93,7 @@ internal sealed class FlightLegs
         }
     }
 
-    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisRotation.Roll(-0.5 * Math.Abs(hip)), AxisRotation.Yaw(hip)) : AxisRotation.Pitch(hip);
+    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisRotation.Roll(raise * Math.Abs(hip)), AxisRotation.Yaw(hip)) : AxisRotation.Pitch(hip);
 
     /// <summary>Two bones reach from the hip, wherever the body has taken it, to the ankle's place over the foothold; the foot stays level.</summary>
     private void Plant(Span<Quaternion> turns, in LegStroke stroke, Quaternion body, Vector3 bodyPivot, Vector3 bodyNow)

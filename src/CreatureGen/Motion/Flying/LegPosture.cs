@@ -34,7 +34,7 @@ internal readonly struct LegPosture
         LimbArchetype.Column => new LegPosture(0.40, 0.60, 0.50, 0.30),
         LimbArchetype.Arm => new LegPosture(0.45, -0.80, 0.20, 0.30),
         LimbArchetype.Sprawl => new LegPosture(0.80, -0.35, 0.40, 0.40),
-        LimbArchetype.Insect => new LegPosture(0.60, -0.75, 0.60, 0.40),
+        LimbArchetype.Insect => new LegPosture(0.70, -1.30, 0.70, 0.50),
         LimbArchetype.Raptorial or LimbArchetype.Jumper or LimbArchetype.FrogHind or LimbArchetype.FrogFore => new LegPosture(0.30, -0.30, 0.10, 0.10),
         _ => throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there is no posture for this archetype"),
     };
@@ -50,7 +50,7 @@ internal readonly struct LegPosture
         LimbArchetype.Column => new LegPosture(0.10, 0.35, 0.30, 0.20),
         LimbArchetype.Arm => new LegPosture(0.20, -0.60, 0.15, 0.25),
         LimbArchetype.Sprawl => new LegPosture(0.35, -0.45, 0.30, 0.30),
-        LimbArchetype.Insect => new LegPosture(0.40, -0.65, 0.40, 0.30),
+        LimbArchetype.Insect => new LegPosture(0.60, -1.05, 0.60, 0.40),
         LimbArchetype.Raptorial or LimbArchetype.Jumper or LimbArchetype.FrogHind or LimbArchetype.FrogFore => new LegPosture(0.15, -0.40, 0.15, 0.15),
         _ => throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there is no posture for this archetype"),
     };

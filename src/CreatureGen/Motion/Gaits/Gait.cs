@@ -68,6 +68,9 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
     /// <summary>How far the trunk of bipeds is thrown up with the push and dips to the landing, radians. Default: 0.</summary>
     public float Rock { get; init; }
 
+    /// <summary>How far the back is arched in the air where all feet fly at once, and hollowed as they push, radians: beside what the feet's gathering bends it. Default: 0.</summary>
+    public float Arch { get; init; }
+
     /// <summary>Whether the feet of a girdle do different things on the left and on the right for ever: such a gait leads with the side that the creature turns to.</summary>
     public GaitSymmetry Symmetry { get; init; } = GaitSymmetry.Symmetric;
 
@@ -103,6 +106,7 @@ public sealed record Gait(string Name, LegPhases Phases, DutyLaw Duty, StrideLaw
         Finite.RequireWithin(Trail, 0f, 1f, Name + ".Trail");
         Finite.RequireWithin(Stretch, 0f, 1f, Name + ".Stretch");
         Finite.RequireWithin(Rock, 0f, 1f, Name + ".Rock");
+        Finite.RequireWithin(Arch, 0f, 1f, Name + ".Arch");
     }
 }
 

@@ -61,10 +61,10 @@ public static class GaitLibrary
         MinRows = 2, Comfortable = 2.2f, Fastest = 10f, Lift = 1.6f, Crouch = 0.06f, Bounce = 0.75f, BounceCap = 0.075f, ForeBias = 0f, HindBias = 0f,
     };
 
-    /// <summary>All four feet together: gazelles.</summary>
-    public static Gait Pronk { get; } = new("Pronk", new ListedPhases(0f, 0f, 0f, 0f), new DutyLaw(0.42f, 0.07f, 0.25f, 0.38f), new StrideLaw(1.6f, 0.40f))
+    /// <summary>All four feet together, high on straight legs, the back arched in the air: gazelles.</summary>
+    public static Gait Pronk { get; } = new("Pronk", new ListedPhases(0f, 0f, 0f, 0f), new DutyLaw(0.40f, 0.08f, 0.22f, 0.36f), new StrideLaw(2.2f, 0.40f))
     {
-        MinRows = 2, MaxRows = 2, Comfortable = 1.2f, Fastest = 5f, Lift = 1.3f, Track = 0.95f, Crouch = 0.05f, BounceCap = 0.20f, ForeBias = 0f, HindBias = 0f,
+        MinRows = 2, MaxRows = 2, Comfortable = 1.2f, Fastest = 5f, Lift = 1f, Track = 0.95f, Crouch = 0.05f, Bounce = 0.9f, BounceCap = 0.34f, ForeBias = 0f, HindBias = 0f, Stretch = 0.9f, Arch = 0.22f,
     };
 
     /// <summary>Walk on two legs.</summary>

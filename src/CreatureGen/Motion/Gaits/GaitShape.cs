@@ -18,6 +18,7 @@ internal struct GaitShape
     public float Trail;
     public float Stretch;
     public float Rock;
+    public float Arch;
 
     public static GaitShape Of(Gait gait) => new()
     {
@@ -36,6 +37,7 @@ internal struct GaitShape
         Trail = gait.Trail,
         Stretch = gait.Stretch,
         Rock = gait.Rock,
+        Arch = gait.Arch,
     };
 
     /// <summary>Goes a share of the way to those of a gait.</summary>
@@ -56,5 +58,6 @@ internal struct GaitShape
         Trail += (gait.Trail - Trail) * fraction;
         Stretch += (gait.Stretch - Stretch) * fraction;
         Rock += (gait.Rock - Rock) * fraction;
+        Arch += (gait.Arch - Arch) * fraction;
     }
 }

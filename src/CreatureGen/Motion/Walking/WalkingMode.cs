@@ -37,6 +37,10 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private const float LowerRate = 8f;
     private const float RaiseRate = 1.2f;
 
+    /// <summary>Seconds of standing still with nothing to do after which it rests a foot as far as it does, and in which that foot is ready again.</summary>
+    private const float CalmSeconds = 3f;
+    private const float AlertSeconds = 0.3f;
+
     /// <summary>Seconds ahead of which the speed decides the gait.</summary>
     private const float Foresight = 0.2f;
 
@@ -61,6 +65,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private PushedBody pushed;
     private int gait;
     private float activity;
+    private float calm;
     private float acceleration;
     private double seconds;
     private bool standing;
@@ -114,6 +119,9 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
     /// <summary>How much farther its fore body is let down than its hind body, metres of the model; of no use on two legs.</summary>
     public float Bow { get; set; }
+
+    /// <summary>Yaw of what its head is to look at, seen from the root, radians: its chest joins in. 0 for nothing.</summary>
+    public float Facing { get; set; }
 
     /// <summary>How it goes at present, metres per second of the model, and radians per second.</summary>
     public BodyVelocity Velocity => new(new Vector3(velocity.Sideways, 0f, velocity.Speed), velocity.Turn);
@@ -172,7 +180,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
             clock.Phase = 0;
             clock.Slide(0f, velocity, own.Gravity, Math.Min(speed / walking, 1f), 0f, own.Walking.Stride);
             planner.PlaceInStride(new StepContext(place, velocity, clock, own, ground, 0f, 0f, 0f, activity, true, 0f));
-            PoseFeet(place, 0f, own);
+            PoseFeet(place, 0f, own, 0f);
             placer.Reset(planner.Feet);
         }
 
@@ -200,12 +208,13 @@ internal sealed partial class WalkingMode : ILocomotionMode
         moving = false;
         going = false;
         activity = 0f;
+        calm = 0f;
         acceleration = 0f;
         gait = 0;
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
         clock.Slide(0f, velocity, settings.Gravity, 0f, 0f);
         planner.PlaceAll(new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, 0f, false, 0f));
-        PoseFeet(placement, 0f, settings);
+        PoseFeet(placement, 0f, settings, 0f);
         placer.Reset(planner.Feet);
         standing = true;
         arrived = true;
@@ -229,7 +238,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         placer.CopyFrom(mode.placer);
         (velocity, pushed, acceleration, gait, activity, seconds) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.activity, mode.seconds);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
-        (activityDecay, height, raiseDecay, Sink, Bow, Raised) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised);
+        (activityDecay, height, raiseDecay, Sink, Bow, Raised, Facing, calm) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised, mode.Facing, mode.calm);
         (underfoot, underfootDecay) = (mode.underfoot, mode.underfootDecay);
     }
 
@@ -310,11 +319,13 @@ internal sealed partial class WalkingMode : ILocomotionMode
     {
         settings.Gravity = GravityOf(settings, placement.Scale);
         seconds += dt;
-        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle * (1f - (Layer?.Still ?? 0f)));
-        PoseFeet(placement, dt, settings);
+        float held = Layer?.Still ?? 0f;
+        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle * (1f - held));
+        calm = Scalar.Clamp(calm + (activity < MinActivity && held < MinActivity ? dt / CalmSeconds : -dt / AlertSeconds), 0f, 1f);
+        PoseFeet(placement, dt, settings, idle.Rest * Scalar.Smooth(calm));
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);
-        var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow);
+        var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow, Facing);
         placer.Place(context, Layer, planner.Feet, poses);
         poser.PoseTrunk(placer, local);
         for (int i = 0; i < poses.Length; i++)
@@ -396,12 +407,12 @@ internal sealed partial class WalkingMode : ILocomotionMode
         }
     }
 
-    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings)
+    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings, float rest)
     {
         var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, dt);
         for (int i = 0; i < poses.Length; i++)
         {
-            FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, out poses[i]);
+            FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, rest * body.RestPitch(i), out poses[i]);
             planner.Feet[i].Taken = 0f;
             if (Layer != null)
             {

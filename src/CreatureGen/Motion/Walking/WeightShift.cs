@@ -56,6 +56,12 @@ internal static class WeightShift
                 for (int i = 0; i < stands.Length; i++)
                 {
                     LegRig leg = body.Legs[i];
+                    if (moment < 0.5f && body.RestPitch(i) > 0f)
+                    {
+                        // It rests on its tip.
+                        continue;
+                    }
+
                     float off = Math.Min(Vec.Distance(model.Positions[leg.Ball], stands[i].Ball), Vec.Distance(SoleMiddle.Of(leg, body.Skeleton, model), stands[i].Sole));
                     slip = Math.Max(slip, off / leg.Length);
                 }

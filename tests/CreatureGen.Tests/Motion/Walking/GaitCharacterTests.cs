@@ -31,6 +31,28 @@ public sealed class GaitCharacterTests
     }
 
     [Theory]
+    [InlineData(5011)]
+    [InlineData(5014)]
+    [InlineData(5002)]
+    public void Who_pronks_arches_its_back_in_the_air_and_flies_high_above_where_it_crouches(int seed)
+    {
+        GaitCycle arched = Pronking(GaitLibrary.Pronk);
+        GaitCycle flat = Pronking(GaitLibrary.Pronk with { Arch = 0f });
+        Assert.InRange(arched.Range(arched.Flexion) * 180f / MathF.PI, 10f, 30f);
+        Assert.InRange(flat.Range(flat.Flexion) * 180f / MathF.PI, 0f, 5f);
+        int pelvis = arched.Joint(JointRole.Pelvis);
+        float legs = arched.Animator.Profile.LegLength;
+        Assert.InRange(arched.Range(() => arched.Animator.ModelPose.Positions[pelvis].Y) / legs, 0.25f, 0.9f);
+
+        GaitCycle Pronking(Gait gait)
+        {
+            Creature creature = Walkers.Any((ulong)seed);
+            var usual = new MotionProfile(creature);
+            return new GaitCycle(new MotionProfile(creature, new GaitSet([new GaitStep(gait, 0f, 0f)], usual.LegLength, usual.Subject.Mass.Mass)), gait);
+        }
+    }
+
+    [Theory]
     [InlineData(5000)]
     [InlineData(5002)]
     public void The_back_hardly_flexes_in_a_walk(int seed)

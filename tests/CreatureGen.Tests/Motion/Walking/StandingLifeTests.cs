@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Clips;
@@ -148,6 +149,41 @@ public sealed class StandingLifeTests
         }
 
         Assert.InRange(most, 0f, 0.008f);
+    }
+
+    [Theory]
+    [InlineData(BodyPlan.Unguligrade, 3, 0.4f)]
+    [InlineData(BodyPlan.Unguligrade, 8, 0.4f)]
+    [InlineData(BodyPlan.Digitigrade, 5, 0.2f)]
+    public void The_hind_foot_that_the_weight_has_left_rests_on_its_tip_and_stands_flat_before_the_weight_comes_back(BodyPlan plan, ulong seed, float least)
+    {
+        Creature creature = Walkers.Of(plan, seed);
+        var animator = new CreatureAnimator(creature);
+        animator.Teleport(animator.Root, FlatGround.Level);
+        LeggedBody body = animator.Profile.Legs!;
+        int rests = Array.FindIndex(body.Legs, leg => leg.Row == 0 && leg.Side == Side.Right);
+        int foot = body.Legs[rests].Ball;
+        int pelvis = creature.Skeleton.FirstOf(JointRole.Pelvis);
+        Vector3 tip = Enumerable.Range(0, creature.Mesh.Positions.Length).Where(v => creature.Mesh.Weights[v].Joint0 == foot).Select(v => creature.Mesh.Positions[v]).MaxBy(p => p.Z - p.Y);
+        Vector3 inFoot = Vector3.Transform(tip - creature.Skeleton.ModelPositions[foot], Quaternion.Inverse(creature.Skeleton.ModelRotations[foot]));
+        Quaternion flat = animator.ModelPose.Rotations[foot];
+        Vector3 stood = Tip();
+        float middle = creature.Skeleton.ModelPositions[pelvis].X;
+        float most = 0f;
+        float carrying = 0f;
+        for (int i = 0; i < 60 * body.Idle.Period; i++)
+        {
+            animator.Update(1f / 60f, default, FlatGround.Level);
+            float pitch = 2f * MathF.Acos(Math.Min(1f, Math.Abs(Quaternion.Dot(flat, animator.ModelPose.Rotations[foot]))));
+            most = Math.Max(most, pitch);
+            carrying = animator.ModelPose.Positions[pelvis].X < middle ? Math.Max(carrying, pitch) : carrying;
+            Assert.True(Vector3.Distance(stood, Tip()) < 0.03f * body.LegLength, $"{Vector3.Distance(stood, Tip()) / body.LegLength} legs from where its tip stood");
+        }
+
+        Assert.True(most > least, $"{most} rad");
+        Assert.True(carrying < 0.1f, $"{carrying} rad under the weight");
+
+        Vector3 Tip() => animator.ModelPose.Positions[foot] + Vector3.Transform(inFoot, animator.ModelPose.Rotations[foot]);
     }
 
     [Fact]

@@ -230,6 +230,9 @@ internal sealed class LeggedBody
     /// <summary>The times of what it does while it stands.</summary>
     public IdleRhythm Idle { get; }
 
+    /// <summary>How far a foot pitches, toes down, that rests on its tip while the body stands with its weight on the other one of its pair, radians: the right one of the hindmost of two and more pairs; 0 of all others.</summary>
+    public float RestPitch(int leg) => Rows > 1 && Legs[leg].Row == 0 && Legs[leg].Side == Side.Right ? Legs[leg].Traits.RestPitch : 0f;
+
     /// <summary>The share of the usual shift of its weight that it makes as it stands, 0..1: found once, before the body is in use.</summary>
     public float ShiftWeight { get; set; } = 1f;
 

@@ -4,18 +4,23 @@ using CreatureGen.Motion.Walking.Bodies;
 
 namespace CreatureGen.Motion.Walking.Idle;
 
-/// <summary>What a standing creature does: it breathes, shifts its weight, sways its tail, in the rhythm of its size.</summary>
+/// <summary>What a standing creature does: it breathes, shifts its weight and rests a hind foot, sways its tail, in the rhythm of its size.</summary>
 internal static class IdleLife
 {
     private const float BreathHeight = 0.009f;
-    private const float ShiftFraction = 0.38f;
-    private const float ShiftRoll = 0.055f;
+    private const float ShiftFraction = 0.55f;
+    private const float ShiftRoll = 0.075f;
 
     /// <summary>Yaw of the pelvis to the side that carries the weight; chest and head stay.</summary>
-    private const float ShiftYaw = 0.035f;
+    private const float ShiftYaw = 0.05f;
 
     /// <summary>Part of the time on one side that it takes to get there.</summary>
     private const float ShiftTime = 0.3f;
+
+    /// <summary>When a hind foot comes to rest and stands flat again, parts of the time on the other side, and how long that takes: it carries again before the weight comes back.</summary>
+    private const float RestFrom = 0.28f;
+    private const float RestUntil = 0.8f;
+    private const float RestTime = 0.18f;
 
     /// <summary>Share of the shift on legs out to the side, and on more than two pairs.</summary>
     private const double WideLegs = 0.4;
@@ -44,7 +49,8 @@ internal static class IdleLife
         double spread = body.Rows > 2 ? ManyLegs : body.Legs[0].Lateral ? WideLegs : 1;
         double sway = Wave(place * body.Idle.TailSwings) * TailSwing * (1 - (TailCalm * 0.5 * (1 - side))) * still;
         double shift = side * spread * still * body.ShiftWeight;
-        return new IdlePose((float)breath, (float)(ShiftFraction * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway);
+        double rest = place < 0.5 ? (Scalar.Smoother((half - RestFrom) / RestTime) - Scalar.Smoother((half - RestUntil) / RestTime)) * still : 0;
+        return new IdlePose((float)breath, (float)(ShiftFraction * body.HalfTrack * shift), (float)(ShiftRoll * shift), (float)(ShiftYaw * shift), (float)sway, (float)rest);
     }
 
     private static double Wave(double turns)

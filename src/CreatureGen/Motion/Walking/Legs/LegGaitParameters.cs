@@ -99,6 +99,9 @@ internal sealed class LegGaitParameters
     /// <summary>How far the leg is drawn in towards the middle at most, part of the height of its hip: as far as its foot gives way to a side.</summary>
     public float MaxAdduction => Archetype == LimbArchetype.Column ? 0.03f : Archetype == LimbArchetype.PlantigradeFore ? 0.10f : 0.13f;
 
+    /// <summary>How far the heel of a hind foot rises that rests on its tip while the body stands, radians: 38° of horses, cattle and deer, half as much of dogs and cats; none of those that stand on their soles.</summary>
+    public float RestPitch => Archetype == LimbArchetype.UnguligradeHind ? 0.66f : Archetype == LimbArchetype.DigitigradeHind ? 0.33f : 0f;
+
     /// <summary>Side to which the knee bends about the left axis: 1 knee, −1 elbow, 0 as it is built (legs out to the side).</summary>
     public int Bend { get; }
 

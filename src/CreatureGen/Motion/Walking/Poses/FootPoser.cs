@@ -18,7 +18,14 @@ internal static class FootPoser
     private const float TakenHeight = 0.02f;
 
     /// <summary>Poses a foot.</summary>
-    public static void Pose(LegRig leg, ref Foot foot, SwingClearance way, in RootPlace frame, in GaitNumbers gait, out FootPose pose)
+    /// <param name="leg">Its leg.</param>
+    /// <param name="foot">Its state.</param>
+    /// <param name="way">What its swing has to clear.</param>
+    /// <param name="frame">Where the root is.</param>
+    /// <param name="gait">The shape of its step.</param>
+    /// <param name="rest">How far it rests on its tip, radians, toes down.</param>
+    /// <param name="pose">Receives the pose.</param>
+    public static void Pose(LegRig leg, ref Foot foot, SwingClearance way, in RootPlace frame, in GaitNumbers gait, float rest, out FootPose pose)
     {
         Quaternion inverse = Rotation.Inverse(frame.Rotation);
         Vector3 from = frame.ToModel(foot.From.Position);
@@ -54,7 +61,8 @@ internal static class FootPoser
 
         foot.Path.Heading = heading;
         foot.Path.Normal = normal;
-        FootPosture posture = foot.Posture.Follow(FootRoll.At(foot, leg, gait), leg.PostureSeconds, gait.Step);
+        FootPosture cycle = FootRoll.At(foot, leg, gait);
+        FootPosture posture = foot.Posture.Follow(cycle with { Pitch = cycle.Pitch + rest }, leg.PostureSeconds, gait.Step);
         float pitch = posture.Pitch;
         Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitRotation.FromTo(Vector3.UnitY, normal), heading) : heading;
         pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisRotation.About(leg.RollAxis, pitch));

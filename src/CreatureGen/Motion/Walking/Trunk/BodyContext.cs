@@ -6,7 +6,7 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>What the body goes by in an update.</summary>
 internal readonly struct BodyContext
 {
-    public BodyContext(GaitClock clock, RootVelocity velocity, MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright, float bow)
+    public BodyContext(GaitClock clock, RootVelocity velocity, MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright, float bow, float facing)
     {
         Clock = clock;
         RootVelocity = velocity;
@@ -17,6 +17,7 @@ internal readonly struct BodyContext
         Acceleration = acceleration;
         Upright = upright;
         Bow = bow;
+        Facing = facing;
     }
 
     public GaitClock Clock { get; }
@@ -41,4 +42,7 @@ internal readonly struct BodyContext
 
     /// <summary>How much farther the fore body is let down than the hind body, metres.</summary>
     public float Bow { get; }
+
+    /// <summary>Yaw of what head and chest turn to, seen from the root, radians; 0 for nothing.</summary>
+    public float Facing { get; }
 }

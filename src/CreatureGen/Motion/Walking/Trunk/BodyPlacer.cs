@@ -47,6 +47,7 @@ internal sealed class BodyPlacer
     private readonly LegSlack slack;
     private float slope;
     private TurnBend turnBend;
+    private ChestLook look;
     private GroundSlope way;
     private ExponentialDecay groundDecay;
     private ExponentialDecay slopeDecay;
@@ -104,6 +105,7 @@ internal sealed class BodyPlacer
         SlideFraction = other.SlideFraction;
         slope = other.slope;
         turnBend = other.turnBend;
+        look = other.look;
         way = other.way;
         groundDecay = other.groundDecay;
         slopeDecay = other.slopeDecay;
@@ -118,6 +120,7 @@ internal sealed class BodyPlacer
         ForeGround = ground.Fore;
         slope = 0f;
         turnBend = default;
+        look = default;
     }
 
     /// <summary>Tells that the root was moved up under the body, metres.</summary>
@@ -180,6 +183,7 @@ internal sealed class BodyPlacer
         Spread(feet, out Girdle rear, out Girdle front);
         Scissor = rear.Left - rear.Right;
         turnBend.Follow(body, context.RootVelocity, settings.Gravity, context.Step);
+        look.Follow(body, context.Facing, context.Step);
         float bend = TurnBend;
         float spine = settings.Walking.SpineMotion;
         float pelvisYaw = -traits.PelvisYaw * Scissor * spine;
@@ -197,10 +201,11 @@ internal sealed class BodyPlacer
         float pelvisRoll = (rolling * traits.PelvisRoll * (rear.LeftLoad - rear.RightLoad)) + context.Idle.Roll;
         float chestRoll = rolling * traits.ChestRoll * (body.IsBiped ? rear.LeftLoad - rear.RightLoad : front.LeftLoad - front.RightLoad);
         pelvisYaw += context.Idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
-        chestYaw += (body.IsBiped ? 0.35f : 0.5f) * bend;
+        chestYaw += ((body.IsBiped ? 0.35f : 0.5f) * bend) + look.Angle;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * hind.Together(2)));
-        float flexion = Scalar.Clamp(supple * Scalar.Clamp(gather, -1f, 1f) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
+        float arch = body.IsBiped ? 0f : -clock.Shape.Arch * all.Cosines[1] / feet.Length;
+        float flexion = Scalar.Clamp(((supple * Scalar.Clamp(gather, -1f, 1f)) + arch) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
         float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Walking.Bank;
         float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : InwardFraction) * body.HipHeight * bank;
