@@ -8,11 +8,11 @@ namespace CreatureGen.Motion.Walking.Idle;
 internal static class IdleLife
 {
     private const float BreathHeight = 0.009f;
-    private const float ShiftFraction = 0.55f;
-    private const float ShiftRoll = 0.075f;
+    private const float ShiftFraction = 0.5f;
+    private const float ShiftRoll = 0.068f;
 
     /// <summary>Yaw of the pelvis to the side that carries the weight; chest and head stay.</summary>
-    private const float ShiftYaw = 0.05f;
+    private const float ShiftYaw = 0.045f;
 
     /// <summary>Part of the time on one side that it takes to get there.</summary>
     private const float ShiftTime = 0.3f;
