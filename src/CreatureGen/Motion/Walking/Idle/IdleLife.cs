@@ -12,7 +12,7 @@ internal static class IdleLife
     private const float ShiftRoll = 0.068f;
 
     /// <summary>Yaw of the pelvis to the side that carries the weight; chest and head stay.</summary>
-    private const float ShiftYaw = 0.045f;
+    private const float ShiftYaw = 0.035f;
 
     /// <summary>Part of the time on one side that it takes to get there.</summary>
     private const float ShiftTime = 0.3f;
