@@ -192,7 +192,11 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="dt">Seconds.</param>
     /// <param name="settings">What can be set.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local) => Pose(place, dt, settings, local);
+    public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local)
+    {
+        calm = Math.Max(calm - (dt / AlertSeconds), 0f);
+        Pose(place, dt, settings, local);
+    }
 
     /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
     /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
@@ -246,6 +250,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         RootPlace next = Drive(place, dt, input, settings, ground);
+        Calm(dt);
         Pose(next, dt, settings, local);
         return next;
     }
@@ -263,6 +268,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
         RootPlace at = pushed.At(goal);
         Follow(before, dt, at, own, ground);
+        Calm(dt);
         Pose(at, dt, settings, local);
         pushed.Show(goal, body.Body, local);
     }
@@ -314,14 +320,16 @@ internal sealed partial class WalkingMode : ILocomotionMode
         }
     }
 
+    /// <summary>Goes on towards rest where it stands with nothing to do, and is ready at once where it does not.</summary>
+    private void Calm(float dt) =>
+        calm = Scalar.Clamp(calm + (activity < MinActivity && (Layer?.Still ?? 0f) < MinActivity ? dt / CalmSeconds : -dt / AlertSeconds), 0f, 1f);
+
     /// <summary>Writes the pose.</summary>
     private void Pose(in RootPlace placement, float dt, MotionSettings settings, in Pose local)
     {
         settings.Gravity = GravityOf(settings, placement.Scale);
         seconds += dt;
-        float held = Layer?.Still ?? 0f;
-        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle * (1f - held));
-        calm = Scalar.Clamp(calm + (activity < MinActivity && held < MinActivity ? dt / CalmSeconds : -dt / AlertSeconds), 0f, 1f);
+        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle * (1f - (Layer?.Still ?? 0f)));
         PoseFeet(placement, dt, settings, idle.Rest * Scalar.Smooth(calm));
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);
