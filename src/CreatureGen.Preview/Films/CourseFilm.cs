@@ -38,6 +38,7 @@ public sealed class CourseFilm : IFilm
 
     private readonly RenderMesh dressed;
     private readonly CheckedFloor? floor;
+    private readonly WaterSheet? water;
     private readonly Dictionary<(View View, CameraTurn Turning), CameraAngle> angles;
     private readonly Vector3[] stillRoom;
     private readonly Vector3[] turningRoom;
@@ -69,6 +70,7 @@ public sealed class CourseFilm : IFilm
         stillRoom = FindRoom(CameraTurn.Still);
         turningRoom = FindRoom(CameraTurn.Along);
         floor = profile.Swim == null ? FloorAround() : null;
+        water = Take.Water is { } wet ? new WaterSheet(wet, FloorPart * turningRoom.Max(point => point.Z) * 2f) : null;
         angles = FindAngles();
     }
 
@@ -125,14 +127,21 @@ public sealed class CourseFilm : IFilm
         RootPlace place = Take.CameraAt(moment, turning);
         (Vector3[] positions, Vector3[] normals) = Take.SkinAt(moment, place);
         RenderMesh mesh = dressed.Posed(positions, normals);
-        Picture picture = Renderer.Render(floor == null ? mesh : mesh.With(floor.At(place, Take.FrameAt(moment))), camera, new RenderOptions
+        var options = new RenderOptions
         {
             Width = width,
             Height = height,
             Shading = Options.Shading,
             Samples = SampleCount.Four,
             Ground = GroundKind.None,
-        });
+        };
+        RenderMesh scene = floor == null ? mesh : mesh.With(floor.At(place, Take.FrameAt(moment)));
+        Picture picture = Renderer.Render(scene, camera, options);
+        if (water != null)
+        {
+            WaterSheet.Lay(picture, Renderer.Render(scene.With(water.At(place)), camera, options));
+        }
+
         ContactMarks.Draw(picture, Profile.Legs, Take.MarksAt(moment, place), camera);
         return picture;
     }

@@ -74,6 +74,9 @@ internal sealed class CourseTake
     /// <summary>The ground's own axes.</summary>
     public RootPlace FrameAt(int moment) => moments[moment].Frame;
 
+    /// <summary>The water on the ground; null where there is none.</summary>
+    public IWaterGround? Water => surface.Ground as IWaterGround;
+
     /// <summary>A floor of checks around the camera.</summary>
     public CheckedFloor Floor(float check, int patches, float reach) => new(surface.Ground, check, patches, reach, -reach, reach, () => surface.Frame);
 

@@ -107,7 +107,7 @@ internal sealed class Locomotion
     private (WalkingMode? Legs, FallingMode? Mode) Make()
     {
         ILocomotionMode? inner = profile.Begin(events, out WalkingMode? legs);
-        return (legs, inner == null ? null : new FallingMode(profile.Subject, profile.Legs, profile.Fall, inner, legs, events));
+        return (legs, inner == null ? null : new FallingMode(profile.Subject, profile.Legs, profile.Fall, profile.Float, inner, legs, events));
     }
 
     /// <summary>Keeps what was before where the ground may throw.</summary>

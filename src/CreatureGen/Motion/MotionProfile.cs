@@ -7,6 +7,7 @@ using CreatureGen.Motion.Acts.Rehearsing;
 using CreatureGen.Motion.Distance;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Falling;
+using CreatureGen.Motion.Floating;
 using CreatureGen.Motion.Flying;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Slithering;
@@ -67,6 +68,7 @@ public sealed class MotionProfile
                 break;
         }
 
+        Float = Legs == null || Swim != null ? null : FloatProfile.Of(Legs);
         Fall = new Lazy<FallProfile>(() => FallProfile.Of(subject, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
         Distant = new Lazy<DistantBody?>(() => DistantRecorder.Of(this), LazyThreadSafetyMode.ExecutionAndPublication);
         Gaze = subject.Skeleton.FirstOf(JointRole.Head) >= 0 ? GazeRig.Of(subject.Skeleton) : null;
@@ -106,6 +108,9 @@ public sealed class MotionProfile
 
     /// <summary>The body as its walk sees it; null without legs.</summary>
     internal LeggedBody? Legs { get; }
+
+    /// <summary>How it floats and paddles; null without legs, and for what swims.</summary>
+    internal FloatProfile? Float { get; }
 
     /// <summary>How it falls, lies and gets up; worked out when it is first asked for.</summary>
     internal Lazy<FallProfile> Fall { get; }

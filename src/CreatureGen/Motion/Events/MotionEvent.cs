@@ -34,6 +34,12 @@ public enum MotionEventKind
 
     /// <summary>It is up again.</summary>
     Rose,
+
+    /// <summary>It came into water too deep for its legs, and swims.</summary>
+    EnteredWater,
+
+    /// <summary>It has ground under its feet again, or flies up from the water.</summary>
+    LeftWater,
 }
 
 /// <summary>Something that happened in an update: for sounds, dust and prints. Each happens in exactly one update.</summary>
@@ -43,7 +49,7 @@ public enum MotionEventKind
 /// <param name="Position">On the ground under the ball, world space, metres; else the creature's root.</param>
 /// <param name="Normal">Of the ground, unit, world space; else the creature's own up.</param>
 /// <param name="Surface">What the ground is made of; 0 for what does not touch it.</param>
-/// <param name="Speed">Metres per second of the body over the ground; for a landing that with which it came down.</param>
+/// <param name="Speed">Metres per second of the body over the ground; for a landing, on ground or water, that with which it came down.</param>
 /// <param name="Strength">Greatest force of the step or landing to be expected, in weights of the body; for wings the width of the beat, 1 at cruise; 0 for what has none.</param>
 /// <param name="SecondsAgo">How long before the end of the update it happened.</param>
 public readonly record struct MotionEvent(

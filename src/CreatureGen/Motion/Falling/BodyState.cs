@@ -20,4 +20,7 @@ public enum BodyState
 
     /// <summary>The ground still, but it is getting up.</summary>
     Rising,
+
+    /// <summary>Water that is too deep for its legs: it floats at the surface and paddles.</summary>
+    Afloat,
 }

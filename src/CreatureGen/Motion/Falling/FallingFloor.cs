@@ -12,6 +12,16 @@ internal sealed class FallingFloor : IGround
     private float above;
     private float below;
 
+    /// <summary>Lays the plane alone, with nothing near it.</summary>
+    /// <param name="place">A point of it.</param>
+    /// <param name="normal">Unit, away from the ground.</param>
+    public void Lay(Vector3 place, Vector3 normal)
+    {
+        point = place;
+        up = normal;
+        ground = null;
+    }
+
     /// <summary>Lays the plane.</summary>
     /// <param name="place">A point of it.</param>
     /// <param name="normal">Unit, away from the ground.</param>

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
+using CreatureGen.Motion.Floating;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Bodies;
@@ -12,10 +13,10 @@ namespace CreatureGen.Motion.Falling;
 /// <summary>
 /// A way of moving, and what happens to the body where that does not carry it: the states from losing the ground to standing again. The pose that it is given is the one shown last.
 /// </summary>
-internal sealed class FallingMode : ILocomotionMode
+internal sealed partial class FallingMode : ILocomotionMode
 {
     /// <summary>Most events of the whole body in an update, those of feet that come down together not counted.</summary>
-    public const int MaxEvents = 4;
+    public const int MaxEvents = 5;
 
     /// <summary>Change of the body's speed, √(gℓ), above which a blow knocks it down.</summary>
     private const float KnockDown = 0.6f;
@@ -42,14 +43,16 @@ internal sealed class FallingMode : ILocomotionMode
     /// <param name="subject">Whose.</param>
     /// <param name="body">The body as its walk sees it; null without legs to stand on.</param>
     /// <param name="profile">How it falls.</param>
+    /// <param name="floats">How it floats; null for what does not.</param>
     /// <param name="inner">What carries it.</param>
     /// <param name="legs">How it goes on its legs; null without legs to stand on.</param>
     /// <param name="events">Receives what happens.</param>
-    public FallingMode(MotionSubject subject, LeggedBody? body, Lazy<FallProfile> profile, ILocomotionMode inner, WalkingMode? legs, EventQueue events)
+    public FallingMode(MotionSubject subject, LeggedBody? body, Lazy<FallProfile> profile, FloatProfile? floats, ILocomotionMode inner, WalkingMode? legs, EventQueue events)
     {
         this.subject = subject;
         this.body = body;
         this.profile = profile;
+        this.floats = floats;
         this.inner = inner;
         this.legs = legs;
         this.events = events;
@@ -59,11 +62,11 @@ internal sealed class FallingMode : ILocomotionMode
     /// <summary>What carries the creature.</summary>
     public BodyState State { get; private set; }
 
-    public float Speed => inner.Speed;
+    public float Speed => State == BodyState.Afloat ? Water.Speed : inner.Speed;
 
-    public float Phase => inner.Phase;
+    public float Phase => State == BodyState.Afloat ? Water.Phase : inner.Phase;
 
-    public float Frequency => inner.Frequency;
+    public float Frequency => State == BodyState.Afloat ? Water.Frequency : inner.Frequency;
 
     public bool IsOnFeet => IsUp && inner.IsOnFeet;
 
@@ -76,7 +79,7 @@ internal sealed class FallingMode : ILocomotionMode
 
     public bool Escapes => inner.Escapes;
 
-    public float Clearance => State == BodyState.Falling ? float.PositiveInfinity : inner.Clearance;
+    public float Clearance => State is BodyState.Falling or BodyState.Afloat ? float.PositiveInfinity : inner.Clearance;
 
     public float BalancedBank => inner.BalancedBank;
 
@@ -121,36 +124,6 @@ internal sealed class FallingMode : ILocomotionMode
         return result;
     }
 
-    /// <summary>Hits a part: what does not carry the body gives and recovers, the body is pushed, and steps after it; above what balance takes it goes limp, and gets up by itself.</summary>
-    /// <param name="joint">Of the part.</param>
-    /// <param name="impulse">World N·s.</param>
-    /// <param name="place">Where the creature is.</param>
-    /// <param name="model">Its pose.</param>
-    /// <param name="settings">Gravity.</param>
-    public void Hit(int joint, Vector3 impulse, in RootPlace place, in Pose model, in MotionSettings settings)
-    {
-        float scale = place.Scale;
-        float tau = Tau(scale, settings.Gravity);
-        Vector3 change = impulse / (profile.Value.Mass * scale * scale * scale);
-        float speed = Vec.Length(change);
-        float balance = KnockDown * settings.Gravity * tau;
-        blow = new Blow(joint, impulse, speed / (settings.Gravity * tau));
-        if (State == BodyState.Limp)
-        {
-            Lying.Push(joint, impulse, scale, settings.Gravity);
-        }
-        else if (State == BodyState.Rising || speed > balance)
-        {
-            GoLimp();
-            getsUp = true;
-        }
-        else
-        {
-            Recoil.Strike(joint, impulse, place, model, tau);
-            Stagger(change, place, balance / KnockDown, tau);
-        }
-    }
-
     /// <summary>Has it get up as soon as it lies still.</summary>
     /// <returns>Whether it lies, or will with the next update.</returns>
     public bool GetUp()
@@ -162,7 +135,14 @@ internal sealed class FallingMode : ILocomotionMode
     /// <inheritdoc/>
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
-        if (State == BodyState.Supported && inner == legs && footing.IsLost(body!, legs, place, dt, settings, ground))
+        IGround felt = ground;
+        if (floats != null && ground is IWaterGround wet && (State == BodyState.Afloat || wet.DepthAt(place.Position) > float.MinValue))
+        {
+            Float(place, input, settings, ground, local);
+            felt = Water.FeltOf(ground, place, settings);
+        }
+
+        if (State == BodyState.Supported && inner == legs && footing.IsLost(body!, legs, place, dt, settings, felt))
         {
             Begin(place, local, settings);
         }
@@ -177,7 +157,12 @@ internal sealed class FallingMode : ILocomotionMode
             place = Rise(place, settings, ground);
         }
 
-        RootPlace next = Move(place, dt, input, settings, ground, local);
+        RootPlace next = Move(place, dt, input, settings, State is BodyState.Supported or BodyState.Leaping or BodyState.Landed ? felt : ground, local);
+        if (State is BodyState.Supported or BodyState.Afloat)
+        {
+            water?.Fade(next, dt, settings, local);
+        }
+
         if (recoil != null && State is not (BodyState.Limp or BodyState.Rising))
         {
             recoil.Apply(dt, Tau(place.Scale, settings.Gravity), local);
@@ -207,15 +192,33 @@ internal sealed class FallingMode : ILocomotionMode
     /// <inheritdoc/>
     public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
     {
+        bool swam = State == BodyState.Afloat;
         Recover();
+        bool swims = floats != null && ground is IWaterGround wet && wet.DepthAt(goal.Position) > float.MinValue && Water.CarriesAt(ground, goal, settings);
+        if (swims != swam)
+        {
+            Change(swims, goal, settings, ground, local);
+        }
+
         local.SetToRest(subject.Skeleton);
-        inner.Follow(place, dt, goal, settings, ground, local);
+        if (swims)
+        {
+            State = BodyState.Afloat;
+            Water.Follow(place, dt, goal, settings, ground, local);
+        }
+        else
+        {
+            inner.Follow(place, dt, goal, settings, ground, local);
+        }
+
+        water?.Fade(goal, dt, settings, local);
     }
 
     /// <inheritdoc/>
     public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         Recover();
+        water?.Stop();
         local.SetToRest(subject.Skeleton);
         inner.Stand(place, settings, ground, local);
     }
@@ -236,6 +239,11 @@ internal sealed class FallingMode : ILocomotionMode
         if (mode.fall != null)
         {
             Fall.CopyFrom(mode.fall);
+        }
+
+        if (mode.water != null)
+        {
+            Water.CopyFrom(mode.water);
         }
 
         if (mode.leap != null)
@@ -278,6 +286,9 @@ internal sealed class FallingMode : ILocomotionMode
             case BodyState.Landed:
                 local.SetToRest(subject.Skeleton);
                 return Landed(place, dt, input, settings, ground, local);
+            case BodyState.Afloat:
+                local.SetToRest(subject.Skeleton);
+                return Water.Drive(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, local);
             case BodyState.Limp:
                 place = Lying.Advance(place, dt, settings, ground);
                 Lying.Show(place, dt, settings, ground, local);
@@ -303,30 +314,12 @@ internal sealed class FallingMode : ILocomotionMode
         inner.Layer = reel == null ? asked : reel.On(asked, dt, tau);
         try
         {
-            return inner.Drive(drift.Carry(place, dt, tau), dt, input, settings, ground, local);
+            MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, ground, place, settings) : input;
+            return inner.Drive(drift.Carry(place, dt, tau), dt, possible, settings, ground, local);
         }
         finally
         {
             inner.Layer = asked;
-        }
-    }
-
-    /// <summary>Lets the body be pushed: on its legs it steps after it, else it is carried off and slows down.</summary>
-    private void Stagger(Vector3 change, in RootPlace place, float unit, float tau)
-    {
-        if (State == BodyState.Falling)
-        {
-            Fall.Push(change);
-        }
-        else if (legs != null && inner.StandsOnFeet)
-        {
-            Vector3 own = Rotation.Rotate(Rotation.Inverse(place.Rotation), change);
-            legs.Push(own / place.Scale, 0f);
-            Reel.Strike(own / unit, tau);
-        }
-        else
-        {
-            drift.Push(change);
         }
     }
 

@@ -28,6 +28,9 @@ internal sealed class PoseFade
         begins = true;
     }
 
+    /// <summary>Forgets what was shown.</summary>
+    public void Stop() => (begins, duration) = (false, 0f);
+
     /// <summary>Goes on from where another is.</summary>
     public void CopyFrom(PoseFade other)
     {

@@ -7,13 +7,14 @@ namespace CreatureGen.Motion.Grounds;
 /// <summary>
 /// The one gate through which a game's ground comes in. A hit that is no hit counts as none: one with numbers that are not finite, with a normal that is not unit, or farther away than any ground could be.
 /// </summary>
-internal class CheckedGround : IGround
+internal class CheckedGround : IWaterGround
 {
     /// <summary>A hit may be farther from where the ray begins than the ray is long, as the ray may begin deep in the ground; farther than that many lengths of the ray, and than a kilometre, it is an error.</summary>
     private const float FarthestLengths = 100f;
     private const float FarthestMetres = 1000f;
 
     private IGround ground = FlatGround.Level;
+    private IWaterGround? water;
 
     /// <summary>Whether the ground of this update may throw: any but the library's own.</summary>
     public bool MayThrow { get; private set; }
@@ -25,6 +26,7 @@ internal class CheckedGround : IGround
     public void Begin(IGround given)
     {
         ground = given;
+        water = given as IWaterGround;
         MayThrow = given is not ITrustedGround;
         Refused = 0;
     }
@@ -44,6 +46,13 @@ internal class CheckedGround : IGround
 
         hit = default;
         return false;
+    }
+
+    /// <inheritdoc/>
+    public float DepthAt(Vector3 place)
+    {
+        float depth = water?.DepthAt(place) ?? float.NegativeInfinity;
+        return Math.Abs(depth) <= RootPlace.Farthest ? depth : float.NegativeInfinity;
     }
 
     /// <summary>Whether a hit can be one.</summary>

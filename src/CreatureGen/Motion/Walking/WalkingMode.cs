@@ -188,20 +188,18 @@ internal sealed partial class WalkingMode : ILocomotionMode
     }
 
     /// <summary>Poses it with its feet where they are: time passes for nothing but its breath.</summary>
-    /// <param name="place">Where the root is.</param>
-    /// <param name="dt">Seconds.</param>
-    /// <param name="settings">What can be set.</param>
-    /// <param name="local">Receives the pose.</param>
+    /// <inheritdoc cref="ILocomotionMode.Drive"/>
     public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local)
     {
         calm = Math.Max(calm - (dt / AlertSeconds), 0f);
         Pose(place, dt, settings, local);
     }
 
-    /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
-    /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
-    /// <param name="turn">Change of its turn, radians per second.</param>
+    /// <summary>Pushes the body by metres per second of the model, in its own axes, and radians per second; what it intends stays as it is, and its feet step after it.</summary>
     public void Push(Vector3 push, float turn) => velocity.Push(push.Z, push.X, turn);
+
+    /// <summary>Has who stands be on its way already, metres of the model and radians per second: its feet step after it.</summary>
+    public void SetOff(float speed, float turn) => velocity = RootVelocity.At(speed, 0f, turn);
 
     /// <summary>Puts all feet down at home.</summary>
     private void Stand(in RootPlace placement, in MotionSettings settings, IGround ground)

@@ -23,4 +23,10 @@ public enum CourseGround
 
     /// <summary>Blocks 0.35 high and 4 long across the Z axis, to be stepped onto and off, as a mesh.</summary>
     Platform,
+
+    /// <summary>Lakes across the Z axis with shores of 20°, too deep to stand in, and islands between, as a mesh under a level surface.</summary>
+    Water,
+
+    /// <summary>Stepping stones in rows without end, 0.5 wide and long, one every 0.72, with seeded heights and places and nothing between.</summary>
+    Stones,
 }

@@ -18,6 +18,12 @@ internal static class CourseSurfaces
     private const float GapEvery = 2.2f;
     private const float BlockLength = 4f;
     private const float BlockHeight = 0.35f;
+    private const float LakeLength = 8f;
+    private const float IslandLength = 8f;
+    private const float Freeboard = 0.1f;
+
+    /// <summary>Depth of a lake, parts of the depth at which who goes there floats.</summary>
+    private const float LakeDepth = 1.6f;
 
     /// <summary>Leg lengths of level ground on all sides of who stands there.</summary>
     private const float Room = 4f;
@@ -37,6 +43,8 @@ internal static class CourseSurfaces
             CourseGround.Flat => new CourseSurface(FlatGround.Level),
             CourseGround.Rough => new CourseSurface(new EndlessHills(new Seed(profile.Subject.Seed), length)),
             CourseGround.Lift => new LiftSurface(length),
+            CourseGround.Water => new CourseSurface(new WaterGround(Across(profile, script, length, Lake(profile, length)), new Vector3(0f, -Freeboard * length, 0f), Vector3.UnitY)),
+            CourseGround.Stones => new CourseSurface(new SteppingStones(new Seed(profile.Subject.Seed).Child("stones"), length, MotionTrial.Extent(profile.Subject).Max.Z + (0.5f * length))),
             _ => new CourseSurface(Across(profile, script, length, Piece(ground, length))),
         };
     }
@@ -46,6 +54,14 @@ internal static class CourseSurfaces
 
     /// <summary>Length that grounds are measured by, metres.</summary>
     public static float GroundLength(MotionProfile profile) => profile.Legs != null ? profile.LegLength : MotionTrial.HillLength(profile, Movement.OfGoing(profile)[0]);
+
+    /// <summary>A shore, a bed deeper than it floats, the other shore and an island.</summary>
+    private static Action<GroundProfile> Lake(MotionProfile profile, float length)
+    {
+        float depth = (Freeboard * length) + (LakeDepth * Math.Max(profile.Float?.Draught ?? 0f, length));
+        float shore = depth / TangentOfRamp;
+        return line => line.Ramp(shore, -depth).Floor(LakeLength * length).Ramp(shore, depth).Floor(IslandLength * length);
+    }
 
     /// <summary>What repeats of a ground that is the same all across.</summary>
     private static Action<GroundProfile> Piece(CourseGround ground, float length) => ground switch

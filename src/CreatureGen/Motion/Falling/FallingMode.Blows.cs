@@ -1,0 +1,60 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <content>What blows do.</content>
+internal sealed partial class FallingMode
+{
+    /// <summary>Hits a part: what does not carry the body gives and recovers, the body is pushed, and steps after it; above what balance takes it goes limp, and gets up by itself.</summary>
+    /// <param name="joint">Of the part.</param>
+    /// <param name="impulse">World N·s.</param>
+    /// <param name="place">Where the creature is.</param>
+    /// <param name="model">Its pose.</param>
+    /// <param name="settings">Gravity.</param>
+    public void Hit(int joint, Vector3 impulse, in RootPlace place, in Pose model, in MotionSettings settings)
+    {
+        float scale = place.Scale;
+        float tau = Tau(scale, settings.Gravity);
+        Vector3 change = impulse / (profile.Value.Mass * scale * scale * scale);
+        float speed = Vec.Length(change);
+        float balance = KnockDown * settings.Gravity * tau;
+        blow = new Blow(joint, impulse, speed / (settings.Gravity * tau));
+        if (State == BodyState.Limp)
+        {
+            Lying.Push(joint, impulse, scale, settings.Gravity);
+        }
+        else if (State == BodyState.Rising || speed > balance)
+        {
+            GoLimp();
+            getsUp = true;
+        }
+        else
+        {
+            Recoil.Strike(joint, impulse, place, model, tau);
+            Stagger(change, place, balance / KnockDown, tau);
+        }
+    }
+
+    /// <summary>Lets the body be pushed: on its legs it steps after it, else it is carried off and slows down.</summary>
+    private void Stagger(Vector3 change, in RootPlace place, float unit, float tau)
+    {
+        if (State == BodyState.Falling)
+        {
+            Fall.Push(change);
+        }
+        else if (legs != null && inner.StandsOnFeet)
+        {
+            Vector3 own = Rotation.Rotate(Rotation.Inverse(place.Rotation), change);
+            legs.Push(own / place.Scale, 0f);
+            Reel.Strike(own / unit, tau);
+        }
+        else
+        {
+            drift.Push(change);
+        }
+    }
+}

@@ -1,0 +1,153 @@
+using System;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Floating;
+
+/// <summary>What follows from the build of a body on legs for how it floats and paddles: how deep it lies in the water, how its trunk is held, in which order its legs go. Immutable.</summary>
+/// <remarks>Times go with τ = √(ℓ/g). Based on: Catavitello, Ivanenko and Lacquaniti 2015 (dogs paddle at 1.5 to 1.7 Hz, diagonal legs nearly together).</remarks>
+internal sealed class FloatProfile
+{
+    /// <summary>Share of the trunk's height that is under water: of heavy bodies, of upright ones, of birds, and of insects, which the surface carries.</summary>
+    private const float Immersion = 0.78f;
+    private const float UprightImmersion = 0.92f;
+    private const float BirdImmersion = 0.4f;
+    private const float InsectImmersion = 0.3f;
+
+    /// <summary>Height of the trunk's line over its length from which on it is upright.</summary>
+    private const float Upright = 0.7f;
+
+    /// <summary>Radians by which a trunk is held nose up at least and at most; an upright one leans ahead.</summary>
+    private const float LeastPitch = 0.08f;
+    private const float SteepestPitch = 0.4f;
+    private const float UprightLean = 0.3f;
+
+    /// <summary>How far the middle of the head is to be above the surface, its radii.</summary>
+    private const float HeadRoom = 0.5f;
+
+    /// <summary>Radians by which a neck raises its head at most.</summary>
+    private const float HighestNeck = 0.5f;
+
+    /// <summary>How far trunk and tail of a sprawler wave to either side, radians from end to end, and the tail of others.</summary>
+    private const float SprawlerUndulation = 0.9f;
+    private const float UprightUndulation = 0.2f;
+
+    /// <summary>Part of a cycle by which each further pair of legs is later: diagonal ones nearly together on four, a wave along more.</summary>
+    private const float FourLeggedLag = 0.42f;
+    private const float WaveLag = 0.2f;
+
+    private readonly float[] lags;
+
+    private FloatProfile(LeggedBody body)
+    {
+        Body = body;
+        ReadOnlySpan<Vector3> rest = body.TrunkRest;
+        Vector3 line = rest[rest.Length - 1] - rest[0];
+        bool upright = body.IsBiped && line.Y > Upright * Vec.Length(line);
+        Extent(body, body.Trunk, out Vector3 min, out Vector3 max);
+        float immersion = upright ? UprightImmersion
+            : body.Legs[0].Traits.Archetype is LimbArchetype.Insect or LimbArchetype.Jumper ? InsectImmersion
+            : body.Legs[0].Traits.Archetype == LimbArchetype.Bird ? BirdImmersion
+            : Immersion;
+        Draught = Math.Max(Math.Min(Scalar.Lerp(min.Y, max.Y, immersion), HeadHeight(body)), Scalar.Lerp(min.Y, max.Y, InsectImmersion));
+        Undulation = body.Legs[0].Traits.Archetype == LimbArchetype.Sprawl ? SprawlerUndulation : UprightUndulation;
+        Middle = (min + max) * 0.5f;
+        (Pitch, NeckPitch) = upright ? (-UprightLean, -UprightLean) : PitchOf(body);
+        lags = Array.ConvertAll(body.Legs, leg => LagOf(body, leg));
+    }
+
+    /// <summary>The body.</summary>
+    public LeggedBody Body { get; }
+
+    /// <summary>Height of the surface above the root where it floats at rest, metres of the model.</summary>
+    public float Draught { get; }
+
+    /// <summary>Middle of the trunk at rest, about which it is pitched, model space.</summary>
+    public Vector3 Middle { get; }
+
+    /// <summary>How far the trunk is held nose up, radians; negative where it leans ahead.</summary>
+    public float Pitch { get; }
+
+    /// <summary>How far the neck is bent down from there, radians; negative where it raises the head.</summary>
+    public float NeckPitch { get; }
+
+    /// <summary>How far its tail waves to either side, radians from its root to its tip.</summary>
+    public float Undulation { get; }
+
+    /// <summary>Part of a cycle by which a leg is later than the left hind one.</summary>
+    public float LagOf(int leg) => lags[leg];
+
+    /// <summary>Works it out.</summary>
+    public static FloatProfile Of(LeggedBody body) => new(body);
+
+    /// <summary>Height of the middle of the head at rest: whose head is low swims before it is under water.</summary>
+    private static float HeadHeight(LeggedBody body)
+    {
+        if (body.Neck.Length == 0)
+        {
+            return float.MaxValue;
+        }
+
+        Extent(body, body.Neck.AsSpan(body.Neck.Length - 1), out Vector3 min, out Vector3 max);
+        return 0.5f * (min.Y + max.Y);
+    }
+
+    /// <summary>So steeply that the head is out of the water; and the neck takes back as much of that as leaves the head there, or raises it.</summary>
+    private (float Trunk, float Neck) PitchOf(LeggedBody body)
+    {
+        if (body.Neck.Length == 0)
+        {
+            return (LeastPitch, 0f);
+        }
+
+        Extent(body, body.Neck.AsSpan(body.Neck.Length - 1), out Vector3 min, out Vector3 max);
+        Vector3 head = (min + max) * 0.5f;
+        float ahead = Math.Max(head.Z - Middle.Z, 0.1f * body.LegLength);
+        float surface = Draught + (HeadRoom * 0.5f * (max.Y - min.Y));
+        float pitch = Scalar.Clamp((surface - head.Y) / ahead, LeastPitch, SteepestPitch);
+        float spare = (head.Y + (ahead * pitch) - surface) / body.NeckLength;
+        return (pitch, Scalar.Clamp(spare, -HighestNeck, pitch));
+    }
+
+    /// <summary>Frogs push both legs of a pair at once.</summary>
+    private static float LagOf(LeggedBody body, LegRig leg)
+    {
+        float side = leg.Side == Side.Left || body.Leaps ? 0f : 0.5f;
+        float lag = side + (leg.Row * (body.Rows == 2 ? FourLeggedLag : WaveLag));
+        return lag - (float)Math.Floor(lag);
+    }
+
+    /// <summary>Room that the flesh of some joints takes at rest.</summary>
+    private static void Extent(LeggedBody body, ReadOnlySpan<int> joints, out Vector3 min, out Vector3 max)
+    {
+        Skeleton skeleton = body.Skeleton;
+        min = new Vector3(float.MaxValue);
+        max = new Vector3(float.MinValue);
+        foreach (CapsuleCollider bone in body.Subject.Bones)
+        {
+            if (joints.IndexOf(bone.Joint) >= 0)
+            {
+                Include(skeleton, bone, bone.Start, ref min, ref max);
+                Include(skeleton, bone, bone.End, ref min, ref max);
+            }
+        }
+
+        foreach (int joint in joints)
+        {
+            min = Vec.Min(min, skeleton.ModelPositions[joint]);
+            max = Vec.Max(max, skeleton.ModelPositions[joint]);
+        }
+    }
+
+    private static void Include(Skeleton skeleton, in CapsuleCollider bone, Vector3 end, ref Vector3 min, ref Vector3 max)
+    {
+        Vector3 place = skeleton.ModelPositions[bone.Joint] + Rotation.Rotate(skeleton.ModelRotations[bone.Joint], end);
+        var radius = new Vector3(bone.Radius);
+        min = Vec.Min(min, place - radius);
+        max = Vec.Max(max, place + radius);
+    }
+}
