@@ -9,7 +9,7 @@ public sealed partial class CreatureAnimator
     private DistantMotion? distant;
 
     /// <summary>Whether it only travels, and shows the cycle of its gait: it is to be seen from afar, and does nothing else.</summary>
-    private bool OnlyTravels => settings.Detail == MotionDetail.Far && distant!.Body != null && Mode!.OnlyWalks && actor?.Performer is not { IsActive: true };
+    private bool OnlyTravels(in RootPlace place, IGround ground) => settings.Detail == MotionDetail.Far && distant!.Body != null && Mode!.OnlyWalks(place, settings, ground) && actor?.Performer is not { IsActive: true };
 
     /// <summary>Moves on as asked, as it is seen from afar.</summary>
     /// <returns>Whether it does; else it moves in full, from where it is.</returns>
@@ -21,7 +21,7 @@ public sealed partial class CreatureAnimator
         }
 
         distant.Turn(settings.Detail, LocalPose);
-        if (OnlyTravels)
+        if (OnlyTravels(Root, ground))
         {
             BeginAfar();
             if (Legs!.Travel(Root, dt, input, settings, ground, out RootPlace next))
@@ -45,7 +45,7 @@ public sealed partial class CreatureAnimator
         }
 
         distant.Turn(settings.Detail, LocalPose);
-        if (OnlyTravels)
+        if (OnlyTravels(placement, ground))
         {
             BeginAfar();
             if (Legs!.TravelAlong(Root, dt, placement, settings, ground))

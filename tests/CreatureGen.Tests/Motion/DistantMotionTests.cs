@@ -6,6 +6,7 @@ using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
 using CreatureGen.Skinning;
 using Xunit;
 
@@ -191,6 +192,22 @@ public class DistantMotionTests
         Walkers.Run(animator, 4f, 60f, new MotionInput(1.5f), shelf);
         Assert.Equal(BodyState.Falling, animator.State);
         Assert.True(animator.Root.Position.Y < -1f);
+    }
+
+    [Fact]
+    public void It_swims_where_it_comes_to_deep_water()
+    {
+        CreatureAnimator animator = Afar(dog);
+        float leg = dog.LegLength;
+        var lake = new WaterGround(new FlatGround(Vector3.Zero, Vector3.Normalize(new Vector3(0f, 1f, 0.15f))), Vector3.Zero, Vector3.UnitY);
+        animator.Teleport(new RootPlace(new Vector3(0f, 0.3f * leg, -2f * leg), Quaternion.Identity), lake);
+        for (int i = 0; i < 1800 && animator.State != BodyState.Afloat; i++)
+        {
+            animator.Update(1f / 60f, new MotionInput(MathF.Sqrt(9.81f * leg)), lake);
+        }
+
+        Assert.Equal(BodyState.Afloat, animator.State);
+        Assert.True(animator.Root.Position.Z > 0f, "it swims ashore");
     }
 
     [Fact]

@@ -65,6 +65,9 @@ internal sealed class Buoyancy
         return felt;
     }
 
+    /// <summary>Whether its feet are in water that slows it down, or deeper.</summary>
+    public bool IsWet(IGround ground, in RootPlace place) => ground is IWaterGround water && water.DepthAt(place.Position) > WadingDepth * profile.Draught * place.Scale;
+
     /// <summary>Whether water carries it that goes or falls: its feet would not reach the bed with its back out of the water.</summary>
     public bool IsDeep(IGround ground, in RootPlace place, in MotionSettings settings) => ground is IWaterGround water
         && water.DepthAt(place.Position) >= (profile.Draught - Room) * place.Scale
@@ -83,12 +86,12 @@ internal sealed class Buoyancy
     /// <summary>What is asked of it, as fast as water lets it wade.</summary>
     public MotionInput Wade(in MotionInput input, IGround ground, in RootPlace place, in MotionSettings settings)
     {
-        if (!(ground is IWaterGround water && water.DepthAt(place.Position) > WadingDepth * profile.Draught * place.Scale))
+        if (!IsWet(ground, place))
         {
             return input;
         }
 
-        float depth = water.DepthAt(place.Position) / (profile.Draught * place.Scale);
+        float depth = ((IWaterGround)ground).DepthAt(place.Position) / (profile.Draught * place.Scale);
         float cruises = Scalar.Lerp(WadingSpeed, SwimmingSpeed, Scalar.Smooth((depth - WadingDepth) / (1f - WadingDepth)));
         float fastest = cruises * (float)Paddling.CruiseOf(profile.Body, paddling.Tau(place.Scale, settings.Gravity)) * place.Scale;
         return input with { Speed = Scalar.Clamp(input.Speed, -fastest, fastest), Sideways = Scalar.Clamp(input.Sideways, -fastest, fastest) };

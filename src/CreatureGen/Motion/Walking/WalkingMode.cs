@@ -188,7 +188,10 @@ internal sealed partial class WalkingMode : ILocomotionMode
     }
 
     /// <summary>Poses it with its feet where they are: time passes for nothing but its breath.</summary>
-    /// <inheritdoc cref="ILocomotionMode.Drive"/>
+    /// <param name="place">Where the root is.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="settings">What can be set.</param>
+    /// <param name="local">Receives the pose.</param>
     public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local)
     {
         calm = Math.Max(calm - (dt / AlertSeconds), 0f);
@@ -269,53 +272,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
         Calm(dt);
         Pose(at, dt, settings, local);
         pushed.Show(goal, body.Body, local);
-    }
-
-    private RootPlace Drive(RootPlace placement, float dt, in MotionInput input, MotionSettings settings, IGround ground)
-    {
-        // From here on in metres of the model.
-        float scale = placement.Scale;
-        settings.Gravity = GravityOf(settings, scale);
-        Begin(placement, settings, ground);
-        pushed = default;
-        velocity.Bounds = TravelBounds.Of(body, settings);
-        (float goal, float aside) = Asked(input, scale, settings);
-        placement = PlatformRide.Carry(planner.Feet, placement, ground, settings.Up);
-        float left = dt;
-        while (left > 0f)
-        {
-            if (ticker.Begins)
-            {
-                velocity.Ask(goal, aside, clock.ReachableTurn(goal, input.YawRate, settings.Gravity));
-            }
-
-            float h = ticker.Next(ref left);
-            Vector3 way = velocity.Advance(h, out float yaw);
-            Quaternion rotation = Rotation.Multiply(placement.Rotation, AxisRotation.Yaw(yaw));
-            placement = new RootPlace(placement.ToWorld(way), UnitRotation.Upright(rotation, settings.Up), scale);
-            placement = height.Follow(placement, body.LegLength, placer, velocity.Speed, h, settings.Up);
-            Step(placement, h, dt - left, left, settings, ground);
-        }
-
-        acceleration = velocity.Acceleration;
-        return placement;
-    }
-
-    private void Follow(in RootPlace placement, float dt, in RootPlace goal, MotionSettings settings, IGround ground)
-    {
-        Begin(goal, settings, ground);
-        PlatformRide.Carry(planner.Feet, goal, ground, settings.Up);
-        if (dt > 0f)
-        {
-            Approach(placement, dt, goal, out Vector3 way);
-            placer.RootRaised((way.Y - (placer.Climb * velocity.Speed)) * dt);
-            float left = dt;
-            while (left > 0f)
-            {
-                float h = ticker.Next(ref left);
-                Step(goal, h, dt - left, left, settings, ground);
-            }
-        }
     }
 
     /// <summary>Goes on towards rest where it stands with nothing to do, and is ready at once where it does not.</summary>

@@ -29,7 +29,7 @@ public sealed class WaterTests
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         float unit = MathF.Sqrt(Gravity * profile.LegLength);
         var script = new CourseScript("swim", [new CourseCommand(60f * unit / Gravity, new MotionInput(0.6f * unit))]);
-        var drive = new CourseDrive(profile, new MotionCourse(script, CourseGround.Water, CourseRate.Of(60f)));
+        var drive = new CourseDrive(profile, script, CourseGround.Water, CourseRate.Of(60f));
         CreatureAnimator animator = drive.Animator;
         var water = (IWaterGround)drive.Surface.Ground;
         int eye = profile.Subject.Skeleton.FirstOf(JointRole.Eye);
