@@ -375,7 +375,8 @@ public sealed partial class CreatureAnimator
         if (Legs != null)
         {
             Vector3 seen = lookAt is Vector3 point ? place.ToModel(point) : Vector3.Zero;
-            Legs.Facing = (seen.X == 0f && seen.Z == 0f) || actor?.Performer is { IsActive: true, HoldsHead: true } ? 0f : FastTrigonometry.Of(seen.X, seen.Z);
+            float max = GazeSettings?.MaxYaw ?? (float)PortableMath.Pi;
+            Legs.Facing = (seen.X == 0f && seen.Z == 0f) || actor?.Performer is { IsActive: true, HoldsHead: true } ? 0f : Scalar.Clamp(FastTrigonometry.Of(seen.X, seen.Z), -max, max);
         }
     }
 

@@ -10,8 +10,9 @@ internal struct ChestLook
     /// <summary>How quickly the chest turns, per second: slower than any head.</summary>
     private const float Rate = 3f;
 
-    /// <summary>Part of the way that is the chest's.</summary>
-    private const float Fraction = 0.25f;
+    /// <summary>Yaw up to which the head turns alone, radians, and the part of what is beyond that is the chest's.</summary>
+    private const float HeadAlone = 0.3f;
+    private const float Fraction = 0.35f;
 
     /// <summary>Most that it turns, radians: on two legs, whose chest carries none of them, on legs under the body, and on legs out to the side.</summary>
     private const float MaxOfBipeds = 0.35f;
@@ -39,6 +40,7 @@ internal struct ChestLook
             return;
         }
 
-        spring.Step(Scalar.Clamp(Fraction * yaw, -max, max), Rate, dt);
+        float beyond = yaw - Scalar.Clamp(yaw, -HeadAlone, HeadAlone);
+        spring.Step(Scalar.Clamp(Fraction * beyond, -max, max), Rate, dt);
     }
 }
