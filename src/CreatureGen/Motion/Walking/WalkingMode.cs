@@ -37,10 +37,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private const float LowerRate = 8f;
     private const float RaiseRate = 1.2f;
 
-    /// <summary>Seconds of standing still with nothing to do after which it rests a foot as far as it does, and in which that foot is ready again.</summary>
-    private const float CalmSeconds = 3f;
-    private const float AlertSeconds = 0.3f;
-
     /// <summary>Seconds ahead of which the speed decides the gait.</summary>
     private const float Foresight = 0.2f;
 
@@ -65,9 +61,8 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private PushedBody pushed;
     private int gait;
     private float activity;
-    private float calm;
     private float acceleration;
-    private double seconds;
+    private StandingLife life;
     private bool standing;
     private bool moving;
     private bool going;
@@ -111,7 +106,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
     public float BalancedBank => 0f;
 
-    /// <inheritdoc/>
     public BodyLayer? Layer { get; set; }
 
     /// <summary>How far the body is let down into its legs, metres of the model.</summary>
@@ -147,11 +141,10 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);
 
-    /// <inheritdoc/>
     public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         Stand(place, settings, ground);
-        Pose(place, 0f, settings, local);
+        Pose(place, 0f, settings, false, local);
     }
 
     /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
@@ -184,7 +177,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
             placer.Reset(planner.Feet);
         }
 
-        Pose(place, 0f, settings, local);
+        Pose(place, 0f, settings, false, local);
     }
 
     /// <summary>Poses it with its feet where they are: time passes for nothing but its breath.</summary>
@@ -192,11 +185,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="dt">Seconds.</param>
     /// <param name="settings">What can be set.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local)
-    {
-        calm = Math.Max(calm - (dt / AlertSeconds), 0f);
-        Pose(place, dt, settings, local);
-    }
+    public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local) => Pose(place, dt, settings, false, local);
 
     /// <summary>Pushes the body by metres per second of the model, in its own axes, and radians per second; what it intends stays as it is, and its feet step after it.</summary>
     public void Push(Vector3 push, float turn) => velocity.Push(push.Z, push.X, turn);
@@ -213,7 +202,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         moving = false;
         going = false;
         activity = 0f;
-        calm = 0f;
+        life.Wake();
         acceleration = 0f;
         gait = 0;
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
@@ -234,29 +223,25 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>Moves the origin of the world.</summary>
     public void Rebase(Vector3 offset) => planner.Rebase(offset);
 
-    /// <inheritdoc/>
     public void CopyFrom(ILocomotionMode other)
     {
         var mode = (WalkingMode)other;
         clock.CopyFrom(mode.clock);
         planner.CopyFrom(mode.planner);
         placer.CopyFrom(mode.placer);
-        (velocity, pushed, acceleration, gait, activity, seconds) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.activity, mode.seconds);
+        (velocity, pushed, acceleration, gait, activity, life) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.activity, mode.life);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
-        (activityDecay, height, raiseDecay, Sink, Bow, Raised, Facing, calm) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised, mode.Facing, mode.calm);
+        (activityDecay, height, raiseDecay, Sink, Bow, Raised, Facing) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised, mode.Facing);
         (underfoot, underfootDecay) = (mode.underfoot, mode.underfootDecay);
     }
 
-    /// <inheritdoc/>
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         RootPlace next = Drive(place, dt, input, settings, ground);
-        Calm(dt);
-        Pose(next, dt, settings, local);
+        Pose(next, dt, settings, true, local);
         return next;
     }
 
-    /// <inheritdoc/>
     public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
     {
         RootPlace before = pushed.At(place);
@@ -269,22 +254,17 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
         RootPlace at = pushed.At(goal);
         Follow(before, dt, at, own, ground);
-        Calm(dt);
-        Pose(at, dt, settings, local);
+        Pose(at, dt, settings, true, local);
         pushed.Show(goal, body.Body, local);
     }
 
-    /// <summary>Goes on towards rest where it stands with nothing to do, and is ready at once where it does not.</summary>
-    private void Calm(float dt) =>
-        calm = Scalar.Clamp(calm + (activity < MinActivity && (Layer?.Still ?? 0f) < MinActivity ? dt / CalmSeconds : -dt / AlertSeconds), 0f, 1f);
-
-    /// <summary>Writes the pose.</summary>
-    private void Pose(in RootPlace placement, float dt, MotionSettings settings, in Pose local)
+    /// <summary>Writes the pose of a body that may rest as it stands, or of one that is held.</summary>
+    private void Pose(in RootPlace placement, float dt, MotionSettings settings, bool rests, in Pose local)
     {
         settings.Gravity = GravityOf(settings, placement.Scale);
-        seconds += dt;
-        IdlePose idle = IdleLife.At(body, seconds, activity, settings.Idle * (1f - (Layer?.Still ?? 0f)));
-        PoseFeet(placement, dt, settings, idle.Rest * Scalar.Smooth(calm));
+        float held = Layer?.Still ?? 0f;
+        IdlePose idle = life.Follow(body, dt, activity, settings.Idle * (1f - held), rests && activity < MinActivity && held < MinActivity);
+        PoseFeet(placement, dt, settings, idle.Rest);
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);
         var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow, Facing);
