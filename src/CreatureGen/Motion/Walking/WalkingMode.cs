@@ -106,6 +106,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
     public float BalancedBank => 0f;
 
+    /// <inheritdoc/>
     public BodyLayer? Layer { get; set; }
 
     /// <summary>How far the body is let down into its legs, metres of the model.</summary>
@@ -141,6 +142,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);
 
+    /// <inheritdoc/>
     public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         Stand(place, settings, ground);
@@ -187,7 +189,9 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="local">Receives the pose.</param>
     public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local) => Pose(place, dt, settings, false, local);
 
-    /// <summary>Pushes the body by metres per second of the model, in its own axes, and radians per second; what it intends stays as it is, and its feet step after it.</summary>
+    /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
+    /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
+    /// <param name="turn">Change of its turn, radians per second.</param>
     public void Push(Vector3 push, float turn) => velocity.Push(push.Z, push.X, turn);
 
     /// <summary>Has who stands be on its way already, metres of the model and radians per second: its feet step after it.</summary>
@@ -223,6 +227,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <summary>Moves the origin of the world.</summary>
     public void Rebase(Vector3 offset) => planner.Rebase(offset);
 
+    /// <inheritdoc/>
     public void CopyFrom(ILocomotionMode other)
     {
         var mode = (WalkingMode)other;
@@ -235,6 +240,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         (underfoot, underfootDecay) = (mode.underfoot, mode.underfootDecay);
     }
 
+    /// <inheritdoc/>
     public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         RootPlace next = Drive(place, dt, input, settings, ground);
@@ -242,6 +248,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         return next;
     }
 
+    /// <inheritdoc/>
     public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
     {
         RootPlace before = pushed.At(place);
