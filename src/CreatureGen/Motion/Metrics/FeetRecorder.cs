@@ -13,6 +13,9 @@ internal sealed class FeetRecorder
     private const float FlatTo = 0.58f;
     private const float SkatingFractionOfSpeed = 0.1f;
 
+    /// <summary>How far the middle of a sole comes off the ground that is no longer flat but rolls over its edge, leg lengths.</summary>
+    private const float RollRise = 0.002f;
+
     private readonly CreatureAnimator animator;
     private readonly LeggedBody body;
     private readonly FootSkin[] skins;
@@ -158,17 +161,16 @@ internal sealed class FeetRecorder
 
         floating = Math.Max(floating, min);
         Vector3 middle = root.ToWorld(skin.Middle(matrices)) / root.Scale;
-        if (flatAt[index] is Vector3 at)
+        Vector3 at = flatAt[index] ?? middle;
+        bool flat = Vec.Dot(middle - at, foot.Normal) <= RollRise * body.LegLength;
+        if (flat && flatAt[index] != null)
         {
             slip = Math.Max(slip, Vec.Length(Level(middle - at)));
             flatFrames++;
             skating += Vec.Length(Level(middle - lastMiddle[index])) > SkatingFractionOfSpeed * Math.Max(Math.Abs(animator.Speed / root.Scale), 0.3f * body.LegLength) * dt ? 1 : 0;
         }
-        else
-        {
-            flatAt[index] = middle;
-        }
 
+        flatAt[index] = at;
         Vector3 ball = root.ToWorld(animator.ModelPose.Positions[body.Legs[index].Ball]) / root.Scale;
         Vector3 off = Level(ball - (foot.Place / root.Scale));
         lockDrift = Math.Max(lockDrift, foot.Normal.Y > 0.999f && !body.Legs[index].Follows ? Vec.Length(off) : 0f);
