@@ -38,7 +38,7 @@ public static class AngularRules
     {
         Track = "Flaps",
         Roles = new[] { JointRole.Wing },
-        ThresholdPower = 2.1,
+        ThresholdPower = 1.9,
         Sweep = new AngularSweep(new Vector3(0f, -1f, 0f)) { Ends = new[] { JointRole.End }, BeginsAt = 0.1f },
         Interval = 0.05f,
         Winner = IntervalWinner.Strongest,

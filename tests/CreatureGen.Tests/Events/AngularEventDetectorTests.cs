@@ -127,14 +127,7 @@ public sealed class AngularEventDetectorTests
     {
         var stream = new AngularEventStream(arm, Rule);
         var pose = new MovingPose(arm);
-        stream.Update(pose.Local, pose.Model, 0.01f);
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        for (int i = 0; i < 100; i++)
-        {
-            stream.Update(pose.Local, pose.Model, 0.01f);
-        }
-
-        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        Assert.Equal(0, MovingPose.Allocated(() => stream.Update(pose.Local, pose.Model, 0.01f), 100));
     }
 
     [Theory]

@@ -42,14 +42,7 @@ public sealed class ThrowingGroundTests
     {
         var animator = new CreatureAnimator(CreatureGenerator.Generate(42));
         var ground = new Interrupted();
-        animator.Update(Dt, new MotionInput(1f), ground);
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        for (int i = 0; i < 60; i++)
-        {
-            animator.Update(Dt, new MotionInput(1f), ground);
-        }
-
-        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+        Assert.Equal(0, MovingPose.Allocated(() => animator.Update(Dt, new MotionInput(1f), ground), 60));
     }
 
     private static void AssertSame(MotionProfile profile, List<Action<CreatureAnimator, IGround>> course)
