@@ -86,7 +86,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     /// <summary>Whether it goes on its legs and nothing else happens to it, or is about to.</summary>
     public bool OnlyWalks(in RootPlace place, in MotionSettings settings, IGround ground) => State == BodyState.Supported && inner == legs
         && !goesLimp && blow.Joint < 0 && recoil is not { IsActive: true } && reel is not { IsActive: true }
-        && !(floats != null && Water.IsWet(ground, place));
+        && !(floats != null && ground is IWaterGround wet && wet.DepthAt(place.Position) > float.MinValue && Water.IsWet(ground, place));
 
     /// <summary>Whether feet, wings or water carry it.</summary>
     private bool IsUp => State is BodyState.Supported or BodyState.Leaping or BodyState.Landed;
