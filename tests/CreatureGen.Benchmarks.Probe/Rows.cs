@@ -56,6 +56,8 @@ internal static class Rows
         "blend" => Poses(subjects, Blend),
         "mixer" => Poses(subjects, Mix),
         "chain" => Poses(subjects, Chain),
+        "twobone" => new Row(new Action[] { () => Limbs.TwoBones(Repeats) }, Repeats),
+        "pantograph" => new Row(new Action[] { () => Limbs.Pantograph(Repeats) }, Repeats),
         "skinning" => Skinning(subjects),
         "meshground" => MeshGrounds(),
         _ => throw new ArgumentException($"no row '{name}'", nameof(name)),

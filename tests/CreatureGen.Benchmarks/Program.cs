@@ -3,11 +3,12 @@ using System.Globalization;
 using BenchmarkDotNet.Running;
 using CreatureGen.Benchmarks.Beside;
 using CreatureGen.Benchmarks.Crowds;
+using CreatureGen.Benchmarks.Growth;
 using CreatureGen.Benchmarks.Table;
 
 namespace CreatureGen.Benchmarks;
 
-/// <summary><c>table</c> prints ours against the targets; <c>beside COMMIT [ROW]</c> ours in turns with an earlier commit's; <c>crowd</c> what moving many creatures costs; <c>clips</c> what clips take and lose as they are kept; <c>events [PRESET] [FIRST] [COUNT]</c> how good the rules for events are, by gait; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
+/// <summary><c>table [CHECKOUTS]</c> measures all rows beside an earlier commit, in the runtime for browsers, and beside peers of which the folder has checkouts, then how costs grow, and puts it into docs/performance.md; <c>growth</c> does the last alone; <c>beside COMMIT [ROW]</c> measures rows in turns with an earlier commit's alone; <c>stages</c> prints what the stages of a creature take; <c>crowd</c> what moving many creatures costs; <c>clips</c> what clips take and lose as they are kept; <c>events [PRESET] [FIRST] [COUNT]</c> how good the rules for events are, by gait; <c>digest</c> prints a hash of the files of many seeds; anything else goes to BenchmarkDotNet.</summary>
 public static class Program
 {
     private const int DefaultDigestSeeds = 300;
@@ -30,10 +31,17 @@ public static class Program
         switch (verb)
         {
             case "table":
+                SpeedTable.Make(DefaultCommit, args.Length > 1 ? args[1] : null, Console.Out);
+                GrowthTable.Make(Console.Out);
+                return 0;
+            case "growth":
+                GrowthTable.Make(Console.Out);
+                return 0;
+            case "stages":
                 FiguresTable.Print(Console.Out);
                 return 0;
             case "beside":
-                BesideTable.Print(args.Length > 1 ? args[1] : DefaultCommit, args.Length > 2 ? args[2] : "", Console.Out);
+                SpeedTable.PrintBeside(args.Length > 1 ? args[1] : DefaultCommit, args.Length > 2 ? args[2] : "", Console.Out);
                 return 0;
             case "crowd":
                 CrowdTable.Print(Console.Out, args.Length > 1 ? args[1] : "");

@@ -42,7 +42,10 @@ internal static class ProbeBuild
         return Path.Combine(output, "CreatureGen.Benchmarks.dll");
     }
 
-    private static void Run(string program, string folder, params string[] arguments)
+    /// <summary>Runs a program to its end.</summary>
+    /// <returns>What it printed.</returns>
+    /// <exception cref="InvalidOperationException">It failed.</exception>
+    public static string Run(string program, string folder, params string[] arguments)
     {
         var start = new ProcessStartInfo(program) { WorkingDirectory = folder, RedirectStandardOutput = true };
         foreach (string argument in arguments)
@@ -57,6 +60,8 @@ internal static class ProbeBuild
         {
             throw new InvalidOperationException($"{program} {string.Join(' ', arguments)} ended with {process.ExitCode}: {output}");
         }
+
+        return output;
     }
 
     private static string FindRoot()

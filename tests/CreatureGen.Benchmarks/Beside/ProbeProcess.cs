@@ -5,24 +5,36 @@ using System.IO;
 
 namespace CreatureGen.Benchmarks.Beside;
 
-/// <summary>A running probe of one build of the library; the other program of the same kind waits meanwhile.</summary>
+/// <summary>A running probe of one build of a library; the others wait meanwhile.</summary>
 internal sealed class ProbeProcess : IDisposable
 {
     private readonly Process process;
 
-    /// <summary>Starts a probe.</summary>
+    private ProbeProcess(ProcessStartInfo start)
+    {
+        start.RedirectStandardInput = true;
+        start.RedirectStandardOutput = true;
+        process = Process.Start(start) ?? throw new InvalidOperationException(start.FileName + " does not start");
+    }
+
+    /// <summary>Starts a probe of a build of this library.</summary>
     /// <param name="program">Its assembly.</param>
     /// <param name="tiered">Whether the just-in-time compiler may begin with quick code and profile it, as it does by default.</param>
-    public ProbeProcess(string program, bool tiered = true)
+    public static ProbeProcess Dotnet(string program, bool tiered)
     {
-        var start = new ProcessStartInfo("dotnet") { RedirectStandardInput = true, RedirectStandardOutput = true };
-        start.ArgumentList.Add(program);
+        var start = new ProcessStartInfo("dotnet", [program]);
         start.Environment["DOTNET_TieredCompilation"] = tiered ? "1" : "0";
-        process = Process.Start(start) ?? throw new InvalidOperationException("dotnet does not start");
+        return new ProbeProcess(start);
     }
+
+    /// <summary>Starts a program that obeys the same lines.</summary>
+    public static ProbeProcess Native(string program) => new(new ProcessStartInfo(program));
 
     /// <summary>Writes the blueprints that all probes work on.</summary>
     public void Write(string folder, int count) => Ask(FormattableString.Invariant($"write {folder} {count}"));
+
+    /// <summary>Writes creatures for programs of other libraries.</summary>
+    public void Export(string folder, int count) => Ask(FormattableString.Invariant($"export {folder} {count}"));
 
     /// <summary>Reads them.</summary>
     public void Read(string folder) => Ask("read " + folder);
