@@ -36,7 +36,7 @@ internal sealed record BatchOptions(Shard? Shard, Existing Existing)
     // What the schedulers of Kubernetes (Indexed Jobs) and Slurm (job arrays) tell their tasks.
     private const string KubernetesIndex = "JOB_COMPLETION_INDEX";
     private const string SlurmIndex = "SLURM_ARRAY_TASK_ID";
-    private const string SlurmLeast = "SLURM_ARRAY_TASK_MIN";
+    private const string SlurmMin = "SLURM_ARRAY_TASK_MIN";
     private const string SlurmStep = "SLURM_ARRAY_TASK_STEP";
     private const string SlurmCount = "SLURM_ARRAY_TASK_COUNT";
 
@@ -90,7 +90,7 @@ internal sealed record BatchOptions(Shard? Shard, Existing Existing)
     {
         string Variable(string name) => surroundings.Variable(name) ?? throw arguments.Wrong($"{SlurmIndex} is there without {name}; expected both, or {shard}");
         int id = Told(arguments, SlurmIndex, task);
-        int least = Told(arguments, SlurmLeast, Variable(SlurmLeast));
+        int least = Told(arguments, SlurmMin, Variable(SlurmMin));
         int count = Told(arguments, SlurmCount, Variable(SlurmCount));
         int step = surroundings.Variable(SlurmStep) is string told ? Math.Max(1, Told(arguments, SlurmStep, told)) : 1;
         int index = (id - least) / step;

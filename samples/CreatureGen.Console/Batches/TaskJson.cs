@@ -37,9 +37,9 @@ internal static class TaskJson
             json.WriteString("keys", "all");
         }
 
-        if (task.Export.RootMotion != TravelChoice.InPlace)
+        if (task.Export.RootMotion != RootMotionChoice.InPlace)
         {
-            json.WriteString("rootMotion", WordList<TravelChoice>.Instance[task.Export.RootMotion]);
+            json.WriteString("rootMotion", WordList<RootMotionChoice>.Instance[task.Export.RootMotion]);
         }
 
         if (task.Export.Engine != TargetEngine.Generic)
@@ -83,7 +83,7 @@ internal static class TaskJson
                 Lods = Word<LodChoice>(export, "levels"),
                 Materials = Word<MaterialChoice>(export, "materials"),
                 ClipPrecision = export.TryGetProperty("keys", out _) ? null : ClipPrecision.Default,
-                RootMotion = export.TryGetProperty("rootMotion", out _) ? Word<TravelChoice>(export, "rootMotion") : TravelChoice.InPlace,
+                RootMotion = export.TryGetProperty("rootMotion", out _) ? Word<RootMotionChoice>(export, "rootMotion") : RootMotionChoice.InPlace,
                 Engine = export.TryGetProperty("engine", out _) ? Word<TargetEngine>(export, "engine") : TargetEngine.Generic,
                 TextureSize = export.GetProperty("textureSize").GetInt32(),
             },

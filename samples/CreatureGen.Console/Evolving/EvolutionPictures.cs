@@ -85,7 +85,7 @@ internal sealed record EvolutionPictures(string Goal, View View, int Threads, Su
     private static IEnumerable<Descent> DescentsOf(Pedigree pedigree, IReadOnlyList<PedigreeEntry> above, PedigreeEntry entry, int place, int generation) =>
         above.Count == 0 ? [] : pedigree.AncestorsAt(entry.Ancestor.Identity, generation)
             .Select(older => new Descent(above.ToList().FindIndex(one => one.Ancestor == older.Ancestor), place, older.Share))
-            .Where(descent => descent.Ancestor >= 0 && (descent.Share >= MinFraction || above.Count == 1));
+            .Where(descent => descent.Ancestor >= 0 && (descent.Fraction >= MinFraction || above.Count == 1));
 
     private static string LabelOf(PedigreeEntry entry) =>
         string.Create(CultureInfo.InvariantCulture, $"{HashText.ShortOf(entry.Ancestor.Identity)}  {entry.Ancestor.Score:0.###}  {100 * entry.Share:0} %");

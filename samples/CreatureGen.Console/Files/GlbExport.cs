@@ -42,7 +42,7 @@ internal static class GlbExport
             Lods = Choice(extras, "levels", LodChoice.Finest),
             Materials = Choice(extras, "materials", MaterialChoice.Two),
             ClipPrecision = extras.TryGetProperty("keys", out JsonElement keys) && keys.ValueKind == JsonValueKind.String ? null : ClipPrecision.Default,
-            RootMotion = Choice(extras, "rootMotion", TravelChoice.InPlace),
+            RootMotion = Choice(extras, "rootMotion", RootMotionChoice.InPlace),
             Engine = Choice(extras, "engine", TargetEngine.Generic),
             TextureSize = extras.TryGetProperty("textureSize", out JsonElement size) && size.ValueKind == JsonValueKind.Number && size.TryGetInt32(out int texels) && IsTextureSize(texels) ? texels : 0,
         };

@@ -46,8 +46,8 @@ internal static class ExportOptions
         RootMotion = arguments.Value(rootMotion.Name) switch
         {
             null => otherwise.RootMotion,
-            "in-place" => TravelChoice.InPlace,
-            "travels" => TravelChoice.Travels,
+            "in-place" => RootMotionChoice.InPlace,
+            "travels" => RootMotionChoice.Travels,
             string other => throw arguments.Wrong(rootMotion.Name, other, "in-place or travels"),
         },
         Engine = arguments.Choice(engine.Name, WordList<TargetEngine>.Instance, otherwise.Engine),

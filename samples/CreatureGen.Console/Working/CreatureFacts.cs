@@ -80,7 +80,7 @@ internal sealed record CreatureFacts(
 
     private static (string Name, double Part)[] PartsOf(BodyBlend blend)
     {
-        IEnumerable<(string Name, double Part)> parts = blend.Bodies.Select((body, i) => (body.Name, blend.TorsoShares[i]));
+        IEnumerable<(string Name, double Part)> parts = blend.Bodies.Select((body, i) => (body.Name, blend.TorsoFractions[i]));
         return parts.GroupBy(part => part.Name).Select(group => (group.Key, group.Sum(part => part.Part))).Where(part => part.Item2 > 0).OrderByDescending(part => part.Item2).ToArray();
     }
 }

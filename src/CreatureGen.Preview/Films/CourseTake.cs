@@ -34,13 +34,13 @@ internal sealed class CourseTake
     {
         creature = profile.Subject.Creature!;
         Script = script;
-        var drive = new CourseDrive(profile, script, ground, CourseRate.Of(Rate));
-        surface = drive.Surface;
-        Record(drive);
-        foreach (float _ in drive.Updates())
+        var simulation = new CourseSimulation(profile, script, ground, CourseRate.Of(Rate));
+        surface = simulation.Surface;
+        Record(simulation);
+        foreach (float _ in simulation.Updates())
         {
-            Record(drive);
-            Listen(drive.Animator);
+            Record(simulation);
+            Listen(simulation.Animator);
         }
     }
 
@@ -155,16 +155,16 @@ internal sealed class CourseTake
         }
     }
 
-    private void Record(CourseDrive drive)
+    private void Record(CourseSimulation simulation)
     {
-        CreatureAnimator animator = drive.Animator;
+        CreatureAnimator animator = simulation.Animator;
         var feet = new FootReport[animator.FootCount];
         for (int i = 0; i < feet.Length; i++)
         {
             feet[i] = animator.Foot(i);
         }
 
-        moments.Add(new Moment(animator.Root, animator.LocalPose.Rotations.ToArray(), animator.LocalPose.Positions.ToArray(), feet, drive.Command, animator.Speed, animator.StandsOnFeet ? animator.Gait?.Name : null, drive.Surface.Frame));
+        moments.Add(new Moment(animator.Root, animator.LocalPose.Rotations.ToArray(), animator.LocalPose.Positions.ToArray(), feet, simulation.Command, animator.Speed, animator.StandsOnFeet ? animator.Gait?.Name : null, simulation.Surface.Frame));
     }
 
     private sealed record Moment(RootPlace Place, Quaternion[] Rotations, Vector3[] Positions, FootReport[] Feet, int Command, float Speed, string? Gait, RootPlace Frame)

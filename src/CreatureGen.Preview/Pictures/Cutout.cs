@@ -61,13 +61,13 @@ public static class Cutout
             Add(picture[picture.Width - 1, y]);
         }
 
-        (int Count, Pixel Colour) most = default;
+        (int Count, Pixel Colour) max = default;
         foreach ((int Count, Pixel Colour) one in counts.Values)
         {
-            most = one.Count > most.Count ? one : most;
+            max = one.Count > max.Count ? one : max;
         }
 
-        return most.Colour;
+        return max.Colour;
 
         void Add(Pixel pixel)
         {

@@ -9,8 +9,8 @@ namespace CreatureGen.Preview.Plots;
 /// <summary>That somebody descends from somebody in the row above.</summary>
 /// <param name="Ancestor">Place in the row above.</param>
 /// <param name="Descendant">Place in the row below.</param>
-/// <param name="Share">How much of the descendant is of the ancestor, 0..1: how thick the line is.</param>
-public sealed record Descent(int Ancestor, int Descendant, double Share);
+/// <param name="Fraction">How much of the descendant is of the ancestor, 0..1: how thick the line is.</param>
+public sealed record Descent(int Ancestor, int Descendant, double Fraction);
 
 /// <summary>A generation of a <see cref="DescentChart"/>.</summary>
 /// <param name="Name">Above its left end; printable ASCII.</param>
@@ -61,7 +61,7 @@ public static class DescentChart
             int top = (number * pitch) + Name;
             foreach (Descent descent in row.Descents)
             {
-                Curve(picture, Middle(rows[number - 1], descent.Ancestor, width, cellWidth), top - LineRoom - Name, Middle(row, descent.Descendant, width, cellWidth), top, descent.Share);
+                Curve(picture, Middle(rows[number - 1], descent.Ancestor, width, cellWidth), top - LineRoom - Name, Middle(row, descent.Descendant, width, cellWidth), top, descent.Fraction);
             }
 
             Label.Draw(picture, row.Name, Gap, top - Name + 6, LabelSize.Small, ink);
@@ -90,9 +90,9 @@ public static class DescentChart
     }
 
     /// <summary>A line that leaves and arrives upright.</summary>
-    private static void Curve(Picture picture, int fromX, int fromY, int toX, int toY, double share)
+    private static void Curve(Picture picture, int fromX, int fromY, int toX, int toY, double fraction)
     {
-        int thickness = 1 + (int)Math.Round(share * (Thickest - 1));
+        int thickness = 1 + (int)Math.Round(fraction * (Thickest - 1));
         int steps = 4 * (Math.Abs(toX - fromX) + (toY - fromY));
         for (int i = 0; i <= steps; i++)
         {

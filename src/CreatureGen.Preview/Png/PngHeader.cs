@@ -28,7 +28,7 @@ internal sealed record PngHeader(int Width, int Height, int Depth, int Colour)
 
     /// <summary>Reads the content of the chunk.</summary>
     /// <exception cref="InvalidDataException">It says what is not read.</exception>
-    public static PngHeader Read(ReadOnlySpan<byte> content, int mostPixels, int length)
+    public static PngHeader Read(ReadOnlySpan<byte> content, int maxPixels, int length)
     {
         if (content.Length != length)
         {
@@ -37,9 +37,9 @@ internal sealed record PngHeader(int Width, int Height, int Depth, int Colour)
 
         int width = BinaryPrimitives.ReadInt32BigEndian(content);
         int height = BinaryPrimitives.ReadInt32BigEndian(content[4..]);
-        if (width < 1 || height < 1 || width > Picture.LargestSide || height > Picture.LargestSide || (long)width * height > mostPixels)
+        if (width < 1 || height < 1 || width > Picture.LargestSide || height > Picture.LargestSide || (long)width * height > maxPixels)
         {
-            throw new InvalidDataException(FormattableString.Invariant($"it is {width} x {height} pixels; expected at most {mostPixels} in all"));
+            throw new InvalidDataException(FormattableString.Invariant($"it is {width} x {height} pixels; expected at most {maxPixels} in all"));
         }
 
         var header = new PngHeader(width, height, content[8], content[9]);

@@ -58,8 +58,8 @@ internal sealed class BladeCoat
     private Vector3 Membrane(Vector3 colour, in SkinPlace place)
     {
         float chord = place.Chord;
-        float share = Scalar.Smooth((chord - 0.10f) / 0.15f) * Scalar.Smooth(place.Along * 4f);
-        return Vec.Lerp(colour, membraneColour * (1.05f - (0.25f * chord)), share);
+        float fraction = Scalar.Smooth((chord - 0.10f) / 0.15f) * Scalar.Smooth(place.Along * 4f);
+        return Vec.Lerp(colour, membraneColour * (1.05f - (0.25f * chord)), fraction);
     }
 
     // Three rows from the leading edge: lesser coverts in the coat of the body, greater coverts, flight feathers.

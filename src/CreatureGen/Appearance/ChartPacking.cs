@@ -61,17 +61,17 @@ internal sealed class ChartPacking
         {
             // The faces of a chart mostly follow one another.
             int chart = surface.Faces[f].Chart;
-            Vector2 least = low[chart];
-            Vector2 most = high[chart];
+            Vector2 min = low[chart];
+            Vector2 max = high[chart];
             for (; f < surface.Faces.Length && surface.Faces[f].Chart == chart; f++)
             {
                 FaceTexcoords t = surface.Texcoords[f];
-                least = new Vector2(Min(least.X, t.A.X, t.B.X, t.C.X, t.D.X), Min(least.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
-                most = new Vector2(Max(most.X, t.A.X, t.B.X, t.C.X, t.D.X), Max(most.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
+                min = new Vector2(Min(min.X, t.A.X, t.B.X, t.C.X, t.D.X), Min(min.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
+                max = new Vector2(Max(max.X, t.A.X, t.B.X, t.C.X, t.D.X), Max(max.Y, t.A.Y, t.B.Y, t.C.Y, t.D.Y));
             }
 
-            low[chart] = least;
-            high[chart] = most;
+            low[chart] = min;
+            high[chart] = max;
         }
 
         int[] order = new int[count];
@@ -126,14 +126,14 @@ internal sealed class ChartPacking
         {
             Vector2 room = ((high[chart] - low[chart]) * density) + new Vector2(Margin, Margin);
             int best = -1;
-            float least = 1f - Margin - room.Y;
+            float min = 1f - Margin - room.Y;
             for (int i = 0; i < outline.Count; i++)
             {
                 float below = Lowest(outline, i, room.X);
-                if (below < least)
+                if (below < min)
                 {
                     best = i;
-                    least = below;
+                    min = below;
                 }
             }
 
@@ -142,8 +142,8 @@ internal sealed class ChartPacking
                 return false;
             }
 
-            place[chart] = new Vector2(outline[best].From + Margin, least + Margin);
-            Cover(outline, best, new Step(outline[best].From, outline[best].From + room.X, least + room.Y));
+            place[chart] = new Vector2(outline[best].From + Margin, min + Margin);
+            Cover(outline, best, new Step(outline[best].From, outline[best].From + room.X, min + room.Y));
         }
 
         return true;

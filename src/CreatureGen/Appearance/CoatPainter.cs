@@ -124,7 +124,7 @@ internal sealed class CoatPainter
         return place.IsLimb ? Limb(undercoat, place) : blades.Over(undercoat, place);
     }
 
-    private Vector3 Undercoat(in SkinPlace place, float patternShare)
+    private Vector3 Undercoat(in SkinPlace place, float patternFraction)
     {
         float ventral = Countershade(place) + (0.10f * (tide.At(place.Position * 5f) - 0.5f));
         float belly = Scalar.Smooth((ventral - 0.52f) / 0.30f);
@@ -134,7 +134,7 @@ internal sealed class CoatPainter
         float drift = tone.At(place.Position * 2.3f) - 0.5f;
         Vector3 colour = Vec.Lerp(palette.Base, drift > 0f ? palette.Back : palette.Belly, 0.34f * Math.Abs(drift));
         colour = Vec.Lerp(colour, palette.Back, back);
-        float mask = patternShare * strength * (1f - (0.75f * belly));
+        float mask = patternFraction * strength * (1f - (0.75f * belly));
         if (place.IsLimb)
         {
             mask *= 1f - (0.6f * Scalar.Smooth((place.Along - 0.45f) / 0.4f));
@@ -176,8 +176,8 @@ internal sealed class CoatPainter
 
     private Vector3 Limb(Vector3 undercoat, in SkinPlace place)
     {
-        float share = place.Region == SurfaceRegion.Toe ? 0.85f : 0.8f * Scalar.Smooth((place.Along - 0.35f) / 0.4f);
-        return Vec.Lerp(undercoat, palette.Limb, share);
+        float fraction = place.Region == SurfaceRegion.Toe ? 0.85f : 0.8f * Scalar.Smooth((place.Along - 0.35f) / 0.4f);
+        return Vec.Lerp(undercoat, palette.Limb, fraction);
     }
 
     private static float Limit(float channel) => Scalar.Clamp(channel, DarkestChannel, 1f);

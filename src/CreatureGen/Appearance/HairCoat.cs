@@ -28,18 +28,18 @@ internal sealed class HairCoat
     /// <summary>The colour of a place of the trunk with the shade of hair laid over <paramref name="under"/>.</summary>
     public Vector3 Over(Vector3 under, in SkinPlace place)
     {
-        float share = 0f;
+        float fraction = 0f;
         foreach (ManeBlueprint mane in manes)
         {
             float along = Window(place.Ring, (float)mane.Ring - Ahead, (float)mane.LastRing + Behind);
             if (along > 0f)
             {
                 float segment = place.Around * (float)(Anatomy.BodyGrid.Segments / PortableMath.Tau);
-                share = Math.Max(share, along * Window(segment, (float)mane.Segment - Beside, (float)mane.LastSegment + Beside));
+                fraction = Math.Max(fraction, along * Window(segment, (float)mane.Segment - Beside, (float)mane.LastSegment + Beside));
             }
         }
 
-        return share > 0f ? Vec.Lerp(under, colour, 0.92f * share) : under;
+        return fraction > 0f ? Vec.Lerp(under, colour, 0.92f * fraction) : under;
     }
 
     private static float Window(float x, float first, float last) => Scalar.Smooth((x - first + Fade) / Fade) * Scalar.Smooth((last + Fade - x) / Fade);

@@ -108,8 +108,8 @@ internal sealed class PatternField
         }
     }
 
-    private float Clouds(in PatternPlace place, float coarse, float fine, float share) =>
-        (share * coarseClouds.At(place.Position * (coarse * scale))) + ((1f - share) * fineClouds.At(place.Position * (fine * scale)));
+    private float Clouds(in PatternPlace place, float coarse, float fine, float fraction) =>
+        (fraction * coarseClouds.At(place.Position * (coarse * scale))) + ((1f - fraction) * fineClouds.At(place.Position * (fine * scale)));
 
     private float Spots(in PatternPlace place)
     {
@@ -130,14 +130,14 @@ internal sealed class PatternField
     {
         NearestPoint point = scatter.Nearest(place.Position * (4f * scale));
         float distance = point.Distance;
-        float share = 0.36f * Scalar.Smooth((RingRadius - distance) / 0.08f);
+        float fraction = 0.36f * Scalar.Smooth((RingRadius - distance) / 0.08f);
         float ring = Scalar.Smooth((0.145f - Math.Abs(distance - RingRadius)) / 0.08f);
-        if (ring > share)
+        if (ring > fraction)
         {
-            share = Math.Max(share, ring * Scalar.Smooth((Math.Abs(point.Lobes) - 0.02f) / 0.08f));
+            fraction = Math.Max(fraction, ring * Scalar.Smooth((Math.Abs(point.Lobes) - 0.02f) / 0.08f));
         }
 
-        return share * Scalar.Smooth(point.Margin / 0.07f);
+        return fraction * Scalar.Smooth(point.Margin / 0.07f);
     }
 
     private float Stripes(in PatternPlace place)

@@ -11,7 +11,7 @@ internal sealed class TailCoat
     private readonly CoatSubject subject;
     private readonly Vector3 finColour;
     private readonly Vector3 tipColour;
-    private readonly float tipShare;
+    private readonly float tipFraction;
 
     public TailCoat(CoatPalette palette, CoatSubject subject, int patternSeed)
     {
@@ -20,7 +20,7 @@ internal sealed class TailCoat
         finColour = BladeCoat.FinColour(palette, patternSeed);
         float tip = CoatChoice.Of(patternSeed, CoatChoice.TailTip);
         tipColour = tip < 0.45f ? palette.Limb : palette.Belly;
-        tipShare = tip < 0.70f ? 0.85f : 0f;
+        tipFraction = tip < 0.70f ? 0.85f : 0f;
     }
 
     /// <summary>The colour of a place of the trunk with the tail's own colours laid over <paramref name="colour"/>.</summary>
@@ -39,7 +39,7 @@ internal sealed class TailCoat
             case TailStyle.Club:
             case TailStyle.Prehensile:
             case TailStyle.Stinger:
-                return Vec.Lerp(colour, tipColour, tipShare * Between(place, 50, 53));
+                return Vec.Lerp(colour, tipColour, tipFraction * Between(place, 50, 53));
             case TailStyle.Feathers:
                 return Vec.Lerp(colour, palette.Limb * 0.85f, 0.85f * Between(place, 49, 52));
             default:

@@ -100,8 +100,8 @@ internal sealed class WorleyNoise
 
     /// <summary>By how much the second nearest point is farther away than the nearest, in cells: 0 on the borders between their plates.</summary>
     /// <param name="point">The place, in cells.</param>
-    /// <param name="most">The answer is exact up to here, and no less than this wherever it is more.</param>
-    public float Gap(Vector3 point, float most)
+    /// <param name="max">The answer is exact up to here, and no less than this wherever it is more.</param>
+    public float Gap(Vector3 point, float max)
     {
         int x0 = Low(point.X);
         int y0 = Low(point.Y);
@@ -109,7 +109,7 @@ internal sealed class WorleyNoise
         Survey(x0, y0, z0, point, out int first, out int second);
 
         // Of the cells around these eight only the nearer side of each axis can matter, and few of them do.
-        float within = (float)Math.Sqrt(Squared(first)) + most;
+        float within = (float)Math.Sqrt(Squared(first)) + max;
         float reach = Math.Min(Squared(second), within * within);
         if (reach > Reach * Reach)
         {
@@ -147,9 +147,9 @@ internal sealed class WorleyNoise
     // The nearer of the two cells beside a pair of cells, and the square of the least distance to its point along this axis.
     private static (int Cell, float Squared) Beyond(float at, int low)
     {
-        float share = at - 0.5f - low;
-        float least = Reach + Math.Min(share, 1f - share);
-        return (share < 0.5f ? low - 1 : low + 2, least * least);
+        float fraction = at - 0.5f - low;
+        float min = Reach + Math.Min(fraction, 1f - fraction);
+        return (fraction < 0.5f ? low - 1 : low + 2, min * min);
     }
 
     // The two least squared distances to the points of eight cells, as Meet orders them.
@@ -174,17 +174,17 @@ internal sealed class WorleyNoise
         y = alongY + farY;
         z = new Vector4((z0 + 1) - point.Z) + farZ;
         Vector4 far = (x * x) + (y * y) + (z * z);
-        int least = int.MaxValue;
+        int min = int.MaxValue;
         int next = int.MaxValue;
-        Meet(near.X, 0, ref least, ref next);
-        Meet(near.Y, 1, ref least, ref next);
-        Meet(near.Z, 2, ref least, ref next);
-        Meet(near.W, 3, ref least, ref next);
-        Meet(far.X, 4, ref least, ref next);
-        Meet(far.Y, 5, ref least, ref next);
-        Meet(far.Z, 6, ref least, ref next);
-        Meet(far.W, 7, ref least, ref next);
-        first = least;
+        Meet(near.X, 0, ref min, ref next);
+        Meet(near.Y, 1, ref min, ref next);
+        Meet(near.Z, 2, ref min, ref next);
+        Meet(near.W, 3, ref min, ref next);
+        Meet(far.X, 4, ref min, ref next);
+        Meet(far.Y, 5, ref min, ref next);
+        Meet(far.Z, 6, ref min, ref next);
+        Meet(far.W, 7, ref min, ref next);
+        first = min;
         second = next;
     }
 

@@ -172,20 +172,20 @@ internal static class BlueprintRules
             return;
         }
 
-        double least = ThinnestSection(bumps!, out int ring, out int segment);
-        if (least < MinSection)
+        double min = ThinnestSection(bumps!, out int ring, out int segment);
+        if (min < MinSection)
         {
-            string size = NumberText.Of(least);
+            string size = NumberText.Of(min);
             problems.Add("head.bumps", FormattableString.Invariant($"{size} of the section's size at ring {ring}, segment {segment}"), "at least " + NumberText.Of(MinSection));
         }
     }
 
     /// <summary>The least factor that the bumps put on a section.</summary>
-    private static double ThinnestSection(ValueList<HeadBump> bumps, out int ringOfLeast, out int segmentOfLeast)
+    private static double ThinnestSection(ValueList<HeadBump> bumps, out int ringOfMin, out int segmentOfMin)
     {
-        double least = double.MaxValue;
-        ringOfLeast = 0;
-        segmentOfLeast = 0;
+        double min = double.MaxValue;
+        ringOfMin = 0;
+        segmentOfMin = 0;
         for (int ring = 0; ring < BodyGrid.Rings; ring++)
         {
             for (int segment = 0; segment <= BodyGrid.Segments / 2; segment++)
@@ -198,16 +198,16 @@ internal static class BlueprintRules
                     factor += bump.Amount * PortableMath.Exp(-((u * u) + (v * v)));
                 }
 
-                if (factor < least)
+                if (factor < min)
                 {
-                    least = factor;
-                    ringOfLeast = ring;
-                    segmentOfLeast = segment;
+                    min = factor;
+                    ringOfMin = ring;
+                    segmentOfMin = segment;
                 }
             }
         }
 
-        return least;
+        return min;
     }
 
     private static void CheckShell(ShellBlueprint? shell, ProblemList problems)

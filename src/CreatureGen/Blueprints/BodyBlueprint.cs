@@ -55,29 +55,29 @@ public sealed record BodyBlend(ValueList<MixedBody> Bodies, string Face, string 
     public string First => Bodies[0].Name;
 
     /// <summary>Shares of the bodies in the torso, in their order; together 1.</summary>
-    public IReadOnlyList<double> TorsoShares => SharesOf(part => part.Torso);
+    public IReadOnlyList<double> TorsoFractions => FractionsOf(part => part.Torso);
 
     /// <summary>Shares of the bodies in the head, in their order; together 1.</summary>
-    public IReadOnlyList<double> HeadShares => SharesOf(part => part.Head);
+    public IReadOnlyList<double> HeadFractions => FractionsOf(part => part.Head);
 
     /// <summary>Shares of the bodies in the tail, in their order; together 1.</summary>
-    public IReadOnlyList<double> TailShares => SharesOf(part => part.Tail);
+    public IReadOnlyList<double> TailFractions => FractionsOf(part => part.Tail);
 
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, BodyFields.Blend);
 
-    private double[] SharesOf(Func<MixedBody, double> weightOf)
+    private double[] FractionsOf(Func<MixedBody, double> weightOf)
     {
-        double[] shares = new double[Bodies.Count];
+        double[] fractions = new double[Bodies.Count];
         double left = 1;
-        for (int i = shares.Length - 1; i >= 0; i--)
+        for (int i = fractions.Length - 1; i >= 0; i--)
         {
             double weight = i == 0 ? 1 : weightOf(Bodies[i]);
-            shares[i] = left * weight;
+            fractions[i] = left * weight;
             left *= 1 - weight;
         }
 
-        return shares;
+        return fractions;
     }
 }
 

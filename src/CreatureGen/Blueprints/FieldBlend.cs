@@ -7,34 +7,34 @@ namespace CreatureGen.Blueprints;
 internal sealed class FieldBlend : IFieldVisitor
 {
     private readonly Queue<double> goals;
-    private readonly double share;
+    private readonly double fraction;
 
-    private FieldBlend(Queue<double> goals, double share)
+    private FieldBlend(Queue<double> goals, double fraction)
     {
         this.goals = goals;
-        this.share = share;
+        this.fraction = fraction;
     }
 
     /// <summary>The creature between two that have as many parts in every list.</summary>
     /// <param name="first">At share 0.</param>
     /// <param name="second">At share 1.</param>
-    /// <param name="share">0..1.</param>
-    public static CreatureBlueprint Between(CreatureBlueprint first, CreatureBlueprint second, double share) => Between(first, second, share, CreatureFields.Creature);
+    /// <param name="fraction">0..1.</param>
+    public static CreatureBlueprint Between(CreatureBlueprint first, CreatureBlueprint second, double fraction) => Between(first, second, fraction, CreatureFields.Creature);
 
     /// <summary>The record between two that have as many parts in every list.</summary>
-    public static T Between<T>(T first, T second, double share, RecordDescription<T> description)
+    public static T Between<T>(T first, T second, double fraction, RecordDescription<T> description)
         where T : class, IEquatable<T>
     {
         var goals = new NumberCollector();
         description.Visit(goals, second);
-        return description.Visit(new FieldBlend(goals.Numbers, share), first);
+        return description.Visit(new FieldBlend(goals.Numbers, fraction), first);
     }
 
     /// <inheritdoc/>
     public IFieldVisitor Since(int format) => this;
 
     /// <inheritdoc/>
-    public double Number(string name, double value, NumberRange range) => value + (share * (goals.Dequeue() - value));
+    public double Number(string name, double value, NumberRange range) => value + (fraction * (goals.Dequeue() - value));
 
     /// <inheritdoc/>
     public int Whole(string name, int value, WholeRange range) => value;

@@ -137,12 +137,12 @@ internal static class BodyShaper
         double depth = p.Depth;
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
-            double share = i <= 6 ? Scalar.Lerp(0.08, 0.25, i / 6.0)
+            double fraction = i <= 6 ? Scalar.Lerp(0.08, 0.25, i / 6.0)
                 : i <= StationRing.TrunkFirst ? Scalar.Lerp(0.25, 1, (i - 6) / 14.0)
                 : i <= StationRing.Belly ? 1
                 : i <= StationRing.TorsoLast ? Scalar.Lerp(1, 0.4, (i - StationRing.Belly) / 10.0)
                 : Scalar.Lerp(0.4, 0, (i - StationRing.TorsoLast) / 10.0);
-            double factor = 1 + (share * (depth - 1));
+            double factor = 1 + (fraction * (depth - 1));
             top[i] *= factor;
             bottom[i] *= factor;
             width[i] *= p.Width;
@@ -218,7 +218,7 @@ internal static class BodyShaper
     }
 
     /// <summary>Gives the tail from its root on the thickness of a form.</summary>
-    private static void Taper(TailTaper form, double share, double[] width, double[] top, double[] bottom)
+    private static void Taper(TailTaper form, double fraction, double[] width, double[] top, double[] bottom)
     {
         const int Last = BodyGrid.Rings - 1;
         (double width0, double height0) = (width[StationRing.TorsoLast], (top[StationRing.TorsoLast] + bottom[StationRing.TorsoLast]) / 2);
@@ -226,7 +226,7 @@ internal static class BodyShaper
         {
             (double w, double h) = form.At((double)(i - StationRing.TorsoLast) / (Last - StationRing.TorsoLast));
             double bead = i % 2 == 1 ? 1 : 1 - form.Beads;
-            double weight = share * Scalar.Smooth((i - StationRing.TorsoLast) / 3.0);
+            double weight = fraction * Scalar.Smooth((i - StationRing.TorsoLast) / 3.0);
             width[i] = Math.Max(ThinnestSection, Scalar.Lerp(width[i], w * bead * width0, weight));
             top[i] = Math.Max(ThinnestSection, Scalar.Lerp(top[i], h * bead * height0, weight));
             bottom[i] = Math.Max(ThinnestSection, Scalar.Lerp(bottom[i], h * bead * height0, weight));

@@ -123,13 +123,13 @@ internal sealed class BodySkin
     /// <summary>The relief of a mixed torso: that of each body in its share.</summary>
     private static ValueList<HeadBump> ReliefOf(BodyBlend blend)
     {
-        IReadOnlyList<double> shares = blend.TorsoShares;
+        IReadOnlyList<double> fractions = blend.TorsoFractions;
         var bumps = new List<HeadBump>();
         for (int k = 0; k < blend.Bodies.Count; k++)
         {
             foreach (HeadBump bump in SpeciesCatalogue.Find(blend.Bodies[k].Name).Relief)
             {
-                bumps.Add(bump with { Amount = shares[k] * bump.Amount });
+                bumps.Add(bump with { Amount = fractions[k] * bump.Amount });
             }
         }
 

@@ -251,10 +251,10 @@ internal sealed class MouthSlit
         float lift = (float)(blueprint.Smile * 0.16 * shape.Width[Math.Min(corner + 3, 13)]);
         for (int i = 0; i < corner + 3; i++)
         {
-            double share = PortableMath.Pow(Math.Min(i, corner) / (double)corner, 2.2) * (i <= corner ? 1 : i == corner + 1 ? 0.5 : 0.2);
+            double fraction = PortableMath.Pow(Math.Min(i, corner) / (double)corner, 2.2) * (i <= corner ? 1 : i == corner + 1 ? 0.5 : 0.2);
             for (int d = -2; d <= 2; d++)
             {
-                float weight = (float)(share * (d == 0 ? 1 : Math.Abs(d) == 1 ? 0.7 : 0.3));
+                float weight = (float)(fraction * (d == 0 ? 1 : Math.Abs(d) == 1 ? 0.7 : 0.3));
                 Vector3 shift = shape.Up(i) * (lift * weight);
                 Shift(body[i, LeftSegment + d]);
                 Shift(body[i, RightSegment - d]);

@@ -116,7 +116,7 @@ internal sealed class MeshReduction
             int item = queue.Take(out double known);
             if (item >= twin.Length)
             {
-                Lose(item - twin.Length);
+                RemovePiece(item - twin.Length);
             }
             else
             {
@@ -242,17 +242,17 @@ internal sealed class MeshReduction
 
             bool torn = !Match(point, n, pairs);
             tears |= torn;
-            double price = cost.Of(point, n, pairs, torn);
+            double edgeCost = cost.Of(point, n, pairs, torn);
             int at = candidates.Count;
             candidates.Add(n);
-            while (at > 0 && (price < neighbourCosts[at - 1] || (price == neighbourCosts[at - 1] && n < candidates[at - 1])))
+            while (at > 0 && (edgeCost < neighbourCosts[at - 1] || (edgeCost == neighbourCosts[at - 1] && n < candidates[at - 1])))
             {
                 neighbourCosts[at] = neighbourCosts[at - 1];
                 candidates[at] = candidates[at - 1];
                 at--;
             }
 
-            neighbourCosts[at] = price;
+            neighbourCosts[at] = edgeCost;
             candidates[at] = n;
         }
     }
@@ -355,7 +355,7 @@ internal sealed class MeshReduction
         }
     }
 
-    private void Lose(int piece)
+    private void RemovePiece(int piece)
     {
         int other = pieceOf[twin[piece]];
         lost[piece] = true;

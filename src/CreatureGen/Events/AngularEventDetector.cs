@@ -103,16 +103,16 @@ public static class AngularEventDetector
 
     private static void FindPeaks(AngularCurve[] curves, AngularRule rule, ClipEdge edge, List<Moment> moments)
     {
-        float[] most = Array.ConvertAll(curves, Chunks.MaxOf);
+        float[] max = Array.ConvertAll(curves, Chunks.MaxOf);
         float all = 0f;
-        foreach (float one in most)
+        foreach (float one in max)
         {
             all = Math.Max(all, one);
         }
 
         for (int j = 0; j < curves.Length; j++)
         {
-            Chunks.Find(curves[j], j, rule.FractionScope == IntervalScope.Together ? all : most[j], rule, edge, moments);
+            Chunks.Find(curves[j], j, rule.FractionScope == IntervalScope.Together ? all : max[j], rule, edge, moments);
         }
     }
 

@@ -30,7 +30,7 @@ public sealed class AngularEventStream
     private float time;
     private float lastTogether = float.NegativeInfinity;
     private int updates;
-    private float mostOfAll;
+    private float maxOfAll;
 
     /// <summary>Begins to listen.</summary>
     /// <param name="skeleton">Of the poses to come.</param>
@@ -71,7 +71,7 @@ public sealed class AngularEventStream
 
         time += dt;
         updates++;
-        mostOfAll *= Damping.Left(0.6931472f / Memory, dt);
+        maxOfAll *= Damping.Left(0.6931472f / Memory, dt);
         for (int j = 0; j < lines.Length; j++)
         {
             if (rule.Sweep!.IsAnyWay)
@@ -112,7 +112,7 @@ public sealed class AngularEventStream
         time = 0f;
         lastTogether = float.NegativeInfinity;
         updates = 0;
-        mostOfAll = 0f;
+        maxOfAll = 0f;
     }
 
     private void Advance(ref Track track, Quaternion now, int j, float dt)
@@ -142,8 +142,8 @@ public sealed class AngularEventStream
     private void Listen(ref Track track, int joint, float signal, float at, float dt)
     {
         track.Max = Math.Max(track.Max * Damping.Left(0.6931472f / Memory, dt), signal);
-        mostOfAll = Math.Max(mostOfAll, signal);
-        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * (rule.FractionScope == IntervalScope.Together ? mostOfAll : track.Max));
+        maxOfAll = Math.Max(maxOfAll, signal);
+        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * (rule.FractionScope == IntervalScope.Together ? maxOfAll : track.Max));
         if (signal >= threshold && signal > 0f)
         {
             if (!track.Above || signal > track.Peak)

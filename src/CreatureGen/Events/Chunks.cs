@@ -13,14 +13,14 @@ internal static class Chunks
     /// <summary>Adds the moments of a curve.</summary>
     /// <param name="curve">What is looked at.</param>
     /// <param name="number">Of the curve.</param>
-    /// <param name="most">The greatest value that the rule's fraction is of.</param>
+    /// <param name="max">The greatest value that the rule's fraction is of.</param>
     /// <param name="rule">What to look for.</param>
     /// <param name="edge">What lies beyond the ends.</param>
     /// <param name="moments">Gets the moments.</param>
-    public static void Find(AngularCurve curve, int number, float most, AngularRule rule, ClipEdge edge, List<Moment> moments)
+    public static void Find(AngularCurve curve, int number, float max, AngularRule rule, ClipEdge edge, List<Moment> moments)
     {
         ReadOnlySpan<float> a = curve.Signal;
-        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * most);
+        float threshold = Math.Max((float)rule.Threshold, rule.ThresholdFraction * max);
         int gap = (int)(rule.ChunkGap * curve.Rate);
         float quiet = Math.Max(rule.Quiet, rule.QuietFraction * LongestQuiet(a, threshold, out int behind) / curve.Rate);
         int start = edge == ClipEdge.Joined ? behind : 0;
@@ -63,13 +63,13 @@ internal static class Chunks
     /// <summary>The greatest value of a curve.</summary>
     public static float MaxOf(AngularCurve curve)
     {
-        float most = 0f;
+        float max = 0f;
         foreach (float one in curve.Signal)
         {
-            most = Math.Max(most, one);
+            max = Math.Max(max, one);
         }
 
-        return most;
+        return max;
     }
 
     /// <summary>The sample that the moment of a stretch is at, −1 if no change in it counts.</summary>
@@ -87,11 +87,11 @@ internal static class Chunks
             return best;
         }
 
-        float least = Math.Max(threshold, LastPeakFraction * a[(start + best) % a.Length]);
+        float min = Math.Max(threshold, LastPeakFraction * a[(start + best) % a.Length]);
         for (int k = to; k > best; k--)
         {
             float value = a[(start + k) % a.Length];
-            if (value >= least && value >= a[(start + k - 1) % a.Length] && value >= a[(start + k + 1) % a.Length])
+            if (value >= min && value >= a[(start + k - 1) % a.Length] && value >= a[(start + k + 1) % a.Length])
             {
                 return k;
             }

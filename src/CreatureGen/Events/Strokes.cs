@@ -22,14 +22,14 @@ internal static class Strokes
             fastestBack = speeds[i] < speeds[fastestBack] ? i : fastestBack;
         }
 
-        float least = (float)rule.Threshold;
+        float min = (float)rule.Threshold;
         float returns = sweep.ReturnsAt * speeds[fastestBack];
-        if (returns >= 0f || -returns < sweep.ReturnsAt * least)
+        if (returns >= 0f || -returns < sweep.ReturnsAt * min)
         {
             return;
         }
 
-        float begins = Math.Max(least, sweep.BeginsAt * Usual(speeds, least));
+        float begins = Math.Max(min, sweep.BeginsAt * Usual(speeds, min));
         List<Stretch> stretches = edge == ClipEdge.Joined
             ? Stretches(speeds, fastestBack, begins, returns, true)
             : Stretches(speeds, 0, begins, returns, false);
@@ -106,12 +106,12 @@ internal static class Strokes
     }
 
     /// <summary>The median of the speeds of sweeping that are not too small to count.</summary>
-    private static float Usual(ReadOnlySpan<float> speeds, float least)
+    private static float Usual(ReadOnlySpan<float> speeds, float min)
     {
         var sweeping = new List<float>();
         foreach (float speed in speeds)
         {
-            if (speed > least)
+            if (speed > min)
             {
                 sweeping.Add(speed);
             }

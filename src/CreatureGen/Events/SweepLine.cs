@@ -25,11 +25,11 @@ internal readonly record struct SweepLine(int From, int To)
             highest = Math.Max(highest, joint.ModelPosition.Y);
         }
 
-        float most = lowest + (sweep.LowestPart * (highest - lowest));
+        float max = lowest + (sweep.LowestPart * (highest - lowest));
         var lines = new List<SweepLine>();
         foreach (int joint in joints)
         {
-            if (Of(skeleton, joint, sweep) is { } line && (sweep.LowestPart >= 1f || skeleton.Joints[line.To].ModelPosition.Y <= most))
+            if (Of(skeleton, joint, sweep) is { } line && (sweep.LowestPart >= 1f || skeleton.Joints[line.To].ModelPosition.Y <= max))
             {
                 lines.Add(line);
             }

@@ -36,16 +36,16 @@ internal struct SweepTrack
         along = now;
         started = true;
         AngularSweep sweep = rule.Sweep!;
-        float least = (float)rule.Threshold;
+        float min = (float)rule.Threshold;
         fastestBack = Math.Min(fastestBack * Damping.Left(0.6931472f / AngularEventStream.Memory, dt), speed);
-        if (speed <= sweep.ReturnsAt * Math.Min(fastestBack, -least))
+        if (speed <= sweep.ReturnsAt * Math.Min(fastestBack, -min))
         {
             Learn();
             returned = true;
         }
 
-        float begins = Math.Max(least, sweep.BeginsAt * usual);
-        if (speed > least)
+        float begins = Math.Max(min, sweep.BeginsAt * usual);
+        if (speed > min)
         {
             swept += speed * dt;
             sweeping += dt;

@@ -37,13 +37,13 @@ internal static class AntlerShape
         SweptTube.Append(builder, rows, curve.Point(1f), colour * 1.1f, HornShape.MajorHint(curve), Sides);
         Vector3 lean = Vec.Normalize((curve.Forward * 0.75f) + (Vector3.UnitY * 0.65f) - (curve.Skin.Normal * 0.1f));
         Span<TubeRow> tine = rows.Slice(0, 2);
-        foreach ((float at, float share) in tines)
+        foreach ((float at, float fraction) in tines)
         {
             Vector3 root = curve.Point(at);
-            Vector3 tip = root + (lean * (share * curve.Length)) + (Vector3.UnitY * (0.12f * share * curve.Length));
+            Vector3 tip = root + (lean * (fraction * curve.Length)) + (Vector3.UnitY * (0.12f * fraction * curve.Length));
             float r = 0.62f * RadiusAt(radius, at);
             tine[0] = new TubeRow(root, r, r, colour * 0.85f);
-            tine[1] = new TubeRow(Vec.Lerp(root, tip, 0.55f) + (curve.Forward * (0.06f * share * curve.Length)), 0.6f * r, 0.6f * r, colour);
+            tine[1] = new TubeRow(Vec.Lerp(root, tip, 0.55f) + (curve.Forward * (0.06f * fraction * curve.Length)), 0.6f * r, 0.6f * r, colour);
             SweptTube.Append(builder, tine, tip, colour * 1.15f, Vector3.UnitX, TineSides);
         }
     }

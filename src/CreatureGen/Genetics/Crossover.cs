@@ -34,8 +34,8 @@ internal static class Crossover
         CreatureBlueprint ornaments = Of(inheritance.Ornaments);
         CreatureBlueprint skin = Of(inheritance.Skin);
         double torso = random.Uniform(0.3, 0.55);
-        double headShare = ReferenceEquals(head, frame) ? 1 - RegionFraction : RegionFraction;
-        double tailShare = ReferenceEquals(tail, frame) ? 1 - RegionFraction : RegionFraction;
+        double headFraction = ReferenceEquals(head, frame) ? 1 - RegionFraction : RegionFraction;
+        double tailFraction = ReferenceEquals(tail, frame) ? 1 - RegionFraction : RegionFraction;
         double size = random.Uniform(0.3, 0.7);
         return frame with
         {
@@ -43,10 +43,10 @@ internal static class Crossover
             TriangleBudget = Math.Max(frame.TriangleBudget, other.TriangleBudget),
             Body = frame.Body with
             {
-                Blend = MixBodies(frame.Body.Blend, other.Body.Blend, torso, headShare, tailShare) with { Face = head.Body.Blend.Face, Skin = skin.Body.Blend.Skin, Manner = frame.Body.Blend.Manner },
-                Proportions = MixProportions(frame.Body.Proportions, other.Body.Proportions, torso, headShare, tailShare),
+                Blend = MixBodies(frame.Body.Blend, other.Body.Blend, torso, headFraction, tailFraction) with { Face = head.Body.Blend.Face, Skin = skin.Body.Blend.Skin, Manner = frame.Body.Blend.Manner },
+                Proportions = MixProportions(frame.Body.Proportions, other.Body.Proportions, torso, headFraction, tailFraction),
                 Posture = frame.Plan == other.Plan ? FieldBlend.Between(frame.Body.Posture, other.Body.Posture, torso, BodyFields.Posture) : frame.Body.Posture,
-                Slices = MixSlices(frame.Body.Slices, other.Body.Slices, torso, headShare, tailShare),
+                Slices = MixSlices(frame.Body.Slices, other.Body.Slices, torso, headFraction, tailFraction),
                 Elevation = frame.Plan == other.Plan ? Mix(frame.Body.Elevation, other.Body.Elevation, torso) : frame.Body.Elevation,
                 Shell = CarriesShell(frame.Plan) ? ornaments.Body.Shell : frame.Body.Shell,
             },
@@ -63,10 +63,10 @@ internal static class Crossover
         };
     }
 
-    private static double Mix(double a, double b, double share) =>
-        a > 0 && b > 0 ? PortableMath.Exp(((1 - share) * PortableMath.Log(a)) + (share * PortableMath.Log(b))) : a + (share * (b - a));
+    private static double Mix(double a, double b, double fraction) =>
+        a > 0 && b > 0 ? PortableMath.Exp(((1 - fraction) * PortableMath.Log(a)) + (fraction * PortableMath.Log(b))) : a + (fraction * (b - a));
 
-    private static double Lerp(double a, double b, double share) => a + (share * (b - a));
+    private static double Lerp(double a, double b, double fraction) => a + (fraction * (b - a));
 
     /// <summary>Mixes the bodies of both, each region at its own share, and keeps the greatest that a mix has room for.</summary>
     private static BodyBlend MixBodies(BodyBlend frame, BodyBlend other, double torso, double head, double tail)
@@ -91,22 +91,22 @@ internal static class Crossover
 
         return frame with { Bodies = new ValueList<MixedBody>(bodies) };
 
-        static double Part(double share, double sum) => sum > 0 ? share / sum : 0;
+        static double Part(double fraction, double sum) => sum > 0 ? fraction / sum : 0;
 
         void Add(BodyBlend blend, double t, double h, double e)
         {
             for (int i = 0; i < blend.Bodies.Count; i++)
             {
                 string name = blend.Bodies[i].Name;
-                (double Torso, double Head, double Tail) shares = (t * blend.TorsoShares[i], h * blend.HeadShares[i], e * blend.TailShares[i]);
+                (double Torso, double Head, double Tail) fractions = (t * blend.TorsoFractions[i], h * blend.HeadFractions[i], e * blend.TailFractions[i]);
                 int known = parts.FindIndex(part => part.Name == name);
                 if (known < 0)
                 {
-                    parts.Add((name, shares.Torso, shares.Head, shares.Tail));
+                    parts.Add((name, fractions.Torso, fractions.Head, fractions.Tail));
                 }
                 else
                 {
-                    parts[known] = (name, parts[known].Torso + shares.Torso, parts[known].Head + shares.Head, parts[known].Tail + shares.Tail);
+                    parts[known] = (name, parts[known].Torso + fractions.Torso, parts[known].Head + fractions.Head, parts[known].Tail + fractions.Tail);
                 }
             }
         }
@@ -132,8 +132,8 @@ internal static class Crossover
         var mixed = new LatticeSlice[a.Count];
         for (int i = 0; i < mixed.Length; i++)
         {
-            double share = i < HeadSlices ? head : i >= TailSlice ? tail : torso;
-            mixed[i] = new LatticeSlice(Mix(a[i].Width, b[i].Width, share), Mix(a[i].Height, b[i].Height, share), Mix(a[i].Length, b[i].Length, share));
+            double fraction = i < HeadSlices ? head : i >= TailSlice ? tail : torso;
+            mixed[i] = new LatticeSlice(Mix(a[i].Width, b[i].Width, fraction), Mix(a[i].Height, b[i].Height, fraction), Mix(a[i].Length, b[i].Length, fraction));
         }
 
         return new ValueList<LatticeSlice>(mixed);
@@ -155,7 +155,7 @@ internal static class Crossover
         return fits ? tail.Tail : new TailBlueprint(TailStyle.Plain, 0, 0);
     }
 
-    private static ValueList<LegBlueprint> Legs(CreatureBlueprint frame, CreatureBlueprint other, double share)
+    private static ValueList<LegBlueprint> Legs(CreatureBlueprint frame, CreatureBlueprint other, double fraction)
     {
         ValueList<LegBlueprint> legs = frame.Legs;
         for (int i = 0; i < legs.Count && other.Legs.Count > 0; i++)
@@ -163,14 +163,14 @@ internal static class Crossover
             LegBlueprint a = legs[i];
             LegBlueprint b = other.Legs[Math.Min(i, other.Legs.Count - 1)];
             bool alike = a.Archetype == b.Archetype && a.Stance == b.Stance;
-            LegBlueprint build = a with { Stoutness = Mix(a.Stoutness, b.Stoutness, share), FootSize = Mix(a.FootSize, b.FootSize, share), ClawLength = Lerp(a.ClawLength, b.ClawLength, share) };
-            legs = legs.With(i, alike ? FieldBlend.Between(a, b, share, LimbFields.Leg) : build);
+            LegBlueprint build = a with { Stoutness = Mix(a.Stoutness, b.Stoutness, fraction), FootSize = Mix(a.FootSize, b.FootSize, fraction), ClawLength = Lerp(a.ClawLength, b.ClawLength, fraction) };
+            legs = legs.With(i, alike ? FieldBlend.Between(a, b, fraction, LimbFields.Leg) : build);
         }
 
         return legs;
     }
 
-    private static ValueList<WingBlueprint> Wings(CreatureBlueprint frame, CreatureBlueprint other, CreatureBlueprint ornaments, double share)
+    private static ValueList<WingBlueprint> Wings(CreatureBlueprint frame, CreatureBlueprint other, CreatureBlueprint ornaments, double fraction)
     {
         ValueList<WingBlueprint> wings = frame.Wings;
         for (int i = 0; i < wings.Count && i < other.Wings.Count; i++)
@@ -178,20 +178,20 @@ internal static class Crossover
             WingBlueprint a = wings[i], b = other.Wings[i];
             if ((a.Style == WingStyle.Folded) == (b.Style == WingStyle.Folded))
             {
-                wings = wings.With(i, FieldBlend.Between(a, b, share, LimbFields.Wing) with { Style = i < ornaments.Wings.Count ? ornaments.Wings[i].Style : a.Style });
+                wings = wings.With(i, FieldBlend.Between(a, b, fraction, LimbFields.Wing) with { Style = i < ornaments.Wings.Count ? ornaments.Wings[i].Style : a.Style });
             }
         }
 
         return wings;
     }
 
-    private static ValueList<FinBlueprint> Fins(CreatureBlueprint frame, CreatureBlueprint other, double share)
+    private static ValueList<FinBlueprint> Fins(CreatureBlueprint frame, CreatureBlueprint other, double fraction)
     {
         ValueList<FinBlueprint> fins = frame.Fins;
         for (int i = 0; i < fins.Count && i < other.Fins.Count; i++)
         {
             bool alike = fins[i].Place == other.Fins[i].Place && fins[i].Style == other.Fins[i].Style;
-            fins = alike ? fins.With(i, FieldBlend.Between(fins[i], other.Fins[i], share, LimbFields.Fin)) : fins;
+            fins = alike ? fins.With(i, FieldBlend.Between(fins[i], other.Fins[i], fraction, LimbFields.Fin)) : fins;
         }
 
         return fins;

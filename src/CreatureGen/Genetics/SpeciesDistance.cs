@@ -19,9 +19,9 @@ public static class SpeciesDistance
         double[] traits =
         {
             Ratio(first.Scale, second.Scale),
-            Bodies(a.Blend, b.Blend, blend => blend.TorsoShares),
-            Bodies(a.Blend, b.Blend, blend => blend.HeadShares),
-            Bodies(a.Blend, b.Blend, blend => blend.TailShares),
+            Bodies(a.Blend, b.Blend, blend => blend.TorsoFractions),
+            Bodies(a.Blend, b.Blend, blend => blend.HeadFractions),
+            Bodies(a.Blend, b.Blend, blend => blend.TailFractions),
             (Ratio(a.Proportions.Neck, b.Proportions.Neck) + Ratio(a.Proportions.Girth, b.Proportions.Girth) + Ratio(a.Proportions.Depth, b.Proportions.Depth)) / 3,
             (Ratio(a.Proportions.Head, b.Proportions.Head) + Ratio(a.Proportions.Snout, b.Proportions.Snout)) / 2,
             Ratio(a.Proportions.Tail, b.Proportions.Tail),
@@ -45,14 +45,14 @@ public static class SpeciesDistance
 
     private static double Counts(int a, int b) => a == b ? 0 : Math.Abs(a - b) / (double)Math.Max(a, b);
 
-    private static double Bodies(BodyBlend a, BodyBlend b, Func<BodyBlend, System.Collections.Generic.IReadOnlyList<double>> sharesOf)
+    private static double Bodies(BodyBlend a, BodyBlend b, Func<BodyBlend, System.Collections.Generic.IReadOnlyList<double>> fractionsOf)
     {
         double shared = 0;
         for (int i = 0; i < a.Bodies.Count; i++)
         {
             for (int k = 0; k < b.Bodies.Count; k++)
             {
-                shared += a.Bodies[i].Name == b.Bodies[k].Name ? Math.Min(sharesOf(a)[i], sharesOf(b)[k]) : 0;
+                shared += a.Bodies[i].Name == b.Bodies[k].Name ? Math.Min(fractionsOf(a)[i], fractionsOf(b)[k]) : 0;
             }
         }
 

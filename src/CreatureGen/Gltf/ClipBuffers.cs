@@ -62,7 +62,7 @@ internal sealed class ClipBuffers
     public float? LastTime(Accessor accessor) => ends.TryGetValue(accessor.Index, out float end) ? end : null;
 
     /// <summary>Metres per second to tell of a clip: none of one whose root travels by itself.</summary>
-    public float SpeedOf(Clip clip) => options.RootMotion == TravelChoice.Travels && clip.Path.Count > 0 ? 0f : clip.Speed;
+    public float SpeedOf(Clip clip) => options.RootMotion == RootMotionChoice.Travels && clip.Path.Count > 0 ? 0f : clip.Speed;
 
     /// <summary>Writes all accessors into the binary chunk.</summary>
     public void Write(Span<byte> binary) => pool.Write(binary);
@@ -85,7 +85,7 @@ internal sealed class ClipBuffers
                 travels |= clip.Path.Count > 0;
             }
 
-            return travels && options.RootMotion == TravelChoice.Travels;
+            return travels && options.RootMotion == RootMotionChoice.Travels;
         }
     }
 
@@ -124,9 +124,9 @@ internal sealed class ClipBuffers
 
     private ClipChannel[] ChannelsOf(Clip clip)
     {
-        KeyedClip whole = options.RootMotion == TravelChoice.Travels ? clip.Travelling() : clip.WithPath(Array.Empty<ClipPlace>()).Travelling();
+        KeyedClip whole = options.RootMotion == RootMotionChoice.Travels ? clip.WithRootMotion() : clip.WithPath(Array.Empty<ClipPlace>()).WithRootMotion();
         KeyedClip kept = options.ClipPrecision is { } precision ? ClipCompression.Reduce(clip, skeleton, precision) : whole;
-        bool travels = options.RootMotion == TravelChoice.Travels && clip.Path.Count > 0;
+        bool travels = options.RootMotion == RootMotionChoice.Travels && clip.Path.Count > 0;
         var made = new List<ClipChannel>();
         foreach (int joint in turning)
         {

@@ -126,7 +126,7 @@ internal static class DocumentWriter
             json.EndObject();
         }
 
-        if (options.RootMotion != TravelChoice.InPlace)
+        if (options.RootMotion != RootMotionChoice.InPlace)
         {
             json.Name("rootMotion").Text(options.RootMotion.ToString().ToLowerInvariant());
         }

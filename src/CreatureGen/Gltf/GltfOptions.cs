@@ -36,8 +36,8 @@ public sealed record GltfOptions
     /// <summary>How near clips of fewer keys are to what was recorded; null keeps the keys of every frame. Default: <see cref="ClipPrecision.Default"/>.</summary>
     public ClipPrecision? ClipPrecision { get; init; } = Motion.Toolkit.ClipPrecision.Default;
 
-    /// <summary>Who moves the creature while a clip plays. Default: <see cref="TravelChoice.InPlace"/>.</summary>
-    public TravelChoice RootMotion { get; init; }
+    /// <summary>Who moves the creature while a clip plays. Default: <see cref="RootMotionChoice.InPlace"/>.</summary>
+    public RootMotionChoice RootMotion { get; init; }
 
     /// <summary>For whose importer names and extras of clips are. Default: <see cref="TargetEngine.Generic"/>.</summary>
     public TargetEngine Engine { get; init; }

@@ -58,8 +58,8 @@ internal static class MeshChecks
         }
 
         double volume = VolumeOf(skin);
-        double share = Math.Max(VolumeFraction, FacetLoss * 3 / skin.BodyTriangles.Length);
-        if (!(volume > 0) || Math.Abs(volume - creature.Mass.Volume) > share * volume)
+        double fraction = Math.Max(VolumeFraction, FacetLoss * 3 / skin.BodyTriangles.Length);
+        if (!(volume > 0) || Math.Abs(volume - creature.Mass.Volume) > fraction * volume)
         {
             found.Add(CreatureInspection.PositiveVolume, $"body and limbs enclose {volume} m³ and the creature says {creature.Mass.Volume} m³; expected the same volume above zero");
         }

@@ -36,7 +36,7 @@ internal readonly record struct StandingBalance(double Fraction, double Metres)
             return new StandingBalance(double.NegativeInfinity, double.NegativeInfinity);
         }
 
-        double share = double.PositiveInfinity;
+        double fraction = double.PositiveInfinity;
         double metres = double.PositiveInfinity;
         for (int i = 0; i < hull.Count; i++)
         {
@@ -49,11 +49,11 @@ internal readonly record struct StandingBalance(double Fraction, double Metres)
             }
 
             double inside = Turn(a, b, (creature.Mass.Centre.X, creature.Mass.Centre.Z)) / length;
-            share = Math.Min(share, inside / width);
+            fraction = Math.Min(fraction, inside / width);
             metres = Math.Min(metres, inside);
         }
 
-        return new StandingBalance(share, metres);
+        return new StandingBalance(fraction, metres);
     }
 
     /// <summary>Corners in counter-clockwise order of x and z. Based on: A. M. Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions".</summary>

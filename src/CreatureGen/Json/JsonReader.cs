@@ -69,8 +69,8 @@ internal ref struct JsonReader
 
     private static JsonReading TooLong(JsonLimits limits)
     {
-        string most = limits.MaximumBytes.ToString(CultureInfo.InvariantCulture);
-        return Rejected(new JsonProblem("", new JsonPosition(1, 1), "a longer text", "at most " + most + " bytes"));
+        string max = limits.MaximumBytes.ToString(CultureInfo.InvariantCulture);
+        return Rejected(new JsonProblem("", new JsonPosition(1, 1), "a longer text", "at most " + max + " bytes"));
     }
 
     private static JsonReading Rejected(JsonProblem problem) => new(null, new[] { problem });

@@ -164,16 +164,16 @@ internal static class Digits
     /// <summary>−1 for the first digit, 1 for the last.</summary>
     private static float Rank(int q, int count) => count > 1 ? (q - ((count - 1) / 2f)) / ((count - 1) / 2f) : 0f;
 
-    private static float Spacing(float[] start, float[] target, float share)
+    private static float Spacing(float[] start, float[] target, float fraction)
     {
-        float least = 9f;
+        float min = 9f;
         for (int q = 1; q < start.Length; q++)
         {
-            float a = Scalar.Lerp(start[q - 1], target[q - 1], share);
-            float b = Scalar.Lerp(start[q], target[q], share);
-            least = Math.Min(least, Math.Abs(b - a));
+            float a = Scalar.Lerp(start[q - 1], target[q - 1], fraction);
+            float b = Scalar.Lerp(start[q], target[q], fraction);
+            min = Math.Min(min, Math.Abs(b - a));
         }
 
-        return least;
+        return min;
     }
 }

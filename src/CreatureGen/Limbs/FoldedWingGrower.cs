@@ -26,10 +26,10 @@ internal static class FoldedWingGrower
     /// <summary>The last ring that an edge may ride on.</summary>
     private const double LastRing = 52.5;
 
-    private static readonly float[] jointShares = { 0f, 0.3f, 0.55f, 0.8f, 1f };
+    private static readonly float[] jointFractions = { 0f, 0.3f, 0.55f, 0.8f, 1f };
 
     /// <summary>Segments of the lower edge and the shares of the span that they hold for.</summary>
-    private static readonly double[] lowerShares = { 0, 0.15, 0.4, 0.7, 1 };
+    private static readonly double[] lowerFractions = { 0, 0.15, 0.4, 0.7, 1 };
     private static readonly double[] lowerSegments = { 8.0, 8.5, 8.2, 6.6, 3.6 };
 
     /// <summary>Grows the left wing, mirrors it, and says where its joints are.</summary>
@@ -69,8 +69,8 @@ internal static class FoldedWingGrower
         blade.Close(surface, end, wing.Socket, -Vector3.UnitZ);
         surface.MirrorSince(firstVertex, firstFace);
 
-        Vector3[] joints = Array.ConvertAll(jointShares, s => Vec.Lerp(Lead(s), Trail(s), s == 0f ? 0.5f : 0.25f));
-        return WingAppendage.Of(socket.CentreRing, joints, jointShares);
+        Vector3[] joints = Array.ConvertAll(jointFractions, s => Vec.Lerp(Lead(s), Trail(s), s == 0f ? 0.5f : 0.25f));
+        return WingAppendage.Of(socket.CentreRing, joints, jointFractions);
     }
 
     /// <summary>The point off the skin at a ring and segment, never across the sagittal plane.</summary>
@@ -87,12 +87,12 @@ internal static class FoldedWingGrower
     private static double Piecewise(double s)
     {
         int i = 1;
-        while (i < lowerShares.Length - 1 && s > lowerShares[i])
+        while (i < lowerFractions.Length - 1 && s > lowerFractions[i])
         {
             i++;
         }
 
-        return Scalar.Lerp(lowerSegments[i - 1], lowerSegments[i], (s - lowerShares[i - 1]) / (lowerShares[i] - lowerShares[i - 1]));
+        return Scalar.Lerp(lowerSegments[i - 1], lowerSegments[i], (s - lowerFractions[i - 1]) / (lowerFractions[i] - lowerFractions[i - 1]));
     }
 
     private static int[] Turned(int[] loop, int by)

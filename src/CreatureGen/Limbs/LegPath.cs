@@ -71,8 +71,8 @@ internal sealed class LegPath
         if (form.MinThickness > 0f)
         {
             // A tall leg of a slim body stays as slim as where it grows from, or it would hang there like a balloon.
-            float least = Math.Min(form.MinThickness * height, Math.Max(thickness, Balloon * socket.HalfLength));
-            thickness = Scalar.Clamp(thickness, least, form.MaxThickness * height);
+            float min = Math.Min(form.MinThickness * height, Math.Max(thickness, Balloon * socket.HalfLength));
+            thickness = Scalar.Clamp(thickness, min, form.MaxThickness * height);
         }
 
         Vector3[] joints = LayJoints(form, leg, root, height);
@@ -177,8 +177,8 @@ internal sealed class LegPath
                 float size = thickness * (float)leg.FootSize;
                 float beside = size * form.ToeLength * (form.LongToed ? form.ToeSplay : foot.Length * Math.Min(foot.Splay * form.ToeSplay, WidestSplay));
                 float tip = form.LongToed || foot.Splay > 1f ? size * form.ToeRadius * (ToeTip + (ClawReach * (float)leg.ClawLength)) : 0f;
-                float least = (size * form.ToeLength * (form.LongToed ? form.ToeSplay : MinSplay)) + FootGap;
-                float halfWidth = radii[last].Y + Math.Max(least, beside + tip);
+                float min = (size * form.ToeLength * (form.LongToed ? form.ToeSplay : MinSplay)) + FootGap;
+                float halfWidth = radii[last].Y + Math.Max(min, beside + tip);
                 float shift = Math.Max(0f, halfWidth - joints[last].X);
                 if (form.LongToed && shift == 0f)
                 {
@@ -222,8 +222,8 @@ internal sealed class LegPath
         int last = joints.Length - 1;
         for (int k = 2; k < last - 1; k++)
         {
-            float share = (form.Down[k] - form.Down[1]) / (form.Down[last] - form.Down[1]);
-            float straight = Scalar.Lerp(joints[1].X, joints[last].X, share);
+            float fraction = (form.Down[k] - form.Down[1]) / (form.Down[last] - form.Down[1]);
+            float straight = Scalar.Lerp(joints[1].X, joints[last].X, fraction);
             joints[k].X = Scalar.Lerp(straight, joints[k].X, Bow);
         }
     }

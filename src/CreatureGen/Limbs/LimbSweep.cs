@@ -173,7 +173,7 @@ internal sealed class LimbSweep
             Vector3 before = Curvature(tangents, distance, q - 1);
             Vector3 after = q + 1 < sections ? Curvature(tangents, distance, q) : Vector3.Zero;
             Vector3 advance = Vec.Normalize(tangents[q] + tangents[q - 1], tangents[q]);
-            float least = MinAdvance * (distance[q] - distance[q - 1]);
+            float min = MinAdvance * (distance[q] - distance[q - 1]);
             float blend = Blend > 0f ? Scalar.Smooth(along[q] / Blend) : 1f;
             float groove = Groove * radii[q].X * Scalar.Smooth((along[q] - 0.12f) * 4f) * (1f - Scalar.Smooth((along[q] - 0.75f) / 0.25f));
             int[] current = new int[count];
@@ -188,7 +188,7 @@ internal sealed class LimbSweep
                 }
 
                 p = Vec.Lerp(root[k] + (centres[q] - centres[0]), p, blend);
-                float need = least - Vec.Dot(p - surface.Positions[previous[k]], advance);
+                float need = min - Vec.Dot(p - surface.Positions[previous[k]], advance);
                 p += advance * Math.Max(need, 0f);
                 if (KeepOut != null)
                 {

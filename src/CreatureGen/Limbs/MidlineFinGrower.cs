@@ -162,10 +162,10 @@ internal static class MidlineFinGrower
     }
 
     /// <summary>The midline at a share of its rows, drawn on straight beyond its end.</summary>
-    private static Vector3 OnMidline(Vector3[] midline, float share)
+    private static Vector3 OnMidline(Vector3[] midline, float fraction)
     {
         int rows = midline.Length - 1;
-        float y = share * rows;
+        float y = fraction * rows;
         int i = Math.Min((int)Math.Max(y, 0f), rows - 1);
         return midline[i] + ((midline[i + 1] - midline[i]) * (y - i));
     }

@@ -44,7 +44,7 @@ internal static class SeamRelaxer
 
         foreach (int v in selected)
         {
-            strength[v] *= Share(surface.Addresses[v].Region);
+            strength[v] *= Fraction(surface.Addresses[v].Region);
         }
 
         var moved = new Vector3[selected.Count];
@@ -95,7 +95,7 @@ internal static class SeamRelaxer
         }
     }
 
-    private static float Share(SurfaceRegion region) => region switch
+    private static float Fraction(SurfaceRegion region) => region switch
     {
         SurfaceRegion.Fin or SurfaceRegion.Wing => 0.35f,
         SurfaceRegion.Ear or SurfaceRegion.EarInside => 0.3f,

@@ -58,7 +58,7 @@ internal static class WingGrower
     private static readonly double[] rises = { 0, 0.30, 0.63, 0.78, 0.75 };
 
     /// <summary>Shares of the span at shoulder, elbow, wrist, hand and tip.</summary>
-    private static readonly float[] jointShares = { 0f, 0.28f, 0.53f, 0.78f, 1f };
+    private static readonly float[] jointFractions = { 0f, 0.28f, 0.53f, 0.78f, 1f };
 
     /// <summary>Grows the left wing, mirrors it, and says where its joints are.</summary>
     /// <param name="body">What it grows out of.</param>
@@ -150,8 +150,8 @@ internal static class WingGrower
         blade.Close(surface, tip, wing.Socket, Vector3.UnitX);
         surface.MirrorSince(firstVertex, firstFace);
 
-        var joints = Array.ConvertAll(jointShares, s => Joint(s));
-        return WingAppendage.Of(socket.CentreRing, joints, jointShares);
+        var joints = Array.ConvertAll(jointFractions, s => Joint(s));
+        return WingAppendage.Of(socket.CentreRing, joints, jointFractions);
     }
 
     private static Func<float, Vector3> LeadingEdge(WingBlueprint wing, WingForm form, SocketLoop socket)

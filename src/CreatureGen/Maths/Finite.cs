@@ -52,12 +52,12 @@ internal static class Finite
         }
     }
 
-    /// <summary>Throws unless all parts are finite and at most <paramref name="most"/> in size.</summary>
-    public static void RequireWithin(Vector3 v, float most, string name)
+    /// <summary>Throws unless all parts are finite and at most <paramref name="max"/> in size.</summary>
+    public static void RequireWithin(Vector3 v, float max, string name)
     {
-        if (!(Math.Abs(v.X) <= most && Math.Abs(v.Y) <= most && Math.Abs(v.Z) <= most))
+        if (!(Math.Abs(v.X) <= max && Math.Abs(v.Y) <= max && Math.Abs(v.Z) <= max))
         {
-            throw new ArgumentOutOfRangeException(name, FormattableString.Invariant($"{name} = ({v.X}, {v.Y}, {v.Z}); expected numbers of {-most} to {most}"));
+            throw new ArgumentOutOfRangeException(name, FormattableString.Invariant($"{name} = ({v.X}, {v.Y}, {v.Z}); expected numbers of {-max} to {max}"));
         }
     }
 

@@ -9,7 +9,7 @@ public sealed partial class CreatureAnimator
     private DistantMotion? distant;
 
     /// <summary>Whether it only travels, and shows the cycle of its gait: it is to be seen from afar, and does nothing else.</summary>
-    private bool OnlyTravels(in RootPlace place, IGround ground) => settings.Detail == MotionDetail.Far && distant!.Body != null && Mode!.OnlyWalks(place, settings, ground) && actor?.Performer is not { IsActive: true };
+    private bool OnlyRootMoves(in RootPlace place, IGround ground) => settings.Detail == MotionDetail.Far && distant!.Body != null && Mode!.OnlyWalks(place, settings, ground) && actor?.Performer is not { IsActive: true };
 
     /// <summary>Moves on as asked, as it is seen from afar.</summary>
     /// <returns>Whether it does; else it moves in full, from where it is.</returns>
@@ -21,10 +21,10 @@ public sealed partial class CreatureAnimator
         }
 
         distant.Turn(settings.Detail, LocalPose);
-        if (OnlyTravels(Root, ground))
+        if (OnlyRootMoves(Root, ground))
         {
             BeginAfar();
-            if (Legs!.Travel(Root, dt, input, settings, ground, out RootPlace next))
+            if (Legs!.AdvanceRoot(Root, dt, input, settings, ground, out RootPlace next))
             {
                 Root = next;
                 FinishAfar(dt);
@@ -45,10 +45,10 @@ public sealed partial class CreatureAnimator
         }
 
         distant.Turn(settings.Detail, LocalPose);
-        if (OnlyTravels(placement, ground))
+        if (OnlyRootMoves(placement, ground))
         {
             BeginAfar();
-            if (Legs!.TravelAlong(Root, dt, placement, settings, ground))
+            if (Legs!.AdvanceRootAlong(Root, dt, placement, settings, ground))
             {
                 Root = placement;
                 FinishAfar(dt);
@@ -63,7 +63,7 @@ public sealed partial class CreatureAnimator
     /// <summary>Goes on in full.</summary>
     private void Approach(CheckedGround ground)
     {
-        if (distant!.Travels)
+        if (distant!.MovesRoot)
         {
             locomotion.Resume(Root, settings, ground, LocalPose);
             distant.End(LocalPose);
@@ -73,11 +73,11 @@ public sealed partial class CreatureAnimator
     /// <summary>Begins to travel if it does not yet: what swings and looks about begins anew when it is seen from near again.</summary>
     private void BeginAfar()
     {
-        if (!distant!.Travels)
+        if (!distant!.MovesRoot)
         {
             distant.Begin(Legs!, LocalPose);
             secondary.Reset();
-            attention?.Reset();
+            headGaze?.Reset();
         }
     }
 

@@ -36,7 +36,7 @@ public sealed partial class CreatureAnimator
     private readonly EventQueue events;
     private readonly Locomotion locomotion;
     private readonly SecondaryMotion secondary;
-    private readonly HeadAttention? attention;
+    private readonly HeadGaze? headGaze;
     private readonly CheckedGround stillGround = new();
     private readonly CheckedMovingGround movingGround = new();
     private readonly CheckedPlaneGround planeGround = new();
@@ -69,7 +69,7 @@ public sealed partial class CreatureAnimator
         events = new EventQueue((2 * feet * WalkingMode.MaxSteps) + (profile.Flight != null ? FlyingMode.MaxBeats : 0) + FallingMode.MaxEvents + feet);
         Root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
-        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, profile.Subject);
+        headGaze = profile.Gaze == null ? null : new HeadGaze(profile.Gaze, profile.Subject);
         locomotion = new Locomotion(profile, events);
     }
 
@@ -219,7 +219,7 @@ public sealed partial class CreatureAnimator
             MotionInput asked = actor == null ? input : actor.Begin(dt, Root, locomotion, input, settings, IdlesOf(input));
             try
             {
-                Root = locomotion.Drive(Root, dt, asked, settings, sound, LocalPose);
+                Root = locomotion.Update(Root, dt, asked, settings, sound, LocalPose);
             }
             catch when (sound.MayThrow)
             {
@@ -294,7 +294,7 @@ public sealed partial class CreatureAnimator
         Root = placement;
         distant?.Reset();
         secondary.Reset();
-        attention?.Reset();
+        headGaze?.Reset();
         Finish(0f);
     }
 
@@ -313,9 +313,9 @@ public sealed partial class CreatureAnimator
     /// <summary>Holds lids and ears; null to let the creature blink and flick its ears by itself.</summary>
     internal void Hold(StandingAct? act)
     {
-        if (attention != null)
+        if (headGaze != null)
         {
-            attention.Held = act;
+            headGaze.Held = act;
         }
     }
 
@@ -388,11 +388,11 @@ public sealed partial class CreatureAnimator
         bool awake = State is not (BodyState.Limp or BodyState.Rising);
         Performer? performer = awake && actor?.Performer is { IsActive: true } active ? active : null;
         bool looks = awake && performer is not { HoldsHead: true };
-        if (attention != null && near)
+        if (headGaze != null && near)
         {
-            attention.Lids = performer?.Lids ?? 0f;
-            attention.IsLimp = State == BodyState.Limp;
-            attention.Update(looks ? lookAt : null, GazeSettings, Root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
+            headGaze.Lids = performer?.Lids ?? 0f;
+            headGaze.IsLimp = State == BodyState.Limp;
+            headGaze.Update(looks ? lookAt : null, GazeSettings, Root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
         }
 
         if (performer != null)

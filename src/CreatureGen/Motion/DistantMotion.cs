@@ -25,7 +25,7 @@ internal sealed class DistantMotion
     public DistantBody? Body { get; }
 
     /// <summary>Whether it only travels at present, its feet where nobody sees them.</summary>
-    public bool Travels { get; private set; }
+    public bool MovesRoot { get; private set; }
 
     /// <summary>Takes up the detail that is asked.</summary>
     /// <param name="asked">The detail.</param>
@@ -44,7 +44,7 @@ internal sealed class DistantMotion
     /// <param name="local">The pose shown last.</param>
     public void Begin(WalkingMode legs, in Pose local)
     {
-        Travels = true;
+        MovesRoot = true;
         legs.BeginDistant();
         fade.Keep(local);
     }
@@ -53,12 +53,12 @@ internal sealed class DistantMotion
     /// <param name="local">The pose shown last.</param>
     public void End(in Pose local)
     {
-        Travels = false;
+        MovesRoot = false;
         fade.Keep(local);
     }
 
     /// <summary>Forgets what it was seen as: it has been put somewhere else.</summary>
-    public void Reset() => Travels = false;
+    public void Reset() => MovesRoot = false;
 
     /// <summary>Writes the pose of what travels.</summary>
     /// <param name="legs">What goes.</param>

@@ -39,8 +39,8 @@ internal sealed class Locomotion
     /// <summary>How it moves; null for what cannot.</summary>
     public FallingMode? Mode { get; private set; }
 
-    /// <inheritdoc cref="ILocomotionMode.Drive"/>
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, CheckedGround ground, in Pose local)
+    /// <inheritdoc cref="ILocomotionMode.Update"/>
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, CheckedGround ground, in Pose local)
     {
         if (Mode == null)
         {
@@ -50,7 +50,7 @@ internal sealed class Locomotion
         Keep(ground, local);
         try
         {
-            return Mode.Drive(place, dt, input, settings, ground, local);
+            return Mode.Update(place, dt, input, settings, ground, local);
         }
         catch when (ground.MayThrow)
         {

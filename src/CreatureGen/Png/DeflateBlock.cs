@@ -73,10 +73,10 @@ internal sealed class DeflateBlock
         }
     }
 
-    private static int LastUsed(ReadOnlySpan<byte> lengths, int least)
+    private static int LastUsed(ReadOnlySpan<byte> lengths, int min)
     {
         int used = lengths.Length;
-        while (used > least && lengths[used - 1] == 0)
+        while (used > min && lengths[used - 1] == 0)
         {
             used--;
         }

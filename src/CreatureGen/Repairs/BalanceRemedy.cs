@@ -143,7 +143,7 @@ internal static class BalanceRemedy
         return log.Change(log.Blueprint with { Body = body with { Posture = posture, Proportions = late ? shifted : lighter } }, "it tipped over its raised front");
     }
 
-    private static double Grown(double share) => Math.Max(share, Math.Min(MaxGrown, RearGrowth * share));
+    private static double Grown(double fraction) => Math.Max(fraction, Math.Min(MaxGrown, RearGrowth * fraction));
 
     private static bool Lighten(RepairLog log, bool ahead)
     {

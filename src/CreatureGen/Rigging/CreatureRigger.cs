@@ -28,8 +28,8 @@ internal static class CreatureRigger
         bool swims = input.Blueprint.Kind == LocomotionKind.Swimming;
         bool undulating = swims || input.Blueprint.Plan == BodyPlan.Legless;
         var skeleton = new SkeletonBuilder();
-        int root = skeleton.Add(-1, Side.Median, new JointDraft("Root", JointRole.Root, Vector3.Zero, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Root)));
-        int body = skeleton.Add(root, Side.Median, new JointDraft("Body", JointRole.Body, line.At(layout.RootRing), Quaternion.Identity, 0f, JointLimits.Body(JointRole.Body)));
+        int root = skeleton.Add(-1, Side.Median, new JointDefinition("Root", JointRole.Root, Vector3.Zero, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Root)));
+        int body = skeleton.Add(root, Side.Median, new JointDefinition("Body", JointRole.Body, line.At(layout.RootRing), Quaternion.Identity, 0f, JointLimits.Body(JointRole.Body)));
         int[] forward = AddSpine(skeleton, layout.Forward, body, line, shape, line.HeadTip, undulating);
         int head = forward[forward.Length - 1];
         skeleton.AddEnd(head, Side.Median, "HeadEnd", line.HeadTip);
@@ -83,7 +83,7 @@ internal static class CreatureRigger
                 limit = JointLimits.WithinGirth(limit, Math.Min(behind, Vec.Length(direction)), shape, nodes[k].Ring);
             }
 
-            joints[k] = skeleton.Add(k == 0 ? parent : joints[k - 1], Side.Median, new JointDraft(nodes[k].Name, nodes[k].Role, position, JointFrame.Median(direction), Vec.Length(direction), limit));
+            joints[k] = skeleton.Add(k == 0 ? parent : joints[k - 1], Side.Median, new JointDefinition(nodes[k].Name, nodes[k].Role, position, JointFrame.Median(direction), Vec.Length(direction), limit));
         }
 
         return joints;

@@ -31,7 +31,7 @@ internal static class HeadRigger
         Vector3 chin = input.Surface.Positions[mouth.LowerLip[mouth.LowerLip.Length / 2]] - (shape.Up(StationRing.Nose) * (float)(shape.Bottom[StationRing.Nose] / 2));
         chin.X = 0f;
         Vector3 direction = chin - hinge;
-        int jaw = skeleton.Add(head, Side.Median, new JointDraft("Jaw", JointRole.Jaw, hinge, JointFrame.Median(direction), Vec.Length(direction), JointLimits.Body(JointRole.Jaw)));
+        int jaw = skeleton.Add(head, Side.Median, new JointDefinition("Jaw", JointRole.Jaw, hinge, JointFrame.Median(direction), Vec.Length(direction), JointLimits.Body(JointRole.Jaw)));
         skeleton.AddEnd(jaw, Side.Median, "JawEnd", chin);
         return jaw;
     }
@@ -40,7 +40,7 @@ internal static class HeadRigger
     public static void AddEyes(SkeletonBuilder skeleton, EyeSocket eye, int head)
     {
         Quaternion frame = JointFrame.Raised(eye.Gaze, -Vector3.UnitY);
-        JointDraft[] left =
+        JointDefinition[] left =
         {
             new("Eye_L", JointRole.Eye, eye.Centre, frame, eye.Radius, JointLimits.Body(JointRole.Eye)),
             new("Eye_L_End", JointRole.End, eye.Centre + (eye.Gaze * eye.Radius), frame, 0f, JointLimit.Fixed),
@@ -58,7 +58,7 @@ internal static class HeadRigger
     {
         Quaternion frame = Rotation.FromBasis(axis, rim, Vec.Cross(axis, rim));
         var limit = new JointLimit(turns, AngleRange.Both(0f), AngleRange.Both(0f));
-        JointDraft[] left =
+        JointDefinition[] left =
         {
             new(name + "_L", JointRole.Lid, eye.Centre, frame, eye.Radius, limit),
             new(name + "_L_End", JointRole.End, eye.Centre + (rim * eye.Radius), frame, 0f, JointLimit.Fixed),

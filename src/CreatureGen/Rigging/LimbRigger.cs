@@ -28,7 +28,7 @@ internal static class LimbRigger
             throw new ArgumentException(FormattableString.Invariant($"{appendage.Kind} {appendage.Pair} has {points} joint points; expected 5 and an archetype for legs and arms, at least 2 for others"), nameof(appendage));
         }
 
-        List<JointDraft> left = leg ? Leg(appendage) : Chain(appendage);
+        List<JointDefinition> left = leg ? Leg(appendage) : Chain(appendage);
         if (!appendage.Paired)
         {
             int[] joints = new int[left.Count];
@@ -50,7 +50,7 @@ internal static class LimbRigger
         return new AppendageJoints(pair.AsSpan(0, names.Length).ToArray(), pair.AsSpan(names.Length).ToArray());
     }
 
-    private static List<JointDraft> Leg(Appendage leg)
+    private static List<JointDefinition> Leg(Appendage leg)
     {
         LimbArchetype archetype = leg.Archetype!.Value;
         bool lateral = archetype is LimbArchetype.Insect or LimbArchetype.Sprawl;
@@ -59,9 +59,9 @@ internal static class LimbRigger
 
         // The girdle sits half way in from the hip, so that its bone has a direction; it only slides.
         var girdle = new Vector3(hip.X / 2f, hip.Y, hip.Z);
-        var joints = new List<JointDraft>(legJoints.Length)
+        var joints = new List<JointDefinition>(legJoints.Length)
         {
-            Draft(0, girdle, JointFrame.Raised(hip - girdle, Vector3.UnitY), hip, JointLimit.Fixed),
+            Define(0, girdle, JointFrame.Raised(hip - girdle, Vector3.UnitY), hip, JointLimit.Fixed),
         };
         for (int k = 0; k < 4; k++)
         {
@@ -69,13 +69,13 @@ internal static class LimbRigger
             bool foot = archetype == LimbArchetype.Sprawl && k >= 2;
             JointRole role = legJoints[k + 1].Role;
             Quaternion frame = JointFrame.Hinged(leg.Joints[k + 1] - leg.Joints[k], foot ? Vector3.UnitX : hinge);
-            joints.Add(Draft(k + 1, leg.Joints[k], frame, leg.Joints[k + 1], JointLimits.Leg(archetype, role)));
+            joints.Add(Define(k + 1, leg.Joints[k], frame, leg.Joints[k + 1], JointLimits.Leg(archetype, role)));
         }
 
-        joints.Add(new JointDraft(NameOf(leg, Side.Left, "End"), JointRole.End, leg.Joints[4], joints[4].Rotation, 0f, JointLimit.Fixed));
+        joints.Add(new JointDefinition(NameOf(leg, Side.Left, "End"), JointRole.End, leg.Joints[4], joints[4].Rotation, 0f, JointLimit.Fixed));
         return joints;
 
-        JointDraft Draft(int k, Vector3 position, Quaternion rotation, Vector3 child, JointLimit limit) =>
+        JointDefinition Define(int k, Vector3 position, Quaternion rotation, Vector3 child, JointLimit limit) =>
             new(NameOf(leg, Side.Left, legJoints[k].Name), legJoints[k].Role, position, rotation, Vec.Distance(position, child), limit);
     }
 
@@ -91,7 +91,7 @@ internal static class LimbRigger
     private static Vector3 TrailingHinge(Appendage leg) =>
         Vec.Normalize(Vec.Cross(leg.Joints[2] - leg.Joints[0], leg.Joints[1] - leg.Joints[0]), -Vector3.UnitY);
 
-    private static List<JointDraft> Chain(Appendage appendage)
+    private static List<JointDefinition> Chain(Appendage appendage)
     {
         int last = appendage.Joints.Length - 1;
         JointRole role = appendage.Kind switch
@@ -103,7 +103,7 @@ internal static class LimbRigger
             _ => throw new ArgumentOutOfRangeException(nameof(appendage), appendage.Kind, "expected a kind of limb that is a chain"),
         };
         Side side = appendage.Paired ? Side.Left : Side.Median;
-        var joints = new List<JointDraft>(last + 1);
+        var joints = new List<JointDefinition>(last + 1);
         for (int k = 0; k < last; k++)
         {
             Vector3 direction = appendage.Joints[k + 1] - appendage.Joints[k];
@@ -112,10 +112,10 @@ internal static class LimbRigger
                 : role is JointRole.Antenna ? JointFrame.Hinged(direction, Vector3.UnitX)
                 : JointFrame.Raised(direction, Vector3.UnitY);
             JointLimit limit = appendage.Kind == LimbKind.Wing ? JointLimits.Wing(k) : JointLimits.Soft(role, k);
-            joints.Add(new JointDraft(NameOf(appendage, side, SuffixOf(false, k, last + 1)), role, appendage.Joints[k], frame, Vec.Length(direction), limit));
+            joints.Add(new JointDefinition(NameOf(appendage, side, SuffixOf(false, k, last + 1)), role, appendage.Joints[k], frame, Vec.Length(direction), limit));
         }
 
-        joints.Add(new JointDraft(NameOf(appendage, side, "End"), JointRole.End, appendage.Joints[last], joints[last - 1].Rotation, 0f, JointLimit.Fixed));
+        joints.Add(new JointDefinition(NameOf(appendage, side, "End"), JointRole.End, appendage.Joints[last], joints[last - 1].Rotation, 0f, JointLimit.Fixed));
         return joints;
     }
 

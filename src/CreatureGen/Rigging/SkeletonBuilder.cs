@@ -7,9 +7,9 @@ using CreatureGen.Maths;
 namespace CreatureGen.Rigging;
 
 /// <summary>A joint in model space, before it knows its place relative to its parent.</summary>
-internal readonly struct JointDraft
+internal readonly struct JointDefinition
 {
-    public JointDraft(string name, JointRole role, Vector3 position, Quaternion rotation, float length, JointLimit limit)
+    public JointDefinition(string name, JointRole role, Vector3 position, Quaternion rotation, float length, JointLimit limit)
     {
         Name = name;
         Role = role;
@@ -36,35 +36,35 @@ internal readonly struct JointDraft
 /// <summary>Collects joints in model space, parents first, and relates each to its parent.</summary>
 internal sealed class SkeletonBuilder
 {
-    private readonly List<JointDraft> drafts = new(96);
+    private readonly List<JointDefinition> definitions = new(96);
     private readonly List<int> parents = new(96);
     private readonly List<Side> sides = new(96);
 
     /// <summary>Number of joints so far.</summary>
-    public int Count => drafts.Count;
+    public int Count => definitions.Count;
 
     /// <summary>A joint added before.</summary>
-    public JointDraft this[int joint] => drafts[joint];
+    public JointDefinition this[int joint] => definitions[joint];
 
     /// <summary>Adds a joint and gives its index.</summary>
-    public int Add(int parent, Side side, in JointDraft draft)
+    public int Add(int parent, Side side, in JointDefinition definition)
     {
-        drafts.Add(draft);
+        definitions.Add(definition);
         parents.Add(parent);
         sides.Add(side);
-        return drafts.Count - 1;
+        return definitions.Count - 1;
     }
 
     /// <summary>Adds the joint at the end of a chain: it has the orientation of its parent and moves nothing.</summary>
     public int AddEnd(int parent, Side side, string name, Vector3 position) =>
-        Add(parent, side, new JointDraft(name, JointRole.End, position, drafts[parent].Rotation, 0f, JointLimit.Fixed));
+        Add(parent, side, new JointDefinition(name, JointRole.End, position, definitions[parent].Rotation, 0f, JointLimit.Fixed));
 
     /// <summary>Adds the joints of a left chain, each the child of the one before and the first the child of <paramref name="parent"/>, then their mirror images.</summary>
     /// <param name="parent">Joint in the sagittal plane.</param>
     /// <param name="left">The left joints.</param>
     /// <param name="rightNames">Names of the right joints, one per left joint.</param>
     /// <returns>Indices of the left joints followed by those of the right.</returns>
-    public int[] AddPair(int parent, IReadOnlyList<JointDraft> left, IReadOnlyList<string> rightNames)
+    public int[] AddPair(int parent, IReadOnlyList<JointDefinition> left, IReadOnlyList<string> rightNames)
     {
         int count = left.Count;
         int[] joints = new int[2 * count];
@@ -75,8 +75,8 @@ internal sealed class SkeletonBuilder
 
         for (int k = 0; k < count; k++)
         {
-            JointDraft draft = left[k];
-            var mirrored = new JointDraft(rightNames[k], draft.Role, Vec.Mirror(draft.Position), Rotation.Mirror(draft.Rotation), draft.Length, draft.Limit.Mirrored());
+            JointDefinition definition = left[k];
+            var mirrored = new JointDefinition(rightNames[k], definition.Role, Vec.Mirror(definition.Position), Rotation.Mirror(definition.Rotation), definition.Length, definition.Limit.Mirrored());
             joints[count + k] = Add(k == 0 ? parent : joints[count + k - 1], Side.Right, mirrored);
         }
 
@@ -88,23 +88,23 @@ internal sealed class SkeletonBuilder
     /// </summary>
     public Skeleton Build()
     {
-        int count = drafts.Count;
+        int count = definitions.Count;
         var localRotations = new Quaternion[count];
         var localPositions = new Vector3[count];
         for (int i = 0; i < count; i++)
         {
-            JointDraft draft = drafts[i];
+            JointDefinition definition = definitions[i];
             if (i == 0)
             {
-                localRotations[i] = draft.Rotation;
-                localPositions[i] = draft.Position;
+                localRotations[i] = definition.Rotation;
+                localPositions[i] = definition.Position;
                 continue;
             }
 
-            JointDraft parent = drafts[parents[i]];
+            JointDefinition parent = definitions[parents[i]];
             Quaternion inverse = Rotation.Inverse(parent.Rotation);
-            localRotations[i] = Rotation.Normalize(Rotation.Multiply(inverse, draft.Rotation));
-            localPositions[i] = Rotation.Rotate(inverse, draft.Position - parent.Position);
+            localRotations[i] = Rotation.Normalize(Rotation.Multiply(inverse, definition.Rotation));
+            localPositions[i] = Rotation.Rotate(inverse, definition.Position - parent.Position);
         }
 
         return Chain(localRotations, localPositions, 1f);
@@ -116,7 +116,7 @@ internal sealed class SkeletonBuilder
         var builder = new SkeletonBuilder();
         foreach (Joint joint in skeleton.Joints)
         {
-            builder.Add(joint.Parent, joint.Side, new JointDraft(joint.Name, joint.Role, joint.ModelPosition, joint.ModelRotation, joint.Length, joint.Limit));
+            builder.Add(joint.Parent, joint.Side, new JointDefinition(joint.Name, joint.Role, joint.ModelPosition, joint.ModelRotation, joint.Length, joint.Limit));
         }
 
         return builder.Chain(skeleton.LocalRotations.ToArray(), skeleton.LocalPositions.ToArray(), factor);
@@ -124,7 +124,7 @@ internal sealed class SkeletonBuilder
 
     private Skeleton Chain(Quaternion[] localRotations, Vector3[] localPositions, float factor)
     {
-        int count = drafts.Count;
+        int count = definitions.Count;
         for (int i = 0; i < count; i++)
         {
             localPositions[i] *= factor;
@@ -136,9 +136,9 @@ internal sealed class SkeletonBuilder
         var joints = new Joint[count];
         for (int i = 0; i < count; i++)
         {
-            JointDraft draft = drafts[i];
-            RequireFinite(draft.Name, modelPositions[i], modelRotations[i]);
-            joints[i] = new Joint(draft.Name, draft.Role, sides[i], parents[i], localPositions[i], localRotations[i], modelPositions[i], modelRotations[i], draft.Length * factor, draft.Limit);
+            JointDefinition definition = definitions[i];
+            RequireFinite(definition.Name, modelPositions[i], modelRotations[i]);
+            joints[i] = new Joint(definition.Name, definition.Role, sides[i], parents[i], localPositions[i], localRotations[i], modelPositions[i], modelRotations[i], definition.Length * factor, definition.Limit);
         }
 
         return new Skeleton(joints);

@@ -43,8 +43,8 @@ internal static class OptionsRules
         }
     }
 
-    private static bool HasFew<T>(ValueList<T>? list, int most)
-        where T : IEquatable<T> => list != null && list.Count <= most;
+    private static bool HasFew<T>(ValueList<T>? list, int max)
+        where T : IEquatable<T> => list != null && list.Count <= max;
 
     private static void CheckPlans(CreatureOptions options, ProblemList problems)
     {

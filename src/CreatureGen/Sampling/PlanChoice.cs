@@ -218,12 +218,12 @@ internal sealed class PlanChoice
 
     private bool HasAskedLegs(SpeciesProfile species, BodyPlan plan)
     {
-        (int least, int most) = PairsOf(species, plan);
+        (int min, int max) = PairsOf(species, plan);
         if ((BlueprintRules.KindOf(plan) == LocomotionKind.Swimming ? species.Paddles : species.Legs) is LegPreset own)
         {
-            least = most = own.SitesWithin(options.MinLegPairs, options.MaxLegPairs).Length + own.Arms.Length;
+            min = max = own.SitesWithin(options.MinLegPairs, options.MaxLegPairs).Length + own.Arms.Length;
         }
 
-        return most >= options.MinLegPairs && least <= options.MaxLegPairs;
+        return max >= options.MinLegPairs && min <= options.MaxLegPairs;
     }
 }

@@ -127,10 +127,10 @@ internal static class AnatomicalWeights
         {
             int a = spread.Appendage(e);
             LimbProfile profile = profiles[a] ??= new LimbProfile(input.Appendages[a], rig.Appendages[a], rig.Skeleton);
-            float share = profile.Border[spread.Distance(e)];
-            if (share > pull)
+            float fraction = profile.Border[spread.Distance(e)];
+            if (fraction > pull)
             {
-                pull = share;
+                pull = fraction;
                 best = a;
             }
         }

@@ -100,22 +100,22 @@ internal ref struct InfluenceList
         }
 
         // Rounded down, so that what is left over makes the largest larger still and the order stays.
-        Span<float> shares = stackalloc float[4];
+        Span<float> fractions = stackalloc float[4];
         float rest = 0f;
         for (int i = 1; i < used; i++)
         {
-            float share = weights[i] / sum;
-            shares[i] = share < Min ? 0f : (float)Math.Floor(share / Grain) * Grain;
-            rest += shares[i];
+            float fraction = weights[i] / sum;
+            fractions[i] = fraction < Min ? 0f : (float)Math.Floor(fraction / Grain) * Grain;
+            rest += fractions[i];
         }
 
-        shares[0] = 1f - rest;
+        fractions[0] = 1f - rest;
         return new SkinWeights(
             joints[0],
-            shares[1] > 0f ? joints[1] : 0,
-            shares[2] > 0f ? joints[2] : 0,
-            shares[3] > 0f ? joints[3] : 0,
-            new Vector4(shares[0], shares[1], shares[2], shares[3]));
+            fractions[1] > 0f ? joints[1] : 0,
+            fractions[2] > 0f ? joints[2] : 0,
+            fractions[3] > 0f ? joints[3] : 0,
+            new Vector4(fractions[0], fractions[1], fractions[2], fractions[3]));
     }
 
     private readonly void Sort()

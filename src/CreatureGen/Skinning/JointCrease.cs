@@ -43,14 +43,14 @@ internal sealed class JointCrease
         Vector3 before = joint - appendage.Joints[k - 1];
         Vector3 after = appendage.Joints[k + 1] - joint;
         float length = Math.Max(Vec.Length(before), 1e-6f);
-        float share = along - appendage.JointsAlong[k - 1];
+        float fraction = along - appendage.JointsAlong[k - 1];
         bool forwards = limit.SwingX.Max > -limit.SwingX.Min;
         float deep = forwards ? limit.SwingX.Max : -limit.SwingX.Min;
         float shallow = forwards ? -limit.SwingX.Min : limit.SwingX.Max;
         fold = Rotation.Rotate(rotation, forwards ? Vector3.UnitZ : -Vector3.UnitZ) / length;
-        onwards = Vec.Normalize(Vec.Normalize(before) + Vec.Normalize(after)) * (share / length);
-        span = Math.Min(share, appendage.JointsAlong[k + 1] - along);
-        height = Height * share * Math.Max(1f - (shallow / deep), 0f);
+        onwards = Vec.Normalize(Vec.Normalize(before) + Vec.Normalize(after)) * (fraction / length);
+        span = Math.Min(fraction, appendage.JointsAlong[k + 1] - along);
+        height = Height * fraction * Math.Max(1f - (shallow / deep), 0f);
     }
 
     /// <summary>How much of the skin at a point lies beyond the joint, 0..1, before any easing.</summary>

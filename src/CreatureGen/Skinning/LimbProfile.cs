@@ -11,7 +11,7 @@ namespace CreatureGen.Skinning;
 /// How one appendage shares its skin among its joints and the body, as functions of the path length from the socket (0..1) and, in the foot, of the height.
 /// </summary>
 /// <remarks>
-/// <para>The limb's first joint holds <see cref="rootShare"/> of the skin at the socket's border and all of it from a little way down; the rest stays with the bones of the body that move
+/// <para>The limb's first joint holds <see cref="rootFraction"/> of the skin at the socket's border and all of it from a little way down; the rest stays with the bones of the body that move
 /// the border where the vertex grew from, and with the girdle.
 /// From joint to joint the skin of legs goes over by smoothstep, that of all else evenly, within a stretch on either side that never exceeds 0.6 of the shorter segment. Blended turns are quickest in the middle
 /// of a stretch: where a wing folds, an even share crowds the fewest of its triangles.</para>
@@ -34,7 +34,7 @@ internal sealed class LimbProfile
     private readonly int[] joints;
     private readonly float[] stretch;
     private readonly float[] along;
-    private readonly float rootShare;
+    private readonly float rootFraction;
     private readonly float rootEnd;
     private readonly JointCrease?[] creases;
     private readonly bool legged;
@@ -66,7 +66,7 @@ internal sealed class LimbProfile
             stretch[k] = Math.Min(half[Math.Min(k, half.Length - 1)], widest * Math.Min(before, after));
         }
 
-        (rootShare, rootEnd, Border) = appendage.Kind switch
+        (rootFraction, rootEnd, Border) = appendage.Kind switch
         {
             LimbKind.Leg or LimbKind.Arm when insect => (1f, 0.01f, new float[SocketSpread.Rings]),
             LimbKind.Leg or LimbKind.Arm => (0.30f, along[1], new[] { 0.30f, 0.14f, 0.05f }),
@@ -95,15 +95,15 @@ internal sealed class LimbProfile
     /// <param name="factor">Share of the pull to apply.</param>
     public void AddPull(ref InfluenceList list, int distance, int[] side, float factor)
     {
-        float share = Border[distance] * factor;
+        float fraction = Border[distance] * factor;
         if (legged)
         {
-            list.Add(side[1], share);
-            list.Add(side[0], share * GirdlePull);
+            list.Add(side[1], fraction);
+            list.Add(side[0], fraction * GirdlePull);
         }
         else
         {
-            list.Add(side[0], share);
+            list.Add(side[0], fraction);
         }
     }
 
@@ -119,7 +119,7 @@ internal sealed class LimbProfile
     public void Add(ref InfluenceList list, Vector3 position, in VertexAddress address, in SpineBlend body, float hold)
     {
         float x = Scalar.Clamp(address.Along, 0f, 1f);
-        float own = (rootShare + ((1f - rootShare) * Scalar.Smooth(x / rootEnd))) * hold;
+        float own = (rootFraction + ((1f - rootFraction) * Scalar.Smooth(x / rootEnd))) * hold;
         float rest = 1f - own;
         int root = legged ? 1 : 0;
         if (legged)

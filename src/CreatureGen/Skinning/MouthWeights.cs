@@ -29,37 +29,37 @@ internal static class MouthWeights
             return Array.Empty<float>();
         }
 
-        float[] shares = new float[surface.Positions.Length];
+        float[] fractions = new float[surface.Positions.Length];
         int[] steps = new int[surface.Positions.Length];
         int[] queue = new int[surface.Positions.Length];
         int corner = mouth.CornerRing;
         int hinge = mouth.HingeRing;
-        for (int v = 0; v < shares.Length; v++)
+        for (int v = 0; v < fractions.Length; v++)
         {
             VertexAddress address = surface.Addresses[v];
             if (address.Region == SurfaceRegion.Body && address.Ring <= hinge && address.Appendage < 0)
             {
-                shares[v] = OfSkin(address, corner, hinge);
+                fractions[v] = OfSkin(address, corner, hinge);
             }
         }
 
         int last = mouth.LowerLip.Length - 1;
         for (int k = 1; k < last; k++)
         {
-            shares[mouth.UpperLip[k]] = 0f;
-            shares[mouth.LowerLip[k]] = 1f;
+            fractions[mouth.UpperLip[k]] = 0f;
+            fractions[mouth.LowerLip[k]] = 1f;
         }
 
-        shares[mouth.LowerLip[0]] = Corner;
-        shares[mouth.LowerLip[last]] = Corner;
+        fractions[mouth.LowerLip[0]] = Corner;
+        fractions[mouth.LowerLip[last]] = Corner;
 
         // The front of the jaw: what the lower lip reaches through the nose's cap.
         Flood(surface, adjacency, mouth.LowerLip, SurfaceRegion.Nose, steps, queue);
-        for (int v = 0; v < shares.Length; v++)
+        for (int v = 0; v < fractions.Length; v++)
         {
             if (steps[v] > 0)
             {
-                shares[v] = 1f;
+                fractions[v] = 1f;
             }
         }
 
@@ -68,15 +68,15 @@ internal static class MouthWeights
         int[] below = new int[steps.Length];
         Flood(surface, adjacency, mouth.UpperLip, SurfaceRegion.Mouth, steps, queue);
         Flood(surface, adjacency, mouth.LowerLip, SurfaceRegion.Mouth, below, queue);
-        for (int v = 0; v < shares.Length; v++)
+        for (int v = 0; v < fractions.Length; v++)
         {
             if (steps[v] + below[v] > 0)
             {
-                shares[v] = (float)steps[v] / (steps[v] + below[v]);
+                fractions[v] = (float)steps[v] / (steps[v] + below[v]);
             }
         }
 
-        return shares;
+        return fractions;
     }
 
     private static float OfSkin(in VertexAddress address, int corner, int hinge)

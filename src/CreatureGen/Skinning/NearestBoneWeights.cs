@@ -38,41 +38,41 @@ public static class NearestBoneWeights
             size = Math.Max(size, Vec.Distance(p, skeleton.ModelPositions[0]));
         }
 
-        float least = Math.Max((float)MinDistance * size, 1e-9f);
+        float min = Math.Max((float)MinDistance * size, 1e-9f);
         var weights = new SkinWeights[positions.Length];
         var list = new InfluenceList(stackalloc int[InfluenceList.Capacity], stackalloc float[InfluenceList.Capacity]);
         Span<int> nearest = stackalloc int[4];
-        Span<float> shares = stackalloc float[4];
+        Span<float> fractions = stackalloc float[4];
         for (int v = 0; v < weights.Length; v++)
         {
             Finite.Require(positions[v], nameof(positions));
             int found = 0;
             foreach (int bone in bones)
             {
-                float distance = Distance(skeleton, bone, positions[v], least);
-                float share = 1f / (distance * distance);
-                if (found == 4 && share <= shares[3])
+                float distance = Distance(skeleton, bone, positions[v], min);
+                float fraction = 1f / (distance * distance);
+                if (found == 4 && fraction <= fractions[3])
                 {
                     continue;
                 }
 
                 int at = found < 4 ? found++ : 3;
-                while (at > 0 && shares[at - 1] < share)
+                while (at > 0 && fractions[at - 1] < fraction)
                 {
-                    (shares[at], nearest[at]) = (shares[at - 1], nearest[at - 1]);
+                    (fractions[at], nearest[at]) = (fractions[at - 1], nearest[at - 1]);
                     at--;
                 }
 
-                (shares[at], nearest[at]) = (share, bone);
+                (fractions[at], nearest[at]) = (fraction, bone);
             }
 
             list.Clear();
             for (int k = 0; k < found; k++)
             {
-                list.Add(nearest[k], shares[k]);
+                list.Add(nearest[k], fractions[k]);
             }
 
-            shares.Clear();
+            fractions.Clear();
             weights[v] = list.ToWeights();
         }
 
@@ -87,7 +87,7 @@ public static class NearestBoneWeights
         Surface surface = input.Surface;
         var spread = SocketSpread.Measure(surface, input.Adjacency, input.Appendages);
         float[] jaw = MouthWeights.Solve(surface, input.Adjacency, input.Mouth);
-        float least = (float)(MinDistance * rig.Line.Length);
+        float min = (float)(MinDistance * rig.Line.Length);
         var weights = new SkinWeights[surface.Positions.Length];
         var list = new InfluenceList(stackalloc int[InfluenceList.Capacity], stackalloc float[InfluenceList.Capacity]);
         for (int v = 0; v < weights.Length; v++)
@@ -107,13 +107,13 @@ public static class NearestBoneWeights
                 int first = input.Appendages[address.Appendage].Kind is LimbKind.Leg or LimbKind.Arm ? 1 : 0;
                 for (int k = first; k < joints.Length - 1; k++)
                 {
-                    Ask(ref list, rig.Skeleton, joints[k], p, least);
+                    Ask(ref list, rig.Skeleton, joints[k], p, min);
                 }
 
-                Ask(ref list, rig.Skeleton, body.First, p, least);
+                Ask(ref list, rig.Skeleton, body.First, p, min);
                 if (body.Second != body.First)
                 {
-                    Ask(ref list, rig.Skeleton, body.Second, p, least);
+                    Ask(ref list, rig.Skeleton, body.Second, p, min);
                 }
             }
             else if (jaw.Length > 0 && jaw[v] > 0.5f)
@@ -122,8 +122,8 @@ public static class NearestBoneWeights
             }
             else
             {
-                AskSpine(ref list, rig, body.Dominant, p, least);
-                AskLimbs(ref list, input, rig, spread, v, p, least);
+                AskSpine(ref list, rig, body.Dominant, p, min);
+                AskLimbs(ref list, input, rig, spread, v, p, min);
             }
 
             weights[v] = list.ToWeights();
@@ -133,16 +133,16 @@ public static class NearestBoneWeights
         return weights;
     }
 
-    private static void AskSpine(ref InfluenceList list, Rig rig, int joint, Vector3 p, float least)
+    private static void AskSpine(ref InfluenceList list, Rig rig, int joint, Vector3 p, float min)
     {
         int own = rig.Spine.BoneOf(joint);
         for (int bone = Math.Max(own - SpineReach, 0); bone <= own + SpineReach && bone < rig.Spine.Joints.Length; bone++)
         {
-            Ask(ref list, rig.Skeleton, rig.Spine.Joints[bone], p, least);
+            Ask(ref list, rig.Skeleton, rig.Spine.Joints[bone], p, min);
         }
     }
 
-    private static void AskLimbs(ref InfluenceList list, RigInput input, Rig rig, SocketSpread spread, int vertex, Vector3 p, float least)
+    private static void AskLimbs(ref InfluenceList list, RigInput input, Rig rig, SocketSpread spread, int vertex, Vector3 p, float min)
     {
         if (input.Surface.Mirror[vertex] == vertex)
         {
@@ -153,7 +153,7 @@ public static class NearestBoneWeights
         {
             int a = spread.Appendage(e);
             int root = input.Appendages[a].Kind is LimbKind.Leg or LimbKind.Arm ? 1 : 0;
-            Ask(ref list, rig.Skeleton, rig.Appendages[a].Left[root], p, least);
+            Ask(ref list, rig.Skeleton, rig.Appendages[a].Left[root], p, min);
         }
     }
 
@@ -183,18 +183,18 @@ public static class NearestBoneWeights
         return sequence;
     }
 
-    private static void Ask(ref InfluenceList list, Skeleton skeleton, int joint, Vector3 p, float least)
+    private static void Ask(ref InfluenceList list, Skeleton skeleton, int joint, Vector3 p, float min)
     {
-        float distance = Distance(skeleton, joint, p, least);
+        float distance = Distance(skeleton, joint, p, min);
         list.Add(joint, 1f / (distance * distance));
     }
 
-    private static float Distance(Skeleton skeleton, int joint, Vector3 p, float least)
+    private static float Distance(Skeleton skeleton, int joint, Vector3 p, float min)
     {
         Vector3 start = skeleton.ModelPositions[joint];
         Vector3 along = Rotation.Rotate(skeleton.ModelRotations[joint], skeleton.Joints[joint].Along) * skeleton.Joints[joint].Length;
         float squared = Vec.LengthSquared(along);
         float t = squared > 0f ? Scalar.Clamp(Vec.Dot(p - start, along) / squared, 0f, 1f) : 0f;
-        return Math.Max(Vec.Distance(p, start + (along * t)), least);
+        return Math.Max(Vec.Distance(p, start + (along * t)), min);
     }
 }

@@ -109,17 +109,17 @@ public static class EventSounds
     /// <summary>Brings the whole down where its loudest sample is beyond what a file holds.</summary>
     private static void Level(float[] samples)
     {
-        float most = 0f;
+        float max = 0f;
         foreach (float sample in samples)
         {
-            most = Math.Max(most, Math.Abs(sample));
+            max = Math.Max(max, Math.Abs(sample));
         }
 
-        if (most > Loudest)
+        if (max > Loudest)
         {
             for (int i = 0; i < samples.Length; i++)
             {
-                samples[i] *= Loudest / most;
+                samples[i] *= Loudest / max;
             }
         }
     }

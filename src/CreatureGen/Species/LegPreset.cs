@@ -94,14 +94,14 @@ internal sealed record LegPreset
     public double HangingLength { get; init; } = 0.26;
 
     /// <summary>Its places for at least and at most so many pairs: its own where they will do, else the nearest number that its row has room for.</summary>
-    public LegSite[] SitesWithin(int least, int most)
+    public LegSite[] SitesWithin(int min, int max)
     {
-        if (Row == null || (Sites.Length >= least && Sites.Length <= most))
+        if (Row == null || (Sites.Length >= min && Sites.Length <= max))
         {
             return Sites;
         }
 
-        int nearest = Sites.Length < least ? least : most;
+        int nearest = Sites.Length < min ? min : max;
         return Row.Sites(Math.Min(Math.Max(nearest, LegRow.Fewest), LegRow.Max));
     }
 }

@@ -6,10 +6,10 @@ namespace CreatureGen.Species;
 /// <summary>Hair of a species or a family: lengths and widths in half depths of the neck.</summary>
 internal readonly struct ManePreset
 {
-    public ManePreset(double least, double most, params ManeBlueprint[] fields)
+    public ManePreset(double min, double max, params ManeBlueprint[] fields)
     {
-        Min = least;
-        Max = most;
+        Min = min;
+        Max = max;
         Fields = fields;
     }
 
@@ -26,10 +26,10 @@ internal readonly struct ManePreset
 /// <summary>A collar: lengths in half widths of the head.</summary>
 internal readonly struct FrillPreset
 {
-    public FrillPreset(double least, double most, FrillBlueprint frill)
+    public FrillPreset(double min, double max, FrillBlueprint frill)
     {
-        Min = least;
-        Max = most;
+        Min = min;
+        Max = max;
         Frill = frill;
     }
 

@@ -5,11 +5,11 @@ namespace CreatureGen.Species;
 /// <summary>One part and how much its size varies.</summary>
 internal readonly struct PartPreset
 {
-    public PartPreset(FeatureBlueprint part, double least, double most)
+    public PartPreset(FeatureBlueprint part, double min, double max)
     {
         Part = part;
-        Min = least;
-        Max = most;
+        Min = min;
+        Max = max;
     }
 
     /// <summary>The part in its mean size, metres on a head of the table's size.</summary>

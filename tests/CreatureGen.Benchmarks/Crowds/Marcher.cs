@@ -26,7 +26,7 @@ internal sealed class Marcher
     private readonly Matrix4x4[] matrices;
     private readonly EventQueue events;
     private readonly ILocomotionMode motion;
-    private readonly HeadAttention? attention;
+    private readonly HeadGaze? headGaze;
     private readonly SecondaryMotion secondary;
     private RootPlace root;
 
@@ -46,7 +46,7 @@ internal sealed class Marcher
             : profile.Swim != null ? new SwimmingMode(profile.Swim)
             : profile.Slither != null ? new SlitheringMode(profile.Slither)
             : legs!;
-        attention = profile.Gaze == null ? null : new HeadAttention(profile.Gaze, profile.Subject);
+        headGaze = profile.Gaze == null ? null : new HeadGaze(profile.Gaze, profile.Subject);
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         root = place;
     }
@@ -66,13 +66,13 @@ internal sealed class Marcher
                 Local.SetToRest(skeleton);
                 break;
             case CrowdStage.Motion:
-                root = motion.Drive(root, dt, input, MotionSettings.Default, FlatGround.Level, Local);
+                root = motion.Update(root, dt, input, MotionSettings.Default, FlatGround.Level, Local);
                 break;
             case CrowdStage.Chain:
                 ForwardKinematics.LocalToModel(skeleton, Local, Model);
                 break;
             case CrowdStage.Gaze:
-                attention?.Update(null, null, root, motion.Speed, 1f, dt, Local, Model);
+                headGaze?.Update(null, null, root, motion.Speed, 1f, dt, Local, Model);
                 break;
             case CrowdStage.Springs:
                 secondary.Update(root, motion.Clearance, Vector3.Zero, dt, Local, Model);

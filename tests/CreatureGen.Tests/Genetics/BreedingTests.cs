@@ -86,7 +86,7 @@ public sealed class BreedingTests
             BodyBlend blend = Crossover.Cross(Walker, Flier, new Seed((ulong)i)).Body.Blend;
             Assert.InRange(blend.Bodies.Count, 1, 6);
             Assert.Equal(blend.Bodies.Count, blend.Bodies.Select(part => part.Name).Distinct().Count());
-            foreach (IReadOnlyList<double> shares in new[] { blend.TorsoShares, blend.HeadShares, blend.TailShares })
+            foreach (IReadOnlyList<double> shares in new[] { blend.TorsoFractions, blend.HeadFractions, blend.TailFractions })
             {
                 Assert.Equal(1, shares.Sum(), 1e-9);
             }

@@ -140,7 +140,7 @@ public sealed class SkeletonTests
     public void A_joint_that_is_nowhere_never_leaves_the_rigger(float y)
     {
         var builder = new SkeletonBuilder();
-        builder.Add(-1, Side.Median, new JointDraft("Lost", JointRole.Root, new Vector3(0f, y, 0f), Quaternion.Identity, 1f, JointLimit.Free));
+        builder.Add(-1, Side.Median, new JointDefinition("Lost", JointRole.Root, new Vector3(0f, y, 0f), Quaternion.Identity, 1f, JointLimit.Free));
         InvalidOperationException error = Assert.Throws<InvalidOperationException>(() => builder.Build());
         Assert.Contains("\"Lost\" has a place or an orientation that is not finite", error.Message, StringComparison.Ordinal);
     }

@@ -14,14 +14,14 @@ internal sealed class ThinWingForm
     public ThinWingForm(params (double X, double Y)[] outline)
     {
         points = Rounded(Array.ConvertAll(outline, p => new WingPoint(p.X, p.Y)));
-        double least = double.MaxValue, most = double.MinValue;
+        double min = double.MaxValue, max = double.MinValue;
         foreach (WingPoint p in points)
         {
-            least = Math.Min(least, p.Y);
-            most = Math.Max(most, p.Y);
+            min = Math.Min(min, p.Y);
+            max = Math.Max(max, p.Y);
         }
 
-        Depth = most - least;
+        Depth = max - min;
     }
 
     /// <summary>Number of lines across the wing.</summary>
@@ -64,11 +64,11 @@ internal sealed class ThinWingForm
 
     /// <summary>A point of a line across the wing.</summary>
     /// <param name="row">Number of the line from the shoulder.</param>
-    /// <param name="share">0 at the leading edge, 1 at the trailing one.</param>
-    public WingPoint At(int row, double share)
+    /// <param name="fraction">0 at the leading edge, 1 at the trailing one.</param>
+    public WingPoint At(int row, double fraction)
     {
         WingPoint lead = points[row];
         WingPoint trail = points[points.Length - 1 - row];
-        return new WingPoint(Scalar.Lerp(lead.X, trail.X, share), Scalar.Lerp(lead.Y, trail.Y, share));
+        return new WingPoint(Scalar.Lerp(lead.X, trail.X, fraction), Scalar.Lerp(lead.Y, trail.Y, fraction));
     }
 }

@@ -19,9 +19,9 @@ internal sealed class CoatBetween
         Vector4 position = weights.Mix(a.PositionAndRing, b.PositionAndRing, c.PositionAndRing);
         Vector4 plain = weights.Mix(a.PlainAndRun, b.PlainAndRun, c.PlainAndRun);
         Vector4 patterned = weights.Mix(a.PatternedAndGirth, b.PatternedAndGirth, c.PatternedAndGirth);
-        float share = coat.PatternFraction(new PatternPlace(Xyz(position), plain.W, patterned.W));
-        Vector3 colour = Vec.Lerp(Xyz(plain), Xyz(patterned), share);
-        return IsMarked(a.Region, position.W) ? Marked(a, b, c, appendage, weights, position, share, colour) : colour;
+        float fraction = coat.PatternFraction(new PatternPlace(Xyz(position), plain.W, patterned.W));
+        Vector3 colour = Vec.Lerp(Xyz(plain), Xyz(patterned), fraction);
+        return IsMarked(a.Region, position.W) ? Marked(a, b, c, appendage, weights, position, fraction, colour) : colour;
     }
 
     /// <summary>Whether a region has markings with edges finer than the mesh; everywhere else only the pattern is.</summary>
@@ -33,12 +33,12 @@ internal sealed class CoatBetween
 
     /// <summary>The markings over the coat at one place; where regions meet, each has the share of its corners.</summary>
     /// <remarks>The undercoat is that of the corners, and <paramref name="between"/> their finished colour.</remarks>
-    private Vector3 Marked(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, in Barycentric weights, in Vector4 position, float share, Vector3 between)
+    private Vector3 Marked(in ChartCorner a, in ChartCorner b, in ChartCorner c, short appendage, in Barycentric weights, in Vector4 position, float fraction, Vector3 between)
     {
         Vector4 chart = weights.Mix(a.ChartAndTurns, b.ChartAndTurns, c.ChartAndTurns);
         Vector4 plain = weights.Mix(a.PlainUndercoatAndAlong, b.PlainUndercoatAndAlong, c.PlainUndercoatAndAlong);
         Vector4 patterned = weights.Mix(a.PatternedUndercoatAndGrain, b.PatternedUndercoatAndGrain, c.PatternedUndercoatAndGrain);
-        Vector3 undercoat = Vec.Lerp(Xyz(plain), Xyz(patterned), share);
+        Vector3 undercoat = Vec.Lerp(Xyz(plain), Xyz(patterned), fraction);
         float grain = patterned.W;
         var address = new VertexAddress
         {

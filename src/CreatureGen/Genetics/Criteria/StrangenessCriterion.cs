@@ -45,9 +45,9 @@ internal sealed class StrangenessCriterion : ICriterion
     private static double BodiesIn(BodyBlend blend)
     {
         double squares = 0;
-        foreach (double share in blend.TorsoShares)
+        foreach (double fraction in blend.TorsoFractions)
         {
-            squares += share * share;
+            squares += fraction * fraction;
         }
 
         return 1 / squares;

@@ -85,7 +85,7 @@ internal static class VrmSprings
         float[] frequencies = new float[count];
         float[] drags = new float[count];
         float[] radii = new float[count];
-        float[] shares = new float[count];
+        float[] fractions = new float[count];
         Vector3 gravity = Vector3.Zero;
         for (int i = 0; i < count; i++)
         {
@@ -104,7 +104,7 @@ internal static class VrmSprings
                 gravity = Direction(item) * power;
             }
 
-            shares[i] = power > 0f ? power / Vec.Length(gravity) : 0f;
+            fractions[i] = power > 0f ? power / Vec.Length(gravity) : 0f;
         }
 
         bool centred = ModelDocument.Find(spring, "center") is not null;
@@ -117,7 +117,7 @@ internal static class VrmSprings
             inherit: 1f,
             inertia: centred ? 0f : 1f,
             drag: ChainCurve.Through(places, drags),
-            gravityShare: ChainCurve.Through(places, shares));
+            gravityFraction: ChainCurve.Through(places, fractions));
         return new ModelSpring(ModelDocument.Text(spring, "name", string.Empty), rig, settings, Colliders(spring, colliders, groups, joints));
     }
 

@@ -25,7 +25,7 @@ internal static class ChimeraDistance
         AnimalClass body = ClassOf(blend.First);
         double head = ClassOf(blend.Face) != body ? OtherClassOfHead : blend.Face != blend.First ? OtherHead : 0;
         double skin = ClassOf(blend.Skin) != body ? OtherClassOfSkin : 0;
-        double tail = blend.TailShares[0] < OwnFraction ? OtherTail : 0;
+        double tail = blend.TailFractions[0] < OwnFraction ? OtherTail : 0;
         double manner = blend.Manner != blend.First ? OtherManner : 0;
         return head + skin + tail + manner;
     }

@@ -39,14 +39,14 @@ internal static class ClipRate
         float min = 1f;
         for (int frame = 1; frame < clip.Frames; frame++)
         {
-            min = Math.Min(min, LeastDot(skeleton, clip.RotationsAt(frame - 1), clip.RotationsAt(frame)));
+            min = Math.Min(min, MinDot(skeleton, clip.RotationsAt(frame - 1), clip.RotationsAt(frame)));
         }
 
         return 2f * (float)PortableMath.Acos(min);
     }
 
     /// <summary>Cosine of half the angle by which the joint that turns farthest turns between two poses, lids left out.</summary>
-    public static float LeastDot(Skeleton skeleton, ReadOnlySpan<Quaternion> before, ReadOnlySpan<Quaternion> after)
+    public static float MinDot(Skeleton skeleton, ReadOnlySpan<Quaternion> before, ReadOnlySpan<Quaternion> after)
     {
         float min = 1f;
         for (int joint = 0; joint < before.Length; joint++)

@@ -95,7 +95,7 @@ internal sealed class RecordedCycle
         float min = 1f;
         for (int frame = 1; frame <= Frames; frame++)
         {
-            min = Math.Min(min, ClipRate.LeastDot(skeleton, Rotations.AsSpan((frame - 1) * Joints, Joints), Rotations.AsSpan(frame * Joints, Joints)));
+            min = Math.Min(min, ClipRate.MinDot(skeleton, Rotations.AsSpan((frame - 1) * Joints, Joints), Rotations.AsSpan(frame * Joints, Joints)));
         }
 
         return 2f * (float)PortableMath.Acos(min);

@@ -111,7 +111,7 @@ internal sealed class Buoyancy
     }
 
     /// <summary>Swims on, and poses it.</summary>
-    public RootPlace Drive(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
     {
         var water = (IWaterGround)ground;
         RootPlace next = paddling.Advance(place, dt, input, settings, water);

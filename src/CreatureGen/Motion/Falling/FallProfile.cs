@@ -57,7 +57,7 @@ internal sealed class FallProfile
         Windows = WindowsOf(subject.Skeleton);
         Neck = ChainOf(subject.Skeleton, JointRole.Neck, JointRole.Head);
         Tail = ChainOf(subject.Skeleton, JointRole.Tail, JointRole.Tail);
-        Gives = Recoil.GivesOf(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
+        Inertias = Recoil.InertiasOf(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
         Body = Math.Max(subject.Skeleton.FirstOf(JointRole.Body), 0);
         Support = SupportPoints.Of(subject);
@@ -88,7 +88,7 @@ internal sealed class FallProfile
     public TimeWindow[] Windows { get; }
 
     /// <summary>For each joint how much what hangs on it resists turning, kg m²; 0 where it does not give to a blow.</summary>
-    public float[] Gives { get; }
+    public float[] Inertias { get; }
 
     /// <summary>Joints of neck and head.</summary>
     public int[] Neck { get; }

@@ -135,7 +135,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         IGround felt = ground;
         if (floats != null && ground is IWaterGround wet && (State == BodyState.Afloat || wet.DepthAt(place.Position) > float.MinValue))
@@ -290,7 +290,7 @@ internal sealed partial class FallingMode : ILocomotionMode
                 return Landed(place, dt, input, settings, ground, local);
             case BodyState.Afloat:
                 local.SetToRest(subject.Skeleton);
-                return Water.Drive(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, local);
+                return Water.Update(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, local);
             case BodyState.Limp:
                 place = Lying.Advance(place, dt, settings, ground);
                 Lying.Show(place, dt, settings, ground, local);
@@ -317,7 +317,7 @@ internal sealed partial class FallingMode : ILocomotionMode
         try
         {
             MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, ground, place, settings) : input;
-            return inner.Drive(drift.Carry(place, dt, tau), dt, possible, settings, ground, local);
+            return inner.Update(drift.Carry(place, dt, tau), dt, possible, settings, ground, local);
         }
         finally
         {
@@ -388,7 +388,7 @@ internal sealed partial class FallingMode : ILocomotionMode
         State = Fall.Absorb(dt) ? BodyState.Supported : State;
         float going = legs!.Speed * place.Scale;
         var asked = new MotionInput(Scalar.Clamp(input.Speed, Math.Min(going, 0f), Math.Max(going, 0f)), input.YawRate);
-        place = legs.Drive(place, dt, asked, settings, ground, local);
+        place = legs.Update(place, dt, asked, settings, ground, local);
         Fall.Fade(dt, local);
         return place;
     }

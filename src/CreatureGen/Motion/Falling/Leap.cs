@@ -89,19 +89,19 @@ internal sealed class Leap
         JumpReach reach = Reach(place.Scale, settings.Gravity);
         float height = Vec.Dot(to - place.Position, settings.Up);
         float distance = Vec.Length(Vec.Reject(to - place.Position, settings.Up));
-        float least = settings.Gravity * (height + (float)Math.Sqrt((height * height) + (distance * distance)));
+        float min = settings.Gravity * (height + (float)Math.Sqrt((height * height) + (distance * distance)));
         if (reach.Speed == 0f)
         {
             return JumpResult.TooHeavy;
         }
 
-        if (least > reach.Speed * reach.Speed)
+        if (min > reach.Speed * reach.Speed)
         {
             return JumpResult.OutOfReach;
         }
 
         // At the angle of the least speed, but no lower than a jump is.
-        float velocity = Math.Min(reach.Speed, Spare * (float)Math.Sqrt(least));
+        float velocity = Math.Min(reach.Speed, Spare * (float)Math.Sqrt(min));
         float slope = distance > 1e-4f ? ((velocity * velocity) + (float)Math.Sqrt(Math.Max((velocity * velocity * velocity * velocity) - (settings.Gravity * ((settings.Gravity * distance * distance) + (2f * height * velocity * velocity))), 0f))) / (settings.Gravity * distance) : 1e4f;
         float lowest = (float)Math.Sqrt(2f * settings.Gravity * (Math.Max(height, 0f) + (MinHeight * body.LegLength * place.Scale)));
         upward = Math.Max(velocity * slope / (float)Math.Sqrt(1f + (slope * slope)), Math.Min(lowest, reach.Speed));
@@ -133,7 +133,7 @@ internal sealed class Leap
         {
             legs.Sink = depth * Scalar.Smooth(elapsed / crouch);
             float rate = Scalar.Clamp(angle / Math.Max(crouch - elapsed, dt), -TurnRate, TurnRate);
-            return legs.Drive(place, dt, new MotionInput(Math.Max(speed, 0f) * place.Scale, rate), settings, ground, local);
+            return legs.Update(place, dt, new MotionInput(Math.Max(speed, 0f) * place.Scale, rate), settings, ground, local);
         }
 
         float u = Math.Min((elapsed - crouch) / push, 1f);

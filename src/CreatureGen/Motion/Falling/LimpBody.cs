@@ -77,9 +77,9 @@ internal sealed class LimpBody
     public void Push(int joint, Vector3 impulse, float scale, float gravity)
     {
         Vector3 change = impulse / (profile.Mass * scale * scale * scale * profile.Ragdoll.MassOf(joint));
-        float most = 2f * (float)Math.Sqrt(gravity * profile.Height * scale);
+        float max = 2f * (float)Math.Sqrt(gravity * profile.Height * scale);
         float length = Vec.Length(change);
-        ragdoll.Push(joint, length > most ? change * (most / length) : change, ragdoll.CentreOf(joint));
+        ragdoll.Push(joint, length > max ? change * (max / length) : change, ragdoll.CentreOf(joint));
     }
 
     /// <summary>Falls on, or lies.</summary>

@@ -47,16 +47,16 @@ internal sealed class Recoil
         Vector3 hit = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], skeleton.Joints[joint].Along * (0.5f * skeleton.Joints[joint].Length));
         Vector3 push = Rotation.Rotate(Rotation.Inverse(place.Rotation), impulse);
         float scale = place.Scale;
-        float share = 1f;
-        for (int j = joint; j >= 0 && profile.Gives[j] > 0f; j = skeleton.Parents[j])
+        float fraction = 1f;
+        for (int j = joint; j >= 0 && profile.Inertias[j] > 0f; j = skeleton.Parents[j])
         {
             // The moment of inertia of a larger one grows with the fifth power of its size, the lever with the first.
-            Vector3 turn = Vec.Cross(hit - model.Positions[j], push) / (profile.Gives[j] * scale * scale * scale * scale);
+            Vector3 turn = Vec.Cross(hit - model.Positions[j], push) / (profile.Inertias[j] * scale * scale * scale * scale);
             float rate = Vec.Length(turn);
-            turn *= share * Math.Min(1f, MaxRate / tau / Math.Max(rate, 1e-6f));
+            turn *= fraction * Math.Min(1f, MaxRate / tau / Math.Max(rate, 1e-6f));
             int parent = skeleton.Parents[j];
             rates[j] += parent < 0 ? turn : Rotation.Rotate(Rotation.Inverse(model.Rotations[parent]), turn);
-            share *= Inward;
+            fraction *= Inward;
             IsActive = true;
         }
     }
@@ -73,7 +73,7 @@ internal sealed class Recoil
         }
 
         var spring = new DampedSpring(Stiffness / tau, DampingRatio, dt);
-        float most = 0f;
+        float max = 0f;
         for (int j = 0; j < angles.Length; j++)
         {
             if (angles[j] == Vector3.Zero && rates[j] == Vector3.Zero)
@@ -83,7 +83,7 @@ internal sealed class Recoil
 
             (angles[j], rates[j]) = ((angles[j] * spring.PlaceOfPlace) + (rates[j] * spring.PlaceOfVelocity), (angles[j] * spring.VelocityOfPlace) + (rates[j] * spring.VelocityOfVelocity));
             float angle = Vec.Length(angles[j]);
-            most = Math.Max(most, Math.Max(angle, tau * Vec.Length(rates[j])));
+            max = Math.Max(max, Math.Max(angle, tau * Vec.Length(rates[j])));
             if (angle > 1e-6f)
             {
                 Quaternion turned = Rotation.Normalize(Rotation.Multiply(Rotation.FromAxisAngle(angles[j] / angle, angle), local.Rotations[j]));
@@ -91,7 +91,7 @@ internal sealed class Recoil
             }
         }
 
-        if (most < Over)
+        if (max < Over)
         {
             Stop();
         }
@@ -114,9 +114,9 @@ internal sealed class Recoil
     }
 
     /// <summary>For each joint the moment of inertia of all that hangs on it about it, kg m² of the model; 0 where it does not give: it carries what stands, or does not turn.</summary>
-    public static float[] GivesOf(Skeleton skeleton, RagdollRig rig, float mass, ReadOnlySpan<int> feet)
+    public static float[] InertiasOf(Skeleton skeleton, RagdollRig rig, float mass, ReadOnlySpan<int> feet)
     {
-        var gives = new float[skeleton.Count];
+        var inertias = new float[skeleton.Count];
         ReadOnlySpan<RagdollPart> parts = rig.Parts;
         for (int i = 1; i < parts.Length; i++)
         {
@@ -125,7 +125,7 @@ internal sealed class Recoil
             for (int p = i; p > 0; p = parts[p].Parent)
             {
                 float arm = Vec.Distance(centre, skeleton.ModelPositions[parts[p].Joint]);
-                gives[parts[p].Joint] += mass / parts[i].InverseMass * ((arm * arm) + (0.1f * reach * reach));
+                inertias[parts[p].Joint] += mass / parts[i].InverseMass * ((arm * arm) + (0.1f * reach * reach));
             }
         }
 
@@ -133,10 +133,10 @@ internal sealed class Recoil
         {
             for (int j = foot; j >= 0; j = skeleton.Parents[j])
             {
-                gives[j] = 0f;
+                inertias[j] = 0f;
             }
         }
 
-        return gives;
+        return inertias;
     }
 }

@@ -18,7 +18,7 @@ internal sealed class Reel
     private const float MaxRate = 1.2f;
 
     /// <summary>How far it gives at the knees, leg lengths for each radian that it is tipped.</summary>
-    private const float Give = 0.35f;
+    private const float Flexion = 0.35f;
 
     /// <summary>Radians below which it is over.</summary>
     private const float Over = 1e-3f;
@@ -69,7 +69,7 @@ internal sealed class Reel
             layer.CopyFrom(asked);
         }
 
-        float down = Give * Vec.Length(tip) * legLength;
+        float down = Flexion * Vec.Length(tip) * legLength;
         layer.Roll += tip.X;
         layer.Pitch += tip.Z;
         layer.ForeDown += down;

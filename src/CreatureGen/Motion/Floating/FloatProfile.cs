@@ -22,7 +22,7 @@ internal sealed class FloatProfile
     private const float Upright = 0.7f;
 
     /// <summary>Radians by which a trunk is held nose up at least and at most; an upright one leans ahead.</summary>
-    private const float LeastPitch = 0.08f;
+    private const float MinPitch = 0.08f;
     private const float SteepestPitch = 0.4f;
     private const float UprightLean = 0.3f;
 
@@ -101,14 +101,14 @@ internal sealed class FloatProfile
     {
         if (body.Neck.Length == 0)
         {
-            return (LeastPitch, 0f);
+            return (MinPitch, 0f);
         }
 
         Extent(body, body.Neck.AsSpan(body.Neck.Length - 1), out Vector3 min, out Vector3 max);
         Vector3 head = (min + max) * 0.5f;
         float ahead = Math.Max(head.Z - Middle.Z, 0.1f * body.LegLength);
         float surface = Draught + (HeadRoom * 0.5f * (max.Y - min.Y));
-        float pitch = Scalar.Clamp((surface - head.Y) / ahead, LeastPitch, SteepestPitch);
+        float pitch = Scalar.Clamp((surface - head.Y) / ahead, MinPitch, SteepestPitch);
         float spare = (head.Y + (ahead * pitch) - surface) / body.NeckLength;
         return (pitch, Scalar.Clamp(spare, -HighestNeck, pitch));
     }

@@ -165,8 +165,8 @@ internal sealed class Paddling
     {
         double beat = CruiseBeats / tau;
         double thrust = PushOff * cruise * beat;
-        double most = Fastest * cruise;
-        return new MomentumLimits(1.1 * thrust, BrakingFraction * thrust, thrust / (most * most), thrust * beat / PushRise);
+        double max = Fastest * cruise;
+        return new MomentumLimits(1.1 * thrust, BrakingFraction * thrust, thrust / (max * max), thrust * beat / PushRise);
     }
 
     /// <summary>Has its legs go as hard as is asked of it.</summary>

@@ -82,7 +82,7 @@ internal sealed class FlyingMode : ILocomotionMode
     /// <summary>Whether it stands still with its wings folded.</summary>
     public bool IsFolded => StandsOnFeet && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
 
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         bool before = IsOnFeet;
         BodyVelocity velocity = Fly(place, dt, input, settings, ground, local);
@@ -90,7 +90,7 @@ internal sealed class FlyingMode : ILocomotionMode
         {
             TouchDown(before, place, settings, ground);
             legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
-            place = legs.Drive(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
+            place = legs.Update(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
             Speed = legs.Speed;
         }
         else

@@ -81,13 +81,13 @@ internal sealed class FoldedWing
     }
 
     /// <summary>What a way of folding costs; infinity where that is more than a sum for certain.</summary>
-    private double Try(in WingFold fold, FoldRange range, FoldRoom room, double most)
+    private double Try(in WingFold fold, FoldRange range, FoldRoom room, double max)
     {
         Fold(fold);
         Span<Quaternion> carried = stackalloc Quaternion[chain.Count];
         Span<Vector3> joints = stackalloc Vector3[chain.Count];
         Place(joints, carried);
-        double cost = skin.Cost(joints, carried, room, range, most);
+        double cost = skin.Cost(joints, carried, room, range, max);
         return double.IsPositiveInfinity(cost) ? cost : cost + (CornerCost * fold.Corners) + (CrowdingCost * skin.Crowding(joints, carried));
     }
 

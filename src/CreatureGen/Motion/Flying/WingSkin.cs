@@ -93,11 +93,11 @@ internal sealed class WingSkin
     /// <param name="turns">How they are turned in the model.</param>
     /// <param name="room">The body it is folded to.</param>
     /// <param name="range">How its kind of wing folds.</param>
-    /// <param name="most">What it may cost: infinity is told of all that is dearer for certain.</param>
-    public double Cost(ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns, FoldRoom room, FoldRange range, double most)
+    /// <param name="max">What it may cost: infinity is told of all that is dearer for certain.</param>
+    public double Cost(ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns, FoldRoom room, FoldRange range, double max)
     {
         // No place costs less than nothing, so what is dear is known to be before all places have been looked at, the dearest of the way before first: that saves two thirds of them. The sum itself is made in their own order.
-        double enough = most * Math.Max(places.Length, 1) * (1 + Rounding);
+        double enough = max * Math.Max(places.Length, 1) * (1 + Rounding);
         double sum = 0;
         double worst = 0;
         for (int i = 0; i < order.Length; i++)
@@ -229,7 +229,7 @@ internal sealed class WingSkin
         float max = 0f;
         for (int k = 0; k < fractions.Length; k++)
         {
-            fractions[k] = ShareOf(chain.Limb.Joints[k], weights);
+            fractions[k] = FractionOf(chain.Limb.Joints[k], weights);
             sum += fractions[k];
             max = Math.Max(max, fractions[k]);
         }
@@ -239,7 +239,7 @@ internal sealed class WingSkin
         return new Place(rest, fractions, still, max, chain.Limb.Kind == LimbKind.Wing ? sum - fractions[0] : 1f);
     }
 
-    private static float ShareOf(int joint, in SkinWeights weights) =>
+    private static float FractionOf(int joint, in SkinWeights weights) =>
         (weights.Joint0 == joint ? weights.Weights.X : 0f) + (weights.Joint1 == joint ? weights.Weights.Y : 0f) + (weights.Joint2 == joint ? weights.Weights.Z : 0f) + (weights.Joint3 == joint ? weights.Weights.W : 0f);
 
     /// <summary>A place on the skin at rest, how much each joint of the wing, and the body, moves it, the most of the former, and how far it is to keep off the body, 0..1.</summary>

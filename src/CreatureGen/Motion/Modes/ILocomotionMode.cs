@@ -44,7 +44,7 @@ internal interface ILocomotionMode
     /// <param name="ground">What it goes on, or over.</param>
     /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
     /// <returns>Where it is then.</returns>
-    RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local);
+    RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local);
 
     /// <summary>Moves on as the game moved it and writes the pose.</summary>
     /// <param name="place">Where the creature was.</param>

@@ -65,7 +65,7 @@ internal static class SlitherMotion
         if (!state.Placed)
         {
             state.Placed = true;
-            state.Travel = yaw;
+            state.CourseAngle = yaw;
             state.Winding = CriticallyDampedSpring.At(WindingOf(profile, input.Mode));
             state.Sidewinding = CriticallyDampedSpring.At(SidewindingOf(input.Mode));
             Lay(profile, input.Mode, middle, yaw, floor, state);
@@ -79,7 +79,7 @@ internal static class SlitherMotion
         // By the height of the ground: a root is not always where it lies, and the track does.
         double height = floor.HeightAt(middle.X, middle.Y, middle.Z, out _);
         state.Track.Carry(turn, middle.X - ((p.X * c) + (p.Z * s)), height - p.Y, middle.Z - ((p.Z * c) - (p.X * s)));
-        state.Travel += turn;
+        state.CourseAngle += turn;
     }
 
     /// <summary>Lays the body about a place, as it would have come there; what does not undulate begins straight.</summary>
@@ -136,11 +136,11 @@ internal static class SlitherMotion
         double turn = Scalar.Clamp(yaw * dt, -profile.TightestTurn * way, profile.TightestTurn * way);
         if (arc > 0)
         {
-            state.Track.Advance(arc, new TrackSteering(state.Travel, state.Travel + turn, slant, alpha, sides), floor);
-            state.Travel += turn;
+            state.Track.Advance(arc, new TrackSteering(state.CourseAngle, state.CourseAngle + turn, slant, alpha, sides), floor);
+            state.CourseAngle += turn;
             if (sides > 1e-6)
             {
-                PortableMath.SinCos(state.Travel + slant + alpha, out double x, out double z);
+                PortableMath.SinCos(state.CourseAngle + slant + alpha, out double x, out double z);
                 state.Track.Drift(-sides * arc * x, -sides * arc * z);
             }
         }

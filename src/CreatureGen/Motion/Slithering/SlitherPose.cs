@@ -59,7 +59,7 @@ internal static class SlitherPose
             x += point.X / RootSamples;
             z += point.Z / RootSamples;
             near += point.Y / RootSamples;
-            yaw += track.TravelAt(arc) / RootSamples;
+            yaw += track.CourseAngleAt(arc) / RootSamples;
         }
 
         if (ahead > 0)
@@ -178,7 +178,7 @@ internal static class SlitherPose
     private static void Steady(SlitherProfile profile, SlitherState state, Vector3 up, Span<Quaternion> turns)
     {
         int neck = profile.NeckBones;
-        double way = state.Travel - state.Yaw + Askance(profile, state);
+        double way = state.CourseAngle - state.Yaw + Askance(profile, state);
         PortableMath.SinCos(way, out double aside, out double ahead);
         Quaternion along = Lie(Vec.Reject(new Vector3((float)aside, 0f, (float)ahead), Vec.Normalize(up, Vector3.UnitY)), up);
         double kept = HeadSwing * HeadTilt;

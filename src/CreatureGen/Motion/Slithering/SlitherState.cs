@@ -12,7 +12,7 @@ internal sealed class SlitherState
     internal CriticallyDampedSpring Winding;
     internal CriticallyDampedSpring Idle;
     internal double Breath;
-    internal double Travel;
+    internal double CourseAngle;
     internal bool Placed;
     internal RootPlace Root;
     internal Vector3 Middle;
@@ -50,7 +50,7 @@ internal sealed class SlitherState
         Winding = other.Winding;
         Idle = other.Idle;
         Breath = other.Breath;
-        Travel = other.Travel;
+        CourseAngle = other.CourseAngle;
         Placed = other.Placed;
         Root = other.Root;
         Middle = other.Middle;

@@ -76,7 +76,7 @@ internal sealed class SlitherTrack
         {
             long point = newest - k;
             near = floor.HeightAt(px, near, pz, out Vector3 normal);
-            Store(point, new TrackPoint(px, near, pz, normal), steer.TravelAt(1));
+            Store(point, new TrackPoint(px, near, pz, normal), steer.CourseAngleAt(1));
             Stride(point - 1, steer, out double dx, out double dz);
             px -= dx;
             pz -= dz;
@@ -114,7 +114,7 @@ internal sealed class SlitherTrack
             Head = to;
             if (to >= (next * Step) - (1e-9 * Step))
             {
-                Store(next, head, steer.TravelAt(done / way));
+                Store(next, head, steer.CourseAngleAt(done / way));
             }
         }
 
@@ -147,7 +147,7 @@ internal sealed class SlitherTrack
     }
 
     /// <summary>The way's heading at an arc length, without the swings of the track.</summary>
-    public double TravelAt(double arc)
+    public double CourseAngleAt(double arc)
     {
         double grid = Scalar.Clamp(arc / Step, newest - x.Length + 1, newest - 1);
         long i = (long)Math.Floor(grid);
@@ -212,7 +212,7 @@ internal sealed class SlitherTrack
             double to = (last + k) * Step;
             point = Go(point, to - arc, steer.HeadingAt(0.5 * (arc + to), 1, Wavelength), floor);
             arc = to;
-            Store(last + k, point, steer.TravelAt(1));
+            Store(last + k, point, steer.CourseAngleAt(1));
         }
 
         newest = last + Ahead;

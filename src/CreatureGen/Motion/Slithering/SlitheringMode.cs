@@ -37,19 +37,19 @@ internal sealed class SlitheringMode : ILocomotionMode
 
     public float BalancedBank => 0f;
 
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         var asked = new SlitherInput(settings.Slithering.Gait, input.Speed / place.Scale, input.YawRate, place, settings.Slithering.SpeedResponse);
         return SlitherMotion.Update(profile, asked, ground, state, dt, local);
     }
 
     public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local) =>
-        Drive(goal, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, ground, local);
+        Update(goal, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, ground, local);
 
     public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
     {
         state.Reset();
-        Drive(place, 0f, default, settings, ground, local);
+        Update(place, 0f, default, settings, ground, local);
     }
 
     public void Rebase(Vector3 offset)

@@ -22,11 +22,11 @@ internal readonly struct TrackSteering
     }
 
     /// <summary>Heading of the way at a share of the step.</summary>
-    public double TravelAt(double fraction) => from + ((to - from) * fraction);
+    public double CourseAngleAt(double fraction) => from + ((to - from) * fraction);
 
     /// <summary>Heading of the track at an arc length and a share of the step.</summary>
     public double HeadingAt(double arc, double fraction, double wavelength) =>
-        TravelAt(fraction) + slant + (alpha * Swing(arc / wavelength, flatness));
+        CourseAngleAt(fraction) + slant + (alpha * Swing(arc / wavelength, flatness));
 
     /// <summary>The swing of the track, −1 to 1 at its left end, at a place in waves: a cosine, whose left end is straight over a third of the wave where flatness is 1.</summary>
     public static double Swing(double waves, double flatness)

@@ -196,15 +196,15 @@ internal sealed class StandIn
             places[places.Count - 1] = ChestAtShoulders(places[places.Count - 1]);
         }
 
-        builder.Add(-1, Side.Median, new JointDraft("Root", JointRole.Root, Vector3.Zero, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Root)));
-        int parent = builder.Add(0, Side.Median, new JointDraft("Body", JointRole.Body, (places[0] + places[places.Count - 1]) * 0.5f, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Body)));
+        builder.Add(-1, Side.Median, new JointDefinition("Root", JointRole.Root, Vector3.Zero, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Root)));
+        int parent = builder.Add(0, Side.Median, new JointDefinition("Body", JointRole.Body, (places[0] + places[places.Count - 1]) * 0.5f, Quaternion.Identity, 0f, JointLimits.Body(JointRole.Body)));
         int pelvis = parent + 1;
         for (int k = 0; k < places.Count; k++)
         {
             JointRole role = k == 0 ? JointRole.Pelvis : k == places.Count - 1 ? JointRole.Chest : JointRole.Spine;
             string name = role == JointRole.Spine ? FormattableString.Invariant($"Spine{k}") : role.ToString();
             Vector3 onward = k + 1 < places.Count ? places[k + 1] - places[k] : places[k] - places[k - 1];
-            parent = builder.Add(parent, Side.Median, new JointDraft(name, role, places[k], JointFrame.Median(onward), Vec.Length(onward), JointLimits.Body(role)));
+            parent = builder.Add(parent, Side.Median, new JointDefinition(name, role, places[k], JointFrame.Median(onward), Vec.Length(onward), JointLimits.Body(role)));
             if (k < roles.Trunk.Count)
             {
                 follows[roles.Trunk[k].Joint] = parent;
@@ -266,7 +266,7 @@ internal sealed class StandIn
             Vector3 place = Median(PlaceOf(chain[k].Joint));
             Vector3 onward = k + 1 < chain.Count ? Median(PlaceOf(chain[k + 1].Joint)) - place : LastOf(chain[k].Joint, (place - builder[parent].Position) * LastBone);
             (JointRole role, string name, JointLimit limit) = named(k, chain.Count);
-            parent = builder.Add(parent, Side.Median, new JointDraft(name, role, place, JointFrame.Median(onward), Vec.Length(onward), limit));
+            parent = builder.Add(parent, Side.Median, new JointDefinition(name, role, place, JointFrame.Median(onward), Vec.Length(onward), limit));
             follows[chain[k].Joint] = parent;
         }
 

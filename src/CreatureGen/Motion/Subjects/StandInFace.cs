@@ -61,7 +61,7 @@ internal sealed class StandInFace
         Vector3 hinge = Median(placeOf(jaw));
         Vector3 chin = ChildOf(jaw, JointRole.End) is >= 0 and int end ? Median(placeOf(end)) - hinge : Vector3.UnitZ * (reachOf(jaw, Vector3.UnitZ) ?? 0f);
         chin = Vec.Length(chin) > EyeLength * HeadLength ? chin : Vector3.UnitZ * (JawLength * HeadLength);
-        follows[jaw] = builder.Add(head, Side.Median, new JointDraft("Jaw", JointRole.Jaw, hinge, JointFrame.Median(chin), Vec.Length(chin), JointLimits.Body(JointRole.Jaw)));
+        follows[jaw] = builder.Add(head, Side.Median, new JointDefinition("Jaw", JointRole.Jaw, hinge, JointFrame.Median(chin), Vec.Length(chin), JointLimits.Body(JointRole.Jaw)));
         builder.AddEnd(follows[jaw], Side.Median, "JawEnd", hinge + chin);
     }
 
@@ -70,7 +70,7 @@ internal sealed class StandInFace
         if (Roots(JointRole.Eye, Side.Left) is { Count: > 0 } left && Roots(JointRole.Eye, Side.Right) is { Count: > 0 } right)
         {
             Quaternion frame = JointFrame.Raised(Vector3.UnitZ, -Vector3.UnitY);
-            var eye = new JointDraft("Eye_L", JointRole.Eye, placeOf(left[0]), frame, EyeLength * HeadLength, JointLimits.Body(JointRole.Eye));
+            var eye = new JointDefinition("Eye_L", JointRole.Eye, placeOf(left[0]), frame, EyeLength * HeadLength, JointLimits.Body(JointRole.Eye));
             int[] pair = builder.AddPair(head, new[] { eye }, new[] { "Eye_R" });
             (follows[left[0]], follows[right[0]]) = (pair[0], pair[1]);
         }
@@ -86,7 +86,7 @@ internal sealed class StandInFace
             return;
         }
 
-        var drafts = new List<JointDraft>();
+        var definitions = new List<JointDefinition>();
         var names = new List<string>();
         Vector3 onward = Vector3.UnitY * (EarLength * HeadLength);
         for (int k = 0; k < left.Count; k++)
@@ -95,17 +95,17 @@ internal sealed class StandInFace
             int next = k + 1 < left.Count ? left[k + 1] : ChildOf(left[k], JointRole.End);
             Vector3 along = next >= 0 ? placeOf(next) - place : onward;
             onward = Vec.Length(along) > 0f ? along : onward;
-            drafts.Add(new JointDraft(FormattableString.Invariant($"Ear_L_{k + 1}"), JointRole.Ear, place, JointFrame.Raised(onward, Vector3.UnitZ), Vec.Length(onward), JointLimits.Soft(JointRole.Ear, k)));
+            definitions.Add(new JointDefinition(FormattableString.Invariant($"Ear_L_{k + 1}"), JointRole.Ear, place, JointFrame.Raised(onward, Vector3.UnitZ), Vec.Length(onward), JointLimits.Soft(JointRole.Ear, k)));
             names.Add(FormattableString.Invariant($"Ear_R_{k + 1}"));
         }
 
-        JointDraft last = drafts[^1];
-        drafts.Add(new JointDraft("Ear_L_End", JointRole.End, last.Position + onward, last.Rotation, 0f, JointLimit.Fixed));
+        JointDefinition last = definitions[^1];
+        definitions.Add(new JointDefinition("Ear_L_End", JointRole.End, last.Position + onward, last.Rotation, 0f, JointLimit.Fixed));
         names.Add("Ear_R_End");
-        int[] pair = builder.AddPair(head, drafts, names);
+        int[] pair = builder.AddPair(head, definitions, names);
         for (int k = 0; k < left.Count; k++)
         {
-            (follows[left[k]], follows[right[k]]) = (pair[k], pair[drafts.Count + k]);
+            (follows[left[k]], follows[right[k]]) = (pair[k], pair[definitions.Count + k]);
         }
     }
 

@@ -31,10 +31,10 @@ internal sealed class StandInFlesh
     /// <exception cref="ArgumentException">The skin is around none of its bones.</exception>
     public StandInFlesh(Skeleton skeleton, CreatureMesh skin, float? mass)
     {
-        float least = Thinnest * skeleton.ModelPositions[skeleton.FirstOf(JointRole.Hip)].Y;
+        float min = Thinnest * skeleton.ModelPositions[skeleton.FirstOf(JointRole.Hip)].Y;
         foreach (CapsuleCollider bone in BoneCapsules.Fit(skeleton, skin.Weights, skin.Positions))
         {
-            bones.Add(bone.Radius >= least ? bone : new CapsuleCollider(bone.Joint, Vector3.Zero, new Vector3(0f, skeleton.Joints[bone.Joint].Length, 0f), least));
+            bones.Add(bone.Radius >= min ? bone : new CapsuleCollider(bone.Joint, Vector3.Zero, new Vector3(0f, skeleton.Joints[bone.Joint].Length, 0f), min));
         }
 
         if (bones.Count == 0)

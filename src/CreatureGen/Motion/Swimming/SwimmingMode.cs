@@ -38,7 +38,7 @@ internal sealed class SwimmingMode : ILocomotionMode
 
     public float BalancedBank => 0f;
 
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
         // It sees the ground ahead in time to rise above it.
         float ahead = (Foresight * Math.Max(state.Speed, 0f)) + (0.5f * profile.BodyLength);

@@ -45,7 +45,7 @@ internal struct RootHeight
     /// <param name="h">Seconds.</param>
     public float Part(float away, float legLength, float speed, float h)
     {
-        float most = MaxLag * legLength;
-        return (away * decay.Fraction((Rate + (RateOfWay * Math.Abs(speed) / legLength)) * h)) + (away - Scalar.Clamp(away, -most, most));
+        float max = MaxLag * legLength;
+        return (away * decay.Fraction((Rate + (RateOfWay * Math.Abs(speed) / legLength)) * h)) + (away - Scalar.Clamp(away, -max, max));
     }
 }

@@ -137,7 +137,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     public float RunOut => RunOutFraction * gaits.TopSpeed;
 
     /// <summary>The sharpest turn at a speed ahead, world metres per second, of a creature so many times as large as its model; radians per second.</summary>
-    public float SharpestTurn(float speed, float scale, in MotionSettings settings) => clock.SharpestTurn(speed / scale, TravelBounds.Of(body, settings with { Gravity = GravityOf(settings, scale) }), GravityOf(settings, scale));
+    public float SharpestTurn(float speed, float scale, in MotionSettings settings) => clock.SharpestTurn(speed / scale, VelocityBounds.Of(body, settings with { Gravity = GravityOf(settings, scale) }), GravityOf(settings, scale));
 
     /// <summary>How a foot is.</summary>
     public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);
@@ -241,9 +241,9 @@ internal sealed partial class WalkingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public RootPlace Drive(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
     {
-        RootPlace next = Drive(place, dt, input, settings, ground);
+        RootPlace next = Update(place, dt, input, settings, ground);
         Pose(next, dt, settings, true, local);
         return next;
     }
@@ -253,7 +253,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     {
         RootPlace before = pushed.At(place);
         MotionSettings own = settings with { Gravity = GravityOf(settings, goal.Scale), Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY) };
-        if (!pushed.Follow(place, goal, dt, TravelBounds.Of(body, own), own.Gravity, body.LegLength))
+        if (!pushed.Follow(place, goal, dt, VelocityBounds.Of(body, own), own.Gravity, body.LegLength))
         {
             Stand(goal, settings, ground, local);
             return;

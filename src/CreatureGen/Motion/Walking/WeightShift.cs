@@ -15,7 +15,7 @@ internal static class WeightShift
     private const float MaxSlip = 0.003f;
 
     // Shares of the usual shift that are tried, and moments of a period at which the weight is on a side.
-    private static readonly float[] shares = { 1f, 0.7f, 0.5f, 0.35f, 0.2f, 0.1f };
+    private static readonly float[] fractions = { 1f, 0.7f, 0.5f, 0.35f, 0.2f, 0.1f };
     private static readonly float[] moments = { 0.2f, 0.45f, 0.7f, 0.95f };
 
     /// <summary>The share of the usual shift, 0..1.</summary>
@@ -40,9 +40,9 @@ internal static class WeightShift
 
         settings.Idle = 1f;
         double seconds = 0;
-        foreach (float share in shares)
+        foreach (float fraction in fractions)
         {
-            body.ShiftWeight = share;
+            body.ShiftWeight = fraction;
             float slip = 0f;
             foreach (float moment in moments)
             {

@@ -130,10 +130,10 @@ internal static class FeatureSampler
         double root = s.Y[ring] + (around * Maths.PortableMath.Cos(pitch) * (around > 0 ? s.Top[ring] : s.Bottom[ring]));
         double rise = (part.Outward * around) + part.Upward + (part.Forward * Maths.PortableMath.Sin(pitch));
         double size = Math.Sqrt((part.Outward * part.Outward) + (part.Upward * part.Upward) + (part.Forward * part.Forward) + (part.Sideward * part.Sideward));
-        double least = Clearance + (2 * part.Radius) + (Uncertain * part.Length);
-        double missing = least - root - (part.Length * ((rise / size) + part.BendUp));
+        double min = Clearance + (2 * part.Radius) + (Uncertain * part.Length);
+        double missing = min - root - (part.Length * ((rise / size) + part.BendUp));
         part = missing > 0 ? part with { BendUp = Math.Min(3, part.BendUp + (missing / part.Length)) } : part;
-        for (int cut = 0; cut < MaxCuts && root + (part.Length * Dip(rise / size, part.BendUp)) < least; cut++)
+        for (int cut = 0; cut < MaxCuts && root + (part.Length * Dip(rise / size, part.BendUp)) < min; cut++)
         {
             part = part with { Length = Shortening * part.Length };
         }

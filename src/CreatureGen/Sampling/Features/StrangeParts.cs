@@ -67,9 +67,9 @@ internal static class StrangeParts
         AddEye(builder, ring + behind, below == 0 ? 0 : segment + below, radius);
     }
 
-    private static void AddEye(CreatureBuilder builder, double ring, double segment, double share)
+    private static void AddEye(CreatureBuilder builder, double ring, double segment, double fraction)
     {
-        double radius = share * EyeRadius(builder);
+        double radius = fraction * EyeRadius(builder);
         builder.Features.Add(new FeatureBlueprint(FeatureKind.Eye, ring, segment, radius, radius, 1, 0, 0, 0, 0, 0, 0, 1, 1));
     }
 

@@ -27,12 +27,12 @@ internal sealed class IndividualBody
 
     private IndividualBody(CreatureBuilder builder, IReadOnlyList<LegBlueprint> legs)
     {
-        Draft = builder;
+        Builder = builder;
         Legs = legs;
     }
 
     /// <summary>The body as it stands.</summary>
-    public CreatureBuilder Draft { get; }
+    public CreatureBuilder Builder { get; }
 
     /// <summary>Its legs and arms, in the order of the type's.</summary>
     public IReadOnlyList<LegBlueprint> Legs { get; }
@@ -131,8 +131,8 @@ internal sealed class IndividualBody
 
     private static LegBlueprint Carry(CreatureBuilder builder, LegBlueprint leg, WalkingPlacement placement, LegPlacement place, double growthOfType)
     {
-        bool splayed = LegBuild.Of(leg.Archetype).Carriage == LegCarriage.Splayed;
-        (double azimuth, double shear) = LegSampler.Carriage(builder, placement, place);
+        bool splayed = LegBuild.Of(leg.Archetype).Posture == LimbPosture.Splayed;
+        (double azimuth, double shear) = LegSampler.Posture(builder, placement, place);
         return leg with
         {
             Thickness = place.RootRadius,

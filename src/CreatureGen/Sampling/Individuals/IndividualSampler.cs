@@ -26,7 +26,7 @@ internal static class IndividualSampler
     public static CreatureBlueprint Vary(CreatureBlueprint type, CreatureBuilder ofType, IndividualTraits traits, CreatureOptions options)
     {
         IndividualBody body = IndividualBody.Of(type, ofType, traits);
-        CreatureBuilder builder = body.Draft;
+        CreatureBuilder builder = body.Builder;
         BodyShape was = ofType.Shape;
         double skull = builder.Shape.Width[StationRing.Cranium] / was.Width[StationRing.Cranium];
         double girth = builder.HalfDepth(StationRing.NeckMiddle) / ofType.HalfDepth(StationRing.NeckMiddle);

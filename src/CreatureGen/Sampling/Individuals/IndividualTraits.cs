@@ -77,8 +77,8 @@ internal sealed record IndividualTraits
         double age = seed.Child("age").Stream().Uniform();
         double youth = age < Grown ? 0 : Scalar.Lerp(MinYouth, 1, (age - Grown) / (1 - Grown));
         RandomStream size = seed.Child("size").Stream();
-        double share = size.Uniform(0.05, 0.2);
-        double adult = size.Chance(0.5) ? 1 + share : 1 - share;
+        double fraction = size.Uniform(0.05, 0.2);
+        double adult = size.Chance(0.5) ? 1 + fraction : 1 - fraction;
         return new IndividualTraits(seed)
         {
             Youth = youth,

@@ -53,8 +53,8 @@ internal static class ExtraLegs
         var legs = new List<LimbSocket> { front with { Ring = first } };
         for (int k = 1; k <= extra; k++)
         {
-            double share = k / (extra + 1.0);
-            legs.Add(front with { Ring = (int)Math.Round(first + (share * (last - first)), MidpointRounding.ToEven), Girth = 0.92 * front.Girth, Azimuth = front.Azimuth * (1 - (2 * share)) });
+            double fraction = k / (extra + 1.0);
+            legs.Add(front with { Ring = (int)Math.Round(first + (fraction * (last - first)), MidpointRounding.ToEven), Girth = 0.92 * front.Girth, Azimuth = front.Azimuth * (1 - (2 * fraction)) });
         }
 
         legs.Add(rear with { Ring = last });

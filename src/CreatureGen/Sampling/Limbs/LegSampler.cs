@@ -189,7 +189,7 @@ internal static class LegSampler
     }
 
     /// <summary>How a leg of a placement turns to the front and leans, radians and shift of the foot in units of the length.</summary>
-    public static (double Azimuth, double Shear) Carriage(CreatureBuilder builder, WalkingPlacement placement, LegPlacement leg)
+    public static (double Azimuth, double Shear) Posture(CreatureBuilder builder, WalkingPlacement placement, LegPlacement leg)
     {
         bool last = leg == placement.Legs[placement.Legs.Count - 1];
         double azimuth = leg.Site.Archetype == LimbArchetype.Insect && last ? UnderAbdomen(builder, leg, placement.Legs[0]) : leg.Site.Azimuth;
@@ -245,12 +245,12 @@ internal static class LegSampler
     private static BodyPlan QuadrupedOf(SpeciesProfile legs)
     {
         BodyPlan plan = legs.IsHoofed ? BodyPlan.Unguligrade : BodyPlan.Digitigrade;
-        double most = 0;
+        double max = 0;
         foreach (Weighted<BodyPlan> own in legs.WalkingPlans)
         {
-            if (IsQuadruped(own.Value) && own.Weight > most)
+            if (IsQuadruped(own.Value) && own.Weight > max)
             {
-                (plan, most) = (own.Value, own.Weight);
+                (plan, max) = (own.Value, own.Weight);
             }
         }
 
@@ -286,8 +286,8 @@ internal static class LegSampler
         foreach (LegPlacement leg in placement.Legs)
         {
             LegBuild build = LegBuild.Of(leg.Site.Archetype);
-            bool splayed = build.Carriage == LegCarriage.Splayed;
-            (double azimuth, double shear) = Carriage(builder, placement, leg);
+            bool splayed = build.Posture == LimbPosture.Splayed;
+            (double azimuth, double shear) = Posture(builder, placement, leg);
             double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && builder.Parents.Legs.Legs == null ? 1.05 : 1);
             Add(builder, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
         }

@@ -32,7 +32,7 @@ internal static class WingSampler
 
     /// <summary>Metres. Wings of a shorter torso are as large as this one's, but no more enlarged than so many times.</summary>
     private const double MinTorso = 0.66;
-    private const double MostEnlarged = 1.4;
+    private const double MaxEnlargement = 1.4;
 
     /// <summary>Longest wing, in torsos: longer ones are whips on a small body.</summary>
     private const double LongestWing = 1.6;
@@ -43,12 +43,12 @@ internal static class WingSampler
     // Least depth of a wing, in spans and in depths of the trunk between the girdles; and how many times as deep as its form a wing may become for it.
     private const double SlimmestOfSpan = 0.29;
     private const double SlimmestOfTrunk = 0.95;
-    private const double MostDeepened = 1.6;
+    private const double MaxDeepening = 1.6;
     private const int FirstOfTrunk = 26;
     private const int LastOfTrunk = 40;
 
     /// <summary>Length of the torso that a creature's wings are made for, metres: those of small bodies are larger for it.</summary>
-    public static double CarriedTorso(CreatureBuilder builder) => Math.Min(Math.Max(builder.TorsoLength, MinTorso), MostEnlarged * builder.TorsoLength);
+    public static double CarriedTorso(CreatureBuilder builder) => Math.Min(Math.Max(builder.TorsoLength, MinTorso), MaxEnlargement * builder.TorsoLength);
 
     /// <summary>Depth of a spread wing, metres: that of its form, but on mixed bodies no slimmer than so much of its span, and of the trunk's depth: a narrower one is a line on a small body and a stub on a stout one.</summary>
     public static double DepthOf(CreatureBuilder builder, WingForm form, double span)
@@ -61,8 +61,8 @@ internal static class WingSampler
         }
 
         double own = form.Depth * span;
-        double least = Math.Min(Math.Max(SlimmestOfSpan * span, SlimmestOfTrunk * trunk), MostDeepened * own);
-        return Scalar.Lerp(own, Math.Max(own, least), Math.Min(1, 2 * builder.Strangeness));
+        double min = Math.Min(Math.Max(SlimmestOfSpan * span, SlimmestOfTrunk * trunk), MaxDeepening * own);
+        return Scalar.Lerp(own, Math.Max(own, min), Math.Min(1, 2 * builder.Strangeness));
     }
 
     /// <summary>Adds thin wings of a species' own.</summary>

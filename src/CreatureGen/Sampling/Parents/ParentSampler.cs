@@ -65,12 +65,12 @@ internal static class ParentSampler
         // As wide as wings, a body is nothing without its edges.
         double loosened = first.Disc.Sweep != 0 ? 0 : t;
         double dominant = random.Uniform(Scalar.Lerp(first.Dominance.Min, 0.3, loosened), Scalar.Lerp(first.Dominance.Max, 0.6, loosened));
-        double share = random.Uniform(Scalar.Lerp(0.6, 0.5, t), Scalar.Lerp(0.9, 0.85, t));
+        double fraction = random.Uniform(Scalar.Lerp(0.6, 0.5, t), Scalar.Lerp(0.9, 0.85, t));
         third = Stranger(root.Child("third parent").Stream(), first, second, choice, t) ?? third;
         RandomStream regions = root.Child("regions").Stream();
         var parents = new Parentage(first, second, third)
         {
-            Torso = (dominant, (1 - dominant) * share, (1 - dominant) * (1 - share)),
+            Torso = (dominant, (1 - dominant) * fraction, (1 - dominant) * (1 - fraction)),
             Region = (Math.Min(1, 3 * t) * regions.Uniform(0.72, 0.90), Math.Min(1, 3 * t) * regions.Uniform(0.65, 0.90)),
         };
         parents = parents with

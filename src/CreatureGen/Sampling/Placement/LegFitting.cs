@@ -79,12 +79,12 @@ internal static class LegFitting
         double swingSine)
     {
         LegBuild build = LegBuild.Of(site.Archetype);
-        bool splayed = build.Carriage == LegCarriage.Splayed;
+        bool splayed = build.Posture == LimbPosture.Splayed;
         double unit = splayed ? reach : height - tip;
-        double least = build.MinGirth * unit;
+        double min = build.MinGirth * unit;
 
         // The socket follows the body, the root's radius also the leg: a thin body's long leg swells over a small socket.
-        double wanted = girth == LegGirth.Min ? least : 0.5 * section.Thickness * site.Girth * size.Girth;
+        double wanted = girth == LegGirth.Min ? min : 0.5 * section.Thickness * site.Girth * size.Girth;
         SocketBlueprint socket = SocketSizing.Size(
             site.Ring,
             site.Segment,
@@ -94,7 +94,7 @@ internal static class LegFitting
             SocketSizing.SegmentSpacing(section.HipWidth, section.Thickness),
             size.Toes,
             site.Bounds);
-        double radius = Scalar.Clamp(Math.Min(wanted, PatchSwell * 0.5 * socket.Rows * section.RingSpacing), least, build.GreatestGirth * unit);
+        double radius = Scalar.Clamp(Math.Min(wanted, PatchSwell * 0.5 * socket.Rows * section.RingSpacing), min, build.GreatestGirth * unit);
 
         double sole = radius * size.Foot;
         double halfWidth = build.HalfWidth * sole;

@@ -31,7 +31,7 @@ internal static class SocketSets
     /// <summary>Two girdles: hind 41, fore 27; rarely arms at 23, and then forelegs at 30.</summary>
     public static SocketSet Quadruped(BodyPlan plan)
     {
-        (LimbArchetype hind, LimbArchetype fore, double hindGirth, double foreGirth, double least) = plan switch
+        (LimbArchetype hind, LimbArchetype fore, double hindGirth, double foreGirth, double min) = plan switch
         {
             BodyPlan.Digitigrade => (LimbArchetype.DigitigradeHind, LimbArchetype.DigitigradeFore, 0.78, 0.52, 0.38),
             BodyPlan.Unguligrade => (LimbArchetype.UnguligradeHind, LimbArchetype.UnguligradeFore, 0.78, 0.52, 0.45),
@@ -42,7 +42,7 @@ internal static class SocketSets
         LimbSocket rear = Under(41, 10.6, hind, hindGirth);
         LimbSocket front = Under(27, 10.9, fore, foreGirth);
         var arms = new ArmAnatomy(List(Arm(23, 9.5, 0.42)), List(front with { Ring = 30 }, rear), 0.04, 0.6, 0.45);
-        return new SocketSet(plan, List(front, rear), 2, arms, new StanceLimits(least, 0.45, -0.12, 0.12, 4, 1.3, BodyPlan.Sprawling, BodyPlan.Theropod));
+        return new SocketSet(plan, List(front, rear), 2, arms, new StanceLimits(min, 0.45, -0.12, 0.12, 4, 1.3, BodyPlan.Sprawling, BodyPlan.Theropod));
     }
 
     /// <summary>A quadruped that always has arms: arms at 23, forelegs at 30, hind legs at 41.</summary>

@@ -133,9 +133,9 @@ internal sealed class SpineMeasure
 
     /// <summary>The same body with something heavy at another place.</summary>
     /// <param name="z">Where along the ground.</param>
-    /// <param name="share">Its part of the whole mass, 0..1.</param>
-    public SpineMeasure Laden(double z, double share) =>
-        new(bones, BodyLength, BodyHeight, CentreBone, new SagittalPoint(CentreOfMass.Y, CentreOfMass.Z + (share * (z - CentreOfMass.Z))));
+    /// <param name="fraction">Its part of the whole mass, 0..1.</param>
+    public SpineMeasure Laden(double z, double fraction) =>
+        new(bones, BodyLength, BodyHeight, CentreBone, new SagittalPoint(CentreOfMass.Y, CentreOfMass.Z + (fraction * (z - CentreOfMass.Z))));
 
     /// <summary>The same body lifted by <paramref name="metres"/>; negative lowers it.</summary>
     public SpineMeasure Raised(double metres)

@@ -44,8 +44,8 @@ internal static class BodySampler
 
     private static DiscBlueprint Disc(CreatureBuilder builder)
     {
-        (double sweep, double least, double most) = builder.Species.Disc;
-        return new DiscBlueprint(sweep, least == most ? least : builder.Stream("disc").Uniform(least, most));
+        (double sweep, double min, double max) = builder.Species.Disc;
+        return new DiscBlueprint(sweep, min == max ? min : builder.Stream("disc").Uniform(min, max));
     }
 
     /// <summary>The parents in their shares; the head and the tail rather of those that give them.</summary>
@@ -65,21 +65,21 @@ internal static class BodySampler
     }
 
     /// <summary>lerp(lerp(A, B, w1), C, w2): the second body gets w1 (1 − w2), the third w2.</summary>
-    private static (double Second, double Third) WeightsOf((double First, double Second, double Third) shares) =>
-        (shares.Third < 1 ? shares.Second / (1 - shares.Third) : 0, shares.Third);
+    private static (double Second, double Third) WeightsOf((double First, double Second, double Third) fractions) =>
+        (fractions.Third < 1 ? fractions.Second / (1 - fractions.Third) : 0, fractions.Third);
 
     /// <summary>The shares in a region whose donor has at least a given share; the others keep theirs to one another.</summary>
-    private static (double First, double Second, double Third) Towards(Parentage parents, SpeciesProfile donor, double least)
+    private static (double First, double Second, double Third) Towards(Parentage parents, SpeciesProfile donor, double min)
     {
         (double first, double second, double third) = parents.Torso;
-        double share = donor == parents.First ? first : donor == parents.Second ? second : third;
-        if (share >= least)
+        double fraction = donor == parents.First ? first : donor == parents.Second ? second : third;
+        if (fraction >= min)
         {
             return parents.Torso;
         }
 
-        double others = (1 - least) / (1 - share);
-        return (donor == parents.First ? least : first * others, donor == parents.Second ? least : second * others, donor == parents.Third ? least : third * others);
+        double others = (1 - min) / (1 - fraction);
+        return (donor == parents.First ? min : first * others, donor == parents.Second ? min : second * others, donor == parents.Third ? min : third * others);
     }
 
     private static Signature DrawSignature(CreatureBuilder builder)

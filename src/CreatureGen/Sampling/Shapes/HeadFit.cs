@@ -17,7 +17,7 @@ internal static class HeadFit
     private const double HeadsPart = 0.7;
 
     /// <summary>Most that a trunk grows by.</summary>
-    private const double MostGirth = 1.2;
+    private const double MaxGirth = 1.2;
 
     // Flatness from which on a head is a plate, and the largest breadth of one against its trunk: it may not overhang what carries it.
     private const double Plate = 2.2;
@@ -48,7 +48,7 @@ internal static class HeadFit
         return drawn with
         {
             Head = drawn.Head * PortableMath.Pow(excess, -HeadsPart * strange),
-            Girth = drawn.Girth * Math.Min(MostGirth, PortableMath.Pow(excess, (1 - HeadsPart) * strange)),
+            Girth = drawn.Girth * Math.Min(MaxGirth, PortableMath.Pow(excess, (1 - HeadsPart) * strange)),
         };
     }
 

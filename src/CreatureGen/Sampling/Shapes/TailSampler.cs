@@ -24,13 +24,13 @@ internal static class TailSampler
         bool strange = random.Chance(AnyTail * builder.Strangeness);
         double own = random.Uniform();
         TailStyle other = CreatureBuilder.Choose(random, builder.Kind == LocomotionKind.Flying ? flown : any);
-        double share = random.Uniform(0.8, 1);
+        double fraction = random.Uniform(0.8, 1);
         TailStyle style = strange ? other : OwnOf(donor, own);
 
         // What lies, or balances on two legs, needs the tail that it has; on a bird's legs a long one would lie on the ground.
         bool carried = builder.Plan is not (BodyPlan.Legless or BodyPlan.Theropod) && builder.Parents.Legs.Bird is null && builder.Parents.First.Class != AnimalClass.Arthropod
             && builder.Parents.First.Disc.Sweep == 0;
-        return style == TailStyle.Plain || !carried ? null : new TailBlueprint(style, share, 0);
+        return style == TailStyle.Plain || !carried ? null : new TailBlueprint(style, fraction, 0);
     }
 
     private static TailStyle OwnOf(SpeciesProfile donor, double draw)

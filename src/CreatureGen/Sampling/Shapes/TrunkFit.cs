@@ -25,7 +25,7 @@ internal static class TrunkFit
     // A swimmer's largest hips against its belly, least root of its tail against its hips, and most that the tail's girth grows by for it.
     private const double Hips = 0.8;
     private const double Root = 0.5;
-    private const double MostRoot = 1.3;
+    private const double MaxRoot = 1.3;
 
     /// <summary>Ring at which a swimmer's tail begins behind its root.</summary>
     private const int TailRoot = 47;
@@ -49,16 +49,16 @@ internal static class TrunkFit
         }
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
-        double least = double.MaxValue;
-        double most = 0;
+        double min = double.MaxValue;
+        double max = 0;
         for (int ring = First; ring <= Last; ring++)
         {
             double size = shape.Top[ring] + shape.Bottom[ring];
-            least = Math.Min(least, size);
-            most = Math.Max(most, size);
+            min = Math.Min(min, size);
+            max = Math.Max(max, size);
         }
 
-        double want = Math.Min(1, 2 * builder.Strangeness) * Scalar.Clamp((Shaped - (most / least)) / (Shaped - Log), 0, 1);
+        double want = Math.Min(1, 2 * builder.Strangeness) * Scalar.Clamp((Shaped - (max / min)) / (Shaped - Log), 0, 1);
         bool insect = builder.Species.Class == AnimalClass.Arthropod;
         return drawn with
         {
@@ -87,7 +87,7 @@ internal static class TrunkFit
         return drawn with
         {
             Rump = drawn.Rump * PortableMath.Pow(thin, strange),
-            TailGirth = drawn.TailGirth * Math.Min(MostRoot, PortableMath.Pow(thick, strange)),
+            TailGirth = drawn.TailGirth * Math.Min(MaxRoot, PortableMath.Pow(thick, strange)),
         };
     }
 

@@ -27,7 +27,7 @@ internal static class InsectParts
         new LegSite(LimbArchetype.Insect, 32, 9.7, rear, 1.06, 1),
     };
 
-    public static PartPreset Part(FeatureBlueprint part, double least, double most) => new(part, least, most);
+    public static PartPreset Part(FeatureBlueprint part, double min, double max) => new(part, min, max);
 
     public static FeatureBlueprint Jaw(double length, double radius, double sideward, double bendUp, double bendSide) =>
         new(FeatureKind.Mandible, 1.5, 8.5, length, radius, 0, 0.1, 0.95, sideward, bendUp, 0.1, bendSide, 1, 0.65);

@@ -138,7 +138,7 @@ public sealed class ClipRecipeTests
     {
         Creature creature = SpeciesSubject.Of("feline", RequestedKind.Walking);
         Clip walk = ClipBaker.Bake(creature).First(clip => clip.Name == "Walk");
-        SkinnedModel model = Written(creature, GltfOptions.Default with { Clips = [walk], RootMotion = TravelChoice.Travels });
+        SkinnedModel model = Written(creature, GltfOptions.Default with { Clips = [walk], RootMotion = RootMotionChoice.Travels });
         KeyedClip read = model.Clips[0];
         Assert.Equal((ClipEnd.Loops, 0f), (read.End, read.Speed));
         var player = new ClipPlayer(model.Skeleton, read, model.Skeleton.Joints[0].Name);

@@ -29,19 +29,19 @@ public sealed class WaterTests
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         float unit = MathF.Sqrt(Gravity * profile.LegLength);
         var script = new CourseScript("swim", [new CourseCommand(60f * unit / Gravity, new MotionInput(0.6f * unit))]);
-        var drive = new CourseDrive(profile, script, CourseGround.Water, CourseRate.Of(60f));
-        CreatureAnimator animator = drive.Animator;
-        var water = (IWaterGround)drive.Surface.Ground;
+        var simulation = new CourseSimulation(profile, script, CourseGround.Water, CourseRate.Of(60f));
+        CreatureAnimator animator = simulation.Animator;
+        var water = (IWaterGround)simulation.Surface.Ground;
         int eye = profile.Subject.Skeleton.FirstOf(JointRole.Eye);
         var joints = new JointWatch(profile);
         var kinds = new List<MotionEventKind>();
         float afloat = 0f;
         float since = 0f;
-        foreach (float seconds in drive.Updates())
+        foreach (float seconds in simulation.Updates())
         {
             kinds.AddRange(animator.Events.ToArray().Where(e => e.Foot < 0).Select(e => e.Kind));
             joints.Record(animator.LocalPose.Rotations, seconds);
-            Assert.True(animator.Root.Position.Y > drive.Surface.HeightAt(animator.Root.Position, 40f * profile.LegLength) - (0.3f * profile.LegLength), "in the bed");
+            Assert.True(animator.Root.Position.Y > simulation.Surface.HeightAt(animator.Root.Position, 40f * profile.LegLength) - (0.3f * profile.LegLength), "in the bed");
             since = animator.State == BodyState.Afloat ? since + seconds : 0f;
             if (animator.State == BodyState.Afloat)
             {

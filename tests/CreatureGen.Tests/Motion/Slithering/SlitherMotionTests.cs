@@ -453,7 +453,7 @@ public sealed class SlitherMotionTests
             Body.ToModel();
             int joint = profile.Chain.Bones[bone].Turn.Joint;
             Vector3 ahead = Rotation.Rotate(Rotation.Multiply(Body.ModelRotations[joint], Rotation.Inverse(Body.Skeleton.ModelRotations[joint])), Vector3.UnitZ);
-            double angle = PortableMath.Atan2(ahead.X, ahead.Z) - (state.Travel - state.Yaw);
+            double angle = PortableMath.Atan2(ahead.X, ahead.Z) - (state.CourseAngle - state.Yaw);
             return PortableMath.Atan2(PortableMath.Sin(angle), PortableMath.Cos(angle));
         }
 

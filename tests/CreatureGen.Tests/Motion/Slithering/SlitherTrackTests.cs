@@ -15,9 +15,9 @@ public sealed class SlitherTrackTests
     public void A_way_turns_evenly_from_one_heading_to_the_other()
     {
         var steering = new TrackSteering(0.2, 1.0, 0.1, 0, 0);
-        Assert.Equal(0.2, steering.TravelAt(0), 12);
-        Assert.Equal(0.4, steering.TravelAt(0.25), 12);
-        Assert.Equal(1.0, steering.TravelAt(1), 12);
+        Assert.Equal(0.2, steering.CourseAngleAt(0), 12);
+        Assert.Equal(0.4, steering.CourseAngleAt(0.25), 12);
+        Assert.Equal(1.0, steering.CourseAngleAt(1), 12);
         Assert.Equal(0.7, steering.HeadingAt(3, 0.5, 1), 12);
     }
 
@@ -49,7 +49,7 @@ public sealed class SlitherTrackTests
         Assert.Equal(before.Y + 2, after.Y, 1e-9);
         Assert.Equal(-before.X + 3, after.Z, 1e-9);
         Assert.True(Vector3.Distance(new Vector3(before.Normal.Z, before.Normal.Y, -before.Normal.X), after.Normal) < 1e-5f, after.Normal.ToString());
-        Assert.Equal(PortableMath.Pi / 2, track.TravelAt(-0.5), 1e-9);
+        Assert.Equal(PortableMath.Pi / 2, track.CourseAngleAt(-0.5), 1e-9);
     }
 
     [Fact]

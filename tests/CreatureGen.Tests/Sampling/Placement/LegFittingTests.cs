@@ -44,7 +44,7 @@ public sealed class LegFittingTests
         {
             var site = new LimbSocket(29, 10, archetype, girth, 0.3, 0, SocketBounds.Limb);
             LegPlacement leg = LegFitting.Stand(Body, site, LegSize.Nominal, LegGirth.Nominal);
-            double unit = build.Carriage == LegCarriage.Splayed ? leg.Reach : leg.Length;
+            double unit = build.Posture == LimbPosture.Splayed ? leg.Reach : leg.Length;
             Assert.InRange(leg.RootRadius, (build.MinGirth * unit) - 1e-12, (build.GreatestGirth * unit) + 1e-12);
             Assert.Equal(build.MinGirth * unit, LegFitting.Stand(Body, site, LegSize.Nominal, LegGirth.Min).RootRadius, 12);
         }

@@ -42,7 +42,7 @@ internal sealed class BonePoints
     /// <param name="model">Pose in model space.</param>
     public float Raise(in ActGround ground, Vector3 pivot, in Pose model)
     {
-        float most = 0f;
+        float max = 0f;
         float farthest = 0f;
         foreach ((int joint, Vector3 point) in points)
         {
@@ -58,11 +58,11 @@ internal sealed class BonePoints
             float height = ground.HeightOf(place);
             if (height < 0f)
             {
-                most = Math.Max(most, -height / (float)Math.Sqrt(Math.Max(LevelSquared(place - pivot), shortest)));
+                max = Math.Max(max, -height / (float)Math.Sqrt(Math.Max(LevelSquared(place - pivot), shortest)));
             }
         }
 
-        return most;
+        return max;
     }
 
     /// <summary>The angles about an axis to the left by which what hangs down from a joint has to swing ahead, or back instead, so that nothing of it is in the ground, radians; 0 for none.</summary>

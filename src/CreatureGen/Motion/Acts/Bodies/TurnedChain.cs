@@ -31,9 +31,9 @@ internal sealed class TurnedChain
             twists[i] = Narrower(joint.Limit.Twist);
         }
 
-        Share(pitches);
-        Share(yaws);
-        Share(twists);
+        Normalise(pitches);
+        Normalise(yaws);
+        Normalise(twists);
     }
 
     /// <summary>Lowest first.</summary>
@@ -74,7 +74,7 @@ internal sealed class TurnedChain
 
     private static float Narrower(AngleRange range) => Math.Max(Math.Min(-range.Min, range.Max), 1e-4f);
 
-    private static void Share(float[] parts)
+    private static void Normalise(float[] parts)
     {
         float sum = 0f;
         foreach (float part in parts)

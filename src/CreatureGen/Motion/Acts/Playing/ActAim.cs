@@ -13,17 +13,17 @@ internal readonly record struct ActAim(ActTool Tool, bool Mirrored, Vector3 Targ
 {
     /// <summary>One aim for two that are under way: between both where they bring the same, else that which is farther on its way.</summary>
     /// <param name="a">One.</param>
-    /// <param name="shareOfA">How far it is on its way.</param>
+    /// <param name="fractionOfA">How far it is on its way.</param>
     /// <param name="b">The other.</param>
-    /// <param name="shareOfB">How far that is.</param>
-    public static ActAim Between(in ActAim a, float shareOfA, in ActAim b, float shareOfB)
+    /// <param name="fractionOfB">How far that is.</param>
+    public static ActAim Between(in ActAim a, float fractionOfA, in ActAim b, float fractionOfB)
     {
-        if (a.Tool != b.Tool || a.Mirrored != b.Mirrored || !(shareOfA > 0f) || !(shareOfB > 0f))
+        if (a.Tool != b.Tool || a.Mirrored != b.Mirrored || !(fractionOfA > 0f) || !(fractionOfB > 0f))
         {
-            return shareOfA > shareOfB ? a : b;
+            return fractionOfA > fractionOfB ? a : b;
         }
 
-        float part = shareOfB / (shareOfA + shareOfB);
+        float part = fractionOfB / (fractionOfA + fractionOfB);
         return b with { Target = Vec.Lerp(a.Target, b.Target, part), SnoutDown = Scalar.Lerp(a.SnoutDown, b.SnoutDown, part) };
     }
 }

@@ -16,11 +16,11 @@ internal static class ActCurve
         ActPhase now = act.AllPhases[phase];
         float[] to = act.Ends[phase];
         float[]? from = phase == 0 ? null : act.Ends[phase - 1];
-        float share = Eased(now.Ease, (float)(at < 1 ? at : 1));
+        float fraction = Eased(now.Ease, (float)(at < 1 ? at : 1));
         for (int i = 0; i < values.Length; i++)
         {
             float start = from == null ? 0f : from[i];
-            values[i] = start + ((to[i] - start) * share);
+            values[i] = start + ((to[i] - start) * fraction);
         }
 
         foreach (ActWave wave in now.AllWaves)

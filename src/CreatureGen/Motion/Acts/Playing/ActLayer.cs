@@ -90,14 +90,14 @@ internal sealed class ActLayer
     /// <summary>Takes a foot to its target.</summary>
     /// <param name="aim">What is brought where; what is no foot is not taken anywhere.</param>
     /// <param name="targetModel">The aim's target, model space.</param>
-    /// <param name="share">How far on the way, 0..1.</param>
-    public void Aim(in ActAim aim, Vector3 targetModel, float share)
+    /// <param name="fraction">How far on the way, 0..1.</param>
+    public void Aim(in ActAim aim, Vector3 targetModel, float fraction)
     {
-        if (share > 0f && body.Legs != null && aim.Tool is ActTool.ForeFoot or ActTool.HindFoot)
+        if (fraction > 0f && body.Legs != null && aim.Tool is ActTool.ForeFoot or ActTool.HindFoot)
         {
             int foot = ActTools.FootOf(aim.Tool == ActTool.ForeFoot ? body.ForeFeet : body.HindFeet, aim.Mirrored);
             Trunk.Feet[foot].Aim = targetModel;
-            Trunk.Feet[foot].AimFraction = Math.Min(share, 1f);
+            Trunk.Feet[foot].AimFraction = Math.Min(fraction, 1f);
         }
     }
 
@@ -154,10 +154,10 @@ internal sealed class ActLayer
         foreach (LimbChain arm in body.Arms)
         {
             float own = arm.Side == Side.Left ? 1f : -1f;
-            float share = own == side ? 1f : 0f;
-            float ahead = values[(int)ActChannel.ArmsAhead] + (share * values[(int)ActChannel.ArmAhead]);
-            float aside = values[(int)ActChannel.ArmsOut] + (share * values[(int)ActChannel.ArmOut]);
-            float bend = values[(int)ActChannel.ArmsBend] + (share * values[(int)ActChannel.ArmBend]);
+            float fraction = own == side ? 1f : 0f;
+            float ahead = values[(int)ActChannel.ArmsAhead] + (fraction * values[(int)ActChannel.ArmAhead]);
+            float aside = values[(int)ActChannel.ArmsOut] + (fraction * values[(int)ActChannel.ArmOut]);
+            float bend = values[(int)ActChannel.ArmsBend] + (fraction * values[(int)ActChannel.ArmBend]);
             if (ahead != 0f || aside != 0f)
             {
                 TurnJoint(arm.Joints[1], Rotation.Multiply(AxisRotation.Roll(own * aside), AxisRotation.Pitch(-ahead)), local);
@@ -193,16 +193,16 @@ internal sealed class ActLayer
         Add(pair.Left, mirrored ? 0f : 1f, 1f);
         Add(pair.Right, mirrored ? 1f : 0f, -1f);
 
-        void Add(int foot, float share, float outward)
+        void Add(int foot, float fraction, float outward)
         {
             if (foot >= 0)
             {
                 LegRig leg = body.Legs!.Legs[foot];
-                float up = values[(int)both] + (share * values[(int)one]);
-                float ahead = values[(int)both + 1] + (share * values[(int)one + 1]);
-                float aside = values[(int)both + 2] + (share * values[(int)one + 2]);
+                float up = values[(int)both] + (fraction * values[(int)one]);
+                float ahead = values[(int)both + 1] + (fraction * values[(int)one + 1]);
+                float aside = values[(int)both + 2] + (fraction * values[(int)one + 2]);
                 Trunk.Feet[foot].Way += new Vector3(outward * aside, Math.Max(up, 0f), ahead) * leg.Length;
-                Trunk.Feet[foot].Pitch += values[(int)both + 3] + (share * values[(int)one + 3]);
+                Trunk.Feet[foot].Pitch += values[(int)both + 3] + (fraction * values[(int)one + 3]);
             }
         }
     }

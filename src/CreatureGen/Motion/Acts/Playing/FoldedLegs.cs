@@ -51,14 +51,14 @@ internal sealed class FoldedLegs
         Add(Stretched, ref foot, leg, stretched);
     }
 
-    private static void Add(FootWays ways, ref FootLayer foot, int leg, float share)
+    private static void Add(FootWays ways, ref FootLayer foot, int leg, float fraction)
     {
         Vector3 way = ways.Ways[leg];
         float level = (float)Math.Sqrt((way.X * way.X) + (way.Z * way.Z));
-        way.Y += ways.Arch * level * 4f * (1f - share);
-        foot.Way += way * share;
-        foot.Pitch += ways.Pitches[leg] * share;
-        foot.Loose = Math.Max(foot.Loose, share);
+        way.Y += ways.Arch * level * 4f * (1f - fraction);
+        foot.Way += way * fraction;
+        foot.Pitch += ways.Pitches[leg] * fraction;
+        foot.Loose = Math.Max(foot.Loose, fraction);
     }
 }
 

@@ -277,32 +277,32 @@ internal sealed class Performer
         }
     }
 
-    private void Bring(in ActAim what, float share, in RootPlace root, bool carried, in Pose local, in Pose model)
+    private void Bring(in ActAim what, float fraction, in RootPlace root, bool carried, in Pose local, in Pose model)
     {
-        if (!(share > 1e-4f) || body.Tools.JointOf(what.Tool, what.Mirrored) < 0)
+        if (!(fraction > 1e-4f) || body.Tools.JointOf(what.Tool, what.Mirrored) < 0)
         {
             return;
         }
 
-        share = Math.Min(share, 1f);
+        fraction = Math.Min(fraction, 1f);
         Vector3 target = root.ToModel(what.Target);
         switch (what.Tool)
         {
             case ActTool.Mouth or ActTool.Brow:
-                PointReach.Head(body, what.Tool, target, Direction(what, target, model), share, local, model);
+                PointReach.Head(body, what.Tool, target, Direction(what, target, model), fraction, local, model);
                 break;
             case ActTool.Hand:
-                PointReach.Limb(body, body.Tools.ArmOf(what.Mirrored), what, target, share, local, model);
+                PointReach.Limb(body, body.Tools.ArmOf(what.Mirrored), what, target, fraction, local, model);
                 break;
             case ActTool.Tail:
-                PointReach.Limb(body, body.Tail.Joints, what, target, share, local, model);
+                PointReach.Limb(body, body.Tail.Joints, what, target, fraction, local, model);
                 break;
         }
 
         if (!carried && body.Legs == null && body.Build != BodyBuild.Legless)
         {
             // A body that nothing carries goes there itself.
-            Vector3 missing = (target - body.Tools.PlaceOf(what.Tool, what.Mirrored, model)) * share;
+            Vector3 missing = (target - body.Tools.PlaceOf(what.Tool, what.Mirrored, model)) * fraction;
             local.Positions[body.Body] += missing;
             ForwardKinematics.LocalToModel(body.Skeleton, local, model);
         }

@@ -29,10 +29,10 @@ internal static class PointReach
     /// <param name="tool">Mouth or brow.</param>
     /// <param name="target">Model space.</param>
     /// <param name="direction">Where the snout is to point, unit.</param>
-    /// <param name="share">How far on the way, 0..1.</param>
+    /// <param name="fraction">How far on the way, 0..1.</param>
     /// <param name="local">Pose in the parents' space.</param>
     /// <param name="model">The same in model space.</param>
-    public static void Head(ActBody body, ActTool tool, Vector3 target, Vector3 direction, float share, in Pose local, in Pose model)
+    public static void Head(ActBody body, ActTool tool, Vector3 target, Vector3 direction, float fraction, in Pose local, in Pose model)
     {
         int[] chain = body.Bearers;
         int head = body.Head;
@@ -62,7 +62,7 @@ internal static class PointReach
             }
         }
 
-        Blend(body.Skeleton, chain, before, share, local, model);
+        Blend(body.Skeleton, chain, before, fraction, local, model);
     }
 
     /// <summary>Brings the end of a chain to a target.</summary>
@@ -70,10 +70,10 @@ internal static class PointReach
     /// <param name="chain">Joints from its root.</param>
     /// <param name="aim">What is brought.</param>
     /// <param name="target">Model space.</param>
-    /// <param name="share">How far on the way, 0..1.</param>
+    /// <param name="fraction">How far on the way, 0..1.</param>
     /// <param name="local">Pose in the parents' space.</param>
     /// <param name="model">The same in model space.</param>
-    public static void Limb(ActBody body, int[] chain, in ActAim aim, Vector3 target, float share, in Pose local, in Pose model)
+    public static void Limb(ActBody body, int[] chain, in ActAim aim, Vector3 target, float fraction, in Pose local, in Pose model)
     {
         Span<Quaternion> before = stackalloc Quaternion[MaxChain];
         Keep(chain, local, before);
@@ -85,7 +85,7 @@ internal static class PointReach
             }
         }
 
-        Blend(body.Skeleton, chain, before, share, local, model);
+        Blend(body.Skeleton, chain, before, fraction, local, model);
     }
 
     private static void Keep(ReadOnlySpan<int> chain, in Pose local, Span<Quaternion> before)
@@ -97,11 +97,11 @@ internal static class PointReach
     }
 
     /// <summary>Goes only a share of the way from how the chain was: joint by joint, so that its end goes in an arc and never through the body.</summary>
-    private static void Blend(Skeleton skeleton, ReadOnlySpan<int> chain, ReadOnlySpan<Quaternion> before, float share, in Pose local, in Pose model)
+    private static void Blend(Skeleton skeleton, ReadOnlySpan<int> chain, ReadOnlySpan<Quaternion> before, float fraction, in Pose local, in Pose model)
     {
-        for (int k = 0; k < Math.Min(chain.Length, MaxChain) && share < 1f; k++)
+        for (int k = 0; k < Math.Min(chain.Length, MaxChain) && fraction < 1f; k++)
         {
-            Quaternion mixed = UnitRotation.Nlerp(before[k], local.Rotations[chain[k]], share);
+            Quaternion mixed = UnitRotation.Nlerp(before[k], local.Rotations[chain[k]], fraction);
             local.Rotations[chain[k]] = SwingTwistLimit.ClampLocal(UnitRotation.Renormalize(mixed), skeleton.AllJoints[chain[k]]);
         }
 
@@ -109,7 +109,7 @@ internal static class PointReach
     }
 
     /// <summary>Turns one joint so that a point that hangs on it comes towards a goal; what is farther out in the chain goes along.</summary>
-    private static void Turn(Skeleton skeleton, int[] chain, int k, Vector3 point, Vector3 goal, float share, in Pose local, in Pose model)
+    private static void Turn(Skeleton skeleton, int[] chain, int k, Vector3 point, Vector3 goal, float fraction, in Pose local, in Pose model)
     {
         int joint = chain[k];
         Vector3 pivot = model.Positions[joint];
@@ -125,7 +125,7 @@ internal static class PointReach
         // The direction to a goal close by swings round at a touch, and the way to one behind is to either side: the joints before this one bring the point there.
         float steady = Math.Min(1f, way / lever) * Math.Min(1f, 1f + (Vec.Dot(from, to) / (lever * way)));
         Quaternion whole = UnitRotation.FromTo(from / lever, to / way);
-        Quaternion turn = UnitRotation.Nlerp(Quaternion.Identity, whole, share * steady);
+        Quaternion turn = UnitRotation.Nlerp(Quaternion.Identity, whole, fraction * steady);
         int parent = skeleton.Parents[joint];
         Quaternion turned = Rotation.Multiply(Rotation.Inverse(model.Rotations[parent]), Rotation.Multiply(turn, model.Rotations[joint]));
         local.Rotations[joint] = SwingTwistLimit.ClampLocal(UnitRotation.Renormalize(turned), skeleton.AllJoints[joint]);

@@ -36,15 +36,15 @@ internal struct ReachPlan
     }
 
     /// <summary>Adds a share of it, all of it at the most, to channels of an act to the left; sides of an act to the right are those of the creature all the same.</summary>
-    public readonly void AddTo(float[] values, float share, float side)
+    public readonly void AddTo(float[] values, float fraction, float side)
     {
-        share = Math.Min(share, 1f);
-        values[(int)ActChannel.Ahead] += Ahead * share;
-        values[(int)ActChannel.Aside] += Aside * share * side;
-        values[(int)ActChannel.Yaw] += Yaw * share * side;
-        values[(int)ActChannel.Pitch] += Pitch * share;
-        values[(int)ActChannel.ForeDown] += ForeDown * share;
-        values[(int)ActChannel.HindDown] += HindDown * share;
-        values[(int)ActChannel.BackPitch] += BackPitch * share;
+        fraction = Math.Min(fraction, 1f);
+        values[(int)ActChannel.Ahead] += Ahead * fraction;
+        values[(int)ActChannel.Aside] += Aside * fraction * side;
+        values[(int)ActChannel.Yaw] += Yaw * fraction * side;
+        values[(int)ActChannel.Pitch] += Pitch * fraction;
+        values[(int)ActChannel.ForeDown] += ForeDown * fraction;
+        values[(int)ActChannel.HindDown] += HindDown * fraction;
+        values[(int)ActChannel.BackPitch] += BackPitch * fraction;
     }
 }

@@ -22,10 +22,10 @@ internal sealed class TrunkRoom
     /// <summary>Brings values into it.</summary>
     public void Clamp(float[] values)
     {
-        foreach ((ActChannel channel, float least, float most) in ways)
+        foreach ((ActChannel channel, float min, float max) in ways)
         {
             float value = values[(int)channel];
-            values[(int)channel] = value < least ? least : value > most ? most : value;
+            values[(int)channel] = value < min ? min : value > max ? max : value;
         }
     }
 }

@@ -90,7 +90,7 @@ internal sealed class ActStage
         if (mode != null)
         {
             mode.Layer = performer.Trunk;
-            mode.Drive(RootPlace.Identity, 0f, default, MotionSettings.Default, FlatGround.Level, Local);
+            mode.Update(RootPlace.Identity, 0f, default, MotionSettings.Default, FlatGround.Level, Local);
         }
 
         ForwardKinematics.LocalToModel(body.Skeleton, Local, Model);

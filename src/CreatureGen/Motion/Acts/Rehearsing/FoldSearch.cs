@@ -40,12 +40,12 @@ internal static class FoldSearch
 
     // Ahead, out, up: parts of the leg; toes down, radians. Ways to begin with: where they stand, feet ahead as a sphinx, far ahead on the heels, wrists folded and hooves behind, legs out to the side.
     private static readonly float[][] beginnings = { new[] { 0f, 0f, 0f, 0f }, new[] { 0.45f, 0f, 0f, 0f }, new[] { 0.8f, 0.05f, 0.05f, -0.4f }, new[] { -0.4f, 0f, 0.05f, 1.2f }, new[] { 0.15f, 0.4f, 0f, 0.2f } };
-    private static readonly float[] least = { -0.9f, -0.2f, 0f, -0.6f };
-    private static readonly float[] most = { 0.9f, 0.7f, 0.2f, 1.8f };
+    private static readonly float[] min = { -0.9f, -0.2f, 0f, -0.6f };
+    private static readonly float[] max = { 0.9f, 0.7f, 0.2f, 1.8f };
 
     // Stretched out behind a body on its chest.
     private static readonly float[][] stretchedBeginnings = { new[] { -0.9f, 0f, 0.05f, 1.4f } };
-    private static readonly float[] stretchedLeast = { -1.3f, -0.1f, 0f, 0.6f };
+    private static readonly float[] stretchedMin = { -1.3f, -0.1f, 0f, 0.6f };
 
     /// <summary>Finds it for all legs, those of a pair alike.</summary>
     /// <param name="body">Whose.</param>
@@ -77,7 +77,7 @@ internal static class FoldSearch
         legs.Tip = (float)PortableMath.Atan2(trunk.Y, trunk.Z) - Propped;
         values[(int)ActChannel.HindDown] = 1f;
         values[(int)ActChannel.ForeFold] = 1f;
-        return Pairs(body, stage, legs.Stretched, (stretchedBeginnings, stretchedLeast), values);
+        return Pairs(body, stage, legs.Stretched, (stretchedBeginnings, stretchedMin), values);
     }
 
     private static IEnumerable<float> Folded(ActBody body, ActStage stage, FoldedLegs legs)
@@ -91,7 +91,7 @@ internal static class FoldSearch
         {
             values[(int)ActChannel.ForeDown] = down;
             values[(int)ActChannel.HindDown] = down;
-            foreach (float cost in Pairs(body, stage, legs.Folded, (beginnings, least), values))
+            foreach (float cost in Pairs(body, stage, legs.Folded, (beginnings, min), values))
             {
                 yield return cost;
             }
@@ -127,7 +127,7 @@ internal static class FoldSearch
         BonePoints skin = body.Skin.Of(joint => body.Hangs(joint, rig.Hip));
         var best = new float[Count];
         var now = new float[Count];
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         foreach (float[] beginning in manner.Beginnings)
         {
             beginning.CopyTo(now, 0);
@@ -145,16 +145,16 @@ internal static class FoldSearch
                 yield return cost;
             }
 
-            if (cost < least)
+            if (cost < min)
             {
-                least = cost;
+                min = cost;
                 now.CopyTo(best, 0);
             }
 
             bool Move(int number, float by)
             {
                 float before = now[number];
-                now[number] = Scalar.Clamp(before + by, manner.Min[number], most[number]);
+                now[number] = Scalar.Clamp(before + by, manner.Min[number], max[number]);
                 float tried = Cost(now);
                 if (tried < cost - 1e-4f)
                 {

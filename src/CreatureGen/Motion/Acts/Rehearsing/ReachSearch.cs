@@ -131,14 +131,14 @@ internal struct ReachSearch
             return false;
         }
 
-        float left = Try(tried, out float price);
-        if (price >= cost - 1e-4f)
+        float left = Try(tried, out float triedCost);
+        if (triedCost >= cost - 1e-4f)
         {
             return false;
         }
 
         aim = aim with { Plan = tried };
-        cost = price;
+        cost = triedCost;
         Missing = left;
         return true;
     }
@@ -152,16 +152,16 @@ internal struct ReachSearch
             return contact;
         }
 
-        int most = 0;
+        int max = 0;
         for (int i = 1; i < act.Ends.Length; i++)
         {
-            most = act.Ends[i][(int)ActChannel.Reach] > act.Ends[most][(int)ActChannel.Reach] ? i : most;
+            max = act.Ends[i][(int)ActChannel.Reach] > act.Ends[max][(int)ActChannel.Reach] ? i : max;
         }
 
-        return most;
+        return max;
     }
 
-    private readonly float Try(in ReachPlan plan, out float price)
+    private readonly float Try(in ReachPlan plan, out float triedCost)
     {
         stage.Show(act, phase, 1, gain, aim with { Plan = plan });
         float missing = Vec.Distance(stage.PlaceOf(aim.Tool, aim.Mirrored), aim.Target);
@@ -171,7 +171,7 @@ internal struct ReachSearch
             effort += plan[i] * plan[i];
         }
 
-        price = (missing / body.Unit) + (Effort * effort) + (Spoil * Math.Max(0f, stage.Slip() - MaxSlip)) + (Spoil * Math.Max(0f, stage.Sunk() - MaxSunk));
+        triedCost = (missing / body.Unit) + (Effort * effort) + (Spoil * Math.Max(0f, stage.Slip() - MaxSlip)) + (Spoil * Math.Max(0f, stage.Sunk() - MaxSunk));
         return missing;
     }
 }

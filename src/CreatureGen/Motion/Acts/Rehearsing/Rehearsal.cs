@@ -257,11 +257,11 @@ internal sealed class Rehearsal
             Farthest(Vector3.UnitX, far));
 
         // How far from the usual target in a direction it still reaches.
-        float Farthest(Vector3 direction, float most)
+        float Farthest(Vector3 direction, float max)
         {
             float near = 0f;
-            float end = most;
-            for (int i = 0; i < Halvings && most > 0f; i++)
+            float end = max;
+            for (int i = 0; i < Halvings && max > 0f; i++)
             {
                 float at = i == 0 ? end : 0.5f * (near + end);
                 var aim = new ActAim(act.Tool, false, usual + (direction * at), act.SnoutDown, default);

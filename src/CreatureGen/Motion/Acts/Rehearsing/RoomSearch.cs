@@ -38,13 +38,13 @@ internal static class RoomSearch
         }
 
         var ways = new List<(ActChannel, float, float)>();
-        foreach ((ActChannel channel, float least, float most) in farthest)
+        foreach ((ActChannel channel, float min, float max) in farthest)
         {
-            float to = End(stage, channel, most);
+            float to = End(stage, channel, max);
             yield return null;
 
             // A way without a least is the same to both sides.
-            ways.Add((channel, least == 0f ? -to : End(stage, channel, least), to));
+            ways.Add((channel, min == 0f ? -to : End(stage, channel, min), to));
             yield return null;
         }
 

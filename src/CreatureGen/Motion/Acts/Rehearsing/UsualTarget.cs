@@ -99,7 +99,7 @@ internal static class UsualTarget
     private static IEnumerable<Vector3?> OnGround(Act act, ActBody body, ActStage stage, Vector3 now)
     {
         Vector3 best = now;
-        float least = float.MaxValue;
+        float min = float.MaxValue;
         foreach (float ahead in places)
         {
             var aim = new ActAim(act.Tool, false, new Vector3(now.X, (FoodHeight * body.Unit) + body.Tools.ChinBelowMouth, now.Z + (ahead * body.Unit)), act.SnoutDown, default);
@@ -109,9 +109,9 @@ internal static class UsualTarget
                 yield return null;
             }
 
-            if (search.Missing < 0.8f * least)
+            if (search.Missing < 0.8f * min)
             {
-                least = search.Missing;
+                min = search.Missing;
                 best = aim.Target;
             }
 

@@ -74,9 +74,9 @@ public sealed record MotionCourse(CourseScript Script, CourseGround Ground, Cour
             throw new ArgumentNullException(nameof(profile));
         }
 
-        var drive = new CourseDrive(profile, Script, Ground, Rate);
-        var recorder = new CourseRecorder(drive.Animator, drive.Surface);
-        foreach (float seconds in drive.Updates())
+        var simulation = new CourseSimulation(profile, Script, Ground, Rate);
+        var recorder = new CourseRecorder(simulation.Animator, simulation.Surface);
+        foreach (float seconds in simulation.Updates())
         {
             recorder.Record(seconds);
         }

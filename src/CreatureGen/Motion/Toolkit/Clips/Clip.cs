@@ -96,7 +96,7 @@ public sealed class Clip : IClip
     /// <inheritdoc/>
     public float EventSpan => Duration;
 
-    /// <summary>Where the creature is in each frame, for games that let a clip carry it (<see cref="Travelling"/>); empty for a clip on the spot. The poses themselves are in place.</summary>
+    /// <summary>Where the creature is in each frame, for games that let a clip carry it (<see cref="WithRootMotion"/>); empty for a clip on the spot. The poses themselves are in place.</summary>
     public IReadOnlyList<ClipPlace> Path { get; private init; } = Array.Empty<ClipPlace>();
 
     /// <summary>Frames per second.</summary>
@@ -178,7 +178,7 @@ public sealed class Clip : IClip
     }
 
     /// <summary>The same motion as keys, in which joint 0 goes along the <see cref="Path"/>: root motion. Its speed is 0, because it travels by itself.</summary>
-    public KeyedClip Travelling()
+    public KeyedClip WithRootMotion()
     {
         float[] times = new float[Frames];
         for (int frame = 0; frame < times.Length; frame++)

@@ -182,7 +182,7 @@ internal sealed class TrackFrames
         int to = keys[k + 1];
         Vector4 leaving = KeyCurve.Tangent(k, keys.Count, loops, i => values[keys[i]], i => keys[i]);
         Vector4 arriving = KeyCurve.Tangent(k + 1, keys.Count, loops, i => values[keys[i]], i => keys[i]);
-        float most = 0f;
+        float max = 0f;
         worst = from + 1;
         for (int i = 1; i < (to - from) * Moments; i++)
         {
@@ -190,14 +190,14 @@ internal sealed class TrackFrames
             Vector4 shown = KeyCurve.At(values[from], leaving, arriving, values[to], i / (float)((to - from) * Moments), to - from);
             Vector4 right = i % Moments == 0 ? values[frame] : Between(frame, frame + 1, i % Moments / (float)Moments);
             float off = Off(turns ? KeyCurve.Unit(shown) : shown, right);
-            if (off > most)
+            if (off > max)
             {
-                most = off;
+                max = off;
                 worst = Math.Min(Math.Max(from + ((i + (Moments / 2)) / Moments), from + 1), to - 1);
             }
         }
 
-        return most <= tolerance * tolerance;
+        return max <= tolerance * tolerance;
     }
 
     /// <summary>The tangents, per way from one frame to another, with which a cubic curve goes straight between them: along the great circle of rotations.</summary>

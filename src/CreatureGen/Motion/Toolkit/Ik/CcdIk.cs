@@ -61,7 +61,7 @@ public static class CcdIk
         Span<float> gains = count <= MaxOnStack ? stackalloc float[count] : new float[count];
         gains.Fill(1f);
         JointChain.Keep(chain, local, best);
-        float least = distance;
+        float min = distance;
         bool newton = false;
         int stalled = 0;
         for (int round = 0; round < settings.Rounds && distance > near; round++)
@@ -80,9 +80,9 @@ public static class CcdIk
             }
 
             distance = Vec.Distance(model.Positions[end], target);
-            if (distance < least)
+            if (distance < min)
             {
-                least = distance;
+                min = distance;
                 JointChain.Keep(chain, local, best);
             }
 

@@ -51,15 +51,15 @@ public static class FabrikIk
         Span<Vector3> points = count <= MaxOnStack ? stackalloc Vector3[count] : new Vector3[count];
         JointChain.Keep(chain, local, best);
         float distance = Vec.Distance(model.Positions[chain[count - 1]], target);
-        float least = distance;
+        float min = distance;
         for (int round = 0; round < rounds && distance > near; round++)
         {
             Inwards(chain, target, round == 0 ? Aside * length : 0f, model, local, points);
             Outwards(skeleton, chain, points, local, model);
             distance = Vec.Distance(model.Positions[chain[count - 1]], target);
-            if (distance < least)
+            if (distance < min)
             {
-                least = distance;
+                min = distance;
                 JointChain.Keep(chain, local, best);
             }
         }

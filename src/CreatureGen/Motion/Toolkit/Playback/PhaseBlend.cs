@@ -113,26 +113,26 @@ public sealed class PhaseBlend : IClip
     }
 
     /// <summary>Gives each clip its weight.</summary>
-    /// <param name="shares">One for each clip, none below 0, one above; they are divided by their sum.</param>
+    /// <param name="fractions">One for each clip, none below 0, one above; they are divided by their sum.</param>
     /// <exception cref="ArgumentException">Their number is not that of the clips, or one is not finite or below 0, or all are 0.</exception>
-    public void SetWeights(ReadOnlySpan<float> shares)
+    public void SetWeights(ReadOnlySpan<float> fractions)
     {
         float sum = 0f;
-        foreach (float share in shares)
+        foreach (float fraction in fractions)
         {
-            Finite.RequireWithin(share, 0f, float.MaxValue, nameof(shares));
-            sum += share;
+            Finite.RequireWithin(fraction, 0f, float.MaxValue, nameof(fractions));
+            sum += fraction;
         }
 
-        if (shares.Length != clips.Length || !(sum > 0f && sum <= float.MaxValue))
+        if (fractions.Length != clips.Length || !(sum > 0f && sum <= float.MaxValue))
         {
-            throw new ArgumentException(FormattableString.Invariant($"{shares.Length} weights of the sum {sum}; expected one for each of {clips.Length} clips, one of them above 0"), nameof(shares));
+            throw new ArgumentException(FormattableString.Invariant($"{fractions.Length} weights of the sum {sum}; expected one for each of {clips.Length} clips, one of them above 0"), nameof(fractions));
         }
 
         int heaviest = 0;
         for (int i = 0; i < weights.Length; i++)
         {
-            weights[i] = shares[i] / sum;
+            weights[i] = fractions[i] / sum;
             heaviest = weights[i] > weights[heaviest] ? i : heaviest;
         }
 
@@ -158,10 +158,10 @@ public sealed class PhaseBlend : IClip
         // Of (1 − w) a and w b with speeds u, v and durations d, e: (1 − w) d (u − speed) + w e (v − speed) = 0.
         float below = clips[lower].Duration * (speed - clips[lower].Speed);
         float above = clips[upper].Duration * (clips[upper].Speed - speed);
-        float share = below <= 0f ? 0f : above <= 0f ? 1f : below / (below + above);
-        weights[lower] = 1f - share;
-        weights[upper] += share;
-        Heaviest = clips[share > 0.5f ? upper : lower];
+        float fraction = below <= 0f ? 0f : above <= 0f ? 1f : below / (below + above);
+        weights[lower] = 1f - fraction;
+        weights[upper] += fraction;
+        Heaviest = clips[fraction > 0.5f ? upper : lower];
     }
 
     /// <inheritdoc/>

@@ -8,9 +8,9 @@ namespace CreatureGen.Motion.Toolkit.Playback;
 internal struct PlayingClip
 {
     private ClipCursor cursor;
-    private RootTravel start;
-    private RootTravel end;
-    private RootTravel at;
+    private GroundPlace start;
+    private GroundPlace end;
+    private GroundPlace at;
 
     /// <summary>Begins.</summary>
     /// <param name="cursor">Where.</param>
@@ -22,9 +22,9 @@ internal struct PlayingClip
         start = end = at = default;
         if (root >= 0)
         {
-            start = TravelAt(cursor.Clip, 0f, root, scratch);
-            end = TravelAt(cursor.Clip, cursor.Clip.Duration, root, scratch);
-            at = TravelAt(cursor.Clip, cursor.Time, root, scratch);
+            start = GroundPlaceAt(cursor.Clip, 0f, root, scratch);
+            end = GroundPlaceAt(cursor.Clip, cursor.Clip.Duration, root, scratch);
+            at = GroundPlaceAt(cursor.Clip, cursor.Time, root, scratch);
         }
     }
 
@@ -50,8 +50,8 @@ internal struct PlayingClip
         travelled = new RootDelta(new Vector3(0f, 0f, cursor.Clip.Speed * seconds), 0f);
         if (root >= 0)
         {
-            RootTravel now = RootTravel.Of(local.Positions[root], local.Rotations[root]);
-            travelled = RootTravel.Then(travelled, Way(passage.Rounds, now));
+            GroundPlace now = GroundPlace.Of(local.Positions[root], local.Rotations[root]);
+            travelled = GroundPlace.Then(travelled, Way(passage.Rounds, now));
             start.TakeBack(now, ref local.Positions[root], ref local.Rotations[root]);
             at = now;
         }
@@ -59,22 +59,22 @@ internal struct PlayingClip
         return passage;
     }
 
-    private static RootTravel TravelAt(IClip clip, float time, int root, in Pose scratch)
+    private static GroundPlace GroundPlaceAt(IClip clip, float time, int root, in Pose scratch)
     {
         clip.Sample(time, scratch);
-        return RootTravel.Of(scratch.Positions[root], scratch.Rotations[root]);
+        return GroundPlace.Of(scratch.Positions[root], scratch.Rotations[root]);
     }
 
-    private readonly RootDelta Way(int rounds, in RootTravel now)
+    private readonly RootDelta Way(int rounds, in GroundPlace now)
     {
         RootDelta way = default;
-        RootTravel from = at;
+        GroundPlace from = at;
         for (int i = 0; i < Math.Abs(rounds); i++)
         {
-            way = RootTravel.Then(way, from.To(rounds > 0 ? end : start));
+            way = GroundPlace.Then(way, from.To(rounds > 0 ? end : start));
             from = rounds > 0 ? start : end;
         }
 
-        return RootTravel.Then(way, from.To(now));
+        return GroundPlace.Then(way, from.To(now));
     }
 }

@@ -61,11 +61,11 @@ internal static class RotationSums
             FourRotations.Store(q3 * FourRotations.Fourth(scales), ref q, i + 3);
 
             // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3
-            Vector128<float> shares = Vector128.Create(1f) / weights;
+            Vector128<float> fractions = Vector128.Create(1f) / weights;
             nuint place = (nuint)i * 3;
-            Vector128<float> p0 = Vector128.LoadUnsafe(ref p, place) * Vector128.Shuffle(shares, Vector128.Create(0, 0, 0, 1));
-            Vector128<float> p1 = Vector128.LoadUnsafe(ref p, place + 4) * Vector128.Shuffle(shares, Vector128.Create(1, 1, 2, 2));
-            Vector128<float> p2 = Vector128.LoadUnsafe(ref p, place + 8) * Vector128.Shuffle(shares, Vector128.Create(2, 3, 3, 3));
+            Vector128<float> p0 = Vector128.LoadUnsafe(ref p, place) * Vector128.Shuffle(fractions, Vector128.Create(0, 0, 0, 1));
+            Vector128<float> p1 = Vector128.LoadUnsafe(ref p, place + 4) * Vector128.Shuffle(fractions, Vector128.Create(1, 1, 2, 2));
+            Vector128<float> p2 = Vector128.LoadUnsafe(ref p, place + 8) * Vector128.Shuffle(fractions, Vector128.Create(2, 3, 3, 3));
             p0.StoreUnsafe(ref p, place);
             p1.StoreUnsafe(ref p, place + 4);
             p2.StoreUnsafe(ref p, place + 8);

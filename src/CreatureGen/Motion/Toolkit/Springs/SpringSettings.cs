@@ -21,7 +21,7 @@ public readonly struct SpringSettings
     /// <param name="maxSpeed">How fast a bone may swing, in parts of what it would swinging free over its full width: slower towards the ends of it, where it comes to rest. Not limited by default; of no effect where the frequency is 0.</param>
     /// <param name="drag">Part of its velocity through the air that a bone loses in a second, as a rate, along the chain: e^(−drag) of it is left; none by default. Apart from the damping of the spring, so that bones without stiffness come to rest too.</param>
     /// <param name="wind">Velocity of the air in world space, m/s; of effect where there is drag.</param>
-    /// <param name="gravityShare">Part of <paramref name="gravity"/> that a bone feels, along the chain; all of it by default.</param>
+    /// <param name="gravityFraction">Part of <paramref name="gravity"/> that a bone feels, along the chain; all of it by default.</param>
     /// <exception cref="ArgumentException">A number is outside its range or not finite.</exception>
     public SpringSettings(
         ChainCurve frequency,
@@ -37,7 +37,7 @@ public readonly struct SpringSettings
         float maxSpeed = float.MaxValue,
         ChainCurve drag = default,
         Vector3 wind = default,
-        ChainCurve? gravityShare = null)
+        ChainCurve? gravityFraction = null)
     {
         Finite.Require(gravity, nameof(gravity));
         Finite.RequireWithin(maxSwing, 1e-3f, 3.1416f, nameof(maxSwing));
@@ -61,7 +61,7 @@ public readonly struct SpringSettings
         MaxSpeed = maxSpeed;
         Drag = drag;
         Wind = wind;
-        GravityFraction = gravityShare ?? new ChainCurve(1f);
+        GravityFraction = gravityFraction ?? new ChainCurve(1f);
     }
 
     /// <summary>Hz along the chain.</summary>

@@ -12,7 +12,7 @@ public sealed class SpringState
     private ChainCurve frequency;
     private ChainCurve ratio;
     private ChainCurve drag;
-    private ChainCurve share;
+    private ChainCurve fraction;
     private float swing;
     private float speed;
     private bool tuned;
@@ -80,7 +80,7 @@ public sealed class SpringState
     /// <summary>Works out the springs anew if the settings are not those they were worked out for.</summary>
     internal void Tune(in SpringSettings settings)
     {
-        bool air = drag.Is(settings.Drag) && share.Is(settings.GravityFraction);
+        bool air = drag.Is(settings.Drag) && fraction.Is(settings.GravityFraction);
         if (tuned && air && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MaxSwing && speed == settings.MaxSpeed)
         {
             return;
@@ -90,7 +90,7 @@ public sealed class SpringState
         frequency = settings.Frequency;
         ratio = settings.DampingRatio;
         drag = settings.Drag;
-        share = settings.GravityFraction;
+        fraction = settings.GravityFraction;
         swing = settings.MaxSwing;
         speed = settings.MaxSpeed;
         PortableMath.SinCos(swing, out double sine, out double cosine);
@@ -104,7 +104,7 @@ public sealed class SpringState
             double fastest = cycles * PortableMath.Tau * speed;
             Bones[i].Liveliness = cycles > 0f && fastest < 1e9 ? (float)(fastest * fastest) : float.PositiveInfinity;
             Bones[i].Slowed = Damping.Left(System.Math.Max(drag.At(along), 0f), SpringBones.Substep);
-            Bones[i].GravityFraction = share.At(along);
+            Bones[i].GravityFraction = fraction.At(along);
             Bones[i].Step = new DampedSpring((float)(cycles * PortableMath.Tau), System.Math.Max(ratio.At(along), 0f), SpringBones.Substep);
         }
     }

@@ -155,10 +155,10 @@ public static class LegStepper
     }
 
     /// <summary>A place on the curve of a step.</summary>
-    private static Vector3 OnItsWay(in SteppingFoot foot, float share, float lift, Vector3 up)
+    private static Vector3 OnItsWay(in SteppingFoot foot, float fraction, float lift, Vector3 up)
     {
         Vector3 above = (foot.From + foot.To) * 0.5f + (up * (2f * lift * Vec.Distance(foot.From, foot.To)));
-        return Vec.Lerp(Vec.Lerp(foot.From, above, share), Vec.Lerp(above, foot.To, share), share);
+        return Vec.Lerp(Vec.Lerp(foot.From, above, fraction), Vec.Lerp(above, foot.To, fraction), fraction);
     }
 
     private static int Next(ReadOnlySpan<SteppingFoot> feet, ReadOnlySpan<int> groups, ReadOnlySpan<Vector3> homes, in LegStepSettings settings, int turn)

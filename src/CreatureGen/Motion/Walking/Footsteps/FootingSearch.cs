@@ -248,8 +248,8 @@ internal sealed class FootingSearch
             way = there == SoleEnd.Wall ? 0f : way;
         }
 
-        float most = shape.Lateral ? Math.Min(NudgeFraction * length, LateralNudge * shape.Length) : NudgeFraction * length;
-        nudge = Scalar.Clamp(nudge + way, -most, most);
+        float max = shape.Lateral ? Math.Min(NudgeFraction * length, LateralNudge * shape.Length) : NudgeFraction * length;
+        nudge = Scalar.Clamp(nudge + way, -max, max);
     }
 
     /// <summary>A sole as it will lie in the middle of its stance: turned with its leg on its middle.</summary>

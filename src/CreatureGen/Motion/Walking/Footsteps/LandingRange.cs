@@ -43,14 +43,14 @@ internal static class LandingRange
     /// <summary>Draws a place in that is too far from the hip.</summary>
     private static Vector3 Reached(LegRig leg, Vector3 chord, float max, float height, Vector3 place)
     {
-        float most = Math.Max((max * max) - (height * height), 0f);
+        float maxLevel = Math.Max((max * max) - (height * height), 0f);
         float level = (chord.X * chord.X) + (chord.Z * chord.Z);
-        if (level <= most)
+        if (level <= maxLevel)
         {
             return place;
         }
 
-        float fraction = 1f - Math.Max((float)Math.Sqrt(most / level), NearestFraction);
+        float fraction = 1f - Math.Max((float)Math.Sqrt(maxLevel / level), NearestFraction);
         return place - (new Vector3(chord.X, 0f, chord.Z) * fraction);
     }
 

@@ -27,7 +27,7 @@ internal struct LegOutcome
     public Vector3 Astray;
 
     /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
-    public float Yield;
+    public float Relaxation;
 
     /// <summary>How far its leg reached when that was last looked at, metres.</summary>
     public float Reached;

@@ -47,7 +47,7 @@ internal struct PushedBody
     /// <param name="gravity">Metres of the model per second squared.</param>
     /// <param name="legLength">Metres of the model.</param>
     /// <returns>Whether it follows; else it was put elsewhere, too far to be pushed.</returns>
-    public bool Follow(in RootPlace before, in RootPlace goal, float dt, in TravelBounds bounds, float gravity, float legLength)
+    public bool Follow(in RootPlace before, in RootPlace goal, float dt, in VelocityBounds bounds, float gravity, float legLength)
     {
         Vector3 up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
         Vector3 went = Vec.Reject((goal.Position - before.Position) / goal.Scale, up);

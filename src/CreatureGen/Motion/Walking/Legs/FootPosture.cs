@@ -70,8 +70,8 @@ internal struct PostureFade
         }
 
         FootPosture next = fraction > 0f ? posture.With(difference, fraction) : posture;
-        float most = dt > 0f ? FastestPitch * dt : float.MaxValue;
-        Shown = next with { Pitch = Shown.Pitch + Scalar.Clamp(next.Pitch - Shown.Pitch, -most, most) };
+        float max = dt > 0f ? FastestPitch * dt : float.MaxValue;
+        Shown = next with { Pitch = Shown.Pitch + Scalar.Clamp(next.Pitch - Shown.Pitch, -max, max) };
         return Shown;
     }
 }

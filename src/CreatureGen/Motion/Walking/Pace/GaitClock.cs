@@ -235,7 +235,7 @@ internal sealed class GaitClock
     /// <param name="speed">Metres per second ahead.</param>
     /// <param name="bounds">Give the grip.</param>
     /// <param name="gravity">Metres per second squared.</param>
-    public float SharpestTurn(float speed, in TravelBounds bounds, float gravity)
+    public float SharpestTurn(float speed, in VelocityBounds bounds, float gravity)
     {
         float turn = SharpestAsked;
         float before;

@@ -15,7 +15,7 @@ internal struct RootVelocity
     private IntendedSpeed yaw;
 
     /// <summary>How quickly it may change.</summary>
-    public TravelBounds Bounds;
+    public VelocityBounds Bounds;
 
     /// <summary>Metres per second ahead.</summary>
     public readonly float Speed => ahead.Speed;

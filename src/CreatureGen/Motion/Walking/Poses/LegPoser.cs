@@ -14,7 +14,7 @@ namespace CreatureGen.Motion.Walking.Poses;
 internal sealed class LegPoser
 {
     /// <summary>How far hip and knee of a standing leg may be beyond their limits, half the angle in radians: a tenth of a degree, so that rounding does not move the foot.</summary>
-    private const float StandingLeeway = 0.0008f;
+    private const float StandingTolerance = 0.0008f;
 
     /// <summary>Part of a swing in which a foot comes off the edge of the sole that it stood on.</summary>
     private const float Release = 0.35f;
@@ -23,7 +23,7 @@ internal sealed class LegPoser
     private const float Arrival = 0.85f;
 
     /// <summary>How often a foot that yields to its joints is laid on the ground anew at most.</summary>
-    private const int YieldRounds = 3;
+    private const int RelaxationRounds = 3;
 
     /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
     private const float TrailedPitch = 0.9f;
@@ -81,13 +81,13 @@ internal sealed class LegPoser
         }
 
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
-        foot.Leg.Yield = foot.Phase == FootPhase.Swing ? foot.Leg.Yield : excess;
-        float fraction = excess > 0f ? YieldFraction(leg, foot, excess) : 0f;
+        foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
+        float fraction = excess > 0f ? RelaxationFraction(leg, foot, excess) : 0f;
 
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Posture.Shown.Pitch) : foot.Posture.Shown.Pitch;
 
         // As the ankle comes up for it the shank leans farther, and asks for a little more.
-        for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? YieldRounds : 1) && fraction > 0f && excess > 0f; i++)
+        for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
             LimitRelaxation.Turn(leg, foot.Path.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, pitch, fraction, ref wanted);
@@ -116,7 +116,7 @@ internal sealed class LegPoser
         }
 
         float slack = foot.Phase == FootPhase.Swing ? LegGaitParameters.SlackCurve.At(foot.Swing) : 0f;
-        float tolerance = foot.Phase == FootPhase.Stance ? StandingLeeway : 0f;
+        float tolerance = foot.Phase == FootPhase.Stance ? StandingTolerance : 0f;
         LegSegments folded = default;
         scoped ref readonly LegSegments parts = ref leg.Parts;
         if (pose.Fold != 0f)
@@ -129,7 +129,7 @@ internal sealed class LegPoser
         float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
         if (!Aim(leg, parts, carrier, goal, local, out solved))
         {
-            Yield(leg, parts, goal, ground, foot, ref solved);
+            Relaxation(leg, parts, goal, ground, foot, ref solved);
             if (arriving > 0f)
             {
                 // It will stand where it comes down: with the leg as it then is.
@@ -150,7 +150,7 @@ internal sealed class LegPoser
     }
 
     /// <summary>Bends the knee of a leg whose hip is at its limit: as it stands its foot comes as near to its place as it can, as it swings it keeps out of the ground, and it goes from the one to the other as it leaves. The foot keeps its own turn.</summary>
-    private static void Yield(LegRig leg, in LegSegments parts, in LegGoal goal, float ground, in Foot foot, ref LegRotations solved)
+    private static void Relaxation(LegRig leg, in LegSegments parts, in LegGoal goal, float ground, in Foot foot, ref LegRotations solved)
     {
         bool swings = foot.Phase == FootPhase.Swing;
         float standing = swings ? 1f - Scalar.Smooth(foot.Swing / Release) : 1f;
@@ -230,9 +230,9 @@ internal sealed class LegPoser
     }
 
     /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
-    private static float YieldFraction(LegRig leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
+    private static float RelaxationFraction(LegRig leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
         ? 1f
-        : Math.Max(Arriving(foot), Math.Min(foot.Leg.Yield / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
+        : Math.Max(Arriving(foot), Math.Min(foot.Leg.Relaxation / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
 
     /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
     private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));

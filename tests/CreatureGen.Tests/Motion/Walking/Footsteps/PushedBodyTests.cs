@@ -18,7 +18,7 @@ public sealed class PushedBodyTests
     private const float Gravity = 9.81f;
     private const float Leg = 0.5f;
 
-    private static readonly TravelBounds bounds = new(new SpeedBounds(6f, 7f, 0.15f), new SpeedBounds(6f, 6f, 0.15f), 6f);
+    private static readonly VelocityBounds bounds = new(new SpeedBounds(6f, 7f, 0.15f), new SpeedBounds(6f, 6f, 0.15f), 6f);
 
     [Fact]
     public void One_that_is_moved_as_it_moves_itself_is_where_it_is_put_to_the_last_bit()

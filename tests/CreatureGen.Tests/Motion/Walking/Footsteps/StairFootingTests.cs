@@ -24,20 +24,20 @@ public sealed class StairFootingTests
     {
         Creature creature = Walkers.Any(seed);
         var profile = new MotionProfile(creature);
-        var drive = new CourseDrive(profile, CourseScripts.Runner(profile, 8f), CourseGround.Stairs, CourseRate.Of(60f));
+        var simulation = new CourseSimulation(profile, CourseScripts.Runner(profile, 8f), CourseGround.Stairs, CourseRate.Of(60f));
         FootSkin[] skins = Array.ConvertAll(profile.Legs!.Legs, leg => new FootSkin(new MotionSubject(creature), leg.Ankle, leg.Ball, leg.Length));
         var matrices = new Matrix4x4[creature.Skeleton.Count];
         int standing = 0;
         int deep = 0;
-        foreach (float _ in drive.Updates())
+        foreach (float _ in simulation.Updates())
         {
-            SkinMatrices.Fill(creature.Skeleton, drive.Animator.ModelPose, matrices);
+            SkinMatrices.Fill(creature.Skeleton, simulation.Animator.ModelPose, matrices);
             for (int i = 0; i < skins.Length; i++)
             {
-                if (drive.Animator.Foot(i).Phase == FootPhase.Stance)
+                if (simulation.Animator.Foot(i).Phase == FootPhase.Stance)
                 {
                     standing++;
-                    deep += Depth(drive, skins[i], matrices) > Deep * profile.LegLength ? 1 : 0;
+                    deep += Depth(simulation, skins[i], matrices) > Deep * profile.LegLength ? 1 : 0;
                 }
             }
         }
@@ -45,13 +45,13 @@ public sealed class StairFootingTests
         Assert.True(deep <= 0.05 * standing, $"{seed}: {deep} of {standing} times a standing foot is deeper than {Deep} leg lengths in the stairs");
     }
 
-    private static float Depth(CourseDrive drive, FootSkin skin, Matrix4x4[] matrices)
+    private static float Depth(CourseSimulation simulation, FootSkin skin, Matrix4x4[] matrices)
     {
         float depth = 0f;
         for (int v = 0; v < skin.Count; v++)
         {
-            Vector3 place = drive.Animator.Root.ToWorld(skin.At(v, matrices));
-            depth = Math.Max(depth, drive.Surface.HeightAt(place, Lookout * drive.Animator.Profile.LegLength) is float height ? height - place.Y : 0f);
+            Vector3 place = simulation.Animator.Root.ToWorld(skin.At(v, matrices));
+            depth = Math.Max(depth, simulation.Surface.HeightAt(place, Lookout * simulation.Animator.Profile.LegLength) is float height ? height - place.Y : 0f);
         }
 
         return depth;

@@ -8,7 +8,7 @@ namespace CreatureGen.Tests.Motion.Walking.Pace;
 
 public class RootVelocityTests
 {
-    private static readonly TravelBounds bounds = new(new SpeedBounds(6f, 7f, 0.15f), new SpeedBounds(4f, 4f, 0.15f), 6f);
+    private static readonly VelocityBounds bounds = new(new SpeedBounds(6f, 7f, 0.15f), new SpeedBounds(4f, 4f, 0.15f), 6f);
 
     [Fact]
     public void The_way_does_not_depend_on_the_steps_of_time()

@@ -13,7 +13,7 @@ namespace CreatureGen.Motion.Walking.Pace;
 /// <param name="Along">Metres per second, ahead and to the sides.</param>
 /// <param name="Yaw">Radians per second.</param>
 /// <param name="Aside">Most acceleration to a side in a turn, metres per second squared.</param>
-internal readonly record struct TravelBounds(SpeedBounds Along, SpeedBounds Yaw, float Aside)
+internal readonly record struct VelocityBounds(SpeedBounds Along, SpeedBounds Yaw, float Aside)
 {
     /// <summary>Accelerations, parts of gravity.</summary>
     private const float SpeedingUp = 0.6f;
@@ -38,12 +38,12 @@ internal readonly record struct TravelBounds(SpeedBounds Along, SpeedBounds Yaw,
     /// <summary>The bounds of a body.</summary>
     /// <param name="body">Gives legs and build.</param>
     /// <param name="settings">Give gravity, grip and response.</param>
-    public static TravelBounds Of(LeggedBody body, in MotionSettings settings)
+    public static VelocityBounds Of(LeggedBody body, in MotionSettings settings)
     {
         float grip = settings.Gravity * settings.Walking.Traction * (body.Subject.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
         float lag = LagOfLeg * UsualResponse * (float)Math.Sqrt(body.LegLength / settings.Gravity);
         float swing = Scalar.Clamp(Turning * grip / Math.Max(body.FarthestFoot, MinRadius * body.LegLength), SlowestTurning, QuickestTurning);
-        return new TravelBounds(
+        return new VelocityBounds(
             new SpeedBounds(SpeedingUp * grip, Braking * grip, lag / settings.Walking.SpeedResponse),
             new SpeedBounds(swing, swing, lag / settings.Walking.YawResponse),
             Turning * grip);

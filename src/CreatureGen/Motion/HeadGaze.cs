@@ -9,7 +9,7 @@ using CreatureGen.Seeding;
 namespace CreatureGen.Motion;
 
 /// <summary>Where head and eyes look: at what the game says, else about while the creature stands; and when it blinks and flicks its ears.</summary>
-internal sealed class HeadAttention
+internal sealed class HeadGaze
 {
     /// <summary>Leg or body lengths per second above which nobody looks about.</summary>
     private const float Still = 0.05f;
@@ -43,7 +43,7 @@ internal sealed class HeadAttention
     /// <summary>Gives a creature habits.</summary>
     /// <param name="rig">Its head.</param>
     /// <param name="subject">Big ones are slow; fish look with their eyes; no two of a species look about or blink together.</param>
-    public HeadAttention(GazeRig rig, MotionSubject subject)
+    public HeadGaze(GazeRig rig, MotionSubject subject)
     {
         float mass = subject.Mass.Mass;
         this.rig = rig;

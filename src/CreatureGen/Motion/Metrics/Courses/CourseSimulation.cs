@@ -7,7 +7,7 @@ using CreatureGen.Seeding;
 namespace CreatureGen.Motion.Metrics.Courses;
 
 /// <summary>Drives an animator along a course, from standing at the origin.</summary>
-internal sealed class CourseDrive
+internal sealed class CourseSimulation
 {
     /// <summary>How far jumps go, part of what the creature can, and how hard blows are, part of what throws its body at √(gℓ).</summary>
     private const float JumpFraction = 0.7f;
@@ -16,7 +16,7 @@ internal sealed class CourseDrive
     private readonly CourseScript script;
     private readonly IEnumerable<double> steps;
 
-    public CourseDrive(MotionProfile profile, CourseScript script, CourseGround ground, CourseRate rate)
+    public CourseSimulation(MotionProfile profile, CourseScript script, CourseGround ground, CourseRate rate)
     {
         this.script = script;
         steps = rate.Steps(new Seed(profile.Subject.Seed).Child("courses"));

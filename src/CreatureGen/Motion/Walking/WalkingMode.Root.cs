@@ -48,13 +48,13 @@ internal sealed partial class WalkingMode
     /// <param name="ground">What it goes on.</param>
     /// <param name="next">Where it is then.</param>
     /// <returns>Whether there is ground under it.</returns>
-    public bool Travel(in RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, out RootPlace next)
+    public bool AdvanceRoot(in RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, out RootPlace next)
     {
         float scale = place.Scale;
         settings.Gravity = GravityOf(settings, scale);
         (float goal, float aside) = Asked(input, scale, settings);
         RootVelocity ahead = velocity;
-        ahead.Bounds = TravelBounds.Of(body, settings);
+        ahead.Bounds = VelocityBounds.Of(body, settings);
         ahead.Ask(goal, aside, clock.ReachableTurn(goal, input.YawRate, settings.Gravity));
         Vector3 way = ahead.Advance(dt, out float yaw);
 
@@ -76,7 +76,7 @@ internal sealed partial class WalkingMode
     }
 
     /// <summary>The same where the game moves it.</summary>
-    public bool TravelAlong(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground)
+    public bool AdvanceRootAlong(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground)
     {
         settings.Gravity = GravityOf(settings, goal.Scale);
         settings.Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY);
@@ -121,14 +121,14 @@ internal sealed partial class WalkingMode
         placer.Reset(planner.Feet);
     }
 
-    private RootPlace Drive(RootPlace placement, float dt, in MotionInput input, MotionSettings settings, IGround ground)
+    private RootPlace Update(RootPlace placement, float dt, in MotionInput input, MotionSettings settings, IGround ground)
     {
         // From here on in metres of the model.
         float scale = placement.Scale;
         settings.Gravity = GravityOf(settings, scale);
         Begin(placement, settings, ground);
         pushed = default;
-        velocity.Bounds = TravelBounds.Of(body, settings);
+        velocity.Bounds = VelocityBounds.Of(body, settings);
         (float goal, float aside) = Asked(input, scale, settings);
         placement = PlatformRide.Carry(planner.Feet, placement, ground, settings.Up);
         float left = dt;

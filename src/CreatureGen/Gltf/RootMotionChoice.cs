@@ -1,7 +1,7 @@
 namespace CreatureGen.Gltf;
 
 /// <summary>Who moves a creature while a clip plays.</summary>
-public enum TravelChoice
+public enum RootMotionChoice
 {
     /// <summary>The game, at the speed that is told with the clip: all clips stay over their point of the ground.</summary>
     InPlace,
