@@ -5,6 +5,7 @@ using CreatureGen.Motion.Acts.Bodies;
 using CreatureGen.Motion.Acts.Playing;
 using CreatureGen.Motion.Acts.Rehearsing;
 using CreatureGen.Motion.Falling;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion;
@@ -39,6 +40,9 @@ internal sealed class Actor
     /// <summary>What it does by itself; null for nothing.</summary>
     public IdleActs? IdleActs { get; set; }
 
+    /// <summary>What its acts ask of trunk, feet and wings; null for nothing.</summary>
+    public BodyLayer? Layer => Performer.Trunk;
+
     /// <summary>Goes back to what it performed before the update that failed.</summary>
     public void Undo()
     {
@@ -53,7 +57,7 @@ internal sealed class Actor
     /// <summary>Forgets these.</summary>
     public void ClearEvents() => eventCount = 0;
 
-    /// <summary>Lets acts go on, and asks the way of moving for their part of trunk and feet.</summary>
+    /// <summary>Lets acts go on.</summary>
     /// <param name="dt">Seconds.</param>
     /// <param name="root">Where the creature is.</param>
     /// <param name="locomotion">How it moves.</param>
@@ -83,20 +87,15 @@ internal sealed class Actor
             Performer.Advance(dt, locomotion.Legs == null || (locomotion.Legs.Stands && mode.StandsOnFeet), root);
         }
 
-        mode.Layer = Performer.Trunk;
         return holds ? new MotionInput(0f) : input;
     }
 
     /// <summary>Breaks off what it performs, as the creature is put somewhere else.</summary>
-    public void Reset(Locomotion locomotion)
+    public void Reset()
     {
         kept.CopyFrom(Performer);
         keptAll = false;
         Performer.Reset();
-        if (locomotion.Mode != null)
-        {
-            locomotion.Mode.Layer = Performer.Trunk;
-        }
     }
 
     /// <summary>Tells what happened, once the pose is written.</summary>

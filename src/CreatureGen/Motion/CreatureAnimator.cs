@@ -219,7 +219,7 @@ public sealed partial class CreatureAnimator
             MotionInput asked = actor == null ? input : actor.Begin(dt, Root, locomotion, input, settings, IdlesOf(input));
             try
             {
-                Root = locomotion.Update(Root, dt, asked, settings, sound, LocalPose);
+                Root = locomotion.Update(Root, dt, asked, settings, sound, actor?.Layer, LocalPose);
             }
             catch when (sound.MayThrow)
             {
@@ -254,7 +254,7 @@ public sealed partial class CreatureAnimator
         actor?.Begin(dt, Root, locomotion, default, settings, IdlesOf(default));
         try
         {
-            locomotion.Follow(Root, dt, placement, settings, sound, LocalPose);
+            locomotion.Follow(Root, dt, placement, settings, sound, actor?.Layer, LocalPose);
         }
         catch when (sound.MayThrow)
         {
@@ -280,10 +280,10 @@ public sealed partial class CreatureAnimator
         placement.Require(nameof(placement));
         CheckedGround sound = Gate(ground);
         events.Clear();
-        actor?.Reset(locomotion);
+        actor?.Reset();
         try
         {
-            locomotion.Stand(placement, settings, sound, LocalPose);
+            locomotion.Stand(placement, settings, sound, actor?.Layer, LocalPose);
         }
         catch when (sound.MayThrow)
         {

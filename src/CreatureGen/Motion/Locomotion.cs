@@ -40,7 +40,7 @@ internal sealed class Locomotion
     public FallingMode? Mode { get; private set; }
 
     /// <inheritdoc cref="ILocomotionMode.Update"/>
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, CheckedGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, CheckedGround ground, BodyLayer? layer, in Pose local)
     {
         if (Mode == null)
         {
@@ -50,7 +50,7 @@ internal sealed class Locomotion
         Keep(ground, local);
         try
         {
-            return Mode.Update(place, dt, input, settings, ground, local);
+            return Mode.Update(place, dt, input, settings, ground, layer, local);
         }
         catch when (ground.MayThrow)
         {
@@ -60,12 +60,12 @@ internal sealed class Locomotion
     }
 
     /// <inheritdoc cref="ILocomotionMode.Follow"/>
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, CheckedGround ground, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, CheckedGround ground, BodyLayer? layer, in Pose local)
     {
         Keep(ground, local);
         try
         {
-            Mode?.Follow(place, dt, goal, settings, ground, local);
+            Mode?.Follow(place, dt, goal, settings, ground, layer, local);
         }
         catch when (ground.MayThrow)
         {
@@ -75,12 +75,12 @@ internal sealed class Locomotion
     }
 
     /// <inheritdoc cref="ILocomotionMode.Stand"/>
-    public void Stand(in RootPlace place, MotionSettings settings, CheckedGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, CheckedGround ground, BodyLayer? layer, in Pose local)
     {
         Keep(ground, local);
         try
         {
-            Mode?.Stand(place, settings, ground, local);
+            Mode?.Stand(place, settings, ground, layer, local);
         }
         catch when (ground.MayThrow)
         {

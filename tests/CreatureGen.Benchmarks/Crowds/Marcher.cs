@@ -66,7 +66,7 @@ internal sealed class Marcher
                 Local.SetToRest(skeleton);
                 break;
             case CrowdStage.Motion:
-                root = motion.Update(root, dt, input, MotionSettings.Default, FlatGround.Level, Local);
+                root = motion.Update(root, dt, input, MotionSettings.Default, FlatGround.Level, null, Local);
                 break;
             case CrowdStage.Chain:
                 ForwardKinematics.LocalToModel(skeleton, Local, Model);

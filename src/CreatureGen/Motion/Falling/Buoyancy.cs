@@ -54,44 +54,43 @@ internal sealed class Buoyancy
     private float Room => Spare * profile.Body.LegLength;
 
     /// <summary>Ground as its feet feel it: who comes to deep water does not fall to its bed.</summary>
-    public IGround FeltOf(IGround ground, in RootPlace place, in MotionSettings settings)
+    public IGround FeltOf(IGround ground, in WaterReading water, in RootPlace place, in MotionSettings settings)
     {
-        if (!(ground is IWaterGround water && water.DepthAt(place.Position) > float.MinValue))
+        if (water.Ground == null)
         {
             return ground;
         }
 
-        felt.Lay(water, settings.Up, (profile.Draught + (2f * Room)) * place.Scale);
+        felt.Lay(water.Ground, settings.Up, (profile.Draught + (2f * Room)) * place.Scale);
         return felt;
     }
 
     /// <summary>Whether its feet are in water that slows it down, or deeper.</summary>
-    public bool IsWet(IGround ground, in RootPlace place) => ground is IWaterGround water && water.DepthAt(place.Position) > WadingDepth * profile.Draught * place.Scale;
+    public bool IsWet(in WaterReading water, in RootPlace place) => water.Ground != null && water.Depth > WadingDepth * profile.Draught * place.Scale;
 
     /// <summary>Whether water carries it that goes or falls: its feet would not reach the bed with its back out of the water.</summary>
-    public bool IsDeep(IGround ground, in RootPlace place, in MotionSettings settings) => ground is IWaterGround water
-        && water.DepthAt(place.Position) >= (profile.Draught - Room) * place.Scale
-        && BedDepth(water, place, settings) >= (profile.Draught + Room) * place.Scale;
+    public bool IsDeep(in WaterReading water, in RootPlace place, in MotionSettings settings) => water.Ground != null
+        && water.Depth >= (profile.Draught - Room) * place.Scale
+        && BedDepth(water.Ground, place, settings) >= (profile.Draught + Room) * place.Scale;
 
     /// <summary>Whether who swims has ground under its feet.</summary>
-    public bool IsAground(IGround ground, in RootPlace place, in MotionSettings settings) => !(ground is IWaterGround water
-        && water.DepthAt(place.Position) > float.MinValue
-        && BedDepth(water, place, settings) > profile.Draught * place.Scale);
+    public bool IsAground(in WaterReading water, in RootPlace place, in MotionSettings settings) =>
+        water.Ground == null || !(BedDepth(water.Ground, place, settings) > profile.Draught * place.Scale);
 
     /// <summary>Whether it swims where a game puts it.</summary>
-    public bool CarriesAt(IGround ground, in RootPlace place, in MotionSettings settings) => ground is IWaterGround water
-        && water.DepthAt(place.Position) >= FollowedDepth * profile.Draught * place.Scale
-        && BedDepth(water, place, settings) >= (profile.Draught + Room) * place.Scale;
+    public bool Carries(in WaterReading water, in RootPlace place, in MotionSettings settings) => water.Ground != null
+        && water.Depth >= FollowedDepth * profile.Draught * place.Scale
+        && BedDepth(water.Ground, place, settings) >= (profile.Draught + Room) * place.Scale;
 
     /// <summary>What is asked of it, as fast as water lets it wade.</summary>
-    public MotionInput Wade(in MotionInput input, IGround ground, in RootPlace place, in MotionSettings settings)
+    public MotionInput Wade(in MotionInput input, in WaterReading water, in RootPlace place, in MotionSettings settings)
     {
-        if (!IsWet(ground, place))
+        if (!IsWet(water, place))
         {
             return input;
         }
 
-        float depth = ((IWaterGround)ground).DepthAt(place.Position) / (profile.Draught * place.Scale);
+        float depth = water.Depth / (profile.Draught * place.Scale);
         float cruises = Scalar.Lerp(WadingSpeed, SwimmingSpeed, Scalar.Smooth((depth - WadingDepth) / (1f - WadingDepth)));
         float fastest = cruises * (float)Paddling.CruiseOf(profile.Body, paddling.Tau(place.Scale, settings.Gravity)) * place.Scale;
         return input with { Speed = Scalar.Clamp(input.Speed, -fastest, fastest), Sideways = Scalar.Clamp(input.Sideways, -fastest, fastest) };
@@ -111,32 +110,32 @@ internal sealed class Buoyancy
     }
 
     /// <summary>Swims on, and poses it.</summary>
-    public RootPlace Update(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         var water = (IWaterGround)ground;
         RootPlace next = paddling.Advance(place, dt, input, settings, water);
         paddling.Reach(BedDepth(water, next, settings) / next.Scale, next.Scale, settings.Gravity, dt);
-        Pose(next, settings, ground, local);
+        Pose(next, settings, ground, layer, local);
         return next;
     }
 
     /// <summary>Swims as the game moved it, and poses it.</summary>
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         MotionInput asked = RootStep.Asked(place, dt, goal, MotionMedium.Ground);
         paddling.Follow(new Vector3(0f, 0f, asked.Speed / goal.Scale), asked.YawRate, goal.Scale, settings.Gravity, dt);
         paddling.Reach(BedDepth((IWaterGround)ground, goal, settings) / goal.Scale, goal.Scale, settings.Gravity, dt);
-        Pose(goal, settings, ground, local);
+        Pose(goal, settings, ground, layer, local);
     }
 
     /// <summary>Has it walk on from where it swam.</summary>
-    public void Leave(in RootPlace place, in MotionSettings settings, IGround ground, in Pose local)
+    public void Leave(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         fade.Keep(local);
         if (inner == legs)
         {
             local.SetToRest(profile.Body.Skeleton);
-            legs.Stand(place, settings, ground, local);
+            legs.Stand(place, settings, ground, layer, local);
             legs.SetOff(paddling.Speed, paddling.Turn);
         }
     }
@@ -162,10 +161,10 @@ internal sealed class Buoyancy
     }
 
     /// <summary>The body as it stands, wings folded, with trunk and legs as they swim.</summary>
-    private void Pose(in RootPlace place, in MotionSettings settings, IGround ground, in Pose local)
+    private void Pose(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         floor.Lay(place.Position, settings.Up);
-        inner.Stand(place, settings, floor, local);
+        inner.Stand(place, settings, floor, layer, local);
         paddling.Pose(place, settings, ground, local);
     }
 }

@@ -162,7 +162,7 @@ internal sealed class FallProfile
         MotionSettings settings = MotionSettings.Default;
         settings.Idle = 0f;
         pose.Clear();
-        legs.Stand(RootPlace.Identity, settings, FlatGround.Level, pose.Local);
+        legs.Stand(RootPlace.Identity, settings, FlatGround.Level, null, pose.Local);
         pose.Finish();
         float start = support.Lowest(pose.Model);
         Vector3[] stands = Array.ConvertAll(body.Legs, leg => pose.Model.Positions[leg.Ball]);
@@ -172,7 +172,7 @@ internal sealed class FallProfile
         {
             legs.Sink = i * CrouchStep * body.LegLength;
             pose.Clear();
-            legs.Hold(RootPlace.Identity, 0f, settings, pose.Local);
+            legs.Hold(RootPlace.Identity, 0f, settings, null, pose.Local);
             pose.Finish();
             float miss = 0f;
             for (int foot = 0; foot < legs.FootCount; foot++)

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Floating;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
@@ -18,18 +19,18 @@ internal sealed partial class FallingMode
     private bool MayFloat => State is BodyState.Falling or BodyState.Landed or BodyState.Leaping || (State == BodyState.Supported && inner.StandsOnFeet);
 
     /// <summary>Has it swim where it would be under water, and walk where it has ground under its feet; fliers leave water as they are asked into the air.</summary>
-    private void Float(in RootPlace place, in MotionInput input, in MotionSettings settings, IGround ground, in Pose shown)
+    private void Float(in RootPlace place, in WaterReading water, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose shown)
     {
         bool flies = inner != legs && input.Medium == MotionMedium.Air;
         bool swims = State == BodyState.Afloat;
-        if (swims ? flies || Water.IsAground(ground, place, settings) : !flies && MayFloat && Water.IsDeep(ground, place, settings))
+        if (swims ? flies || Water.IsAground(water, place, settings) : !flies && MayFloat && Water.IsDeep(water, place, settings))
         {
-            Change(!swims, place, settings, ground, shown);
+            Change(!swims, place, settings, ground, layer, shown);
         }
     }
 
     /// <summary>Begins to swim, or to walk.</summary>
-    private void Change(bool swims, in RootPlace place, in MotionSettings settings, IGround ground, in Pose shown)
+    private void Change(bool swims, in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose shown)
     {
         if (swims)
         {
@@ -42,7 +43,7 @@ internal sealed partial class FallingMode
         else
         {
             Tell(MotionEventKind.LeftWater, place, settings.Up, Math.Abs(Water.Speed) * place.Scale, 0f);
-            Water.Leave(place, settings, ground, shown);
+            Water.Leave(place, settings, ground, layer, shown);
             State = BodyState.Supported;
         }
     }

@@ -74,9 +74,6 @@ internal sealed partial class FallingMode : ILocomotionMode
 
     public bool IsFolded => inner.IsFolded;
 
-    /// <inheritdoc/>
-    public BodyLayer? Layer { get => inner.Layer; set => inner.Layer = value; }
-
     public bool Escapes => inner.Escapes;
 
     public float Clearance => State is BodyState.Falling or BodyState.Afloat ? float.PositiveInfinity : inner.Clearance;
@@ -86,7 +83,10 @@ internal sealed partial class FallingMode : ILocomotionMode
     /// <summary>Whether it goes on its legs and nothing else happens to it, or is about to.</summary>
     public bool OnlyWalks(in RootPlace place, in MotionSettings settings, IGround ground) => State == BodyState.Supported && inner == legs
         && !goesLimp && blow.Joint < 0 && recoil is not { IsActive: true } && reel is not { IsActive: true }
-        && !(floats != null && ground is IWaterGround wet && wet.DepthAt(place.Position) > float.MinValue && Water.IsWet(ground, place));
+        && !(Read(ground, place) is { Ground: not null } reading && Water.IsWet(reading, place));
+
+    /// <summary>What there is of water where it is; nothing for what does not float.</summary>
+    private WaterReading Read(IGround ground, in RootPlace place) => floats == null ? default : WaterReading.At(ground, place.Position);
 
     /// <summary>Whether feet, wings or water carry it.</summary>
     private bool IsUp => State is BodyState.Supported or BodyState.Leaping or BodyState.Landed;
@@ -135,13 +135,14 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         IGround felt = ground;
-        if (floats != null && ground is IWaterGround wet && (State == BodyState.Afloat || wet.DepthAt(place.Position) > float.MinValue))
+        WaterReading reading = Read(ground, place);
+        if (State == BodyState.Afloat || reading.Ground != null)
         {
-            Float(place, input, settings, ground, local);
-            felt = Water.FeltOf(ground, place, settings);
+            Float(place, reading, input, settings, ground, layer, local);
+            felt = Water.FeltOf(ground, reading, place, settings);
         }
 
         if (State == BodyState.Supported && inner == legs && footing.IsLost(body!, legs, place, dt, settings, felt))
@@ -156,10 +157,10 @@ internal sealed partial class FallingMode : ILocomotionMode
 
         if (getsUp && State == BodyState.Limp && Lying.IsCalm(place.Scale, settings.Gravity))
         {
-            place = Rise(place, settings, ground);
+            place = Rise(place, settings, ground, layer);
         }
 
-        RootPlace next = Move(place, dt, input, settings, State is BodyState.Supported or BodyState.Leaping or BodyState.Landed ? felt : ground, local);
+        RootPlace next = Move(place, reading, dt, input, settings, State is BodyState.Supported or BodyState.Leaping or BodyState.Landed ? felt : ground, layer, local);
         if (State is BodyState.Supported or BodyState.Afloat)
         {
             water?.Fade(next, dt, settings, local);
@@ -192,37 +193,38 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         bool swam = State == BodyState.Afloat;
         Recover();
-        bool swims = floats != null && ground is IWaterGround wet && wet.DepthAt(goal.Position) > float.MinValue && Water.CarriesAt(ground, goal, settings);
+        WaterReading reading = Read(ground, goal);
+        bool swims = reading.Ground != null && Water.Carries(reading, goal, settings);
         if (swims != swam)
         {
-            Change(swims, goal, settings, ground, local);
+            Change(swims, goal, settings, ground, layer, local);
         }
 
         local.SetToRest(subject.Skeleton);
         if (swims)
         {
             State = BodyState.Afloat;
-            Water.Follow(place, dt, goal, settings, ground, local);
+            Water.Follow(place, dt, goal, settings, ground, layer, local);
         }
         else
         {
-            inner.Follow(place, dt, goal, settings, ground, local);
+            inner.Follow(place, dt, goal, settings, ground, layer, local);
         }
 
         water?.Fade(goal, dt, settings, local);
     }
 
     /// <inheritdoc/>
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         Recover();
         water?.Stop();
         local.SetToRest(subject.Skeleton);
-        inner.Stand(place, settings, ground, local);
+        inner.Stand(place, settings, ground, layer, local);
     }
 
     /// <inheritdoc/>
@@ -275,28 +277,28 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     /// <summary>Moves on in the present state and writes the pose.</summary>
-    private RootPlace Move(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    private RootPlace Move(RootPlace place, in WaterReading reading, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         switch (State)
         {
             case BodyState.Leaping:
                 local.SetToRest(subject.Skeleton);
-                return Leaping(place, dt, settings, ground, local);
+                return Leaping(place, dt, settings, ground, layer, local);
             case BodyState.Falling:
                 local.SetToRest(subject.Skeleton);
-                return Falling(place, dt, settings, ground, local);
+                return Falling(place, dt, settings, ground, layer, local);
             case BodyState.Landed:
                 local.SetToRest(subject.Skeleton);
-                return Landed(place, dt, input, settings, ground, local);
+                return Landed(place, dt, input, settings, ground, layer, local);
             case BodyState.Afloat:
                 local.SetToRest(subject.Skeleton);
-                return Water.Update(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, local);
+                return Water.Update(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, layer, local);
             case BodyState.Limp:
                 place = Lying.Advance(place, dt, settings, ground);
                 Lying.Show(place, dt, settings, ground, local);
                 return place;
             case BodyState.Rising:
-                if (Up.Advance(place, dt, settings, ground, local))
+                if (Up.Advance(place, dt, settings, ground, layer, local))
                 {
                     Recover();
                     Tell(MotionEventKind.Rose, place, settings.Up, 0f, 0f);
@@ -305,29 +307,21 @@ internal sealed partial class FallingMode : ILocomotionMode
                 return place;
             default:
                 local.SetToRest(subject.Skeleton);
-                return Carried(place, dt, input, settings, ground, local);
+                return Carried(place, reading, dt, input, settings, ground, layer, local);
         }
     }
 
-    private RootPlace Carried(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    private RootPlace Carried(in RootPlace place, in WaterReading reading, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         float tau = Tau(place.Scale, settings.Gravity);
-        BodyLayer? asked = inner.Layer;
-        inner.Layer = reel == null ? asked : reel.On(asked, dt, tau);
-        try
-        {
-            MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, ground, place, settings) : input;
-            return inner.Update(drift.Carry(place, dt, tau), dt, possible, settings, ground, local);
-        }
-        finally
-        {
-            inner.Layer = asked;
-        }
+        BodyLayer? reeling = reel == null ? layer : reel.On(layer, dt, tau);
+        MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, reading, place, settings) : input;
+        return inner.Update(drift.Carry(place, dt, tau), dt, possible, settings, ground, reeling, local);
     }
 
-    private RootPlace Leaping(RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
+    private RootPlace Leaping(RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
-        place = Leap.Advance(place, dt, settings, ground, local, out bool off);
+        place = Leap.Advance(place, dt, settings, ground, layer, local, out bool off);
         if (off)
         {
             Fall.Begin(local, Leap.Velocity, Leap.Turn);
@@ -342,10 +336,10 @@ internal sealed partial class FallingMode : ILocomotionMode
     private float Tau(float scale, float gravity) => (float)Math.Sqrt(profile.Value.Height * scale / gravity);
 
     /// <summary>Begins to get up from where it lies.</summary>
-    private RootPlace Rise(in RootPlace place, in MotionSettings settings, IGround ground)
+    private RootPlace Rise(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         RootPlace stand = Lying.PlaceUnder(place, settings, ground);
-        Up.Begin(Lying, stand, settings, ground);
+        Up.Begin(Lying, stand, settings, ground, layer);
         Lying.Stop();
         getsUp = false;
         State = BodyState.Rising;
@@ -361,9 +355,9 @@ internal sealed partial class FallingMode : ILocomotionMode
         Tell(MotionEventKind.Fell, place, settings.Up, 0f, 0f);
     }
 
-    private RootPlace Falling(RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
+    private RootPlace Falling(RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
-        place = Fall.Fall(place, dt, settings, ground, local, out float impact);
+        place = Fall.Fall(place, dt, settings, ground, layer, local, out float impact);
         if (impact > 0f)
         {
             State = BodyState.Landed;
@@ -383,12 +377,12 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     /// <summary>The legs take up the fall; meanwhile it goes no faster than it came.</summary>
-    private RootPlace Landed(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    private RootPlace Landed(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         State = Fall.Absorb(dt) ? BodyState.Supported : State;
         float going = legs!.Speed * place.Scale;
         var asked = new MotionInput(Scalar.Clamp(input.Speed, Math.Min(going, 0f), Math.Max(going, 0f)), input.YawRate);
-        place = legs.Update(place, dt, asked, settings, ground, local);
+        place = legs.Update(place, dt, asked, settings, ground, layer, local);
         Fall.Fade(dt, local);
         return place;
     }

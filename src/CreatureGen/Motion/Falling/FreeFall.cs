@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Bodies;
@@ -86,10 +87,11 @@ internal sealed class FreeFall
     /// <param name="dt">Seconds.</param>
     /// <param name="settings">Gravity and up.</param>
     /// <param name="ground">What it may fall on.</param>
+    /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
     /// <param name="impact">Speed at which it came down, m/s; 0 while it falls.</param>
     /// <returns>Where the root is then.</returns>
-    public RootPlace Fall(RootPlace place, float dt, MotionSettings settings, IGround ground, in Pose local, out float impact)
+    public RootPlace Fall(RootPlace place, float dt, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local, out float impact)
     {
         impact = 0f;
         Vector3 up = settings.Up;
@@ -125,7 +127,7 @@ internal sealed class FreeFall
         Vector3 ahead = Rotation.Rotate(Rotation.Inverse(place.Rotation), velocity) / place.Scale;
         legs.Sink = (float)sink.Value;
         legs.Bow = 0f;
-        legs.Arrive(place, ahead.Z, ahead.Z, turn, settings, floor, local);
+        legs.Arrive(place, ahead.Z, ahead.Z, turn, settings, floor, layer, local);
         fade.Apply(dt, FadeTime * tau, local);
         if (down)
         {

@@ -50,24 +50,25 @@ internal sealed class GettingUp
     /// <param name="place">Where it will stand.</param>
     /// <param name="settings">Up and gravity.</param>
     /// <param name="ground">What it lies on.</param>
-    public void Begin(LimpBody limp, in RootPlace place, in MotionSettings settings, IGround ground)
+    /// <param name="layer">What an act asks of trunk and feet.</param>
+    public void Begin(LimpBody limp, in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         limp.Show(place, 0f, settings, ground, from.Local);
         from.Finish();
         to.SetToRest();
-        inner.Stand(place, settings, ground, to.Pose);
+        inner.Stand(place, settings, ground, layer, to.Pose);
         bool crouches = legs != null && inner.IsOnFeet;
         if (crouches)
         {
             legs!.Bow = 0f;
-            Crouch(profile.CrouchDepth, place, settings);
+            Crouch(profile.CrouchDepth, place, settings, layer);
             shown.Take(to.Pose);
             shown.Finish();
             float sunk = -profile.Support.Lowest(BodyPart.Trunk, place, shown.Model, settings.Up, ground, out _);
             if (sunk > 0f)
             {
                 // What hangs lower than its belly, as long folded wings do, keeps it up.
-                Crouch(Math.Max(crouch - sunk, 0f), place, settings);
+                Crouch(Math.Max(crouch - sunk, 0f), place, settings, layer);
             }
         }
 
@@ -85,9 +86,10 @@ internal sealed class GettingUp
     /// <param name="dt">Seconds.</param>
     /// <param name="settings">Up and gravity.</param>
     /// <param name="ground">What it lies on.</param>
+    /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
     /// <returns>Whether it is over.</returns>
-    public bool Advance(in RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
+    public bool Advance(in RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         elapsed += dt;
         if (elapsed < gather)
@@ -104,7 +106,7 @@ internal sealed class GettingUp
             (float fore, float hind) = profile.Manner.At(Math.Min(u, 1f));
             legs!.Sink = hind * crouch;
             legs.Bow = (fore - hind) * crouch;
-            legs.Hold(place, dt, settings, local);
+            legs.Hold(place, dt, settings, layer, local);
             shown.Take(local);
             shown.Finish();
             GroundClearance.BendUp(profile, shown, place, settings.Up, ground);
@@ -123,11 +125,11 @@ internal sealed class GettingUp
     }
 
     /// <summary>Stands in a crouch so deep, metres of the model.</summary>
-    private void Crouch(float depth, in RootPlace place, in MotionSettings settings)
+    private void Crouch(float depth, in RootPlace place, in MotionSettings settings, BodyLayer? layer)
     {
         crouch = depth;
         legs!.Sink = depth;
-        legs.Hold(place, 0f, settings, to.Pose);
+        legs.Hold(place, 0f, settings, layer, to.Pose);
     }
 
     /// <summary>Rolls onto the belly and gathers the legs.</summary>

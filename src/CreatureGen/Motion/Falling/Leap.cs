@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
@@ -116,10 +117,11 @@ internal sealed class Leap
     /// <param name="dt">Seconds.</param>
     /// <param name="settings">Up and gravity.</param>
     /// <param name="ground">What it stands on.</param>
+    /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
     /// <param name="off">Whether its feet leave the ground.</param>
     /// <returns>Where the root is then.</returns>
-    public RootPlace Advance(RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local, out bool off)
+    public RootPlace Advance(RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local, out bool off)
     {
         float tau = (float)Math.Sqrt(body.LegLength * place.Scale / settings.Gravity);
         float depth = Crouch * profile.CrouchDepth;
@@ -133,7 +135,7 @@ internal sealed class Leap
         {
             legs.Sink = depth * Scalar.Smooth(elapsed / crouch);
             float rate = Scalar.Clamp(angle / Math.Max(crouch - elapsed, dt), -TurnRate, TurnRate);
-            return legs.Update(place, dt, new MotionInput(Math.Max(speed, 0f) * place.Scale, rate), settings, ground, local);
+            return legs.Update(place, dt, new MotionInput(Math.Max(speed, 0f) * place.Scale, rate), settings, ground, layer, local);
         }
 
         float u = Math.Min((elapsed - crouch) / push, 1f);
@@ -142,7 +144,7 @@ internal sealed class Leap
         Vector3 before = Rotation.Rotate(place.Rotation, legs.Velocity.Linear) * place.Scale;
         Vector3 now = Vec.Lerp(before, ahead, u);
         place = new RootPlace(place.Position + (now * Math.Min(dt, push)), place.Rotation, place.Scale);
-        legs.Hold(place, dt, settings, local);
+        legs.Hold(place, dt, settings, layer, local);
         Velocity = ahead + (settings.Up * upward);
         Turn = angle / Math.Max(seconds, 0.05f);
         return place;

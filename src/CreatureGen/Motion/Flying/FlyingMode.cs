@@ -29,7 +29,6 @@ internal sealed class FlyingMode : ILocomotionMode
     private readonly StancePose stance;
     private readonly EventQueue events;
     private FlightState state;
-    private BodyLayer? layer;
     private float turn;
 
     /// <summary>Speed at which it began to reach for the ground, metres of the model per second; null while it does not.</summary>
@@ -63,34 +62,21 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public bool Escapes => false;
 
-    public BodyLayer? Layer
-    {
-        get => layer;
-        set
-        {
-            layer = value;
-            if (legs != null)
-            {
-                legs.Layer = value;
-            }
-        }
-    }
-
     /// <summary>How it is where nothing is asked of it.</summary>
     private FlightState Resting => legs != null ? FlightState.OnGround : FlightState.Hovering(profile);
 
     /// <summary>Whether it stands still with its wings folded.</summary>
     public bool IsFolded => StandsOnFeet && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
 
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         bool before = IsOnFeet;
-        BodyVelocity velocity = Fly(place, dt, input, settings, ground, local);
+        BodyVelocity velocity = Fly(place, dt, input, settings, ground, layer, local);
         if (IsOnFeet)
         {
-            TouchDown(before, place, settings, ground);
+            TouchDown(before, place, settings, ground, layer);
             legs!.Sink = (float)(profile.CrouchDepth * state.CrouchDepth);
-            place = legs.Update(place, dt, OnFoot(input, place.Scale), settings, ground, stance.Cleared());
+            place = legs.Update(place, dt, OnFoot(input, place.Scale), settings, ground, layer, stance.Cleared());
             Speed = legs.Speed;
         }
         else
@@ -99,23 +85,23 @@ internal sealed class FlyingMode : ILocomotionMode
             Speed = state.Speed;
             turn = (float)state.Turn.Value;
             place = RootStep.Advance(place, velocity, dt);
-            Reach(place, settings, ground);
+            Reach(place, settings, ground, layer);
         }
 
         Mix(local);
         return place;
     }
 
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         bool before = IsOnFeet;
         float height = HeightOf(goal, settings, ground);
         MotionMedium medium = height > AirborneHeight * profile.LegLength ? MotionMedium.Air : MotionMedium.Ground;
-        BodyVelocity velocity = Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, local);
+        BodyVelocity velocity = Fly(goal, dt, RootStep.Asked(place, dt, goal, medium), settings, ground, layer, local);
         if (IsOnFeet)
         {
-            TouchDown(before, goal, settings, ground);
-            legs!.Follow(place, dt, goal, settings, ground, stance.Cleared());
+            TouchDown(before, goal, settings, ground, layer);
+            legs!.Follow(place, dt, goal, settings, ground, layer, stance.Cleared());
             Speed = legs.Speed;
         }
         else
@@ -123,21 +109,21 @@ internal sealed class FlyingMode : ILocomotionMode
             LiftOff(before, goal.Scale);
             Speed = state.Speed;
             turn = (float)state.Turn.Value;
-            Reach(goal, settings, ground);
+            Reach(goal, settings, ground, layer);
         }
 
         Mix(local);
     }
 
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         state = Resting;
         Speed = 0f;
-        Fly(place, 0f, default, settings, ground, local);
+        Fly(place, 0f, default, settings, ground, layer, local);
         if (legs != null)
         {
             legs.Sink = 0f;
-            legs.Stand(place, settings, ground, stance.Cleared());
+            legs.Stand(place, settings, ground, layer, stance.Cleared());
         }
 
         Mix(local);
@@ -168,12 +154,12 @@ internal sealed class FlyingMode : ILocomotionMode
     }
 
     /// <summary>Lets the legs take over, at the speed at which it came down.</summary>
-    private void TouchDown(bool before, in RootPlace place, in MotionSettings settings, IGround ground)
+    private void TouchDown(bool before, in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         if (!before)
         {
             legs!.Sink = 0f;
-            legs.Arrive(place, Speed, foreseen ?? Speed, turn, settings, ground, stance.Cleared());
+            legs.Arrive(place, Speed, foreseen ?? Speed, turn, settings, ground, layer, stance.Cleared());
             legs.Tell(MotionEventKind.FootDown, Speed * place.Scale, PushForce);
             foreseen = null;
         }
@@ -188,13 +174,13 @@ internal sealed class FlyingMode : ILocomotionMode
     }
 
     /// <summary>Sets the feet of a flier that comes down where they will stand.</summary>
-    private void Reach(in RootPlace place, in MotionSettings settings, IGround ground)
+    private void Reach(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         if (legs != null && state.Phase == FlightPhase.Landing && state.Planting > 0)
         {
             foreseen ??= Speed;
             legs.Sink = 0f;
-            legs.Arrive(place, Speed, foreseen.Value, turn, settings, ground, stance.Cleared());
+            legs.Arrive(place, Speed, foreseen.Value, turn, settings, ground, layer, stance.Cleared());
         }
         else
         {
@@ -210,7 +196,7 @@ internal sealed class FlyingMode : ILocomotionMode
         }
     }
 
-    private BodyVelocity Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, in Pose local)
+    private BodyVelocity Fly(in RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         FlightIntent intent = legs == null || input.Medium == MotionMedium.Air ? FlightIntent.Air : FlightIntent.Ground;
         float scale = place.Scale;

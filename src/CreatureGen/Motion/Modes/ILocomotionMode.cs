@@ -33,18 +33,16 @@ internal interface ILocomotionMode
     /// <summary>How far the body leans to its left, radians, so that its weight and the turn that it flies balance: what hangs on it feels no push to the side. 0 where the ground or water carries it.</summary>
     float BalancedBank { get; }
 
-    /// <summary>What an act asks of trunk and feet that stand, and of wings; null for nothing. Who has none of them takes no notice.</summary>
-    BodyLayer? Layer { get; set; }
-
     /// <summary>Moves on as asked and writes the pose.</summary>
     /// <param name="place">Where the creature is.</param>
     /// <param name="dt">Seconds.</param>
     /// <param name="input">What it is to do; finite.</param>
     /// <param name="settings">How it goes.</param>
     /// <param name="ground">What it goes on, or over.</param>
+    /// <param name="layer">What an act asks of trunk and feet that stand, and of wings; null for nothing. Who has none of them takes no notice.</param>
     /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
     /// <returns>Where it is then.</returns>
-    RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local);
+    RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
 
     /// <summary>Moves on as the game moved it and writes the pose.</summary>
     /// <param name="place">Where the creature was.</param>
@@ -52,11 +50,12 @@ internal interface ILocomotionMode
     /// <param name="goal">Where it is now.</param>
     /// <param name="settings">How it goes.</param>
     /// <param name="ground">What it goes on, or over.</param>
+    /// <param name="layer">What an act asks of trunk and feet that stand, and of wings; null for nothing. Who has none of them takes no notice.</param>
     /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
-    void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local);
+    void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
 
     /// <summary>Stands, floats or lies at a place as if it had always been there, and writes the pose.</summary>
-    void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local);
+    void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
 
     /// <summary>Moves the origin of the world.</summary>
     void Rebase(Vector3 offset);

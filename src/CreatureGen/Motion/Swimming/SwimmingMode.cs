@@ -32,13 +32,11 @@ internal sealed class SwimmingMode : ILocomotionMode
 
     public bool Escapes => state.EscapeProgress > 0f;
 
-    public BodyLayer? Layer { get; set; }
-
     public float Clearance => float.PositiveInfinity;
 
     public float BalancedBank => 0f;
 
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         // It sees the ground ahead in time to rise above it.
         float ahead = (Foresight * Math.Max(state.Speed, 0f)) + (0.5f * profile.BodyLength);
@@ -49,10 +47,10 @@ internal sealed class SwimmingMode : ILocomotionMode
         return below < 0f ? new RootPlace(to.Position - (settings.Up * (below * to.Scale)), to.Rotation, to.Scale) : to;
     }
 
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local) =>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local) =>
         Swim(place.Scale, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, float.PositiveInfinity, local);
 
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         state = default;
         Swim(place.Scale, 0f, default, settings, float.PositiveInfinity, local);

@@ -117,16 +117,16 @@ internal sealed partial class WalkingMode
         going = true;
         standing = true;
         arrived = true;
-        PoseFeet(place, 0f, settings, 0f);
+        PoseFeet(place, 0f, settings, null, 0f);
         placer.Reset(planner.Feet);
     }
 
-    private RootPlace Update(RootPlace placement, float dt, in MotionInput input, MotionSettings settings, IGround ground)
+    private RootPlace Update(RootPlace placement, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         // From here on in metres of the model.
         float scale = placement.Scale;
         settings.Gravity = GravityOf(settings, scale);
-        Begin(placement, settings, ground);
+        Begin(placement, settings, ground, layer);
         pushed = default;
         velocity.Bounds = VelocityBounds.Of(body, settings);
         (float goal, float aside) = Asked(input, scale, settings);
@@ -151,9 +151,9 @@ internal sealed partial class WalkingMode
         return placement;
     }
 
-    private void Follow(in RootPlace placement, float dt, in RootPlace goal, MotionSettings settings, IGround ground)
+    private void Follow(in RootPlace placement, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer)
     {
-        Begin(goal, settings, ground);
+        Begin(goal, settings, ground, layer);
         PlatformRide.Carry(planner.Feet, goal, ground, settings.Up);
         if (dt > 0f)
         {

@@ -107,8 +107,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
     public float BalancedBank => 0f;
 
     /// <inheritdoc/>
-    public BodyLayer? Layer { get; set; }
-
     /// <summary>How far the body is let down into its legs, metres of the model.</summary>
     public float Sink { get; set; }
 
@@ -143,10 +141,10 @@ internal sealed partial class WalkingMode : ILocomotionMode
     public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);
 
     /// <inheritdoc/>
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, in Pose local)
+    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
-        Stand(place, settings, ground);
-        Pose(place, 0f, settings, false, local);
+        Stand(place, settings, ground, layer);
+        Pose(place, 0f, settings, layer, false, local);
     }
 
     /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
@@ -156,14 +154,15 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="turn">Radians per second.</param>
     /// <param name="settings">What can be set.</param>
     /// <param name="ground">Where feet find footing.</param>
+    /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Arrive(in RootPlace place, float speed, float foreseen, float turn, MotionSettings settings, IGround ground, in Pose local)
+    public void Arrive(in RootPlace place, float speed, float foreseen, float turn, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         MotionSettings own = settings with { Gravity = GravityOf(settings, place.Scale) };
         float unit = own.Gravity * body.LegLength;
         float walking = (float)Math.Sqrt(SlowWalk * unit);
         int before = gait;
-        Stand(place, own, ground);
+        Stand(place, own, ground, layer);
         if (foreseen > ArrivalSpeed * walking)
         {
             float froude = speed * speed / unit;
@@ -175,19 +174,20 @@ internal sealed partial class WalkingMode : ILocomotionMode
             clock.Phase = 0;
             clock.Slide(0f, velocity, own.Gravity, Math.Min(speed / walking, 1f), 0f, own.Walking.Stride);
             planner.PlaceInStride(new StepContext(place, velocity, clock, own, ground, 0f, 0f, 0f, activity, true, 0f));
-            PoseFeet(place, 0f, own, 0f);
+            PoseFeet(place, 0f, own, layer, 0f);
             placer.Reset(planner.Feet);
         }
 
-        Pose(place, 0f, settings, false, local);
+        Pose(place, 0f, settings, layer, false, local);
     }
 
     /// <summary>Poses it with its feet where they are: time passes for nothing but its breath.</summary>
     /// <param name="place">Where the root is.</param>
     /// <param name="dt">Seconds.</param>
     /// <param name="settings">What can be set.</param>
+    /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Hold(in RootPlace place, float dt, MotionSettings settings, in Pose local) => Pose(place, dt, settings, false, local);
+    public void Hold(in RootPlace place, float dt, MotionSettings settings, BodyLayer? layer, in Pose local) => Pose(place, dt, settings, layer, false, local);
 
     /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
     /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
@@ -198,7 +198,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     public void SetOff(float speed, float turn) => velocity = RootVelocity.At(speed, 0f, turn);
 
     /// <summary>Puts all feet down at home.</summary>
-    private void Stand(in RootPlace placement, in MotionSettings settings, IGround ground)
+    private void Stand(in RootPlace placement, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         velocity = default;
         pushed = default;
@@ -212,7 +212,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
         clock.Slide(0f, velocity, settings.Gravity, 0f, 0f);
         planner.PlaceAll(new StepContext(placement, velocity, clock, settings, ground, 0f, 0f, 0f, 0f, false, 0f));
-        PoseFeet(placement, 0f, settings, 0f);
+        PoseFeet(placement, 0f, settings, layer, 0f);
         placer.Reset(planner.Feet);
         standing = true;
         arrived = true;
@@ -241,41 +241,41 @@ internal sealed partial class WalkingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
-        RootPlace next = Update(place, dt, input, settings, ground);
-        Pose(next, dt, settings, true, local);
+        RootPlace next = Update(place, dt, input, settings, ground, layer);
+        Pose(next, dt, settings, layer, true, local);
         return next;
     }
 
     /// <inheritdoc/>
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         RootPlace before = pushed.At(place);
         MotionSettings own = settings with { Gravity = GravityOf(settings, goal.Scale), Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY) };
         if (!pushed.Follow(place, goal, dt, VelocityBounds.Of(body, own), own.Gravity, body.LegLength))
         {
-            Stand(goal, settings, ground, local);
+            Stand(goal, settings, ground, layer, local);
             return;
         }
 
         RootPlace at = pushed.At(goal);
-        Follow(before, dt, at, own, ground);
-        Pose(at, dt, settings, true, local);
+        Follow(before, dt, at, own, ground, layer);
+        Pose(at, dt, settings, layer, true, local);
         pushed.Show(goal, body.Body, local);
     }
 
     /// <summary>Writes the pose of a body that may rest as it stands, or of one that is held.</summary>
-    private void Pose(in RootPlace placement, float dt, MotionSettings settings, bool rests, in Pose local)
+    private void Pose(in RootPlace placement, float dt, MotionSettings settings, BodyLayer? layer, bool rests, in Pose local)
     {
         settings.Gravity = GravityOf(settings, placement.Scale);
-        float held = Layer?.Still ?? 0f;
+        float held = layer?.Still ?? 0f;
         IdlePose idle = life.Follow(body, dt, activity, settings.Idle * (1f - held), rests && activity < MinActivity && held < MinActivity);
-        PoseFeet(placement, dt, settings, idle.Rest);
+        PoseFeet(placement, dt, settings, layer, idle.Rest);
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);
         var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow, Facing);
-        placer.Place(context, Layer, planner.Feet, poses);
+        placer.Place(context, layer, planner.Feet, poses);
         poser.PoseTrunk(placer, local);
         for (int i = 0; i < poses.Length; i++)
         {
@@ -297,11 +297,11 @@ internal sealed partial class WalkingMode : ILocomotionMode
         arrived = false;
     }
 
-    private void Begin(in RootPlace placement, in MotionSettings settings, IGround ground)
+    private void Begin(in RootPlace placement, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         if (!standing)
         {
-            Stand(placement, settings, ground);
+            Stand(placement, settings, ground, layer);
         }
     }
 
@@ -356,16 +356,16 @@ internal sealed partial class WalkingMode : ILocomotionMode
         }
     }
 
-    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings, float rest)
+    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings, BodyLayer? layer, float rest)
     {
         var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, dt);
         for (int i = 0; i < poses.Length; i++)
         {
             FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, rest * body.RestPitch(i), out poses[i]);
             planner.Feet[i].Taken = 0f;
-            if (Layer != null)
+            if (layer != null)
             {
-                FootPoser.Add(body.Legs[i], Layer.Feet[i], ref planner.Feet[i], ref poses[i]);
+                FootPoser.Add(body.Legs[i], layer.Feet[i], ref planner.Feet[i], ref poses[i]);
             }
         }
     }

@@ -30,7 +30,7 @@ internal static class WeightShift
         MotionSettings settings = MotionSettings.Default;
         settings.Idle = 0f;
         local.SetToRest(body.Skeleton);
-        legs.Stand(RootPlace.Identity, settings, FlatGround.Level, local);
+        legs.Stand(RootPlace.Identity, settings, FlatGround.Level, null, local);
         ForwardKinematics.LocalToModel(body.Skeleton, local, model);
         var stands = new (Vector3 Ball, Vector3 Sole)[body.Legs.Length];
         for (int i = 0; i < stands.Length; i++)
@@ -51,7 +51,7 @@ internal static class WeightShift
                 double step = (moment - (past - Math.Floor(past)) + 1) * body.Idle.Period;
                 seconds += (float)step;
                 local.SetToRest(body.Skeleton);
-                legs.Hold(RootPlace.Identity, (float)step, settings, local);
+                legs.Hold(RootPlace.Identity, (float)step, settings, null, local);
                 ForwardKinematics.LocalToModel(body.Skeleton, local, model);
                 for (int i = 0; i < stands.Length; i++)
                 {

@@ -36,7 +36,7 @@ internal sealed class ActStage
         modelPositions = new Vector3[count];
         feet = new Vector3[body.Legs?.Legs.Length ?? 0];
         Local.SetToRest(body.Skeleton);
-        mode?.Stand(RootPlace.Identity, MotionSettings.Default, FlatGround.Level, Local);
+        mode?.Stand(RootPlace.Identity, MotionSettings.Default, FlatGround.Level, null, Local);
         ForwardKinematics.LocalToModel(body.Skeleton, Local, Model);
         for (int i = 0; i < feet.Length; i++)
         {
@@ -87,12 +87,7 @@ internal sealed class ActStage
 
         performer.Show(values, aim, RootPlace.Identity);
         Local.SetToRest(body.Skeleton);
-        if (mode != null)
-        {
-            mode.Layer = performer.Trunk;
-            mode.Update(RootPlace.Identity, 0f, default, MotionSettings.Default, FlatGround.Level, Local);
-        }
-
+        mode?.Update(RootPlace.Identity, 0f, default, MotionSettings.Default, FlatGround.Level, performer.Trunk, Local);
         ForwardKinematics.LocalToModel(body.Skeleton, Local, Model);
         performer.Pose(RootPlace.Identity, body.Legs != null, ActGround.Level, Local, Model);
     }
