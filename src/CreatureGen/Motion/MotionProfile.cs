@@ -16,6 +16,7 @@ using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Pace;
+using CreatureGen.Motion.Winged;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion;
@@ -55,6 +56,7 @@ public sealed class MotionProfile
             WeightShift.Find(Legs, Gaits);
         }
 
+        Wings = Legs == null ? null : CarriedWings.Of(Legs);
         switch (subject.Kind)
         {
             case LocomotionKind.Flying:
@@ -109,6 +111,9 @@ public sealed class MotionProfile
     /// <summary>The body as its walk sees it; null without legs.</summary>
     internal LeggedBody? Legs { get; }
 
+    /// <summary>Wings that it carries as it goes on its legs; null for fliers, and for what has none or has them on its flanks as it was grown.</summary>
+    internal CarriedWings? Wings { get; }
+
     /// <summary>How it floats and paddles; null without legs, and for what swims.</summary>
     internal FloatProfile? Float { get; }
 
@@ -124,7 +129,7 @@ public sealed class MotionProfile
     /// <returns>Null for a creature that does not move by itself.</returns>
     internal ILocomotionMode? Begin(EventQueue events, out WalkingMode? legs)
     {
-        legs = Legs == null ? null : new WalkingMode(Legs, Gaits!, events);
+        legs = Legs == null ? null : new WalkingMode(Legs, Gaits!, events, Wings);
         return Flight != null ? new FlyingMode(Flight, legs, events)
             : Swim != null ? new SwimmingMode(Swim)
             : Slither != null ? new SlitheringMode(Slither)

@@ -1,9 +1,10 @@
 using System;
 using System.Numerics;
-using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Wings;
+using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Motion.Winged;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Flying;

@@ -1,4 +1,5 @@
 using CreatureGen.Maths;
+using CreatureGen.Motion.Winged;
 
 namespace CreatureGen.Motion.Flying;
 
@@ -21,4 +22,5 @@ internal enum FlightIntent
 /// <param name="Gravity">Metres per second squared; 0.05..10000. In the space of the model: that of the world over the creature's scale.</param>
 /// <param name="Settings">How it flies; null for the defaults.</param>
 /// <param name="ShownWings">How far wings are spread and raised to be seen, however it goes: 0..1, or beyond to raise them higher.</param>
-internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f, float Gravity = StandardGravity.Acceleration, FlyingSettings? Settings = null, float ShownWings = 0f);
+/// <param name="Sway">How folded wings swing with its steps.</param>
+internal readonly record struct FlightInput(FlightIntent Intent, float Speed, float YawRate = 0f, float ClimbRate = 0f, float Height = 100f, float Gravity = StandardGravity.Acceleration, FlyingSettings? Settings = null, float ShownWings = 0f, WingSway Sway = default);

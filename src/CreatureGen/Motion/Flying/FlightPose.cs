@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
+using CreatureGen.Motion.Winged;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Flying;
@@ -38,6 +39,8 @@ internal static class FlightPose
             Steer = steer,
             Hover = hover,
             Drift = slow,
+            LiftLeft = input.Sway.Left,
+            LiftRight = input.Sway.Right,
         };
         foreach (WingPair wing in profile.Wings)
         {

@@ -1,13 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Wings;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Winged;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
@@ -16,9 +17,6 @@ namespace CreatureGen.Motion.Flying;
 /// <summary>How a creature flies, worked out once from its build: its wings, their tempo, its legs, neck and tail. Immutable, and safe to share between threads.</summary>
 internal sealed class FlightProfile
 {
-    /// <summary>How far spread wings are turned back as they fold, of what they hang beyond the elbow: somewhat farther, or they would hang off the flank with a corner.</summary>
-    private const double Flattened = 1.4;
-
     /// <summary>That which its tempo and speeds are given for.</summary>
     private const double Gravity = StandardGravity.Acceleration;
     private const double AirDensity = 1.225;
@@ -243,7 +241,7 @@ internal sealed class FlightProfile
         }
 
         thin.Sort((a, b) => b.Points[0].Z.CompareTo(a.Points[0].Z));
-        wings = Folded(subject, stitched, room);
+        wings = WingPair.Folded(subject, stitched, FoldRange.Stitched, room);
         buzzers = new BuzzPair[thin.Count];
         double breadth = Scalar.Smooth(((area / (span * span)) - NarrowWings) / (BroadWings - NarrowWings));
         for (int k = 0; k < buzzers.Length; k++)
@@ -252,32 +250,6 @@ internal sealed class FlightProfile
         }
 
         legs = limbs.ToArray();
-    }
-
-    /// <summary>Stitched wings, folded from the rear: those before them lie over them, as tiles do.</summary>
-    private static WingPair[] Folded(MotionSubject subject, List<PairedChain> stitched, FoldRoom room)
-    {
-        int[] order = new int[stitched.Count];
-        double[] places = new double[order.Length];
-        for (int k = 0; k < order.Length; k++)
-        {
-            order[k] = k;
-            places[k] = stitched[k].Points[0].Z;
-        }
-
-        Array.Sort(places, order);
-        var wings = new WingPair[order.Length];
-        foreach (int k in order)
-        {
-            FoldedWing folded = FoldedWing.Of(subject, stitched[k], 0, -Flattened * WingForm.OuterIncidence, FoldRange.Stitched, room);
-            wings[k] = new WingPair(stitched[k], folded);
-            if (order.Length > 1)
-            {
-                folded.Cover(subject, room);
-            }
-        }
-
-        return wings;
     }
 
     private static int ShoulderOf(MotionSubject subject)

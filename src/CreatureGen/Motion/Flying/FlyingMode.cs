@@ -207,7 +207,7 @@ internal sealed class FlyingMode : ILocomotionMode
 
         state.RunOut = legs?.RunOut ?? 0f;
         state.Raised = legs?.Raised ?? 0f;
-        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying, Math.Max(layer?.Wings ?? 0f, 0f));
+        var asked = new FlightInput(intent, input.Speed / scale, input.YawRate, input.ClimbRate / scale, HeightOf(place, settings, ground), settings.Gravity / scale, settings.Flying, Math.Max(layer?.Wings ?? 0f, 0f), IsOnFeet ? legs!.Sway : default);
         BodyVelocity velocity = FlightMotion.Update(profile, asked, ref state, dt, local);
         for (int k = state.BeatsBegun - 1; k >= 0; k--)
         {

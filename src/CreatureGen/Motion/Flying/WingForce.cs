@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Winged;
 
 namespace CreatureGen.Motion.Flying;
 

@@ -3,12 +3,14 @@ using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Subjects;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Footsteps;
 using CreatureGen.Motion.Walking.Idle;
 using CreatureGen.Motion.Walking.Pace;
 using CreatureGen.Motion.Walking.Poses;
 using CreatureGen.Motion.Walking.Trunk;
+using CreatureGen.Motion.Winged;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Walking;
@@ -57,12 +59,15 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private readonly RestRotations turns;
     private readonly LegPoser poser;
     private readonly FootPose[] poses;
+    private readonly CarriedWings? wings;
+    private readonly bool winged;
     private RootVelocity velocity;
     private PushedBody pushed;
     private int gait;
     private float activity;
     private float acceleration;
     private StandingLife life;
+    private WingSway sway;
     private bool standing;
     private bool moving;
     private bool going;
@@ -72,9 +77,16 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private RootHeight height;
     private ExponentialDecay raiseDecay;
 
-    public WalkingMode(LeggedBody body, GaitSet gaits, EventQueue events)
+    /// <summary>Sets a body on its legs.</summary>
+    /// <param name="body">The body.</param>
+    /// <param name="gaits">How it goes.</param>
+    /// <param name="events">Receives its footsteps.</param>
+    /// <param name="wings">Wings that it carries; null without, and for those that others write.</param>
+    public WalkingMode(LeggedBody body, GaitSet gaits, EventQueue events, CarriedWings? wings = null)
     {
         this.body = body;
+        this.wings = wings;
+        winged = SpreadWings.Of(body.Subject);
         this.gaits = gaits;
         clock = new GaitClock(body, gaits.Steps[0].Gait);
         planner = new FootPlanner(body, events);
@@ -115,6 +127,9 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
     /// <summary>Yaw of what its head is to look at, seen from the root, radians: its chest joins in. 0 for nothing.</summary>
     public float Facing { get; set; }
+
+    /// <summary>How folded wings swing with it.</summary>
+    public WingSway Sway => sway;
 
     /// <summary>How it goes at present, metres per second of the model, and radians per second.</summary>
     public BodyVelocity Velocity => new(new Vector3(velocity.Sideways, 0f, velocity.Speed), velocity.Turn);
@@ -206,6 +221,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         moving = false;
         going = false;
         activity = 0f;
+        sway = default;
         life.Wake();
         acceleration = 0f;
         gait = 0;
@@ -237,7 +253,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         (velocity, pushed, acceleration, gait, activity, life) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.activity, mode.life);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
         (activityDecay, height, raiseDecay, Sink, Bow, Raised, Facing) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised, mode.Facing);
-        (underfoot, underfootDecay) = (mode.underfoot, mode.underfootDecay);
+        (underfoot, underfootDecay, sway) = (mode.underfoot, mode.underfootDecay, mode.sway);
     }
 
     /// <inheritdoc/>
@@ -286,6 +302,11 @@ internal sealed partial class WalkingMode : ILocomotionMode
         ArmSwing.Pose(body, turns, placer, context, local);
         FlipperPosture.Pose(body, turns, placer, context, local);
         TailPosture.Pose(body, turns, placer, context, local);
+        if (winged)
+        {
+            sway.Follow(placer.Bounce, placer.Scissor * activity, idle.Wings, (float)Math.Sqrt(body.LegLength / settings.Gravity), dt);
+            wings?.Write(layer?.Wings ?? 0f, sway, local);
+        }
     }
 
     /// <summary>Brings the trunk into its posture: down at once, up after the last step.</summary>

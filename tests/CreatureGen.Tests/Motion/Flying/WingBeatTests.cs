@@ -1,5 +1,5 @@
 using CreatureGen.Maths;
-using CreatureGen.Motion.Flying;
+using CreatureGen.Motion.Winged;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Flying;

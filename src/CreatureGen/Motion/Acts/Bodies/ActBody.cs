@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Subjects;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Rigging;
@@ -42,7 +43,7 @@ internal sealed class ActBody
         Back = new TurnedChain(Skeleton, legs == null && Build != BodyBuild.Legless ? Spine : Array.Empty<int>());
         Ears = RootsOf(JointRole.Ear);
         Arms = subject.Limbs.Where(limb => limb.Kind == LimbKind.Arm && limb.Joints.Count == 6).ToArray();
-        Fins = subject.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral || (limb.Kind == LimbKind.Wing && subject.Kind != LocomotionKind.Flying)).ToArray();
+        Fins = subject.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral || (limb.Kind == LimbKind.Wing && subject.Kind != LocomotionKind.Flying && !(legs != null && SpreadWings.Is(Skeleton, limb)))).ToArray();
         Size = SizeOf();
         Unit = legs?.LegLength ?? Size / LegsPerBody;
         if (legs != null)

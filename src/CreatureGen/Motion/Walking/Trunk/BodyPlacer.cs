@@ -89,6 +89,9 @@ internal sealed class BodyPlacer
     /// <summary>How far the trunk of a biped is thrown up by its push, radians; negative where it dips to the landing.</summary>
     public float Rock { get; private set; }
 
+    /// <summary>How high the fore body is above its mean height in the bounce of the gait, leg lengths.</summary>
+    public float Bounce { get; private set; }
+
     /// <summary>Fore-aft difference between left and right rear feet, leg lengths.</summary>
     public float Scissor { get; private set; }
 
@@ -167,6 +170,7 @@ internal sealed class BodyPlacer
         float leap = body.Rows == 2 ? clock.Shape.Trail : 0f;
         hindRise += poise * Math.Max(atOnce, leap * hind.Together(2));
         foreRise += poise * Math.Max(atOnce, leap * fore.Together(2));
+        Bounce = foreRise / length;
         hindRise += clock.Shape.Stretch * act * slack.Hind;
         foreRise += clock.Shape.Stretch * act * slack.Fore;
         float steadied = 0.5f * LeapSteadiness * leap * (foreRise - hindRise);

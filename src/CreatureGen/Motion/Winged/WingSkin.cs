@@ -7,7 +7,7 @@ using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
-namespace CreatureGen.Motion.Flying;
+namespace CreatureGen.Motion.Winged;
 
 /// <summary>Some of the skin of a left wing, evenly chosen: places all over it, and triangles in its creases, where it goes over from bone to bone.</summary>
 internal sealed class WingSkin

@@ -5,7 +5,7 @@ using CreatureGen.Maths;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
-namespace CreatureGen.Motion.Flying;
+namespace CreatureGen.Motion.Winged;
 
 /// <summary>The left side of a body at rest, as seen from there: how far out its skin is at each height and length, without legs, and with those wings that are already folded onto it.</summary>
 internal sealed class Flank
@@ -65,6 +65,21 @@ internal sealed class Flank
         float along = (At(row, column + 1) - At(row, column - 1)) / (2f * cell);
         distance = (point.X - here) / Math.Sqrt(1.0 + (high * high) + (along * along));
         return here > 0f;
+    }
+
+    /// <summary>Height of the back at a length, metres; infinite where there is no body.</summary>
+    public float Back(float z)
+    {
+        int column = (int)Math.Floor((z - back) / cell);
+        for (int row = rows - 1; row >= 0; row--)
+        {
+            if (At(row, column) > 0f)
+            {
+                return bottom + ((row + 1) * cell);
+            }
+        }
+
+        return float.PositiveInfinity;
     }
 
     /// <summary>Adds a triangle: what is outermost over the middle of each cell is kept.</summary>

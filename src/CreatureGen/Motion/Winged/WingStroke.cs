@@ -1,4 +1,4 @@
-namespace CreatureGen.Motion.Flying;
+namespace CreatureGen.Motion.Winged;
 
 /// <summary>One moment of a flier's motion, as its wings see it.</summary>
 internal struct WingStroke
@@ -29,4 +29,10 @@ internal struct WingStroke
 
     /// <summary>−1..1, a slow swing.</summary>
     public double Drift;
+
+    /// <summary>How far folded wings are off the flank, radians.</summary>
+    public double LiftLeft;
+
+    /// <inheritdoc cref="LiftLeft"/>
+    public double LiftRight;
 }

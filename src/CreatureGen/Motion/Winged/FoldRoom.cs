@@ -6,7 +6,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Rigging;
 
-namespace CreatureGen.Motion.Flying;
+namespace CreatureGen.Motion.Winged;
 
 /// <summary>The room that a standing body leaves to a folded wing, as the trunk sees it: its flank, the legs as they swing, by the capsules of their bones, the ground, and where its tail begins.</summary>
 internal sealed class FoldRoom
@@ -28,7 +28,7 @@ internal sealed class FoldRoom
     private const double LegGap = 0.012;
     private const double MiddleGap = 0.006;
 
-    /// <summary>How far the back of a four-legged flier bends up at a gallop: rise over the square of the distance from the shoulder, body lengths.</summary>
+    /// <summary>How far the back of a four-legged body bends up at a gallop: rise over the square of the distance from the shoulder, body lengths.</summary>
     private const float Bend = 0.4f;
 
     /// <summary>How far wings may reach beyond where the tail begins, body lengths.</summary>
@@ -120,7 +120,8 @@ internal sealed class FoldRoom
         double across = Math.Max(0, MiddleGap - (point.X / length));
         double beyond = Math.Max(0, ((Scalar.Lerp(tailBase, tailEnd, range.Trailing) - point.Z) / length) - Overhang);
         double low = Math.Max(0, ((Clearance * Height) - (Vec.Dot(up, point) - floor)) / length);
-        return cost + (range.MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
+        double proud = range.ProudCost > 0 ? Math.Max(0, (point.Y - flank.Back(point.Z)) / length) : 0;
+        return cost + (range.ProudCost * proud * proud) + (range.MiddleCost * across * across) + (OverhangCost * beyond * beyond) + (LowCost * low * low);
     }
 
     /// <summary>Lays a triangle of a left wing onto the flank: what is folded later lies outside of it.</summary>
@@ -178,8 +179,11 @@ internal sealed class FoldRoom
             shoulder = limb.Kind == LimbKind.Wing ? subject.Skeleton.ModelPositions[limb.Joints[0]].Z : shoulder;
         }
 
-        return (shoulder, subject.Plan == BodyPlan.Flapping && legs > 2 ? Bend / (float)bodyLength : 0f);
+        return (shoulder, legs > 2 && Gallops(subject.Plan) ? Bend / (float)bodyLength : 0f);
     }
+
+    /// <summary>Whether a body on four legs and more bends its back as it goes fast.</summary>
+    private static bool Gallops(BodyPlan plan) => plan is not (BodyPlan.Buzzing or BodyPlan.Sprawling or BodyPlan.Columnar or BodyPlan.Hexapod or BodyPlan.ManyLegged);
 
     /// <summary>Where the tail begins, and where it ends.</summary>
     private static (float Base, float End) Tail(MotionSubject subject, Vector3 pelvis)

@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Wings;
@@ -5,7 +7,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
 
-namespace CreatureGen.Motion.Flying;
+namespace CreatureGen.Motion.Winged;
 
 /// <summary>A pair of stitched wings: shoulder, elbow, wrist and hand, beating, gliding or folded.</summary>
 internal sealed class WingPair
@@ -17,6 +19,9 @@ internal sealed class WingPair
 
     /// <summary>How far the shoulder is raised half way between folded and spread, radians.</summary>
     private const double FoldLift = 0.45;
+
+    /// <summary>How far spread wings are turned back as they fold, of what they hang beyond the elbow: somewhat farther, or they would hang off the flank with a corner.</summary>
+    private const double Flattened = 1.4;
 
     // Share of a cycle by which each joint is behind the shoulder.
     private static readonly double[] lags = { 0, 0.035, 0.075, 0.12 };
@@ -37,6 +42,43 @@ internal sealed class WingPair
         this.folded = folded;
         Vector3 out2 = chain.Points[2] - chain.Points[0];
         dihedral = PortableMath.Atan2(out2.Y, out2.X);
+    }
+
+    /// <summary>Stitched wings, folded from the rear: those before them lie over them, as tiles do.</summary>
+    /// <param name="subject">Whose.</param>
+    /// <param name="stitched">Its pairs of wings.</param>
+    /// <param name="range">How they fold.</param>
+    /// <param name="room">What the body leaves to them; receives those that lie under others.</param>
+    public static WingPair[] Folded(MotionSubject subject, IReadOnlyList<PairedChain> stitched, FoldRange range, FoldRoom room)
+    {
+        int[] order = new int[stitched.Count];
+        double[] places = new double[order.Length];
+        for (int k = 0; k < order.Length; k++)
+        {
+            order[k] = k;
+            places[k] = stitched[k].Points[0].Z;
+        }
+
+        Array.Sort(places, order);
+        var wings = new WingPair[order.Length];
+        foreach (int k in order)
+        {
+            FoldedWing folded = FoldedWing.Of(subject, stitched[k], 0, -Flattened * WingForm.OuterIncidence, range, room);
+            wings[k] = new WingPair(stitched[k], folded);
+            if (order.Length > 1)
+            {
+                folded.Cover(subject, room);
+            }
+        }
+
+        return wings;
+    }
+
+    /// <summary>Writes the shoulders of both sides as they are folded, each raised off the flank by an angle in radians.</summary>
+    public void Rest(in Pose local, float left, float right)
+    {
+        chain.Write(local, Side.Left, 0, Rotation.Multiply(AxisRotation.Roll(left), folded.Turn(0)));
+        chain.Write(local, Side.Right, 0, Rotation.Multiply(AxisRotation.Roll(right), folded.Turn(0)));
     }
 
     /// <summary>Writes the joints of both sides.</summary>
@@ -73,7 +115,7 @@ internal sealed class WingPair
         {
             // On the way the shoulder is raised, so that the tip does not sweep over the ground.
             Quaternion way = Rotation.Slerp(folded.Turn(k), spread, open);
-            spread = k == 0 ? Rotation.Multiply(AxisRotation.Roll(4 * FoldLift * open * (1 - open)), way) : way;
+            spread = k == 0 ? Rotation.Multiply(AxisRotation.Roll((4 * FoldLift * open * (1 - open)) + ((1 - open) * (side == Side.Left ? stroke.LiftLeft : stroke.LiftRight))), way) : way;
         }
 
         chain.Write(local, side, k, spread);

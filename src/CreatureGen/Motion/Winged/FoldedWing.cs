@@ -4,7 +4,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
 
-namespace CreatureGen.Motion.Flying;
+namespace CreatureGen.Motion.Winged;
 
 /// <summary>How a wing lies against the body that it belongs to: of the ways of folding that its kind has the one that fits best, found by trying one number after the other in ever smaller steps.</summary>
 internal sealed class FoldedWing
@@ -59,10 +59,22 @@ internal sealed class FoldedWing
         skin.Cover(subject.Mesh, joints, carried, room);
     }
 
+    /// <summary>The best way of folding: near the usual one, or near another where a search begins.</summary>
     private WingFold Search(FoldRange range, FoldRoom room)
     {
-        WingFold best = range.Usual;
-        double min = Try(best, range, room, double.PositiveInfinity);
+        WingFold best = Search(range.Usual, range, room, out double min);
+        foreach (WingFold start in range.Others)
+        {
+            WingFold found = Search(start, range, room, out double cost);
+            (best, min) = cost < min ? (found, cost) : (best, min);
+        }
+
+        return best;
+    }
+
+    private WingFold Search(WingFold best, FoldRange range, FoldRoom room, out double min)
+    {
+        min = Try(best, range, room, double.PositiveInfinity);
         double step = FirstStep;
         for (int round = 0; round < Rounds; round++, step *= Shrink)
         {

@@ -1,7 +1,7 @@
 using System.Numerics;
 using CreatureGen.Maths;
 
-namespace CreatureGen.Motion.Flying;
+namespace CreatureGen.Motion.Winged;
 
 /// <summary>How a left wing lies when it is folded, in angles about the body, radians, and a length.</summary>
 /// <param name="Drop">Of the upper arm below level.</param>

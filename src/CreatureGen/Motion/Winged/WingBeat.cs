@@ -1,6 +1,6 @@
 using CreatureGen.Maths;
 
-namespace CreatureGen.Motion.Flying;
+namespace CreatureGen.Motion.Winged;
 
 /// <summary>Where a joint of a wing is in its beat: height c (1 at the top, −1 at the bottom), and how far it is in the downstroke and in the upstroke.</summary>
 internal readonly struct WingBeat

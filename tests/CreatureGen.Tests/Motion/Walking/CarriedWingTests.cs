@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Motion.Subjects;
+using CreatureGen.Motion.Toolkit;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using CreatureGen.Skinning;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Walking;
+
+/// <summary>Wings of creatures that walk and do not fly.</summary>
+public sealed class CarriedWingTests
+{
+    private static readonly CreatureOptions walking = CreatureOptions.Default with { Kind = RequestedKind.Walking };
+
+    /// <summary>Seeds of walkers on four and six legs whose wings are spread at rest: feathers and membranes, hooves, pillars, paws, sprawlers, a centaur.</summary>
+    public static TheoryData<ulong> Winged => [9985013, 9985022, 9985025, 9985026, 9985040, 9985042, 9985055, 9985059];
+
+    [Theory]
+    [MemberData(nameof(Winged))]
+    public void Wings_lie_along_the_flanks_within_the_limits_of_their_joints(ulong seed)
+    {
+        (Creature creature, CreatureAnimator animator) = Standing(seed);
+        float rest = Breadth(creature, creature.Mesh.Positions.ToArray());
+        float folded = Breadth(creature, SkinOf(creature, animator));
+        Assert.True(folded < 0.75f * rest, $"{seed}: {folded} m to the side, {rest} m spread");
+        foreach (int joint in JointsOf(creature))
+        {
+            Joint of = creature.Skeleton.Joints[joint];
+            Quaternion turn = Rotation.Normalize(Rotation.Multiply(Rotation.Inverse(of.LocalRotation), animator.LocalPose.Rotations[joint]));
+            Assert.True(SwingTwistLimit.Excess(turn, of.Limit) < 1e-3f, $"{seed} {of.Name}");
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Winged))]
+    public void Who_threatens_spreads_its_wings_and_folds_them_again(ulong seed)
+    {
+        (Creature creature, CreatureAnimator animator) = Standing(seed);
+        float folded = Breadth(creature, SkinOf(creature, animator));
+        animator.Emotion = new Emotion(1f, -1f, 1f);
+        Walkers.Run(animator, 6f, 30f, default, FlatGround.Level);
+        float shown = Breadth(creature, SkinOf(creature, animator));
+        animator.Emotion = default;
+        Walkers.Run(animator, 12f, 30f, default, FlatGround.Level);
+        float again = Breadth(creature, SkinOf(creature, animator));
+        Assert.True(shown > 1.15f * folded, $"{seed}: {folded} m to the side folded, {shown} m shown");
+        Assert.True(Math.Abs(again - folded) < 0.05f * folded, $"{seed}: {folded} m to the side folded, {again} m afterwards");
+    }
+
+    [Fact]
+    public void Folded_wings_swing_with_the_steps_at_every_frame_rate_alike()
+    {
+        (Creature creature, CreatureAnimator animator) = Standing(9985013);
+        float speed = new MotionProfile(creature).Gaits!.Speeds[0].Comfortable;
+        (float Least, float Most) coarse = SwingAt(60f);
+        (float Least, float Most) fine = SwingAt(240f);
+        Assert.True(coarse.Most - coarse.Least > 0.02f, $"the wing swings from {coarse.Least} to {coarse.Most} rad");
+        Assert.True(coarse.Most < 0.4f, $"the wing swings up to {coarse.Most} rad");
+        Assert.Equal(fine.Most, coarse.Most, 0.02f);
+        Assert.Equal(fine.Least, coarse.Least, 0.02f);
+
+        (float, float) SwingAt(float rate)
+        {
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            int shoulder = JointsOf(creature).First();
+            Quaternion folded = animator.LocalPose.Rotations[shoulder];
+            Walkers.Run(animator, 4f, rate, new MotionInput(speed), FlatGround.Level);
+            float least = float.MaxValue;
+            float most = 0f;
+            for (int i = 0; i < 2 * rate; i++)
+            {
+                animator.Update(1f / rate, new MotionInput(speed), FlatGround.Level);
+                float angle = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(folded), animator.LocalPose.Rotations[shoulder]));
+                least = Math.Min(least, angle);
+                most = Math.Max(most, angle);
+            }
+
+            return (least, most);
+        }
+    }
+
+    [Fact]
+    public void Wings_that_are_grown_along_the_flank_stay_as_they_are()
+    {
+        Creature bird = CreatureGenerator.Generate(9985006, walking);
+        LimbChain wing = bird.Limbs.First(limb => limb.Kind == LimbKind.Wing);
+        Assert.False(SpreadWings.Is(bird.Skeleton, wing));
+        Assert.Null(new MotionProfile(bird).Wings);
+    }
+
+    private static (Creature Creature, CreatureAnimator Animator) Standing(ulong seed)
+    {
+        Creature creature = CreatureGenerator.Generate(seed, walking);
+        var animator = new CreatureAnimator(creature);
+        animator.Settings = animator.Settings with { Idle = 0f };
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        return (creature, animator);
+    }
+
+    private static IEnumerable<int> JointsOf(Creature creature) => creature.Limbs.Where(limb => limb.Kind == LimbKind.Wing).SelectMany(limb => limb.Joints.Take(limb.Joints.Count - 1));
+
+    private static Vector3[] SkinOf(Creature creature, CreatureAnimator animator)
+    {
+        var matrices = new Matrix4x4[creature.Skeleton.Count];
+        SkinMatrices.Fill(creature.Skeleton, animator.ModelPose, matrices);
+        var skin = new Vector3[creature.Mesh.Positions.Length];
+        CpuSkinning.Skin(matrices, creature.Mesh.Weights, creature.Mesh.Positions, creature.Mesh.Normals, skin, new Vector3[skin.Length]);
+        return skin;
+    }
+
+    /// <summary>How far to the side the skin goes that wings alone move.</summary>
+    private static float Breadth(Creature creature, Vector3[] skin)
+    {
+        float most = 0f;
+        for (int v = 0; v < skin.Length; v++)
+        {
+            SkinWeights weights = creature.Mesh.Weights[v];
+            if (creature.Skeleton.Joints[weights.Joint0].Role == JointRole.Wing && weights.Weights.X > 0.9f)
+            {
+                most = Math.Max(most, Math.Abs(skin[v].X));
+            }
+        }
+
+        return most;
+    }
+}
