@@ -69,6 +69,9 @@ internal static class StationRing
     /// <summary>The first ring that is tail alone: nothing that shapes the trunk reaches it, and fins and fans begin.</summary>
     public const int TailFirst = 46;
 
+    /// <summary>Where a tail has left its root: a swimmer's is thin from here on.</summary>
+    public const int TailStem = 47;
+
     /// <summary>A third along the tail.</summary>
     public const int TailThird = 48;
 

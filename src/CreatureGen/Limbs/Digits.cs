@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Blueprints;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Anatomy.Feet;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Anatomy.Feet;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
@@ -82,7 +83,7 @@ internal static class LegGrower
     public static Appendage Grow(BodySurface body, LegBlueprint leg, int index, LimbEnds ends)
     {
         SurfaceBuilder surface = body.Surface;
-        LegForm form = LegForms.Of(leg);
+        LegForm form = LegForm.Of(leg);
         SocketLoop socket = SocketLoop.Cut(body, leg.Socket);
         int firstVertex = surface.Positions.Count;
         int firstFace = surface.Faces.Count;

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Anatomy.Feet;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;

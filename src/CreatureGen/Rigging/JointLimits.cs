@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Bodies;
 using CreatureGen.Maths;
 
@@ -27,27 +28,6 @@ internal static class JointLimits
     private const double MaxPerBone = 60;
     private const double SkinStretch = 0.64;
 
-    // Archetype: hip, knee, ankle, ball; each X least and most, Z least and most, twist least and most.
-    private static readonly (LimbArchetype Archetype, short[] Degrees)[] legs =
-    {
-        (LimbArchetype.DigitigradeHind, new short[] { -65, 55, -50, 20, -25, 25, -27, 100, -5, 5, -10, 10, -100, 30, -8, 8, -12, 12, -95, 60, -15, 15, -15, 15 }),
-        (LimbArchetype.DigitigradeFore, new short[] { -60, 60, -35, 20, -20, 20, -105, 27, -5, 5, -10, 10, -20, 140, -16, 16, -30, 30, -95, 60, -15, 15, -15, 15 }),
-        (LimbArchetype.UnguligradeHind, new short[] { -55, 50, -35, 15, -20, 20, -25, 100, -5, 5, -8, 8, -110, 25, -5, 5, -8, 8, -60, 95, -12, 12, -10, 10 }),
-        (LimbArchetype.UnguligradeFore, new short[] { -50, 50, -25, 18, -15, 15, -95, 20, -5, 5, -8, 8, -8, 130, -7, 7, -10, 10, -60, 100, -12, 12, -10, 10 }),
-        (LimbArchetype.PlantigradeHind, new short[] { -100, 40, -45, 25, -35, 35, -15, 130, -5, 5, -10, 10, -40, 55, -15, 15, -30, 20, -80, 45, -10, 10, -5, 5 }),
-        (LimbArchetype.PlantigradeFore, new short[] { -90, 60, -60, 30, -30, 30, -115, 25, -5, 5, -15, 15, -35, 120, -30, 20, -30, 30, -80, 50, -10, 10, -5, 5 }),
-        (LimbArchetype.Column, new short[] { -60, 45, -25, 12, -15, 15, -8, 85, -4, 4, -6, 6, -45, 50, -6, 6, -6, 6, -30, 30, -5, 5, -5, 5 }),
-        (LimbArchetype.Sprawl, new short[] { -45, 60, -60, 70, -60, 60, -60, 80, -15, 15, -20, 20, -60, 70, -45, 45, -45, 45, -70, 60, -25, 25, -10, 10 }),
-        (LimbArchetype.Theropod, new short[] { -60, 60, -30, 20, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -5, 5, -8, 8, -95, 70, -15, 15, -12, 12 }),
-        (LimbArchetype.Insect, new short[] { -60, 60, -60, 60, -40, 40, -80, 80, -10, 10, -10, 10, -50, 50, -12, 12, -20, 20, -40, 40, -10, 10, -10, 10 }),
-        (LimbArchetype.Arm, new short[] { -170, 60, -110, 40, -80, 80, -80, 70, -5, 5, -8, 8, -70, 80, -30, 25, -80, 80, -60, 90, -20, 20, -10, 10 }),
-        (LimbArchetype.Bird, new short[] { -60, 60, -30, 20, -20, 20, -30, 110, -5, 5, -10, 10, -110, 35, -14, 14, -8, 8, -95, 70, -15, 15, -16, 16 }),
-        (LimbArchetype.Raptorial, new short[] { -100, 60, -60, 60, -40, 40, -60, 130, -10, 10, -10, 10, -130, 60, -12, 12, -16, 16, -40, 40, -10, 10, -10, 10 }),
-        (LimbArchetype.Jumper, new short[] { -60, 60, -60, 60, -40, 40, -120, 30, -10, 10, -10, 10, -50, 50, -12, 12, -20, 20, -40, 40, -10, 10, -10, 10 }),
-        (LimbArchetype.FrogHind, new short[] { -60, 80, -60, 70, -60, 60, -30, 130, -15, 15, -20, 20, -130, 60, -28, 28, -28, 28, -70, 60, -25, 25, -10, 10 }),
-        (LimbArchetype.FrogFore, new short[] { -60, 70, -60, 60, -90, 90, -130, 30, -15, 15, -20, 20, -70, 70, -32, 32, -32, 32, -70, 60, -25, 25, -10, 10 }),
-    };
-
     // Shoulder, elbow, wrist, hand: the elbow folds forward, the wrist back. The shoulder twists from a blade that hangs at rest.
     private static readonly short[] wing = { -80, 85, -45, 125, -40, 80, -60, 40, -165, 25, -45, 45, -60, 40, -25, 170, -45, 45, -50, 40, -25, 60, -45, 45 };
 
@@ -66,9 +46,16 @@ internal static class JointLimits
     /// <summary>Limits of a joint of a leg or arm.</summary>
     public static JointLimit Leg(LimbArchetype archetype, JointRole role)
     {
-        int row = role switch { JointRole.Hip => 0, JointRole.Knee => 1, JointRole.Ankle => 2, JointRole.Ball => 3, _ => throw new ArgumentOutOfRangeException(nameof(role), role, "expected hip, knee, ankle or ball") };
-        short[] degrees = Array.Find(legs, l => l.Archetype == archetype).Degrees ?? throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there are no limits for this archetype");
-        return Row(degrees, row);
+        LegLimits limits = LegKinds.Of(archetype).Limits;
+        JointRange range = role switch
+        {
+            JointRole.Hip => limits.Hip,
+            JointRole.Knee => limits.Knee,
+            JointRole.Ankle => limits.Ankle,
+            JointRole.Ball => limits.Ball,
+            _ => throw new ArgumentOutOfRangeException(nameof(role), role, "expected hip, knee, ankle or ball"),
+        };
+        return new JointLimit(RangeOf(range.SwingX), RangeOf(range.SwingZ), RangeOf(range.Twist));
     }
 
     /// <summary>Limits of a joint of a stitched wing, 0 shoulder to 3 hand.</summary>
@@ -134,7 +121,9 @@ internal static class JointLimits
 
     private static JointLimit Row(short[] degrees, int row)
     {
-        AngleRange Range(int column) => new((float)Scalar.Radians(degrees[(6 * row) + column]), (float)Scalar.Radians(degrees[(6 * row) + column + 1]));
+        AngleRange Range(int column) => RangeOf((degrees[(6 * row) + column], degrees[(6 * row) + column + 1]));
         return new JointLimit(Range(0), Range(2), Range(4));
     }
+
+    private static AngleRange RangeOf((int Min, int Max) degrees) => new((float)Scalar.Radians(degrees.Min), (float)Scalar.Radians(degrees.Max));
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -49,11 +50,12 @@ internal sealed class LimbProfile
         along = appendage.JointsAlong;
         legged = appendage.Kind is LimbKind.Leg or LimbKind.Arm;
         LimbArchetype? archetype = appendage.Archetype;
-        flat = appendage.Stands && archetype is LimbArchetype.Column or LimbArchetype.PlantigradeHind or LimbArchetype.PlantigradeFore or LimbArchetype.Sprawl or LimbArchetype.FrogHind or LimbArchetype.FrogFore;
+        LegOutline? outline = archetype is { } kind ? LegKinds.Of(kind).Outline : null;
+        flat = appendage.Stands && outline is { FlatSoled: true };
         rigidSole = archetype == LimbArchetype.Column;
         hasToes = !rigidSole;
         stretch = new float[along.Length];
-        bool insect = archetype is LimbArchetype.Insect or LimbArchetype.Raptorial or LimbArchetype.Jumper;
+        bool insect = outline is { Jointed: true };
         float[] half = insect ? new[] { 0f, 0.03f, 0.03f, 0.02f }
             : legged ? new[] { 0f, 0.08f, 0.08f, 0.03f }
             : appendage.Kind == LimbKind.Wing ? new[] { 0f, 0.15f, 0.15f, 0.15f }

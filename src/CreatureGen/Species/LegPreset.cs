@@ -4,34 +4,23 @@ using CreatureGen.Anatomy;
 namespace CreatureGen.Species;
 
 /// <summary>A place of a species' own for a pair of legs.</summary>
-internal readonly struct LegSite
+/// <param name="Archetype">What legs.</param>
+internal sealed record LegSite(LimbArchetype Archetype)
 {
-    public LegSite(LimbArchetype archetype, int ring, double segment, double azimuth, double reach, double thickness)
-    {
-        Archetype = archetype;
-        Ring = ring;
-        Segment = segment;
-        Azimuth = azimuth;
-        Reach = reach;
-        Thickness = thickness;
-    }
-
-    public LimbArchetype Archetype { get; }
-
     /// <summary>Ring of its centre.</summary>
-    public int Ring { get; }
+    public int Ring { get; init; }
 
     /// <summary>Segment of its centre.</summary>
-    public double Segment { get; }
+    public double Segment { get; init; }
 
     /// <summary>Turn towards the front, radians.</summary>
-    public double Azimuth { get; }
+    public double Azimuth { get; init; }
 
     /// <summary>Factor on the reach of the creature's legs.</summary>
-    public double Reach { get; }
+    public double Reach { get; init; } = 1;
 
     /// <summary>Factor on their thickness.</summary>
-    public double Thickness { get; }
+    public double Thickness { get; init; } = 1;
 }
 
 /// <summary>Legs in a row along the whole body, as many as there are to be.</summary>
@@ -53,7 +42,7 @@ internal sealed record LegRow(int First, int Last, double Segment, double Front,
         for (int k = 0; k < pairs; k++)
         {
             int ring = (int)Math.Round(First + ((double)(Last - First) * k / (pairs - 1)));
-            sites[k] = new LegSite(LimbArchetype.Insect, ring, Segment, Front + ((Rear - Front) * k / (pairs - 1)), 1, 1);
+            sites[k] = new LegSite(LimbArchetype.Insect) { Ring = ring, Segment = Segment, Azimuth = Front + ((Rear - Front) * k / (pairs - 1)) };
         }
 
         return sites;

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Motion.Walking.Bodies;

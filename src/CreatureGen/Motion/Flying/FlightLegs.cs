@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
@@ -35,9 +36,8 @@ internal sealed class FlightLegs
     {
         this.chain = chain;
         LimbArchetype archetype = chain.Limb.Archetype ?? LimbArchetype.Arm;
-        tucked = LegPosture.Tucked(archetype);
-        hanging = LegPosture.Hanging(archetype);
-        reaching = LegPosture.Reaching(archetype);
+        LegFlight flight = LegKinds.Of(archetype).Flight;
+        (tucked, hanging, reaching) = (flight.Tucked, flight.Hanging, flight.Reaching);
         lateral = archetype is LimbArchetype.Sprawl or LimbArchetype.Insect;
         raise = archetype == LimbArchetype.Insect ? RaisedKnees : LoweredKnees;
         Vector3 thigh = chain.Points[2] - chain.Points[1];

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 using CreatureGen.Sampling.Features;
@@ -131,7 +132,7 @@ internal sealed class IndividualBody
 
     private static LegBlueprint Carry(CreatureBuilder builder, LegBlueprint leg, WalkingPlacement placement, LegPlacement place, double growthOfType)
     {
-        bool splayed = LegBuild.Of(leg.Archetype).Posture == LimbPosture.Splayed;
+        bool splayed = LegKinds.Of(leg.Archetype).Build.Posture == LimbPosture.Splayed;
         (double azimuth, double shear) = LegSampler.Posture(builder, placement, place);
         return leg with
         {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Sampling.Placement;
@@ -140,7 +141,7 @@ internal static class FlierLegs
         (builder.Posture, builder.Elevation, builder.Raised, builder.Shape) = (posture, elevation, raised, shape);
         foreach (LegPlacement leg in flying.Legs)
         {
-            bool splayed = LegBuild.Of(leg.Site.Archetype).Posture == LimbPosture.Splayed;
+            bool splayed = LegKinds.Of(leg.Site.Archetype).Build.Posture == LimbPosture.Splayed;
             LegSampler.Add(builder, style, leg.Site.Archetype, LegStance.Hanging, leg.Socket, leg.RootRadius, leg.Length, splayed ? leg.Reach : leg.Length, leg.Site.Azimuth, splayed ? 0 : HangingShear, leg.Site.Bounds.Pad);
         }
     }
@@ -180,7 +181,7 @@ internal static class FlierLegs
         var places = new List<LimbSocket>();
         foreach (LegPlacement leg in flying.Legs)
         {
-            bool alone = flying.Legs.Count == 1 && LegBuild.Of(leg.Site.Archetype).Posture == LimbPosture.Under;
+            bool alone = flying.Legs.Count == 1 && LegKinds.Of(leg.Site.Archetype).Build.Posture == LimbPosture.Under;
             LimbSocket site = alone ? UnderMass(builder, anatomy) : leg.Site;
             double factor = alone ? 1 : flying.LegFactor;
             places.Add(site with { Girth = site.Girth * factor, Reach = site.Reach * factor });

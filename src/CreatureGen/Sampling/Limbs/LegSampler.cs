@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Anatomy.Wings;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
@@ -228,7 +229,7 @@ internal static class LegSampler
     /// <summary>The turn of an insect's last legs, radians: far enough back to carry a heavy abdomen.</summary>
     private static double UnderAbdomen(CreatureBuilder builder, LegPlacement last, LegPlacement first)
     {
-        LegBuild build = LegBuild.Of(last.Site.Archetype);
+        LegBuild build = LegKinds.Of(last.Site.Archetype).Build;
         double step = build.FootOutward * last.Reach;
         double front = first.RootZ + (step * PortableMath.Sin(first.Site.Azimuth));
         double mass = Measure(builder).CentreOfMass.Z;
@@ -285,7 +286,7 @@ internal static class LegSampler
         builder.Stand = new LegStand(places.Pinned(SitesOf(placement), placement.Girth), size, growth);
         foreach (LegPlacement leg in placement.Legs)
         {
-            LegBuild build = LegBuild.Of(leg.Site.Archetype);
+            LegBuild build = LegKinds.Of(leg.Site.Archetype).Build;
             bool splayed = build.Posture == LimbPosture.Splayed;
             (double azimuth, double shear) = Posture(builder, placement, leg);
             double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && builder.Parents.Legs.Legs == null ? 1.05 : 1);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
 using CreatureGen.Sampling.Placement;
 using CreatureGen.Seeding;
@@ -100,7 +101,7 @@ internal static class OwnLegs
         }
     }
 
-    private static bool IsJointed(LimbArchetype archetype) => archetype is LimbArchetype.Insect or LimbArchetype.Jumper or LimbArchetype.Raptorial;
+    private static bool IsJointed(LimbArchetype archetype) => LegKinds.Of(archetype).Outline.Jointed;
 
     /// <summary>Parts of other parents weigh what the estimate does not know.</summary>
     private static double SafeMargin(CreatureBuilder builder) => Balance.MinMargin * (1 + (2 * builder.Strangeness));

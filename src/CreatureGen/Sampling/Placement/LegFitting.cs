@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 
@@ -46,7 +47,7 @@ internal static class LegFitting
     {
         SpineSection section = measure.At(site.Ring);
         double height = Math.Max(ShortestMeasured, AttachmentHeight(section, site.Segment));
-        LegBuild build = LegBuild.Of(site.Archetype);
+        LegBuild build = LegKinds.Of(site.Archetype).Build;
         double reach = site.Reach * measure.BodyLength * size.Reach;
         return Place(measure, section, site, size, girth, height, 0, reach, build.SwingSine());
     }
@@ -78,7 +79,7 @@ internal static class LegFitting
         double reach,
         double swingSine)
     {
-        LegBuild build = LegBuild.Of(site.Archetype);
+        LegBuild build = LegKinds.Of(site.Archetype).Build;
         bool splayed = build.Posture == LimbPosture.Splayed;
         double unit = splayed ? reach : height - tip;
         double min = build.MinGirth * unit;

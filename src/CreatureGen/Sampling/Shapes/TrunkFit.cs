@@ -27,13 +27,6 @@ internal static class TrunkFit
     private const double Root = 0.5;
     private const double MaxRoot = 1.3;
 
-    /// <summary>Ring at which a swimmer's tail begins behind its root.</summary>
-    private const int TailRoot = 47;
-
-    // Rings of the trunk from the shoulders to the hips.
-    private const int First = 26;
-    private const int Last = 42;
-
     /// <summary>The proportions with a deeper chest, a tucked belly and broader hips where the trunk has none; swimmers thin out to the tail, what lies is a rope, and what stands on two legs would be top-heavy.</summary>
     public static BodyProportions Fit(CreatureBuilder builder)
     {
@@ -51,7 +44,7 @@ internal static class TrunkFit
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double min = double.MaxValue;
         double max = 0;
-        for (int ring = First; ring <= Last; ring++)
+        for (int ring = StationRing.Shoulder; ring <= StationRing.Pelvis; ring++)
         {
             double size = shape.Top[ring] + shape.Bottom[ring];
             min = Math.Min(min, size);
@@ -81,7 +74,7 @@ internal static class TrunkFit
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double hips = Size(shape, StationRing.Pelvis);
         double thin = Math.Min(1, Hips * Size(shape, StationRing.Belly) / hips);
-        double root = Size(shape, TailRoot);
+        double root = Size(shape, StationRing.TailStem);
         double thick = Math.Max(1, Root * thin * hips / root);
         double strange = Math.Min(1, 2 * builder.Strangeness);
         return drawn with

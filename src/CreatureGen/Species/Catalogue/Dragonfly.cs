@@ -37,7 +37,9 @@ internal static class Dragonfly
         {
             Sites = new[]
             {
-                new LegSite(LimbArchetype.Insect, 23, 9.7, 0.55, 1, 1), new LegSite(LimbArchetype.Insect, 26, 9.7, 0.1, 1, 1), new LegSite(LimbArchetype.Insect, 29, 9.7, -0.4, 1, 1),
+                new LegSite(LimbArchetype.Insect) { Ring = 23, Segment = 9.7, Azimuth = 0.55 },
+                new LegSite(LimbArchetype.Insect) { Ring = 26, Segment = 9.7, Azimuth = 0.1 },
+                new LegSite(LimbArchetype.Insect) { Ring = 29, Segment = 9.7, Azimuth = -0.4 },
             },
             Reach = (0.20, 0.26), Height = (0.16, 0.22), Thickness = 0.028,
         },

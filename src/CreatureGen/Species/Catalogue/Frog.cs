@@ -40,7 +40,11 @@ internal static class Frog
         WalkingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.Sprawling, 1) },
         Legs = new LegPreset
         {
-            Sites = new[] { new LegSite(LimbArchetype.FrogFore, 26, 10.4, 0, 0.95, 0.75), new LegSite(LimbArchetype.FrogHind, 40, 9.8, 0, 1.15, 1) },
+            Sites = new[]
+            {
+                new LegSite(LimbArchetype.FrogFore) { Ring = 26, Segment = 10.4, Reach = 0.95, Thickness = 0.75 },
+                new LegSite(LimbArchetype.FrogHind) { Ring = 40, Segment = 9.8, Reach = 1.15 },
+            },
             Reach = (0.25, 0.29), Height = (0.13, 0.19), Thickness = 0.10, Claw = 0,
         },
         Parts = System.Array.Empty<PartSlot>(),

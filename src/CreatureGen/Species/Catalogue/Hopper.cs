@@ -38,8 +38,9 @@ internal static class Hopper
         {
             Sites = new[]
             {
-                new LegSite(LimbArchetype.Insect, 22, 9.7, 0.5, 1, 1), new LegSite(LimbArchetype.Insect, 26, 9.7, -0.05, 1, 1),
-                new LegSite(LimbArchetype.Jumper, 32, 9.0, 0, 1.68, 1.7),
+                new LegSite(LimbArchetype.Insect) { Ring = 22, Segment = 9.7, Azimuth = 0.5 },
+                new LegSite(LimbArchetype.Insect) { Ring = 26, Segment = 9.7, Azimuth = -0.05 },
+                new LegSite(LimbArchetype.Jumper) { Ring = 32, Segment = 9.0, Reach = 1.68, Thickness = 1.7 },
             },
             Reach = (0.22, 0.28), Height = (0.20, 0.28), Thickness = 0.03,
         },

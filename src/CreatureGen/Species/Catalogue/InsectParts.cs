@@ -22,9 +22,9 @@ internal static class InsectParts
 
     public static LegSite[] Sixth(double front, double middle, double rear) => new[]
     {
-        new LegSite(LimbArchetype.Insect, 24, 9.7, front, 1.05, 1),
-        new LegSite(LimbArchetype.Insect, 28, 9.7, middle, 1, 1),
-        new LegSite(LimbArchetype.Insect, 32, 9.7, rear, 1.06, 1),
+        new LegSite(LimbArchetype.Insect) { Ring = 24, Segment = 9.7, Azimuth = front, Reach = 1.05 },
+        new LegSite(LimbArchetype.Insect) { Ring = 28, Segment = 9.7, Azimuth = middle },
+        new LegSite(LimbArchetype.Insect) { Ring = 32, Segment = 9.7, Azimuth = rear, Reach = 1.06 },
     };
 
     public static PartPreset Part(FeatureBlueprint part, double min, double max) => new(part, min, max);

@@ -37,8 +37,15 @@ internal static class Mantis
         Annuli = new AnnuliBlueprint(36, 0.05),
         Legs = new LegPreset
         {
-            Sites = new[] { new LegSite(LimbArchetype.Insect, 29, 9.7, 0.45, 1.05, 1), new LegSite(LimbArchetype.Insect, 33, 9.7, -0.5, 1.05, 1) },
-            Arms = new[] { new LegSite(LimbArchetype.Raptorial, 24, 10, 0, 0.52, 1.9) },
+            Sites = new[]
+            {
+                new LegSite(LimbArchetype.Insect) { Ring = 29, Segment = 9.7, Azimuth = 0.45, Reach = 1.05 },
+                new LegSite(LimbArchetype.Insect) { Ring = 33, Segment = 9.7, Azimuth = -0.5, Reach = 1.05 },
+            },
+            Arms = new[]
+            {
+                new LegSite(LimbArchetype.Raptorial) { Ring = 24, Segment = 10, Reach = 0.52, Thickness = 1.9 },
+            },
             Reach = (0.34, 0.42), Height = (0.40, 0.55), Thickness = 0.032,
         },
         Wings = new ThinWings

@@ -40,8 +40,10 @@ internal static class Spider
         {
             Sites = new[]
             {
-                new LegSite(LimbArchetype.Insect, 20, 9.2, 0.80, 1.06, 1), new LegSite(LimbArchetype.Insect, 23, 9.2, 0.28, 0.92, 1),
-                new LegSite(LimbArchetype.Insect, 26, 9.2, -0.26, 0.92, 1), new LegSite(LimbArchetype.Insect, 29, 9.2, -0.78, 1.06, 1),
+                new LegSite(LimbArchetype.Insect) { Ring = 20, Segment = 9.2, Azimuth = 0.80, Reach = 1.06 },
+                new LegSite(LimbArchetype.Insect) { Ring = 23, Segment = 9.2, Azimuth = 0.28, Reach = 0.92 },
+                new LegSite(LimbArchetype.Insect) { Ring = 26, Segment = 9.2, Azimuth = -0.26, Reach = 0.92 },
+                new LegSite(LimbArchetype.Insect) { Ring = 29, Segment = 9.2, Azimuth = -0.78, Reach = 1.06 },
             },
             Reach = (0.42, 0.56), Height = (0.16, 0.28), Thickness = 0.05, KneeRise = 1.9,
         },

@@ -8,7 +8,11 @@ internal static class SwimmerParts
 {
     public static LegPreset Paddling(double thickness, double claw) => new()
     {
-        Sites = new[] { new LegSite(LimbArchetype.Sprawl, 27, 9.7, -0.1, 0.95, 0.88), new LegSite(LimbArchetype.Sprawl, 41, 9.8, -0.3, 1, 1) },
+        Sites = new[]
+        {
+            new LegSite(LimbArchetype.Sprawl) { Ring = 27, Segment = 9.7, Azimuth = -0.1, Reach = 0.95, Thickness = 0.88 },
+            new LegSite(LimbArchetype.Sprawl) { Ring = 41, Segment = 9.8, Azimuth = -0.3 },
+        },
         Reach = (0.24, 0.28), HangingLength = 0.2, Thickness = thickness, Claw = claw,
     };
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Sampling.Placement;
 using Xunit;
 
@@ -39,7 +40,7 @@ public sealed class LegFittingTests
     [MemberData(nameof(StandingArchetypes))]
     public void The_root_keeps_within_the_girths_of_its_built_form(LimbArchetype archetype)
     {
-        LegBuild build = LegBuild.Of(archetype);
+        LegBuild build = LegKinds.Of(archetype).Build;
         foreach (double girth in new[] { 0.01, 0.3, 0.6, 3 })
         {
             var site = new LimbSocket(29, 10, archetype, girth, 0.3, 0, SocketBounds.Limb);

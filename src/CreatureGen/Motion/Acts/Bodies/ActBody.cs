@@ -60,7 +60,7 @@ internal sealed class ActBody
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
         BearingSkin = Skin.Of(joint => !Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1) && !Array.Exists(Arms, arm => Hangs(joint, arm.Joints[1])));
-        Tools = new ActTools(this);
+        Tools = new ActTools(subject, Head, Jaw, Arms, Tail, BallsOf(ForeFeet), BallsOf(HindFeet));
     }
 
     public MotionSubject Subject { get; }
@@ -163,6 +163,8 @@ internal sealed class ActBody
         int right = Array.FindIndex(legs.Legs, leg => leg.Row == row && leg.Side == Side.Right);
         return (left, right);
     }
+
+    private (int Left, int Right) BallsOf((int Left, int Right) feet) => (feet.Left < 0 ? -1 : Legs!.Legs[feet.Left].Ball, feet.Right < 0 ? -1 : Legs!.Legs[feet.Right].Ball);
 
     private static BodyBuild BuildOf(MotionSubject subject, LeggedBody? legs)
     {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
@@ -14,24 +15,40 @@ internal sealed class ActTools
     /// <summary>How far the chin of a head without a jaw is below its mouth, parts of the head's length.</summary>
     private const float JawlessChin = 0.3f;
 
-    private readonly ActBody body;
+    private readonly MotionSubject subject;
+    private readonly int head;
+    private readonly TurnedChain tail;
+    private readonly (int Left, int Right) foreBalls;
+    private readonly (int Left, int Right) hindBalls;
     private readonly Vector3 mouth;
     private readonly Vector3 brow;
     private readonly int[] leftArm;
     private readonly int[] rightArm;
 
-    public ActTools(ActBody body)
+    /// <summary>Finds them.</summary>
+    /// <param name="subject">Gives bones and skin.</param>
+    /// <param name="head">The head's joint; −1 without.</param>
+    /// <param name="jaw">The jaw's joint; −1 without.</param>
+    /// <param name="arms">Its arms.</param>
+    /// <param name="tail">Its tail.</param>
+    /// <param name="foreBalls">Joints of the balls of the foremost pair of feet; −1 without.</param>
+    /// <param name="hindBalls">The same of the rearmost pair.</param>
+    public ActTools(MotionSubject subject, int head, int jaw, IReadOnlyList<LimbChain> arms, TurnedChain tail, (int Left, int Right) foreBalls, (int Left, int Right) hindBalls)
     {
-        this.body = body;
-        leftArm = ArmOn(Side.Left);
-        rightArm = ArmOn(Side.Right);
-        if (body.Head >= 0)
+        this.subject = subject;
+        this.head = head;
+        this.tail = tail;
+        this.foreBalls = foreBalls;
+        this.hindBalls = hindBalls;
+        leftArm = ArmOn(arms, Side.Left);
+        rightArm = ArmOn(arms, Side.Right);
+        if (head >= 0)
         {
             Vector3 snout = Extreme(Vector3.UnitZ);
-            Vector3 tip = body.Jaw >= 0 ? (snout + EndOf(body.Jaw)) * 0.5f : snout;
-            mouth = ToJoint(body.Head, tip);
-            ChinBelowMouth = Vec.Distance(tip, body.Jaw >= 0 ? EndOf(body.Jaw) : Vec.Lerp(snout, body.Skeleton.ModelPositions[body.Head], JawlessChin));
-            brow = ToJoint(body.Head, Extreme(browDirection));
+            Vector3 tip = jaw >= 0 ? (snout + EndOf(jaw)) * 0.5f : snout;
+            mouth = ToJoint(head, tip);
+            ChinBelowMouth = Vec.Distance(tip, jaw >= 0 ? EndOf(jaw) : Vec.Lerp(snout, subject.Skeleton.ModelPositions[head], JawlessChin));
+            brow = ToJoint(head, Extreme(browDirection));
         }
     }
 
@@ -43,11 +60,11 @@ internal sealed class ActTools
     /// <param name="mirrored">Whether the act's side is the right.</param>
     public int JointOf(ActTool tool, bool mirrored) => tool switch
     {
-        ActTool.Mouth or ActTool.Brow => body.Head,
-        ActTool.ForeFoot => BallOf(body.ForeFeet, mirrored),
-        ActTool.HindFoot => BallOf(body.HindFeet, mirrored),
+        ActTool.Mouth or ActTool.Brow => head,
+        ActTool.ForeFoot => FootOf(foreBalls, mirrored),
+        ActTool.HindFoot => FootOf(hindBalls, mirrored),
         ActTool.Hand => HandOf(mirrored),
-        ActTool.Tail => body.Tail.Count > 0 ? body.Tail.Joints[^1] : -1,
+        ActTool.Tail => tail.Count > 0 ? tail.Joints[^1] : -1,
         _ => -1,
     };
 
@@ -62,7 +79,7 @@ internal sealed class ActTools
         {
             ActTool.Mouth => mouth,
             ActTool.Brow => brow,
-            ActTool.Tail => new Vector3(0f, body.Skeleton.AllJoints[joint].Length, 0f),
+            ActTool.Tail => new Vector3(0f, subject.Skeleton.AllJoints[joint].Length, 0f),
             _ => Vector3.Zero,
         };
         return model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
@@ -71,14 +88,8 @@ internal sealed class ActTools
     /// <summary>Shoulder to hand of a side; empty without an arm.</summary>
     public int[] ArmOf(bool mirrored) => mirrored ? rightArm : leftArm;
 
-    /// <summary>The foot of a pair on the act's side, as an index of legs; −1 without.</summary>
+    /// <summary>The foot of a pair on the act's side; −1 without.</summary>
     public static int FootOf((int Left, int Right) pair, bool mirrored) => mirrored ? pair.Right : pair.Left;
-
-    private int BallOf((int Left, int Right) pair, bool mirrored)
-    {
-        int foot = FootOf(pair, mirrored);
-        return foot < 0 ? -1 : body.Legs!.Legs[foot].Ball;
-    }
 
     private int HandOf(bool mirrored)
     {
@@ -86,9 +97,9 @@ internal sealed class ActTools
         return arm.Length == 0 ? -1 : arm[^1];
     }
 
-    private int[] ArmOn(Side side)
+    private static int[] ArmOn(IReadOnlyList<LimbChain> arms, Side side)
     {
-        foreach (LimbChain arm in body.Arms)
+        foreach (LimbChain arm in arms)
         {
             if (arm.Side == side)
             {
@@ -100,18 +111,18 @@ internal sealed class ActTools
     }
 
     private Vector3 EndOf(int joint) =>
-        body.Skeleton.ModelPositions[joint] + Rotation.Rotate(body.Skeleton.ModelRotations[joint], new Vector3(0f, body.Skeleton.Joints[joint].Length, 0f));
+        subject.Skeleton.ModelPositions[joint] + Rotation.Rotate(subject.Skeleton.ModelRotations[joint], new Vector3(0f, subject.Skeleton.Joints[joint].Length, 0f));
 
-    private Vector3 ToJoint(int joint, Vector3 model) => Rotation.Rotate(Rotation.Inverse(body.Skeleton.ModelRotations[joint]), model - body.Skeleton.ModelPositions[joint]);
+    private Vector3 ToJoint(int joint, Vector3 model) => Rotation.Rotate(Rotation.Inverse(subject.Skeleton.ModelRotations[joint]), model - subject.Skeleton.ModelPositions[joint]);
 
     /// <summary>The farthest point of the head's skin in a direction, on the midline.</summary>
     private Vector3 Extreme(Vector3 direction)
     {
-        Vector3 farthest = body.Skeleton.ModelPositions[body.Head];
-        ReadOnlySpan<Vector3> positions = body.Subject.Mesh.Positions;
+        Vector3 farthest = subject.Skeleton.ModelPositions[head];
+        ReadOnlySpan<Vector3> positions = subject.Mesh.Positions;
         for (int v = 0; v < positions.Length; v++)
         {
-            if (body.Subject.Mesh.Weights[v].Joint0 == body.Head && Vec.Dot(positions[v], direction) > Vec.Dot(farthest, direction))
+            if (subject.Mesh.Weights[v].Joint0 == head && Vec.Dot(positions[v], direction) > Vec.Dot(farthest, direction))
             {
                 farthest = positions[v];
             }

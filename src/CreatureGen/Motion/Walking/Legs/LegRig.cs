@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Ik;
 using CreatureGen.Rigging;
@@ -87,18 +88,15 @@ internal sealed class LegRig
         Metatarsus = p[Ball] - p[Ankle];
         Length = Vec.Distance(HipRest, Home);
         PostureSeconds = PostureFade.SecondsOf(Length);
-        Lateral = Traits.Archetype is LimbArchetype.Sprawl or LimbArchetype.Insect or LimbArchetype.Jumper or LimbArchetype.FrogHind or LimbArchetype.FrogFore;
+        Lateral = LegKinds.Of(Traits.Archetype).Build.Posture == LimbPosture.Splayed;
         FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Archetype is not LimbArchetype.Insect and not LimbArchetype.Jumper and not LimbArchetype.Column;
 
         // A foot out to the side rolls over the tip of its own toes.
         Vector3 toes = p[End] - p[Ball];
         toes.Y = 0f;
-        ToeDirection = Traits.Archetype == LimbArchetype.Insect ? Vec.Normalize(new Vector3(Home.X - HipRest.X, 0f, Home.Z - HipRest.Z), Vector3.UnitZ) : Vec.Normalize(toes, Vector3.UnitZ);
-        if (ToeDirection.Z < 0.3f && Traits.Archetype != LimbArchetype.Insect)
-        {
-            ToeDirection = Vector3.UnitZ;
-        }
-
+        Vector3 ahead = Vec.Normalize(toes, Vector3.UnitZ);
+        Follows = Traits.Archetype == LimbArchetype.Insect;
+        ToeDirection = Follows ? Vec.Normalize(new Vector3(Home.X - HipRest.X, 0f, Home.Z - HipRest.Z), Vector3.UnitZ) : ahead.Z < 0.3f ? Vector3.UnitZ : ahead;
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
@@ -110,7 +108,6 @@ internal sealed class LegRig
         RollFraction = FlatFoot ? 1f : Math.Min(1f, (float)PortableMath.Asin(tip) / Traits.ToeOff);
         SoleMiddle = new Vector3(sole.Middle.X, 0f, sole.Middle.Z);
         Sole = Array.ConvertAll(sole.Outline, place => place - new Vector3(0f, BallHeight, 0f));
-        Follows = Traits.Archetype == LimbArchetype.Insect;
         Hinge = Vec.Normalize(Rotation.Rotate(skeleton.ModelRotations[Knee], Vector3.UnitX));
         Vector3 upper = Traits.Linkage == LegLinkage.Pantograph ? Thigh + Metatarsus : Thigh;
         Vector3 across = Vec.Normalize(Vec.Cross(upper + Shank, Vector3.UnitY), Hinge);

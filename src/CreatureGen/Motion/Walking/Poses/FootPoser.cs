@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Toolkit.Steps;

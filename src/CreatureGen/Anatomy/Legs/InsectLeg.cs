@@ -1,0 +1,60 @@
+namespace CreatureGen.Anatomy.Legs;
+
+/// <summary>The arched leg of an insect.</summary>
+internal static class InsectLeg
+{
+    public static LegKind Kind { get; } = new(
+        LimbArchetype.Insect,
+        outline: new LegOutline(FootEnd.Point)
+        {
+            KneeRow = 3,
+            AnkleRow = 6,
+            BallRow = 7,
+            Lateral = true,
+            Jointed = true,
+            Rows = new LegSection[]
+            {
+                new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },
+                new() { Forward = 0, Down = -60, Outward = 300, ForeRadius = 720, SideRadius = 720 },
+                new() { Forward = 0, Down = -340, Outward = 720, ForeRadius = 620, SideRadius = 620 },
+                new() { Forward = 0, Down = -480, Outward = 1050, ForeRadius = 440, SideRadius = 440 },
+                new() { Forward = 0, Down = -380, Outward = 1220, ForeRadius = 380, SideRadius = 380 },
+                new() { Forward = 0, Down = 50, Outward = 1420, ForeRadius = 400, SideRadius = 400 },
+                new() { Forward = 0, Down = 550, Outward = 1620, ForeRadius = 260, SideRadius = 260 },
+                new() { Forward = 0, Down = 930, Outward = 1780, ForeRadius = 180, SideRadius = 180 },
+                new() { Forward = 0, Down = 985, Outward = 1920, ForeRadius = 160, SideRadius = 160 },
+            },
+        },
+        build: new LegBuild(LimbPosture.Splayed)
+        {
+            MinGirth = 0.08,
+            GreatestGirth = 0.20,
+            SideGirth = 1,
+            SwingDegrees = 20,
+            FootForward = 0,
+            FootOutward = 1.92,
+            Heel = 0.16,
+            Toe = 0.30,
+            HalfWidth = 0.16,
+        },
+        limits: new LegLimits(
+            hip: new(swingX: (-60, 60), swingZ: (-60, 60), twist: (-40, 40)),
+            knee: new(swingX: (-80, 80), swingZ: (-10, 10), twist: (-10, 10)),
+            ankle: new(swingX: (-50, 50), swingZ: (-12, 12), twist: (-20, 20)),
+            ball: new(swingX: (-40, 40), swingZ: (-10, 10), twist: (-10, 10))),
+        step: new LegStep(LegLinkage.Foot)
+        {
+            Lift = 0.16,
+            Peak = 0.5,
+            FoldDegrees = 0,
+            UnfoldDegrees = 0,
+            ToeOffDegrees = 10,
+            SwingPitchDegrees = 14,
+            StrikeDegrees = 0,
+            Bend = 0,
+        },
+        flight: new LegFlight(
+            tucked: new LegPosture(hip: 0.70, knee: -1.30, ankle: 0.70, ball: 0.50),
+            hanging: new LegPosture(hip: 0.60, knee: -1.05, ankle: 0.60, ball: 0.40),
+            reaching: new LegPosture(hip: -0.05, knee: -0.15, ankle: 0, ball: 0)));
+}

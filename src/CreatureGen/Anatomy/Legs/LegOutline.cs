@@ -1,0 +1,50 @@
+using System;
+
+namespace CreatureGen.Anatomy.Legs;
+
+/// <summary>The shape of a leg or arm as data.</summary>
+/// <param name="End">How it ends.</param>
+internal sealed record LegOutline(FootEnd End)
+{
+    /// <summary>From the socket on.</summary>
+    public LegSection[] Rows { get; init; } = Array.Empty<LegSection>();
+
+    public int KneeRow { get; init; }
+
+    public int AnkleRow { get; init; }
+
+    public int BallRow { get; init; }
+
+    /// <summary>Least thickness relative to the length; 0 when there is no limit.</summary>
+    public double MinThickness { get; init; }
+
+    /// <summary>Most thickness relative to the length; 0 when there is no limit.</summary>
+    public double MaxThickness { get; init; }
+
+    /// <summary>Number of last rows whose radii grow with the size of the foot.</summary>
+    public int FootRows { get; init; }
+
+    /// <summary>Length of the toes in units of thickness times foot size.</summary>
+    public double ToeLength { get; init; }
+
+    /// <summary>Angle between the outer toes and straight ahead, radians.</summary>
+    public double ToeSplay { get; init; }
+
+    /// <summary>Radius of a toe's tip in units of thickness times foot size.</summary>
+    public double ToeRadius { get; init; }
+
+    /// <summary>Whether it reaches out to the side and turns with its azimuth, instead of standing under the body.</summary>
+    public bool Lateral { get; init; }
+
+    /// <summary>Whether it arches out of the body's side on a socket of few cells and ends in a point.</summary>
+    public bool Jointed { get; init; }
+
+    /// <summary>Whether it stands on long spread toes under the body.</summary>
+    public bool LongToed { get; init; }
+
+    /// <summary>Whether it folds at the side of the body, its foot far out.</summary>
+    public bool Crouched { get; init; }
+
+    /// <summary>Whether it stands on the whole of its sole.</summary>
+    public bool FlatSoled { get; init; }
+}
