@@ -113,7 +113,7 @@ public static class BlueprintSampler
         FeatureSampler.Sample(builder, options.Ornaments);
         HeadBlueprint head = HeadSampler.Sample(builder);
         CoatBlueprint coat = CoatSampler.Sample(builder, options.Palette);
-        double scale = builder.Stream("scale").Uniform(options.MinScale, options.MaxScale);
+        double scale = NaturalSize.Draw(builder, options);
         return new CreatureBlueprint(
             CreatureBlueprint.CurrentAlgorithm,
             seed,

@@ -14,7 +14,10 @@ public sealed record CreatureOptions
     /// <summary>How the creature moves. Default: <see cref="RequestedKind.Any"/>.</summary>
     public RequestedKind Kind { get; init; } = RequestedKind.Any;
 
-    /// <summary>Least size of the whole creature, 0.05..20; at 1 a torso is about one metre long. Default: 0.5.</summary>
+    /// <summary>
+    /// Least size of the whole creature, 0.05..20; at 1 a torso is about one metre long. What lies between it and <see cref="MaxScale"/> is shared out by how large a creature's parents are in life:
+    /// rhinos are near the greatest size, ants two fifths of the way up to it from the least, by logarithms; strange ones may be smaller. Default: 0.5.
+    /// </summary>
     public double MinScale { get; init; } = 0.5;
 
     /// <summary>Greatest size of the whole creature, 0.05..20, not below <see cref="MinScale"/>. Default: 2.</summary>

@@ -59,6 +59,14 @@ internal sealed record SpeciesProfile
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
     };
 
+    /// <summary>
+    /// Length of the torso of grown ones in life, shoulders to base of the tail, metres; of insects and spiders thorax and abdomen, of snakes and eels the body before the vent.
+    /// About .55 to .65 of the lengths of head and body of mammals (white rhinos 3.4–4.2 m, Bactrian camels 2.3–3.5 m whose bodies measure 1.5 m: Wurihan et al. 2022), half of the lengths of birds from bill to tail
+    /// (toco toucans .63 m), .7 of those of fish and of reptiles from snout to vent, a third of those of horned dinosaurs (5–8 m), a third to a fifth of plesiosaurs' (3.5–10 m, up to 7 of it neck), two thirds of insects'
+    /// (ants 4–25 mm, mantises 50–90 mm), all of spiders' (wolf spiders 10–30 mm).
+    /// </summary>
+    public (double Min, double Max) TorsoLength { get; init; }
+
     /// <summary>Probability among walkers, fliers and swimmers, relative.</summary>
     public (double Walking, double Flying, double Swimming) Frequency { get; init; }
 

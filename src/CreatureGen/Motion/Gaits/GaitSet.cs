@@ -14,7 +14,7 @@ public sealed class GaitSet
     private const double QuickestAtOneKilogram = 6;
     private const double QuickestExponent = -0.14;
 
-    /// <summary>Part of a gait's comfortable Froude number below which steps get shorter instead of slower.</summary>
+    /// <summary>Part of a gait's comfortable Froude number below which steps get shorter instead of slower, unless those come too quick already.</summary>
     private const float SlowestFraction = 0.25f;
 
     /// <summary>Strides are not shortened for short legs below this part of what the gait asks for.</summary>
@@ -109,13 +109,15 @@ public sealed class GaitSet
         return chosen;
     }
 
-    /// <summary>Cycles per second of a gait on legs that reach no further than a stance allows.</summary>
-    internal static float FrequencyOf(Gait gait, float froude, float legLength, float gravity, float longestStance)
+    /// <summary>Cycles per second of a gait on legs that reach no further than a stance allows: at low speeds no more than the mass lets them, which short strides would ask for.</summary>
+    internal static float FrequencyOf(Gait gait, float froude, float legLength, float gravity, float longestStance, float quickest)
     {
         float fr = Math.Max(froude, SlowestFraction * gait.Comfortable);
         float stride = legLength * gait.Stride.At(fr);
         stride = Math.Max(Math.Min(stride, longestStance / gait.Duty.At(froude)), ShortestFraction * stride);
-        return (float)Math.Sqrt(fr * gravity * legLength) / stride;
+        float unit = gravity * legLength;
+        float frequency = (float)Math.Sqrt(fr * unit) / stride;
+        return frequency <= quickest ? frequency : Math.Max(quickest, (float)Math.Sqrt(froude * unit) / stride);
     }
 
     /// <summary>Cycles per second that a creature's mass lets it take at most.</summary>
@@ -126,9 +128,9 @@ public sealed class GaitSet
     private static float QuickestFroude(Gait gait, float legLength, float mass, float gravity, float longestStance)
     {
         float quickest = QuickestOf(mass);
-        float min = 0.25f * gait.Comfortable;
+        float min = 0f;
         float max = gait.Fastest;
-        if (FrequencyOf(gait, max, legLength, gravity, longestStance) <= quickest)
+        if (FrequencyOf(gait, max, legLength, gravity, longestStance, quickest) <= quickest)
         {
             return max;
         }
@@ -136,7 +138,7 @@ public sealed class GaitSet
         for (int i = 0; i < 24; i++)
         {
             float middle = 0.5f * (min + max);
-            if (FrequencyOf(gait, middle, legLength, gravity, longestStance) <= quickest)
+            if (FrequencyOf(gait, middle, legLength, gravity, longestStance, quickest) <= quickest)
             {
                 min = middle;
             }

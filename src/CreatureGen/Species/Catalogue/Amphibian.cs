@@ -32,6 +32,7 @@ internal static class Amphibian
             (80, 0, 12, 12, 12)),      // tail tip
         Class = AnimalClass.Amphibian, Cover = SkinCover.Wrinkles, CoverSize = 0.05f,
         BackRow = 0.5, Plated = true, Shelled = true, ArmedTail = true,
+        TorsoLength = (0.06, 0.16),
         Frequency = (0.4, 0, 0.15),
         Partners = new[] { "reptile", "fish", "bovine", "feline" },
         WalkingPlans = Weights.Of((BodyPlan.Sprawling, 0.86), (BodyPlan.Plantigrade, 0.14)),

@@ -32,6 +32,7 @@ internal static class Angler
             (80, 0, 22, 42, 40),       // tail, second third
             (100, 0, 8, 30, 30)),      // tail tip
         Cover = SkinCover.Wrinkles, CoverSize = 0.05f,
+        TorsoLength = (0.2, 0.55),
         Frequency = (0, 0, 0.26),
         Dominance = (0.93, 0.98),
         Signatures = new[] { Signature.None, Signature.BigEyes },

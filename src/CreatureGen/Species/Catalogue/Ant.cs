@@ -31,6 +31,7 @@ internal static class Ant
             (160, 8, 200, 186, 186),   // tail, first third
             (200, 14, 155, 140, 146),  // tail, second third
             (160, 20, 12, 12, 12)),    // tail tip
+        TorsoLength = (0.006, 0.014),
         Frequency = (0.13, 0, 0),
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes, Signature.BigTail },
         Eye = (9.4, 7.0), EyeSize = 0.34,

@@ -34,6 +34,7 @@ internal static class Avian
         Motion = new MotionTraits { StandingPitch = 24, BobsHead = true },
         Skull = new SkullShape { Chin = 0 }, BipedHipHeight = (0.95, 1.4),
         Crest = 0.45, BackRow = 0, FlierLegPairs = Weights.Of((1, 1)),
+        TorsoLength = (0.13, 0.26),
         Frequency = (0.2, 0.25, 0),
         Partners = new[] { "reptile", "feline", "canine", "fish" },
         WalkingPlans = Weights.Of((BodyPlan.Theropod, 1)),

@@ -31,6 +31,7 @@ internal static class Beetle
             (140, -10, 225, 178, 100),  // tail, first third
             (120, -16, 135, 112, 75),   // tail, second third
             (70, -24, 30, 30, 30)),     // tail tip
+        TorsoLength = (0.012, 0.05),
         Frequency = (0.13, 0.2, 0),
         Eye = (8.5, 7.2), EyeSize = 0.42,
         Legs = new LegPreset

@@ -31,6 +31,7 @@ internal static class Bison
             (120, 75, 26, 28, 28),     // tail, first third
             (150, 82, 20, 20, 20),     // tail, second third
             (150, 84, 14, 14, 14)),    // tail tip
+        TorsoLength = (1.35, 1.8),
         Frequency = (0.15, 0, 0),
         Dominance = (0.93, 0.98),
         Kinship = 0,

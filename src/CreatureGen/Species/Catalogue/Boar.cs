@@ -31,6 +31,7 @@ internal static class Boar
             (90, 70, 18, 19, 19),      // tail, first third
             (90, 75, 14, 15, 15),      // tail, second third
             (90, 75, 18, 22, 22)),     // tail tip
+        TorsoLength = (0.7, 1.05),
         Frequency = (0.24, 0, 0),
         Kinship = 0,
         HipHeight = (0.52, 0.66), LegGirth = 1.15,

@@ -31,6 +31,7 @@ internal static class Butterfly
             (120, 10, 66, 66, 66),   // tail, first third
             (120, 10, 44, 44, 44),   // tail, second third
             (80, 8, 10, 10, 10)),    // tail tip
+        TorsoLength = (0.014, 0.03),
         Frequency = (0, 0.42, 0),
         Eye = (8.8, 7.0), EyeSize = 0.74, EyeSink = 0.55,
         Annuli = new AnnuliBlueprint(41, 0.05),

@@ -31,6 +31,7 @@ internal static class Camel
             (130, 68, 26, 28, 28),     // tail, first third
             (150, 80, 20, 22, 22),     // tail, second third
             (130, 82, 18, 20, 20)),    // tail tip
+        TorsoLength = (1.25, 1.65),
         Frequency = (0.15, 0, 0),
         Dominance = (0.93, 0.98),
         Kinship = 0,

@@ -33,6 +33,7 @@ internal static class Canine
         Class = AnimalClass.Mammal, Cover = SkinCover.Fur, CoverSize = 0.022f, Snout = SnoutKind.Leather,
         Skull = new SkullShape { Lips = 0.14, Muzzle = new[] { new HeadBump(2.6, 7.2, 2.0, 2.0, 0.12), new HeadBump(5.6, 7.0, 1.3, 2.6, -0.10), new HeadBump(6.6, 0.5, 1.1, 2.5, -0.10), new HeadBump(0.6, 2.0, 1.0, 3.0, 0.10) } },
         Antlered = true, Tusked = true, Hair = (0.22, 0.15), BackRow = 0.1, FlierLegPairs = Weights.Of((2, 1)), SwimmingHead = 4,
+        TorsoLength = (0.45, 0.85),
         Frequency = (0.62, 0.4, 0.16),
         Partners = new[] { "feline", "bovine", "reptile", "avian" },
         WalkingPlans = Weights.Of((BodyPlan.Digitigrade, 0.8), (BodyPlan.Upright, 0.15), (BodyPlan.Centaur, 0.05)),

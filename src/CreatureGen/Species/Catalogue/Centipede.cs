@@ -33,6 +33,7 @@ internal static class Centipede
             (110, 0, 100, 54, 46),  // tail, first third
             (110, 0, 84, 46, 40),   // tail, second third
             (100, 0, 30, 20, 20)),  // tail tip
+        TorsoLength = (0.04, 0.16),
         Frequency = (0.12, 0, 0),
         Dominance = (0.93, 0.98),
         WalkingPlans = new[] { new Weighted<BodyPlan>(BodyPlan.ManyLegged, 1) },

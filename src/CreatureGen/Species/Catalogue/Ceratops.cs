@@ -31,6 +31,7 @@ internal static class Ceratops
             (260, 16, 85, 85, 82),     // tail, first third
             (280, 14, 45, 48, 46),     // tail, second third
             (220, 6, 12, 14, 14)),     // tail tip
+        TorsoLength = (1.9, 3),
         Frequency = (0.16, 0, 0),
         Dominance = (0.93, 0.98),
         Kinship = 0,

@@ -31,6 +31,7 @@ internal static class Cobra
             (350, 0, 72, 70, 65),      // tail, first third
             (350, 0, 46, 45, 42),      // tail, second third
             (300, 0, 12, 12, 12)),     // tail tip
+        TorsoLength = (0.7, 1.6),
         Frequency = (0.17, 0, 0),
         LatticeSpread = 0.16,
         Eye = (9.6, 5.4), EyeSize = 0.30,

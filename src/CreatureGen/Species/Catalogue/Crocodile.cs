@@ -31,6 +31,7 @@ internal static class Crocodile
             (300, 0, 70, 104, 75),    // tail, first third
             (320, 0, 44, 104, 60),    // tail, second third
             (300, 0, 7, 30, 20)),     // tail tip
+        TorsoLength = (0.8, 1.8),
         Frequency = (0.25, 0, 0.3),
         Eye = (10.0, 3.4), EyeSize = 0.22, EyeSink = 0.35, Bone = 0.3,
         Teeth = 1, ToothLength = 0.16, HeadOrnament = (0, 0),

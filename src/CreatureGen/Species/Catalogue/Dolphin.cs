@@ -32,6 +32,7 @@ internal static class Dolphin
             (130, 0, 24, 32, 30),      // tail, second third
             (60, 0, 14, 16, 16)),      // tail tip
         Cover = SkinCover.Wrinkles, CoverSize = 0.022f,
+        TorsoLength = (1, 1.8),
         Frequency = (0, 0, 0.34),
         Dominance = (0.93, 0.98),
         Eye = (8.6, 8.2), EyeSize = 0.17,

@@ -32,6 +32,7 @@ internal static class Duck
             (100, -26, 74, 25, 30),     // tail, second third
             (60, -28, 30, 10, 10)),     // tail tip
         Motion = new MotionTraits { StandingPitch = 20, BobsHead = true },
+        TorsoLength = (0.2, 0.3),
         Frequency = (0.19, 0.25, 0),
         Eye = (10.2, 6.2), EyeSize = 0.30,
         Bird = new BirdPreset { HipHeight = (0.46, 0.55), Thigh = (0.46, 0.58), Foot = 1.15, Claw = 0.3, HipSegment = 9.6, FoldRing = 46.5, Fan = 0.10 },

@@ -31,6 +31,7 @@ internal static class Eel
             (300, 0, 46, 70, 68),  // tail, first third
             (320, 0, 30, 52, 50),  // tail, second third
             (280, 0, 8, 16, 16)),  // tail tip
+        TorsoLength = (0.35, 0.9),
         Frequency = (0, 0, 0.28),
         HeadOrnament = (0, 0),
         SwimmingPlans = Weights.Of((BodyPlan.Eel, 1)),

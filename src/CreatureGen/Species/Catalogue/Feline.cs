@@ -34,6 +34,7 @@ internal static class Feline
         Motion = new MotionTraits { IsSupple = true },
         Skull = new SkullShape { Lips = 0.14, Muzzle = new[] { new HeadBump(2.6, 7.2, 2.0, 2.0, 0.12), new HeadBump(5.6, 7.0, 1.3, 2.6, -0.10), new HeadBump(6.6, 0.5, 1.1, 2.5, -0.10), new HeadBump(0.6, 2.0, 1.0, 3.0, 0.10) } },
         Hair = (0.22, 0.4), BackRow = 0.1, FlierLegPairs = Weights.Of((2, 1)),
+        TorsoLength = (0.32, 0.75),
         Frequency = (0.75, 0.5, 0),
         Partners = new[] { "canine", "reptile", "avian", "serpent" },
         WalkingPlans = Weights.Of((BodyPlan.Digitigrade, 0.58), (BodyPlan.Plantigrade, 0.22), (BodyPlan.Upright, 0.17), (BodyPlan.Centaur, 0.03)),

@@ -32,6 +32,7 @@ internal static class Fish
             (140, 0, 8, 30, 30)),     // tail tip
         Class = AnimalClass.Fish, Cover = SkinCover.Scales, CoverSize = 0.045f, EyeRim = EyeRim.Still,
         Skull = new SkullShape { Jowl = 0 }, WidestMouth = 0.12, BackRow = 0, FlierLegPairs = Weights.Of((0, 0.66), (1, 0.28), (2, 0.06)),
+        TorsoLength = (0.18, 0.6),
         Frequency = (0.2, 0.15, 1.5),
         Partners = new[] { "serpent", "amphibian", "reptile", "avian" },
         WalkingPlans = Weights.Of((BodyPlan.Theropod, 0.4), (BodyPlan.Sprawling, 0.6)),

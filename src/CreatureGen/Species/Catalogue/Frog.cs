@@ -31,6 +31,7 @@ internal static class Frog
             (40, 5, 56, 50, 46),       // tail, first third
             (30, 0, 34, 30, 30),       // tail, second third
             (20, 0, 12, 12, 12)),      // tail tip
+        TorsoLength = (0.04, 0.13),
         Frequency = (0.36, 0, 0),
         Dominance = (0.93, 0.98),
         LatticeSpread = 0.16,

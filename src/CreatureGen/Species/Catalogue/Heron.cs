@@ -32,6 +32,7 @@ internal static class Heron
             (120, 6, 62, 28, 30),      // tail, second third
             (80, 5, 20, 10, 10)),      // tail tip
         Motion = new MotionTraits { StandingPitch = 32, BobsHead = true },
+        TorsoLength = (0.24, 0.38),
         Frequency = (0.19, 0.22, 0),
         Eye = (9.8, 6.2), EyeSize = 0.375,
         Bird = new BirdPreset { HipHeight = (1.0, 1.33), HipSegment = 11.4, Thigh = (0.36, 0.46), Foot = 1.5, FoldRing = 47, Fan = 0, FlightPitch = (-14, -6) },

@@ -31,6 +31,7 @@ internal static class Hopper
             (180, 2, 66, 68, 70),      // tail, first third
             (160, 4, 46, 46, 50),      // tail, second third
             (100, 6, 12, 12, 12)),     // tail tip
+        TorsoLength = (0.02, 0.045),
         Frequency = (0.13, 0, 0),
         Eye = (9.6, 6.0), EyeSize = 0.50,
         Annuli = new AnnuliBlueprint(36, 0.05),

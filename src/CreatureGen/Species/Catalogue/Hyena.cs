@@ -31,6 +31,7 @@ internal static class Hyena
             (130, 55, 38, 42, 42),     // tail, first third
             (140, 60, 36, 40, 40),     // tail, second third
             (120, 60, 18, 20, 20)),    // tail tip
+        TorsoLength = (0.65, 0.9),
         Frequency = (0.18, 0, 0),
         Dominance = (0.93, 0.98),
         Kinship = 0,

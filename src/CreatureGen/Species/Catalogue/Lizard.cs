@@ -31,6 +31,7 @@ internal static class Lizard
             (340, 8, 52, 52, 50),     // tail, first third
             (420, 4, 28, 28, 28),     // tail, second third
             (400, -2, 9, 9, 9)),      // tail tip
+        TorsoLength = (0.06, 0.2),
         Frequency = (0.14, 0, 0),
         Dominance = (0.93, 0.98),
         Kinship = 0,

@@ -31,6 +31,7 @@ internal static class Mantis
             (200, -4, 94, 82, 92),     // tail, first third
             (180, 0, 62, 52, 56),      // tail, second third
             (120, 4, 12, 12, 12)),     // tail tip
+        TorsoLength = (0.03, 0.07),
         Frequency = (0.13, 0.12, 0),
         Dominance = (0.93, 0.98),
         Eye = (9.6, 7.4), EyeSize = 0.62, EyeSink = 0.55,

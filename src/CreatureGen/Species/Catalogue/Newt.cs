@@ -31,6 +31,7 @@ internal static class Newt
             (300, 0, 46, 118, 92),    // tail, first third
             (300, 0, 28, 92, 70),     // tail, second third
             (300, 0, 5, 12, 12)),     // tail tip
+        TorsoLength = (0.04, 0.08),
         Frequency = (0.25, 0, 0.3),
         Eye = (9.4, 4.6), EyeSize = 0.24,
         WalkingPlans = Weights.Of((BodyPlan.Sprawling, 1)),

@@ -32,6 +32,7 @@ internal static class Ostrich
             (90, -10, 92, 36, 40),      // tail, second third
             (60, -5, 30, 12, 12)),      // tail tip
         Motion = new MotionTraits { StandingPitch = 15, BobsHead = true },
+        TorsoLength = (0.7, 0.95),
         Frequency = (0.19, 0, 0),
         Eye = (10.0, 6.0), EyeSize = 0.44,
         Bird = new BirdPreset { HipHeight = (1.07, 1.3), HipSegment = 11.4, Thigh = (0.56, 0.66), Toes = 2, FoldRing = 43, Fan = 0.12 },

@@ -32,6 +32,7 @@ internal static class Owl
             (110, 26, 72, 24, 24),     // tail, second third
             (80, 24, 40, 10, 10)),     // tail tip
         Motion = new MotionTraits { StandingPitch = 48, BobsHead = true },
+        TorsoLength = (0.12, 0.28),
         Frequency = (0.17, 0.2, 0),
         Eye = (8.6, 4.6), EyeSize = 0.40, EyeForward = 2, Bone = 1.15, Mood = 0.4, LidDegrees = (54, 72),
         Bird = new BirdPreset { HipHeight = (0.34, 0.44), Thigh = (0.50, 0.62), Foot = 0.9, Claw = 1.5, FoldRing = 47, Fan = 0.11, FlightPitch = (-40, -26) },

@@ -32,6 +32,7 @@ internal static class Parrot
             (260, 48, 52, 26, 26),     // tail, second third
             (200, 50, 30, 10, 10)),    // tail tip
         Motion = new MotionTraits { StandingPitch = 40, BobsHead = true },
+        TorsoLength = (0.1, 0.28),
         Frequency = (0.15, 0.25, 0),
         Eye = (10.4, 6.4), EyeSize = 0.275,
         Bird = new BirdPreset { HipHeight = (0.44, 0.52), Thigh = (0.48, 0.60), Foot = 0.9, FoldRing = 47.5, Fan = 0.11, FlightPitch = (-34, -40) },

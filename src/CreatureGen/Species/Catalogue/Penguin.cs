@@ -32,6 +32,7 @@ internal static class Penguin
             (60, 30, 56, 30, 30),      // tail, second third
             (50, 28, 30, 12, 12)),     // tail tip
         Motion = new MotionTraits { StandingPitch = 62, Waddles = true, BobsHead = true },
+        TorsoLength = (0.3, 0.65),
         Frequency = (0.16, 0, 0),
         Dominance = (0.93, 0.98),
         Eye = (9.8, 6.0), EyeSize = 0.26,

@@ -31,6 +31,7 @@ internal static class Plesiosaur
             (160, 0, 62, 56, 50),      // tail, first third
             (160, 0, 36, 36, 30),      // tail, second third
             (120, 0, 10, 10, 10)),     // tail tip
+        TorsoLength = (1.1, 2.4),
         Frequency = (0, 0, 0.33),
         Eye = (9.4, 5.0), EyeSize = 0.30,
         HeadOrnament = (0, 0.15),

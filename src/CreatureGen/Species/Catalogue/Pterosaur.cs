@@ -33,6 +33,7 @@ internal static class Pterosaur
             (40, 0, 8, 8, 8)),         // tail tip
         Cover = SkinCover.Wrinkles, CoverSize = 0.05f,
         Motion = new MotionTraits { StandingPitch = 30 },
+        TorsoLength = (0.3, 0.9),
         Frequency = (0, 0.42, 0),
         Dominance = (0.92, 0.97),
         Kinship = 0,

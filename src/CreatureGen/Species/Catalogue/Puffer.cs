@@ -32,6 +32,7 @@ internal static class Puffer
             (70, 0, 26, 40, 38),      // tail, second third
             (70, 0, 10, 30, 30)),     // tail tip
         Cover = SkinCover.Wrinkles, CoverSize = 0.022f,
+        TorsoLength = (0.1, 0.3),
         Frequency = (0, 0, 0.22),
         Dominance = (0.93, 0.98),
         Signatures = new[] { Signature.None, Signature.BigEyes },

@@ -32,6 +32,7 @@ internal static class Raptor
             (180, 2, 84, 28, 28),      // tail, second third
             (140, 0, 56, 10, 10)),     // tail tip
         Motion = new MotionTraits { StandingPitch = 38, BobsHead = true },
+        TorsoLength = (0.2, 0.38),
         Frequency = (0.15, 0.32, 0),
         Eye = (9.8, 5.6), EyeSize = 0.36, Bone = 1.15, Mood = 0.55, LidDegrees = (50, 72),
         Bird = new BirdPreset { HipHeight = (0.57, 0.72), Thigh = (0.68, 0.80), Foot = 1.15, Claw = 1.8, FoldRing = 48, Fan = 0.17, FlightPitch = (-16, -4) },

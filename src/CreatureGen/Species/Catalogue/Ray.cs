@@ -32,6 +32,7 @@ internal static class Ray
             (400, 0, 14, 14, 14),    // tail, second third
             (350, 0, 5, 5, 5)),      // tail tip
         Cover = SkinCover.Wrinkles, CoverSize = 0.022f,
+        TorsoLength = (0.4, 1.5),
         Frequency = (0, 0, 0.38),
         Dominance = (0.93, 0.98),
         Kinship = 0,

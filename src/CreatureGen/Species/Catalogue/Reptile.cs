@@ -32,6 +32,7 @@ internal static class Reptile
             (300, -6, 12, 14, 14)),    // tail tip
         Class = AnimalClass.Reptile, Cover = SkinCover.Scales, CoverSize = 0.04f,
         Tusked = true, Collar = 0.14, BackRow = 0.5, Plated = true, Shelled = true, ArmedTail = true,
+        TorsoLength = (0.25, 0.7),
         Frequency = (0.45, 0.65, 0.3),
         Partners = new[] { "amphibian", "serpent", "canine", "avian" },
         WalkingPlans = Weights.Of((BodyPlan.Sprawling, 0.45), (BodyPlan.Theropod, 0.33), (BodyPlan.Plantigrade, 0.22)),

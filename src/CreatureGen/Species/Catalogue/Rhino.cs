@@ -32,6 +32,7 @@ internal static class Rhino
             (110, 82, 22, 24, 24),     // tail, second third
             (100, 84, 24, 28, 28)),    // tail tip
         Cover = SkinCover.Wrinkles, CoverSize = 0.05f,
+        TorsoLength = (1.7, 2.3),
         Frequency = (0.22, 0, 0),
         Kinship = 0,
         HipHeight = (0.58, 0.70), LegGirth = 0.84,

@@ -32,6 +32,7 @@ internal static class Serpent
             (300, -4, 12, 12, 12)),    // tail tip
         Class = AnimalClass.Reptile, Cover = SkinCover.Scales, CoverSize = 0.034f, EyeRim = EyeRim.Still,
         BackRow = 0.5, Plated = true, SwimmingNeckDrop = 20,
+        TorsoLength = (0.6, 1.8),
         Frequency = (0.38, 0.22, 0.2),
         Partners = new[] { "reptile", "fish", "feline", "amphibian" },
         WalkingPlans = Weights.Of((BodyPlan.ManyLegged, 0.42), (BodyPlan.Legless, 0.34), (BodyPlan.Sprawling, 0.24)),

@@ -32,6 +32,7 @@ internal static class Shark
             (90, 0, 28, 30, 28),      // tail, second third
             (100, 0, 8, 30, 30)),     // tail tip
         Cover = SkinCover.Wrinkles, CoverSize = 0.022f,
+        TorsoLength = (1, 2.6),
         Frequency = (0, 0, 0.42),
         Eye = (8.4, 7.2), EyeSize = 0.17,
         MouthCorner = 6, Teeth = 0.9, ToothLength = 0.12,

@@ -31,6 +31,7 @@ internal static class Spider
             (180, 4, 290, 270, 220),    // tail, first third
             (200, 18, 215, 196, 170),   // tail, second third
             (160, 28, 20, 20, 20)),     // tail tip
+        TorsoLength = (0.01, 0.04),
         Frequency = (0.14, 0, 0),
         Dominance = (0.93, 0.98),
         HeadSize = (1, 0.3),

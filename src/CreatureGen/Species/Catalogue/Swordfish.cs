@@ -31,6 +31,7 @@ internal static class Swordfish
             (120, 0, 22, 32, 30),     // tail, first third
             (100, 0, 18, 26, 25),     // tail, second third
             (100, 0, 8, 18, 18)),     // tail tip
+        TorsoLength = (1, 1.9),
         Frequency = (0, 0, 0.22),
         Dominance = (0.93, 0.98),
         Eye = (10, 6.8), EyeSize = 0.26,

@@ -32,6 +32,7 @@ internal static class Toucan
             (220, 44, 52, 26, 26),     // tail, second third
             (160, 46, 30, 10, 10)),    // tail tip
         Motion = new MotionTraits { StandingPitch = 40, BobsHead = true },
+        TorsoLength = (0.15, 0.24),
         Frequency = (0.14, 0.22, 0),
         Dominance = (0.92, 0.97),
         Eye = (10.6, 6.2), EyeSize = 0.28,

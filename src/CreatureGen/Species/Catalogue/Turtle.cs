@@ -31,6 +31,7 @@ internal static class Turtle
             (70, 0, 56, 45, 45),       // tail, first third
             (60, 0, 36, 30, 30),       // tail, second third
             (50, 0, 8, 8, 8)),         // tail tip
+        TorsoLength = (0.25, 1),
         Frequency = (0.28, 0, 0.36),
         Dominance = (0.93, 0.98),
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },

@@ -31,6 +31,7 @@ internal static class Wasp
             (160, 16, 148, 142, 142),  // tail, first third
             (180, 20, 86, 82, 82),     // tail, second third
             (160, 26, 9, 9, 9)),       // tail tip
+        TorsoLength = (0.012, 0.024),
         Frequency = (0.13, 0.24, 0),
         Variety = 0.6, LatticeSpread = 0.2,
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes, Signature.BigTail },

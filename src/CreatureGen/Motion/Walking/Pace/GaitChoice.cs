@@ -22,6 +22,9 @@ internal static class GaitChoice
     /// <summary>How much faster it has to be than where it is entered.</summary>
     private const float WorthIt = 1.02f;
 
+    /// <summary>How much quicker than its mass lets them its steps may come where one gait is left for the next.</summary>
+    private const float MaxHurry = 1.4f;
+
     /// <summary>The gaits of a body, slow to fast.</summary>
     public static GaitSet For(LeggedBody body, float gravity)
     {
@@ -79,11 +82,12 @@ internal static class GaitChoice
         body.Rows > 3 && SlopeStance.OnLevel(body, GaitLibrary.BackwardWave) > SlopeStance.OnLevel(body, GaitLibrary.Wave) ? GaitLibrary.BackwardWave : GaitLibrary.Wave;
 
     /// <summary>
-    /// The set without gaits that the creature's legs are too short or too slow for: in which it gets hardly faster than where they are entered. Where the gait before one that is kept
-    /// ends before that, because its steps would come too quick, the next is entered there.
+    /// The set without gaits that the creature's legs are too short or too slow for: in which it gets hardly faster than where they are entered, or which steps too quick lead to or go on in. Where the
+    /// gait before one that is kept ends before that, because its steps would come too quick, the next is entered there.
     /// </summary>
     private static GaitSet Kept(List<GaitStep> steps, LeggedBody body, float gravity)
     {
+        float quickest = GaitSet.QuickestOf(body.Mass);
         var kept = new List<GaitStep> { steps[0] };
         GaitSet set = SetOf();
         for (int i = 1; i < steps.Count; i++)
@@ -91,9 +95,11 @@ internal static class GaitChoice
             float before = set.TopSpeed;
             float reached = System.Math.Max(before * before / (gravity * body.LegLength), Shuffling * steps[i].Gait.Comfortable);
             float fraction = System.Math.Min(reached / steps[i].Enter, 1f);
-            kept.Add(steps[i] with { Enter = fraction * steps[i].Enter, Leave = fraction * steps[i].Leave });
+            GaitStep next = steps[i] with { Enter = fraction * steps[i].Enter, Leave = fraction * steps[i].Leave };
+            bool hurries = Hurries(kept[kept.Count - 1].Gait, next.Enter) || Hurries(next.Gait, next.Leave);
+            kept.Add(next);
             GaitSet longer = SetOf();
-            if (longer.TopSpeed > WorthIt * System.Math.Min(before, (float)System.Math.Sqrt(steps[i].Enter * gravity * body.LegLength)))
+            if (!hurries && longer.TopSpeed > WorthIt * System.Math.Min(before, (float)System.Math.Sqrt(steps[i].Enter * gravity * body.LegLength)))
             {
                 set = longer;
             }
@@ -106,5 +112,8 @@ internal static class GaitChoice
         return set;
 
         GaitSet SetOf() => new GaitSet(kept, body.LegLength, body.Mass, gravity, gait => SlopeStance.OnLevel(body, gait));
+
+        bool Hurries(Gait gait, float froude) =>
+            GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, SlopeStance.OnLevel(body, gait), quickest) > MaxHurry * quickest;
     }
 }

@@ -202,8 +202,8 @@ internal sealed class GaitClock
         }
 
         float froude = speed * speed / (gravity * body.LegLength);
-        float level = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level);
-        float here = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, stance);
+        float level = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level, quickest);
+        float here = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, stance, quickest);
         return speed * Math.Min(1f, Math.Max(quickest, level) / here);
     }
 
@@ -215,7 +215,7 @@ internal sealed class GaitClock
     {
         float unit = gravity * body.LegLength;
         float froude = speed * speed / unit;
-        float straight = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level);
+        float straight = GaitSet.FrequencyOf(Gait, froude, body.LegLength, gravity, longest.Level, quickest);
         for (int i = 0; i < TurnTrials; i++)
         {
             float needed = FrequencyInTurn(speed, 0f, turn, straight, DutyInTurn(Gait, froude, turn, unit));
@@ -292,7 +292,7 @@ internal sealed class GaitClock
             measuredFroude = froude;
             measuredGravity = gravity;
             measuredSlope = slope;
-            measuredFrequency = GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, longest.At(slope));
+            measuredFrequency = GaitSet.FrequencyOf(gait, froude, body.LegLength, gravity, longest.At(slope), quickest);
         }
 
         return measuredFrequency;
