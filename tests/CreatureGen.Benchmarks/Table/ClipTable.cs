@@ -42,7 +42,7 @@ internal static class ClipTable
         {
             for (ulong seed = 0; seed < (ulong)seeds; seed++)
             {
-                Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
+                Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind, MinScale = 1, MaxScale = 1 });
                 foreach (Clip clip in ClipBaker.Bake(creature).Concat(ClipBaker.BakeActs(creature)))
                 {
                     raw += (long)RawBytes * clip.Frames * clip.Joints;
