@@ -75,6 +75,7 @@ internal static class CreatureText
             LimbKind.Ventral => "ventral fin",
             LimbKind.Ear => "ear",
             LimbKind.Antenna => "antenna",
+            LimbKind.Disc => "disc row",
             _ => WordList<LimbKind>.Instance[kind],
         };
         string plural = kind == LimbKind.Antenna ? "antennae" : name + "s";

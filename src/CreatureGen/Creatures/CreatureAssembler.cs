@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
@@ -40,7 +41,7 @@ public static class CreatureAssembler
         (IReadOnlyList<Piece> pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(blueprint, grown, coat, normals);
         observer?.StageFinished(AssemblyStage.Features);
 
-        var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages, grown.Mouth, EyeSetter.SocketOf(blueprint, eye));
+        var input = new RigInput(blueprint, grown.Skin, surface, grown.Adjacency, appendages.Concat(DiscEdges.Of(blueprint, grown.Skin)).ToArray(), grown.Mouth, EyeSetter.SocketOf(blueprint, eye));
         Rig rig = CreatureRigger.Build(input);
         FinishedRig finished = rig.Scaled(scale);
         observer?.StageFinished(AssemblyStage.Rig);

@@ -17,7 +17,8 @@ internal static class ExtrasNames
         (LimbKind.Ventral, "ventral"),
         (LimbKind.Ear, "ear"),
         (LimbKind.Antenna, "antenna"),
-        (LimbKind.Tail, "tail"));
+        (LimbKind.Tail, "tail"),
+        (LimbKind.Disc, "disc"));
 
     public static readonly ChoiceNames<Side> Side = new(
         (Anatomy.Side.Median, "median"),

@@ -66,11 +66,14 @@ internal static class WeightChecks
         var limbs = new int[creature.Skeleton.Count];
         for (int i = 0; i < creature.Limbs.Count; i++)
         {
-            foreach (int joint in creature.Limbs[i].Joints)
+            // The rows of a half of a disc move one skin.
+            LimbChain limb = creature.Limbs[i];
+            int number = limb.Kind != LimbKind.Disc ? i + 1 : creature.Limbs.Count + (limb.Side == Side.Left ? 1 : 2);
+            foreach (int joint in limb.Joints)
             {
                 if (creature.Skeleton.Joints[joint].Role != JointRole.Girdle)
                 {
-                    limbs[joint] = i + 1;
+                    limbs[joint] = number;
                 }
             }
         }

@@ -145,7 +145,7 @@ internal static class CreatureRigger
         }
 
         double arc = line.ArcAt(appendage.RootRing);
-        if (swims || appendage.Kind is LimbKind.Dorsal or LimbKind.Ventral or LimbKind.Pectoral or LimbKind.Tail)
+        if (swims || appendage.Kind is LimbKind.Dorsal or LimbKind.Ventral or LimbKind.Pectoral or LimbKind.Tail or LimbKind.Disc)
         {
             return spine.At(arc).Dominant;
         }

@@ -13,7 +13,7 @@ public static class JointNames
         ("twist", JointRole.Other), ("finger", JointRole.Other), ("thumb", JointRole.Other), ("handindex", JointRole.Other), ("handmiddle", JointRole.Other), ("handring", JointRole.Other), ("handpinky", JointRole.Other),
         ("antenna", JointRole.Antenna), ("insectwing", JointRole.Wing), ("wing", JointRole.Wing),
         ("lid", JointRole.Lid), ("eye", JointRole.Eye), ("leftear", JointRole.Ear), ("rightear", JointRole.Ear), ("ear", JointRole.Ear), ("jaw", JointRole.Jaw),
-        ("tail", JointRole.Tail), ("pectoral", JointRole.Fin), ("dorsal", JointRole.Fin), ("ventral", JointRole.Fin), ("fin", JointRole.Fin),
+        ("tail", JointRole.Tail), ("pectoral", JointRole.Fin), ("dorsal", JointRole.Fin), ("disc", JointRole.Fin), ("ventral", JointRole.Fin), ("fin", JointRole.Fin),
         ("girdle", JointRole.Girdle), ("clavicle", JointRole.Girdle), ("shoulder", JointRole.Girdle),
         ("toe", JointRole.Ball), ("ball", JointRole.Ball),
         ("ankle", JointRole.Ankle), ("foot", JointRole.Ankle), ("wrist", JointRole.Ankle),

@@ -36,6 +36,9 @@ public enum LimbKind
 
     /// <summary>Further tail; its joints swing as those of feelers do.</summary>
     Tail,
+
+    /// <summary>Row of a disc's halves (rays): its joints go from the trunk out to the edge.</summary>
+    Disc,
 }
 
 /// <summary>A limb as a chain of joints of the skeleton.</summary>

@@ -99,7 +99,7 @@ internal static class LimbRigger
             LimbKind.Wing or LimbKind.InsectWing => JointRole.Wing,
             LimbKind.Ear => JointRole.Ear,
             LimbKind.Antenna or LimbKind.Tail => JointRole.Antenna,
-            LimbKind.Pectoral or LimbKind.Dorsal or LimbKind.Ventral => JointRole.Fin,
+            LimbKind.Pectoral or LimbKind.Dorsal or LimbKind.Ventral or LimbKind.Disc => JointRole.Fin,
             _ => throw new ArgumentOutOfRangeException(nameof(appendage), appendage.Kind, "expected a kind of limb that is a chain"),
         };
         Side side = appendage.Paired ? Side.Left : Side.Median;
@@ -137,6 +137,7 @@ internal static class LimbRigger
             LimbKind.Ear => "Ear",
             LimbKind.Antenna => "Antenna",
             LimbKind.Tail => "Tail",
+            LimbKind.Disc => "Disc",
             _ => throw new ArgumentOutOfRangeException(nameof(appendage), appendage.Kind, "expected a kind of limb"),
         };
         string letter = side switch { Side.Left => "L", Side.Right => "R", _ => "" };

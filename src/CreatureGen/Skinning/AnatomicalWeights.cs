@@ -1,7 +1,9 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
 using CreatureGen.Geometry;
+using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Skinning;
@@ -31,6 +33,7 @@ internal static class AnatomicalWeights
         var profiles = new LimbProfile?[input.Appendages.Count];
         MidlineFin?[] fins = MidlineFin.Measure(input, rig);
         var spread = SocketSpread.Measure(surface, input.Adjacency, input.Appendages);
+        var disc = DiscEdges.In(input, rig.Line);
         float[] jaw = MouthWeights.Solve(surface, input.Adjacency, input.Mouth);
         Span<SpineBlend> rings = stackalloc SpineBlend[BodyGrid.Rings];
         for (int i = 0; i < BodyGrid.Rings; i++)
@@ -67,6 +70,11 @@ internal static class AnatomicalWeights
             else
             {
                 AddBody(ref list, body);
+                if (disc != null)
+                {
+                    AddDisc(ref list, disc.At(surface.Positions[v], address.Ring, rig.Line.ArcAt(Scalar.Clamp(address.Ring, 0f, BodyGrid.Rings - 1))), rig);
+                }
+
                 AddPull(ref list, input, rig, profiles, spread, v);
                 if (jaw.Length > 0 && jaw[v] > 0f)
                 {
@@ -86,6 +94,24 @@ internal static class AnatomicalWeights
     {
         list.Add(body.First, 1f - body.SecondWeight);
         list.Add(body.Second, body.SecondWeight);
+    }
+
+    /// <summary>Adds what the halves of a disc take of a vertex of the body.</summary>
+    private static void AddDisc(ref InfluenceList list, in DiscShare disc, Rig rig)
+    {
+        if (disc.Share <= 0f)
+        {
+            return;
+        }
+
+        list.Scale(1f - disc.Share);
+        for (int row = 0; row < 2; row++)
+        {
+            int[] joints = rig.Appendages[disc.Front + row].Left;
+            float share = disc.Share * (row == 0 ? 1f - disc.Behind : disc.Behind);
+            list.Add(joints[0], share * (1f - disc.Outer));
+            list.Add(joints[1], share * disc.Outer);
+        }
     }
 
     /// <summary>Adds what limbs near a vertex of the body pull along. A vertex on the midline is pulled equally by both sides, by one pair at most, so that its four influences stay symmetric.</summary>

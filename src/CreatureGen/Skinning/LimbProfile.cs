@@ -74,7 +74,7 @@ internal sealed class LimbProfile
             LimbKind.Leg or LimbKind.Arm => (0.30f, along[1], new[] { 0.30f, 0.14f, 0.05f }),
             LimbKind.Wing => (0.35f, 0.10f, new[] { 0.30f, 0.12f, 0.04f }),
             LimbKind.Ear => (0.25f, 0.25f, new[] { 0.20f, 0.06f, 0f }),
-            LimbKind.InsectWing or LimbKind.Pectoral or LimbKind.Dorsal or LimbKind.Ventral or LimbKind.Antenna or LimbKind.Tail => (0.26f, 0.12f, new[] { 0.20f, 0.06f, 0f }),
+            LimbKind.InsectWing or LimbKind.Pectoral or LimbKind.Dorsal or LimbKind.Ventral or LimbKind.Antenna or LimbKind.Tail or LimbKind.Disc => (0.26f, 0.12f, new[] { 0.20f, 0.06f, 0f }),
             _ => throw new ArgumentOutOfRangeException(nameof(appendage), appendage.Kind, "expected a kind of limb"),
         };
 

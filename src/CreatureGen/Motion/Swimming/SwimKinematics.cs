@@ -28,6 +28,7 @@ internal sealed record SwimKinematics(double Wavelength, double TailSweep, doubl
     private static readonly SwimKinematics carangiform = new(1.0, 0.20, 0.28, 1.0, 0.55, 0.25);
     private static readonly SwimKinematics anguilliform = new(0.72, 0.20, 0.38, 1.1, 0.55, 0.15);
     private static readonly SwimKinematics cetacean = new(1.25, 0.22, 0.27, 0.8, 0.55, 0.45);
+    private static readonly SwimKinematics disc = new(1.4, 0.03, 0.30, 0.6, 0.55, 0.6);
     private static readonly SwimKinematics flippers = new(1.2, 0.056, 0.30, 0.6, 0.55, 0.5);
 
     /// <summary>Numbers of a style.</summary>
@@ -36,6 +37,7 @@ internal sealed record SwimKinematics(double Wavelength, double TailSweep, doubl
         SwimStyle.Anguilliform => anguilliform,
         SwimStyle.Cetacean => cetacean,
         SwimStyle.Flippers => flippers,
+        SwimStyle.Disc => disc,
         _ => carangiform,
     };
 

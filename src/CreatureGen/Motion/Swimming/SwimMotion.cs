@@ -50,6 +50,10 @@ internal static class SwimMotion
     /// <summary>What a C-start adds to the speed at its height, cruises.</summary>
     private const double DartCruises = 2.2;
 
+    /// <summary>How far a body between the halves of a disc goes up as they go down, body lengths, and how it pitches with them, radians.</summary>
+    private const double DiscHeave = 0.018;
+    private const double DiscPitch = 0.04;
+
     /// <summary>Steps for each stage of a C-start, and most in one update.</summary>
     private const int StepsPerStage = 8;
     private const int MaxSteps = 64;
@@ -204,7 +208,7 @@ internal static class SwimMotion
         AxialChain chain = profile.Chain;
         Span<Quaternion> turns = stackalloc Quaternion[chain.Count];
         Span<Vector3> pivots = stackalloc Vector3[chain.Count];
-        bool vertical = profile.Style == SwimStyle.Cetacean;
+        bool vertical = profile.IsVertical;
         bool escaping = state.EscapeSide != 0;
         double calm = escaping ? EscapeCurve.Wave(state.EscapeAge) : 1;
         double amplitude = state.Amplitude.Value * calm;
@@ -238,6 +242,11 @@ internal static class SwimMotion
             fin.Write(local, profile.Style, stroke);
         }
 
+        foreach (SwimDisc row in profile.Rows)
+        {
+            row.Write(local, stroke);
+        }
+
         foreach (MedianFin fin in profile.MedianFins)
         {
             fin.Write(local, stroke);
@@ -263,6 +272,10 @@ internal static class SwimMotion
                 break;
             case SwimStyle.Cetacean:
                 break;
+            case SwimStyle.Disc:
+                heave = -DiscHeave * amplitude * chain.Length * ((cosine * 0.93) + (sine * 0.36));
+                pitch += DiscPitch * amplitude * ((cosine * 0.6) + (sine * 0.8));
+                break;
             default:
                 roll += 0.05 * amplitude * ((sine * 0.88) + (cosine * 0.48));
                 break;
@@ -273,7 +286,7 @@ internal static class SwimMotion
         Quaternion body = Rotation.Multiply(Rotation.Multiply(AxisRotation.Pitch(pitch), AxisRotation.Roll(roll)), there);
         Vector3 centre = chain.CentreOf(turns, pivots);
         Vector3 rest = chain.Centre - chain.BodyPivot;
-        Vector3 sway = profile.Style == SwimStyle.Cetacean ? new Vector3(0f, (float)(heave + mean), 0f) : new Vector3((float)mean, (float)heave, 0f);
+        Vector3 sway = profile.IsVertical ? new Vector3(0f, (float)(heave + mean), 0f) : new Vector3((float)mean, (float)heave, 0f);
         local.Rotations[chain.Body] = Rotation.Normalize(Rotation.Multiply(body, profile.Skeleton.LocalRotations[chain.Body]));
         local.Positions[chain.Body] = profile.Skeleton.LocalPositions[chain.Body] + rest - Rotation.Rotate(body, centre) + sway;
     }
@@ -288,7 +301,7 @@ internal static class SwimMotion
             Phase = state.Phase,
             Amplitude = amplitude,
             Wavelength = profile.Kinematics.Wavelength,
-            Sideways = profile.Style == SwimStyle.Cetacean ? 0 : 1,
+            Sideways = profile.IsVertical ? 0 : 1,
             Hover = Hover(profile, state),
             Fast = Scalar.Smooth(Math.Abs(u) - 1),
             Trail = 1 - (calm * (1 - Scalar.Smooth((u - SlowestTrail) / (FullTrail - SlowestTrail)))),

@@ -45,6 +45,7 @@ internal sealed class SwimProfile
     private readonly SwimFin[] fins;
     private readonly SwimLeg[] legs;
     private readonly MedianFin[] medianFins;
+    private readonly SwimDisc[] rows;
 
     private SwimProfile(MotionSubject subject, AxialChain chain, SwimStyle style)
     {
@@ -56,7 +57,7 @@ internal sealed class SwimProfile
         Wave = new SwimWave(chain, style, Kinematics);
         Wave.Scale(RoomForWave(subject.Skeleton, chain, Wave, style));
         Curl = RoomForCurl(subject.Skeleton, chain);
-        Fitting(subject, out fins, out medianFins);
+        Fitting(subject, out fins, out medianFins, out rows);
         legs = SwimLeg.Of(subject, chain);
         TailBeat = (float)(2 * Wave.TailReach);
         if (style == SwimStyle.Flippers)
@@ -66,6 +67,11 @@ internal sealed class SwimProfile
             {
                 TailBeat = Math.Max(TailBeat, (float)fin.TipWay);
             }
+        }
+
+        foreach (SwimDisc row in rows)
+        {
+            TailBeat = Math.Max(TailBeat, (float)row.EdgeWay);
         }
 
         // A swimmer's speed is that which it was grown with, and its tempo that which brings it there; others swim as their size has it.
@@ -87,7 +93,7 @@ internal sealed class SwimProfile
     /// <summary>Metres per second at cruise.</summary>
     public float CruiseSpeed { get; }
 
-    /// <summary>From side to side of the tail's tip (of a flipper's, for swimmers that row) at cruise, metres.</summary>
+    /// <summary>From side to side of the tail's tip (of a flipper's or a disc's edge, for swimmers that row) at cruise, metres.</summary>
     public float TailBeat { get; }
 
     /// <summary>What bounds how it gets faster and slower.</summary>
@@ -109,6 +115,12 @@ internal sealed class SwimProfile
     internal ReadOnlySpan<SwimLeg> Legs => legs;
 
     internal ReadOnlySpan<MedianFin> MedianFins => medianFins;
+
+    /// <summary>The rows of a disc, from the front; none of other bodies.</summary>
+    internal ReadOnlySpan<SwimDisc> Rows => rows;
+
+    /// <summary>Whether the wave of its axis goes up and down.</summary>
+    internal bool IsVertical => Style is SwimStyle.Cetacean or SwimStyle.Disc;
 
     /// <summary>Works out how a creature swims. Any creature can: those not built for it swim as their shape allows.</summary>
     /// <exception cref="ArgumentException">The skeleton lacks a body, a head or a tail.</exception>
@@ -134,6 +146,11 @@ internal sealed class SwimProfile
         int upright = 0;
         foreach (LimbChain limb in subject.Limbs)
         {
+            if (limb.Kind == LimbKind.Disc)
+            {
+                return SwimStyle.Disc;
+            }
+
             pairs += limb.Kind == LimbKind.Pectoral && limb.Side == Side.Left ? 1 : 0;
             legs += limb.Kind is LimbKind.Leg or LimbKind.Arm ? 1 : 0;
             upright += limb.Kind == LimbKind.Dorsal ? 1 : 0;
@@ -189,7 +206,7 @@ internal sealed class SwimProfile
             ReadOnlySpan<AxialBone> bones = chain.Bones;
             int child = bones[b + 1].Parent == b ? b + 1 : b;
             JointLimit limit = skeleton.Joints[bones[child].Turn.Joint].Limit;
-            AngleRange range = style == SwimStyle.Cetacean ? limit.SwingX : limit.SwingZ;
+            AngleRange range = style is SwimStyle.Cetacean or SwimStyle.Disc ? limit.SwingX : limit.SwingZ;
             double max = Math.Min(range.Max, -range.Min);
 
             // The bend grows faster than the width: a few steps of the rule of three settle it.
@@ -237,16 +254,21 @@ internal sealed class SwimProfile
         return new MomentumLimits(thrust, BrakingFraction * thrust, 0.5 * friction * 0.75 * PortableMath.Pi / (Spindle * thickness), thrust * CruiseFrequency / PushRise);
     }
 
-    private void Fitting(MotionSubject subject, out SwimFin[] paired, out MedianFin[] median)
+    private void Fitting(MotionSubject subject, out SwimFin[] paired, out MedianFin[] median, out SwimDisc[] discs)
     {
         var pairs = new List<SwimFin>();
         var singles = new List<MedianFin>();
+        var halves = new List<SwimDisc>();
         foreach (LimbChain limb in subject.Limbs)
         {
             float at = (Chain.Nose.Z - subject.Skeleton.ModelPositions[limb.Joints[0]].Z) / BodyLength;
             if (limb.Kind == LimbKind.Pectoral && PairedChain.Of(subject.Skeleton, limb) is { } chain)
             {
                 pairs.Add(new SwimFin(chain, at));
+            }
+            else if (limb.Kind == LimbKind.Disc && PairedChain.Of(subject.Skeleton, limb) is { } row)
+            {
+                halves.Add(new SwimDisc(row, halves.Count));
             }
             else if (limb.Kind is LimbKind.Dorsal or LimbKind.Ventral)
             {
@@ -256,5 +278,6 @@ internal sealed class SwimProfile
 
         paired = pairs.ToArray();
         median = singles.ToArray();
+        discs = halves.ToArray();
     }
 }

@@ -14,4 +14,7 @@ internal enum SwimStyle
 
     /// <summary>Pairs of flippers row and fly under water (turtles, plesiosaurs).</summary>
     Flippers,
+
+    /// <summary>The halves of a disc beat like wings (rays).</summary>
+    Disc,
 }
