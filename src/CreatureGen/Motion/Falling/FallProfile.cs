@@ -57,7 +57,7 @@ internal sealed class FallProfile
         Windows = WindowsOf(subject.Skeleton);
         Neck = ChainOf(subject.Skeleton, JointRole.Neck, JointRole.Head);
         Tail = ChainOf(subject.Skeleton, JointRole.Tail, JointRole.Tail);
-        Inertias = Recoil.InertiasOf(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
+        Inertias = HangingInertia.Of(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
         Body = Math.Max(subject.Skeleton.FirstOf(JointRole.Body), 0);
         Support = SupportPoints.Of(subject);

@@ -85,8 +85,8 @@ internal sealed class PaddlePose
             LegRig leg = body.Legs[i];
             FootPose pose = PoseOf(leg, stroke, profile.LagOf(i), place, up, bed);
             feet[i] = default;
-            feet[i].Phase = FootPhase.Swing;
-            feet[i].Swing = 0.5f;
+            feet[i].Plan.Phase = FootPhase.Swing;
+            feet[i].Plan.Swing = 0.5f;
             feet[i].Path.Base = leg.Home;
             feet[i].Path.Heading = placer.Trunk.Turns[leg.TrunkSlot];
             feet[i].Path.Normal = Vector3.UnitY;

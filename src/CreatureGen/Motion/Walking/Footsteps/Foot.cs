@@ -1,25 +1,12 @@
 using System;
-using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
-/// <summary>What a foot remembers from update to update.</summary>
+/// <summary>What a foot remembers from update to update: its plan, where it is on its way, and what its leg made of that. Each part has its own writer; all others read.</summary>
 internal struct Foot
 {
-    /// <summary>Whether it is down.</summary>
-    public FootPhase Phase;
-
-    /// <summary>Where it is locked in stance, or comes from in a swing.</summary>
-    public Foothold From;
-
-    /// <summary>Progress of the swing, 0..1.</summary>
-    public float Swing;
-
-    /// <summary>Progress of the stance, 0..1.</summary>
-    public float Stance;
-
-    /// <summary>What is planned for it.</summary>
-    public StepIntent Plan;
+    /// <summary>How far it is in its step, and what is planned for it.</summary>
+    public FootPlan Plan;
 
     /// <summary>Where it is on its way at present.</summary>
     public FootPath Path;
@@ -27,14 +14,23 @@ internal struct Foot
     /// <summary>What its leg made of that when it was last posed.</summary>
     public LegOutcome Leg;
 
-    /// <summary>Its pitch, fold and load, without a jump where it leaves the cycle.</summary>
-    public PostureFade Posture;
+    /// <inheritdoc cref="FootPlan.Phase"/>
+    public readonly FootPhase Phase => Plan.Phase;
+
+    /// <inheritdoc cref="FootPlan.From"/>
+    public readonly Foothold From => Plan.From;
+
+    /// <inheritdoc cref="FootPlan.Swing"/>
+    public readonly float Swing => Plan.Swing;
+
+    /// <inheritdoc cref="FootPlan.Stance"/>
+    public readonly float Stance => Plan.Stance;
 
     /// <summary>Load: 0 in the air, about 1 in the middle of stance.</summary>
-    public readonly float Load => Posture.Shown.Load;
+    public readonly float Load => Path.Posture.Shown.Load;
 
-    /// <summary>How far an act has taken it off the ground, 0..1: then it neither carries nor steps.</summary>
-    public float Taken;
+    /// <inheritdoc cref="FootPath.Taken"/>
+    public readonly float Taken => Path.Taken;
 
     /// <summary>What users see of it.</summary>
     /// <param name="joint">Joint of its ball.</param>

@@ -1,8 +1,9 @@
 using System.Numerics;
+using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
-/// <summary>Where a foot is on its way at present: where it stands, or between where it left the ground and where it comes down. The leg has to bring it there.</summary>
+/// <summary>Where a foot is on its way at present: where it stands, or between where it left the ground and where it comes down. The leg has to bring it there. Who poses feet writes it.</summary>
 internal struct FootPath
 {
     /// <summary>Place under the ball in model space at present, the swing's lift not counted.</summary>
@@ -23,4 +24,10 @@ internal struct FootPath
 
     /// <summary>Normal of the ground in model space at present.</summary>
     public Vector3 Normal;
+
+    /// <summary>Its pitch, fold and load, without a jump where it leaves the cycle.</summary>
+    public PostureFade Posture;
+
+    /// <summary>How far an act has taken it off the ground, 0..1: then it neither carries nor steps.</summary>
+    public float Taken;
 }

@@ -88,7 +88,7 @@ internal sealed class FootPlanner
     {
         foreach (ref Foot foot in feet.AsSpan())
         {
-            foot.From.Position += offset;
+            foot.Plan.From.Position += offset;
             foot.Plan.To.Position += offset;
             foot.Plan.Wanted += offset;
         }
@@ -99,14 +99,14 @@ internal sealed class FootPlanner
     {
         for (int i = 0; i < feet.Length; i++)
         {
-            if (feet[i].Phase == FootPhase.Swing)
+            if (feet[i].Plan.Phase == FootPhase.Swing)
             {
                 return true;
             }
 
-            Vector3 away = frame.ToModel(feet[i].From.Position) - GaitFootholds.Under(body, i, activity, clock, 0f, 0f);
+            Vector3 away = frame.ToModel(feet[i].Plan.From.Position) - GaitFootholds.Under(body, i, activity, clock, 0f, 0f);
             away.Y = 0f;
-            if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].From.YawFrom(frame)) > 2f * MinTurn)
+            if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].Plan.From.YawFrom(frame)) > 2f * MinTurn)
             {
                 return true;
             }
@@ -124,8 +124,8 @@ internal sealed class FootPlanner
             ref Foot foot = ref feet[i];
             foot.Leg.Hip = body.Legs[i].HipRest;
             Target(i, step, body.Legs[i].Home, body.Legs[i].Home, 0f, step.Frame.Rotation);
-            foot.From = foot.Plan.To;
-            foot.Stance = 0.5f;
+            foot.Plan.From = foot.Plan.To;
+            foot.Plan.Stance = 0.5f;
         }
     }
 
@@ -140,12 +140,12 @@ internal sealed class FootPlanner
             feet[i] = default;
             feet[i].Leg.Hip = body.Legs[i].HipRest;
             Aim(i, step, ((0.5f * duty) - p) * cycle, 0f);
-            feet[i].From = feet[i].Plan.To;
-            feet[i].Stance = Math.Min(p / duty, 1f);
+            feet[i].Plan.From = feet[i].Plan.To;
+            feet[i].Plan.Stance = Math.Min(p / duty, 1f);
             if (p >= duty)
             {
-                feet[i].Phase = FootPhase.Swing;
-                feet[i].Swing = StepPhase.Swing(p, duty);
+                feet[i].Plan.Phase = FootPhase.Swing;
+                feet[i].Plan.Swing = StepPhase.Swing(p, duty);
                 feet[i].Plan.Aimed = false;
                 Aim(i, step, (1f - p + (0.5f * duty)) * cycle, (1f - p) * cycle);
             }
@@ -160,7 +160,7 @@ internal sealed class FootPlanner
         for (int i = 0; i < feet.Length; i++)
         {
             ref Foot foot = ref feet[i];
-            if (foot.Phase != FootPhase.Stance)
+            if (foot.Plan.Phase != FootPhase.Stance)
             {
                 continue;
             }
@@ -180,7 +180,7 @@ internal sealed class FootPlanner
             else if (u < (IsFar(i, step) ? LatestRescue : StepPhase.LatestLift) && Wants(i, step, ahead))
             {
                 Lift(i, step, u);
-                foot.Posture.Begin();
+                foot.Path.Posture.Begin();
                 Aim(i, step, ahead, (1f - p) * cycle);
             }
         }
@@ -190,7 +190,7 @@ internal sealed class FootPlanner
     private void Release(int leg, in StepContext step, float swing)
     {
         Lift(leg, step, 0f);
-        feet[leg].Posture.Begin();
+        feet[leg].Path.Posture.Begin();
         feet[leg].Plan.Correcting = true;
         feet[leg].Plan.Flight = FootRelease.Flight(swing);
         Aim(leg, step, feet[leg].Plan.Flight, feet[leg].Plan.Flight);
@@ -211,12 +211,12 @@ internal sealed class FootPlanner
             }
             else if (p < duty)
             {
-                if (foot.Phase == FootPhase.Swing)
+                if (foot.Plan.Phase == FootPhase.Swing)
                 {
                     Land(i, step, Math.Min(p * cycle, step.Step));
                 }
 
-                else if (step.Step > (1f - duty) * cycle && foot.Stance > p / duty && !foot.Plan.Held && Wants(i, step, ((0.5f * duty) - p) * cycle))
+                else if (step.Step > (1f - duty) * cycle && foot.Plan.Stance > p / duty && !foot.Plan.Held && Wants(i, step, ((0.5f * duty) - p) * cycle))
                 {
                     // Steps so quick that a whole swing has passed unseen: it stepped all the same.
                     Lift(i, step, 0f);
@@ -237,7 +237,7 @@ internal sealed class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         float u = StepPhase.Swing(p, duty);
-        float joined = (u - foot.Swing) / Math.Max(1f - foot.Swing, 0.05f);
+        float joined = (u - foot.Plan.Swing) / Math.Max(1f - foot.Plan.Swing, 0.05f);
         if (p >= duty && joined <= LatestJoin)
         {
             // Its own swing has come: it goes on in step with the gait, from where it is.
@@ -247,20 +247,20 @@ internal sealed class FootPlanner
             return;
         }
 
-        foot.Swing += step.Step / foot.Plan.Flight;
-        if (foot.Swing >= 1f)
+        foot.Plan.Swing += step.Step / foot.Plan.Flight;
+        if (foot.Plan.Swing >= 1f)
         {
-            Land(leg, step, Math.Min((foot.Swing - 1f) * foot.Plan.Flight, step.Step));
+            Land(leg, step, Math.Min((foot.Plan.Swing - 1f) * foot.Plan.Flight, step.Step));
             foot.Plan.Held = p < 0.5f * duty || p >= duty;
-            foot.Stance = foot.Plan.Held ? 0.5f : p / duty;
-            foot.Posture.Begin();
+            foot.Plan.Stance = foot.Plan.Held ? 0.5f : p / duty;
+            foot.Path.Posture.Begin();
             return;
         }
 
-        if (foot.Swing < StepPhase.Frozen)
+        if (foot.Plan.Swing < StepPhase.Frozen)
         {
             // For the middle of what is left of its stance, or of the next one.
-            float flight = (1f - foot.Swing) * foot.Plan.Flight;
+            float flight = (1f - foot.Plan.Swing) * foot.Plan.Flight;
             float stance = Math.Max(((p < duty ? duty - p : 1f - p + duty) * cycle) - flight, 0f);
             Aim(leg, step, flight + (step.Moving ? 0.5f * stance : 0f), flight);
         }
@@ -271,13 +271,13 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         float flight = (1f - u) * (1f - duty) * cycle;
         float ahead = step.Moving ? StepPhase.ToMidstance(flight, duty, cycle) : flight;
-        if (foot.Phase == FootPhase.Swing && u - foot.Plan.LiftAt < (foot.Swing - 0.5f) * (1f - foot.Plan.LiftAt))
+        if (foot.Plan.Phase == FootPhase.Swing && u - foot.Plan.LiftAt < (foot.Plan.Swing - 0.5f) * (1f - foot.Plan.LiftAt))
         {
             // Steps so quick that a whole stance has passed unseen: it stood all the same.
             Land(leg, step, Math.Min((duty + (u * (1f - duty))) * cycle, step.Step));
         }
 
-        if (foot.Phase == FootPhase.Stance)
+        if (foot.Plan.Phase == FootPhase.Stance)
         {
             if (!foot.Plan.Steps)
             {
@@ -290,8 +290,8 @@ internal sealed class FootPlanner
         }
 
         // A step of its own that the gait has caught up with goes on to the place of the gait's, however far it has come.
-        foot.Swing = (u - foot.Plan.LiftAt) / (1f - foot.Plan.LiftAt);
-        if ((foot.Plan.LiftAt < 0f ? u : foot.Swing) < StepPhase.Frozen)
+        foot.Plan.Swing = (u - foot.Plan.LiftAt) / (1f - foot.Plan.LiftAt);
+        if ((foot.Plan.LiftAt < 0f ? u : foot.Plan.Swing) < StepPhase.Frozen)
         {
             Aim(leg, step, ahead, flight);
         }
@@ -303,17 +303,17 @@ internal sealed class FootPlanner
         if (foot.Plan.Held && stance < 0.5f)
         {
             float max = MidstanceRate * step.Step;
-            foot.Stance += Scalar.Clamp(0.5f - foot.Stance, -max, max);
+            foot.Plan.Stance += Scalar.Clamp(0.5f - foot.Plan.Stance, -max, max);
             return;
         }
 
         foot.Plan.Held = false;
-        foot.Stance = stance;
+        foot.Plan.Stance = stance;
     }
 
     private bool IsFar(int leg, in StepContext step)
     {
-        Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - body.Legs[leg].Home;
+        Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - body.Legs[leg].Home;
         away.Y = 0f;
         return Vec.LengthSquared(away) > Square(Far * body.LegLength);
     }
@@ -324,38 +324,38 @@ internal sealed class FootPlanner
         Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);
         Vector3 next = there + Rotation.Rotate(turn, GaitFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
-        Vector3 away = step.Frame.ToModel(feet[leg].From.Position) - next;
+        Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - next;
         away.Y = 0f;
-        return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].From.YawFrom(step.Frame) - yaw) > MinTurn;
+        return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].Plan.From.YawFrom(step.Frame) - yaw) > MinTurn;
     }
 
     private void Lift(int leg, in StepContext step, float at)
     {
         ref Foot foot = ref feet[leg];
-        foot.Phase = FootPhase.Swing;
+        foot.Plan.Phase = FootPhase.Swing;
         foot.Plan.Steps = false;
         foot.Plan.Held = false;
         foot.Plan.Correcting = false;
         foot.Plan.LiftAt = at;
         foot.Plan.Aimed = false;
-        foot.Swing = 0f;
+        foot.Plan.Swing = 0f;
         foot.Plan.Nudge = 0f;
-        events.Tell(MotionEventKind.FootUp, leg, step, foot.From, 0f);
+        events.Tell(MotionEventKind.FootUp, leg, step, foot.Plan.From, 0f);
     }
 
     private void Land(int leg, in StepContext step, float ago)
     {
         ref Foot foot = ref feet[leg];
-        foot.Phase = FootPhase.Stance;
+        foot.Plan.Phase = FootPhase.Stance;
         foot.Plan.Correcting = false;
         StandWhereItIs(leg, step);
-        foot.From = foot.Plan.To;
-        foot.Swing = 0f;
-        foot.Leg.Reached = float.MaxValue;
-        foot.Leg.Missed = foot.Leg.Residual;
+        foot.Plan.From = foot.Plan.To;
+        foot.Plan.Swing = 0f;
+        foot.Plan.Reached = float.MaxValue;
+        foot.Plan.Missed = foot.Leg.Residual;
         if (foot.Plan.HasTarget)
         {
-            events.Tell(MotionEventKind.FootDown, leg, step, foot.From, ago);
+            events.Tell(MotionEventKind.FootDown, leg, step, foot.Plan.From, ago);
         }
     }
 
@@ -389,7 +389,7 @@ internal sealed class FootPlanner
         Vector3 shift = Rotation.Rotate(turn, new Vector3(0f, 0f, foot.Plan.Nudge));
         Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body.Legs[leg], foot.Leg.Hip, step.RootVelocity, flight, wanted + shift) - shift : wanted);
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
-        float fraction = foot.Swing > 0f && foot.Plan.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
+        float fraction = foot.Plan.Swing > 0f && foot.Plan.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
         foot.Plan.Wanted += (next - foot.Plan.Wanted) * fraction;
         heading = fraction < 1f ? UnitRotation.Nlerp(foot.Plan.To.Heading, heading, fraction) : heading;
         Target(leg, step, step.Frame.ToModel(foot.Plan.Wanted), home, yaw, heading);

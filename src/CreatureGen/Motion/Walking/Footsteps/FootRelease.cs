@@ -46,10 +46,10 @@ internal static class FootRelease
         Vector3 chord = foot.Leg.Chord + step.Frame.ToModel(foot.From.Position) - foot.Path.Base;
         float reached = Vec.Length(chord + new Vector3(0f, foot.Leg.Lowered, 0f));
         bool late = foot.Stance > LateStance || !step.Moving;
-        bool grows = reached > foot.Leg.Reached;
-        float slides = foot.Leg.Residual - foot.Leg.Missed;
-        foot.Leg.Reached = reached;
-        foot.Leg.Missed = foot.Leg.Residual;
+        bool grows = reached > foot.Plan.Reached;
+        float slides = foot.Leg.Residual - foot.Plan.Missed;
+        foot.Plan.Reached = reached;
+        foot.Plan.Missed = foot.Leg.Residual;
         bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
         if (misses || (leg.Lateral && step.Since > Overdue && Missing(foot, body, leg, chord) > MaxMiss * leg.Length))
         {

@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
-/// <summary>What came of a foot's place when its leg was last posed: how far it reached, and by how much joints and length kept the foot from its place. Planner and body look at it in the next update.</summary>
+/// <summary>What came of a foot's place when its leg was last posed: how far it reached, and by how much joints and length kept the foot from its place. Planner and body look at it in the next update; who poses legs and makes room for them writes it.</summary>
 internal struct LegOutcome
 {
     /// <summary>From the hip to what the leg reaches for, when last posed, before the body was lowered for it. Model space.</summary>
@@ -28,10 +28,4 @@ internal struct LegOutcome
 
     /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
     public float Relaxation;
-
-    /// <summary>How far its leg reached when that was last looked at, metres.</summary>
-    public float Reached;
-
-    /// <summary>By how much it missed its place then, metres.</summary>
-    public float Missed;
 }

@@ -26,14 +26,14 @@ internal static class PlatformRide
         for (int i = 0; i < feet.Length; i++)
         {
             ref Foot foot = ref feet[i];
-            Vector3 before = foot.From.Position;
-            Quaternion heading = foot.From.Heading;
-            foot.From.Follow(moving);
+            Vector3 before = foot.Plan.From.Position;
+            Quaternion heading = foot.Plan.From.Heading;
+            foot.Plan.From.Follow(moving);
             foot.Plan.To.Follow(moving);
             if (foot.Phase == FootPhase.Stance)
             {
-                way += foot.From.Position - before;
-                Quaternion turn = Rotation.Multiply(foot.From.Heading, Rotation.Inverse(heading));
+                way += foot.Plan.From.Position - before;
+                Quaternion turn = Rotation.Multiply(foot.Plan.From.Heading, Rotation.Inverse(heading));
                 yaw += 2f * Vec.Dot(new Vector3(turn.X, turn.Y, turn.Z), up) * (turn.W < 0f ? -1f : 1f);
                 down++;
             }

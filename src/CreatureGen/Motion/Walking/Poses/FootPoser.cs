@@ -63,7 +63,7 @@ internal static class FootPoser
         foot.Path.Heading = heading;
         foot.Path.Normal = normal;
         FootPosture cycle = FootRoll.At(foot, leg, gait);
-        FootPosture posture = foot.Posture.Follow(cycle with { Pitch = cycle.Pitch + rest }, leg.PostureSeconds, gait.Step);
+        FootPosture posture = foot.Path.Posture.Follow(cycle with { Pitch = cycle.Pitch + rest }, leg.PostureSeconds, gait.Step);
         float pitch = posture.Pitch;
         Quaternion ground = normal.Y < 0.99999f ? Rotation.Multiply(UnitRotation.FromTo(Vector3.UnitY, normal), heading) : heading;
         pose.Foot = pitch == 0f ? ground : Rotation.Multiply(ground, AxisRotation.About(leg.RollAxis, pitch));
@@ -98,7 +98,7 @@ internal static class FootPoser
     public static void Add(LegRig leg, in FootLayer layer, ref Foot foot, ref FootPose pose)
     {
         Vector3 way = Vec.Lerp(layer.Way, layer.Aim - pose.Ball, layer.AimFraction);
-        foot.Taken = Scalar.Smooth(Math.Max(way.Y / leg.Length, Math.Max(layer.AimFraction, layer.Loose)) / TakenHeight);
+        foot.Path.Taken = Scalar.Smooth(Math.Max(way.Y / leg.Length, Math.Max(layer.AimFraction, layer.Loose)) / TakenHeight);
         pose.Ball += way;
         if (layer.Pitch != 0f)
         {

@@ -14,15 +14,6 @@ namespace CreatureGen.Motion.Walking.Poses;
 /// <summary>Writes the trunk and the legs into a local pose.</summary>
 internal sealed class LegPoser
 {
-    /// <summary>How far hip and knee of a standing leg may be beyond their limits, half the angle in radians: a tenth of a degree, so that rounding does not move the foot.</summary>
-    private const float StandingTolerance = 0.0008f;
-
-    /// <summary>Part of a swing in which a foot comes off the edge of the sole that it stood on.</summary>
-    private const float Release = 0.35f;
-
-    /// <summary>Part of a swing from which on a foot turns onto the edge of the sole that it will stand on.</summary>
-    private const float Arrival = 0.85f;
-
     /// <summary>How often a foot that yields to its joints is laid on the ground anew at most.</summary>
     private const int RelaxationRounds = 3;
 
@@ -83,9 +74,9 @@ internal sealed class LegPoser
 
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
         foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
-        float fraction = excess > 0f ? RelaxationFraction(leg, foot, excess) : 0f;
+        float fraction = excess > 0f ? HipLimit.Of(foot).Relaxed(leg, foot.Leg.Relaxation, excess) : 0f;
 
-        float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Posture.Shown.Pitch) : foot.Posture.Shown.Pitch;
+        float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
 
         // As the ankle comes up for it the shank leans farther, and asks for a little more.
         for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
@@ -116,8 +107,6 @@ internal sealed class LegPoser
             chord.Y = Math.Max(chord.Y, ground + foot.Path.Over);
         }
 
-        float slack = foot.Phase == FootPhase.Swing ? LegGaitParameters.SlackCurve.At(foot.Swing) : 0f;
-        float tolerance = foot.Phase == FootPhase.Stance ? StandingTolerance : 0f;
         LegSegments folded = default;
         scoped ref readonly LegSegments parts = ref leg.Parts;
         if (pose.Fold != 0f)
@@ -126,17 +115,17 @@ internal sealed class LegPoser
             parts = ref folded;
         }
 
-        var goal = new LegGoal(chord, foot.Path.Heading, slack, tolerance);
-        float arriving = foot.Phase == FootPhase.Swing ? Arriving(foot) : 0f;
+        HipLimit limit = HipLimit.Of(foot);
+        var goal = new LegGoal(chord, foot.Path.Heading, limit.Slack, limit.Tolerance);
         if (!Aim(leg, parts, carrier, goal, local, out solved))
         {
-            Relaxation(leg, parts, goal, ground, foot, ref solved);
-            if (arriving > 0f)
+            limit.Bend(leg, parts, goal, ground, ref solved);
+            if (limit.Arriving > 0f)
             {
                 // It will stand where it comes down: with the leg as it then is.
                 LegRotations held = solved;
                 Aim(leg, parts, carrier, goal with { Chord = LegSolver.EndOf(leg, parts, solved) }, local, out solved);
-                solved.Blend(held, 1f - arriving, leg.Hinge);
+                solved.Blend(held, 1f - limit.Arriving, leg.Hinge);
             }
 
             SetHip(leg, carrier, solved, local);
@@ -147,31 +136,7 @@ internal sealed class LegPoser
         foot.Leg.Hip = hip;
         foot.Leg.Stretch = solved.Stretch;
         foot.Leg.Residual = solved.Residual;
-        foot.Leg.Astray = arriving > 0f ? (LegSolver.EndOf(leg, parts, solved) - chord) * arriving : default;
-    }
-
-    /// <summary>Bends the knee of a leg whose hip is at its limit: as it stands its foot comes as near to its place as it can, as it swings it keeps out of the ground, and it goes from the one to the other as it leaves. The foot keeps its own turn.</summary>
-    private static void Relaxation(LegRig leg, in LegSegments parts, in LegGoal goal, float ground, in Foot foot, ref LegRotations solved)
-    {
-        bool swings = foot.Phase == FootPhase.Swing;
-        float standing = swings ? 1f - Scalar.Smooth(foot.Swing / Release) : 1f;
-        LegRotations stood = solved;
-        if (standing > 0f)
-        {
-            LegSolver.Bend(leg, parts, goal.Chord, goal.Tolerance, ref stood);
-        }
-
-        if (!swings)
-        {
-            solved = stood;
-            return;
-        }
-
-        LegSolver.Raise(leg, parts, ground, goal.Tolerance, ref solved);
-        if (standing > 0f)
-        {
-            solved.Blend(stood, standing, leg.Hinge);
-        }
+        foot.Leg.Astray = limit.Arriving > 0f ? (LegSolver.EndOf(leg, parts, solved) - chord) * limit.Arriving : default;
     }
 
     /// <summary>Solves hip and knee for a goal and writes them, the hip within its limits.</summary>
@@ -229,14 +194,6 @@ internal sealed class LegPoser
         excess = Math.Max(ankle, Bound(local.Rotations, leg.Ball, leg.BallJoint, 0f));
         return metatarsus;
     }
-
-    /// <summary>Share of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
-    private static float RelaxationFraction(LegRig leg, in Foot foot, float excess) => leg.Lateral || foot.Phase == FootPhase.Stance
-        ? 1f
-        : Math.Max(Arriving(foot), Math.Min(foot.Leg.Relaxation / excess, 1f) * (1f - Scalar.Smooth(foot.Swing / Release)));
-
-    /// <summary>How far a swinging foot is about to come down, 0..1.</summary>
-    private static float Arriving(in Foot foot) => Scalar.Smooth((foot.Swing - Arrival) / (1f - Arrival));
 
     /// <summary>Takes from an ankle the fold beyond its limit, seen from that limit: seen from rest one of half a turn and more is bent the other way, or aside.</summary>
     private static void FoldBack(LegRig leg, ref Quaternion ankle)

@@ -35,7 +35,7 @@ public sealed class FootRollTests
     {
         LegRig leg = new MotionProfile(StrokeSubject.Of(BodyPlan.Unguligrade)[0]).Legs!.Legs[0];
         var gait = new GaitNumbers(Duty: 0.65f, Lift: 1f, ForceDip: 0.2f, activity, Roll: 1f, Cycle: 0.8f, Step: 0.01f);
-        float LoadAt(float stance) => FootRoll.At(new Foot { Phase = FootPhase.Stance, Stance = stance }, leg, gait).Load;
+        float LoadAt(float stance) => FootRoll.At(new Foot { Plan = new FootPlan { Phase = FootPhase.Stance, Stance = stance } }, leg, gait).Load;
         Assert.Equal(0f, LoadAt(0f), 1e-4f);
         Assert.Equal(0f, LoadAt(1f), 1e-4f);
         Assert.True(LoadAt(0.5f) > 0.5f);
@@ -70,5 +70,5 @@ public sealed class FootRollTests
         }
     }
 
-    private static Foot Standing(float progress) => new() { Phase = FootPhase.Stance, Stance = progress };
+    private static Foot Standing(float progress) => new() { Plan = new FootPlan { Phase = FootPhase.Stance, Stance = progress } };
 }

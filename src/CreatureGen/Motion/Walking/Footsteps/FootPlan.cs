@@ -2,9 +2,21 @@ using System.Numerics;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
-/// <summary>What is planned for a foot: whether it steps, and to where.</summary>
-internal struct StepIntent
+/// <summary>The plan of a foot: how far it is in its step, whether it steps, and to where. The planner of footsteps writes it, and nobody else.</summary>
+internal struct FootPlan
 {
+    /// <summary>Whether it is down.</summary>
+    public FootPhase Phase;
+
+    /// <summary>Where it is locked in stance, or comes from in a swing.</summary>
+    public Foothold From;
+
+    /// <summary>Progress of the swing, 0..1.</summary>
+    public float Swing;
+
+    /// <summary>Progress of the stance, 0..1.</summary>
+    public float Stance;
+
     /// <summary>Where a swing goes.</summary>
     public Foothold To;
 
@@ -34,4 +46,10 @@ internal struct StepIntent
 
     /// <summary>Seconds of such a swing.</summary>
     public float Flight;
+
+    /// <summary>How far its leg reached when it was last looked at whether it has to leave the ground, metres.</summary>
+    public float Reached;
+
+    /// <summary>By how much it missed its place then, metres.</summary>
+    public float Missed;
 }
