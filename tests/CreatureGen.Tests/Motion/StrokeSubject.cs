@@ -10,6 +10,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Chains;
 using CreatureGen.Rigging;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Creatures;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion;
@@ -66,7 +67,7 @@ internal sealed class StrokeSubject
     {
         RequestedKind kind = plan is BodyPlan.Flapping or BodyPlan.Buzzing ? RequestedKind.Flying : plan >= BodyPlan.Fish ? RequestedKind.Swimming : RequestedKind.Walking;
         CreatureOptions options = CreatureOptions.Default with { Kind = kind, BodyPlans = BodyPlanWeight.Only(plan), MinScale = min, MaxScale = max, Strangeness = 0 };
-        return Enumerable.Range(1, count).Select(seed => CreatureGenerator.Generate((ulong)seed, options)).ToArray();
+        return Enumerable.Range(1, count).Select(seed => GrownCreatures.Of((ulong)seed, options)).ToArray();
     }
 
     /// <summary>Fills in the model pose.</summary>

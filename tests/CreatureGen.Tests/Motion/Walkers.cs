@@ -8,6 +8,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Creatures;
 
 namespace CreatureGen.Tests.Motion;
 
@@ -18,7 +19,7 @@ internal static class Walkers
     public static CreatureOptions Options { get; } = CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 0 };
 
     /// <summary>A walking animal of a seed.</summary>
-    public static Creature Any(ulong seed) => CreatureGenerator.Generate(seed, Options);
+    public static Creature Any(ulong seed) => GrownCreatures.Of(seed, Options);
 
     /// <summary>The walking animals of seeds below a count that have a plan; the others are not grown.</summary>
     public static IEnumerable<(ulong Seed, Creature Creature)> WithPlan(BodyPlan plan, int count)
@@ -34,7 +35,7 @@ internal static class Walkers
     }
 
     /// <summary>An animal of a plan.</summary>
-    public static Creature Of(BodyPlan plan, ulong seed) => CreatureGenerator.Generate(seed, CreatureOptions.Default with
+    public static Creature Of(BodyPlan plan, ulong seed) => GrownCreatures.Of(seed, CreatureOptions.Default with
     {
         BodyPlans = BodyPlanWeight.Only(plan),
         Strangeness = 0,

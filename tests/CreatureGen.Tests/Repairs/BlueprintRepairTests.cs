@@ -18,8 +18,8 @@ public sealed class BlueprintRepairTests
 {
     private const string Folder = "tests/CreatureGen.Tests/Repairs/broken";
 
-    /// <summary>Blueprints that a fuzzer found: each field and each rule lets them pass, and their creatures do not stand, tip over or have torn skin.</summary>
-    public static TheoryData<string> Broken => new(RepositoryFiles.Below(Folder, "*.json"));
+    /// <summary>Blueprints that a fuzzer found: each field and each rule lets them pass, and their creatures do not stand, tip over or have torn skin. Every fifth is always tried.</summary>
+    public static IEnumerable<TheoryDataRow<string>> Broken => RepositoryFiles.Below(Folder, "*.json").Select((path, i) => new TheoryDataRow<string>(path) { Explicit = i % 5 == 0 ? null : true });
 
     [Theory]
     [MemberData(nameof(Broken))]

@@ -15,9 +15,12 @@ namespace CreatureGen.Tests.Motion.Acts;
 public class ActTrialTests
 {
     [Theory]
-    [InlineData(RequestedKind.Walking, 4100, 6)]
-    [InlineData(RequestedKind.Flying, 4100, 3)]
-    [InlineData(RequestedKind.Swimming, 4100, 3)]
+    [InlineData(RequestedKind.Walking, 4100, 2)]
+    [InlineData(RequestedKind.Flying, 4100, 1)]
+    [InlineData(RequestedKind.Swimming, 4100, 1)]
+    [InlineData(RequestedKind.Walking, 4102, 4, Explicit = true)]
+    [InlineData(RequestedKind.Flying, 4101, 2, Explicit = true)]
+    [InlineData(RequestedKind.Swimming, 4101, 2, Explicit = true)]
     public void Acts_keep_to_joints_speeds_ground_and_feet(RequestedKind kind, ulong first, int count)
     {
         List<string> wrong = [];
@@ -49,8 +52,8 @@ public class ActTrialTests
 
     [Theory]
     [InlineData(RequestedKind.Walking, 25)]
-    [InlineData(RequestedKind.Flying, 4101)]
-    [InlineData(RequestedKind.Swimming, 4102)]
+    [InlineData(RequestedKind.Flying, 4101, Explicit = true)]
+    [InlineData(RequestedKind.Swimming, 4102, Explicit = true)]
     public void An_act_that_is_tried_in_steps_comes_to_the_same_as_one_that_is_tried_at_once(RequestedKind kind, ulong seed)
     {
         Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
@@ -69,9 +72,9 @@ public class ActTrialTests
 
     [Theory]
     [InlineData(7100062)]
-    [InlineData(7100075)]
-    [InlineData(7100060)]
-    [InlineData(6024)]
+    [InlineData(7100075, Explicit = true)]
+    [InlineData(7100060, Explicit = true)]
+    [InlineData(6024, Explicit = true)]
     public void Arms_that_hang_behind_a_body_that_bends_down_to_eat_are_not_thrown_out_of_the_ground(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 0.6f }));
@@ -129,10 +132,10 @@ public class ActTrialTests
 
     [Theory]
     [InlineData(6021, "Die")]
-    [InlineData(6006, "Lie")]
-    [InlineData(6016, "Sleep")]
+    [InlineData(6006, "Lie", Explicit = true)]
+    [InlineData(6016, "Sleep", Explicit = true)]
     [InlineData(6049, "Shake")]
-    [InlineData(6095, "Lie")]
+    [InlineData(6095, "Lie", Explicit = true)]
     public void Tails_and_feelers_that_swing_stay_above_the_ground(ulong seed, string act)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
@@ -152,8 +155,8 @@ public class ActTrialTests
 
     [Theory]
     [InlineData(7100003)]
-    [InlineData(7100059)]
-    [InlineData(9982050)]
+    [InlineData(7100059, Explicit = true)]
+    [InlineData(9982050, Explicit = true)]
     public void Upright_bodies_lie_down_without_a_leg_that_springs_round(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
@@ -232,9 +235,9 @@ public class ActTrialTests
 
     [Theory]
     [InlineData(BodyPlan.Digitigrade, "Lie")]
-    [InlineData(BodyPlan.Plantigrade, "Lie")]
-    [InlineData(BodyPlan.Unguligrade, "Lie")]
-    [InlineData(BodyPlan.Theropod, "Lie")]
+    [InlineData(BodyPlan.Plantigrade, "Lie", Explicit = true)]
+    [InlineData(BodyPlan.Unguligrade, "Lie", Explicit = true)]
+    [InlineData(BodyPlan.Theropod, "Lie", Explicit = true)]
     [InlineData(BodyPlan.Sprawling, "Lie")]
     [InlineData(BodyPlan.Digitigrade, "Sit")]
     [InlineData(BodyPlan.Upright, "Sit")]

