@@ -68,6 +68,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private float acceleration;
     private StandingLife life;
     private WingSway sway;
+    private RestlessFeet restless;
     private bool standing;
     private bool moving;
     private bool going;
@@ -223,6 +224,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         activity = 0f;
         sway = default;
         life.Wake();
+        restless.Wake();
         acceleration = 0f;
         gait = 0;
         clock.Restart(gaits.Steps[0].Gait, 0f, Lead.Left);
@@ -253,7 +255,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         (velocity, pushed, acceleration, gait, activity, life) = (mode.velocity, mode.pushed, mode.acceleration, mode.gait, mode.activity, mode.life);
         (standing, moving, going, arrived, ticker) = (mode.standing, mode.moving, mode.going, mode.arrived, mode.ticker);
         (activityDecay, height, raiseDecay, Sink, Bow, Raised, Facing) = (mode.activityDecay, mode.height, mode.raiseDecay, mode.Sink, mode.Bow, mode.Raised, mode.Facing);
-        (underfoot, underfootDecay, sway) = (mode.underfoot, mode.underfootDecay, mode.sway);
+        (underfoot, underfootDecay, sway, restless) = (mode.underfoot, mode.underfootDecay, mode.sway, mode.restless);
     }
 
     /// <inheritdoc/>
@@ -286,7 +288,13 @@ internal sealed partial class WalkingMode : ILocomotionMode
     {
         settings.Gravity = GravityOf(settings, placement.Scale);
         float held = layer?.Still ?? 0f;
-        IdlePose idle = life.Follow(body, dt, activity, settings.Idle * (1f - held), rests && activity < MinActivity && held < MinActivity);
+        bool free = rests && activity < MinActivity && held < MinActivity;
+        IdlePose idle = life.Follow(body, dt, activity, settings.Idle * (1f - held), free);
+        if (restless.Follow(body, life.Seconds, dt, free && settings.Idle > 0f, out int leg, out float ahead))
+        {
+            planner.SetAhead(leg, ahead * body.LegLength);
+        }
+
         PoseFeet(placement, dt, settings, layer, idle.Rest);
         idle = idle with { Breath = idle.Breath - Sink };
         Raise(dt, settings.Gravity);

@@ -23,6 +23,9 @@ internal struct FootPlan
     /// <summary>Where a swing would go on level ground, followed smoothly: what is asked may change in mid step. World space.</summary>
     public Vector3 Wanted;
 
+    /// <summary>How far ahead of its home a body that stands has set it, metres of the model.</summary>
+    public float Ahead;
+
     /// <summary>Whether there is ground where it goes.</summary>
     public bool HasTarget;
 

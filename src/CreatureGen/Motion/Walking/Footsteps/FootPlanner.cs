@@ -94,6 +94,9 @@ internal sealed class FootPlanner
         }
     }
 
+    /// <summary>Has a standing body set a foot ahead of its home, metres of the model.</summary>
+    public void SetAhead(int leg, float distance) => feet[leg].Plan.Ahead = distance;
+
     /// <summary>Whether a foot is in the air or away from its home.</summary>
     public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
     {
@@ -104,7 +107,7 @@ internal sealed class FootPlanner
                 return true;
             }
 
-            Vector3 away = frame.ToModel(feet[i].Plan.From.Position) - GaitFootholds.Under(body, i, activity, clock, 0f, 0f);
+            Vector3 away = frame.ToModel(feet[i].Plan.From.Position) - Under(i, activity, clock, 0f, 0f);
             away.Y = 0f;
             if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].Plan.From.YawFrom(frame)) > 2f * MinTurn)
             {
@@ -323,7 +326,7 @@ internal sealed class FootPlanner
     {
         Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);
-        Vector3 next = there + Rotation.Rotate(turn, GaitFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
+        Vector3 next = there + Rotation.Rotate(turn, Under(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
         Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - next;
         away.Y = 0f;
         return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].Plan.From.YawFrom(step.Frame) - yaw) > MinTurn;
@@ -340,6 +343,7 @@ internal sealed class FootPlanner
         foot.Plan.Aimed = false;
         foot.Plan.Swing = 0f;
         foot.Plan.Nudge = 0f;
+        foot.Plan.Ahead = step.Moving ? 0f : foot.Plan.Ahead;
         events.Tell(MotionEventKind.FootUp, leg, step, foot.Plan.From, 0f);
     }
 
@@ -382,7 +386,7 @@ internal sealed class FootPlanner
         ref Foot foot = ref feet[leg];
         Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
         Quaternion turn = AxisRotation.Yaw(yaw);
-        Vector3 home = GaitFootholds.Under(body, leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
+        Vector3 home = Under(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
         Vector3 wanted = there + Rotation.Rotate(turn, home);
 
         // Who stands shifts its weight, and its feet go home whatever its hips do.
@@ -405,6 +409,10 @@ internal sealed class FootPlanner
         foot.Plan.To.Heading = heading;
         foot.Plan.To.Attach(step.Ground as IMovingGround);
     }
+
+    /// <summary>Where a foot belongs: where its gait has it, and ahead of that where a standing body has set it.</summary>
+    private Vector3 Under(int leg, float activity, GaitClock clock, float speed, float slope) =>
+        GaitFootholds.Under(body, leg, activity, clock, speed, slope) + new Vector3(0f, 0f, feet[leg].Plan.Ahead * (1f - activity));
 
     private static float Square(float x) => x * x;
 }

@@ -10,8 +10,10 @@ internal struct StandingLife
     private const float CalmSeconds = 3f;
     private const float AlertSeconds = 0.3f;
 
-    private double seconds;
     private float calm;
+
+    /// <summary>How long it has been, seconds.</summary>
+    public double Seconds { get; private set; }
 
     /// <summary>Is put somewhere else.</summary>
     public void Wake() => calm = 0f;
@@ -24,9 +26,9 @@ internal struct StandingLife
     /// <param name="free">Whether it stands with nothing to do.</param>
     public IdlePose Follow(LeggedBody body, float dt, float activity, float weight, bool free)
     {
-        seconds += dt;
+        Seconds += dt;
         calm = Scalar.Clamp(calm + (free ? dt / CalmSeconds : -dt / AlertSeconds), 0f, 1f);
-        IdlePose pose = IdleLife.At(body, seconds, activity, weight);
+        IdlePose pose = IdleLife.At(body, Seconds, activity, weight);
         return pose with { Rest = pose.Rest * Scalar.Smooth(calm) };
     }
 }
