@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using System.Runtime.InteropServices;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Skinning;
 
@@ -36,7 +37,14 @@ public static class CpuSkinning
 
         // Multiplication and addition by component are exact on every platform.
         ReadOnlySpan<Rows> rows = MemoryMarshal.Cast<Matrix4x4, Rows>(matrices);
-        for (int i = 0; i < count; i++)
+        int first = 0;
+#if NET
+        if (FourVectors.Pay)
+        {
+            first = FourVertices.Skin(matrices, weights, positions, normals, movedPositions, movedNormals);
+        }
+#endif
+        for (int i = first; i < count; i++)
         {
             ref readonly SkinWeights s = ref weights[i];
             Vector4 w = s.Weights;
@@ -79,18 +87,15 @@ public static class CpuSkinning
             movedPositions[i] = new Vector3(q.X, q.Y, q.Z);
             ref readonly Vector3 n = ref normals[i];
             Vector4 d = (r0 * n.X) + (r1 * n.Y) + (r2 * n.Z);
-            Vector4 squares = d * d;
-            float squared = squares.X + squares.Y + squares.Z;
-            if (squared > 0f)
-            {
-                d *= 1f / (float)Math.Sqrt(squared);
-                movedNormals[i] = new Vector3(d.X, d.Y, d.Z);
-            }
-            else
-            {
-                movedNormals[i] = n;
-            }
+            movedNormals[i] = Unit(new Vector3(d.X, d.Y, d.Z), n);
         }
+    }
+
+    /// <summary>A moved normal at unit length; the normal at rest where nothing is left of it.</summary>
+    internal static Vector3 Unit(Vector3 moved, Vector3 rest)
+    {
+        float squared = Vec.LengthSquared(moved);
+        return squared > 0f ? moved * (1f / (float)Math.Sqrt(squared)) : rest;
     }
 
     /// <summary>A matrix by its rows.</summary>

@@ -73,6 +73,62 @@ public sealed class CpuSkinningTests
     }
 
     [Fact]
+    public void Many_vertices_at_once_give_the_bits_of_one_alone_over_themselves_too()
+    {
+        RigSubject subject = RigSubject.Of(BodyPlan.Sprawling);
+        Skeleton skeleton = subject.Skeleton;
+        Vector3[] rest = subject.Input.Surface.Positions[..101];
+        Vector3[] normals = SkinFacts.Normals(subject.Input.Surface.Positions, subject.Input.Surface.Triangles)[..101];
+        (Quaternion[] rotations, Vector3[] positions) = Anything(skeleton);
+        var matrices = new Matrix4x4[skeleton.Count];
+        SkinMatrices.Fill(skeleton, new Pose(rotations, positions), matrices);
+
+        // A joint that takes all length from normals, and any number of influences.
+        matrices[1] = default;
+        SkinWeights[] weights = subject.Weights[..101];
+        weights[6] = new SkinWeights(1, 0, 0, 0, Vector4.UnitX);
+        weights[13] = new SkinWeights(2, 3, 0, 0, new Vector4(0.6f, 0.4f, 0f, 0f));
+        weights[21] = new SkinWeights(2, 3, 4, 0, new Vector4(0.5f, 0.3f, 0.2f, 0f));
+        weights[30] = new SkinWeights(5, 3, 4, 2, new Vector4(0.4f, 0.3f, 0.2f, 0.1f));
+        var moved = (Vector3[])rest.Clone();
+        var movedNormals = (Vector3[])normals.Clone();
+        CpuSkinning.Skin(matrices, weights, moved, movedNormals, moved, movedNormals);
+        var alone = new Vector3[1];
+        var normalAlone = new Vector3[1];
+        for (int v = 0; v < rest.Length; v++)
+        {
+            CpuSkinning.Skin(matrices, weights.AsSpan(v, 1), rest.AsSpan(v, 1), normals.AsSpan(v, 1), alone, normalAlone);
+            Assert.Equal(Bits(alone[0]), Bits(moved[v]));
+            Assert.Equal(Bits(normalAlone[0]), Bits(movedNormals[v]));
+        }
+
+        Assert.Equal(normals[6], movedNormals[6]);
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void An_influence_without_a_matrix_is_refused_wherever_it_is_and_a_slot_without_weight_is_not(int slot)
+    {
+        var vertices = new Vector3[6];
+        var weights = new SkinWeights[6];
+        Array.Fill(weights, new SkinWeights(0, 0, 0, 0, Vector4.UnitX));
+        int[] joints = new int[4];
+        joints[slot] = 9;
+        float[] parts = new float[4];
+        Array.Fill(parts, 1f / (slot + 1), 0, slot + 1);
+        weights[2] = new SkinWeights(joints[0], joints[1], joints[2], joints[3], new Vector4(parts[0], parts[1], parts[2], parts[3]));
+        Assert.Throws<IndexOutOfRangeException>(() => CpuSkinning.Skin(new Matrix4x4[1], weights, vertices, vertices, vertices, vertices));
+        if (slot > 0)
+        {
+            weights[2] = new SkinWeights(joints[0], joints[1], joints[2], joints[3], Vector4.UnitX);
+            CpuSkinning.Skin(new Matrix4x4[1], weights, vertices, vertices, vertices, vertices);
+        }
+    }
+
+    [Fact]
     public void Turning_the_root_turns_the_skin_as_one()
     {
         RigSubject subject = RigSubject.Of(BodyPlan.Flapping);
@@ -117,6 +173,8 @@ public sealed class CpuSkinningTests
         Skeleton skeleton = RigSubject.Of(BodyPlan.Fish).Skeleton;
         Assert.Throws<ArgumentException>(() => SkinMatrices.Fill(skeleton, new Pose(skeleton.ModelRotations.ToArray(), skeleton.ModelPositions.ToArray()), new Matrix4x4[3]));
     }
+
+    private static (int X, int Y, int Z) Bits(Vector3 v) => (BitConverter.SingleToInt32Bits(v.X), BitConverter.SingleToInt32Bits(v.Y), BitConverter.SingleToInt32Bits(v.Z));
 
     private static (Quaternion[] Rotations, Vector3[] Positions) Anything(Skeleton skeleton)
     {

@@ -3,6 +3,7 @@ using System;
 using System.Numerics;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Toolkit.Poses;
 
@@ -24,25 +25,25 @@ internal static class RotationBlend
         int i = 0;
         Vector128<float> noughts = Vector128.Create(0f);
         Vector128<float> back = Vector128.Create(1f - weight);
-        for (; i <= result.Length - FourRotations.Count; i += FourRotations.Count)
+        for (; i <= result.Length - FourVectors.Count; i += FourVectors.Count)
         {
-            Vector128<float> b0 = FourRotations.Load(ref b, i), b1 = FourRotations.Load(ref b, i + 1), b2 = FourRotations.Load(ref b, i + 2), b3 = FourRotations.Load(ref b, i + 3);
-            Vector128<float> a0 = FourRotations.Load(ref a, i), a1 = FourRotations.Load(ref a, i + 1), a2 = FourRotations.Load(ref a, i + 2), a3 = FourRotations.Load(ref a, i + 3);
-            Vector128<float> v = FourRotations.WithSignsOf(FourRotations.Sums(a0 * b0, a1 * b1, a2 * b2, a3 * b3), weight);
-            a0 = (a0 * back) + (b0 * FourRotations.First(v));
-            a1 = (a1 * back) + (b1 * FourRotations.Second(v));
-            a2 = (a2 * back) + (b2 * FourRotations.Third(v));
-            a3 = (a3 * back) + (b3 * FourRotations.Fourth(v));
-            Vector128<float> squares = FourRotations.Sums(a0 * a0, a1 * a1, a2 * a2, a3 * a3);
-            Vector128<float> scales = FourRotations.Scales(squares);
+            Vector128<float> b0 = FourVectors.Load(ref b, i), b1 = FourVectors.Load(ref b, i + 1), b2 = FourVectors.Load(ref b, i + 2), b3 = FourVectors.Load(ref b, i + 3);
+            Vector128<float> a0 = FourVectors.Load(ref a, i), a1 = FourVectors.Load(ref a, i + 1), a2 = FourVectors.Load(ref a, i + 2), a3 = FourVectors.Load(ref a, i + 3);
+            Vector128<float> v = FourVectors.WithSignsOf(FourVectors.Sums(a0 * b0, a1 * b1, a2 * b2, a3 * b3), weight);
+            a0 = (a0 * back) + (b0 * FourVectors.First(v));
+            a1 = (a1 * back) + (b1 * FourVectors.Second(v));
+            a2 = (a2 * back) + (b2 * FourVectors.Third(v));
+            a3 = (a3 * back) + (b3 * FourVectors.Fourth(v));
+            Vector128<float> squares = FourVectors.Sums(a0 * a0, a1 * a1, a2 * a2, a3 * a3);
+            Vector128<float> scales = FourVectors.Scales(squares);
             noughts += (squares + scales) * 0f;
-            FourRotations.Store(a0 * FourRotations.First(scales), ref r, i);
-            FourRotations.Store(a1 * FourRotations.Second(scales), ref r, i + 1);
-            FourRotations.Store(a2 * FourRotations.Third(scales), ref r, i + 2);
-            FourRotations.Store(a3 * FourRotations.Fourth(scales), ref r, i + 3);
+            FourVectors.Store(a0 * FourVectors.First(scales), ref r, i);
+            FourVectors.Store(a1 * FourVectors.Second(scales), ref r, i + 1);
+            FourVectors.Store(a2 * FourVectors.Third(scales), ref r, i + 2);
+            FourVectors.Store(a3 * FourVectors.Fourth(scales), ref r, i + 3);
         }
 
-        nought += FourRotations.Nought(noughts);
+        nought += FourVectors.Nought(noughts);
         return i;
     }
 
@@ -64,17 +65,17 @@ internal static class RotationBlend
         Vector128<float> weightB = Vector128.Create(ofB);
         Vector128<float> weightC = Vector128.Create(ofC);
         int i = 0;
-        for (; i <= places.Length - FourRotations.Count; i += FourRotations.Count)
+        for (; i <= places.Length - FourVectors.Count; i += FourVectors.Count)
         {
-            Vector128<float> q0 = (FourRotations.Load(ref first, i) * weightA) + (FourRotations.Load(ref second, i) * weightB) + (FourRotations.Load(ref third, i) * weightC);
-            Vector128<float> q1 = (FourRotations.Load(ref first, i + 1) * weightA) + (FourRotations.Load(ref second, i + 1) * weightB) + (FourRotations.Load(ref third, i + 1) * weightC);
-            Vector128<float> q2 = (FourRotations.Load(ref first, i + 2) * weightA) + (FourRotations.Load(ref second, i + 2) * weightB) + (FourRotations.Load(ref third, i + 2) * weightC);
-            Vector128<float> q3 = (FourRotations.Load(ref first, i + 3) * weightA) + (FourRotations.Load(ref second, i + 3) * weightB) + (FourRotations.Load(ref third, i + 3) * weightC);
-            Vector128<float> scales = FourRotations.Scales(FourRotations.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3));
-            FourRotations.Store(q0 * FourRotations.First(scales), ref result[places[i]], 0);
-            FourRotations.Store(q1 * FourRotations.Second(scales), ref result[places[i + 1]], 0);
-            FourRotations.Store(q2 * FourRotations.Third(scales), ref result[places[i + 2]], 0);
-            FourRotations.Store(q3 * FourRotations.Fourth(scales), ref result[places[i + 3]], 0);
+            Vector128<float> q0 = (FourVectors.Load(ref first, i) * weightA) + (FourVectors.Load(ref second, i) * weightB) + (FourVectors.Load(ref third, i) * weightC);
+            Vector128<float> q1 = (FourVectors.Load(ref first, i + 1) * weightA) + (FourVectors.Load(ref second, i + 1) * weightB) + (FourVectors.Load(ref third, i + 1) * weightC);
+            Vector128<float> q2 = (FourVectors.Load(ref first, i + 2) * weightA) + (FourVectors.Load(ref second, i + 2) * weightB) + (FourVectors.Load(ref third, i + 2) * weightC);
+            Vector128<float> q3 = (FourVectors.Load(ref first, i + 3) * weightA) + (FourVectors.Load(ref second, i + 3) * weightB) + (FourVectors.Load(ref third, i + 3) * weightC);
+            Vector128<float> scales = FourVectors.Scales(FourVectors.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3));
+            FourVectors.Store(q0 * FourVectors.First(scales), ref result[places[i]], 0);
+            FourVectors.Store(q1 * FourVectors.Second(scales), ref result[places[i + 1]], 0);
+            FourVectors.Store(q2 * FourVectors.Third(scales), ref result[places[i + 2]], 0);
+            FourVectors.Store(q3 * FourVectors.Fourth(scales), ref result[places[i + 3]], 0);
         }
 
         return i;

