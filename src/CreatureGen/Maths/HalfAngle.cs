@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Maths;
 
@@ -6,6 +7,7 @@ namespace CreatureGen.Maths;
 internal static class HalfAngle
 {
     /// <summary>Cosine and sine of half an angle in −π..π from those of the angle, which need not be exact to the last digits.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Of(double cosine, double sine, out double halfCosine, out double halfSine)
     {
         // Only the greater of the two roots has all its digits; the sine gives the other.

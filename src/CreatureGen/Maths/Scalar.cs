@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 
 namespace CreatureGen.Maths;
 
@@ -13,6 +14,7 @@ internal static class Scalar
     }
 
     /// <summary>Cubic ease x²(3 − 2x) of x clamped to 0..1: zero slope at both ends.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float Smooth(float x)
     {
         x = x < 0f ? 0f : x > 1f ? 1f : x;

@@ -37,10 +37,7 @@ public sealed partial class CreatureAnimator
     private readonly Locomotion locomotion;
     private readonly SecondaryMotion secondary;
     private readonly HeadGaze? headGaze;
-    private readonly CheckedGround stillGround = new();
-    private readonly CheckedMovingGround movingGround = new();
-    private readonly CheckedPlaneGround planeGround = new();
-    private CheckedGround gate;
+    private readonly GroundGate gate = new();
     private Actor? actor;
     private Vector3? lookAt;
     private MotionSettings settings = MotionSettings.Default;
@@ -57,7 +54,6 @@ public sealed partial class CreatureAnimator
     public CreatureAnimator(MotionProfile profile)
     {
         Profile = profile ?? throw new ArgumentNullException(nameof(profile));
-        gate = stillGround;
         Skeleton skeleton = profile.Subject.Skeleton;
         localRotations = new Quaternion[skeleton.Count];
         localPositions = new Vector3[skeleton.Count];
@@ -278,7 +274,7 @@ public sealed partial class CreatureAnimator
         }
 
         placement.Require(nameof(placement));
-        CheckedGround sound = Gate(ground);
+        CheckedGround sound = gate.Open(ground);
         events.Clear();
         actor?.Reset();
         try
@@ -334,26 +330,7 @@ public sealed partial class CreatureAnimator
         dt = Math.Min(dt, WalkingMode.LongestUpdate);
         events.Clear();
         actor?.ClearEvents();
-        return Gate(ground);
-    }
-
-    /// <summary>Lets a ground in for one update.</summary>
-    private CheckedGround Gate(IGround ground)
-    {
-        if (ground is IMovingGround moving)
-        {
-            movingGround.Begin(moving);
-            return gate = movingGround;
-        }
-
-        if (ground is IPlaneGround plane)
-        {
-            planeGround.Begin(plane);
-            return gate = planeGround;
-        }
-
-        stillGround.Begin(ground);
-        return gate = stillGround;
+        return gate.Open(ground);
     }
 
     /// <summary>The push to the side that the lean of the body balances, so that what hangs on it does not feel it: m/s², world space.</summary>

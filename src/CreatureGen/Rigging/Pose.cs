@@ -11,11 +11,12 @@ public readonly ref struct Pose
 {
     /// <summary>Lays a pose over two spans.</summary>
     /// <exception cref="ArgumentException">The spans differ in length.</exception>
+    /// <remarks>The error is made elsewhere, so that this is inlined: poses are laid over arrays several times in a frame.</remarks>
     public Pose(Span<Quaternion> rotations, Span<Vector3> positions)
     {
         if (rotations.Length != positions.Length)
         {
-            throw new ArgumentException(FormattableString.Invariant($"{rotations.Length} rotations and {positions.Length} positions; expected one of each per joint"), nameof(positions));
+            ThrowUnequal(rotations.Length, positions.Length);
         }
 
         Rotations = rotations;
@@ -42,7 +43,12 @@ public readonly ref struct Pose
     {
         if (Rotations.Length != skeleton.Count)
         {
-            throw new ArgumentException(FormattableString.Invariant($"a pose of {Rotations.Length} joints; expected the {skeleton.Count} of the skeleton"));
+            ThrowOtherSkeleton(Rotations.Length, skeleton.Count);
         }
     }
+
+    private static void ThrowUnequal(int rotations, int positions) =>
+        throw new ArgumentException(FormattableString.Invariant($"{rotations} rotations and {positions} positions; expected one of each per joint"), nameof(positions));
+
+    private static void ThrowOtherSkeleton(int joints, int expected) => throw new ArgumentException(FormattableString.Invariant($"a pose of {joints} joints; expected the {expected} of the skeleton"));
 }

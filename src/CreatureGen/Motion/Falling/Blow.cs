@@ -24,6 +24,9 @@ internal struct Drift
 
     private Vector3 velocity;
 
+    /// <summary>Whether nothing carries it off.</summary>
+    public readonly bool IsOver => velocity == Vector3.Zero;
+
     /// <summary>Pushes it, world m/s.</summary>
     public void Push(Vector3 change) => velocity += change;
 
@@ -33,7 +36,7 @@ internal struct Drift
     /// <param name="tau">√(ℓ/g), seconds.</param>
     public RootPlace Carry(in RootPlace place, float dt, float tau)
     {
-        if (velocity == Vector3.Zero)
+        if (IsOver)
         {
             return place;
         }

@@ -135,7 +135,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         IGround felt = ground;
         WaterReading reading = Read(ground, place);
@@ -193,7 +193,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         bool swam = State == BodyState.Afloat;
         Recover();
@@ -219,7 +219,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         Recover();
         water?.Stop();
@@ -313,9 +313,14 @@ internal sealed partial class FallingMode : ILocomotionMode
 
     private RootPlace Carried(in RootPlace place, in WaterReading reading, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
+        MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, reading, place, settings) : input;
+        if (reel == null && drift.IsOver)
+        {
+            return inner.Update(place, dt, possible, settings, ground, layer, local);
+        }
+
         float tau = Tau(place.Scale, settings.Gravity);
         BodyLayer? reeling = reel == null ? layer : reel.On(layer, dt, tau);
-        MotionInput possible = water != null && inner.StandsOnFeet ? water.Wade(input, reading, place, settings) : input;
         return inner.Update(drift.Carry(place, dt, tau), dt, possible, settings, ground, reeling, local);
     }
 

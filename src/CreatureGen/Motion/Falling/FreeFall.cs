@@ -91,7 +91,7 @@ internal sealed class FreeFall
     /// <param name="local">Receives the pose.</param>
     /// <param name="impact">Speed at which it came down, m/s; 0 while it falls.</param>
     /// <returns>Where the root is then.</returns>
-    public RootPlace Fall(RootPlace place, float dt, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local, out float impact)
+    public RootPlace Fall(RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local, out float impact)
     {
         impact = 0f;
         Vector3 up = settings.Up;

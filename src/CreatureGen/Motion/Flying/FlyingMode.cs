@@ -68,7 +68,7 @@ internal sealed class FlyingMode : ILocomotionMode
     /// <summary>Whether it stands still with its wings folded.</summary>
     public bool IsFolded => StandsOnFeet && legs!.IsStill && state.Phase == FlightPhase.Grounded && state.WingSpread < 0.01f;
 
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         bool before = IsOnFeet;
         BodyVelocity velocity = Fly(place, dt, input, settings, ground, layer, local);
@@ -92,7 +92,7 @@ internal sealed class FlyingMode : ILocomotionMode
         return place;
     }
 
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         bool before = IsOnFeet;
         float height = HeightOf(goal, settings, ground);
@@ -115,7 +115,7 @@ internal sealed class FlyingMode : ILocomotionMode
         Mix(local);
     }
 
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         state = Resting;
         Speed = 0f;

@@ -31,6 +31,9 @@ internal class CheckedGround : IWaterGround
         Refused = 0;
     }
 
+    /// <summary>Begins an update over the ground of the last one.</summary>
+    public void BeginAgain() => Refused = 0;
+
     /// <inheritdoc/>
     public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
     {

@@ -42,7 +42,7 @@ internal interface ILocomotionMode
     /// <param name="layer">What an act asks of trunk and feet that stand, and of wings; null for nothing. Who has none of them takes no notice.</param>
     /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
     /// <returns>Where it is then.</returns>
-    RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
+    RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
 
     /// <summary>Moves on as the game moved it and writes the pose.</summary>
     /// <param name="place">Where the creature was.</param>
@@ -52,10 +52,10 @@ internal interface ILocomotionMode
     /// <param name="ground">What it goes on, or over.</param>
     /// <param name="layer">What an act asks of trunk and feet that stand, and of wings; null for nothing. Who has none of them takes no notice.</param>
     /// <param name="local">Pose in the parents' space, at rest; the joints that move are written.</param>
-    void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
+    void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
 
     /// <summary>Stands, floats or lies at a place as if it had always been there, and writes the pose.</summary>
-    void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
+    void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local);
 
     /// <summary>Moves the origin of the world.</summary>
     void Rebase(Vector3 offset);

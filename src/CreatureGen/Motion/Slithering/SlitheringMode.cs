@@ -35,16 +35,16 @@ internal sealed class SlitheringMode : ILocomotionMode
 
     public float BalancedBank => 0f;
 
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         var asked = new SlitherInput(settings.Slithering.Gait, input.Speed / place.Scale, input.YawRate, place, settings.Slithering.SpeedResponse);
         return SlitherMotion.Update(profile, asked, ground, state, dt, local);
     }
 
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local) =>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local) =>
         Update(goal, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, ground, layer, local);
 
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         state.Reset();
         Update(place, 0f, default, settings, ground, layer, local);

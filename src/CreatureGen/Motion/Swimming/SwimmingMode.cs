@@ -36,7 +36,7 @@ internal sealed class SwimmingMode : ILocomotionMode
 
     public float BalancedBank => 0f;
 
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         // It sees the ground ahead in time to rise above it.
         float ahead = (Foresight * Math.Max(state.Speed, 0f)) + (0.5f * profile.BodyLength);
@@ -47,10 +47,10 @@ internal sealed class SwimmingMode : ILocomotionMode
         return below < 0f ? new RootPlace(to.Position - (settings.Up * (below * to.Scale)), to.Rotation, to.Scale) : to;
     }
 
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local) =>
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local) =>
         Swim(place.Scale, dt, RootStep.Asked(place, dt, goal, MotionMedium.Ground), settings, float.PositiveInfinity, local);
 
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         state = default;
         Swim(place.Scale, 0f, default, settings, float.PositiveInfinity, local);
@@ -67,7 +67,7 @@ internal sealed class SwimmingMode : ILocomotionMode
         Speed = mode.Speed;
     }
 
-    private BodyVelocity Swim(float scale, float dt, in MotionInput input, MotionSettings settings, float room, in Pose local)
+    private BodyVelocity Swim(float scale, float dt, in MotionInput input, in MotionSettings settings, float room, in Pose local)
     {
         BodyVelocity velocity = SwimMotion.Update(profile, new SwimInput(input.Speed / scale, input.YawRate, input.ClimbRate / scale, input.Escape, settings.Swimming, room), ref state, dt, local);
         Speed = velocity.Linear.Z;
@@ -75,7 +75,7 @@ internal sealed class SwimmingMode : ILocomotionMode
     }
 
     /// <summary>How far a root at a place is above the ground, metres of the model; negative in it, infinite where there is none near.</summary>
-    private float RoomBelow(Vector3 place, float scale, MotionSettings settings, IGround ground)
+    private float RoomBelow(Vector3 place, float scale, in MotionSettings settings, IGround ground)
     {
         float reach = Sight * profile.BodyLength * scale;
         return ground.Cast(place + (settings.Up * reach), -settings.Up, 2f * reach, out GroundHit hit) ? Vec.Dot(place - hit.Point, settings.Up) / scale : float.PositiveInfinity;

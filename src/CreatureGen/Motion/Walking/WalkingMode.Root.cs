@@ -121,11 +121,11 @@ internal sealed partial class WalkingMode
         placer.Reset(planner.Feet);
     }
 
-    private RootPlace Update(RootPlace placement, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer)
+    private RootPlace Update(RootPlace placement, float dt, in MotionInput input, in MotionSettings asked, IGround ground, BodyLayer? layer)
     {
         // From here on in metres of the model.
         float scale = placement.Scale;
-        settings.Gravity = GravityOf(settings, scale);
+        MotionSettings settings = asked with { Gravity = GravityOf(asked, scale) };
         Begin(placement, settings, ground, layer);
         pushed = default;
         velocity.Bounds = VelocityBounds.Of(body, settings);
@@ -151,7 +151,7 @@ internal sealed partial class WalkingMode
         return placement;
     }
 
-    private void Follow(in RootPlace placement, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer)
+    private void Follow(in RootPlace placement, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer)
     {
         Begin(goal, settings, ground, layer);
         PlatformRide.Carry(planner.Feet, goal, ground, settings.Up);

@@ -157,7 +157,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     public FootReport Report(int leg) => planner.Feet[leg].Report(body.Legs[leg].Ball);
 
     /// <inheritdoc/>
-    public void Stand(in RootPlace place, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         Stand(place, settings, ground, layer);
         Pose(place, 0f, settings, layer, false, local);
@@ -172,7 +172,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="ground">Where feet find footing.</param>
     /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Arrive(in RootPlace place, float speed, float foreseen, float turn, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Arrive(in RootPlace place, float speed, float foreseen, float turn, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         MotionSettings own = settings with { Gravity = GravityOf(settings, place.Scale) };
         float unit = own.Gravity * body.LegLength;
@@ -203,7 +203,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="settings">What can be set.</param>
     /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Hold(in RootPlace place, float dt, MotionSettings settings, BodyLayer? layer, in Pose local) => Pose(place, dt, settings, layer, false, local);
+    public void Hold(in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local) => Pose(place, dt, settings, layer, false, local);
 
     /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
     /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
@@ -259,7 +259,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         RootPlace next = Update(place, dt, input, settings, ground, layer);
         Pose(next, dt, settings, layer, true, local);
@@ -267,7 +267,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     }
 
     /// <inheritdoc/>
-    public void Follow(in RootPlace place, float dt, in RootPlace goal, MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    public void Follow(in RootPlace place, float dt, in RootPlace goal, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         RootPlace before = pushed.At(place);
         MotionSettings own = settings with { Gravity = GravityOf(settings, goal.Scale), Up = Rotation.Rotate(goal.Rotation, Vector3.UnitY) };
@@ -284,9 +284,9 @@ internal sealed partial class WalkingMode : ILocomotionMode
     }
 
     /// <summary>Writes the pose of a body that may rest as it stands, or of one that is held.</summary>
-    private void Pose(in RootPlace placement, float dt, MotionSettings settings, BodyLayer? layer, bool rests, in Pose local)
+    private void Pose(in RootPlace placement, float dt, in MotionSettings asked, BodyLayer? layer, bool rests, in Pose local)
     {
-        settings.Gravity = GravityOf(settings, placement.Scale);
+        MotionSettings settings = asked with { Gravity = GravityOf(asked, placement.Scale) };
         float held = layer?.Still ?? 0f;
         bool free = rests && activity < MinActivity && held < MinActivity;
         IdlePose idle = life.Follow(body, dt, activity, settings.Idle * (1f - held), free);

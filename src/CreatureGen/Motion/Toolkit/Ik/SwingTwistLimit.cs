@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -63,23 +64,10 @@ public static class SwingTwistLimit
     /// <summary>A local rotation brought within its joint's limit.</summary>
     /// <param name="local">Unit quaternion, in the parent's space.</param>
     /// <param name="joint">Gives rest rotation and limit.</param>
-    public static Quaternion ClampLocal(Quaternion local, Joint joint)
-    {
-        Quaternion rest = joint.LocalRotation;
-        Quaternion turn = Rotation.Multiply(Rotation.Inverse(rest), local);
-        if (!BoneAxes.AreOwn(joint))
-        {
-            return ClampAlong(local, rest, turn, joint);
-        }
-
-        if (IsWellWithin(turn, joint.Limit))
-        {
-            return local;
-        }
-
-        Quaternion bounded = Clamp(turn, joint.Limit);
-        return bounded == turn ? local : Rotation.Normalize(Rotation.Multiply(rest, bounded));
-    }
+    /// <remarks>What costs no inverse function is inlined: nearly all joints of a frame are well within their limits, and a quaternion that is handed over costs as much as the test.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Quaternion ClampLocal(Quaternion local, Joint joint) =>
+        BoneAxes.AreOwn(joint) && IsWellWithin(Rotation.Multiply(Rotation.Inverse(joint.LocalRotation), local), joint.Limit) ? local : ClampNear(local, joint);
 
     /// <summary>Brings all joints of a local pose within their limits.</summary>
     /// <param name="skeleton">Gives rest rotations and limits.</param>
@@ -94,6 +82,20 @@ public static class SwingTwistLimit
         }
     }
 
+    /// <summary>A local rotation that is near its joint's limit, or beyond.</summary>
+    private static Quaternion ClampNear(Quaternion local, Joint joint)
+    {
+        Quaternion rest = joint.LocalRotation;
+        Quaternion turn = Rotation.Multiply(Rotation.Inverse(rest), local);
+        if (!BoneAxes.AreOwn(joint))
+        {
+            return ClampAlong(local, rest, turn, joint);
+        }
+
+        Quaternion bounded = Clamp(turn, joint.Limit);
+        return bounded == turn ? local : Rotation.Normalize(Rotation.Multiply(rest, bounded));
+    }
+
     /// <summary>The same for a bone along another axis than +Y: the limit is of the turn as the bone's own axes see it.</summary>
     private static Quaternion ClampAlong(Quaternion local, Quaternion rest, Quaternion turn, Joint joint)
     {
@@ -105,6 +107,7 @@ public static class SwingTwistLimit
     }
 
     /// <summary>Whether a turn is certainly within its limit, from bounds of its angles that cost no inverse function.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsWellWithin(Quaternion turn, JointLimit limit)
     {
         float along = (turn.Y * turn.Y) + (turn.W * turn.W);

@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Poses;
 using CreatureGen.Motion.Toolkit.Springs;
@@ -180,7 +181,7 @@ public static class SpringBones
         int steps = (int)(debt / Substep);
         state.Tune(settings);
         int stride = Math.Min(steps, MaxMoments - 1) + 1;
-        Span<Moment> moments = stackalloc Moment[rig.Joints.Length * stride];
+        Span<SpringMoment> moments = stackalloc SpringMoment[rig.Joints.Length * stride];
         Span<float> fractions = stackalloc float[MaxMoments];
         float left = Math.Max(debt - (steps * Substep), 0f);
         int done = 0;
@@ -228,7 +229,7 @@ public static class SpringBones
     }
 
     /// <summary>Some substeps of one bone; its parent has made them already. One bone after the other, not one step after the other: a step waits for little of the one before, but a bone for all of its parent.</summary>
-    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> fractions, Span<Moment> moments, int stride)
+    private static void Advance(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, ReadOnlySpan<float> fractions, Span<SpringMoment> moments, int stride)
     {
         const float PerSecond = 1f / Substep;
         int parent = rig.Parents[index];
@@ -241,7 +242,7 @@ public static class SpringBones
         for (int k = 0; k < fractions.Length; k++)
         {
             float fraction = fractions[k];
-            ref Moment moment = ref moments[(index * stride) + k];
+            ref SpringMoment moment = ref moments[(index * stride) + k];
             Vector3 animated = fraction >= 1f ? bone.NowAlong : Vec.Normalize(Vec.Lerp(bone.PastAlong, bone.NowAlong, fraction), bone.NowAlong);
             moment.Animated = Vec.Lerp(bone.PastPosition, bone.NowPosition, fraction);
             Quaternion carried = Carried(ref moment, moments, (parent * stride) + k, settings.Inherit, out float squared);
@@ -266,11 +267,11 @@ public static class SpringBones
     }
 
     /// <summary>Finds how a bone is at the moment of the frame, after the last substep and before the next; its parent has been found already.</summary>
-    private static void Foresee(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, Span<Moment> moments, int stride)
+    private static void Foresee(SpringRig rig, SpringState state, in SpringSettings settings, float scale, ReadOnlySpan<SpringCollider> colliders, int index, Span<SpringMoment> moments, int stride)
     {
         float length = rig.Lengths[index] * scale;
         ref SpringBone bone = ref state.Bones[index];
-        ref Moment moment = ref moments[(index * stride) + stride - 1];
+        ref SpringMoment moment = ref moments[(index * stride) + stride - 1];
         moment.Animated = bone.NowPosition;
         Quaternion carried = Carried(ref moment, moments, (rig.Parents[index] * stride) + stride - 1, settings.Inherit, out float squared);
         Vector3 along = SimdKernels.RotateByAny(carried, squared, bone.NowAlong);
@@ -308,7 +309,8 @@ public static class SpringBones
     }
 
     /// <summary>How far a bone is carried along by its parent's deviation from the animation, not brought to unit length, with the square of that length; and its place.</summary>
-    private static Quaternion Carried(ref Moment moment, ReadOnlySpan<Moment> moments, int parent, float inherit, out float squared)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Quaternion Carried(ref SpringMoment moment, ReadOnlySpan<SpringMoment> moments, int parent, float inherit, out float squared)
     {
         if (parent < 0)
         {
@@ -317,7 +319,7 @@ public static class SpringBones
             return Quaternion.Identity;
         }
 
-        ref readonly Moment carrier = ref moments[parent];
+        ref readonly SpringMoment carrier = ref moments[parent];
         Quaternion deviation = carrier.Deviation;
         moment.Place = carrier.Place + Rotation.Rotate(deviation, moment.Animated - carrier.Animated);
 
@@ -327,6 +329,7 @@ public static class SpringBones
     }
 
     /// <summary>A turn of any length followed by the smallest one that takes one unit vector to another, brought to unit length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Quaternion Turned(Quaternion carried, float squared, Vector3 along, Vector3 direction)
     {
         Quaternion turn = UnitRotation.Between(along, direction, out float square);
@@ -338,6 +341,7 @@ public static class SpringBones
     /// <param name="goalVelocity">Of the goal in this one.</param>
     /// <param name="push">Velocity that gravity adds.</param>
     /// <param name="width">The greatest offset.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3 Driven(in SpringBone bone, Vector3 goalVelocity, Vector3 push, float width)
     {
         Vector3 velocity = bone.Velocity + (bone.GoalVelocity - goalVelocity) + push;
@@ -359,6 +363,7 @@ public static class SpringBones
     }
 
     /// <summary>A direction no farther from another than the cone allows.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3 InCone(Vector3 direction, Vector3 axis, float cosine, float sine)
     {
         if (Vec.Dot(direction, axis) >= cosine)
@@ -371,6 +376,7 @@ public static class SpringBones
     }
 
     /// <summary>A direction of a bone that brings it out of all colliders.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector3 Outside(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 direction, float length, float radius)
     {
         if (colliders.Length == 0)
@@ -379,11 +385,11 @@ public static class SpringBones
         }
 
         Vector3 bone = direction * length;
-        if (colliders.Length == 1 && colliders[0].Clears(place, bone, radius))
-        {
-            return direction;
-        }
+        return colliders.Length == 1 && colliders[0].Clears(place, bone, radius) ? direction : TurnOut(colliders, place, bone, length, radius);
+    }
 
+    private static Vector3 TurnOut(ReadOnlySpan<SpringCollider> colliders, Vector3 place, Vector3 bone, float length, float radius)
+    {
         for (int round = 0; round < CollisionRounds; round++)
         {
             for (int c = 0; c < colliders.Length; c++)
@@ -402,18 +408,5 @@ public static class SpringBones
         }
 
         return bone / length;
-    }
-
-    /// <summary>A bone at one moment within the frame. World axes, from the creature's place.</summary>
-    private struct Moment
-    {
-        /// <summary>Turn from the animated to the simulated rotation.</summary>
-        public Quaternion Deviation;
-
-        /// <summary>Simulated place of its joint.</summary>
-        public Vector3 Place;
-
-        /// <summary>Animated place of its joint.</summary>
-        public Vector3 Animated;
     }
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
 
@@ -26,15 +27,19 @@ internal sealed class RestRotations
     }
 
     /// <summary>Turns a joint away from rest. What two products lose of the length of a unit turn is not made up for.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Set(in Pose local, int joint, Quaternion turn) => local.Rotations[joint] = Local(joint, turn);
 
     /// <summary>The local rotation of a joint that is turned away from rest.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Quaternion Local(int joint, Quaternion turn) => Rotation.Multiply(before[joint], Rotation.Multiply(turn, after[joint]));
 
     /// <summary>How far a joint is turned away from rest.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Quaternion Of(in Pose local, int joint) => Of(joint, local.Rotations[joint]);
 
     /// <summary>How far a joint with a local rotation is turned away from rest.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Quaternion Of(int joint, Quaternion local) =>
         UnitRotation.Renormalize(Rotation.Multiply(Rotation.Multiply(Rotation.Inverse(before[joint]), local), Rotation.Inverse(after[joint])));
 

@@ -5,7 +5,7 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 /// <summary>What the feet are told in a step of time.</summary>
 internal readonly struct StepContext
 {
-    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, MotionSettings settings, IGround ground, float step, float since, float left, float activity, bool moving, float slope)
+    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, in MotionSettings settings, IGround ground, float step, float since, float left, float activity, bool moving, float slope)
     {
         Frame = frame;
         RootVelocity = velocity;

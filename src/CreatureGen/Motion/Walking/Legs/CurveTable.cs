@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Walking.Legs;
@@ -28,6 +29,7 @@ internal sealed class CurveTable
     }
 
     /// <summary>Its value; beyond 0..1 that of the nearer end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public float At(float u)
     {
         float x = Math.Min(Math.Max(u, 0f), 1f) * Steps;

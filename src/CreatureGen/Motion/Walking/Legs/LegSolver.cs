@@ -1,5 +1,6 @@
 using System.Numerics;
 using System;
+using System.Runtime.CompilerServices;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Ik;
 
@@ -196,9 +197,11 @@ internal static class LegSolver
     }
 
     /// <summary>Where the solved parts end, from the hip.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 EndOf(LegRig leg, in LegSegments parts, in LegRotations solved) => Rotation.Rotate(solved.Thigh, parts.Upper) + Rotation.Rotate(solved.Shank, leg.Shank);
 
     /// <summary>Where the hinge of the knee has to point, for a place from the hip.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Side(LegRig leg, Quaternion carrier, Vector3 chord, Quaternion heading)
     {
         Vector3 carried = Rotation.Rotate(carrier, leg.Hinge);

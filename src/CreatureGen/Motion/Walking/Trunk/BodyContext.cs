@@ -6,7 +6,7 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>What the body goes by in an update.</summary>
 internal readonly struct BodyContext
 {
-    public BodyContext(GaitClock clock, RootVelocity velocity, MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright, float bow, float facing)
+    public BodyContext(GaitClock clock, RootVelocity velocity, in MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright, float bow, float facing)
     {
         Clock = clock;
         RootVelocity = velocity;

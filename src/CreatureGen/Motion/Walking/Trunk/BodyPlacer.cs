@@ -208,7 +208,7 @@ internal sealed class BodyPlacer
         chestYaw += ((body.IsBiped ? 0.35f : 0.5f) * bend) + look.Angle;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * hind.Together(2)));
-        float arch = body.IsBiped ? 0f : -clock.Shape.Arch * all.Cosines[1] / feet.Length;
+        float arch = body.IsBiped ? 0f : -clock.Shape.Arch * all.Harmonics[1].Cosine / feet.Length;
         float flexion = Scalar.Clamp(((supple * Scalar.Clamp(gather, -1f, 1f)) + arch) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
         float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Walking.Bank;
@@ -222,7 +222,7 @@ internal sealed class BodyPlacer
         foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) - effort.ForeDrop;
         Level(ref hindRise, ref foreRise);
         float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + effort.Lean : 0f;
-        Rock = clock.Shape.Rock * act * all.Sines[1] / feet.Length;
+        Rock = clock.Shape.Rock * act * all.Harmonics[1].Sine / feet.Length;
         float raised = body.Posture.Raised * context.Upright;
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan

@@ -23,9 +23,7 @@ internal sealed class ForceResponse
     /// <summary>How a sprung neck answers each harmonic, in step with it and a quarter behind: θ″ + 2ζwθ′ + w²θ = −y″·…, with w in cycles.</summary>
     private static readonly (float InStep, float Behind)[] NodResponses = NodsOf();
 
-    private readonly float[] even = new float[Harmonics + 1];
-    private readonly float[] heights = new float[Harmonics + 1];
-    private readonly float[] surges = new float[Harmonics + 1];
+    private readonly Push[] pushes = new Push[Harmonics + 1];
     private float tunedDuty = float.NaN;
     private float tunedDip = float.NaN;
 
@@ -53,10 +51,9 @@ internal sealed class ForceResponse
         {
             (s, c) = ((s * c1) + (c * s1), (c * c1) - (s * s1));
             double theta = Pi * k * duty;
-            even[k] = (float)(Even(theta, c, dip) / mean);
-            heights[k] = even[k] / (k * k);
-            surges[k] = (float)(Odd(theta, s, c) / mean) / (k * k);
-            touchdown -= 2 * heights[k] * c;
+            float even = (float)(Even(theta, c, dip) / mean);
+            pushes[k] = new Push(even, even / (k * k), (float)(Odd(theta, s, c) / mean) / (k * k));
+            touchdown -= 2 * pushes[k].Height * c;
         }
 
         Touchdown = (float)touchdown;
@@ -74,13 +71,14 @@ internal sealed class ForceResponse
         float height = 0f;
         float unit = 2f * scale / legs;
         nod = 0f;
-        for (int k = 1; k <= Harmonics; k++)
+        ReadOnlySpan<FourierSums.Harmonic> harmonics = sums.Harmonics;
+        for (int k = 1; k < harmonics.Length; k++)
         {
-            float y = -unit * heights[k];
-            float c = sums.Cosines[k];
-            max = Math.Max(max, Math.Abs(y) * sums.Amplitudes[k]);
+            float y = -unit * pushes[k].Height;
+            float c = harmonics[k].Cosine;
+            max = Math.Max(max, Math.Abs(y) * harmonics[k].Amplitude);
             height += y * c;
-            nod -= y * ((NodResponses[k].InStep * c) + (NodResponses[k].Behind * sums.Sines[k]));
+            nod -= y * ((NodResponses[k].InStep * c) + (NodResponses[k].Behind * harmonics[k].Sine));
         }
 
         float fraction = max > cap ? cap / max : 1f;
@@ -97,7 +95,7 @@ internal sealed class ForceResponse
         float sway = 0f;
         for (int k = 1; k <= 4; k++)
         {
-            sway += 2f * even[k] / legs * pendulum / (pendulum + (k * k)) * sums.Cosines[k];
+            sway += 2f * pushes[k].Even / legs * pendulum / (pendulum + (k * k)) * sums.Harmonics[k].Cosine;
         }
 
         return sway;
@@ -109,11 +107,12 @@ internal sealed class ForceResponse
         float surge = 0f;
         float max = 0f;
         float unit = scale * stance / legs;
-        for (int k = 1; k <= Harmonics; k++)
+        ReadOnlySpan<FourierSums.Harmonic> harmonics = sums.Harmonics;
+        for (int k = 1; k < harmonics.Length; k++)
         {
-            float z = -unit * surges[k];
-            max = Math.Max(max, Math.Abs(z) * sums.Amplitudes[k]);
-            surge += z * sums.Sines[k];
+            float z = -unit * pushes[k].Surge;
+            max = Math.Max(max, Math.Abs(z) * harmonics[k].Amplitude);
+            surge += z * harmonics[k].Sine;
         }
 
         return max > cap ? surge * cap / max : surge;
@@ -152,4 +151,10 @@ internal sealed class ForceResponse
         double d = (Pi * Pi) - (4 * theta * theta);
         return 4 * Pi * ((sine / d) - (8 * theta * cosine / (d * d)));
     }
+
+    /// <summary>What a foot's push is of a harmonic, relative to its mean: side by side, as they are asked for together.</summary>
+    /// <param name="Even">Its coefficient, seen from the middle of stance.</param>
+    /// <param name="Height">The same integrated twice.</param>
+    /// <param name="Surge">Of braking and pushing, integrated twice.</param>
+    private readonly record struct Push(float Even, float Height, float Surge);
 }

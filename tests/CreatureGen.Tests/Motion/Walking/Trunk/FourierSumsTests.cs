@@ -25,9 +25,9 @@ public class FourierSumsTests
                     sine += weight * Math.Sin(k * (angle + turn));
                 }
 
-                Assert.Equal(cosine, sums.Cosines[k], 4);
-                Assert.Equal(sine, sums.Sines[k], 4);
-                Assert.Equal(Math.Sqrt((cosine * cosine) + (sine * sine)), sums.Amplitudes[k], 4);
+                Assert.Equal(cosine, sums.Harmonics[k].Cosine, 4);
+                Assert.Equal(sine, sums.Harmonics[k].Sine, 4);
+                Assert.Equal(Math.Sqrt((cosine * cosine) + (sine * sine)), sums.Harmonics[k].Amplitude, 4);
             }
         }
     }
@@ -38,9 +38,7 @@ public class FourierSumsTests
         FourierSums sums = Summed();
         sums.Clear();
         sums.Turn(0.6f, 0.8f);
-        Assert.All(sums.Cosines, cosine => Assert.Equal(0f, cosine));
-        Assert.All(sums.Sines, sine => Assert.Equal(0f, sine));
-        Assert.All(sums.Amplitudes, amplitude => Assert.Equal(0f, amplitude));
+        Assert.All(sums.Harmonics.ToArray(), harmonic => Assert.Equal(default, harmonic));
     }
 
     private static FourierSums Summed()
