@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using CreatureGen.Creatures;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Creatures;
@@ -15,7 +16,7 @@ internal static class LodSubjects
     /// <summary>Seeds to try of each kind: a sample, or as many as the environment variable CREATUREGEN_SEEDS asks for.</summary>
     public static int Seeds { get; } = int.TryParse(Environment.GetEnvironmentVariable("CREATUREGEN_SEEDS"), NumberStyles.None, CultureInfo.InvariantCulture, out int seeds) ? seeds : Environment.GetEnvironmentVariable("CREATUREGEN_EXHAUSTIVE") == "true" ? 60 : 6;
 
-    /// <summary>A creature of a kind with a budget of triangles.</summary>
+    /// <summary>A creature of a kind with a budget of triangles, of the seed's size.</summary>
     public static Creature Of(RequestedKind kind, int seed, int budget = 20000) =>
-        GrownCreatures.Of((ulong)seed, new CreatureOptions { Kind = kind, TriangleBudget = budget, Strangeness = 0 });
+        GrownCreatures.Of((ulong)seed, SizeOfSeed.In(new CreatureOptions { Kind = kind, TriangleBudget = budget, Strangeness = 0 }, (ulong)seed));
 }

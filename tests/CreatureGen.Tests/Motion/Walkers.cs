@@ -9,6 +9,7 @@ using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using CreatureGen.Tests.Creatures;
+using CreatureGen.Tests.Sampling;
 
 namespace CreatureGen.Tests.Motion;
 
@@ -18,15 +19,15 @@ internal static class Walkers
     /// <summary>Walking animals.</summary>
     public static CreatureOptions Options { get; } = CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 0 };
 
-    /// <summary>A walking animal of a seed.</summary>
-    public static Creature Any(ulong seed) => GrownCreatures.Of(seed, Options);
+    /// <summary>A walking animal of a seed, of the seed's size.</summary>
+    public static Creature Any(ulong seed) => GrownCreatures.Of(seed, SizeOfSeed.In(Options, seed));
 
     /// <summary>The walking animals of seeds below a count that have a plan; the others are not grown.</summary>
     public static IEnumerable<(ulong Seed, Creature Creature)> WithPlan(BodyPlan plan, int count)
     {
         for (ulong seed = 0; seed < (ulong)count; seed++)
         {
-            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, Options);
+            CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, SizeOfSeed.In(Options, seed));
             if (blueprint.Plan == plan)
             {
                 yield return (seed, CreatureGenerator.Build(blueprint));
@@ -34,12 +35,12 @@ internal static class Walkers
         }
     }
 
-    /// <summary>An animal of a plan.</summary>
-    public static Creature Of(BodyPlan plan, ulong seed) => GrownCreatures.Of(seed, CreatureOptions.Default with
+    /// <summary>An animal of a plan, of the seed's size.</summary>
+    public static Creature Of(BodyPlan plan, ulong seed) => GrownCreatures.Of(seed, SizeOfSeed.In(CreatureOptions.Default with
     {
         BodyPlans = BodyPlanWeight.Only(plan),
         Strangeness = 0,
-    });
+    }, seed));
 
     /// <summary>Lets an animator go for a time.</summary>
     public static void Run(CreatureAnimator animator, float seconds, float rate, MotionInput input, IGround ground)

@@ -8,6 +8,7 @@ using CreatureGen.Preview.Films;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Scenes;
 using CreatureGen.Sampling;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Preview;
@@ -131,7 +132,7 @@ public sealed class FilmTests
 
     private static Film Make(RequestedKind kind, ulong seed, int movement, FilmOptions options)
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, SizeOfSeed.In(CreatureOptions.Default with { Kind = kind }, seed)));
         return new Film(profile, Movement.Of(profile)[movement], options);
     }
 

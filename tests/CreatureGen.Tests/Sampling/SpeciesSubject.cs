@@ -17,6 +17,6 @@ internal static class SpeciesSubject
         BaseBodies = new ValueList<BaseBodyWeight>(BaseBodyNames.All.Select(name => new BaseBodyWeight(name, name == body ? 1 : 0))),
     };
 
-    /// <summary>The creature of a seed among those of a species.</summary>
-    public static Creature Of(string body, RequestedKind kind, ulong seed = 0) => CreatureGenerator.Generate(seed, Only(body, kind));
+    /// <summary>The creature of a seed among those of a species, of the seed's size.</summary>
+    public static Creature Of(string body, RequestedKind kind, ulong seed = 0) => CreatureGenerator.Generate(seed, SizeOfSeed.In(Only(body, kind), seed));
 }
