@@ -51,48 +51,48 @@ internal static class NeckPresets
     public static readonly ManePreset Ruff = new(
         0.85,
         1.2,
-        new ManeBlueprint(15.4, 23.6, 0, 16, 7, 14, 1.6, 1.1, 0.17, 0.34, 0.65, 0.6),
-        new ManeBlueprint(15.3, 16.8, 0, 13, 2, 14, 1.4, 1.1, 0.16, 0.9, 0.4, 0.2),
-        new ManeBlueprint(13.4, 14.6, 6.5, 14.5, 2, 9, 1.1, 1.15, 0.13, 0.6, 0.8, 0.4),
-        new ManeBlueprint(50.5, 53, 0, 16, 3, 5, 1.25, 0.8, 0.14, 0.22, 0, 0.1));
+        new ManeBlueprint(Ring: 15.4, LastRing: 23.6, Segment: 0, LastSegment: 16, Rows: 7, Columns: 14, Length: 1.6, Growth: 1.1, Width: 0.17, Rise: 0.34, Fall: 0.65, Hang: 0.6),
+        new ManeBlueprint(Ring: 15.3, LastRing: 16.8, Segment: 0, LastSegment: 13, Rows: 2, Columns: 14, Length: 1.4, Growth: 1.1, Width: 0.16, Rise: 0.9, Fall: 0.4, Hang: 0.2),
+        new ManeBlueprint(Ring: 13.4, LastRing: 14.6, Segment: 6.5, LastSegment: 14.5, Rows: 2, Columns: 9, Length: 1.1, Growth: 1.15, Width: 0.13, Rise: 0.6, Fall: 0.8, Hang: 0.4),
+        new ManeBlueprint(Ring: 50.5, LastRing: 53, Segment: 0, LastSegment: 16, Rows: 3, Columns: 5, Length: 1.25, Growth: 0.8, Width: 0.14, Rise: 0.22, Fall: 0, Hang: 0.1));
 
     /// <summary>A mane that falls to both sides of the neck, a forelock and a tail of long hair (horse).</summary>
     public static readonly ManePreset Falling = new(
         0.85,
         1.2,
-        new ManeBlueprint(13.6, 25.4, 0.3, 1.5, 24, 2, 1.7, 0.95, 0.17, 0.2, 1.1, 0),
-        new ManeBlueprint(13.2, 25.6, 0, 0, 24, 1, 0.85, 0.8, 0.1, 0.62, 0, 0),
-        new ManeBlueprint(11.8, 13.8, 0, 1.1, 4, 3, 1.05, 1, 0.1, 0.3, Forward, 0),
-        new ManeBlueprint(45.2, 52.5, 0, 16, 7, 5, 2.2, 0.9, 0.2, 0.14, 0, 0.2));
+        new ManeBlueprint(Ring: 13.6, LastRing: 25.4, Segment: 0.3, LastSegment: 1.5, Rows: 24, Columns: 2, Length: 1.7, Growth: 0.95, Width: 0.17, Rise: 0.2, Fall: 1.1, Hang: 0),
+        new ManeBlueprint(Ring: 13.2, LastRing: 25.6, Segment: 0, LastSegment: 0, Rows: 24, Columns: 1, Length: 0.85, Growth: 0.8, Width: 0.1, Rise: 0.62, Fall: 0, Hang: 0),
+        new ManeBlueprint(Ring: 11.8, LastRing: 13.8, Segment: 0, LastSegment: 1.1, Rows: 4, Columns: 3, Length: 1.05, Growth: 1, Width: 0.1, Rise: 0.3, Fall: Forward, Hang: 0),
+        new ManeBlueprint(Ring: 45.2, LastRing: 52.5, Segment: 0, LastSegment: 16, Rows: 7, Columns: 5, Length: 2.2, Growth: 0.9, Width: 0.2, Rise: 0.14, Fall: 0, Hang: 0.2));
 
     /// <summary>A crest of bristles from the poll to behind the shoulders (hyena, boar).</summary>
     public static readonly ManePreset Bristles = new(
         0.8,
         1.25,
-        new ManeBlueprint(14, 30, 0, 1.6, 22, 3, 1.1, 0.75, 0.12, 0.6, 0.12, 0),
-        new ManeBlueprint(50.5, 53, 0, 16, 3, 5, 1.0, 0.8, 0.11, 0.22, 0, 0.1));
+        new ManeBlueprint(Ring: 14, LastRing: 30, Segment: 0, LastSegment: 1.6, Rows: 22, Columns: 3, Length: 1.1, Growth: 0.75, Width: 0.12, Rise: 0.6, Fall: 0.12, Hang: 0),
+        new ManeBlueprint(Ring: 50.5, LastRing: 53, Segment: 0, LastSegment: 16, Rows: 3, Columns: 5, Length: 1.0, Growth: 0.8, Width: 0.11, Rise: 0.22, Fall: 0, Hang: 0.1));
 
     /// <summary>Shaggy shoulders, a mop between the horns and a beard (bison).</summary>
     public static readonly ManePreset Shag = new(
         0.85,
         1.2,
-        new ManeBlueprint(15, 27, 0, 10.5, 7, 15, 1.35, 0.65, 0.13, 0.15, 0.95, 0.3),
-        new ManeBlueprint(11.8, 14.6, 0, 2.4, 4, 5, 0.62, 1, 0.075, 0.35, 2.95, 0),
-        new ManeBlueprint(12.4, 20, 11.5, 16, 6, 7, 1.15, 1.1, 0.1, 0.25, 0.5, 0.8),
-        new ManeBlueprint(51, 53, 0, 16, 3, 5, 0.8, 0.8, 0.08, 0.2, 0, 0.1));
+        new ManeBlueprint(Ring: 15, LastRing: 27, Segment: 0, LastSegment: 10.5, Rows: 7, Columns: 15, Length: 1.35, Growth: 0.65, Width: 0.13, Rise: 0.15, Fall: 0.95, Hang: 0.3),
+        new ManeBlueprint(Ring: 11.8, LastRing: 14.6, Segment: 0, LastSegment: 2.4, Rows: 4, Columns: 5, Length: 0.62, Growth: 1, Width: 0.075, Rise: 0.35, Fall: 2.95, Hang: 0),
+        new ManeBlueprint(Ring: 12.4, LastRing: 20, Segment: 11.5, LastSegment: 16, Rows: 6, Columns: 7, Length: 1.15, Growth: 1.1, Width: 0.1, Rise: 0.25, Fall: 0.5, Hang: 0.8),
+        new ManeBlueprint(Ring: 51, LastRing: 53, Segment: 0, LastSegment: 16, Rows: 3, Columns: 5, Length: 0.8, Growth: 0.8, Width: 0.08, Rise: 0.2, Fall: 0, Hang: 0.1));
 
     /// <summary>A topknot, a beard along the throat and a tuft on the hump (camel).</summary>
     public static readonly ManePreset Beard = new(
         0.8,
         1.2,
-        new ManeBlueprint(13, 15, 0, 2.4, 4, 5, 1.0, 1.1, 0.11, 0.45, 0.6, 0),
-        new ManeBlueprint(16.5, 24.5, 12, 16, 9, 7, 1.2, 1.2, 0.12, 0.25, 0.5, 0.8),
-        new ManeBlueprint(32.6, 35.6, 0, 1.6, 6, 5, 1.2, 0.9, 0.12, 0.35, 0.6, 0),
-        new ManeBlueprint(51, 53, 0, 16, 3, 5, 1.0, 0.8, 0.11, 0.2, 0, 0.1));
+        new ManeBlueprint(Ring: 13, LastRing: 15, Segment: 0, LastSegment: 2.4, Rows: 4, Columns: 5, Length: 1.0, Growth: 1.1, Width: 0.11, Rise: 0.45, Fall: 0.6, Hang: 0),
+        new ManeBlueprint(Ring: 16.5, LastRing: 24.5, Segment: 12, LastSegment: 16, Rows: 9, Columns: 7, Length: 1.2, Growth: 1.2, Width: 0.12, Rise: 0.25, Fall: 0.5, Hang: 0.8),
+        new ManeBlueprint(Ring: 32.6, LastRing: 35.6, Segment: 0, LastSegment: 1.6, Rows: 6, Columns: 5, Length: 1.2, Growth: 0.9, Width: 0.12, Rise: 0.35, Fall: 0.6, Hang: 0),
+        new ManeBlueprint(Ring: 51, LastRing: 53, Segment: 0, LastSegment: 16, Rows: 3, Columns: 5, Length: 1.0, Growth: 0.8, Width: 0.11, Rise: 0.2, Fall: 0, Hang: 0.1));
 
     /// <summary>A bony shield over the neck (horned dinosaur).</summary>
-    public static readonly FrillPreset Shield = new(0.9, 1.2, new FrillBlueprint(14, 9, 1.9, 0.95, -0.12, 0.17, 6, 0.08));
+    public static readonly FrillPreset Shield = new(0.9, 1.2, new FrillBlueprint(Ring: 14, Spread: 9, Length: 1.9, Tilt: 0.95, Bend: -0.12, Thickness: 0.17, Points: 6, Scallop: 0.08));
 
     /// <summary>A wide fan of skin all around the neck (frilled lizard).</summary>
-    public static readonly FrillPreset Fan = new(0.85, 1.25, new FrillBlueprint(14.6, 13.5, 2.3, 0.30, 0.12, 0.07, 8, 0.16));
+    public static readonly FrillPreset Fan = new(0.85, 1.25, new FrillBlueprint(Ring: 14.6, Spread: 13.5, Length: 2.3, Tilt: 0.30, Bend: 0.12, Thickness: 0.07, Points: 8, Scallop: 0.16));
 }

@@ -42,7 +42,7 @@ internal static class SocketSets
         LimbSocket rear = Under(41, 10.6, hind, hindGirth);
         LimbSocket front = Under(27, 10.9, fore, foreGirth);
         var arms = new ArmAnatomy(List(Arm(23, 9.5, 0.42)), List(front with { Ring = 30 }, rear), 0.04, 0.6, 0.45);
-        return new SocketSet(plan, List(front, rear), 2, arms, new StanceLimits(min, 0.45, -0.12, 0.12, 4, 1.3, BodyPlan.Sprawling, BodyPlan.Theropod));
+        return new SocketSet(plan, List(front, rear), 2, arms, new StanceLimits(MinimumLength: min, MaximumRaise: 0.45, RearwardShear: -0.12, ForwardShear: 0.12, MaximumPitchDegrees: 4, MaximumFootGrowth: 1.3, LowerPlan: BodyPlan.Sprawling, FewerPlan: BodyPlan.Theropod));
     }
 
     /// <summary>A quadruped that always has arms: arms at 23, forelegs at 30, hind legs at 41.</summary>
@@ -64,7 +64,7 @@ internal static class SocketSets
             hips,
             1,
             new ArmAnatomy(List(Arm(26, 8.8, 0.55)), hips, 0.9, 1, 0.72),
-            new StanceLimits(0.30, 0.45, -0.05, 0.5, 10, 1.6, BodyPlan.Sprawling, BodyPlan.Legless));
+            new StanceLimits(MinimumLength: 0.30, MaximumRaise: 0.45, RearwardShear: -0.05, ForwardShear: 0.5, MaximumPitchDegrees: 10, MaximumFootGrowth: 1.6, LowerPlan: BodyPlan.Sprawling, FewerPlan: BodyPlan.Legless));
     }
 
     /// <summary>Legs out to the sides at 41 and 27.</summary>
@@ -73,7 +73,7 @@ internal static class SocketSets
         List(Splayed(27, 9.6, LimbArchetype.Sprawl, 0.56, 0.27, 0.10, SocketBounds.Limb), Splayed(41, 9.6, LimbArchetype.Sprawl, 0.62, 0.27, -0.12, SocketBounds.Limb)),
         2,
         null,
-        new StanceLimits(0.10, 0.30, -0.2, 0.2, 3, 1.3, BodyPlan.ManyLegged, BodyPlan.Theropod));
+        new StanceLimits(MinimumLength: 0.10, MaximumRaise: 0.30, RearwardShear: -0.2, ForwardShear: 0.2, MaximumPitchDegrees: 3, MaximumFootGrowth: 1.3, LowerPlan: BodyPlan.ManyLegged, FewerPlan: BodyPlan.Theropod));
 
     /// <summary>One pair at the widest of the rings 34 to 41; often small arms at 26.</summary>
     public static SocketSet Theropod()
@@ -89,7 +89,7 @@ internal static class SocketSets
             hips,
             1,
             new ArmAnatomy(List(Arm(26, 10.2, 0.40)), hips, 0.25, 1, 0.40),
-            new StanceLimits(0.28, 0.45, -0.05, 0.5, 22, 1.6, BodyPlan.Sprawling, BodyPlan.Legless));
+            new StanceLimits(MinimumLength: 0.28, MaximumRaise: 0.45, RearwardShear: -0.05, ForwardShear: 0.5, MaximumPitchDegrees: 22, MaximumFootGrowth: 1.6, LowerPlan: BodyPlan.Sprawling, FewerPlan: BodyPlan.Legless));
     }
 
     /// <summary>Three fanned pairs at 24, 28 and 32; sometimes arms at 22 and legs at 26, 30 and 33.</summary>
@@ -98,7 +98,7 @@ internal static class SocketSets
         List(Insect(24, 10, 0.55), Insect(28, 10, 0), Insect(32, 10, -0.55)),
         3,
         new ArmAnatomy(List(Arm(22, 9.5, 0.40) with { Bounds = SocketBounds.Short }), List(Insect(26, 10, 0.5), Insect(30, 10, 0), Insect(33, 10, -0.55)), 0.28, 0.6, 0.42),
-        new StanceLimits(0.12, 0.30, -0.3, 0.3, 3, 2, BodyPlan.Legless, BodyPlan.Sprawling));
+        new StanceLimits(MinimumLength: 0.12, MaximumRaise: 0.30, RearwardShear: -0.3, ForwardShear: 0.3, MaximumPitchDegrees: 3, MaximumFootGrowth: 2, LowerPlan: BodyPlan.Legless, FewerPlan: BodyPlan.Sprawling));
 
     /// <summary>Short legs at any ring from 25 to 42, fanned from front to rear.</summary>
     public static SocketSet ManyLegged()
@@ -110,11 +110,11 @@ internal static class SocketSets
             row.Add(Splayed(ring, 10, LimbArchetype.Sprawl, 0.52, 0.10, azimuth, SocketBounds.Short));
         }
 
-        return new SocketSet(BodyPlan.ManyLegged, row, 3, null, new StanceLimits(0.05, 0.20, -0.3, 0.3, 3, 1.3, BodyPlan.Legless, BodyPlan.Sprawling));
+        return new SocketSet(BodyPlan.ManyLegged, row, 3, null, new StanceLimits(MinimumLength: 0.05, MaximumRaise: 0.20, RearwardShear: -0.3, ForwardShear: 0.3, MaximumPitchDegrees: 3, MaximumFootGrowth: 1.3, LowerPlan: BodyPlan.Legless, FewerPlan: BodyPlan.Sprawling));
     }
 
     /// <summary>No legs.</summary>
-    public static SocketSet Legless() => new(BodyPlan.Legless, Array.Empty<LimbSocket>(), 0, null, new StanceLimits(0, 0, 0, 0, 0, 1, BodyPlan.Legless, BodyPlan.Legless));
+    public static SocketSet Legless() => new(BodyPlan.Legless, Array.Empty<LimbSocket>(), 0, null, new StanceLimits(MinimumLength: 0, MaximumRaise: 0, RearwardShear: 0, ForwardShear: 0, MaximumPitchDegrees: 0, MaximumFootGrowth: 1, LowerPlan: BodyPlan.Legless, FewerPlan: BodyPlan.Legless));
 
     /// <summary>One pair of a bird's legs at one of 34 to 41.</summary>
     public static IReadOnlyList<LimbSocket> BirdLegs()

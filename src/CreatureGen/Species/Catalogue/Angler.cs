@@ -52,7 +52,7 @@ internal static class Angler
         },
         Parts = new[]
         {
-            new PartSlot(new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Lure, 11, 0, 0.52, 0.018, 0, 1, 0.25, 0, -0.42, 0.75, 0, 1.6, 0.5), 0.8, 1.1))),
+            new PartSlot(new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Lure, Ring: 11, Segment: 0, Length: 0.52, Radius: 0.018, Outward: 0, Upward: 1, Forward: 0.25, Sideward: 0, BendUp: -0.42, BendForward: 0.75, BendSide: 0, Flatness: 1.6, Taper: 0.5), 0.8, 1.1))),
         },
         Patterns = Weights.Of((PatternKind.Mottle, 1), (PatternKind.Plain, 0.5)),
         Colourings = new[]

@@ -44,7 +44,7 @@ internal static class Bison
         Parts = new[]
         {
             new PartSlot(new PartChoice(1) { Mane = NeckPresets.Shag }),
-            new PartSlot(new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Horn, 12.4, 3.6, 0.26, 0.05, 0.5, 0.15, 0, 0.8, 0.75, 0.1, -0.3, 1, 1), 0.8, 1.3))),
+            new PartSlot(new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Horn, Ring: 12.4, Segment: 3.6, Length: 0.26, Radius: 0.05, Outward: 0.5, Upward: 0.15, Forward: 0, Sideward: 0.8, BendUp: 0.75, BendForward: 0.1, BendSide: -0.3, Flatness: 1, Taper: 1), 0.8, 1.3))),
         },
         Patterns = new[] { new Weighted<PatternKind>(PatternKind.Plain, 1), new Weighted<PatternKind>(PatternKind.Saddle, 0.6) },
         Colourings = new[]

@@ -44,7 +44,7 @@ internal static class Centipede
         {
             new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Jaw(0.15, 0.034, 0.1, 0, -0.5), 0.8, 1.2))),
             new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(3, 2.6, 0.75, 0.011, 0.42, 0.55, 0.75, -0.4, 0.2), 0.8, 1.15))),
-            new PartSlot(new PartChoice(1, InsectParts.Part(new FeatureBlueprint(FeatureKind.Antenna, 52, 5, 0.3, 0.012, 0.1, 0.1, -0.9, 0.35, 0.1, 0, 0.1, 0.3, 0.6), 0.8, 1.2))),
+            new PartSlot(new PartChoice(1, InsectParts.Part(new FeatureBlueprint(FeatureKind.Antenna, Ring: 52, Segment: 5, Length: 0.3, Radius: 0.012, Outward: 0.1, Upward: 0.1, Forward: -0.9, Sideward: 0.35, BendUp: 0.1, BendForward: 0, BendSide: 0.1, Flatness: 0.3, Taper: 0.6), 0.8, 1.2))),
         },
         Colourings = new[]
         {

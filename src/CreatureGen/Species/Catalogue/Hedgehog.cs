@@ -61,7 +61,7 @@ internal static class Hedgehog
         {
             for (double segment = row % 2 == 0 ? 0.9 : 2; segment < 9.5; segment += 2.2)
             {
-                quills.Add(new PartPreset(new FeatureBlueprint(FeatureKind.Spike, 15.5 + (2.8 * row), segment, 0.12, 0.013, 1, 0.1, -0.7, 0, 0, 0, 0, 1, 1), 0.85, 1.2));
+                quills.Add(new PartPreset(new FeatureBlueprint(FeatureKind.Spike, Ring: 15.5 + (2.8 * row), Segment: segment, Length: 0.12, Radius: 0.013, Outward: 1, Upward: 0.1, Forward: -0.7, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1), 0.85, 1.2));
             }
         }
 

@@ -44,5 +44,5 @@ internal static class InsectParts
     public static PartSlot SmallJaws() => new(new PartChoice(1, Part(Jaw(0.07, 0.022, 0, -0.1, -0.4), 0.8, 1.2)));
 
     public static PartPreset Ocellus(double ring, double segment, double radius) =>
-        Part(new FeatureBlueprint(FeatureKind.Ocellus, ring, segment, radius * 1.1, radius, 1, 0, 0, 0, 0, 0, 0, 1, 0.42), 1, 1);
+        Part(new FeatureBlueprint(FeatureKind.Ocellus, ring, segment, Length: radius * 1.1, Radius: radius, Outward: 1, Upward: 0, Forward: 0, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 0.42), 1, 1);
 }

@@ -7,5 +7,5 @@ namespace CreatureGen.Species.Catalogue;
 internal static class MammalParts
 {
     public static PartPreset NoseHorn(double ring, double length, double radius) =>
-        new(new FeatureBlueprint(FeatureKind.Horn, ring, 0, length, radius, 0.75, 0.55, 0.35, 0, 0.1, -0.3, 0, 1, 1), 0.8, 1.3);
+        new(new FeatureBlueprint(FeatureKind.Horn, ring, Segment: 0, Length: length, Radius: radius, Outward: 0.75, Upward: 0.55, Forward: 0.35, Sideward: 0, BendUp: 0.1, BendForward: -0.3, BendSide: 0, Flatness: 1, Taper: 1), 0.8, 1.3);
 }

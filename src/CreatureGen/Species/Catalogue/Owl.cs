@@ -36,7 +36,7 @@ internal static class Owl
         Frequency = (0.17, 0.2, 0),
         Eye = (8.6, 4.6), EyeSize = 0.40, EyeForward = 2, Bone = 1.15, Mood = 0.4, LidDegrees = (54, 72),
         Bird = new BirdPreset { HipHeight = (0.34, 0.44), Thigh = (0.50, 0.62), Foot = 0.9, Claw = 1.5, FoldRing = 47, Fan = 0.11, FlightPitch = (-40, -26) },
-        Parts = new[] { new PartSlot(new PartChoice(1.3, new PartPreset(new FeatureBlueprint(FeatureKind.Tuft, 11.5, 3.2, 0.17, 0.045, 0.5, 0.8, 0, 0.3, 0, -0.2, 0, 0.5, 0.7), 0.8, 1.3)), new PartChoice(1)) },
+        Parts = new[] { new PartSlot(new PartChoice(1.3, new PartPreset(new FeatureBlueprint(FeatureKind.Tuft, Ring: 11.5, Segment: 3.2, Length: 0.17, Radius: 0.045, Outward: 0.5, Upward: 0.8, Forward: 0, Sideward: 0.3, BendUp: 0, BendForward: -0.2, BendSide: 0, Flatness: 0.5, Taper: 0.7), 0.8, 1.3)), new PartChoice(1)) },
         WingStyles = Weights.Of((WingStyle.Owl, 1)),
         Colourings = new[]
         {

@@ -44,8 +44,8 @@ internal static class Pterosaur
         Parts = new[]
         {
             new PartSlot(
-                new PartChoice(1.4, new PartPreset(new FeatureBlueprint(FeatureKind.Plate, 12, 0, 0.34, 0.11, 0.5, 0.25, -1, 0, 0.1, 0, 0, 0.2, 0.7), 0.8, 1.3)),
-                new PartChoice(0.8, new PartPreset(new FeatureBlueprint(FeatureKind.Plate, 5, 0, 0.2, 0.12, 0.9, 0.2, -0.3, 0, 0, 0, 0, 0.2, 0.6), 0.8, 1.3)),
+                new PartChoice(1.4, new PartPreset(new FeatureBlueprint(FeatureKind.Plate, Ring: 12, Segment: 0, Length: 0.34, Radius: 0.11, Outward: 0.5, Upward: 0.25, Forward: -1, Sideward: 0, BendUp: 0.1, BendForward: 0, BendSide: 0, Flatness: 0.2, Taper: 0.7), 0.8, 1.3)),
+                new PartChoice(0.8, new PartPreset(new FeatureBlueprint(FeatureKind.Plate, Ring: 5, Segment: 0, Length: 0.2, Radius: 0.12, Outward: 0.9, Upward: 0.2, Forward: -0.3, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 0.2, Taper: 0.6), 0.8, 1.3)),
                 new PartChoice(0.8)),
         },
         Patterns = Weights.Of((PatternKind.Saddle, 1), (PatternKind.Bands, 0.6), (PatternKind.Mottle, 0.6), (PatternKind.Plain, 0.6)),

@@ -50,9 +50,9 @@ internal static class Ray
         Parts = new[]
         {
             new PartSlot(
-                new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Scute, 1.5, 8, 0.24, 0.055, 0, -0.1, 1, 0.05, -0.15, 0, -0.2, 0.4, 0.55), 0.8, 1.15)),
+                new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Scute, Ring: 1.5, Segment: 8, Length: 0.24, Radius: 0.055, Outward: 0, Upward: -0.1, Forward: 1, Sideward: 0.05, BendUp: -0.15, BendForward: 0, BendSide: -0.2, Flatness: 0.4, Taper: 0.55), 0.8, 1.15)),
                 new PartChoice(0.8)),
-            new PartSlot(new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Spike, 46, 0, 0.2, 0.018, 0.4, 0.3, -1, 0, 0, -0.2, 0, 1, 1), 0.8, 1.2)), new PartChoice(1)),
+            new PartSlot(new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Spike, Ring: 46, Segment: 0, Length: 0.2, Radius: 0.018, Outward: 0.4, Upward: 0.3, Forward: -1, Sideward: 0, BendUp: 0, BendForward: -0.2, BendSide: 0, Flatness: 1, Taper: 1), 0.8, 1.2)), new PartChoice(1)),
         },
         Patterns = Weights.Of((PatternKind.Spots, 1), (PatternKind.Mottle, 1), (PatternKind.Plain, 0.6)),
         Colourings = new[]

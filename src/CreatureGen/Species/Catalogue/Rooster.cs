@@ -53,7 +53,7 @@ internal static class Rooster
     /// <summary>A comb over the crown and a wattle on either side of the throat.</summary>
     private static PartPreset[] Flesh() => new[]
     {
-        new PartPreset(new FeatureBlueprint(FeatureKind.Comb, 11.4, 0, 0.13, 0.036, 0.9, 0.2, -0.15, 0, 0, 0, 0, 0.34, 1), 0.85, 1.3),
-        new PartPreset(new FeatureBlueprint(FeatureKind.Comb, 7.4, 12.6, 0.1, 0.026, 0.25, -1, -0.1, 0.1, 0, 0, 0, 0.5, 1), 0.85, 1.3),
+        new PartPreset(new FeatureBlueprint(FeatureKind.Comb, Ring: 11.4, Segment: 0, Length: 0.13, Radius: 0.036, Outward: 0.9, Upward: 0.2, Forward: -0.15, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 0.34, Taper: 1), 0.85, 1.3),
+        new PartPreset(new FeatureBlueprint(FeatureKind.Comb, Ring: 7.4, Segment: 12.6, Length: 0.1, Radius: 0.026, Outward: 0.25, Upward: -1, Forward: -0.1, Sideward: 0.1, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 0.5, Taper: 1), 0.85, 1.3),
     };
 }

@@ -44,7 +44,7 @@ internal static class Seal
         },
         Parts = new[]
         {
-            new PartSlot(new PartChoice(2.2), new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Tusk, 3, 10.8, 0.24, 0.026, 0, -1, 0.3, 0.08, 0, -0.25, 0, 1, 0.8), 0.8, 1.3))),
+            new PartSlot(new PartChoice(2.2), new PartChoice(1, new PartPreset(new FeatureBlueprint(FeatureKind.Tusk, Ring: 3, Segment: 10.8, Length: 0.24, Radius: 0.026, Outward: 0, Upward: -1, Forward: 0.3, Sideward: 0.08, BendUp: 0, BendForward: -0.25, BendSide: 0, Flatness: 1, Taper: 0.8), 0.8, 1.3))),
         },
         Colourings = new[]
         {

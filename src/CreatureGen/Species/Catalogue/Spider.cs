@@ -52,8 +52,8 @@ internal static class Spider
         {
             new PartSlot(new PartChoice(
                 1,
-                InsectParts.Part(new FeatureBlueprint(FeatureKind.Mandible, 1.0, 11, 0.17, 0.045, 0.3, -0.75, 0.6, -0.05, -0.25, -0.15, 0, 1, 0.8), 0.85, 1.15),
-                InsectParts.Part(new FeatureBlueprint(FeatureKind.Antenna, 2.5, 9.5, 0.26, 0.024, 0, 0.2, 0.8, 0.55, -0.75, 0.35, -0.1, 0.45, 0.4), 0.9, 1.1))),
+                InsectParts.Part(new FeatureBlueprint(FeatureKind.Mandible, Ring: 1.0, Segment: 11, Length: 0.17, Radius: 0.045, Outward: 0.3, Upward: -0.75, Forward: 0.6, Sideward: -0.05, BendUp: -0.25, BendForward: -0.15, BendSide: 0, Flatness: 1, Taper: 0.8), 0.85, 1.15),
+                InsectParts.Part(new FeatureBlueprint(FeatureKind.Antenna, Ring: 2.5, Segment: 9.5, Length: 0.26, Radius: 0.024, Outward: 0, Upward: 0.2, Forward: 0.8, Sideward: 0.55, BendUp: -0.75, BendForward: 0.35, BendSide: -0.1, Flatness: 0.45, Taper: 0.4), 0.9, 1.1))),
             new PartSlot(new PartChoice(1, InsectParts.Ocellus(5.2, 1.3, 0.026), InsectParts.Ocellus(6.2, 5.4, 0.021), InsectParts.Ocellus(9.4, 2.6, 0.021), InsectParts.Ocellus(9.8, 5.4, 0.02))),
         },
         Patterns = Weights.Of((PatternKind.Bands, 1), (PatternKind.Mottle, 0.7), (PatternKind.Patches, 0.6), (PatternKind.Plain, 0.5)),

@@ -33,7 +33,7 @@ internal static class SwimmerParts
     }
 
     public static PartPreset Scute(double ring, double segment, double size) =>
-        new(new FeatureBlueprint(FeatureKind.Scute, ring, segment, size, size * 0.95, 0.9, 0, -0.5, 0, 0, 0, 0, 0.75, 0.8), 0.85, 1.15);
+        new(new FeatureBlueprint(FeatureKind.Scute, ring, segment, Length: size, Radius: size * 0.95, Outward: 0.9, Upward: 0, Forward: -0.5, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 0.75, Taper: 0.8), 0.85, 1.15);
 
     /// <summary>Rows of short spines over back and flanks.</summary>
     public static PartPreset[] Quills(double length)
@@ -44,7 +44,7 @@ internal static class SwimmerParts
             double first = 1.6 + (row % 2 * 1.1);
             for (double segment = first; segment < 14; segment += 2.6)
             {
-                quills.Add(new PartPreset(new FeatureBlueprint(FeatureKind.Spike, 18 + (3.6 * row), segment, length, 0.012 + (0.05 * length), 1, 0, -0.45, 0, 0, 0, 0, 1, 1), 0.85, 1.2));
+                quills.Add(new PartPreset(new FeatureBlueprint(FeatureKind.Spike, Ring: 18 + (3.6 * row), Segment: segment, Length: length, Radius: 0.012 + (0.05 * length), Outward: 1, Upward: 0, Forward: -0.45, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1), 0.85, 1.2));
             }
         }
 
@@ -56,7 +56,7 @@ internal static class SwimmerParts
         var plumes = new PartPreset[3];
         for (int k = 0; k < plumes.Length; k++)
         {
-            plumes[k] = new PartPreset(new FeatureBlueprint(FeatureKind.Tuft, 16.5 + k, 4.5 + (1.6 * k), 0.17, 0.032, 1, 0.45 - (0.35 * k), -0.55, 0.2, -0.12, -0.3, 0, 1, 0.7), 0.8, 1.2);
+            plumes[k] = new PartPreset(new FeatureBlueprint(FeatureKind.Tuft, Ring: 16.5 + k, Segment: 4.5 + (1.6 * k), Length: 0.17, Radius: 0.032, Outward: 1, Upward: 0.45 - (0.35 * k), Forward: -0.55, Sideward: 0.2, BendUp: -0.12, BendForward: -0.3, BendSide: 0, Flatness: 1, Taper: 0.7), 0.8, 1.2);
         }
 
         return plumes;
