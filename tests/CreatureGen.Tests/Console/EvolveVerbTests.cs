@@ -42,7 +42,7 @@ public sealed class EvolveVerbTests
 
     [Theory]
     [InlineData("tournament")]
-    [InlineData("novelty")]
+    [InlineData("novelty", Explicit = true)]
     public void A_run_that_is_stopped_at_any_generation_goes_on_as_if_it_had_not_been(string selection)
     {
         string[] words = [.. Small, "--selection", selection];

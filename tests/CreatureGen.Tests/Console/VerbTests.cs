@@ -101,7 +101,7 @@ public sealed class VerbTests
     [InlineData("--levels", "all", Explicit = true)]
     [InlineData("--materials", "one", Explicit = true)]
     [InlineData("--materials", "one", "--levels", "all", "--textures", "256")]
-    [InlineData("--clips", "all")]
+    [InlineData("--clips", "all", Explicit = true)]
     [InlineData("--flat")]
     public void Building_a_generated_file_anew_gives_the_same_bytes(params string[] options)
     {

