@@ -1,7 +1,9 @@
 using System;
 using System.Numerics;
 using System.Runtime.InteropServices;
+#if NET
 using CreatureGen.Maths;
+#endif
 
 namespace CreatureGen.Skinning;
 
@@ -87,15 +89,18 @@ public static class CpuSkinning
             movedPositions[i] = new Vector3(q.X, q.Y, q.Z);
             ref readonly Vector3 n = ref normals[i];
             Vector4 d = (r0 * n.X) + (r1 * n.Y) + (r2 * n.Z);
-            movedNormals[i] = Unit(new Vector3(d.X, d.Y, d.Z), n);
+            Vector4 squares = d * d;
+            float squared = squares.X + squares.Y + squares.Z;
+            if (squared > 0f)
+            {
+                d *= 1f / (float)Math.Sqrt(squared);
+                movedNormals[i] = new Vector3(d.X, d.Y, d.Z);
+            }
+            else
+            {
+                movedNormals[i] = n;
+            }
         }
-    }
-
-    /// <summary>A moved normal at unit length; the normal at rest where nothing is left of it.</summary>
-    internal static Vector3 Unit(Vector3 moved, Vector3 rest)
-    {
-        float squared = Vec.LengthSquared(moved);
-        return squared > 0f ? moved * (1f / (float)Math.Sqrt(squared)) : rest;
     }
 
     /// <summary>A matrix by its rows.</summary>

@@ -8,7 +8,7 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Skinning;
 
-/// <summary>What <see cref="CpuSkinning"/> does with four vertices at once: square roots and divisions cost as much for four as for one, and twelve numbers are written by three instructions. It takes 0.6 of the time of one by one, measured.</summary>
+/// <summary>What <see cref="CpuSkinning"/> does with four vertices at once: square roots and divisions cost as much for four as for one, and twelve numbers are written by three instructions. It takes 0.65 to 0.8 of the time of one by one, measured.</summary>
 /// <remarks>Each number is worked out by the same operations in the same order as alone, so the bits are the same. References take the place of spans in the loop: lengths are checked by the caller, joints here.</remarks>
 internal static class FourVertices
 {
@@ -60,10 +60,10 @@ internal static class FourVertices
             }
             else
             {
-                movedNormals[i] = CpuSkinning.Unit(n0.AsVector3(), normals[i]);
-                movedNormals[i + 1] = CpuSkinning.Unit(n1.AsVector3(), normals[i + 1]);
-                movedNormals[i + 2] = CpuSkinning.Unit(n2.AsVector3(), normals[i + 2]);
-                movedNormals[i + 3] = CpuSkinning.Unit(n3.AsVector3(), normals[i + 3]);
+                movedNormals[i] = Unit(n0.AsVector3(), normals[i]);
+                movedNormals[i + 1] = Unit(n1.AsVector3(), normals[i + 1]);
+                movedNormals[i + 2] = Unit(n2.AsVector3(), normals[i + 2]);
+                movedNormals[i + 3] = Unit(n3.AsVector3(), normals[i + 3]);
             }
         }
 
@@ -123,6 +123,13 @@ internal static class FourVertices
         }
 
         return (nuint)(uint)joint * PerMatrix;
+    }
+
+    /// <summary>A moved normal at unit length; the normal at rest where nothing is left of it.</summary>
+    private static Vector3 Unit(Vector3 moved, Vector3 rest)
+    {
+        float squared = Vec.LengthSquared(moved);
+        return squared > 0f ? moved * (1f / (float)Math.Sqrt(squared)) : rest;
     }
 
     private static void ThrowNoMatrix() => throw new IndexOutOfRangeException();
