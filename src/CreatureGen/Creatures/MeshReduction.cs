@@ -24,27 +24,25 @@ internal sealed class MeshReduction
     private readonly int[] pointOf;
     private readonly int[] twin;
     private readonly sbyte[] side;
-    private readonly bool mirrored;
     private readonly int[] pieceOf;
-    private readonly bool[] lost;
+    private readonly bool[] lostPieces;
     private readonly int[] remap;
     private readonly int[] standsFor;
     private readonly CostQueue queue;
     private readonly bool[] queued;
 
-    // The neighbour that was found to cost least for a point, or −1 once something around the point has changed: spares ranking the neighbours a second time when that price is due.
-    // Not kept where the texture tears: then it depends on vertices farther away.
+    // The neighbour that was found to cost least for a point, or −1 once something around the point has changed: spares looking for it a second time when its turn comes.
     private readonly int[] cheapest;
-    private bool tears;
-    private readonly double[] neighbourCosts = new double[64];
+    private readonly StepChoice choice;
     private readonly List<int> neighbours = new();
     private readonly List<int> around = new();
-    private readonly List<int> candidates = new();
     private readonly List<(int From, int To)> pairs = new();
     private readonly List<(int From, int To)> twinPairs = new();
 
     private readonly List<int> moved = new();
+    private readonly List<int> lost = new();
     private readonly List<int> twinMoved = new();
+    private readonly List<int> twinLost = new();
     private CrossingGuard? guard;
 
     /// <summary>Prepares the reduction of a mesh; it is not changed.</summary>
@@ -67,27 +65,25 @@ internal sealed class MeshReduction
             normals[p] = Vec.Normalize(normals[p], Vector3.UnitY);
         }
 
-        cost = new ReductionCost(mesh, positions, pointOf, corners);
         surface = new CollapsingMesh(positions, normals, corners, vertices);
         twin = SagittalTwins.Find(positions);
-        mirrored = Array.IndexOf(twin, -1) < 0;
-        for (int p = 0; p < twin.Length && !mirrored; p++)
-        {
-            twin[p] = p;
-        }
-
+        bool mirrored = Array.IndexOf(twin, -1) < 0;
         side = new sbyte[positions.Length];
         for (int p = 0; p < side.Length; p++)
         {
-            side[p] = (sbyte)Math.Sign(positions[p].X);
+            // Without mirror images all is one side.
+            twin[p] = mirrored ? twin[p] : p;
+            side[p] = mirrored ? (sbyte)Math.Sign(positions[p].X) : (sbyte)1;
         }
 
+        cost = new ReductionCost(mesh, positions, pointOf, corners);
+        choice = new StepChoice(surface, cost, twin, side);
         remap = Identity(pointOf.Length);
         standsFor = Identity(positions.Length);
 
         var pieces = new SurfacePieces(positions, corners);
         pieceOf = pieces.PieceOf;
-        lost = new bool[positions.Length];
+        lostPieces = new bool[positions.Length];
         queued = new bool[positions.Length];
         cheapest = new int[positions.Length];
         Array.Fill(cheapest, -1);
@@ -95,7 +91,7 @@ internal sealed class MeshReduction
         OfferPieces(pieces);
         for (int p = 0; p < positions.Length; p++)
         {
-            if (!mirrored || side[p] >= 0)
+            if (side[p] >= 0)
             {
                 Enqueue(p);
             }
@@ -201,59 +197,40 @@ internal sealed class MeshReduction
     private void Step(int point, double known)
     {
         int best = cheapest[point];
+        if (best < 0)
+        {
+            best = choice.FindCheapest(point, out double leastCost);
+            if (best >= 0 && leastCost > known)
+            {
+                cheapest[point] = choice.MayTear ? -1 : best;
+                queued[point] = true;
+                queue.Add(point, leastCost);
+                return;
+            }
+        }
+
         if (best >= 0 && TryBoth(point, best))
         {
             Requeue(best);
             return;
         }
 
-        Rank(point);
-        for (int i = best >= 0 ? 1 : 0; i < candidates.Count; i++)
+        choice.Rank(point);
+        for (int i = 1; i < choice.Ranked.Count; i++)
         {
-            if (neighbourCosts[i] > known)
+            if (choice.CostOf(i) > known)
             {
-                cheapest[point] = i == 0 && !tears ? candidates[0] : -1;
+                cheapest[point] = -1;
                 queued[point] = true;
-                queue.Add(point, neighbourCosts[i]);
+                queue.Add(point, choice.CostOf(i));
                 return;
             }
 
-            if (TryBoth(point, candidates[i]))
+            if (TryBoth(point, choice.Ranked[i]))
             {
-                Requeue(candidates[i]);
+                Requeue(choice.Ranked[i]);
                 return;
             }
-        }
-    }
-
-    /// <summary>Lists the neighbours onto which a point may be pulled, the cheapest first.</summary>
-    private void Rank(int point)
-    {
-        surface.Neighbours(point, neighbours);
-        candidates.Clear();
-        tears = false;
-        foreach (int n in neighbours)
-        {
-            bool sidesKept = !mirrored || (twin[point] == point ? twin[n] == n : n != twin[point] && !OnOtherSide(n));
-            if (!sidesKept || candidates.Count == neighbourCosts.Length)
-            {
-                continue;
-            }
-
-            bool torn = !Match(point, n, pairs);
-            tears |= torn;
-            double edgeCost = cost.Of(point, n, pairs, torn);
-            int at = candidates.Count;
-            candidates.Add(n);
-            while (at > 0 && (edgeCost < neighbourCosts[at - 1] || (edgeCost == neighbourCosts[at - 1] && n < candidates[at - 1])))
-            {
-                neighbourCosts[at] = neighbourCosts[at - 1];
-                candidates[at] = candidates[at - 1];
-                at--;
-            }
-
-            neighbourCosts[at] = edgeCost;
-            candidates[at] = n;
         }
     }
 
@@ -265,16 +242,17 @@ internal sealed class MeshReduction
         int twinFrom = twin[from];
         int twinTo = twin[to];
         surface.Prune(to);
-        surface.Prune(twinFrom);
-        surface.Prune(twinTo);
-        Match(from, to, pairs);
-        if (!surface.TryCollapse(from, to, pairs))
+        if (!surface.Allows(from, to))
         {
             return false;
         }
 
-        surface.Moved(moved);
-        if (guard != null && (guard.Cross(moved, to) || (twinFrom != from && guard.CrossImages(moved, twin))))
+        surface.Prune(twinFrom);
+        surface.Prune(twinTo);
+        choice.Match(from, to, pairs);
+        surface.Collapse(from, to, pairs);
+        surface.Taken(moved, lost);
+        if (guard != null && (guard.Cross(moved, from, to) || (twinFrom != from && guard.CrossImages(moved, twin))))
         {
             surface.Undo();
             return false;
@@ -282,20 +260,22 @@ internal sealed class MeshReduction
 
         if (twinFrom != from)
         {
-            Match(twinFrom, twinTo, twinPairs);
-            if (!surface.TryCollapse(twinFrom, twinTo, twinPairs))
+            if (!surface.Allows(twinFrom, twinTo))
             {
                 surface.Undo();
                 return false;
             }
 
+            choice.Match(twinFrom, twinTo, twinPairs);
+            surface.Collapse(twinFrom, twinTo, twinPairs);
+
             // Mirror images cross nothing when these do not.
-            surface.Moved(twinMoved);
-            guard?.Note(twinMoved);
+            surface.Taken(twinMoved, twinLost);
+            guard?.Note(twinMoved, twinLost);
             Accept(twinFrom, twinTo, twinPairs);
         }
 
-        guard?.Note(moved);
+        guard?.Note(moved, lost);
         Accept(from, to, pairs);
         return true;
     }
@@ -310,36 +290,6 @@ internal sealed class MeshReduction
         }
     }
 
-    /// <summary>Finds for each vertex of a point the one of a neighbour that takes its place: across the edge between them, or else the most alike. False when one is not across the edge.</summary>
-    private bool Match(int from, int to, List<(int From, int To)> found)
-    {
-        if (surface.Match(from, to, found))
-        {
-            return true;
-        }
-
-        for (int i = 0; i < found.Count; i++)
-        {
-            (int vertex, int other) = found[i];
-            found[i] = (vertex, other >= 0 ? other : MaxAlike(vertex, to));
-        }
-
-        return false;
-    }
-
-    /// <summary>The vertex of a point that looks most like another vertex.</summary>
-    private int MaxAlike(int vertex, int point)
-    {
-        surface.VerticesOf(point, around);
-        int best = around[0];
-        foreach (int v in around)
-        {
-            best = cost.Difference(vertex, v) < cost.Difference(vertex, best) ? v : best;
-        }
-
-        return best;
-    }
-
     /// <summary>Gives the points around a step another chance.</summary>
     private void Requeue(int to)
     {
@@ -348,7 +298,7 @@ internal sealed class MeshReduction
         foreach (int n in neighbours)
         {
             cheapest[n] = -1;
-            if (!mirrored || !OnOtherSide(n))
+            if (!OnOtherSide(n))
             {
                 Enqueue(n);
             }
@@ -358,11 +308,11 @@ internal sealed class MeshReduction
     private void RemovePiece(int piece)
     {
         int other = pieceOf[twin[piece]];
-        lost[piece] = true;
-        lost[other] = true;
+        lostPieces[piece] = true;
+        lostPieces[other] = true;
         for (int t = 0; t < corners.Length / 3; t++)
         {
-            if (!surface.IsGone(t) && lost[pieceOf[corners[3 * t]]])
+            if (!surface.IsGone(t) && lostPieces[pieceOf[corners[3 * t]]])
             {
                 surface.Remove(t);
             }
@@ -382,7 +332,7 @@ internal sealed class MeshReduction
         for (int v = 0; v < final.Length; v++)
         {
             int point = End(pointOf[v], standsFor);
-            if (lost[pieceOf[point]])
+            if (lostPieces[pieceOf[point]])
             {
                 final[v] = -1;
                 continue;
@@ -390,7 +340,7 @@ internal sealed class MeshReduction
 
             // The last triangle of a vertex may have gone while its point stayed with others.
             int at = End(v, remap);
-            final[v] = used[at] ? at : MaxAlike(v, point);
+            final[v] = used[at] ? at : choice.MaxAlike(v, point);
         }
 
         return final;

@@ -94,22 +94,25 @@ internal sealed class ReductionCost
     /// <param name="torn">Whether one of them leaves its place in the texture.</param>
     public double Of(int from, int to, List<(int From, int To)> pairs, bool torn)
     {
-        double distance = Vec.LengthSquared(positions[from] - positions[to]);
-        double bend = Bend * WeightChange(weights[from], weights[to]);
         double colour = 0;
         foreach ((int From, int To) pair in pairs)
         {
             colour += Difference(pair.From, pair.To);
         }
 
-        double seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour / pairs.Count * contrast * contrast) + (torn ? tear * tear : 0);
-        seeming += positions[from].Y == 0f && positions[to].Y != 0f ? lift * lift : 0;
-        return simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * seeming));
+        return CostOf(from, to, colour / pairs.Count, torn ? tear * tear : 0);
     }
 
-    /// <summary>A cost that <see cref="Of"/> does not fall below.</summary>
+    /// <summary>The cost of a step between points with one vertex each, as <see cref="Of"/> has it.</summary>
+    /// <param name="from">The point that goes.</param>
+    /// <param name="to">The neighbour that takes its place.</param>
+    /// <param name="vertex">The vertex of <paramref name="from"/>.</param>
+    /// <param name="other">The vertex of <paramref name="to"/>.</param>
+    public double OfPlain(int from, int to, int vertex, int other) => CostOf(from, to, Difference(vertex, other), 0);
+
+    /// <summary>A cost that <see cref="Of"/> does not fall below, whatever the rounding: the shape alone.</summary>
     public double MinOf(int from, int to) =>
-        simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * Vec.LengthSquared(positions[from] - positions[to]) * Stretch * Stretch));
+        simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * (Vec.LengthSquared(positions[from] - positions[to]) * (Stretch * Stretch))));
 
     /// <summary>The cost of the loss of a piece.</summary>
     /// <param name="point">One of its points.</param>
@@ -125,6 +128,15 @@ internal sealed class ReductionCost
     {
         quadrics[to] += quadrics[from];
         areas[to] += areas[from];
+    }
+
+    private double CostOf(int from, int to, double colour, double torn)
+    {
+        double distance = Vec.LengthSquared(positions[from] - positions[to]);
+        double bend = Bend * WeightChange(weights[from], weights[to]);
+        double seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour * contrast * contrast) + torn;
+        seeming += positions[from].Y == 0f && positions[to].Y != 0f ? lift * lift : 0;
+        return simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * seeming));
     }
 
     /// <summary>0 for equal weights, 1 for weights on other joints.</summary>

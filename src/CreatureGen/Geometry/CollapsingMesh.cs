@@ -74,14 +74,17 @@ internal sealed class CollapsingMesh
     /// <summary>Number of triangles left.</summary>
     public int Triangles { get; private set; }
 
-    /// <summary>The triangles that the last step gave another corner.</summary>
-    public void Moved(List<int> triangles)
+    /// <summary>Lists the triangles that the last step gave another corner, and those that vanished in it.</summary>
+    public void Taken(List<int> moved, List<int> vanished)
     {
-        triangles.Clear();
+        moved.Clear();
         foreach (int corner in movedCorners)
         {
-            triangles.Add(corner / 3);
+            moved.Add(corner / 3);
         }
+
+        vanished.Clear();
+        vanished.AddRange(lostTriangles);
     }
 
     /// <summary>Whether a triangle has vanished.</summary>
@@ -183,17 +186,15 @@ internal sealed class CollapsingMesh
         }
     }
 
-    /// <summary>Pulls a point onto a neighbour unless that would pinch the surface, fold it or make a sliver. <see cref="Undo"/> takes the last step back.</summary>
+    /// <summary>Whether a point can be pulled onto a neighbour without pinching the surface, folding it or making a sliver.</summary>
+    public bool Allows(int from, int to) => LinkHolds(from, to) && !Folds(from, to);
+
+    /// <summary>Pulls a point onto a neighbour, where that is allowed. <see cref="Undo"/> takes the last step back.</summary>
     /// <param name="from">The point that goes.</param>
     /// <param name="to">Its neighbour.</param>
     /// <param name="pairs">For each vertex of <paramref name="from"/> the vertex of <paramref name="to"/> that takes its place.</param>
-    public bool TryCollapse(int from, int to, List<(int From, int To)> pairs)
+    public void Collapse(int from, int to, List<(int From, int To)> pairs)
     {
-        if (!LinkHolds(from, to) || Folds(from, to))
-        {
-            return false;
-        }
-
         movedCorners.Clear();
         movedVertices.Clear();
         lostTriangles.Clear();
@@ -230,7 +231,6 @@ internal sealed class CollapsingMesh
         next[last[from]] = first[to];
         first[to] = first[from];
         first[from] = -1;
-        return true;
     }
 
     /// <summary>Takes back the last collapse. No chain may have been pruned since.</summary>

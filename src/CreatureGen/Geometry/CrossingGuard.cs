@@ -26,7 +26,11 @@ internal sealed class CrossingGuard
     // The triangles in the tree, in the order in which they were given to it, and their corners then.
     private readonly int[] entered;
     private readonly int[] corners;
+
+    // What is near a step: its slots, and their boxes side by side.
     private int[] nearby = new int[64];
+    private ulong[] nearbyLow = new ulong[64];
+    private ulong[] nearbyHigh = new ulong[64];
     private int nearbyCount;
     private int worn;
 
@@ -50,15 +54,16 @@ internal sealed class CrossingGuard
 
     /// <summary>Whether one of the triangles cuts through another of its piece with which it shares no point.</summary>
     /// <param name="moved">The triangles; all have <paramref name="pulledTo"/> for a corner.</param>
+    /// <param name="pulled">The point that they were pulled from.</param>
     /// <param name="pulledTo">The point that they were pulled to.</param>
-    public bool Cross(List<int> moved, int pulledTo)
+    public bool Cross(List<int> moved, int pulled, int pulledTo)
     {
         if (moved.Count == 0)
         {
             return false;
         }
 
-        Gather(moved, pulledTo);
+        Gather(moved, pulled, pulledTo);
         foreach (int t in moved)
         {
             if (nearbyCount > 0 && CrossesNearby(t))
@@ -96,9 +101,17 @@ internal sealed class CrossingGuard
         return false;
     }
 
-    /// <summary>Takes note of where triangles are now.</summary>
-    public void Note(List<int> moved)
+    /// <summary>Takes note of where triangles are now, and of those that are no more.</summary>
+    public void Note(List<int> moved, List<int> lost)
     {
+        foreach (int t in lost)
+        {
+            if (slotOf[t] >= 0)
+            {
+                tree.Remove(slotOf[t]);
+            }
+        }
+
         foreach (int t in moved)
         {
             if (slotOf[t] >= 0)
@@ -138,8 +151,8 @@ internal sealed class CrossingGuard
         worn = (int)(Worn * count);
     }
 
-    /// <summary>Lists the slots that the box of all moved triangles meets, without those that share the point with all of these: one search instead of one for each triangle, which halves the time of a reduction.</summary>
-    private void Gather(List<int> moved, int pulledTo)
+    /// <summary>Lists the slots that the box of all moved triangles meets, without those that share a point with all of these: one search instead of one for each triangle, which halves the time of a reduction.</summary>
+    private void Gather(List<int> moved, int pulled, int pulledTo)
     {
         (ulong low, ulong high) = BoxOf(moved[0]);
         high = BoxCode.Bare(high);
@@ -154,28 +167,25 @@ internal sealed class CrossingGuard
         if (nearby.Length < met.Length)
         {
             nearby = new int[2 * met.Length];
+            nearbyLow = new ulong[nearby.Length];
+            nearbyHigh = new ulong[nearby.Length];
         }
 
         nearbyCount = 0;
         int piece = pieceOf[pulledTo];
-        ReadOnlySpan<int> order = tree.Order;
+        ReadOnlySpan<int> ends = tree.Corners;
+        ReadOnlySpan<ulong> lows = tree.Low(0);
+        ReadOnlySpan<ulong> highs = tree.High(0);
         foreach (int slot in met)
         {
-            // The tree is told of a step when it is taken: until then only the surface knows the corners of what it moves.
-            int t = entered[order[slot]];
-            int i = points[3 * t];
-            if (i == pulledTo || points[(3 * t) + 1] == pulledTo || points[(3 * t) + 2] == pulledTo || pieceOf[i] != piece)
+            // The tree is told of a step when it is taken: what the step moves or takes away still has the point there that was pulled.
+            int i = ends[3 * slot], j = ends[(3 * slot) + 1], k = ends[(3 * slot) + 2];
+            if (i != pulled && j != pulled && k != pulled && i != pulledTo && j != pulledTo && k != pulledTo && pieceOf[i] == piece)
             {
-                continue;
+                nearby[nearbyCount] = slot;
+                nearbyLow[nearbyCount] = lows[slot];
+                nearbyHigh[nearbyCount++] = highs[slot];
             }
-
-            if (surface.IsGone(t))
-            {
-                tree.Remove(slot);
-                continue;
-            }
-
-            nearby[nearbyCount++] = slot;
         }
     }
 
@@ -183,20 +193,20 @@ internal sealed class CrossingGuard
     {
         int a = points[3 * t], b = points[(3 * t) + 1], c = points[(3 * t) + 2];
         (ulong low, ulong high) = BoxOf(t);
-        var side = new PlaneSide(positions[a], positions[b], positions[c], tolerance);
+        var plane = new PlaneSide(positions[a], positions[b], positions[c], tolerance);
         ReadOnlySpan<int> ends = tree.Corners;
-        ReadOnlySpan<ulong> lows = tree.Low(0);
-        ReadOnlySpan<ulong> highs = tree.High(0);
-        for (int n = 0; n < nearbyCount; n++)
+        ReadOnlySpan<ulong> lows = nearbyLow.AsSpan(0, nearbyCount);
+        ReadOnlySpan<ulong> highs = nearbyHigh.AsSpan(0, lows.Length);
+        for (int n = 0; n < lows.Length; n++)
         {
-            int slot = nearby[n];
-            if (BoxCode.Overlap(low, high, lows[slot], highs[slot]) == 0)
+            if (BoxCode.Overlap(low, high, lows[n], highs[n]) == 0)
             {
                 continue;
             }
 
+            int slot = nearby[n];
             int i = ends[3 * slot], j = ends[(3 * slot) + 1], k = ends[(3 * slot) + 2];
-            if (!Connected(a, b, c, i, j, k) && !side.IsOneOf(positions[i], positions[j], positions[k]) && TriangleCrossing.Cross(positions[a], positions[b], positions[c], positions[i], positions[j], positions[k], tolerance))
+            if (!Connected(a, b, c, i, j, k) && !plane.IsOneOf(positions[i], positions[j], positions[k]) && TriangleCrossing.Cross(positions[a], positions[b], positions[c], positions[i], positions[j], positions[k], tolerance))
             {
                 return true;
             }

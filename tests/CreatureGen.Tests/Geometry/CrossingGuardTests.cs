@@ -39,7 +39,7 @@ public sealed class CrossingGuardTests
             for (int t = 0; t < Count; t++)
             {
                 bool expected = crossing.Any(pair => pair.First == t || pair.Second == t);
-                Assert.Equal(expected, guard.Cross([t], points[3 * t]));
+                Assert.Equal(expected, guard.Cross([t], points[3 * t], points[3 * t]));
                 found += expected ? 1 : 0;
             }
         }
@@ -52,9 +52,9 @@ public sealed class CrossingGuardTests
     {
         Vector3[] positions = [new(0, 0, 0), new(2, 0, 0), new(0, 2, 0), new(0.5f, 0.5f, -1), new(0.5f, 0.5f, 1), new(3, 3, 0)];
         int[] apart = [0, 1, 2, 3, 4, 5];
-        Assert.True(Guard(positions, apart, new int[6]).Cross([0], 0));
-        Assert.False(Guard(positions, apart, [0, 0, 0, 1, 1, 1]).Cross([0], 0));
-        Assert.False(Guard(positions, [0, 1, 2, 3, 4, 1], new int[6]).Cross([0], 0));
+        Assert.True(Guard(positions, apart, new int[6]).Cross([0], 0, 0));
+        Assert.False(Guard(positions, apart, [0, 0, 0, 1, 1, 1]).Cross([0], 0, 0));
+        Assert.False(Guard(positions, [0, 1, 2, 3, 4, 1], new int[6]).Cross([0], 0, 0));
     }
 
     /// <summary>Corners that a step has moved count where they are now, however far they have gone.</summary>
@@ -72,8 +72,8 @@ public sealed class CrossingGuardTests
                 points[c] = i % 2 == 0 ? c + 3 : c;
             }
 
-            guard.Note([1]);
-            Assert.Equal(i % 2 == 1, guard.Cross([0], 0));
+            guard.Note([1], []);
+            Assert.Equal(i % 2 == 1, guard.Cross([0], 0, 0));
         }
     }
 
@@ -104,16 +104,18 @@ public sealed class CrossingGuardTests
         var guard = new CrossingGuard(surface, positions, points, new int[positions.Length]);
         var crossing = new List<(int First, int Second)>();
         var moved = new List<int>();
+        var lost = new List<int>();
         int all = surface.Triangles;
         for (int from = 3; from + 1 < positions.Length; from++)
         {
-            if (surface.IsUsed(from + 1) && surface.TryCollapse(from, from + 1, [(from, from + 1)]))
+            if (surface.IsUsed(from + 1) && surface.Allows(from, from + 1))
             {
-                surface.Moved(moved);
-                guard.Note(moved);
+                surface.Collapse(from, from + 1, [(from, from + 1)]);
+                surface.Taken(moved, lost);
+                guard.Note(moved, lost);
                 int[] left = Enumerable.Range(0, points.Length).Where(c => !surface.IsGone(c / 3)).Select(c => points[c]).ToArray();
                 SelfIntersection.Find(positions, left, crossing);
-                Assert.Equal(crossing.Any(pair => pair.First == 0), guard.Cross([0], 0));
+                Assert.Equal(crossing.Any(pair => pair.First == 0), guard.Cross([0], 0, 0));
             }
         }
 
