@@ -35,7 +35,7 @@ public static class CreatureAssembler
         observer?.StageFinished(AssemblyStage.Surface);
 
         Vector3[] normals = new Vector3[surface.Positions.Length];
-        SurfaceNormals.Smooth(surface.Positions, surface.Triangles, normals);
+        SurfaceNormals.Smooth(surface.Positions, surface.Triangles, surface.Mirror, normals);
         EyeFrame eye = EyeSetter.EyeOf(blueprint, grown);
         var coat = new CoatPainter(blueprint.Coat, CoatSubjects.Of(blueprint, grown, eye));
         (IReadOnlyList<Piece> pieces, IReadOnlyList<Appendage> appendages) = FeatureSetter.Set(blueprint, grown, coat, normals);

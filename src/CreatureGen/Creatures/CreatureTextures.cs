@@ -62,7 +62,7 @@ public sealed class CreatureTextures
         GrownSurface grown = GrownSurface.Grow(creature.Blueprint);
         Surface surface = grown.Surface;
         var normals = new Vector3[surface.Positions.Length];
-        SurfaceNormals.Smooth(surface.Positions, surface.Triangles, normals);
+        SurfaceNormals.Smooth(surface.Positions, surface.Triangles, surface.Mirror, normals);
         EyeFrame eye = EyeSetter.EyeOf(creature.Blueprint, grown);
         var pictures = new AtlasPictures(size);
         PaintSwatches(pictures);

@@ -38,6 +38,8 @@ internal static class BoneCapsules
             sorted[next[weights[v].Joint0]++] = positions[v];
         }
 
+        // A limb's capsule on the right is that on the left, seen in the mirror: worked out once.
+        var fits = new CapsuleCollider?[joints];
         float[] scratch = new float[2 * positions.Length];
         var capsules = new List<CapsuleCollider>(joints);
         for (int j = 0; j < joints; j++)
@@ -50,16 +52,19 @@ internal static class BoneCapsules
                 continue;
             }
 
-            Quaternion rotation = skeleton.ModelRotations[source];
-            Vector3 origin = skeleton.ModelPositions[source];
-            CapsuleFit fit = CapsuleFit.Around(sorted.AsSpan(start[source], count), origin, Rotation.Rotate(rotation, Vector3.UnitY), joint.Side == Side.Median, scratch);
-            Quaternion inverse = Rotation.Inverse(rotation);
-            Vector3 first = Rotation.Rotate(inverse, fit.Start - origin);
-            Vector3 last = Rotation.Rotate(inverse, fit.End - origin);
-            bool mirrored = source != j;
-            capsules.Add(new CapsuleCollider(j, mirrored ? Vec.Mirror(first) : first, mirrored ? Vec.Mirror(last) : last, fit.Radius));
+            CapsuleCollider fit = fits[source] ??= Around(skeleton, source, sorted.AsSpan(start[source], count), scratch);
+            capsules.Add(source == j ? fit : new CapsuleCollider(j, Vec.Mirror(fit.Start), Vec.Mirror(fit.End), fit.Radius));
         }
 
         return capsules.ToArray();
+    }
+
+    private static CapsuleCollider Around(Skeleton skeleton, int joint, ReadOnlySpan<Vector3> held, Span<float> scratch)
+    {
+        Quaternion rotation = skeleton.ModelRotations[joint];
+        Vector3 origin = skeleton.ModelPositions[joint];
+        CapsuleFit fit = CapsuleFit.Around(held, origin, Rotation.Rotate(rotation, Vector3.UnitY), skeleton.Joints[joint].Side == Side.Median, scratch);
+        Quaternion inverse = Rotation.Inverse(rotation);
+        return new CapsuleCollider(joint, Rotation.Rotate(inverse, fit.Start - origin), Rotation.Rotate(inverse, fit.End - origin), fit.Radius);
     }
 }
