@@ -23,8 +23,17 @@ internal sealed class PlanChoice
     /// <summary>Whether there are bodies with fewer or more legs than the options ask for: no body has more than the most that they can ask for.</summary>
     private readonly bool countsLegs;
 
+    /// <summary>The weight of each species, by kind, where options narrow nothing: working them out for every creature was an eighth of its blueprint.</summary>
+    private static readonly double[][] wholeWeights = WholeWeights();
+
     /// <summary>The weight of each species, by kind: asked for with every draw, and the same each time.</summary>
-    private readonly double[]?[] speciesWeights = new double[kindWeights.Length][];
+    private readonly double[]?[] speciesWeights;
+
+    private PlanChoice(CreatureOptions options, double[]?[] speciesWeights)
+    {
+        this.options = options;
+        this.speciesWeights = speciesWeights;
+    }
 
     /// <summary>Narrows the choice.</summary>
     /// <exception cref="ArgumentException">Nothing is left.</exception>
@@ -32,6 +41,7 @@ internal sealed class PlanChoice
     {
         this.options = options;
         countsLegs = options.MinLegPairs > CreatureOptions.Default.MinLegPairs || options.MaxLegPairs < CreatureOptions.Default.MaxLegPairs;
+        speciesWeights = countsLegs || options.BodyPlans.Count > 0 || options.BaseBodies.Count > 0 ? new double[kindWeights.Length][] : wholeWeights;
         double total = 0;
         for (int kind = 0; kind < kindWeights.Length; kind++)
         {
@@ -167,13 +177,10 @@ internal sealed class PlanChoice
         return sum * Asked(kind);
     }
 
-    private double[] WeightsOf(LocomotionKind kind)
-    {
-        if (speciesWeights[(int)kind] is double[] known)
-        {
-            return known;
-        }
+    private double[] WeightsOf(LocomotionKind kind) => speciesWeights[(int)kind] ??= SpeciesWeights(kind);
 
+    private double[] SpeciesWeights(LocomotionKind kind)
+    {
         IReadOnlyList<SpeciesProfile> all = SpeciesCatalogue.All;
         double[] weights = new double[all.Count];
         for (int i = 0; i < weights.Length; i++)
@@ -181,7 +188,18 @@ internal sealed class PlanChoice
             weights[i] = WeightOf(kind, all[i]);
         }
 
-        speciesWeights[(int)kind] = weights;
+        return weights;
+    }
+
+    private static double[][] WholeWeights()
+    {
+        double[][] weights = new double[kindWeights.Length][];
+        var whole = new PlanChoice(CreatureOptions.Default, new double[kindWeights.Length][]);
+        for (int kind = 0; kind < weights.Length; kind++)
+        {
+            weights[kind] = whole.SpeciesWeights((LocomotionKind)kind);
+        }
+
         return weights;
     }
 
