@@ -54,15 +54,19 @@ internal struct Footing
         float rear = float.MaxValue;
         float left = float.MinValue;
         float right = float.MaxValue;
-        foreach (ref readonly Foot foot in legs.Feet)
+        for (int i = 0; i < body.Legs.Length; i++)
         {
-            Vector3 place = root.ToModel(foot.Phase == FootPhase.Stance ? foot.From.Position : foot.Plan.To.Position);
-            if (Carries(body, root, place, up, ground))
+            ref readonly Foot foot = ref legs.Feet[i];
+            bool stands = foot.Phase == FootPhase.Stance;
+            Vector3 there = root.ToModel(stands ? foot.From.Position : foot.Plan.To.Position);
+            if (Carries(body, root, there, up, ground))
             {
-                front = Math.Max(front, place.Z);
-                rear = Math.Min(rear, place.Z);
-                left = Math.Max(left, place.X);
-                right = Math.Min(right, place.X);
+                // Under the hip of one in the air it will be once the body has come up to it: in a leap all of them are ahead of the body, which flies on to them.
+                Vector3 then = stands ? there : body.Legs[i].Home;
+                front = Math.Max(front, Math.Max(there.Z, then.Z));
+                rear = Math.Min(rear, Math.Min(there.Z, then.Z));
+                left = Math.Max(left, Math.Max(there.X, then.X));
+                right = Math.Min(right, Math.Min(there.X, then.X));
             }
         }
 

@@ -60,7 +60,11 @@ internal sealed class FootingSearch
     /// <summary>How often a foot may be shifted before it leaves the ground.</summary>
     public const int MaxLooks = 8;
 
-    private static readonly (float Ahead, float In)[] alternatives = { (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.6f, 0f), (0f, -0.2f) };
+    /// <summary>Where else ground is looked for, leg lengths along the foot and toward the middle: the nearest first, along before aside, in before out.</summary>
+    private static readonly (float Ahead, float In)[] alternatives =
+    {
+        (-0.2f, 0f), (0.2f, 0f), (0f, 0.2f), (0f, -0.2f), (-0.2f, 0.2f), (0.2f, 0.2f), (-0.2f, -0.2f), (0.2f, -0.2f), (-0.4f, 0f), (0.4f, 0f), (-0.4f, 0.2f), (0.4f, 0.2f), (-0.4f, -0.2f), (0.4f, -0.2f), (-0.6f, 0f),
+    };
 
     /// <summary>Where a sole of spread toes may stand on something, of the length of its toes and half its width.</summary>
     private static readonly (float Along, float Across)[] fan = { (1f, 0.52f), (1f, -0.52f), (0.75f, SideFraction), (0.75f, -SideFraction) };
