@@ -2,6 +2,7 @@ using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Fins;
 using CreatureGen.Blueprints;
+using CreatureGen.Maths;
 using CreatureGen.Sampling.Placement;
 using CreatureGen.Sampling.Shapes;
 using CreatureGen.Seeding;
@@ -17,6 +18,16 @@ internal static class FinSampler
 
     /// <summary>Depth of a paddle that is as deep as the plan says, relative to its length.</summary>
     private const double PaddleWidth = 0.5;
+
+    /// <summary>Probability at full strangeness that a species with fins of its own has others that its plan allows.</summary>
+    private const double OtherFins = 0.6;
+
+    /// <summary>Index of the tail fin among the fins whose sizes are drawn.</summary>
+    private const int TailFin = -1;
+
+    // Hang of paired fins at full strangeness, as factors on that of the species or plan: most lie flatter.
+    private const double FlattestDrop = 0.3;
+    private const double SteepestDrop = 1.1;
 
     /// <summary>Fills in the fins and the tail fin of the creature.</summary>
     public static void Sample(CreatureBuilder builder)
@@ -35,14 +46,15 @@ internal static class FinSampler
     private static void Swim(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("fins");
-        if (builder.Parents.Fins.Fins is FinPreset preset)
+        bool others = builder.Stream("other fins").Chance(OtherFins * builder.Strangeness) && builder.Parents.First.Disc.Sweep == 0;
+        if (builder.Parents.Fins.Fins is FinPreset preset && !others)
         {
             Own(builder, random, preset);
             return;
         }
 
         SwimmingPlacement placement = SwimmingRules.Place(LegSampler.Measure(builder), FinAnatomy.Of(builder.Plan), builder.Sockets, builder.Seed.Child("swimmer"));
-        double drop = random.Uniform(0.25, 0.6);
+        double drop = DropOf(builder) * random.Uniform(0.25, 0.6);
         double sweep = random.Uniform(0.4, 0.8);
         foreach (FinPlacement fin in placement.Fins)
         {
@@ -51,6 +63,7 @@ internal static class FinSampler
                 continue;
             }
 
+            double size = Stature.Fin(builder, builder.Fins.Count);
             if (fin.Place == FinPlace.Pectoral)
             {
                 bool front = fin.Socket.Ring < BodyGrid.AnchorRing - 2;
@@ -62,12 +75,12 @@ internal static class FinSampler
                     _ => front ? (0.34, 0.55) : (0.2, 0.55),
                 };
                 double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, length * LengthOf(fin.Style) * fin.Scale.X, Math.Min(MaxWidth, width * slender * fin.Scale.Z), drop, sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, size * length * LengthOf(fin.Style) * fin.Scale.X, Math.Min(MaxWidth, width * slender * fin.Scale.Z), drop, sweep));
             }
             else
             {
                 double height = builder.Plan == BodyPlan.Eel ? 0.13 : fin.Place == FinPlace.Ventral ? 0.12 : builder.Plan == BodyPlan.Whale ? 0.16 : 0.2;
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, height * fin.Scale.Y, 0, 0, SweepOf(fin.Style)));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, size * height * fin.Scale.Y, 0, 0, SweepOf(fin.Style)));
             }
         }
 
@@ -79,7 +92,7 @@ internal static class FinSampler
             TailStyle.Fluke => 1,
             _ => 0,
         };
-        double size = placement.Tail.Style switch
+        double spread = placement.Tail.Style switch
         {
             TailStyle.Fork => 0.29 * placement.Tail.Scale.Y,
             TailStyle.Fan => 0.24 * placement.Tail.Scale.Y,
@@ -91,7 +104,7 @@ internal static class FinSampler
             TailStyle.Fluke => 0.34 * placement.Tail.Scale.X,
             _ => 0,
         };
-        builder.Tail = new TailBlueprint(placement.Tail.Style, size, fork);
+        builder.Tail = new TailBlueprint(placement.Tail.Style, Stature.Fin(builder, TailFin) * spread, fork);
         builder.Shape = StanceSampler.ShapeOf(builder);
     }
 
@@ -113,7 +126,7 @@ internal static class FinSampler
     {
         foreach (FinSitePreset fin in preset.Fins)
         {
-            double length = CreatureBuilder.Between(random, fin.Length);
+            double length = CreatureBuilder.Between(random, fin.Length) * Stature.Fin(builder, builder.Fins.Count);
             double width = CreatureBuilder.Between(random, fin.Width);
             SocketBlueprint socket = fin.Place switch
             {
@@ -126,11 +139,11 @@ internal static class FinSampler
             bool crowded = builder.Legs.Count > 0 && !builder.Sockets.IsFree(socket, 0);
             if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, fin.Drop, fin.Sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder) * fin.Drop, fin.Sweep));
             }
         }
 
-        builder.Tail = new TailBlueprint(preset.Tail, CreatureBuilder.Between(random, preset.TailSize), CreatureBuilder.Between(random, preset.TailFork), preset.TailLobe);
+        builder.Tail = new TailBlueprint(preset.Tail, CreatureBuilder.Between(random, preset.TailSize) * Stature.Fin(builder, TailFin), CreatureBuilder.Between(random, preset.TailFork), preset.TailLobe);
         builder.Shape = StanceSampler.ShapeOf(builder);
     }
 
@@ -145,6 +158,9 @@ internal static class FinSampler
             builder.Fins.Add(new FinBlueprint(FinPlace.Dorsal, style, socket, height, 0, 0, SweepOf(style)));
         }
     }
+
+    /// <summary>Factor on how far paired fins hang down.</summary>
+    private static double DropOf(CreatureBuilder builder) => Scalar.Lerp(1, builder.Stream("fin drop").Uniform(FlattestDrop, SteepestDrop), builder.Strangeness);
 
     private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail or FinStyle.Ray => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
 

@@ -105,7 +105,12 @@ internal static class FlierLegs
         RandomStream random = builder.Stream("strange flier legs");
         bool strange = random.Chance(AnyPairs * builder.Strangeness);
         int drawn = FlyingRules.DrawLegs(random).Pairs;
-        return Math.Min(Math.Max(builder.MinLegPairs, Math.Min(strange ? insect ? drawn : drawn / 2 : pairs, builder.MaxLegPairs)), FlyingRules.MaxPairs);
+        pairs = strange ? insect ? drawn : drawn / 2 : pairs;
+
+        // Without legs only what is as long as a snake or as wide as wings flies well: others are a head between wings from the front, and a torpedo from the side.
+        bool slim = builder.Parents.First.Disc.Sweep != 0 || Array.Exists(builder.Parents.First.WalkingPlans, plan => plan.Value == BodyPlan.Legless);
+        int least = builder.Strangeness > 0 && !slim ? Math.Max(1, builder.MinLegPairs) : builder.MinLegPairs;
+        return Math.Min(Math.Min(Math.Max(least, pairs), builder.MaxLegPairs), FlyingRules.MaxPairs);
     }
 
     /// <summary>An insect stands with spread wings as it does with folded ones.</summary>

@@ -32,6 +32,18 @@ internal static class Harmony
             parents = parents with { Head = first };
         }
 
+        // A ray thins out into its wings from the muzzle on: a skull with a neck is a plug in it.
+        if (first.Disc.Sweep != 0 && parents.Head.Class is AnimalClass.Mammal or AnimalClass.Bird)
+        {
+            parents = parents with { Head = first };
+        }
+
+        // Hair and collars would stand along its edges.
+        if (first.Disc.Sweep != 0)
+        {
+            parents = parents with { Ornaments = parents.Head };
+        }
+
         // What insects wear on their heads belongs to their heads, and what others wear does not.
         if ((parents.Ornaments.Class == AnimalClass.Arthropod) != (parents.Head.Class == AnimalClass.Arthropod))
         {

@@ -117,11 +117,11 @@ internal static class BodySampler
         if (face.IsSpecies)
         {
             head = face.HeadSize.Mean + ((head - 1.26) * face.HeadSize.Variation);
-            snout = PortableMath.Pow(snout, face.Variety);
+            snout = PortableMath.Pow(snout, Stature.Freely(builder, face.Variety));
         }
 
-        neck = species.IsSpecies ? PortableMath.Pow(neck, species.Variety) : neck;
-        tail = builder.Parents.Tail.IsSpecies ? PortableMath.Pow(tail, builder.Parents.Tail.Variety) : tail;
+        neck = species.IsSpecies ? PortableMath.Pow(neck, Stature.Freely(builder, species.Variety)) : neck;
+        tail = builder.Parents.Tail.IsSpecies ? PortableMath.Pow(tail, Stature.Freely(builder, builder.Parents.Tail.Variety)) : tail;
 
         double neckGirth = 1, chest = 1, hump = 1, rump = 1, tailGirth = 1, width = 1;
         if (group == AnimalClass.Amphibian)
@@ -201,13 +201,13 @@ internal static class BodySampler
             head *= 0.92;
         }
 
-        return new BodyProportions(head, snout, neck, neckGirth, girth, belly, chest, hump, rump, tail, tailGirth, depth, width);
+        return Stature.Vary(builder, new BodyProportions(head, snout, neck, neckGirth, girth, belly, chest, hump, rump, tail, tailGirth, depth, width));
     }
 
     private static BodyPosture Posture(CreatureBuilder builder)
     {
         RandomStream random = builder.Stream("posture");
-        double tilt = builder.Species.TiltVariety;
+        double tilt = Stature.Freely(builder, builder.Species.TiltVariety);
         double neck = tilt * random.Normal(0, 9);
         double head = tilt * random.Normal(0, 6);
         double tail = tilt * random.Normal(0, 14);
@@ -296,7 +296,7 @@ internal static class BodySampler
         }
 
         // Third and fourth pairs of legs stand below the middle slices.
-        double longer = ExtraLegs.LengthOf(builder);
+        double longer = ExtraLegs.LengthOf(builder) * Stature.Torso(builder);
         for (int k = 4; k <= 6; k++)
         {
             slices[k] = slices[k] with { Length = longer * slices[k].Length };

@@ -1,0 +1,41 @@
+using System;
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Sampling;
+using CreatureGen.Species;
+using Xunit;
+
+namespace CreatureGen.Tests.Sampling;
+
+public sealed class HarmonyTests
+{
+    [Fact]
+    public void Mixed_fliers_go_on_legs_unless_they_are_as_long_as_snakes_or_as_wide_as_rays()
+    {
+        for (ulong seed = 9971001; seed <= 9971080; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Flying);
+            SpeciesProfile first = SpeciesCatalogue.Find(creature.Body.Blend.First);
+            bool slim = first.Disc.Sweep != 0 || first.WalkingPlans.Any(plan => plan.Value == BodyPlan.Legless);
+            Assert.True(slim || creature.Legs.Count > 0, FormattableString.Invariant($"{seed}: a {first.Body} without legs"));
+        }
+    }
+
+    [Fact]
+    public void Rays_wear_no_heads_of_mammals_or_birds()
+    {
+        int rays = 0;
+        for (ulong seed = 9971001; seed <= 9971150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = 1 });
+            if (creature.Body.Disc.Sweep != 0)
+            {
+                rays++;
+                Assert.DoesNotContain(SpeciesCatalogue.Find(creature.Body.Blend.Face).Class, new[] { AnimalClass.Mammal, AnimalClass.Bird });
+            }
+        }
+
+        Assert.NotEqual(0, rays);
+    }
+}
