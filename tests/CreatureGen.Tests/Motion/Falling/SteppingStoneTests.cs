@@ -24,11 +24,11 @@ public sealed class SteppingStoneTests
     public void Who_runs_over_stepping_stones_comes_down_on_stones(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
-        var drive = new CourseDrive(profile, CourseScripts.Runner(profile, Seconds), CourseGround.Stones, CourseRate.Of(60f));
+        var run = new CourseSimulation(profile, CourseScripts.Runner(profile, Seconds), CourseGround.Stones, CourseRate.Of(60f));
         float farthest = 0f;
-        foreach (float dt in drive.Updates())
+        foreach (float dt in run.Updates())
         {
-            CreatureAnimator animator = drive.Animator;
+            CreatureAnimator animator = run.Animator;
             farthest = Math.Max(farthest, animator.Root.Position.Z / profile.LegLength);
             Assert.NotEqual(BodyState.Falling, animator.State);
             Assert.True(animator.Root.Position.Y > -Deepest * profile.LegLength, FormattableString.Invariant($"{animator.Root.Position} after {farthest} legs"));
