@@ -43,6 +43,9 @@ internal sealed class MeshReduction
     private readonly List<int> lost = new();
     private readonly List<int> twinMoved = new();
     private readonly List<int> twinLost = new();
+
+    // Of each piece whether its triangles are not mirrored, so that a step that crosses nothing may do so on the other side.
+    private readonly bool[] lopsided;
     private CrossingGuard? guard;
 
     /// <summary>Prepares the reduction of a mesh; it is not changed.</summary>
@@ -83,6 +86,7 @@ internal sealed class MeshReduction
 
         var pieces = new SurfacePieces(positions, corners);
         pieceOf = pieces.PieceOf;
+        lopsided = LopsidedPieces.Find(corners, twin, pieceOf);
         lostPieces = new bool[positions.Length];
         queued = new bool[positions.Length];
         cheapest = new int[positions.Length];
@@ -249,6 +253,11 @@ internal sealed class MeshReduction
 
         surface.Prune(twinFrom);
         surface.Prune(twinTo);
+        if (guard != null && twinFrom != from && lopsided[pieceOf[from]] && !StaysClear(guard, twinFrom, twinTo))
+        {
+            return false;
+        }
+
         choice.Match(from, to, pairs);
         surface.Collapse(from, to, pairs);
         surface.Taken(moved, lost);
@@ -269,7 +278,7 @@ internal sealed class MeshReduction
             choice.Match(twinFrom, twinTo, twinPairs);
             surface.Collapse(twinFrom, twinTo, twinPairs);
 
-            // Mirror images cross nothing when these do not.
+            // Mirror images cross nothing when these do not; where they are none, that was looked at.
             surface.Taken(twinMoved, twinLost);
             guard?.Note(twinMoved, twinLost);
             Accept(twinFrom, twinTo, twinPairs);
@@ -278,6 +287,22 @@ internal sealed class MeshReduction
         guard?.Note(moved, lost);
         Accept(from, to, pairs);
         return true;
+    }
+
+    /// <summary>Whether nothing cuts through anything after a step, which is not taken yet.</summary>
+    private bool StaysClear(CrossingGuard asked, int from, int to)
+    {
+        if (!surface.Allows(from, to))
+        {
+            return false;
+        }
+
+        choice.Match(from, to, twinPairs);
+        surface.Collapse(from, to, twinPairs);
+        surface.Taken(twinMoved, twinLost);
+        bool clear = !asked.Cross(twinMoved, from, to);
+        surface.Undo();
+        return clear;
     }
 
     private void Accept(int from, int to, List<(int From, int To)> taken)
