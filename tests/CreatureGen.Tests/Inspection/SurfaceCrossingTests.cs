@@ -8,6 +8,7 @@ using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Inspection;
@@ -60,7 +61,7 @@ public sealed class SurfaceCrossingTests
     {
         for (ulong seed = 7200000; seed < 7200000 + (ulong)creatures; seed++)
         {
-            Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
+            Creature creature = CreatureGenerator.Generate(seed, SizeOfSeed.In(CreatureOptions.Default with { Kind = kind }, seed));
             CrossingReport report = CrossingTrial.Run(creature, 4);
             Assert.True(report.Worst.All <= most * creature.Mesh.Triangles.Length / 3, $"{seed}: {report}");
         }
