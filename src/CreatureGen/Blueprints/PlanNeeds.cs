@@ -1,4 +1,5 @@
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 
 namespace CreatureGen.Blueprints;
 
@@ -29,7 +30,7 @@ internal sealed record PlanNeeds(string List, string What, int Have, int Need)
         int standing = 0;
         foreach (LegBlueprint leg in blueprint.Legs)
         {
-            standing += leg.Stance == LegStance.Standing || leg.Archetype == LimbArchetype.Raptorial ? 1 : 0;
+            standing += leg.Stance == LegStance.Standing || LegKinds.Of(leg.Archetype).Outline is { Carried: true, Handed: false } ? 1 : 0;
         }
 
         return standing;

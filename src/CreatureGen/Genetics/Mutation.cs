@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 using CreatureGen.Seeding;
@@ -96,7 +97,7 @@ public static class Mutation
     private static CreatureBlueprint WithOtherLegs(CreatureBlueprint blueprint, RandomStream random)
     {
         int last = blueprint.Legs.Count - 1;
-        if (last < 0 || blueprint.Legs[last].Archetype is not (LimbArchetype.Insect or LimbArchetype.Sprawl) || blueprint.Legs.Count == CreatureFields.MaxLegs)
+        if (last < 0 || !LegKinds.Of(blueprint.Legs[last].Archetype).Outline.Lateral || blueprint.Legs.Count == CreatureFields.MaxLegs)
         {
             return blueprint;
         }

@@ -39,7 +39,7 @@ internal static class Digits
         SweepFrame end = limb.Last;
         FootForm foot = FootForm.Of(leg.Foot);
         bool standing = leg.Stance == LegStance.Standing;
-        bool hand = form.Archetype == LimbArchetype.Arm;
+        bool hand = form.Handed;
         int half = limb.End.Length / 2;
         int columns = Math.Min(2 * leg.Toes, half - 2);
         columns -= columns % 2;
@@ -52,7 +52,7 @@ internal static class Digits
         float tipRadius = form.ToeRadius * (hand ? thickness : size * Math.Max((float)leg.Stoutness, 0.8f));
 
         // A foot that trails is nearly closed.
-        bool trails = form.Archetype == LimbArchetype.Sprawl && !standing;
+        bool trails = form.Sprawling && !standing;
         float splay = (trails ? Closed : 1f) * Math.Min((form.LongToed ? Math.Min(1f, foot.Splay) : foot.Splay) * form.ToeSplay, WidestSplay);
         var address = new VertexAddress { Region = SurfaceRegion.Toe, Appendage = (short)index, Sign = 1, Along = 1f };
         int[] grid = CapGrid.Vertices(surface, limb.End, rows, columns, end.Tangent, end.ForeRadius * 0.15f, address);

@@ -61,6 +61,18 @@ internal sealed class LegForm
     /// <summary>Whether it folds at the side of the body, its foot far out.</summary>
     public bool Crouched => outline.Crouched;
 
+    /// <summary>Whether it ends in a hand.</summary>
+    public bool Handed => outline.Handed;
+
+    /// <summary>Whether it is carried close to the body instead of being stood on.</summary>
+    public bool Carried => outline.Carried;
+
+    /// <summary>Whether it arches out to the side over a raised knee.</summary>
+    public bool Arched => outline.Arched;
+
+    /// <summary>Whether it reaches out to the side on a foot that points ahead.</summary>
+    public bool Sprawling => outline.Sprawling;
+
     /// <summary>Number of last rows whose radii grow with the size of the foot.</summary>
     public int FootRows => outline.FootRows;
 

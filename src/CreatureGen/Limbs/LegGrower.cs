@@ -100,7 +100,7 @@ internal static class LegGrower
             Blend = Scalar.Clamp(1.5f * socket.HalfLength / path.Length, 0.1f, 0.42f),
             Floor = standing ? 0f : float.NegativeInfinity,
             EndDirection = vertical ? -Vector3.UnitY : Vector3.Zero,
-            LevelFrom = form.End == FootEnd.Toes && (standing || form.Archetype == LimbArchetype.Sprawl) ? 0.6f : 2f,
+            LevelFrom = form.End == FootEnd.Toes && (standing || form.Sprawling) ? 0.6f : 2f,
             KeepOut = socket.Centre.X > 0.02f ? new BodyKeepOut(body.Skin, leg.Socket.Ring - GuardedRings, leg.Socket.Ring + leg.Socket.Rows + GuardedRings) : null,
             Address = new VertexAddress { Region = SurfaceRegion.Leg, Appendage = (short)index, Sign = 1 },
         };
@@ -188,7 +188,7 @@ internal static class LegGrower
 
     private static float[] SectionsOf(LegForm form)
     {
-        if (form.Archetype == LimbArchetype.Insect)
+        if (form.Arched)
         {
             return insectSections;
         }
@@ -217,7 +217,7 @@ internal static class LegGrower
         Vector3 ball = form.BallRow == last ? Vec.Lerp(joints[last - 1], joints[last], 0.8f) : joints[form.BallRow];
         return new Appendage
         {
-            Kind = form.Archetype == LimbArchetype.Arm ? LimbKind.Arm : LimbKind.Leg,
+            Kind = form.Handed ? LimbKind.Arm : LimbKind.Leg,
             Paired = true,
             Archetype = form.Archetype,
             RootRing = socket.CentreRing,

@@ -88,8 +88,8 @@ internal sealed class LegPath
             SetFootDown(form, leg, thickness, joints, radii);
         }
 
-        bool laidBack = form.Archetype == LimbArchetype.Insect && leg.Azimuth < LaidBack;
-        if (laidBack || form.Archetype is LimbArchetype.Arm or LimbArchetype.Raptorial || form.Crouched || (form.Archetype == LimbArchetype.Sprawl && !standing))
+        bool laidBack = form.Arched && leg.Azimuth < LaidBack;
+        if (laidBack || form.Carried || form.Crouched || (form.Sprawling && !standing))
         {
             KeepJointsOut(shape, joints, radii);
         }
@@ -105,14 +105,14 @@ internal sealed class LegPath
         if (form.Lateral)
         {
             outward = new Vector3((float)PortableMath.Cos(leg.Azimuth), 0f, (float)PortableMath.Sin(leg.Azimuth));
-            ahead = form.Archetype == LimbArchetype.Sprawl ? new Vector3(0.25f, 0f, 0.97f) : Vector3.Zero;
+            ahead = form.Sprawling ? new Vector3(0.25f, 0f, 0.97f) : Vector3.Zero;
         }
 
         var joints = new Vector3[form.Rows];
         for (int k = 0; k < form.Rows; k++)
         {
             float down = form.Down[k];
-            if (form.Archetype == LimbArchetype.Insect && k is >= 1 and < 5)
+            if (form.Arched && k is >= 1 and < 5)
             {
                 down *= (float)leg.KneeRise;
             }
@@ -171,7 +171,7 @@ internal sealed class LegPath
         int last = joints.Length - 1;
         if (form.End == FootEnd.Toes)
         {
-            bool underBody = form.Archetype != LimbArchetype.Sprawl && !form.Crouched;
+            bool underBody = !form.Sprawling && !form.Crouched;
             if (underBody)
             {
                 FootForm foot = FootForm.Of(leg.Foot);

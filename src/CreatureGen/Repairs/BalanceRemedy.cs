@@ -1,5 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
 using CreatureGen.Creatures;
 using CreatureGen.Json;
@@ -129,7 +130,7 @@ internal static class BalanceRemedy
         return legs.With(end, leg with { Shear = shear, FootSize = foot, Azimuth = azimuth });
     }
 
-    private static bool Splayed(LegBlueprint leg) => leg.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl or LimbArchetype.Jumper;
+    private static bool Splayed(LegBlueprint leg) => LegKinds.Of(leg.Archetype) is { Build.Posture: LimbPosture.Splayed, Outline.Crouched: false };
 
     /// <summary>A body that lies on its trunk tips over when what it raises is too heavy: the front goes up and gets lighter, later the chest too, and the rear heavier.</summary>
     private static bool RearUp(RepairLog log, int round)

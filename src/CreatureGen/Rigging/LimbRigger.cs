@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Rigging;
@@ -53,9 +54,9 @@ internal static class LimbRigger
     private static List<JointDefinition> Leg(Appendage leg)
     {
         LimbArchetype archetype = leg.Archetype!.Value;
-        bool lateral = archetype is LimbArchetype.Insect or LimbArchetype.Sprawl;
+        LegOutline outline = LegKinds.Of(archetype).Outline;
         Vector3 hip = leg.Joints[0];
-        Vector3 hinge = archetype == LimbArchetype.Sprawl && !leg.Stands ? TrailingHinge(leg) : lateral ? LateralHinge(leg) : Vec.Normalize(Vec.Reject(Vector3.UnitX, Vec.Normalize(leg.Joints[2] - hip, -Vector3.UnitY)), Vector3.UnitX);
+        Vector3 hinge = outline.Sprawling && !leg.Stands ? TrailingHinge(leg) : outline.Lateral ? LateralHinge(leg) : Vec.Normalize(Vec.Reject(Vector3.UnitX, Vec.Normalize(leg.Joints[2] - hip, -Vector3.UnitY)), Vector3.UnitX);
 
         // The girdle sits half way in from the hip, so that its bone has a direction; it only slides.
         var girdle = new Vector3(hip.X / 2f, hip.Y, hip.Z);
@@ -66,7 +67,7 @@ internal static class LimbRigger
         for (int k = 0; k < 4; k++)
         {
             // A sprawler's foot points ahead like any other foot.
-            bool foot = archetype == LimbArchetype.Sprawl && k >= 2;
+            bool foot = outline.Sprawling && k >= 2;
             JointRole role = legJoints[k + 1].Role;
             Quaternion frame = JointFrame.Hinged(leg.Joints[k + 1] - leg.Joints[k], foot ? Vector3.UnitX : hinge);
             joints.Add(Define(k + 1, leg.Joints[k], frame, leg.Joints[k + 1], JointLimits.Leg(archetype, role)));

@@ -52,7 +52,7 @@ internal sealed class LimbProfile
         LimbArchetype? archetype = appendage.Archetype;
         LegOutline? outline = archetype is { } kind ? LegKinds.Of(kind).Outline : null;
         flat = appendage.Stands && outline is { FlatSoled: true };
-        rigidSole = archetype == LimbArchetype.Column;
+        rigidSole = outline is { End: FootEnd.Pad };
         hasToes = !rigidSole;
         stretch = new float[along.Length];
         bool insect = outline is { Jointed: true };

@@ -57,6 +57,7 @@ internal static class BirdLeg
             SwingPitchDegrees = 85,
             StrikeDegrees = -8,
             Bend = 1,
+            Immersion = 0.4f,
         },
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.60, knee: 0.70, ankle: 0.45, ball: 0.90),

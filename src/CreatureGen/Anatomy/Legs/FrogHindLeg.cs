@@ -56,6 +56,8 @@ internal static class FrogHindLeg
             SwingPitchDegrees = 36,
             StrikeDegrees = -8,
             Bend = 1,
+            Leaps = true,
+            KneesAhead = true,
         },
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.30, knee: -0.30, ankle: 0.10, ball: 0.10),

@@ -13,6 +13,8 @@ internal static class HandedArm
             ToeLength = 0.75,
             ToeSplay = 0.45,
             ToeRadius = 0.13,
+            Handed = true,
+            Carried = true,
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 900 },

@@ -52,6 +52,7 @@ internal static class InsectLeg
             SwingPitchDegrees = 14,
             StrikeDegrees = 0,
             Bend = 0,
+            Immersion = 0.3f,
         },
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.70, knee: -1.30, ankle: 0.70, ball: 0.50),

@@ -51,6 +51,8 @@ internal static class JumperLeg
             SwingPitchDegrees = 14,
             StrikeDegrees = 0,
             Bend = -1,
+            Leaps = true,
+            Immersion = 0.3f,
         },
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.30, knee: -0.30, ankle: 0.10, ball: 0.10),

@@ -47,4 +47,16 @@ internal sealed record LegOutline(FootEnd End)
 
     /// <summary>Whether it stands on the whole of its sole.</summary>
     public bool FlatSoled { get; init; }
+
+    /// <summary>Whether it ends in a hand.</summary>
+    public bool Handed { get; init; }
+
+    /// <summary>Whether it is carried close to the body instead of being stood on: arms, and the fore legs of a mantis.</summary>
+    public bool Carried { get; init; }
+
+    /// <summary>Whether it arches out to the side over a raised knee: the legs of insects and spiders.</summary>
+    public bool Arched => Lateral && Jointed;
+
+    /// <summary>Whether it reaches out to the side on a foot that points ahead like any other: the legs of newts and lizards.</summary>
+    public bool Sprawling => Lateral && !Jointed;
 }

@@ -11,6 +11,7 @@ internal static class RaptorialLeg
             AnkleRow = 5,
             BallRow = 8,
             Jointed = true,
+            Carried = true,
             Rows = new LegSection[]
             {
                 new() { Forward = 0, Down = 0, Outward = 0, ForeRadius = 1000, SideRadius = 1000 },

@@ -55,6 +55,7 @@ internal static class SprawlLeg
             SwingPitchDegrees = 36,
             StrikeDegrees = -3,
             Bend = 0,
+            Undulation = 0.9f,
         },
         flight: new LegFlight(
             tucked: new LegPosture(hip: 0.80, knee: -0.35, ankle: 0.40, ball: 0.40),

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
@@ -12,11 +13,9 @@ namespace CreatureGen.Motion.Floating;
 /// <remarks>Times go with τ = √(ℓ/g). Based on: Catavitello, Ivanenko and Lacquaniti 2015 (dogs paddle at 1.5 to 1.7 Hz, diagonal legs nearly together).</remarks>
 internal sealed class FloatProfile
 {
-    /// <summary>Share of the trunk's height that is under water: of heavy bodies, of upright ones, of birds, and of insects, which the surface carries.</summary>
-    private const float Immersion = 0.78f;
+    /// <summary>Part of the trunk's height that is under water: of upright bodies, and of any body at least.</summary>
     private const float UprightImmersion = 0.92f;
-    private const float BirdImmersion = 0.4f;
-    private const float InsectImmersion = 0.3f;
+    private const float MinImmersion = 0.3f;
 
     /// <summary>Height of the trunk's line over its length from which on it is upright.</summary>
     private const float Upright = 0.7f;
@@ -32,10 +31,6 @@ internal sealed class FloatProfile
     /// <summary>Radians by which a neck raises its head at most.</summary>
     private const float HighestNeck = 0.5f;
 
-    /// <summary>How far trunk and tail of a sprawler wave to either side, radians from end to end, and the tail of others.</summary>
-    private const float SprawlerUndulation = 0.9f;
-    private const float UprightUndulation = 0.2f;
-
     /// <summary>Part of a cycle by which each further pair of legs is later: diagonal ones nearly together on four, a wave along more.</summary>
     private const float FourLeggedLag = 0.42f;
     private const float WaveLag = 0.2f;
@@ -49,12 +44,10 @@ internal sealed class FloatProfile
         Vector3 line = rest[rest.Length - 1] - rest[0];
         bool upright = body.IsBiped && line.Y > Upright * Vec.Length(line);
         Extent(body, body.Trunk, out Vector3 min, out Vector3 max);
-        float immersion = upright ? UprightImmersion
-            : body.Legs[0].Traits.Archetype is LimbArchetype.Insect or LimbArchetype.Jumper ? InsectImmersion
-            : body.Legs[0].Traits.Archetype == LimbArchetype.Bird ? BirdImmersion
-            : Immersion;
-        Draught = Math.Max(Math.Min(Scalar.Lerp(min.Y, max.Y, immersion), HeadHeight(body)), Scalar.Lerp(min.Y, max.Y, InsectImmersion));
-        Undulation = body.Legs[0].Traits.Archetype == LimbArchetype.Sprawl ? SprawlerUndulation : UprightUndulation;
+        LegStep step = body.Legs[0].Traits.Kind.Step;
+        float immersion = upright ? UprightImmersion : step.Immersion;
+        Draught = Math.Max(Math.Min(Scalar.Lerp(min.Y, max.Y, immersion), HeadHeight(body)), Scalar.Lerp(min.Y, max.Y, MinImmersion));
+        Undulation = step.Undulation;
         Middle = (min + max) * 0.5f;
         (Pitch, NeckPitch) = upright ? (-UprightLean, -UprightLean) : PitchOf(body);
         lags = Array.ConvertAll(body.Legs, leg => LagOf(body, leg));

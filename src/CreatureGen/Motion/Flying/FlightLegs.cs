@@ -36,10 +36,11 @@ internal sealed class FlightLegs
     {
         this.chain = chain;
         LimbArchetype archetype = chain.Limb.Archetype ?? LimbArchetype.Arm;
-        LegFlight flight = LegKinds.Of(archetype).Flight;
+        LegKind kind = LegKinds.Of(archetype);
+        LegFlight flight = kind.Flight;
         (tucked, hanging, reaching) = (flight.Tucked, flight.Hanging, flight.Reaching);
-        lateral = archetype is LimbArchetype.Sprawl or LimbArchetype.Insect;
-        raise = archetype == LimbArchetype.Insect ? RaisedKnees : LoweredKnees;
+        lateral = kind.Outline.Lateral;
+        raise = kind.Outline.Arched ? RaisedKnees : LoweredKnees;
         Vector3 thigh = chain.Points[2] - chain.Points[1];
         Vector3 shank = chain.Points[3] - chain.Points[2];
         normal = Vec.Normalize(Vec.Cross(thigh, shank), Vector3.UnitX);

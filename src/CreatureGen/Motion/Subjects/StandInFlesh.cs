@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -141,7 +142,7 @@ internal sealed class StandInFlesh
         Vector3 ahead = Vec.Normalize(new Vector3(tip.X - ball.X, 0f, tip.Z - ball.Z), Vector3.UnitZ);
         var beside = new Vector3(ahead.Z, 0f, -ahead.X);
         float width = 0.04f * leg;
-        float heel = limb.Archetype is Anatomy.LimbArchetype.PlantigradeHind or Anatomy.LimbArchetype.PlantigradeFore ? Math.Max(Vec.Dot(ball - ankle, ahead), width) : width;
+        float heel = limb.Archetype is { } kind && LegKinds.Of(kind).Outline is { FlatSoled: true, Lateral: false, End: FootEnd.Toes } ? Math.Max(Vec.Dot(ball - ankle, ahead), width) : width;
         Vector3 under = new(ball.X, 0f, ball.Z);
         Add(limb.Joints[4], new Vector3(tip.X, 0f, tip.Z));
         Add(limb.Joints[4], under + (beside * width));

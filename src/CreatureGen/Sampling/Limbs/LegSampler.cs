@@ -193,7 +193,7 @@ internal static class LegSampler
     public static (double Azimuth, double Shear) Posture(CreatureBuilder builder, WalkingPlacement placement, LegPlacement leg)
     {
         bool last = leg == placement.Legs[placement.Legs.Count - 1];
-        double azimuth = leg.Site.Archetype == LimbArchetype.Insect && last ? UnderAbdomen(builder, leg, placement.Legs[0]) : leg.Site.Azimuth;
+        double azimuth = LegKinds.Of(leg.Site.Archetype).Outline.Arched && last ? UnderAbdomen(builder, leg, placement.Legs[0]) : leg.Site.Azimuth;
         return (azimuth, placement.Legs.Count == 1 ? UnderMass(builder, leg, placement.Arms) : leg.Shear);
     }
 
@@ -294,13 +294,12 @@ internal static class LegSampler
         }
     }
 
-    private static FootStyle FootOf(LegStyle style, LimbArchetype archetype) => archetype switch
+    private static FootStyle FootOf(LegStyle style, LimbArchetype archetype) => LegKinds.Of(archetype).Outline switch
     {
-        LimbArchetype.UnguligradeFore or LimbArchetype.UnguligradeHind => style.Hooves,
-        LimbArchetype.Theropod or LimbArchetype.Bird => style.Foot is FootStyle.Paw or FootStyle.Stump or FootStyle.Sucker ? FootStyle.Talon : style.Foot,
-        LimbArchetype.Arm or LimbArchetype.Column or LimbArchetype.Insect or LimbArchetype.Raptorial or LimbArchetype.Jumper => FootStyle.Plain,
-        LimbArchetype.DigitigradeFore or LimbArchetype.DigitigradeHind or LimbArchetype.PlantigradeFore or LimbArchetype.PlantigradeHind or LimbArchetype.Sprawl or LimbArchetype.FrogHind or LimbArchetype.FrogFore => style.Foot,
-        _ => throw new ArgumentOutOfRangeException(nameof(archetype), archetype, "there are no feet for this archetype"),
+        { End: FootEnd.Hoof } => style.Hooves,
+        { LongToed: true } => style.Foot is FootStyle.Paw or FootStyle.Stump or FootStyle.Sucker ? FootStyle.Talon : style.Foot,
+        { End: FootEnd.Toes, Handed: false } => style.Foot,
+        _ => FootStyle.Plain,
     };
 
     /// <summary>Adds a pair of legs if its cells are free.</summary>

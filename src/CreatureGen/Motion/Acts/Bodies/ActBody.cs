@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Subjects;
 using CreatureGen.Motion.Walking.Bodies;
@@ -187,8 +188,8 @@ internal sealed class ActBody
         return legs.Rows > 2 ? BodyBuild.ManyLegged
             : hind.Lateral ? BodyBuild.Sprawling
             : legs.IsBiped ? subject.Plan == BodyPlan.Upright ? BodyBuild.Upright : BodyBuild.TwoLegged
-            : hind.Traits.Archetype == LimbArchetype.UnguligradeHind ? BodyBuild.Hoofed
-            : hind.Traits.Archetype == LimbArchetype.Column ? BodyBuild.Columnar
+            : hind.Traits.Kind.Outline.End == FootEnd.Hoof ? BodyBuild.Hoofed
+            : hind.Traits.Kind.Outline.End == FootEnd.Pad ? BodyBuild.Columnar
             : BodyBuild.Pawed;
     }
 

@@ -222,7 +222,7 @@ internal sealed class LeggedBody
     public bool Hops { get; }
 
     /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers and frogs.</summary>
-    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Archetype is LimbArchetype.Jumper or LimbArchetype.FrogHind);
+    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Kind.Step.Leaps);
 
     /// <summary>Whether it rolls from side to side on short legs under an upright body: penguins.</summary>
     public bool Waddles => IsBiped && Subject.Manner.Waddles;

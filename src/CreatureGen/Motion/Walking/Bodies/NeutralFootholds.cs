@@ -31,15 +31,15 @@ internal static class NeutralFootholds
         {
             LegRig leg = legs[i];
             homes[i] = leg.Gathered;
-            if (leg.Traits.Archetype == LimbArchetype.Sprawl && rows == 2)
+            if (leg.Traits.Kind.Outline.Sprawling && rows == 2)
             {
                 homes[i].Z += leg.HipRest.Z - leg.Home.Z + ((leg.Row == 0 ? SprawlHind : SprawlFore) * leg.Length);
             }
-            else if (leg.Traits.Archetype is LimbArchetype.FrogHind)
+            else if (leg.Traits.Kind.Step.KneesAhead)
             {
                 homes[i].Z -= FrogShift * leg.Length;
             }
-            else if (leg.Traits.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl && Beside(legs, leg, -1) is LegRig hind && Beside(legs, leg, 1) is LegRig fore)
+            else if (leg.Traits.Kind.Outline.Lateral && Beside(legs, leg, -1) is LegRig hind && Beside(legs, leg, 1) is LegRig fore)
             {
                 float shift = (0.5f * (hind.Gathered.Z + fore.Gathered.Z)) - leg.Gathered.Z;
                 homes[i].Z += Scalar.Clamp(shift, -MaxShift * leg.Length, MaxShift * leg.Length);

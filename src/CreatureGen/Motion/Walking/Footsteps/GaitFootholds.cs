@@ -26,7 +26,7 @@ internal static class GaitFootholds
         Vector3 home = shape.Home + ((body.GoingHomes[leg] - shape.Home) * activity);
         float track = shape.Track(clock.Shape.Track, body.IsBiped ? clock.Shape.Lift : 0f);
         home.X *= 1f - ((1f - track) * activity);
-        bool sprawls = shape.Traits.Archetype == LimbArchetype.Sprawl && body.Rows == 2;
+        bool sprawls = shape.Traits.Kind.Outline.Sprawling && body.Rows == 2;
         float bias = sprawls ? 0f : body.Rows == 2 ? (shape.Row == 0 ? clock.Shape.HindBias : clock.Shape.ForeBias) : body.IsBiped ? clock.Shape.HindBias : 0f;
         home.Z += bias * clock.Duty * speed / clock.Frequency * activity;
         home.Z += SlopeShift.Ahead(shape, body.Rows, home.Z, Scalar.Clamp(slope, -MaxSlope, MaxSlope)) * activity;

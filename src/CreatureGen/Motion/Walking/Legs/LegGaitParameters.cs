@@ -20,7 +20,7 @@ internal sealed class LegGaitParameters
     private LegGaitParameters(LegKind kind)
     {
         step = kind.Step;
-        Archetype = kind.Archetype;
+        Kind = kind;
         Lift = (float)step.Lift;
         LiftCurve = CurveTable.Bell(step.Peak, 1.6);
         Fold = (float)Scalar.Radians(step.FoldDegrees);
@@ -41,8 +41,8 @@ internal sealed class LegGaitParameters
     /// <summary>Course of the stretching of a leg that trails behind in the air: it has left the ground stretched, and is drawn in before it comes down.</summary>
     public static CurveTable TrailCurve { get; } = CurveTable.Bell(0.30, 1.5);
 
-    /// <summary>The build.</summary>
-    public LimbArchetype Archetype { get; }
+    /// <summary>All that is known of the build.</summary>
+    public LegKind Kind { get; }
 
     /// <summary>Height of the ball in the swing.</summary>
     public float Lift { get; }

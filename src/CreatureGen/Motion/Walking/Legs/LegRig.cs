@@ -88,14 +88,14 @@ internal sealed class LegRig
         Metatarsus = p[Ball] - p[Ankle];
         Length = Vec.Distance(HipRest, Home);
         PostureSeconds = PostureFade.SecondsOf(Length);
-        Lateral = LegKinds.Of(Traits.Archetype).Build.Posture == LimbPosture.Splayed;
-        FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Archetype is not LimbArchetype.Insect and not LimbArchetype.Jumper and not LimbArchetype.Column;
+        Lateral = Traits.Kind.Build.Posture == LimbPosture.Splayed;
+        FlatFoot = Traits.Linkage == LegLinkage.Foot && Traits.Kind.Outline.End == FootEnd.Toes;
 
         // A foot out to the side rolls over the tip of its own toes.
         Vector3 toes = p[End] - p[Ball];
         toes.Y = 0f;
         Vector3 ahead = Vec.Normalize(toes, Vector3.UnitZ);
-        Follows = Traits.Archetype == LimbArchetype.Insect;
+        Follows = Traits.Kind.Outline.Arched;
         ToeDirection = Follows ? Vec.Normalize(new Vector3(Home.X - HipRest.X, 0f, Home.Z - HipRest.Z), Vector3.UnitZ) : ahead.Z < 0.3f ? Vector3.UnitZ : ahead;
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
@@ -230,10 +230,10 @@ internal sealed class LegRig
         float room = Math.Max((fraction * fraction * Reach * Reach) - (height * height) - (aside * aside), 0.01f * Length * Length);
 
         // The foot of a sprawler is set down ahead of its hip, not of its home.
-        float middle = (Traits.Archetype == LimbArchetype.Sprawl ? 0.06f * Length : rest.Z) + steps.Shift;
+        float middle = (Traits.Kind.Outline.Sprawling ? 0.06f * Length : rest.Z) + steps.Shift;
         float goes = Math.Max(1f - steps.Slide, 0.3f);
         float ahead = (Level(room, height, steps.Slope) - middle) / Math.Max((0.5f + steps.Bias) * goes, 0.05f);
-        float rear = Traits.Archetype == LimbArchetype.Insect ? 0.5f : RearEnd;
+        float rear = Traits.Kind.Outline.Arched ? 0.5f : RearEnd;
         float behind = (Level(room, height, -steps.Slope) + middle) / Math.Max((rear - steps.Bias) * goes, 0.05f);
         float max = Math.Min(ahead, behind);
         if (Lateral)

@@ -57,7 +57,7 @@ internal static class FootInterference
 
     /// <summary>The knees of frogs' hind legs are beside their fore feet, ahead of their own.</summary>
     private static float KneeAhead(LegRig hind) =>
-        hind.Traits.Archetype == LimbArchetype.FrogHind ? Math.Max(hind.HipRest.Z + hind.Thigh.Z - hind.Home.Z, 0f) : 0f;
+        hind.Traits.Kind.Step.KneesAhead ? Math.Max(hind.HipRest.Z + hind.Thigh.Z - hind.Home.Z, 0f) : 0f;
 
     private static bool InOneTrack(LegRig hind, LegRig fore) => Math.Abs(hind.Home.X - fore.Home.X) < hind.HalfWidth + fore.HalfWidth;
 
