@@ -43,7 +43,7 @@ internal static class BodyFields
 
     /// <summary>Factors on parts of the body.</summary>
     public static readonly RecordDescription<BodyProportions> Proportions = new(
-        new BodyProportions(1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1),
+        new BodyProportions(Head: 1, Snout: 1, Neck: 1, NeckGirth: 1, Girth: 1, Belly: 1, Chest: 1, Hump: 1, Rump: 1, Tail: 1, TailGirth: 1, Depth: 1, Width: 1),
         JsonLayout.Indented,
         (visit, body) => new BodyProportions(
             visit.Number("head", body.Head, Factor),
@@ -62,7 +62,7 @@ internal static class BodyFields
 
     /// <summary>Angles of the spine.</summary>
     public static readonly RecordDescription<BodyPosture> Posture = new(
-        new BodyPosture(0, 0, 0, 0, 0, 0, 0),
+        new BodyPosture(Head: 0, Neck: 0, Torso: 0, Tail: 0, Trunk: 0, NeckBend: 0, TailBend: 0),
         JsonLayout.Indented,
         (visit, posture) => new BodyPosture(
             visit.Number("head", posture.Head, Angle),
@@ -84,7 +84,7 @@ internal static class BodyFields
 
     /// <summary>Hard cover over the back.</summary>
     public static readonly RecordDescription<ShellBlueprint> Shell = new(
-        new ShellBlueprint(ShellStyle.None, 24, 20, 6, 0),
+        new ShellBlueprint(ShellStyle.None, Ring: 24, Rows: 20, Columns: 6, Rise: 0),
         JsonLayout.Line,
         (visit, shell) => new ShellBlueprint(
             visit.Choice("style", shell.Style, AnatomyChoices.Shell),

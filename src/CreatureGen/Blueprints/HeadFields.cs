@@ -12,7 +12,7 @@ internal static class HeadFields
 
     /// <summary>A swelling or a hollow.</summary>
     public static readonly RecordDescription<HeadBump> Bump = new(
-        new HeadBump(8, 8, 1, 1, 0),
+        new HeadBump(Ring: 8, Segment: 8, RingSpread: 1, SegmentSpread: 1, Amount: 0),
         JsonLayout.Line,
         (visit, bump) => new HeadBump(
             visit.Number("ring", bump.Ring, Ring),
@@ -23,7 +23,7 @@ internal static class HeadFields
 
     /// <summary>Eyes.</summary>
     public static readonly RecordDescription<EyeBlueprint> Eyes = new(
-        new EyeBlueprint(EyeStyle.Round, 9.6, 5.2, 0.04, 0.6, 0.5, 1, 1.1, 0),
+        new EyeBlueprint(EyeStyle.Round, Ring: 9.6, Segment: 5.2, Radius: 0.04, Sink: 0.6, Forward: 0.5, UpperLid: 1, LowerLid: 1.1, LidTilt: 0),
         JsonLayout.Indented,
         (visit, eyes) => new EyeBlueprint(
             visit.Choice("style", eyes.Style, AnatomyChoices.Eye),
@@ -38,7 +38,7 @@ internal static class HeadFields
 
     /// <summary>Mouth.</summary>
     public static readonly RecordDescription<MouthBlueprint> Mouth = new(
-        new MouthBlueprint(0, 0, 0, 0),
+        new MouthBlueprint(CornerRing: 0, Opening: 0, Smile: 0, Teeth: 0),
         JsonLayout.Line,
         (visit, mouth) => new MouthBlueprint(
             visit.Whole("cornerRing", mouth.CornerRing, new WholeRange(0, 12)),

@@ -12,7 +12,7 @@ internal static class LimbFields
 
     /// <summary>Where a limb grows.</summary>
     public static readonly RecordDescription<SocketBlueprint> Socket = new(
-        new SocketBlueprint(26, 8, 4, 4),
+        new SocketBlueprint(Ring: 26, Segment: 8, Rows: 4, Columns: 4),
         JsonLayout.Line,
         (visit, socket) => new SocketBlueprint(
             visit.Whole("ring", socket.Ring, new WholeRange(1, BodyGrid.Rings - 3)),
@@ -22,7 +22,7 @@ internal static class LimbFields
 
     /// <summary>A pair of legs or arms.</summary>
     public static readonly RecordDescription<LegBlueprint> Leg = new(
-        new LegBlueprint(LimbArchetype.PlantigradeHind, LegStance.Standing, Socket.Neutral, 0.1, 0.5, 0.5, 0, 0, 1, 1, 1, 1, 3, 0),
+        new LegBlueprint(LimbArchetype.PlantigradeHind, LegStance.Standing, Socket.Neutral, Thickness: 0.1, Length: 0.5, Reach: 0.5, Azimuth: 0, Shear: 0, Slimness: 1, Stoutness: 1, FootSize: 1, KneeRise: 1, Toes: 3, ClawLength: 0),
         JsonLayout.Indented,
         (visit, leg) => new LegBlueprint(
             visit.Choice("archetype", leg.Archetype, AnatomyChoices.Archetype),
@@ -43,7 +43,7 @@ internal static class LimbFields
 
     /// <summary>A pair of stitched wings.</summary>
     public static readonly RecordDescription<WingBlueprint> Wing = new(
-        new WingBlueprint(WingStyle.Bat, new SocketBlueprint(24, 5, 6, 2), 1.4, 0.5, 0.5, 0.1),
+        new WingBlueprint(WingStyle.Bat, new SocketBlueprint(Ring: 24, Segment: 5, Rows: 6, Columns: 2), Span: 1.4, Chord: 0.5, Rise: 0.5, Sweep: 0.1),
         JsonLayout.Indented,
         (visit, wing) => new WingBlueprint(
             visit.Choice("style", wing.Style, AnatomyChoices.Wing),
@@ -55,7 +55,7 @@ internal static class LimbFields
 
     /// <summary>A pair of insect wings.</summary>
     public static readonly RecordDescription<InsectWingBlueprint> InsectWing = new(
-        new InsectWingBlueprint(26, 2.6, 1, 0.2, 0, 0.6),
+        new InsectWingBlueprint(Ring: 26, Segment: 2.6, Length: 1, Width: 0.2, Azimuth: 0, Elevation: 0.6),
         JsonLayout.Indented,
         (visit, wing) => new InsectWingBlueprint(
             visit.Number("ring", wing.Ring, Ring),
@@ -68,7 +68,7 @@ internal static class LimbFields
 
     /// <summary>A fin or a pair of fins.</summary>
     public static readonly RecordDescription<FinBlueprint> Fin = new(
-        new FinBlueprint(FinPlace.Dorsal, FinStyle.Sail, new SocketBlueprint(24, 31, 8, 2), 0.2, 0, 0, 0.4),
+        new FinBlueprint(FinPlace.Dorsal, FinStyle.Sail, new SocketBlueprint(Ring: 24, Segment: 31, Rows: 8, Columns: 2), Length: 0.2, Width: 0, Drop: 0, Sweep: 0.4),
         JsonLayout.Indented,
         (visit, fin) => new FinBlueprint(
             visit.Choice("place", fin.Place, AnatomyChoices.FinPlace),
@@ -81,7 +81,7 @@ internal static class LimbFields
 
     /// <summary>A pair of ears.</summary>
     public static readonly RecordDescription<EarBlueprint> Ear = new(
-        new EarBlueprint(new SocketBlueprint(13, 2, 2, 2), 0.15, 0.06, 0.4, 1, -0.25, 0, 0),
+        new EarBlueprint(new SocketBlueprint(Ring: 13, Segment: 2, Rows: 2, Columns: 2), Length: 0.15, Width: 0.06, Outward: 0.4, Upward: 1, Forward: -0.25, Droop: 0, Roundness: 0),
         JsonLayout.Indented,
         (visit, ear) => new EarBlueprint(
             visit.Record("socket", ear.Socket, Socket),
@@ -95,7 +95,7 @@ internal static class LimbFields
 
     /// <summary>A small solid part.</summary>
     public static readonly RecordDescription<FeatureBlueprint> Feature = new(
-        new FeatureBlueprint(FeatureKind.Spike, 30, 0, 0.1, 0.03, 1, 0, 0, 0, 0, 0, 0, 1, 1),
+        new FeatureBlueprint(FeatureKind.Spike, Ring: 30, Segment: 0, Length: 0.1, Radius: 0.03, Outward: 1, Upward: 0, Forward: 0, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1),
         JsonLayout.Indented,
         (visit, feature) => new FeatureBlueprint(
             visit.Choice("kind", feature.Kind, AnatomyChoices.Feature),

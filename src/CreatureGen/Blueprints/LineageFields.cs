@@ -9,7 +9,7 @@ internal static class LineageFields
 
     /// <summary>Where a bred creature comes from.</summary>
     public static readonly RecordDescription<LineageBlueprint> Lineage = new(
-        new LineageBlueprint(1, 0, 0, 0, ParentName.First, ParentName.First, ParentName.First, ParentName.First, ParentName.First),
+        new LineageBlueprint(Generation: 1, First: 0, Second: 0, Mutation: 0, Frame: ParentName.First, Head: ParentName.First, Tail: ParentName.First, Ornaments: ParentName.First, Skin: ParentName.First),
         JsonLayout.Indented,
         (visit, lineage) => new LineageBlueprint(
             visit.Whole("generation", lineage.Generation, new WholeRange(1, 1_000_000)),

@@ -12,7 +12,7 @@ internal static class NeckFields
 
     /// <summary>A mane.</summary>
     public static readonly RecordDescription<ManeBlueprint> Mane = new(
-        new ManeBlueprint(16, 24, 0, 8, 4, 4, 0.15, 1, 0.03, 0.4, 0.5, 0),
+        new ManeBlueprint(Ring: 16, LastRing: 24, Segment: 0, LastSegment: 8, Rows: 4, Columns: 4, Length: 0.15, Growth: 1, Width: 0.03, Rise: 0.4, Fall: 0.5, Hang: 0),
         JsonLayout.Indented,
         (visit, mane) => new ManeBlueprint(
             visit.Number("ring", mane.Ring, Ring),
@@ -30,7 +30,7 @@ internal static class NeckFields
 
     /// <summary>A frill.</summary>
     public static readonly RecordDescription<FrillBlueprint> Frill = new(
-        new FrillBlueprint(14, 9, 0.3, 0.7, 0, 0.02, 6, 0.1),
+        new FrillBlueprint(Ring: 14, Spread: 9, Length: 0.3, Tilt: 0.7, Bend: 0, Thickness: 0.02, Points: 6, Scallop: 0.1),
         JsonLayout.Indented,
         (visit, frill) => new FrillBlueprint(
             visit.Number("ring", frill.Ring, Ring),

@@ -58,15 +58,15 @@ internal static class HornShape
 
     private static Form FormOf(FeatureKind kind) => kind switch
     {
-        FeatureKind.Horn => new Form(8, 8, 0.07f, 0.45f),
-        FeatureKind.Spike => new Form(6, 2, 0f, 1.15f),
-        FeatureKind.Mandible => new Form(6, 6, 0f, 0.35f),
-        FeatureKind.Tusk => new Form(7, 6, 0f, 1.25f),
-        FeatureKind.Tuft => new Form(6, 5, 0f, 0.55f),
-        FeatureKind.Scute => new Form(6, 2, 0f, 0.7f),
-        FeatureKind.Ocellus => new Form(8, 4, 0f, 1f),
-        FeatureKind.Plate => new Form(10, 5, 0f, 0.7f),
-        FeatureKind.Club => new Form(9, 6, 0.06f, 0.75f),
+        FeatureKind.Horn => new Form(sides: 8, rows: 8, ridge: 0.07f, tip: 0.45f),
+        FeatureKind.Spike => new Form(sides: 6, rows: 2, ridge: 0f, tip: 1.15f),
+        FeatureKind.Mandible => new Form(sides: 6, rows: 6, ridge: 0f, tip: 0.35f),
+        FeatureKind.Tusk => new Form(sides: 7, rows: 6, ridge: 0f, tip: 1.25f),
+        FeatureKind.Tuft => new Form(sides: 6, rows: 5, ridge: 0f, tip: 0.55f),
+        FeatureKind.Scute => new Form(sides: 6, rows: 2, ridge: 0f, tip: 0.7f),
+        FeatureKind.Ocellus => new Form(sides: 8, rows: 4, ridge: 0f, tip: 1f),
+        FeatureKind.Plate => new Form(sides: 10, rows: 5, ridge: 0f, tip: 0.7f),
+        FeatureKind.Club => new Form(sides: 9, rows: 6, ridge: 0.06f, tip: 0.75f),
         _ => throw new ArgumentException("feature kind " + kind + "; expected a horn, spike, mandible, tusk or tuft", nameof(kind)),
     };
 

@@ -174,7 +174,7 @@ internal sealed record SpeciesProfile
     public PartSlot[]? Parts { get; init; }
 
     /// <summary>Hard cover over the back.</summary>
-    public ShellBlueprint Shell { get; init; } = new(ShellStyle.None, 24, 20, 6, 0);
+    public ShellBlueprint Shell { get; init; } = new(ShellStyle.None, Ring: 24, Rows: 20, Columns: 6, Rise: 0);
 
     /// <summary>Rings of its abdomen.</summary>
     public AnnuliBlueprint Annuli { get; init; } = new(41, 0);

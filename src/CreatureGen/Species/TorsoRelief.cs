@@ -8,17 +8,17 @@ internal static class TorsoRelief
     /// <summary>Of mammals.</summary>
     public static readonly HeadBump[] Mammal =
     {
-        new(25.2, 4.6, 1.7, 1.7, 0.075),   // shoulder blade
-        new(28.4, 5.0, 1.5, 2.4, -0.05),   // behind it
-        new(40.6, 5.6, 2.2, 2.2, 0.06),    // haunch
-        new(37.2, 8.6, 2.0, 2.2, -0.06),   // flank
+        new(Ring: 25.2, Segment: 4.6, RingSpread: 1.7, SegmentSpread: 1.7, Amount: 0.075),   // shoulder blade
+        new(Ring: 28.4, Segment: 5.0, RingSpread: 1.5, SegmentSpread: 2.4, Amount: -0.05),   // behind it
+        new(Ring: 40.6, Segment: 5.6, RingSpread: 2.2, SegmentSpread: 2.2, Amount: 0.06),    // haunch
+        new(Ring: 37.2, Segment: 8.6, RingSpread: 2.0, SegmentSpread: 2.2, Amount: -0.06),   // flank
     };
 
     /// <summary>Of lizards and dinosaurs.</summary>
     public static readonly HeadBump[] Reptile =
     {
-        new(25.0, 5.2, 1.7, 2.0, 0.05),
-        new(40.6, 5.8, 2.0, 2.2, 0.05),
-        new(37.0, 8.0, 2.2, 2.4, -0.04),
+        new(Ring: 25.0, Segment: 5.2, RingSpread: 1.7, SegmentSpread: 2.0, Amount: 0.05),
+        new(Ring: 40.6, Segment: 5.8, RingSpread: 2.0, SegmentSpread: 2.2, Amount: 0.05),
+        new(Ring: 37.0, Segment: 8.0, RingSpread: 2.2, SegmentSpread: 2.4, Amount: -0.04),
     };
 }

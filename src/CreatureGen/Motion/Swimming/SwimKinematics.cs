@@ -25,11 +25,11 @@ internal sealed record SwimKinematics(double Wavelength, double TailSweep, doubl
     /// <summary>Power of the body length in the frequency.</summary>
     private const double FrequencyPower = -0.55;
 
-    private static readonly SwimKinematics carangiform = new(1.0, 0.20, 0.28, 1.0, 0.55, 0.25);
-    private static readonly SwimKinematics anguilliform = new(0.72, 0.20, 0.38, 1.1, 0.55, 0.15);
-    private static readonly SwimKinematics cetacean = new(1.25, 0.22, 0.27, 0.8, 0.55, 0.45);
-    private static readonly SwimKinematics disc = new(1.4, 0.03, 0.30, 0.6, 0.55, 0.6);
-    private static readonly SwimKinematics flippers = new(1.2, 0.056, 0.30, 0.6, 0.55, 0.5);
+    private static readonly SwimKinematics carangiform = new(Wavelength: 1.0, TailSweep: 0.20, Strouhal: 0.28, Tempo: 1.0, HeadFraction: 0.55, Banking: 0.25);
+    private static readonly SwimKinematics anguilliform = new(Wavelength: 0.72, TailSweep: 0.20, Strouhal: 0.38, Tempo: 1.1, HeadFraction: 0.55, Banking: 0.15);
+    private static readonly SwimKinematics cetacean = new(Wavelength: 1.25, TailSweep: 0.22, Strouhal: 0.27, Tempo: 0.8, HeadFraction: 0.55, Banking: 0.45);
+    private static readonly SwimKinematics disc = new(Wavelength: 1.4, TailSweep: 0.03, Strouhal: 0.30, Tempo: 0.6, HeadFraction: 0.55, Banking: 0.6);
+    private static readonly SwimKinematics flippers = new(Wavelength: 1.2, TailSweep: 0.056, Strouhal: 0.30, Tempo: 0.6, HeadFraction: 0.55, Banking: 0.5);
 
     /// <summary>Numbers of a style.</summary>
     public static SwimKinematics Of(SwimStyle style) => style switch

@@ -21,9 +21,9 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
     /// <summary>Along the flank: the leading edge lies low, the trailing edge covers the side up to the back. A wing that is one skin cannot lay its forearm forward again as birds do: its surface would turn
     /// over at the elbow. It is drawn together instead.</summary>
     public static FoldRange Stitched { get; } = new(
-        new WingFold(0.45, 0.35, 0.05, 0.05, 0.05, 0.05, 0.25 - WingForm.RestIncidence, 0.10, 0.65),
-        new WingFold(0.00, -0.20, -0.30, -0.20, 0.00, 0.00, -WingForm.RestIncidence, 0.00, 0.48),
-        new WingFold(0.62, 0.65, 0.15, 0.45, 0.18, 0.18, 1.00 - WingForm.RestIncidence, 0.60, 1.00),
+        new WingFold(Drop: 0.45, Spread: 0.35, Rise: 0.05, Converge: 0.05, Curl: 0.05, Lift: 0.05, Lean: 0.25 - WingForm.RestIncidence, Wrap: 0.10, Length: 0.65),
+        new WingFold(Drop: 0.00, Spread: -0.20, Rise: -0.30, Converge: -0.20, Curl: 0.00, Lift: 0.00, Lean: -WingForm.RestIncidence, Wrap: 0.00, Length: 0.48),
+        new WingFold(Drop: 0.62, Spread: 0.65, Rise: 0.15, Converge: 0.45, Curl: 0.18, Lift: 0.18, Lean: 1.00 - WingForm.RestIncidence, Wrap: 0.60, Length: 1.00),
         1,
         0f,
         false,
@@ -47,9 +47,9 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
 
     /// <summary>Over the abdomen, flat or as a low roof: tips no higher than the root.</summary>
     public static FoldRange Thin { get; } = new(
-        new WingFold(0.00, 0.28, -0.05, -0.28, 0.00, 0.00, 1.20, 0.00, 1.00),
-        new WingFold(-0.15, 0.05, -0.20, -0.60, 0.00, 0.00, 1.05, 0.00, 1.00),
-        new WingFold(0.20, 0.60, 0.02, 0.00, 0.00, 0.00, 1.45, 0.00, 1.00),
+        new WingFold(Drop: 0.00, Spread: 0.28, Rise: -0.05, Converge: -0.28, Curl: 0.00, Lift: 0.00, Lean: 1.20, Wrap: 0.00, Length: 1.00),
+        new WingFold(Drop: -0.15, Spread: 0.05, Rise: -0.20, Converge: -0.60, Curl: 0.00, Lift: 0.00, Lean: 1.05, Wrap: 0.00, Length: 1.00),
+        new WingFold(Drop: 0.20, Spread: 0.60, Rise: 0.02, Converge: 0.00, Curl: 0.00, Lift: 0.00, Lean: 1.45, Wrap: 0.00, Length: 1.00),
         0.1,
         1f,
         true,
@@ -59,9 +59,9 @@ internal sealed record FoldRange(WingFold Usual, WingFold Min, WingFold Max, dou
 
     /// <summary>Below wings that are folded over the abdomen.</summary>
     public static FoldRange ThinHind { get; } = new(
-        new WingFold(0.12, 0.28, -0.12, -0.28, 0.00, 0.00, 1.30, 0.00, 1.00),
-        new WingFold(0.05, 0.05, -0.30, -0.60, 0.00, 0.00, 1.20, 0.00, 1.00),
-        new WingFold(0.30, 0.60, -0.06, 0.00, 0.00, 0.00, 1.50, 0.00, 1.00),
+        new WingFold(Drop: 0.12, Spread: 0.28, Rise: -0.12, Converge: -0.28, Curl: 0.00, Lift: 0.00, Lean: 1.30, Wrap: 0.00, Length: 1.00),
+        new WingFold(Drop: 0.05, Spread: 0.05, Rise: -0.30, Converge: -0.60, Curl: 0.00, Lift: 0.00, Lean: 1.20, Wrap: 0.00, Length: 1.00),
+        new WingFold(Drop: 0.30, Spread: 0.60, Rise: -0.06, Converge: 0.00, Curl: 0.00, Lift: 0.00, Lean: 1.50, Wrap: 0.00, Length: 1.00),
         0.1,
         1f,
         true,

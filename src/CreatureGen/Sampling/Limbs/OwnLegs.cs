@@ -52,7 +52,7 @@ internal static class OwnLegs
             places.Add(new LimbSocket(site.Ring, site.Segment, site.Archetype, girth, reach * site.Reach / measure.BodyLength, site.Azimuth, jointed ? SocketBounds.Insect : SocketBounds.Limb));
         }
 
-        var stance = new StanceLimits(0.01, 0.5, -0.3, 0.3, 3, 1.5, builder.Plan, builder.Plan) { BalanceMargin = SafeMargin(builder) };
+        var stance = new StanceLimits(MinimumLength: 0.01, MaximumRaise: 0.5, RearwardShear: -0.3, ForwardShear: 0.3, MaximumPitchDegrees: 3, MaximumFootGrowth: 1.5, LowerPlan: builder.Plan, FewerPlan: builder.Plan) { BalanceMargin = SafeMargin(builder) };
         return new SocketSet(builder.Plan, places, places.Count, null, stance) { TakesAll = true };
     }
 
@@ -66,7 +66,7 @@ internal static class OwnLegs
             hips.Add(new LimbSocket(ring, preset.HipSegment, LimbArchetype.Bird, girth, 0, 0, SocketBounds.Limb));
         }
 
-        var stance = new StanceLimits(0.12, 0.45, -0.05, 0.5, 22, 1.6, BodyPlan.Theropod, BodyPlan.Theropod) { BalanceMargin = SafeMargin(builder) };
+        var stance = new StanceLimits(MinimumLength: 0.12, MaximumRaise: 0.45, RearwardShear: -0.05, ForwardShear: 0.5, MaximumPitchDegrees: 22, MaximumFootGrowth: 1.6, LowerPlan: BodyPlan.Theropod, FewerPlan: BodyPlan.Theropod) { BalanceMargin = SafeMargin(builder) };
         return new SocketSet(BodyPlan.Theropod, hips, 1, null, stance);
     }
 

@@ -15,15 +15,15 @@ namespace CreatureGen.Sampling.Limbs;
 internal static class WingSampler
 {
     /// <summary>Fore and hind wings of insects; where they sit is the placement's.</summary>
-    private static readonly ThinWing[] insectWings = { new(0, 1.05, 0.28, -6, 36), new(0, 0.76, 0.23, -36, 26) };
+    private static readonly ThinWing[] insectWings = { new(ring: 0, length: 1.05, width: 0.28, azimuth: -6, elevation: 36), new(ring: 0, length: 0.76, width: 0.23, azimuth: -36, elevation: 26) };
 
     /// <summary>Those of heavier bodies, of each family one: long and broad, or they would look too small to carry them.</summary>
     private static readonly ThinWing[][] fairyWings =
     {
-        new ThinWing[] { new(0, 1.45, 0.44, 6, 32), new(0, 1.0, 0.36, -40, 20) },
-        new ThinWing[] { new(0, 1.6, 0.36, 8, 28, ThinWingStyle.DragonflyFore), new(0, 1.4, 0.46, -20, 18, ThinWingStyle.DragonflyHind) },
-        new ThinWing[] { new(0, 1.3, 0.78, 4, 38, ThinWingStyle.ButterflyFore), new(0, 1.05, 0.82, -4, 26, ThinWingStyle.ButterflyHind) },
-        new ThinWing[] { new(0, 1.4, 0.7, 0, 32, ThinWingStyle.MothFore), new(0, 1.1, 0.66, -12, 20, ThinWingStyle.MothHind) },
+        new ThinWing[] { new(ring: 0, length: 1.45, width: 0.44, azimuth: 6, elevation: 32), new(ring: 0, length: 1.0, width: 0.36, azimuth: -40, elevation: 20) },
+        new ThinWing[] { new(ring: 0, length: 1.6, width: 0.36, azimuth: 8, elevation: 28, style: ThinWingStyle.DragonflyFore), new(ring: 0, length: 1.4, width: 0.46, azimuth: -20, elevation: 18, style: ThinWingStyle.DragonflyHind) },
+        new ThinWing[] { new(ring: 0, length: 1.3, width: 0.78, azimuth: 4, elevation: 38, style: ThinWingStyle.ButterflyFore), new(ring: 0, length: 1.05, width: 0.82, azimuth: -4, elevation: 26, style: ThinWingStyle.ButterflyHind) },
+        new ThinWing[] { new(ring: 0, length: 1.4, width: 0.7, azimuth: 0, elevation: 32, style: ThinWingStyle.MothFore), new(ring: 0, length: 1.1, width: 0.66, azimuth: -12, elevation: 20, style: ThinWingStyle.MothHind) },
     };
 
     private static readonly Weighted<WingStyle>[] membranes = Weights.Of((WingStyle.Bat, 0.4), (WingStyle.Dragon, 0.4), (WingStyle.Pterosaur, 0.2));

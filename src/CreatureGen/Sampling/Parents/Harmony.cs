@@ -79,7 +79,7 @@ internal static class Harmony
         bool own = parents.Ornaments == parents.First;
         bool level = plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Sprawling;
         bool fits = own || (shell.Style == ShellStyle.Elytra ? parents.First.Class == AnimalClass.Arthropod : level);
-        return fits ? shell : new ShellBlueprint(ShellStyle.None, 24, 20, 6, 0);
+        return fits ? shell : new ShellBlueprint(ShellStyle.None, Ring: 24, Rows: 20, Columns: 6, Rise: 0);
     }
 
     /// <summary>Pairs of fins that a species brings with it, without which nothing steers.</summary>

@@ -33,7 +33,7 @@ internal static class Balance
         double margin = hull.Margin(0, centreOfMass.Z);
         if (margin >= limits.MinMargin)
         {
-            return new BalanceCorrection(BalanceRemedy.None, 0, 0, 1, margin, 0);
+            return new BalanceCorrection(BalanceRemedy.None, Shift: 0, Pitch: 0, FootGrowth: 1, Margin: margin, Overhang: 0);
         }
 
         Standing standing = Stand(hull, centreOfMass, limits);

@@ -8,5 +8,5 @@ namespace CreatureGen.Sampling.Placement;
 internal readonly record struct LegSize(double Girth, double Reach, double Foot, int Toes)
 {
     /// <summary>Legs as the anatomy says, with the large feet that read well from afar.</summary>
-    public static LegSize Nominal { get; } = new(1, 1, 1.25, 3);
+    public static LegSize Nominal { get; } = new(Girth: 1, Reach: 1, Foot: 1.25, Toes: 3);
 }

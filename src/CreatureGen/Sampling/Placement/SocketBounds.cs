@@ -9,11 +9,11 @@ namespace CreatureGen.Sampling.Placement;
 internal sealed record SocketBounds(int MinimumRows, int MaximumRows, int MinimumColumns, int MaximumColumns, int Pad)
 {
     /// <summary>Legs and arms of vertebrates.</summary>
-    public static SocketBounds Limb { get; } = new(4, 8, 4, 6, 1);
+    public static SocketBounds Limb { get; } = new(MinimumRows: 4, MaximumRows: 8, MinimumColumns: 4, MaximumColumns: 6, Pad: 1);
 
     /// <summary>Short legs in a row, and arms of insects.</summary>
-    public static SocketBounds Short { get; } = new(4, 4, 4, 4, 0);
+    public static SocketBounds Short { get; } = new(MinimumRows: 4, MaximumRows: 4, MinimumColumns: 4, MaximumColumns: 4, Pad: 0);
 
     /// <summary>Legs of insects: always two by two cells.</summary>
-    public static SocketBounds Insect { get; } = new(2, 2, 2, 2, 0);
+    public static SocketBounds Insect { get; } = new(MinimumRows: 2, MaximumRows: 2, MinimumColumns: 2, MaximumColumns: 2, Pad: 0);
 }

@@ -70,7 +70,7 @@ internal static class SocketSets
     /// <summary>Legs out to the sides at 41 and 27.</summary>
     public static SocketSet Sprawling() => new(
         BodyPlan.Sprawling,
-        List(Splayed(27, 9.6, LimbArchetype.Sprawl, 0.56, 0.27, 0.10, SocketBounds.Limb), Splayed(41, 9.6, LimbArchetype.Sprawl, 0.62, 0.27, -0.12, SocketBounds.Limb)),
+        List(Splayed(ring: 27, segment: 9.6, archetype: LimbArchetype.Sprawl, girth: 0.56, reach: 0.27, azimuth: 0.10, bounds: SocketBounds.Limb), Splayed(ring: 41, segment: 9.6, archetype: LimbArchetype.Sprawl, girth: 0.62, reach: 0.27, azimuth: -0.12, bounds: SocketBounds.Limb)),
         2,
         null,
         new StanceLimits(MinimumLength: 0.10, MaximumRaise: 0.30, RearwardShear: -0.2, ForwardShear: 0.2, MaximumPitchDegrees: 3, MaximumFootGrowth: 1.3, LowerPlan: BodyPlan.ManyLegged, FewerPlan: BodyPlan.Theropod));

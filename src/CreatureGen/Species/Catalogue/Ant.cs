@@ -43,7 +43,7 @@ internal static class Ant
         },
         Parts = new[]
         {
-            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Jaw(0.17, 0.034, 0.1, 0, -0.5), 0.8, 1.2))),
+            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Jaw(length: 0.17, radius: 0.034, sideward: 0.1, bendUp: 0, bendSide: -0.5), 0.8, 1.2))),
             InsectParts.Elbowed(),
         },
         Colourings = new[]

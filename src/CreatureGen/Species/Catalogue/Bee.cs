@@ -36,8 +36,8 @@ internal static class Bee
         Frequency = (0, 0.24, 0),
         Eye = (8.8, 6.6), EyeSize = 0.50, EyeSink = 0.55,
         Legs = new LegPreset { Sites = InsectParts.Sixth(0.45, -0.05, -0.6), Reach = (0.22, 0.28), Height = (0.14, 0.2), Thickness = 0.04 },
-        Wings = new ThinWings { Spread = new[] { new ThinWing(26, 0.8, 0.26, -4, 34), new ThinWing(30, 0.56, 0.2, -36, 26) } },
-        Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(6, 2.6, 0.24, 0.014, 0.35, 1.05, 0.35, -0.6, 0.6), 0.85, 1.1))) },
+        Wings = new ThinWings { Spread = new[] { new ThinWing(ring: 26, length: 0.8, width: 0.26, azimuth: -4, elevation: 34), new ThinWing(ring: 30, length: 0.56, width: 0.2, azimuth: -36, elevation: 26) } },
+        Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.24, radius: 0.014, outward: 0.35, upward: 1.05, forward: 0.35, bendUp: -0.6, bendForward: 0.6), 0.85, 1.1))) },
         Colourings = new[]
         {
             new Colouring(new Tint(0.74, 0.15, 82)) { Pattern = new Tint(0.18, 0.02, 60), Kind = PatternKind.Bands, Scale = 0.9, Limb = new Tint(0.2, 0.02, 60) },

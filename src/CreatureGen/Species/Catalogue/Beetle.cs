@@ -39,15 +39,15 @@ internal static class Beetle
             Sites = InsectParts.Sixth(0.6, -0.05, -0.6),
             Reach = (0.24, 0.30), Height = (0.13, 0.20), Thickness = 0.055, KneeRise = 0.9,
         },
-        Shell = new ShellBlueprint(ShellStyle.Elytra, 34, 19, 7, 0.07),
-        Wings = new ThinWings { Spread = new[] { new ThinWing(32, 1.15, 0.32, -8, 26) } },
+        Shell = new ShellBlueprint(ShellStyle.Elytra, Ring: 34, Rows: 19, Columns: 7, Rise: 0.07),
+        Wings = new ThinWings { Spread = new[] { new ThinWing(ring: 32, length: 1.15, width: 0.32, azimuth: -8, elevation: 26) } },
         Parts = new[]
         {
             new PartSlot(
-                new PartChoice(1, InsectParts.Part(InsectParts.Jaw(0.34, 0.038, 0.30, 0.25, -0.30), 0.8, 1.2)),
+                new PartChoice(1, InsectParts.Part(InsectParts.Jaw(length: 0.34, radius: 0.038, sideward: 0.30, bendUp: 0.25, bendSide: -0.30), 0.8, 1.2)),
                 new PartChoice(1, InsectParts.Part(InsectParts.NoseHorn(0.36), 0.85, 1.2)),
-                new PartChoice(1, InsectParts.Part(InsectParts.Jaw(0.07, 0.022, 0, -0.1, -0.4), 0.8, 1.2))),
-            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(6, 2.6, 0.3, 0.012, 0.7, 0.5, 0.7, 0.25, 0, 1.5), 0.85, 1.1))),
+                new PartChoice(1, InsectParts.Part(InsectParts.Jaw(length: 0.07, radius: 0.022, sideward: 0, bendUp: -0.1, bendSide: -0.4), 0.8, 1.2))),
+            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.3, radius: 0.012, outward: 0.7, upward: 0.5, forward: 0.7, bendUp: 0.25, bendForward: 0, knob: 1.5), 0.85, 1.1))),
         },
         Colourings = new[]
         {

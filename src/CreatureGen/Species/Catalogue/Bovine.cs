@@ -31,7 +31,11 @@ internal static class Bovine
             (160, 80, 22, 24, 24),     // tail, second third
             (160, 82, 26, 30, 30)),    // tail tip
         Class = AnimalClass.Mammal, Cover = SkinCover.Fur, CoverSize = 0.016f, Snout = SnoutKind.Leather,
-        Skull = new SkullShape { Lips = 0.14, Muzzle = new[] { new HeadBump(1.4, 6.5, 1.6, 3.0, 0.10), new HeadBump(5.5, 6.0, 1.8, 2.5, -0.08) } }, WidestMouth = 0,
+        Skull = new SkullShape { Lips = 0.14, Muzzle = new[]
+            {
+                new HeadBump(Ring: 1.4, Segment: 6.5, RingSpread: 1.6, SegmentSpread: 3.0, Amount: 0.10),
+                new HeadBump(Ring: 5.5, Segment: 6.0, RingSpread: 1.8, SegmentSpread: 2.5, Amount: -0.08),
+            } }, WidestMouth = 0,
         IsHoofed = true, HornsBesideEars = true, Antlered = true, Tusked = true, FallingMane = 0.3, Shelled = true, FlierLegPairs = Weights.Of((2, 1)),
         TorsoLength = (1, 1.7),
         Frequency = (0.45, 0, 0),

@@ -36,8 +36,12 @@ internal static class Butterfly
         Eye = (8.8, 7.0), EyeSize = 0.74, EyeSink = 0.55,
         Annuli = new AnnuliBlueprint(41, 0.05),
         Legs = new LegPreset { Sites = InsectParts.Sixth(0.45, -0.05, -0.6), Reach = (0.18, 0.22), Height = (0.16, 0.22), Thickness = 0.024 },
-        Wings = new ThinWings { Spread = new[] { new ThinWing(26, 0.98, 0.6, 2, 45, ThinWingStyle.ButterflyFore), new ThinWing(30, 0.84, 0.68, -2, 42, ThinWingStyle.ButterflyHind) } },
-        Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(6, 2.6, 0.5, 0.011, 0.4, 0.85, 0.7, 0, 0, 1.2), 0.9, 1.1))) },
+        Wings = new ThinWings { Spread = new[]
+            {
+                new ThinWing(ring: 26, length: 0.98, width: 0.6, azimuth: 2, elevation: 45, style: ThinWingStyle.ButterflyFore),
+                new ThinWing(ring: 30, length: 0.84, width: 0.68, azimuth: -2, elevation: 42, style: ThinWingStyle.ButterflyHind),
+            } },
+        Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.5, radius: 0.011, outward: 0.4, upward: 0.85, forward: 0.7, bendUp: 0, bendForward: 0, knob: 1.2), 0.9, 1.1))) },
         Colourings = new[] { new Colouring(new Tint(0.30, 0.03, 60)) { Kind = PatternKind.Plain, KeepsAccent = true }, new Colouring(new Tint(0.22, 0.02, 270)) { Kind = PatternKind.Plain, KeepsAccent = true } },
     };
 }

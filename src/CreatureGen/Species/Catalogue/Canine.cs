@@ -31,7 +31,13 @@ internal static class Canine
             (180, 15, 45, 50, 50),     // tail, second third
             (160, -5, 16, 16, 16)),    // tail tip
         Class = AnimalClass.Mammal, Cover = SkinCover.Fur, CoverSize = 0.022f, Snout = SnoutKind.Leather,
-        Skull = new SkullShape { Lips = 0.14, Muzzle = new[] { new HeadBump(2.6, 7.2, 2.0, 2.0, 0.12), new HeadBump(5.6, 7.0, 1.3, 2.6, -0.10), new HeadBump(6.6, 0.5, 1.1, 2.5, -0.10), new HeadBump(0.6, 2.0, 1.0, 3.0, 0.10) } },
+        Skull = new SkullShape { Lips = 0.14, Muzzle = new[]
+            {
+                new HeadBump(Ring: 2.6, Segment: 7.2, RingSpread: 2.0, SegmentSpread: 2.0, Amount: 0.12),
+                new HeadBump(Ring: 5.6, Segment: 7.0, RingSpread: 1.3, SegmentSpread: 2.6, Amount: -0.10),
+                new HeadBump(Ring: 6.6, Segment: 0.5, RingSpread: 1.1, SegmentSpread: 2.5, Amount: -0.10),
+                new HeadBump(Ring: 0.6, Segment: 2.0, RingSpread: 1.0, SegmentSpread: 3.0, Amount: 0.10),
+            } },
         Antlered = true, Tusked = true, Hair = (0.22, 0.15), BackRow = 0.1, FlierLegPairs = Weights.Of((2, 1)), SwimmingHead = 4,
         TorsoLength = (0.45, 0.85),
         Frequency = (0.62, 0.4, 0.16),

@@ -6,7 +6,7 @@ namespace CreatureGen.Species.Catalogue;
 /// <summary>Centipedes.</summary>
 internal static class Centipede
 {
-    private static readonly LegRow row = new(18, 51, 9.7, 0.35, -0.45);
+    private static readonly LegRow row = new(First: 18, Last: 51, Segment: 9.7, Front: 0.35, Rear: -0.45);
 
     /// <summary>All that is known of it.</summary>
     public static readonly SpeciesProfile Profile = InsectParts.Common with
@@ -42,8 +42,8 @@ internal static class Centipede
         Legs = new LegPreset { Sites = row.Sites(12), Row = row, Reach = (0.15, 0.18), Height = (0.05, 0.08), Thickness = 0.026, KneeRise = 0.7 },
         Parts = new[]
         {
-            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Jaw(0.15, 0.034, 0.1, 0, -0.5), 0.8, 1.2))),
-            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(3, 2.6, 0.75, 0.011, 0.42, 0.55, 0.75, -0.4, 0.2), 0.8, 1.15))),
+            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Jaw(length: 0.15, radius: 0.034, sideward: 0.1, bendUp: 0, bendSide: -0.5), 0.8, 1.2))),
+            new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 3, segment: 2.6, length: 0.75, radius: 0.011, outward: 0.42, upward: 0.55, forward: 0.75, bendUp: -0.4, bendForward: 0.2), 0.8, 1.15))),
             new PartSlot(new PartChoice(1, InsectParts.Part(new FeatureBlueprint(FeatureKind.Antenna, Ring: 52, Segment: 5, Length: 0.3, Radius: 0.012, Outward: 0.1, Upward: 0.1, Forward: -0.9, Sideward: 0.35, BendUp: 0.1, BendForward: 0, BendSide: 0.1, Flatness: 0.3, Taper: 0.6), 0.8, 1.2))),
         },
         Colourings = new[]

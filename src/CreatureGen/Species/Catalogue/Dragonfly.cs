@@ -44,8 +44,12 @@ internal static class Dragonfly
             },
             Reach = (0.20, 0.26), Height = (0.16, 0.22), Thickness = 0.028,
         },
-        Wings = new ThinWings { Spread = new[] { new ThinWing(25, 1.1, 0.24, 12, 14, ThinWingStyle.DragonflyFore), new ThinWing(29, 1.02, 0.32, -16, 10, ThinWingStyle.DragonflyHind) } },
-        Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(6, 2.6, 0.13, 0.009, 0.4, 0.6, 0.6, 0, 0), 0.9, 1.1))) },
+        Wings = new ThinWings { Spread = new[]
+            {
+                new ThinWing(ring: 25, length: 1.1, width: 0.24, azimuth: 12, elevation: 14, style: ThinWingStyle.DragonflyFore),
+                new ThinWing(ring: 29, length: 1.02, width: 0.32, azimuth: -16, elevation: 10, style: ThinWingStyle.DragonflyHind),
+            } },
+        Parts = new[] { InsectParts.SmallJaws(), new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.13, radius: 0.009, outward: 0.4, upward: 0.6, forward: 0.6, bendUp: 0, bendForward: 0), 0.9, 1.1))) },
         Colourings = new[]
         {
             new Colouring(new Tint(0.60, 0.13, 232)) { Pattern = new Tint(0.22, 0.03, 250), Kind = PatternKind.Bands },

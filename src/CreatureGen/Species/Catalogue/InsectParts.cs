@@ -30,18 +30,18 @@ internal static class InsectParts
     public static PartPreset Part(FeatureBlueprint part, double min, double max) => new(part, min, max);
 
     public static FeatureBlueprint Jaw(double length, double radius, double sideward, double bendUp, double bendSide) =>
-        new(FeatureKind.Mandible, 1.5, 8.5, length, radius, 0, 0.1, 0.95, sideward, bendUp, 0.1, bendSide, 1, 0.65);
+        new(FeatureKind.Mandible, Ring: 1.5, Segment: 8.5, Length: length, Radius: radius, Outward: 0, Upward: 0.1, Forward: 0.95, Sideward: sideward, BendUp: bendUp, BendForward: 0.1, BendSide: bendSide, Flatness: 1, Taper: 0.65);
 
-    public static FeatureBlueprint NoseHorn(double length) => new(FeatureKind.Horn, 4, 0, length, 0.048, 0, 0.55, 0.85, 0, 0.4, -0.35, 0, 1, 0.7);
+    public static FeatureBlueprint NoseHorn(double length) => new(FeatureKind.Horn, Ring: 4, Segment: 0, Length: length, Radius: 0.048, Outward: 0, Upward: 0.55, Forward: 0.85, Sideward: 0, BendUp: 0.4, BendForward: -0.35, BendSide: 0, Flatness: 1, Taper: 0.7);
 
     public static FeatureBlueprint Feeler(double ring, double segment, double length, double radius, double outward, double upward, double forward, double bendUp, double bendForward, double knob = 0.3) =>
         new(FeatureKind.Antenna, ring, segment, length, radius, 0, upward, forward, outward, bendUp, bendForward, 0.12, knob, 0.6);
 
-    public static PartSlot Elbowed() => new(new PartChoice(1, Part(Feeler(6, 2.6, 0.36, 0.013, 0.35, 1.05, 0.35, -0.75, 0.7), 0.85, 1.1)));
+    public static PartSlot Elbowed() => new(new PartChoice(1, Part(Feeler(ring: 6, segment: 2.6, length: 0.36, radius: 0.013, outward: 0.35, upward: 1.05, forward: 0.35, bendUp: -0.75, bendForward: 0.7), 0.85, 1.1)));
 
-    public static PartSlot Long(double length) => new(new PartChoice(1, Part(Feeler(6, 2.6, length, 0.011, 0.42, 0.8, 0.75, -0.3, 0.15), 0.85, 1.2)));
+    public static PartSlot Long(double length) => new(new PartChoice(1, Part(Feeler(ring: 6, segment: 2.6, length: length, radius: 0.011, outward: 0.42, upward: 0.8, forward: 0.75, bendUp: -0.3, bendForward: 0.15), 0.85, 1.2)));
 
-    public static PartSlot SmallJaws() => new(new PartChoice(1, Part(Jaw(0.07, 0.022, 0, -0.1, -0.4), 0.8, 1.2)));
+    public static PartSlot SmallJaws() => new(new PartChoice(1, Part(Jaw(length: 0.07, radius: 0.022, sideward: 0, bendUp: -0.1, bendSide: -0.4), 0.8, 1.2)));
 
     public static PartPreset Ocellus(double ring, double segment, double radius) =>
         Part(new FeatureBlueprint(FeatureKind.Ocellus, ring, segment, Length: radius * 1.1, Radius: radius, Outward: 1, Upward: 0, Forward: 0, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 0.42), 1, 1);

@@ -51,8 +51,8 @@ internal static class Mantis
         },
         Wings = new ThinWings
         {
-            Spread = new[] { new ThinWing(28, 0.95, 0.22, -18, 32), new ThinWing(31, 0.85, 0.28, -44, 24) },
-            Folded = new[] { new ThinWing(30, 0.80, 0.13, -84, 3) },
+            Spread = new[] { new ThinWing(ring: 28, length: 0.95, width: 0.22, azimuth: -18, elevation: 32), new ThinWing(ring: 31, length: 0.85, width: 0.28, azimuth: -44, elevation: 24) },
+            Folded = new[] { new ThinWing(ring: 30, length: 0.80, width: 0.13, azimuth: -84, elevation: 3) },
         },
         Parts = new[] { InsectParts.SmallJaws(), InsectParts.Long(0.42) },
         Colourings = new[]

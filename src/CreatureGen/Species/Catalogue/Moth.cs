@@ -36,8 +36,12 @@ internal static class Moth
         Frequency = (0, 0.26, 0),
         Eye = (8.8, 6.6), EyeSize = 0.58, EyeSink = 0.55,
         Legs = new LegPreset { Sites = InsectParts.Sixth(0.45, -0.05, -0.6), Reach = (0.2, 0.24), Height = (0.14, 0.2), Thickness = 0.036 },
-        Wings = new ThinWings { Spread = new[] { new ThinWing(26, 1.0, 0.56, -8, 16, ThinWingStyle.MothFore), new ThinWing(30, 0.84, 0.56, -14, 10, ThinWingStyle.MothHind) } },
-        Parts = new[] { new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(6, 2.6, 0.3, 0.03, 0.75, 0.8, 0.5, 0.15, 0.3, 0.2), 0.85, 1.15))) },
+        Wings = new ThinWings { Spread = new[]
+            {
+                new ThinWing(ring: 26, length: 1.0, width: 0.56, azimuth: -8, elevation: 16, style: ThinWingStyle.MothFore),
+                new ThinWing(ring: 30, length: 0.84, width: 0.56, azimuth: -14, elevation: 10, style: ThinWingStyle.MothHind),
+            } },
+        Parts = new[] { new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.3, radius: 0.03, outward: 0.75, upward: 0.8, forward: 0.5, bendUp: 0.15, bendForward: 0.3, knob: 0.2), 0.85, 1.15))) },
         Patterns = Weights.Of((PatternKind.Mottle, 1), (PatternKind.Bands, 0.6), (PatternKind.Spots, 0.6)),
         Colourings = new[]
         {

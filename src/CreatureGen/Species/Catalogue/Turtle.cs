@@ -35,7 +35,7 @@ internal static class Turtle
         Frequency = (0.28, 0, 0.36),
         Dominance = (0.93, 0.98),
         Signatures = new[] { Signature.None, Signature.BigHead, Signature.BigEyes },
-        Shell = new ShellBlueprint(ShellStyle.Carapace, 24, 21, 7, 0.10),
+        Shell = new ShellBlueprint(ShellStyle.Carapace, Ring: 24, Rows: 21, Columns: 7, Rise: 0.10),
         Eye = (9.0, 5.6), EyeSize = 0.30,
         MouthCorner = 7, Teeth = 0, HeadOrnament = (0, 0), Mood = 0.1,
         MouthOpenings = Weights.Of<double>((0, 1), (0.08, 0.6)),

@@ -44,8 +44,8 @@ internal static class Wasp
         },
         Wings = new ThinWings
         {
-            Spread = new[] { new ThinWing(26, 1.0, 0.26, -6, 36), new ThinWing(30, 0.72, 0.21, -36, 26) },
-            Folded = new[] { new ThinWing(26, 0.68, 0.17, -79, 6), new ThinWing(29, 0.50, 0.13, -83, 4) },
+            Spread = new[] { new ThinWing(ring: 26, length: 1.0, width: 0.26, azimuth: -6, elevation: 36), new ThinWing(ring: 30, length: 0.72, width: 0.21, azimuth: -36, elevation: 26) },
+            Folded = new[] { new ThinWing(ring: 26, length: 0.68, width: 0.17, azimuth: -79, elevation: 6), new ThinWing(ring: 29, length: 0.50, width: 0.13, azimuth: -83, elevation: 4) },
         },
         Parts = new[] { InsectParts.SmallJaws(), InsectParts.Elbowed() },
         Colourings = new[]
