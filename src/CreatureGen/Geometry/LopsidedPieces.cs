@@ -43,7 +43,7 @@ internal static class LopsidedPieces
 
     private static (int Least, int Middle, int Greatest) Sorted(int a, int b, int c)
     {
-        int least = Math.Min(a, Math.Min(b, c)), greatest = Math.Max(a, Math.Max(b, c));
-        return (least, a + b + c - least - greatest, greatest);
+        int min = Math.Min(a, Math.Min(b, c)), max = Math.Max(a, Math.Max(b, c));
+        return (min, a + b + c - min - max, max);
     }
 }

@@ -28,7 +28,7 @@ internal sealed class SwimDisc
     private const double Cup = 0.25;
 
     /// <summary>Least width of the beat, of that at cruise: standing in the water it keeps itself up.</summary>
-    private const double Least = 0.34;
+    private const double MinWidth = 0.34;
 
     private readonly PairedChain chain;
     private readonly double lag;
@@ -56,7 +56,7 @@ internal sealed class SwimDisc
     private void Write(in Pose local, Side side, in SwimStroke stroke)
     {
         double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
-        double width = (Least + ((1 - Least) * stroke.Amplitude)) * (1 - (Steering * inside));
+        double width = (MinWidth + ((1 - MinWidth) * stroke.Amplitude)) * (1 - (Steering * inside));
         double phase = (Tau * stroke.Phase) - lag;
         double raised = level + (Cup * stroke.Brake);
         chain.Write(local, side, 0, chain.Stroke(0, raised + (Beat * width * PortableMath.Cos(phase)), 0, 0));

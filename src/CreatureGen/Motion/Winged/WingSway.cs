@@ -11,15 +11,15 @@ internal struct WingSway
     private const float TiltPerStep = 0.09f;
 
     /// <summary>Bounds of what is followed, radians.</summary>
-    private const float MostLift = 0.2f;
-    private const float MostTilt = 0.06f;
+    private const float MaxLift = 0.2f;
+    private const float MaxTilt = 0.06f;
 
     /// <summary>How quickly a wing swings, 1/τ, τ = √(ℓ/g), and how soon that dies away.</summary>
     private const float Rate = 4.5f;
     private const float DampingRatio = 0.4f;
 
     /// <summary>Angle, radians, and speed, radians per second, below which nothing swings.</summary>
-    private const float Least = 1e-4f;
+    private const float Stillness = 1e-4f;
 
     /// <summary>By how much a wing is eased off the flank it cannot go into, radians.</summary>
     private const float Softness = 0.03f;
@@ -45,9 +45,9 @@ internal struct WingSway
     public void Follow(float bounce, float scissor, float raised, float tau, float dt)
     {
         this.raised = raised;
-        float toLift = Scalar.ClampSoftly(LiftPerBounce * bounce, MostLift);
-        float toTilt = Scalar.ClampSoftly(TiltPerStep * scissor, MostTilt);
-        if (IsLess(toLift) && IsLess(toTilt) && IsLess(lift) && IsLess(tilt) && IsLess(liftRate) && IsLess(tiltRate))
+        float toLift = Scalar.ClampSoftly(LiftPerBounce * bounce, MaxLift);
+        float toTilt = Scalar.ClampSoftly(TiltPerStep * scissor, MaxTilt);
+        if (IsStill(toLift) && IsStill(toTilt) && IsStill(lift) && IsStill(tilt) && IsStill(liftRate) && IsStill(tiltRate))
         {
             lift = liftRate = tilt = tiltRate = 0f;
             return;
@@ -65,7 +65,7 @@ internal struct WingSway
         rate = (off * spring.VelocityOfPlace) + (rate * spring.VelocityOfVelocity);
     }
 
-    private static bool IsLess(float value) => Math.Abs(value) < Least;
+    private static bool IsStill(float value) => Math.Abs(value) < Stillness;
 
     /// <summary>An angle above 0, and hardly any below.</summary>
     private static float Off(float angle) => angle == 0f ? 0f : 0.5f * (angle + (float)Math.Sqrt((angle * angle) + (Softness * Softness)) - Softness);
