@@ -20,6 +20,8 @@ internal sealed class Flank
     private readonly float cell;
     private readonly float bottom;
     private readonly float back;
+    private readonly float[] backs = new float[Columns];
+    private bool changed = true;
 
     /// <summary>Takes a creature.</summary>
     public Flank(MotionSubject subject)
@@ -71,15 +73,12 @@ internal sealed class Flank
     public float Back(float z)
     {
         int column = (int)Math.Floor((z - back) / cell);
-        for (int row = rows - 1; row >= 0; row--)
+        if (changed)
         {
-            if (At(row, column) > 0f)
-            {
-                return bottom + ((row + 1) * cell);
-            }
+            FindBacks();
         }
 
-        return float.PositiveInfinity;
+        return (uint)column < Columns ? backs[column] : float.PositiveInfinity;
     }
 
     /// <summary>Adds a triangle: what is outermost over the middle of each cell is kept.</summary>
@@ -91,6 +90,7 @@ internal sealed class Flank
             return;
         }
 
+        changed = true;
         Vector3 min = Vec.Min(a, Vec.Min(b, c));
         Vector3 max = Vec.Max(a, Vec.Max(b, c));
         for (int row = Cell(min.Y - bottom, rows); row <= Cell(max.Y - bottom, rows); row++)
@@ -107,6 +107,21 @@ internal sealed class Flank
                     kept = Math.Max(kept, (a.X * first) + (b.X * second) + (c.X * (1f - first - second)));
                 }
             }
+        }
+    }
+
+    private void FindBacks()
+    {
+        changed = false;
+        for (int column = 0; column < Columns; column++)
+        {
+            int row = rows - 1;
+            while (row >= 0 && outward[(row * Columns) + column] <= 0f)
+            {
+                row--;
+            }
+
+            backs[column] = row < 0 ? float.PositiveInfinity : bottom + ((row + 1) * cell);
         }
     }
 

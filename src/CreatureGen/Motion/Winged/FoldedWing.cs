@@ -99,8 +99,9 @@ internal sealed class FoldedWing
         Span<Quaternion> carried = stackalloc Quaternion[chain.Count];
         Span<Vector3> joints = stackalloc Vector3[chain.Count];
         Place(joints, carried);
-        double cost = skin.Cost(joints, carried, room, range, max);
-        return double.IsPositiveInfinity(cost) ? cost : cost + (CornerCost * fold.Corners) + (CrowdingCost * skin.Crowding(joints, carried));
+        double corners = CornerCost * fold.Corners;
+        double cost = skin.Cost(joints, carried, room, range, max - corners);
+        return double.IsPositiveInfinity(cost) ? cost : cost + corners + (CrowdingCost * skin.Crowding(joints, carried));
     }
 
     /// <summary>Where the joints are and how they are turned in the model.</summary>

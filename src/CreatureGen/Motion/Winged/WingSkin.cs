@@ -34,18 +34,18 @@ internal sealed class WingSkin
     private const double Rounding = 1e-9;
 
     private readonly PairedChain chain;
-    private readonly Place[] places;
+    private readonly Spot[] spots;
     private readonly Crease[] creases;
     private readonly double[] costs;
     private readonly int[] order;
 
-    private WingSkin(PairedChain chain, Place[] places, Crease[] creases)
+    private WingSkin(PairedChain chain, Spot[] spots, Crease[] creases)
     {
         this.chain = chain;
-        this.places = places;
+        this.spots = spots;
         this.creases = creases;
-        costs = new double[places.Length];
-        order = new int[places.Length];
+        costs = new double[spots.Length];
+        order = new int[spots.Length];
         for (int i = 0; i < order.Length; i++)
         {
             order[i] = i;
@@ -69,14 +69,14 @@ internal sealed class WingSkin
 
         bool thin = chain.Limb.Kind == LimbKind.InsectWing;
         double spacing = Spacing * chain.Reach;
-        var bent = new List<Crease>();
+        var bent = new List<(int A, int B, int C)>();
         ReadOnlySpan<int> triangles = mesh.Triangles;
         for (int t = 0; t < triangles.Length; t += 3)
         {
             (int a, int b, int c) = (triangles[t], triangles[t + 1], triangles[t + 2]);
             if (places[a].Bends && places[b].Still < MaxOfOne && places[c].Still < MaxOfOne)
             {
-                bent.Add(new Crease(places[a], places[b], places[c], Area(places[a].Rest, places[b].Rest, places[c].Rest)));
+                bent.Add((a, b, c));
             }
 
             if (thin && places[a].Still < 1f - MinFraction)
@@ -85,7 +85,13 @@ internal sealed class WingSkin
             }
         }
 
-        return new WingSkin(chain, Some(found, thin ? 4 * MaxPlaces : MaxPlaces), Some(bent, MaxCreases));
+        Spot[] spots = Array.ConvertAll(Some(found, thin ? 4 * MaxPlaces : MaxPlaces), place => Spot.Of(chain, place));
+        Crease[] creases = Array.ConvertAll(Some(bent, MaxCreases), at =>
+        {
+            (Place a, Place b, Place c) = (places[at.A], places[at.B], places[at.C]);
+            return new Crease(Spot.Of(chain, a), Spot.Of(chain, b), Spot.Of(chain, c), Area(a.Rest, b.Rest, c.Rest));
+        });
+        return new WingSkin(chain, spots, creases);
     }
 
     /// <summary>What it costs the places of the wing to be where they are, in the mean, and the one that is deepest in a leg.</summary>
@@ -96,21 +102,22 @@ internal sealed class WingSkin
     /// <param name="max">What it may cost: infinity is told of all that is dearer for certain.</param>
     public double Cost(ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns, FoldRoom room, FoldRange range, double max)
     {
-        // No place costs less than nothing, so what is dear is known to be before all places have been looked at, the dearest of the way before first: that saves two thirds of them. The sum itself is made in their own order.
-        double enough = max * Math.Max(places.Length, 1) * (1 + Rounding);
+        // No place costs less than nothing and the deepest only gets deeper, so what is dear is known to be before all places have been looked at, the dearest of the way before first: that saves two thirds of them. The sum itself is made in their own order.
+        double enough = max * Math.Max(spots.Length, 1) * (1 + Rounding);
+        double worstWeight = WorstFraction * Math.Max(spots.Length, 1);
         double sum = 0;
         double worst = 0;
         for (int i = 0; i < order.Length; i++)
         {
             int number = order[i];
-            ref readonly Place place = ref places[number];
-            Vector3 at = At(place, joints, turns);
+            ref readonly Spot spot = ref spots[number];
+            Vector3 at = spot.At(joints, turns);
             double legs = room.CostOfLegs(at, range);
-            double cost = room.Cost(at, range, place.Clear) + legs;
+            double cost = room.Cost(at, range, spot.Clear) + legs;
             costs[number] = cost;
             worst = Math.Max(worst, legs);
             sum += cost;
-            if (sum > enough)
+            if (sum + (worstWeight * worst) > enough)
             {
                 Prefer(i);
                 return double.PositiveInfinity;
@@ -123,7 +130,7 @@ internal sealed class WingSkin
             sum += cost;
         }
 
-        return (sum / Math.Max(places.Length, 1)) + (WorstFraction * worst);
+        return (sum / Math.Max(spots.Length, 1)) + (WorstFraction * worst);
     }
 
     /// <summary>Sorts the places that were looked at, the dearest first; those of equal cost stay as they are.</summary>
@@ -148,7 +155,7 @@ internal sealed class WingSkin
         double sum = 0;
         foreach (Crease crease in creases)
         {
-            double area = Area(At(crease.A, joints, turns), At(crease.B, joints, turns), At(crease.C, joints, turns));
+            double area = Area(crease.A.At(joints, turns), crease.B.At(joints, turns), crease.C.At(joints, turns));
             double lack = Math.Max(0, 1 - (area / (Crowded * crease.Area)));
             sum += lack * lack;
         }
@@ -165,7 +172,7 @@ internal sealed class WingSkin
         {
             Place place = PlaceOf(chain, mesh.Positions[v], mesh.Weights[v]);
             wing[v] = place.Still < 1f - MinFraction;
-            at[v] = wing[v] ? At(place, joints, turns) : default;
+            at[v] = wing[v] ? Spot.Of(chain, place).At(joints, turns) : default;
         }
 
         ReadOnlySpan<int> triangles = mesh.Triangles;
@@ -176,20 +183,6 @@ internal sealed class WingSkin
                 room.Cover(at[triangles[t]], at[triangles[t + 1]], at[triangles[t + 2]]);
             }
         }
-    }
-
-    private Vector3 At(in Place place, ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns)
-    {
-        Vector3 at = place.Rest * place.Still;
-        for (int k = 0; k < place.Fractions.Length; k++)
-        {
-            if (place.Fractions[k] > 0f)
-            {
-                at += (joints[k] + Rotation.Rotate(turns[k], place.Rest - chain.Points[k])) * place.Fractions[k];
-            }
-        }
-
-        return at;
     }
 
     /// <summary>Adds the middles of the parts of a triangle, none of them longer than a spacing.</summary>
@@ -224,6 +217,11 @@ internal sealed class WingSkin
 
     private static Place PlaceOf(PairedChain chain, Vector3 rest, in SkinWeights weights)
     {
+        if (!Moves(chain, weights))
+        {
+            return new Place(rest, Array.Empty<float>(), 1f, 0f, chain.Limb.Kind == LimbKind.Wing ? 0f : 1f);
+        }
+
         float[] fractions = new float[chain.Count];
         float sum = 0f;
         float max = 0f;
@@ -239,27 +237,83 @@ internal sealed class WingSkin
         return new Place(rest, fractions, still, max, chain.Limb.Kind == LimbKind.Wing ? sum - fractions[0] : 1f);
     }
 
+    /// <summary>Whether a joint of the wing moves what has these weights.</summary>
+    private static bool Moves(PairedChain chain, in SkinWeights weights)
+    {
+        for (int k = 0; k < chain.Count; k++)
+        {
+            int joint = chain.Limb.Joints[k];
+            if (weights.Joint0 == joint || weights.Joint1 == joint || weights.Joint2 == joint || weights.Joint3 == joint)
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
     private static float FractionOf(int joint, in SkinWeights weights) =>
         (weights.Joint0 == joint ? weights.Weights.X : 0f) + (weights.Joint1 == joint ? weights.Weights.Y : 0f) + (weights.Joint2 == joint ? weights.Weights.Z : 0f) + (weights.Joint3 == joint ? weights.Weights.W : 0f);
 
     /// <summary>A place on the skin at rest, how much each joint of the wing, and the body, moves it, the most of the former, and how far it is to keep off the body, 0..1.</summary>
     private readonly record struct Place(Vector3 Rest, float[] Fractions, float Still, float Max, float Clear)
     {
+        /// <summary>How much a joint moves it: without a list none does.</summary>
+        public float Fraction(int joint) => joint < Fractions.Length ? Fractions[joint] : 0f;
+
         public bool Bends => Math.Max(Still, Max) < MaxOfOne;
 
         public static Place Between(in Place a, in Place b, in Place c, float u, float v)
         {
             float w = 1f - u - v;
-            float[] fractions = new float[a.Fractions.Length];
+            float[] fractions = new float[Math.Max(a.Fractions.Length, Math.Max(b.Fractions.Length, c.Fractions.Length))];
             for (int k = 0; k < fractions.Length; k++)
             {
-                fractions[k] = (a.Fractions[k] * w) + (b.Fractions[k] * u) + (c.Fractions[k] * v);
+                fractions[k] = (a.Fraction(k) * w) + (b.Fraction(k) * u) + (c.Fraction(k) * v);
             }
 
             return a with { Rest = (a.Rest * w) + (b.Rest * u) + (c.Rest * v), Fractions = fractions, Still = (a.Still * w) + (b.Still * u) + (c.Still * v) };
         }
     }
 
+    /// <summary>A place as the joints carry it along.</summary>
+    /// <param name="Still">Its part that stays with the body.</param>
+    /// <param name="Pulls">What the joints that move it make of it.</param>
+    /// <param name="Clear">How far it is to keep off the body, 0..1.</param>
+    private readonly record struct Spot(Vector3 Still, Pull[] Pulls, float Clear)
+    {
+        public static Spot Of(PairedChain chain, in Place place)
+        {
+            var pulls = new List<Pull>();
+            for (int k = 0; k < place.Fractions.Length; k++)
+            {
+                if (place.Fractions[k] > 0f)
+                {
+                    pulls.Add(new Pull(k, place.Rest - chain.Points[k], place.Fractions[k]));
+                }
+            }
+
+            return new Spot(place.Rest * place.Still, pulls.ToArray(), place.Clear);
+        }
+
+        /// <summary>Where it is.</summary>
+        /// <param name="joints">Places of the joints.</param>
+        /// <param name="turns">How they are turned in the model.</param>
+        public Vector3 At(ReadOnlySpan<Vector3> joints, ReadOnlySpan<Quaternion> turns)
+        {
+            Vector3 at = Still;
+            foreach (Pull pull in Pulls)
+            {
+                at += (joints[pull.Bone] + Rotation.Rotate(turns[pull.Bone], pull.Arm)) * pull.Fraction;
+            }
+
+            return at;
+        }
+    }
+
+    /// <summary>A joint of the wing, from there to a place at rest, and how much it moves that.</summary>
+    private readonly record struct Pull(int Bone, Vector3 Arm, float Fraction);
+
     /// <summary>A triangle and twice its area at rest.</summary>
-    private readonly record struct Crease(Place A, Place B, Place C, double Area);
+    private readonly record struct Crease(Spot A, Spot B, Spot C, double Area);
 }

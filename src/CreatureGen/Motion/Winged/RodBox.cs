@@ -1,0 +1,31 @@
+using System;
+using System.Numerics;
+
+namespace CreatureGen.Motion.Winged;
+
+/// <summary>A box along the axes about a capsule and what is near to it.</summary>
+internal readonly struct RodBox
+{
+    public RodBox(Vector3 min, Vector3 max)
+    {
+        Min = min;
+        Max = max;
+    }
+
+    public Vector3 Min { get; }
+
+    public Vector3 Max { get; }
+
+    /// <summary>Whether a point is in it, or below it where that counts.</summary>
+    public bool MayHold(Vector3 point, bool below) =>
+        point.X >= Min.X && point.X <= Max.X && point.Z >= Min.Z && point.Z <= Max.Z && point.Y <= Max.Y && (below || point.Y >= Min.Y);
+
+    /// <summary>How far a point is out of it at the least; negative within.</summary>
+    public float Away(Vector3 point)
+    {
+        float x = Math.Max(Min.X - point.X, point.X - Max.X);
+        float y = Math.Max(Min.Y - point.Y, point.Y - Max.Y);
+        float z = Math.Max(Min.Z - point.Z, point.Z - Max.Z);
+        return Math.Max(x, Math.Max(y, z));
+    }
+}
