@@ -55,7 +55,7 @@ public sealed class BrowserRuntimeTests
                 await File.WriteAllTextAsync(Path.Combine(folder, name), text, cancellation);
             }
 
-            var start = new ProcessStartInfo("node", [Path.Combine(RepositoryFiles.Root, Script), pack, typeof(GoldenEntry).Assembly.Location, folder, .. arguments])
+            var start = new ProcessStartInfo("node", [Path.Combine(RepositoryFiles.Root, Script), pack, DigestProgram.Plain, folder, .. arguments])
             {
                 RedirectStandardOutput = true,
                 RedirectStandardError = true,

@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.IO;
 using System.Linq;
 using System.Reflection;
+using System.Reflection.PortableExecutable;
 using System.Runtime.Intrinsics.X86;
 using System.Runtime.Versioning;
 using System.Threading;
@@ -13,7 +15,7 @@ using Xunit;
 
 namespace CreatureGen.Tests.Golden;
 
-/// <summary>What can only be set when a process starts does not change a byte either.</summary>
+/// <summary>What can only be set when a process starts does not change a byte either. What processors, threads and the just-in-time compiler make of the code is asked of the library as it is shipped, cultures of the one beside the tests, which starts sooner.</summary>
 public sealed class GoldenProcessTests
 {
     private const string Advice = "The golden file itself is checked by GoldenFileTests: if those pass, the bytes depend on the surroundings.";
@@ -24,7 +26,7 @@ public sealed class GoldenProcessTests
     [InlineData("DOTNET_EnableAVX", "avx2=False", Explicit = true)]
     public async Task Vector_instructions_do_not_matter(string switchedOff, string shown)
     {
-        string remark = await RunAsync(["1"], new() { [switchedOff] = "0" });
+        string remark = await RunAsync(DigestProgram.Plain, ["1"], new() { [switchedOff] = "0" });
         Assert.True(!X86Base.IsSupported || remark.Contains(shown, StringComparison.Ordinal), remark);
     }
 
@@ -34,7 +36,7 @@ public sealed class GoldenProcessTests
     [InlineData("DOTNET_TC_QuickJitForLoops", "0", Explicit = true)]
     [InlineData("DOTNET_ReadyToRun", "0", Explicit = true)]
     [InlineData("DOTNET_JITMinOpts", "1")]
-    public async Task What_the_compiler_makes_of_the_code_does_not_matter(string name, string value) => await RunAsync(["1"], new() { [name] = value });
+    public async Task What_the_compiler_makes_of_the_code_does_not_matter(string name, string value) => await RunAsync(DigestProgram.Plain, ["1"], new() { [name] = value });
 
     [Theory]
     [InlineData("tr-TR")]
@@ -43,21 +45,21 @@ public sealed class GoldenProcessTests
     public async Task The_culture_does_not_matter(string culture)
     {
         string posix = culture.Replace('-', '_') + ".UTF-8";
-        string remark = await RunAsync(["1", culture], new() { ["LANG"] = posix, ["LC_ALL"] = posix });
+        string remark = await RunAsync(DigestProgram.Beside, ["1", culture], new() { ["LANG"] = posix, ["LC_ALL"] = posix });
         Assert.DoesNotContain("number=-1234567.5", remark, StringComparison.Ordinal);
     }
 
     [Fact]
     public async Task A_machine_without_cultures_does_not_matter()
     {
-        string remark = await RunAsync(["1", "tr-TR"], new() { ["DOTNET_SYSTEM_GLOBALIZATION_INVARIANT"] = "1" });
+        string remark = await RunAsync(DigestProgram.Beside, ["1", "tr-TR"], new() { ["DOTNET_SYSTEM_GLOBALIZATION_INVARIANT"] = "1" });
         Assert.EndsWith("number=minus1234567,5", remark, StringComparison.Ordinal);
     }
 
     [Theory]
     [InlineData("2", Explicit = true)]
     [InlineData("5")]
-    public async Task Threads_and_the_order_of_creatures_do_not_matter(string threads) => await RunAsync([threads, "tr-TR"], []);
+    public async Task Threads_and_the_order_of_creatures_do_not_matter(string threads) => await RunAsync(DigestProgram.Plain, [threads, "tr-TR"], []);
 
     /// <summary>Poses, textures, PNG files and clips.</summary>
     [Theory]
@@ -71,18 +73,34 @@ public sealed class GoldenProcessTests
     public async Task Motion_pictures_and_clips_are_the_same_in_any_culture_and_on_any_processor(string culture, string name, string value)
     {
         Dictionary<string, string> environment = name.Length == 0 ? [] : new() { [name] = value };
-        AssertOthers(await PrintAsync(typeof(GoldenEntry).Assembly.Location, ["print-others", GoldenFile.Folder, "1", culture], environment));
+        AssertOthers(await PrintAsync(DigestProgram.Plain, ["print-others", GoldenFile.Folder, "1", culture], environment));
     }
 
     /// <summary>Of the library itself compiled without optimisation, which <c>.ci/run</c> builds.</summary>
     [Fact]
     public async Task A_debug_build_gives_the_same_bits()
     {
-        string program = typeof(GoldenEntry).Assembly.Location;
-        string debug = System.IO.Path.Combine(RepositoryFiles.Root, "tests", program.Contains("NetStandard", StringComparison.Ordinal) ? "CreatureGen.Digest.NetStandard" : "CreatureGen.Digest", "bin", "Debug", "net10.0", System.IO.Path.GetFileName(program));
-        Assert.SkipUnless(System.IO.File.Exists(debug), "needs dotnet build -c Debug tests/CreatureGen.Digest");
+        string debug = DigestProgram.Debug;
+        Assert.SkipUnless(File.Exists(debug), "needs dotnet build -c Debug tests/CreatureGen.Digest");
         AssertOthers(await PrintAsync(debug, ["print-others", GoldenFile.Folder, "1", "th-TH"], []));
         GoldenFile.AssertSame(GoldenEntry.Parse(await PrintAsync(debug, ["print", GoldenFile.FullPath], [])), Advice);
+    }
+
+    /// <summary>Of the library compiled before it runs, which lies beside the tests where the compiler can be had. The other processes compile as they run.</summary>
+    [Fact(Explicit = true)]
+    public async Task Code_compiled_ahead_gives_the_same_bits()
+    {
+        Assert.SkipUnless(IsCompiled(typeof(CreatureGenerator).Assembly.Location), "needs the compiler of tools/ReadyToRun, and a Release build");
+        Assert.False(IsCompiled(Path.Combine(Path.GetDirectoryName(DigestProgram.Plain)!, "CreatureGen.dll")));
+        AssertOthers(await PrintAsync(DigestProgram.Beside, ["print-others", GoldenFile.Folder, "1", "th-TH"], []));
+        GoldenFile.AssertSame(GoldenEntry.Parse(await PrintAsync(DigestProgram.Beside, ["print", GoldenFile.FullPath], [])), Advice);
+    }
+
+    private static bool IsCompiled(string assembly)
+    {
+        using FileStream file = File.OpenRead(assembly);
+        using var reader = new PEReader(file);
+        return reader.PEHeaders.CorHeader!.ManagedNativeHeaderDirectory.Size > 0;
     }
 
     private static void AssertOthers(string printed)
@@ -91,10 +109,10 @@ public sealed class GoldenProcessTests
         Assert.Equal(expected.ReplaceLineEndings("\n"), printed[(printed.IndexOf('\n', StringComparison.Ordinal) + 1)..]);
     }
 
-    /// <summary>Runs the program that lies beside the tests, compares what it prints with the golden file, and returns its remark about its surroundings.</summary>
-    private static async Task<string> RunAsync(string[] arguments, Dictionary<string, string> environment)
+    /// <summary>Runs the program, compares what it prints with the golden file, and returns its remark about its surroundings.</summary>
+    private static async Task<string> RunAsync(string program, string[] arguments, Dictionary<string, string> environment)
     {
-        string text = await PrintAsync(typeof(GoldenEntry).Assembly.Location, ["print", GoldenFile.FullPath, .. arguments], environment);
+        string text = await PrintAsync(program, ["print", GoldenFile.FullPath, .. arguments], environment);
         string remark = text.Split('\n')[0];
         Assert.StartsWith("# library=" + typeof(CreatureGenerator).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName + " ", remark, StringComparison.Ordinal);
         GoldenFile.AssertSame(GoldenEntry.Parse(text), Advice);
