@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
@@ -69,10 +70,11 @@ internal sealed class Rasteriser
         this.right = right;
         this.bottom = bottom;
         Array.Clear(depths);
-        Array.Fill(triangles, Vector256.Create(-1));
+        MemoryMarshal.Cast<Vector256<int>, int>(triangles.AsSpan()).Fill(-1);
     }
 
     /// <summary>The triangle seen at each sample of a pixel; −1 for none and at lanes that are not used.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<int> Seen(int x, int y) => triangles[((y - top) * TileSize) + x - left];
 
     /// <summary>Draws a triangle into the buffers.</summary>
@@ -98,6 +100,8 @@ internal sealed class Rasteriser
         return (dx * (y - ay)) - (dy * (x - ax)) - (topLeft ? 0 : 1);
     }
 
+    // Code for eight lanes is not compiled ahead; the just-in-time compiler does not optimise at first, and a first picture is over before it does.
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void DrawSmall(in ScreenTriangle t, int index)
     {
         int minX = Math.Max(left, t.MinX);

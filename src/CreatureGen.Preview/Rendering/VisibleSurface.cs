@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using CreatureGen.Maths;
 using CreatureGen.Preview.Scenes;
@@ -87,6 +88,8 @@ internal sealed class VisibleSurface
         Fragments[tile] = scratch.Fragments.AsSpan(0, scratch.Count).ToArray();
     }
 
+    // Optimised from the first pixel on, as the rasteriser is.
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void FindPixel(int x, int y, Scratch scratch)
     {
         Vector256<int> seen = scratch.Rasteriser.Seen(x, y);

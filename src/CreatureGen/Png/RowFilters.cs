@@ -1,6 +1,7 @@
 using System;
 using System.Runtime.InteropServices;
 #if NET
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 #endif
 
@@ -78,7 +79,7 @@ internal sealed class RowFilters
     private static int Weight(byte difference) => difference < 128 ? difference : 256 - difference;
 
 #if NET
-    /// <summary>Filters as many whole vectors as there are; returns how many bytes that were.</summary>
+    /// <summary>Filters as many whole vectors as there are; returns how many bytes that were. What it calls is always taken in: vectors handed from method to method keep code from being compiled ahead.</summary>
     private int FilterWide(int length)
     {
         int vectors = length / Vector128<byte>.Count;
@@ -114,12 +115,14 @@ internal sealed class RowFilters
     }
 
     /// <summary>Half the sum, rounded down: what both have, and half of what one has.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<byte> Mean(Vector128<byte> a, Vector128<byte> b) => (a & b) + Vector128.ShiftRightLogical(a ^ b, 1);
 
     /// <summary>
     /// The one of three neighbours that is nearest to left + up − corner. Left of it by |up − corner|, above by |left − corner|; from the corner it is as far as both together where both differ from it the
     /// same way (then the corner is never the nearest), else as far as one differs more than the other.
     /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<byte> Paeth(Vector128<byte> left, Vector128<byte> up, Vector128<byte> corner)
     {
         Vector128<byte> toLeft = Distance(up, corner);
@@ -130,9 +133,11 @@ internal sealed class RowFilters
         return Vector128.ConditionalSelect(Vector128.LessThanOrEqual(toLeft, Vector128.Min(toUp, toCorner)), left, upOrCorner);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<byte> Distance(Vector128<byte> a, Vector128<byte> b) => Vector128.Max(a, b) - Vector128.Min(a, b);
 
     /// <summary>Absolute values of differences taken as signed, added up by fours.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<uint> Weight(Vector128<byte> difference)
     {
         Vector128<byte> absolute = Vector128.Min(difference, default(Vector128<byte>) - difference);
@@ -140,6 +145,7 @@ internal sealed class RowFilters
         return (pairs & Vector128.Create(0x0000FFFFu).AsUInt16()).AsUInt32() + Vector128.ShiftRightLogical(pairs.AsUInt32(), 16);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Total(Vector128<uint> sums) => (int)(sums.GetElement(0) + sums.GetElement(1) + sums.GetElement(2) + sums.GetElement(3));
 #else
     private static int FilterWide(int length) => 0;
