@@ -25,6 +25,7 @@ internal static class FeatureSampler
     {
         double plenty = level switch { OrnamentLevel.None => 0, OrnamentLevel.Sparse => 0.4, OrnamentLevel.Rich => 2, _ => 1 };
         Ornaments(builder, plenty);
+        FaceRule.Clear(builder);
         Sting(builder);
         StrangeParts.Add(builder);
     }

@@ -31,7 +31,7 @@ internal static class StrangeParts
         bool insect = builder.Parents.Head.Class == AnimalClass.Arthropod;
         switch (sort)
         {
-            case 0 when !insect && !IsHorned(builder):
+            case 0 when !insect && !FaceRule.IsDressed(builder):
                 Eye(builder, 1.2, 0, 0.75 + (0.15 * size));
                 break;
             case 1:
@@ -49,7 +49,7 @@ internal static class StrangeParts
                 }
 
                 break;
-            case 4 when !IsHorned(builder) && builder.Ears.Count == 0:
+            case 4 when !FaceRule.IsDressed(builder) && builder.Ears.Count == 0:
                 Stalks(builder, size);
                 break;
             case 5:
@@ -57,8 +57,6 @@ internal static class StrangeParts
                 break;
         }
     }
-
-    private static bool IsHorned(CreatureBuilder builder) => builder.Features.Exists(part => part.Ring is > 8 and < StationRing.Nape + 1) || builder.Manes.Count > 0;
 
     /// <summary>An eye or a pair of them, so far behind and below the two that the face has, in radii of these; on the midline where the way down is 0.</summary>
     private static void Eye(CreatureBuilder builder, double behind, double below, double radius)
