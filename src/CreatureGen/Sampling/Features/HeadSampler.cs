@@ -23,6 +23,10 @@ internal static class HeadSampler
     private const double OwnEyes = 0.85;
     private const double MixedEyes = 0.68;
 
+    // On a skull of another body: radius of the largest eyes in half heights of the head, and least depth of their centres below the skin in radii; larger and higher ones are goggles.
+    private const double FlatEyes = 0.42;
+    private const double MixedSink = 0.5;
+
     /// <summary>Probability of a single eye at full strangeness.</summary>
     private const double SingleEyes = 0.05;
 
@@ -42,8 +46,14 @@ internal static class HeadSampler
     {
         // On a head that is mixed with larger ones, the eyes of an insect or a frog would be goggles.
         double mixed = builder.Parents.Head == builder.Parents.First ? Scalar.Lerp(1, OwnEyes, builder.Strangeness) : Scalar.Lerp(1, MixedEyes, Math.Min(1, 2 * builder.Strangeness));
-        return mixed * builder.Parents.Head.LargestEye * HalfHeight(builder.Shape);
+        BodyShape s = builder.Shape;
+        double largest = mixed * builder.Parents.Head.LargestEye * HalfHeight(s);
+        double flat = FlatEyes * 0.5 * (s.Top[StationRing.Brow] + s.Bottom[StationRing.Brow]);
+        return IsMixed(builder) ? Math.Min(largest, Scalar.Lerp(largest, flat, Math.Min(1, 2 * builder.Strangeness))) : largest;
     }
+
+    /// <summary>Whether the face is on the skull of another body; insects' eyes are large on any.</summary>
+    private static bool IsMixed(CreatureBuilder builder) => builder.Parents.Head != builder.Parents.First && builder.Parents.Head.Class != AnimalClass.Arthropod;
 
     /// <summary>The face of the creature.</summary>
     public static HeadBlueprint Sample(CreatureBuilder builder)
@@ -146,7 +156,8 @@ internal static class HeadSampler
         }
 
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
-        return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, species.EyeSink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
+        double sink = IsMixed(builder) ? Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, Math.Min(1, 2 * builder.Strangeness))) : species.EyeSink;
+        return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, sink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
 
     /// <summary>How far the mouth is open where no ground is in its way, radians.</summary>
