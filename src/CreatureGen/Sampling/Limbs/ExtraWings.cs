@@ -24,6 +24,10 @@ internal static class ExtraWings
     /// <summary>Segments by which raised wings sit higher on the back of what has arms below them.</summary>
     private const int AboveArms = 2;
 
+    // Longest raised wings in heights of the back, and length in torsos that they keep in any case: over short legs longer ones are a sail on a raft.
+    private const double TallestRaised = 1.8;
+    private const double MinRaised = 0.7;
+
     // The second pair against the first: smaller, lower and farther back, or the two look like one thick wing.
     private const double SecondSpan = 0.75;
     private const double SecondRise = 0.45;
@@ -54,10 +58,13 @@ internal static class ExtraWings
             bool armed = builder.Plan is BodyPlan.Upright or BodyPlan.Centaur;
             SocketBlueprint socket = armed ? FlyingRules.WingSocket with { Segment = FlyingRules.WingSocket.Segment - AboveArms } : FlyingRules.WingSocket;
             WingForm form = WingForm.Of(style);
-            span *= form.Span;
+            span = Math.Min(span * form.Span, Math.Max(MinRaised * WingSampler.CarriedTorso(builder), TallestRaised * Back(builder)));
             Add(builder, new WingBlueprint(style, socket, span, WingSampler.DepthOf(builder, form, span), rise, sweep));
         }
     }
+
+    /// <summary>Height of the back over the shoulders, metres.</summary>
+    private static double Back(CreatureBuilder builder) => builder.Shape.Y[StationRing.Shoulder] + builder.Shape.Top[StationRing.Shoulder];
 
     private static void Add(CreatureBuilder builder, WingBlueprint wing)
     {
