@@ -26,6 +26,9 @@ internal static class StanceSampler
     /// <summary>Metres between the head of one that crawls and the ground, without its face.</summary>
     private const double CrawlingHead = 0.03;
 
+    /// <summary>Reach of a chin below the sections of its head, relative to the half depth of the brow.</summary>
+    private const double Chin = 0.2;
+
     /// <summary>The same of a flier's tail that hangs steeply, relative to its fan.</summary>
     private const double HangingFan = 0.6;
 
@@ -113,7 +116,10 @@ internal static class StanceSampler
 
     /// <summary>Whether some of a body that stands on legs is below the ground.</summary>
     public static bool Sinks(CreatureBuilder builder) => builder.Plan != BodyPlan.Legless && builder.IsOnGround
-        && (Lowest(builder.Shape, 0, BodyGrid.Rings) < 0 || Lowest(builder.Shape, BodyGrid.Rings - 1, BodyGrid.Rings) < FanReach(builder) || LowestFeeler(builder) < 0);
+        && (Lowest(builder.Shape, 0, BodyGrid.Rings) < 0 || Lowest(builder.Shape, StationRing.Nose, StationRing.TrunkFirst) < ChinReach(builder) || Lowest(builder.Shape, BodyGrid.Rings - 1, BodyGrid.Rings) < FanReach(builder) || LowestFeeler(builder) < 0);
+
+    /// <summary>How far the chin of another species may reach below the sections of a head, metres.</summary>
+    private static double ChinReach(CreatureBuilder builder) => builder.Parents.Head == builder.Parents.First ? 0 : Chin * builder.HalfDepth(StationRing.Brow);
 
     /// <summary>How far the feathers of a tail reach below its end as it hangs, metres.</summary>
     private static double FanReach(CreatureBuilder builder)
