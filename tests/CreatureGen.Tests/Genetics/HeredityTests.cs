@@ -14,7 +14,7 @@ public sealed class HeredityTests(ITestOutputHelper output)
     private const int Parents = 60;
 
     [Fact]
-    public void Children_show_both_parents_part_by_part_and_strangers_in_no_part() => Check(60);
+    public void Children_show_both_parents_part_by_part_and_strangers_in_no_part() => Check(400);
 
     [Fact(Explicit = true)]
     public void Of_a_thousand_children_most_show_both_parents_part_by_part() => Check(1000);
