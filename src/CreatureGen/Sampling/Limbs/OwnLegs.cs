@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
+using CreatureGen.Maths;
 using CreatureGen.Sampling.Placement;
 using CreatureGen.Seeding;
 using CreatureGen.Species;
@@ -12,6 +13,10 @@ namespace CreatureGen.Sampling.Limbs;
 /// <summary>Legs that a species brings with it: where its preset puts them, not where the rules of its plan would choose.</summary>
 internal static class OwnLegs
 {
+    // Half depth of a trunk that an insect's legs look right under, metres, and how much thicker they get under a stouter one: a log on wires falls.
+    private const double SlightTrunk = 0.1;
+    private const double MaxStout = 1.6;
+
     /// <summary>The style of legs of a preset.</summary>
     public static LegStyle StyleOf(CreatureBuilder builder, LegStyle style, LegPreset preset)
     {
@@ -48,7 +53,9 @@ internal static class OwnLegs
         foreach (LegSite site in preset.SitesWithin(builder.MinLegPairs, builder.MaxLegPairs))
         {
             bool jointed = IsJointed(site.Archetype);
-            double girth = preset.Thickness * site.Thickness / (0.5 * measure.At(site.Ring).Thickness);
+            double half = 0.5 * measure.At(site.Ring).Thickness;
+            double stout = jointed ? Scalar.Lerp(1, Scalar.Clamp(Math.Sqrt(half / SlightTrunk), 1, MaxStout), Math.Min(1, 2 * builder.Strangeness)) : 1;
+            double girth = stout * preset.Thickness * site.Thickness / half;
             places.Add(new LimbSocket(site.Ring, site.Segment, site.Archetype, girth, reach * site.Reach / measure.BodyLength, site.Azimuth, jointed ? SocketBounds.Insect : SocketBounds.Limb));
         }
 

@@ -20,6 +20,9 @@ internal static class ParentSampler
     /// <summary>Probability at full strangeness that a swimmer whose parents have none has legs.</summary>
     private const double LeggedSwimmers = 0.35;
 
+    /// <summary>How much of the strangeness other bodies gain in the trunk of an insect.</summary>
+    private const double InsectLoosening = 0.35;
+
     /// <summary>Probability that the second parent gives a part that the first does not.</summary>
     private const double FromSecond = 0.6;
 
@@ -62,8 +65,8 @@ internal static class ParentSampler
 
         SpeciesProfile third = rest[random.Integer(0, rest.Count)];
 
-        // As wide as wings, a body is nothing without its edges.
-        double loosened = first.Disc.Sweep != 0 ? 0 : t;
+        // As wide as wings, a body is nothing without its edges, and an insect whose waist others fill in is a log on wires.
+        double loosened = first.Disc.Sweep != 0 ? 0 : first.Class == AnimalClass.Arthropod ? InsectLoosening * t : t;
         double dominant = random.Uniform(Scalar.Lerp(first.Dominance.Min, 0.3, loosened), Scalar.Lerp(first.Dominance.Max, 0.6, loosened));
         double fraction = random.Uniform(Scalar.Lerp(0.6, 0.5, t), Scalar.Lerp(0.9, 0.85, t));
         third = Stranger(root.Child("third parent").Stream(), first, second, choice, t) ?? third;
