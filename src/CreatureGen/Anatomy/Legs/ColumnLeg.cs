@@ -10,7 +10,7 @@ internal static class ColumnLeg
             KneeRow = 2,
             AnkleRow = 4,
             BallRow = 6,
-            MinThickness = 0.18,
+            MinThickness = 0.145,
             MaxThickness = 0.34,
             FootRows = 3,
             FlatSoled = true,
@@ -27,7 +27,7 @@ internal static class ColumnLeg
         },
         build: new LegBuild(LimbPosture.Under)
         {
-            MinGirth = 0.18,
+            MinGirth = 0.145,
             GreatestGirth = 0.34,
             SideGirth = 0.85,
             SwingDegrees = 28,
