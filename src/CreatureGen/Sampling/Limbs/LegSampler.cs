@@ -23,6 +23,11 @@ internal static class LegSampler
     private const double SecondArms = 0.4;
     private const double SmallerArms = 0.85;
 
+    // Breadth of a body against its depth from which its legs grow nearer to the belly, by how many segments for each unit of it, and by how many at most.
+    private const double Broad = 1.05;
+    private const double LoweringRate = 2.2;
+    private const double MaxLowering = 1.3;
+
     /// <summary>Rings between two pairs of arms: fewer would crease under both.</summary>
     private const int ArmGap = 3;
 
@@ -260,6 +265,10 @@ internal static class LegSampler
 
     private static bool IsQuadruped(BodyPlan plan) => plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar;
 
+    /// <summary>By how many segments legs grow nearer to the belly of a broad body: from its edges they stand like those of a table.</summary>
+    public static double LoweringAt(CreatureBuilder builder, int ring) =>
+        Math.Min(1, 2 * builder.Strangeness) * Scalar.Clamp(LoweringRate * ((builder.Shape.Width[ring] / builder.HalfDepth(ring)) - Broad), 0, MaxLowering);
+
     private static SocketSet SetOf(CreatureBuilder builder)
     {
         bool bird = builder.Parents.Legs.Class == AnimalClass.Bird;
@@ -273,6 +282,11 @@ internal static class LegSampler
         if (bird && set.Arms != null)
         {
             set = set with { Arms = set.Arms with { OddsNear = 0, OddsFar = 0.15 } };
+        }
+
+        if (IsQuadruped(builder.Plan) || builder.Plan is BodyPlan.Centaur or BodyPlan.Theropod)
+        {
+            set = set.Lowered(LoweringAt(builder, StationRing.Shoulder), LoweringAt(builder, StationRing.Pelvis));
         }
 
         double girth = builder.Parents.Legs.LegGirth;

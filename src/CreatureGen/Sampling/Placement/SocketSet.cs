@@ -25,6 +25,21 @@ internal sealed record SocketSet(BodyPlan Plan, IReadOnlyList<LimbSocket> Legs, 
     public SocketSet WithGirth(double fore, double hind) =>
         this with { Legs = Scale(Legs, fore, hind), Arms = Arms is null ? null : Arms with { Legs = Scale(Arms.Legs, fore, hind) } };
 
+    /// <summary>The same places with legs that grow from nearer to the belly: by so many segments in front of the body's middle and behind it.</summary>
+    public SocketSet Lowered(double fore, double hind) =>
+        this with { Legs = Lower(Legs, fore, hind), Arms = Arms is null ? null : Arms with { Legs = Lower(Arms.Legs, fore, hind) } };
+
+    private static IReadOnlyList<LimbSocket> Lower(IReadOnlyList<LimbSocket> sockets, double fore, double hind)
+    {
+        var lowered = new LimbSocket[sockets.Count];
+        for (int i = 0; i < lowered.Length; i++)
+        {
+            lowered[i] = sockets[i] with { Segment = sockets[i].Segment + (sockets[i].Ring < BodyGrid.AnchorRing ? fore : hind) };
+        }
+
+        return lowered;
+    }
+
     private static IReadOnlyList<LimbSocket> Scale(IReadOnlyList<LimbSocket> sockets, double fore, double hind)
     {
         var scaled = new LimbSocket[sockets.Count];

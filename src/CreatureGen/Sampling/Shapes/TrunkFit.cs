@@ -27,6 +27,11 @@ internal static class TrunkFit
     private const double Root = 0.5;
     private const double MaxRoot = 1.3;
 
+    // Broadest trunk against its depth that legs under the body carry without looking like those of a table, and what of the excess the depth and the breadth give way by.
+    private const double Broad = 1.25;
+    private const double Deepened = 0.6;
+    private const double Narrowed = 0.3;
+
     /// <summary>The proportions with a deeper chest, a tucked belly and broader hips where the trunk has none; swimmers thin out to the tail, what lies is a rope, and what stands on two legs would be top-heavy.</summary>
     public static BodyProportions Fit(CreatureBuilder builder)
     {
@@ -41,17 +46,11 @@ internal static class TrunkFit
             return drawn;
         }
 
-        BodyShape shape = StanceSampler.ShapeOf(builder);
-        double min = double.MaxValue;
-        double max = 0;
-        for (int ring = StationRing.Shoulder; ring <= StationRing.Pelvis; ring++)
-        {
-            double size = shape.Top[ring] + shape.Bottom[ring];
-            min = Math.Min(min, size);
-            max = Math.Max(max, size);
-        }
-
-        double want = Math.Min(1, 2 * builder.Strangeness) * Scalar.Clamp((Shaped - (max / min)) / (Shaped - Log), 0, 1);
+        (double relief, double breadth) = Measure(StanceSampler.ShapeOf(builder));
+        double strange = Math.Min(1, 2 * builder.Strangeness);
+        bool under = builder.Kind == LocomotionKind.Walking && builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
+        double excess = under ? Math.Max(1, breadth / Broad) : 1;
+        double want = strange * Scalar.Clamp((Shaped - relief) / (Shaped - Log), 0, 1);
         bool insect = builder.Species.Class == AnimalClass.Arthropod;
         return drawn with
         {
@@ -59,7 +58,26 @@ internal static class TrunkFit
             Belly = drawn.Belly * (1 - (Belly * want)),
             Rump = drawn.Rump * (1 + ((insect ? 0 : Rump) * want)),
             TailGirth = drawn.TailGirth * (1 + ((insect ? Abdomen : 0) * want)),
+            Depth = drawn.Depth * PortableMath.Pow(excess, Deepened * strange),
+            Width = drawn.Width * PortableMath.Pow(excess, -Narrowed * strange),
         };
+    }
+
+    /// <summary>The deepest section of a trunk against its shallowest, and its greatest breadth against the depth there.</summary>
+    private static (double Relief, double Breadth) Measure(BodyShape shape)
+    {
+        double min = double.MaxValue;
+        double max = 0;
+        double breadth = 0;
+        for (int ring = StationRing.Shoulder; ring <= StationRing.Pelvis; ring++)
+        {
+            double size = shape.Top[ring] + shape.Bottom[ring];
+            min = Math.Min(min, size);
+            max = Math.Max(max, size);
+            breadth = Math.Max(breadth, 2 * shape.Width[ring] / size);
+        }
+
+        return (max / min, breadth);
     }
 
     /// <summary>The proportions of a swimmer that thins out behind its belly instead of ending like a sack with a tail tied to it; one as flat as a disc stays as it is.</summary>
