@@ -17,9 +17,6 @@ internal static class StanceSampler
     /// <summary>First ring that a raised tail takes with it: its root stays as low as the rump, however steep the rest.</summary>
     private const int FirstRaised = 47;
 
-    /// <summary>How far a tail may come down for each unit that it goes back.</summary>
-    private const double SteepestTail = 1.1;
-
     /// <summary>Metres by which the feathers of a lowered tail reach below its spine.</summary>
     private const double FanDrop = 0.06;
 
@@ -329,7 +326,7 @@ internal static class StanceSampler
                 bend -= bend > 0 ? lift / 3 : 0;
             }
 
-            if (HangsBetweenLegs(builder))
+            if (TailFit.HangsBetweenLegs(builder))
             {
                 tail -= lift;
             }
@@ -356,17 +353,6 @@ internal static class StanceSampler
 
         builder.Posture = p with { Tail = tail, Neck = neck, TailBend = bend, Torso = torsoPitch };
         return !builder.Posture.Equals(p);
-    }
-
-    /// <summary>Whether the tail of one on two or four legs under its body hangs so steeply that it is seen between them from the front.</summary>
-    private static bool HangsBetweenLegs(CreatureBuilder builder)
-    {
-        const int End = BodyGrid.Rings - 1;
-        BodyShape s = builder.Shape;
-        bool stands = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur or BodyPlan.Upright && builder.Parents.Legs.Legs is null;
-        double down = s.Y[StationRing.TorsoLast] - s.Y[End];
-        double back = s.Z[StationRing.TorsoLast] - s.Z[End];
-        return stands && down > SteepestTail * back && s.Y[End] < 0.75 * s.Y[StationRing.TorsoLast];
     }
 
     /// <summary>The elevation at which the raised front of a legless body just clears the ground; its trunk lies on it anyway.</summary>

@@ -20,7 +20,11 @@ internal static class TailFit
 
     // Least fall of a fan of feathers behind the rump, and rise from which on a fan is carried up as a cock's is.
     private const double FallDegrees = 18;
-    private const double RaisedDegrees = 12;
+    private const double RaisedDegrees = 30;
+
+    // How far a tail may come down for each unit that it goes back, and one that balances a body on two legs.
+    private const double SteepestTail = 1.1;
+    private const double SteepestBalanced = 0.6;
 
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
@@ -67,6 +71,18 @@ internal static class TailFit
         double fall = PortableMath.Atan2(shape.Y[StationRing.TorsoLast] - shape.Y[LastOfTail], shape.Z[StationRing.TorsoLast] - shape.Z[LastOfTail]);
         bool raised = fall < -Scalar.Radians(RaisedDegrees);
         return raised ? drawn : drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
+    }
+
+    /// <summary>Whether the tail of one on two or four legs under its body hangs so steeply that it is seen between them from the front.</summary>
+    public static bool HangsBetweenLegs(CreatureBuilder builder)
+    {
+        const int End = BodyGrid.Rings - 1;
+        BodyShape s = builder.Shape;
+        bool stands = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur or BodyPlan.Upright && builder.Parents.Legs.Legs is null;
+        double down = s.Y[StationRing.TorsoLast] - s.Y[End];
+        double back = s.Z[StationRing.TorsoLast] - s.Z[End];
+        bool balances = builder.Plan == BodyPlan.Theropod && builder.Species.Class != AnimalClass.Bird && builder.Tail.Style != TailStyle.Feathers;
+        return (stands || balances) && down > (balances ? SteepestBalanced : SteepestTail) * back && s.Y[End] < 0.75 * s.Y[StationRing.TorsoLast];
     }
 
     /// <summary>Radius of the largest section, metres.</summary>
