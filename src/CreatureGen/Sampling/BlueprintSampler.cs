@@ -51,19 +51,25 @@ public static class BlueprintSampler
         options.ThrowIfInvalid();
         var choice = new PlanChoice(options);
 
-        // First the creature that it is when nobody counts its legs.
+        // First the creature that it is when nobody counts its legs, then the same with as many as are asked for.
         CreatureOptions uncounted = options with { MinLegPairs = CreatureOptions.Default.MinLegPairs, MaxLegPairs = CreatureOptions.Default.MaxLegPairs };
-        PlanChoice free = uncounted.MinLegPairs == options.MinLegPairs && uncounted.MaxLegPairs == options.MaxLegPairs ? choice : new PlanChoice(uncounted);
+        bool counted = uncounted != options;
+        PlanChoice free = counted ? new PlanChoice(uncounted) : choice;
         var root = new Seed(seed);
-        for (int attempt = -1; attempt < Attempts; attempt++)
+        for (int attempt = counted ? -2 : 0; attempt < Attempts; attempt++)
         {
             Seed drawn = attempt <= 0 ? root : root.Child("attempt").Child(attempt);
             double strangeness = options.Strangeness;
-            for (int withdrawal = 0; Stand(drawn, attempt < 0 ? free : choice, options, strangeness) is CreatureBuilder builder; withdrawal++)
+            for (int withdrawal = 0; Stand(drawn, attempt < 0 ? free : choice, attempt == -2 ? uncounted : options, strangeness) is CreatureBuilder builder; withdrawal++)
             {
                 CreatureBlueprint type = Finish(seed, builder, options, out sockets);
                 if (strangeness == 0 || Soundness.Holds(type, builder, sockets))
                 {
+                    if (type.Legs.Count < options.MinLegPairs || type.Legs.Count > options.MaxLegPairs)
+                    {
+                        break;
+                    }
+
                     return options.Individual is ulong individual ? IndividualSampler.Vary(type, builder, IndividualTraits.Draw(root, individual), options) : type;
                 }
 

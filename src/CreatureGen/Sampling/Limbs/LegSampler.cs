@@ -28,6 +28,9 @@ internal static class LegSampler
     private const double LoweringRate = 2.2;
     private const double MaxLowering = 1.3;
 
+    /// <summary>Part by which the margin of balance grows at full strangeness.</summary>
+    private const double UnsureMargin = 0.6;
+
     /// <summary>Rings between two pairs of arms: fewer would crease under both.</summary>
     private const int ArmGap = 3;
 
@@ -95,7 +98,17 @@ internal static class LegSampler
             extra = 0;
         }
 
+        BodyProportions drawn = builder.Proportions;
         WalkingPlacement placement = Carry(builder, SetFor, size);
+        if (extra > 0 && (!builder.IsCarried || (placement.PlanChange != null && placement.PlanChange != builder.Plan)))
+        {
+            // They do not carry it; without them it stands as its kind does.
+            extra = 0;
+            builder.Proportions = drawn;
+            StanceSampler.StandAnew(builder);
+            placement = Carry(builder, SetFor, size);
+        }
+
         if (placement.PlanChange != null && placement.PlanChange != builder.Plan)
         {
             return placement.PlanChange;
@@ -289,6 +302,8 @@ internal static class LegSampler
             set = set.Lowered(LoweringAt(builder, StationRing.Shoulder), LoweringAt(builder, StationRing.Pelvis));
         }
 
+        // The weight of a strange body is known less surely than that of an animal.
+        set = set with { Stance = set.Stance with { BalanceMargin = Balance.MinMargin * (1 + (UnsureMargin * builder.Strangeness)) } };
         double girth = builder.Parents.Legs.LegGirth;
         return set.WithGirth(builder.Signature == Signature.Hulk ? 1.3 * girth : girth, builder.Signature == Signature.Rump ? 1.15 * girth : girth);
     }

@@ -175,6 +175,12 @@ internal static class StanceSampler
         builder.Proportions = overhang > 0
             ? p with { Head = Math.Max(Lighter * p.Head, Math.Min(p.Head, MinHead)), Neck = Math.Max(Lighter * p.Neck, Math.Min(p.Neck, MinHead)) }
             : p with { Tail = Math.Max(Lighter * p.Tail, Math.Min(p.Tail, MinTail)), TailGirth = Math.Max(Lighter * p.TailGirth, Math.Min(p.TailGirth, MinTail)) };
+        StandAnew(builder);
+    }
+
+    /// <summary>Sets elevation and posture as if no legs had been placed yet.</summary>
+    public static void StandAnew(CreatureBuilder builder)
+    {
         builder.Posture = builder.Drawn;
         builder.Raised = 0;
         Settle(builder);
