@@ -1,8 +1,10 @@
-using System;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
-using CreatureGen.Bodies;
 using CreatureGen.Sampling;
+using CreatureGen.Sampling.Parents;
+using CreatureGen.Sampling.Shapes;
+using CreatureGen.Seeding;
 using CreatureGen.Species;
 using Xunit;
 
@@ -10,38 +12,27 @@ namespace CreatureGen.Tests.Sampling;
 
 public sealed class TailFitTests
 {
-    /// <summary>Largest tail in sizes of its trunk: what the posture leaves of the rule's .8.</summary>
-    private const double Largest = 0.95;
+    private static readonly ValueList<LatticeSlice> even = new(Enumerable.Repeat(new LatticeSlice(1, 1, 1), 11));
 
-    [Theory]
-    [InlineData(RequestedKind.Walking)]
-    [InlineData(RequestedKind.Flying)]
-    public void No_tail_of_a_mixed_creature_on_legs_but_of_an_insect_swells_to_the_size_of_its_trunk(RequestedKind kind)
+    [Fact]
+    public void A_birds_tail_without_feathers_comes_to_a_point()
     {
-        int most = 0;
-        for (ulong seed = 9951001; seed <= 9951150; seed++)
-        {
-            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind });
-            if (creature.Plan != BodyPlan.Legless && SpeciesCatalogue.Find(creature.Body.Blend.First).Class != AnimalClass.Arthropod)
-            {
-                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
-                double size = Size(shape, 47, 54) / Size(shape, 25, 42);
-                Assert.True(size <= Largest, FormattableString.Invariant($"{kind} {seed}: a tail of {size:0.00} trunks"));
-                most++;
-            }
-        }
-
-        Assert.InRange(most, 60, 150);
+        ValueList<LatticeSlice> slices = TailFit.Point(Mixed("parrot", 0.6), even);
+        Assert.Equal(even.Take(8), slices.Take(8));
+        Assert.Equal(new LatticeSlice(0.35, 0.35, 1), slices[10]);
+        Assert.True(slices[8].Width > slices[9].Width && slices[9].Width > slices[10].Width);
     }
 
-    private static double Size(BodyShape shape, int first, int last)
-    {
-        double size = 0;
-        for (int ring = first; ring <= last; ring++)
-        {
-            size = Math.Max(size, Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring])));
-        }
+    [Theory]
+    [InlineData("parrot", 0)]
+    [InlineData("bear", 0.6)]
+    public void Tails_of_animals_and_of_others_than_birds_stay_as_they_are(string tail, double strangeness) =>
+        Assert.Equal(even, TailFit.Point(Mixed(tail, strangeness), even));
 
-        return size;
+    private static CreatureBuilder Mixed(string tail, double strangeness)
+    {
+        SpeciesProfile first = SpeciesCatalogue.Find("bear");
+        var parents = new Parentage(first, SpeciesCatalogue.Find(tail), SpeciesCatalogue.Find("frog")) { Tail = SpeciesCatalogue.Find(tail) };
+        return new CreatureBuilder(new Seed(1), LocomotionKind.Walking, parents, BodyPlan.Plantigrade, strangeness);
     }
 }

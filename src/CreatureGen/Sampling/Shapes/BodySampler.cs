@@ -33,7 +33,7 @@ internal static class BodySampler
         builder.Proportions = Proportions(builder);
         builder.Drawn = Posture(builder);
         builder.Posture = builder.Drawn;
-        builder.Slices = Slices(builder);
+        builder.Slices = TailFit.Point(builder, Slices(builder));
         builder.Disc = Disc(builder);
         builder.Proportions = TrunkFit.Fit(builder);
         builder.Proportions = HeadFit.Fit(builder);

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Tails;
 using CreatureGen.Bodies;
@@ -34,6 +35,9 @@ internal static class TailFit
     private const int LastOfTrunk = 42;
     private const int FirstOfTail = 47;
     private const int LastOfTail = 54;
+
+    /// <summary>Girths of the last slices of a bird's tail without feathers, the tip last, relative to what its tables give.</summary>
+    private static readonly double[] featherless = { 0.8, 0.6, 0.35 };
 
     /// <summary>The proportions with a thinner tail where it is too thick, and a shorter one where it is too long; swimmers and what crawls move by theirs, and insects bear a thick abdomen.</summary>
     public static BodyProportions Fit(CreatureBuilder builder)
@@ -71,6 +75,25 @@ internal static class TailFit
         double fall = PortableMath.Atan2(shape.Y[StationRing.TorsoLast] - shape.Y[LastOfTail], shape.Z[StationRing.TorsoLast] - shape.Z[LastOfTail]);
         bool raised = fall < -Scalar.Radians(RaisedDegrees);
         return raised ? drawn : drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
+    }
+
+    /// <summary>The slices with a point at the end of a bird's tail that wears no feathers: its tables are made for a fan, and end like a sawn log without one.</summary>
+    public static ValueList<LatticeSlice> Point(CreatureBuilder builder, ValueList<LatticeSlice> drawn)
+    {
+        if (builder.Kind == LocomotionKind.Swimming || builder.Parents.Tail.Class != AnimalClass.Bird || builder.Tail.Style != TailStyle.Plain)
+        {
+            return drawn;
+        }
+
+        LatticeSlice[] slices = drawn.ToArray();
+        int first = slices.Length - featherless.Length;
+        for (int i = first; i < slices.Length; i++)
+        {
+            double girth = Scalar.Lerp(1, featherless[i - first], Math.Min(1, 2 * builder.Strangeness));
+            slices[i] = slices[i] with { Width = girth * slices[i].Width, Height = girth * slices[i].Height };
+        }
+
+        return new ValueList<LatticeSlice>(slices);
     }
 
     /// <summary>Whether the tail of one on two or four legs under its body hangs so steeply that it is seen between them from the front.</summary>
