@@ -1,5 +1,6 @@
 using System.Linq;
 using CreatureGen.Anatomy;
+using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Sampling;
 using CreatureGen.Sampling.Parents;
@@ -28,6 +29,26 @@ public sealed class TailFitTests
     [InlineData("bear", 0.6)]
     public void Tails_of_animals_and_of_others_than_birds_stay_as_they_are(string tail, double strangeness) =>
         Assert.Equal(even, TailFit.Point(Mixed(tail, strangeness), even));
+
+    [Fact]
+    public void A_sting_is_no_longer_than_a_quarter_of_its_tail()
+    {
+        int stings = 0;
+        for (ulong seed = 9971001; seed <= 9971060; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 1 });
+            if (creature.Tail.Style == TailStyle.Stinger)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double tail = shape.Arc[BodyGrid.Rings - 1] - shape.Arc[StationRing.TorsoLast];
+                FeatureBlueprint sting = creature.Features.Single(part => part.Kind == FeatureKind.Horn && part.Ring == BodyGrid.Rings - 2);
+                Assert.InRange(sting.Length / tail, 0.05, 0.25);
+                stings++;
+            }
+        }
+
+        Assert.NotEqual(0, stings);
+    }
 
     private static CreatureBuilder Mixed(string tail, double strangeness)
     {

@@ -20,6 +20,10 @@ internal static class FeatureSampler
     private const double Shortening = 0.85;
     private const int MaxCuts = 12;
 
+    // Length of a sting in half widths of the tail's tip, and at most relative to the tail: on the stub of a thick one it is a blade.
+    private const double StingLength = 3.2;
+    private const double LongestSting = 0.22;
+
     /// <summary>Fills in the features of the creature, as many as are asked for.</summary>
     public static void Sample(CreatureBuilder builder, OrnamentLevel level)
     {
@@ -111,8 +115,10 @@ internal static class FeatureSampler
     {
         if (builder.Tail.Style == TailStyle.Stinger)
         {
-            double radius = builder.Shape.Width[BodyGrid.Rings - 2];
-            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 2, 0, 3.2 * radius, 0.7 * radius, 0.1, 0, -1, 0, 0, 0, 0, 1, 1));
+            BodyShape s = builder.Shape;
+            double tail = s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast];
+            double radius = Math.Min(s.Width[BodyGrid.Rings - 2], LongestSting * tail / StingLength);
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 2, 0, StingLength * radius, 0.7 * radius, 0.1, 0, -1, 0, 0, 0, 0, 1, 1));
         }
     }
 
