@@ -25,15 +25,21 @@ public sealed class FaceRuleTests
         Assert.Equal(new[] { noseHorn, crownHorn }, Cleared("canine", "rhino"));
 
     [Fact]
+    public void A_crest_of_another_species_leaves_the_snout() =>
+        Assert.Equal(new[] { noseHorn, crownHorn }, Cleared("canine", "pterosaur", Part(FeatureKind.Plate, 5, 0.5), noseHorn, crownHorn));
+
+    [Fact]
     public void What_a_species_wears_on_its_own_head_stays() =>
         Assert.Equal(new[] { noseHorn, tusk, crownHorn }, Cleared("rhino", "rhino"));
 
-    private static FeatureBlueprint[] Cleared(string head, string ornaments)
+    private static FeatureBlueprint[] Cleared(string head, string ornaments) => Cleared(head, ornaments, noseHorn, tusk, crownHorn);
+
+    private static FeatureBlueprint[] Cleared(string head, string ornaments, params FeatureBlueprint[] worn)
     {
         SpeciesProfile first = SpeciesCatalogue.Find("bear");
         var parents = new Parentage(first, SpeciesCatalogue.Find(head), SpeciesCatalogue.Find(ornaments)) { Head = SpeciesCatalogue.Find(head), Ornaments = SpeciesCatalogue.Find(ornaments) };
         var builder = new CreatureBuilder(new Seed(1), LocomotionKind.Walking, parents, BodyPlan.Plantigrade, 0.6);
-        builder.Features.AddRange(new[] { noseHorn, tusk, crownHorn });
+        builder.Features.AddRange(worn);
         FaceRule.Clear(builder);
         return builder.Features.ToArray();
     }

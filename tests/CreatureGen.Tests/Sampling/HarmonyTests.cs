@@ -38,4 +38,14 @@ public sealed class HarmonyTests
 
         Assert.NotEqual(0, rays);
     }
+
+    [Fact]
+    public void Only_rays_wear_heads_of_rays()
+    {
+        for (ulong seed = 9971001; seed <= 9971100; seed++)
+        {
+            BodyBlueprint body = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking, Strangeness = 1 }).Body;
+            Assert.True(body.Disc.Sweep != 0 || SpeciesCatalogue.Find(body.Blend.Face).Disc.Sweep == 0, FormattableString.Invariant($"{seed}: a {body.Blend.First} with the face of a ray"));
+        }
+    }
 }

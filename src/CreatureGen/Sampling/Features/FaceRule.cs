@@ -24,18 +24,21 @@ internal static class FaceRule
         double longest = 0;
         foreach (FeatureBlueprint part in builder.Features)
         {
-            if (IsBefore(part) && part.Length > longest)
+            if (IsBefore(part) && !IsBlade(part) && part.Length > longest)
             {
                 (kept, longest) = (part.Kind, part.Length);
             }
         }
 
-        builder.Features.RemoveAll(part => IsBefore(part) && ((beaked && part.Ring < BeakEnd) || part.Kind != kept));
+        builder.Features.RemoveAll(part => IsBefore(part) && ((beaked && part.Ring < BeakEnd) || IsBlade(part) || part.Kind != kept));
     }
 
     /// <summary>Whether something big is on the head already: a second thing would crowd it.</summary>
     public static bool IsDressed(CreatureBuilder builder) =>
         builder.Frills.Count > 0 || builder.Manes.Count > 0 || builder.Features.Exists(part => part.Kind != FeatureKind.Eye && part.Ring < StationRing.Nape + 1);
+
+    /// <summary>Whether a part is a crest on the snout: on that of another species it stands between the eyes like a blade.</summary>
+    private static bool IsBlade(FeatureBlueprint part) => part.Kind == FeatureKind.Plate && part.Ring < BeakEnd;
 
     /// <summary>Whether a part grows from the snout, or from the brow and forward.</summary>
     private static bool IsBefore(FeatureBlueprint part) =>

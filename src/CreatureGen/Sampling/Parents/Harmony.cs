@@ -38,6 +38,17 @@ internal static class Harmony
             parents = parents with { Head = first };
         }
 
+        // And on another body its skull is a slit without a face, with lobes before it.
+        if (first.Disc.Sweep == 0 && parents.Head.Disc.Sweep != 0)
+        {
+            parents = parents with { Head = first };
+        }
+
+        if (parents.Head.Disc.Sweep == 0 && parents.Ornaments.Disc.Sweep != 0)
+        {
+            parents = parents with { Ornaments = parents.Head };
+        }
+
         // Hair and collars would stand along its edges.
         if (first.Disc.Sweep != 0)
         {

@@ -149,7 +149,7 @@ internal static class ParentSampler
         foreach (SpeciesProfile other in new[] { parents.Second, parents.Third })
         {
             // Over one pair of a bird's legs a long jaw would tip the body forward.
-            bool fits = first.Disc.Sweep == 0 && other.Class != AnimalClass.Arthropod && first.Class != AnimalClass.Arthropod && parents.Legs.Bird is null;
+            bool fits = first.Disc.Sweep == 0 && other.Disc.Sweep == 0 && other.Class != AnimalClass.Arthropod && first.Class != AnimalClass.Arthropod && parents.Legs.Bird is null;
             parents = DistanceOf(parents) < 1 && fits && Group(other) != Group(first) ? parents with { Head = other, Ornaments = parents.Ornaments.Class == AnimalClass.Arthropod ? other : parents.Ornaments } : parents;
             parents = DistanceOf(parents) < 1 && Group(other) != Group(first) ? parents with { Skin = other } : parents;
         }
