@@ -75,14 +75,18 @@ internal sealed class SecondaryMotion
         for (int i = 0; i < rigs.Length; i++)
         {
             ReadOnlySpan<SpringCollider> colliders = ReadOnlySpan<SpringCollider>.Empty;
+            float height = (Thickness * rigs[i].Length) - clearance;
             if (ReachesDown(i, clearance, model))
             {
-                ground[0] = SpringCollider.Plane(root.Position + (up * (((Thickness * rigs[i].Length) - clearance) * root.Scale)), up);
+                ground[0] = SpringCollider.Plane(root.Position + (up * (height * root.Scale)), up);
                 colliders = ground;
             }
 
             SpringBones.Update(rigs[i], states[i], settings[i].Under(balanced), root, colliders, seconds, local, model);
-            KeepWithinLimits(rigs[i], local, model);
+            if (KeepWithinLimits(rigs[i], local, model) && colliders.Length > 0)
+            {
+                ChainLift.Raise(rigs[i], height, settings[i].Radius, local, model);
+            }
         }
     }
 
@@ -104,7 +108,8 @@ internal sealed class SecondaryMotion
         }
     }
 
-    private static void KeepWithinLimits(SpringRig rig, in Pose local, in Pose model)
+    /// <summary>Brings joints back to their limits; whether one was beyond.</summary>
+    private static bool KeepWithinLimits(SpringRig rig, in Pose local, in Pose model)
     {
         int first = -1;
         ReadOnlySpan<Joint> joints = rig.Skeleton.AllJoints;
@@ -122,6 +127,8 @@ internal sealed class SecondaryMotion
         {
             Subtree.LocalToModel(rig.Skeleton, first, local, model);
         }
+
+        return first >= 0;
     }
 
     /// <summary>Whether a chain is as near to the ground as it is long.</summary>

@@ -136,10 +136,22 @@ public class ActTrialTests
     [InlineData(6016, "Sleep", Explicit = true)]
     [InlineData(6049, "Shake")]
     [InlineData(6095, "Lie", Explicit = true)]
+    [InlineData(9731018, "Threaten")]
+    [InlineData(9985059, "Flinch")]
     public void Tails_and_feelers_that_swing_stay_above_the_ground(ulong seed, string act)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
         Assert.InRange(ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == act).Run(profile).Penetration!.Value, 0f, 0.01f);
+    }
+
+    [Theory]
+    [InlineData(9731011, "TailSweep")]
+    [InlineData(9731014, "TailSweep")]
+    [InlineData(9731011, "Groom", Explicit = true)]
+    public void Feet_stay_where_they_stand_as_weight_that_was_on_one_side_comes_back_for_an_act(ulong seed, string act)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.InRange(ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == act).Run(profile).FootSlip!.Value, 0f, 0.01f);
     }
 
     [Theory]

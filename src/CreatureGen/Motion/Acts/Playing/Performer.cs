@@ -15,8 +15,9 @@ internal sealed class Performer
     private const int FeelerRounds = 6;
     private const float MaxCleared = 0.5f;
 
-    /// <summary>How quickly what a standing creature does by itself gives way to an act, per second, and what counts as none.</summary>
+    /// <summary>How quickly what a standing creature does by itself gives way to an act, per second and per time unit of the act, whichever is quicker: gone before the act's first phase is at its end. And what counts as none.</summary>
     private const float StillRate = 9f;
+    private const float StillRatePerUnit = 4f;
     private const float Nothing = 1e-3f;
 
     /// <summary>How far feet have to be off their places for the ground to bear the body instead.</summary>
@@ -39,6 +40,7 @@ internal sealed class Performer
     private float side = 1f;
     private float still;
     private float stilling;
+    private float stillRate = StillRate;
 
     public Performer(ActBody body, TrunkRoom room)
     {
@@ -85,6 +87,7 @@ internal sealed class Performer
         float newSide = newAim.Mirrored ? -1f : 1f;
         lastAim = ActAim.Between(lastAim, player.LeftReach, aim, player.OwnReach);
         player.Begin(act, gain, newAim.Plan, newSide, seconds);
+        stillRate = Math.Max(StillRate, StillRatePerUnit / seconds);
         aim = newAim;
         if (newSide != side)
         {
@@ -135,6 +138,7 @@ internal sealed class Performer
         side = other.side;
         still = other.still;
         stilling = other.stilling;
+        stillRate = other.stillRate;
         IsActive = other.IsActive;
     }
 
@@ -152,7 +156,7 @@ internal sealed class Performer
     public void Advance(float dt, bool stands, in RootPlace root)
     {
         player.Advance(dt, mood.Pace, stands);
-        CriticallyDampedSpring.Advance(ref still, ref stilling, player.Act == null ? 0f : 1f, StillRate, dt);
+        CriticallyDampedSpring.Advance(ref still, ref stilling, player.Act == null ? 0f : 1f, player.Act == null ? StillRate : stillRate, dt);
         IsActive = player.IsActive || still > Nothing || mood.IsShown;
         if (!IsActive)
         {
