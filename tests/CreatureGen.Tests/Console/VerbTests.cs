@@ -64,9 +64,9 @@ public sealed class VerbTests
     {
         using var one = new ConsoleRun();
         using var two = new ConsoleRun();
-        Assert.Equal(ExitCode.Done, one.Run("generate", "--seeds", "3-6,0x20", "--threads", "1", "--json"));
-        Assert.Equal(ExitCode.Done, two.Run("generate", "--seeds", "3-6,0x20", "--threads", "3", "--json"));
-        Assert.Equal(15, one.Files.Length);
+        Assert.Equal(ExitCode.Done, one.Run("generate", "--seeds", "3-4,0x20", "--threads", "1", "--json"));
+        Assert.Equal(ExitCode.Done, two.Run("generate", "--seeds", "3-4,0x20", "--threads", "3", "--json"));
+        Assert.Equal(9, one.Files.Length);
         Assert.Equal(one.AllBytes(), two.AllBytes());
         Assert.Equal(one.Out.Replace(one.Folder, "", StringComparison.Ordinal), two.Out.Replace(two.Folder, "", StringComparison.Ordinal));
     }
