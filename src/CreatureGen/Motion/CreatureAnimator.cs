@@ -24,7 +24,7 @@ namespace CreatureGen.Motion;
 /// creature and its <see cref="MotionProfile"/> may be shared by any number of them on any threads.
 /// </summary>
 /// <remarks>
-/// <para>Configured by the creature's build alone. An update allocates nothing. The same calls give the same bits.</para>
+/// <para>Configured by the creature's build alone. An update allocates nothing; only the first on ground of the game's own makes room for what was before it, unless <see cref="Teleport"/> has. The same calls give the same bits.</para>
 /// <para>The pose is in the creature's own space, with its root joint at rest: <see cref="Root"/> says where that is in the world.</para>
 /// </remarks>
 public sealed partial class CreatureAnimator

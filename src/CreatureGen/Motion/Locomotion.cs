@@ -15,12 +15,14 @@ namespace CreatureGen.Motion;
 /// <summary>
 /// The way in which a creature moves, wholly or not at all: when a game's ground throws in the middle of a movement, all that the creature remembers, and its pose, are as they were before.
 /// </summary>
-/// <remarks>There are two of everything: what moves, and what was before. They change places when a movement fails. Over the library's own ground, which never throws, nothing is kept.</remarks>
+/// <remarks>
+/// There are two of everything: what moves, and what was before. They change places when a movement fails. Over the library's own ground, which never throws, nothing is kept, and what was before is not even made: that is a quarter of an animator's memory.
+/// </remarks>
 internal sealed class Locomotion
 {
     private readonly MotionProfile profile;
     private readonly EventQueue events;
-    private readonly LocalPose poseBefore;
+    private LocalPose? poseBefore;
     private WalkingMode? keptLegs;
     private FallingMode? kept;
 
@@ -28,9 +30,7 @@ internal sealed class Locomotion
     {
         this.profile = profile;
         this.events = events;
-        poseBefore = new LocalPose(profile.Subject.Skeleton);
         (Legs, Mode) = Make();
-        (keptLegs, kept) = Make();
     }
 
     /// <summary>How it goes on its legs; null without legs to stand on.</summary>
@@ -115,7 +115,13 @@ internal sealed class Locomotion
     {
         if (ground.MayThrow && Mode != null)
         {
-            poseBefore.Take(local);
+            if (kept == null)
+            {
+                (keptLegs, kept) = Make();
+                poseBefore = new LocalPose(profile.Subject.Skeleton);
+            }
+
+            poseBefore!.Take(local);
             kept!.CopyFrom(Mode);
         }
     }
@@ -124,7 +130,7 @@ internal sealed class Locomotion
     {
         (Legs, keptLegs) = (keptLegs, Legs);
         (Mode, kept) = (kept, Mode);
-        poseBefore.Pose.Rotations.CopyTo(local.Rotations);
+        poseBefore!.Pose.Rotations.CopyTo(local.Rotations);
         poseBefore.Pose.Positions.CopyTo(local.Positions);
         events.Clear();
     }
