@@ -118,7 +118,7 @@ internal static class FeatureSampler
             BodyShape s = builder.Shape;
             double tail = s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast];
             double radius = Math.Min(s.Width[BodyGrid.Rings - 2], LongestSting * tail / StingLength);
-            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 2, 0, StingLength * radius, 0.7 * radius, 0.1, 0, -1, 0, 0, 0, 0, 1, 1));
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Horn, BodyGrid.Rings - 2, Segment: 0, Length: StingLength * radius, Radius: 0.7 * radius, Outward: 0.1, Upward: 0, Forward: -1, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1));
         }
     }
 
@@ -170,11 +170,11 @@ internal static class FeatureSampler
         int style = random.Weighted(stackalloc double[] { 1, 1, 0.7, nose ? 0.35 : 0, deer ? 1.1 : 0 });
         builder.Features.Add(style switch
         {
-            0 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.87, -0.09, 0.48, 0.15, 0.25, -0.25, 1, 1),
-            1 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.50, -0.81, 0.32, -0.35, -0.10, 0.10, 1, 1),
-            2 => new FeatureBlueprint(FeatureKind.Horn, 13, 2.6, length, radius, 0, 0.24, -0.24, 0.94, 0.65, 0.45, -0.20, 1, 1),
-            4 => new FeatureBlueprint(FeatureKind.Antler, 13, 2.6, length * 1.5, radius * 0.62, 0, 0.80, -0.35, 0.55, 0.2, 0.1, 0.15, 1, 1),
-            _ => new FeatureBlueprint(FeatureKind.Horn, 3, 0, length, radius * 1.2, 0.87, 0, 0.48, 0, 0, -0.35, 0, 1, 1),
+            0 => new FeatureBlueprint(FeatureKind.Horn, Ring: 13, Segment: 2.6, Length: length, Radius: radius, Outward: 0, Upward: 0.87, Forward: -0.09, Sideward: 0.48, BendUp: 0.15, BendForward: 0.25, BendSide: -0.25, Flatness: 1, Taper: 1),
+            1 => new FeatureBlueprint(FeatureKind.Horn, Ring: 13, Segment: 2.6, Length: length, Radius: radius, Outward: 0, Upward: 0.50, Forward: -0.81, Sideward: 0.32, BendUp: -0.35, BendForward: -0.10, BendSide: 0.10, Flatness: 1, Taper: 1),
+            2 => new FeatureBlueprint(FeatureKind.Horn, Ring: 13, Segment: 2.6, Length: length, Radius: radius, Outward: 0, Upward: 0.24, Forward: -0.24, Sideward: 0.94, BendUp: 0.65, BendForward: 0.45, BendSide: -0.20, Flatness: 1, Taper: 1),
+            4 => new FeatureBlueprint(FeatureKind.Antler, Ring: 13, Segment: 2.6, Length: length * 1.5, Radius: radius * 0.62, Outward: 0, Upward: 0.80, Forward: -0.35, Sideward: 0.55, BendUp: 0.2, BendForward: 0.1, BendSide: 0.15, Flatness: 1, Taper: 1),
+            _ => new FeatureBlueprint(FeatureKind.Horn, Ring: 3, Segment: 0, Length: length, Radius: radius * 1.2, Outward: 0.87, Upward: 0, Forward: 0.48, Sideward: 0, BendUp: 0, BendForward: -0.35, BendSide: 0, Flatness: 1, Taper: 1),
         });
         return true;
     }
@@ -192,7 +192,7 @@ internal static class FeatureSampler
         {
             double ring = 12 + (q * 0.9);
             double length = head * 0.9 * (1 - (0.5 * Math.Abs((q / (count - 1.0)) - 0.35)));
-            builder.Features.Add(new FeatureBlueprint(FeatureKind.Tuft, ring, 0, length, head * 0.2, 0.73, 0, -0.68, 0, 0, -0.3, 0, 0.5, 0.7));
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Tuft, ring, Segment: 0, Length: length, Radius: head * 0.2, Outward: 0.73, Upward: 0, Forward: -0.68, Sideward: 0, BendUp: 0, BendForward: -0.3, BendSide: 0, Flatness: 0.5, Taper: 0.7));
         }
     }
 
@@ -226,7 +226,7 @@ internal static class FeatureSampler
                 Sail(builder, sail, spiny, random.Integer(7, 10));
                 break;
             default:
-                builder.Shell = new ShellBlueprint(ShellStyle.Carapace, 24, 19, 5, 0.16);
+                builder.Shell = new ShellBlueprint(ShellStyle.Carapace, Ring: 24, Rows: 19, Columns: 5, Rise: 0.16);
                 break;
         }
     }
@@ -239,7 +239,7 @@ internal static class FeatureSampler
             double ring = 18 + (30.0 * q / (count - 1));
             double length = height * (0.35 + (0.65 * Maths.PortableMath.Sin(Maths.PortableMath.Pi * (q + 0.6) / (count + 0.2)))) * Maths.Scalar.Clamp(s.Top[(int)ring] / 0.12, 0.35, 1.2);
             double lean = kind == FeatureKind.Plate ? -0.2 : -0.48;
-            builder.Features.Add(new FeatureBlueprint(kind, ring, 0, length, length * breadth, 0.88, 0, lean, 0, 0, 0, 0, flatness, taper));
+            builder.Features.Add(new FeatureBlueprint(kind, ring, Segment: 0, Length: length, Radius: length * breadth, Outward: 0.88, Upward: 0, Forward: lean, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: flatness, Taper: taper));
         }
     }
 
@@ -276,12 +276,12 @@ internal static class FeatureSampler
 
         if (club)
         {
-            builder.Features.Add(new FeatureBlueprint(FeatureKind.Club, 52, 0, 2.1 * radius, 0.85 * radius, 0.1, 0, -1, 0, 0, 0, 0, 1.2, 0.4));
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Club, Ring: 52, Segment: 0, Length: 2.1 * radius, Radius: 0.85 * radius, Outward: 0.1, Upward: 0, Forward: -1, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1.2, Taper: 0.4));
         }
 
         for (int k = 0; k < 3; k++)
         {
-            builder.Features.Add(new FeatureBlueprint(FeatureKind.Spike, 46 + (2 * k), 4, 1.4 * radius, 0.3 * radius, 0.9, 0.1, -0.4, 0, 0, 0, 0, 1, 1));
+            builder.Features.Add(new FeatureBlueprint(FeatureKind.Spike, 46 + (2 * k), Segment: 4, Length: 1.4 * radius, Radius: 0.3 * radius, Outward: 0.9, Upward: 0.1, Forward: -0.4, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1));
         }
     }
 
@@ -319,14 +319,14 @@ internal static class FeatureSampler
         double length = head * random.Uniform(0.5, 1.1);
         if (random.Chance(0.25 * plenty) && fits)
         {
-            builder.Features.Add(OffGround(builder, new FeatureBlueprint(FeatureKind.Tusk, 4, 10.6, length, 0.15 * length, 0.2, -0.25, 0.7, 0.3, 0.45, 0.1, 0, 1, 0.9)));
+            builder.Features.Add(OffGround(builder, new FeatureBlueprint(FeatureKind.Tusk, Ring: 4, Segment: 10.6, Length: length, Radius: 0.15 * length, Outward: 0.2, Upward: -0.25, Forward: 0.7, Sideward: 0.3, BendUp: 0.45, BendForward: 0.1, BendSide: 0, Flatness: 1, Taper: 0.9)));
         }
     }
 
     private static void InsectHead(CreatureBuilder builder, RandomStream random)
     {
         double length = random.Uniform(0.25, 0.5);
-        builder.Features.Add(new FeatureBlueprint(FeatureKind.Antenna, 6, 3, length * 1.3, 0.012, 0, 0.76, 0.53, 0.34, -0.35, 0.27, 0.08, 1, 0.6));
-        builder.Features.Add(new FeatureBlueprint(FeatureKind.Mandible, 2, 10, 0.11, 0.024, 0, -0.18, 0.95, -0.1, 0, 0, -0.27, 1, 1));
+        builder.Features.Add(new FeatureBlueprint(FeatureKind.Antenna, Ring: 6, Segment: 3, Length: length * 1.3, Radius: 0.012, Outward: 0, Upward: 0.76, Forward: 0.53, Sideward: 0.34, BendUp: -0.35, BendForward: 0.27, BendSide: 0.08, Flatness: 1, Taper: 0.6));
+        builder.Features.Add(new FeatureBlueprint(FeatureKind.Mandible, Ring: 2, Segment: 10, Length: 0.11, Radius: 0.024, Outward: 0, Upward: -0.18, Forward: 0.95, Sideward: -0.1, BendUp: 0, BendForward: 0, BendSide: -0.27, Flatness: 1, Taper: 1));
     }
 }

@@ -80,12 +80,12 @@ internal static class HeadSampler
         var socket = new SocketBlueprint(13, shape == EarShape.Sideways ? 4 : 2, 2, 2);
         EarBlueprint ear = shape switch
         {
-            EarShape.Drooping => new EarBlueprint(socket, 1.15 * size, 0.42 * head, 0.9, 0.45, -0.1, 0.9, 0),
-            EarShape.Big => new EarBlueprint(socket, 2.0 * size, 0.5 * head, 0.55, 1, -0.35, 0, 0),
-            EarShape.Round => new EarBlueprint(socket, 0.75 * size, 0.48 * head, 0.6, 0.9, -0.15, 0, 1),
-            EarShape.Sideways => new EarBlueprint(socket, 1.15 * size, 0.36 * head, 1, 0.12, -0.25, 0.35, 0),
-            EarShape.Long => new EarBlueprint(socket, 2.9 * size, 0.40 * head, 0.22, 1, -0.3, 0, 0.4),
-            _ => new EarBlueprint(socket, 1.15 * size, 0.42 * head, 0.38, 1, -0.25, 0, 0),
+            EarShape.Drooping => new EarBlueprint(socket, 1.15 * size, 0.42 * head, Outward: 0.9, Upward: 0.45, Forward: -0.1, Droop: 0.9, Roundness: 0),
+            EarShape.Big => new EarBlueprint(socket, 2.0 * size, 0.5 * head, Outward: 0.55, Upward: 1, Forward: -0.35, Droop: 0, Roundness: 0),
+            EarShape.Round => new EarBlueprint(socket, 0.75 * size, 0.48 * head, Outward: 0.6, Upward: 0.9, Forward: -0.15, Droop: 0, Roundness: 1),
+            EarShape.Sideways => new EarBlueprint(socket, 1.15 * size, 0.36 * head, Outward: 1, Upward: 0.12, Forward: -0.25, Droop: 0.35, Roundness: 0),
+            EarShape.Long => new EarBlueprint(socket, 2.9 * size, 0.40 * head, Outward: 0.22, Upward: 1, Forward: -0.3, Droop: 0, Roundness: 0.4),
+            _ => new EarBlueprint(socket, 1.15 * size, 0.42 * head, Outward: 0.38, Upward: 1, Forward: -0.25, Droop: 0, Roundness: 0),
         };
         if (builder.Sockets.TryReserve(socket, 0))
         {
@@ -117,8 +117,8 @@ internal static class HeadSampler
         if (species.Snout == SnoutKind.Beak)
         {
             // The horn of a beak lies on the skull with an edge.
-            bumps.Add(new HeadBump(5.4, 8, 0.8, 16, BeakEdge));
-            bumps.Add(new HeadBump(7, 8, 0.9, 16, -0.6 * BeakEdge));
+            bumps.Add(new HeadBump(Ring: 5.4, Segment: 8, RingSpread: 0.8, SegmentSpread: 16, Amount: BeakEdge));
+            bumps.Add(new HeadBump(Ring: 7, Segment: 8, RingSpread: 0.9, SegmentSpread: 16, Amount: -0.6 * BeakEdge));
         }
 
         bumps.AddRange(species.Skull.Muzzle);

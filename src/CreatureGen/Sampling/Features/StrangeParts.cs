@@ -68,14 +68,14 @@ internal static class StrangeParts
     private static void AddEye(CreatureBuilder builder, double ring, double segment, double fraction)
     {
         double radius = fraction * EyeRadius(builder);
-        builder.Features.Add(new FeatureBlueprint(FeatureKind.Eye, ring, segment, radius, radius, 1, 0, 0, 0, 0, 0, 0, 1, 1));
+        builder.Features.Add(new FeatureBlueprint(FeatureKind.Eye, ring, segment, radius, radius, Outward: 1, Upward: 0, Forward: 0, Sideward: 0, BendUp: 0, BendForward: 0, BendSide: 0, Flatness: 1, Taper: 1));
     }
 
     private static void Stalks(CreatureBuilder builder, double size)
     {
         double radius = 0.8 * EyeRadius(builder);
         double length = (4 + (4 * size)) * radius;
-        builder.Features.Add(new FeatureBlueprint(FeatureKind.Eye, builder.Parents.Head.Eye.Ring + 2.5, 2.6, length, radius, 0.3, 0.9, 0.15, 0.3, 0.05, 0.1, 0.1, 1, 1));
+        builder.Features.Add(new FeatureBlueprint(FeatureKind.Eye, builder.Parents.Head.Eye.Ring + 2.5, Segment: 2.6, Length: length, Radius: radius, Outward: 0.3, Upward: 0.9, Forward: 0.15, Sideward: 0.3, BendUp: 0.05, BendForward: 0.1, BendSide: 0.1, Flatness: 1, Taper: 1));
     }
 
     private static double EyeRadius(CreatureBuilder builder) =>
@@ -93,7 +93,7 @@ internal static class StrangeParts
 
         double length = (0.75 + (0.4 * size)) * Math.Max(s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast], 0.35 * builder.TorsoLength);
         double radius = 0.62 * 0.5 * (s.Width[StationRing.TailBase] + builder.HalfDepth(StationRing.TailBase));
-        var tail = new FeatureBlueprint(FeatureKind.Tail, TailRing, 4.6, length, radius, 0.55, 0.2, -1, 0.35, 0.12, 0, 0.2, 1, 0.85);
+        var tail = new FeatureBlueprint(FeatureKind.Tail, TailRing, Segment: 4.6, Length: length, Radius: radius, Outward: 0.55, Upward: 0.2, Forward: -1, Sideward: 0.35, BendUp: 0.12, BendForward: 0, BendSide: 0.2, Flatness: 1, Taper: 0.85);
         builder.Features.Add(FeatureSampler.OffGround(builder, tail));
     }
 }

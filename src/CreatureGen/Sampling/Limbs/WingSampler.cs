@@ -84,7 +84,7 @@ internal static class WingSampler
     {
         RandomStream random = builder.Stream("folded wings");
         double ring = Math.Min(52, (builder.Parents.Legs.Bird?.FoldRing ?? 45.5) + random.Uniform(-0.8, 0.8));
-        var socket = new SocketBlueprint(24, 4, 2, 4);
+        var socket = new SocketBlueprint(Ring: 24, Segment: 4, Rows: 2, Columns: 4);
         double span = BodyShape.At(builder.Shape.Arc, ring) - builder.Shape.Arc[StationRing.WingRoot];
         if (builder.Sockets.TryReserve(socket, 0))
         {

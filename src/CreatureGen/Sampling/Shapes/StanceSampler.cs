@@ -49,7 +49,7 @@ internal static class StanceSampler
     private static readonly double steepestQuadruped = Scalar.Radians(14);
 
     /// <summary>A face does not change how a body stands: the shape is taken without one.</summary>
-    private static readonly HeadBlueprint faceless = new(ValueList<HeadBump>.Empty, 2.2, new EyeBlueprint(EyeStyle.Round, 9, 5, 0.03, 0.5, 0.4, 1, 1, 0), new MouthBlueprint(0, 0, 0, 0), 0);
+    private static readonly HeadBlueprint faceless = new(ValueList<HeadBump>.Empty, 2.2, new EyeBlueprint(EyeStyle.Round, Ring: 9, Segment: 5, Radius: 0.03, Sink: 0.5, Forward: 0.4, UpperLid: 1, LowerLid: 1, LidTilt: 0), new MouthBlueprint(CornerRing: 0, Opening: 0, Smile: 0, Teeth: 0), 0);
 
     /// <summary>Sets the elevation and the final posture.</summary>
     public static void Settle(CreatureBuilder builder)
