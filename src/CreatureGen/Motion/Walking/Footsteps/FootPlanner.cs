@@ -125,7 +125,7 @@ internal sealed class FootPlanner
         {
             feet[i] = default;
             ref Foot foot = ref feet[i];
-            foot.Leg.Hip = body.Legs[i].HipRest;
+            foot.Leg = LegOutcome.AtRest(body.Legs[i]);
             Target(i, step, body.Legs[i].Home, body.Legs[i].Home, 0f, step.Frame.Rotation);
             foot.Plan.From = foot.Plan.To;
             foot.Plan.Stance = 0.5f;
@@ -141,7 +141,7 @@ internal sealed class FootPlanner
         {
             float p = step.Clock.LegPhase(i);
             feet[i] = default;
-            feet[i].Leg.Hip = body.Legs[i].HipRest;
+            feet[i].Leg = LegOutcome.AtRest(body.Legs[i]);
             Aim(i, step, ((0.5f * duty) - p) * cycle, 0f);
             feet[i].Plan.From = feet[i].Plan.To;
             feet[i].Plan.Stance = Math.Min(p / duty, 1f);
@@ -391,7 +391,7 @@ internal sealed class FootPlanner
 
         // Who stands shifts its weight, and its feet go home whatever its hips do.
         Vector3 shift = Rotation.Rotate(turn, new Vector3(0f, 0f, foot.Plan.Nudge));
-        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body.Legs[leg], foot.Leg.Hip, step.RootVelocity, flight, wanted + shift) - shift : wanted);
+        Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body, body.Legs[leg], foot.Leg, step.RootVelocity, flight, wanted + shift) - shift : wanted);
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
         float fraction = foot.Plan.Swing > 0f && foot.Plan.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
         foot.Plan.Wanted += (next - foot.Plan.Wanted) * fraction;

@@ -29,7 +29,7 @@ internal static class FootRelease
     private const float LateDrop = 0.24f;
     private const float LateStance = 0.8f;
 
-    /// <summary>Seconds since its last pose from which on it is foreseen what the joints of a leg do.</summary>
+    /// <summary>Seconds since its last pose from which on nobody knows how its trunk is turned.</summary>
     private const float Overdue = 1.5f * DecisionClock.Period;
 
     /// <summary>Seconds of a swing out of step: as long as those of the gait, within these.</summary>
@@ -43,15 +43,17 @@ internal static class FootRelease
     /// <param name="step">The moment.</param>
     public static bool IsDue(ref Foot foot, LeggedBody body, LegRig leg, in StepContext step)
     {
-        Vector3 chord = foot.Leg.Chord + step.Frame.ToModel(foot.From.Position) - foot.Path.Base;
-        float reached = Vec.Length(chord + new Vector3(0f, foot.Leg.Lowered, 0f));
+        Vector3 place = step.Frame.ToModel(foot.From.Position);
+        Vector3 chord = foot.Leg.Chord + place - foot.Path.Base;
+        var lowered = new Vector3(0f, foot.Leg.Lowered, 0f);
+        float reached = Vec.Length(chord + lowered);
         bool late = foot.Stance > LateStance || !step.Moving;
         bool grows = reached > foot.Plan.Reached;
         float slides = foot.Leg.Residual - foot.Plan.Missed;
         foot.Plan.Reached = reached;
         foot.Plan.Missed = foot.Leg.Residual;
         bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
-        if (misses || (leg.Lateral && step.Since > Overdue && Missing(foot, body, leg, chord) > MaxMiss * leg.Length))
+        if (misses || (leg.Lateral && Missing(foot, body, leg, step, chord + lowered + Later(step, place) - place) > MaxMiss * leg.Length))
         {
             return true;
         }
@@ -61,11 +63,25 @@ internal static class FootRelease
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
 
-    /// <summary>How far a foot will be off its place when it is posed next, metres: in long updates the hip may come to its end between two poses.</summary>
-    private static float Missing(in Foot foot, LeggedBody body, LegRig leg, Vector3 chord)
+    /// <summary>Where a place is as the body goes on until the next decision, model space; where it is now if that comes before the next pose.</summary>
+    private static Vector3 Later(in StepContext step, Vector3 place)
     {
-        float now = HipRoom.Miss(body, leg, chord, foot.Path.Heading);
-        return now == 0f ? 0f : foot.Leg.Residual + now - HipRoom.Miss(body, leg, foot.Leg.Chord, foot.Path.Heading);
+        if (step.Left >= DecisionClock.Period)
+        {
+            return place;
+        }
+
+        Vector3 way = step.RootVelocity.Predict(DecisionClock.Period, out float yaw);
+        return Rotation.Rotate(AxisRotation.Yaw(-yaw), place - way);
+    }
+
+    /// <summary>How far a foot will be off its place with a chord, metres: a hip that comes to its end between two decisions would drag it along with the body.</summary>
+    private static float Missing(in Foot foot, LeggedBody body, LegRig leg, in StepContext step, Vector3 chord)
+    {
+        // How the trunk is turned is known for a moment only.
+        Quaternion carrier = step.Since > Overdue ? Quaternion.Identity : foot.Leg.Carrier;
+        float then = HipRoom.Miss(body, leg, carrier, chord);
+        return then == 0f ? 0f : foot.Leg.Residual + then - HipRoom.Miss(body, leg, carrier, foot.Leg.Chord + new Vector3(0f, foot.Leg.Lowered, 0f));
     }
 
     /// <summary>Seconds that such a swing takes.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Motion.Walking.Pace;
 
@@ -23,20 +24,23 @@ internal static class LandingRange
     private const float AsideFraction = 0.85f;
 
     /// <summary>The place that a foot goes to, no farther away than its leg takes it as it comes down.</summary>
+    /// <param name="body">Whose foot it is.</param>
     /// <param name="leg">Its leg.</param>
-    /// <param name="hip">Where its hip is at present, model space.</param>
+    /// <param name="posed">The leg as it was last posed.</param>
     /// <param name="velocity">How the body goes.</param>
     /// <param name="flight">Seconds until the foot comes down.</param>
     /// <param name="wanted">Where it belongs, model space at present.</param>
-    public static Vector3 Within(LegRig leg, Vector3 hip, in RootVelocity velocity, float flight, Vector3 wanted)
+    public static Vector3 Within(LeggedBody body, LegRig leg, in LegOutcome posed, in RootVelocity velocity, float flight, Vector3 wanted)
     {
         Vector3 way = velocity.Predict(flight, out float yaw);
         Vector3 place = Rotation.Rotate(AxisRotation.Yaw(-yaw), wanted - way);
         Vector3 rest = leg.Parts.Upper + leg.Shank;
         Vector3 chord = rest + (place - leg.Home);
+        Vector3 slid = posed.Hip - leg.HipRest;
         Vector3 bounded = leg.Lateral
-            ? Reached(leg, chord - (hip - leg.HipRest), Math.Max(LateralStretch, leg.RestStretch) * leg.Reach, -rest.Y - leg.Stoop, place)
+            ? Reached(leg, chord - slid, Math.Max(LateralStretch, leg.RestStretch) * leg.Reach, -rest.Y - leg.Stoop, place)
             : Reached(leg, chord, Math.Max(1f, leg.RestStretch) * leg.Reach, -rest.Y - (Drop * leg.Length), Beside(leg, place));
+        bounded = leg.Lateral ? Turned(body, leg, posed.Carrier, bounded, rest - leg.Home - slid) : bounded;
         return bounded == place ? wanted : way + Rotation.Rotate(AxisRotation.Yaw(yaw), bounded);
     }
 
@@ -52,6 +56,19 @@ internal static class LandingRange
 
         float fraction = 1f - Math.Max((float)Math.Sqrt(maxLevel / level), NearestFraction);
         return place - (new Vector3(chord.X, 0f, chord.Z) * fraction);
+    }
+
+    /// <summary>Draws a place back that lies farther ahead or behind than the hip turns: the foot would be dragged from there to where its leg brings it.</summary>
+    /// <param name="body">Whose leg it is.</param>
+    /// <param name="leg">The leg.</param>
+    /// <param name="carrier">Turn of the trunk at its hip.</param>
+    /// <param name="place">The place.</param>
+    /// <param name="chord">What has to be added to a place for the chord of the leg from its hip, metres.</param>
+    private static Vector3 Turned(LeggedBody body, LegRig leg, Quaternion carrier, Vector3 place, Vector3 chord)
+    {
+        Vector3 asked = place + chord;
+        Vector3 away = HipRoom.Nearest(body, leg, carrier, asked) - asked;
+        return place + new Vector3(away.X, 0f, away.Z);
     }
 
     private static Vector3 Beside(LegRig leg, Vector3 place)

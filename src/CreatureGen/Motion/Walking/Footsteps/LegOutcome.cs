@@ -1,4 +1,5 @@
 using System.Numerics;
+using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
@@ -17,6 +18,9 @@ internal struct LegOutcome
     /// <summary>The hip of its leg, when last posed. Model space.</summary>
     public Vector3 Hip;
 
+    /// <summary>Turn of the trunk at that hip from rest. Model space.</summary>
+    public Quaternion Carrier;
+
     /// <summary>Length that the leg would need, as part of its reach, when last posed.</summary>
     public float Stretch;
 
@@ -28,4 +32,7 @@ internal struct LegOutcome
 
     /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
     public float Relaxation;
+
+    /// <summary>That of a leg that has not been posed yet, under a trunk at rest.</summary>
+    public static LegOutcome AtRest(LegRig leg) => new() { Chord = leg.Parts.Upper + leg.Shank, Hip = leg.HipRest, Carrier = Quaternion.Identity };
 }

@@ -134,6 +134,7 @@ internal sealed class LegPoser
         }
 
         foot.Leg.Hip = hip;
+        foot.Leg.Carrier = carrier;
         foot.Leg.Stretch = solved.Stretch;
         foot.Leg.Residual = solved.Residual;
         foot.Leg.Astray = limit.Arriving > 0f ? (LegSolver.EndOf(leg, parts, solved) - chord) * limit.Arriving : default;
