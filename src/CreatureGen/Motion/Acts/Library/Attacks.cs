@@ -53,12 +53,12 @@ internal static class Attacks
             new ActPhase("recover", 1.8f).To(Ahead, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(ArmBend, 0f).To(BackTwist, 0f).To(BackSide, 0f).To(Yaw, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Arms | ActNeeds.Legs).With(ActTool.Hand).For(BodyBuild.Standing),
         new Act("Claw", ActKind.Strike,
-            new ActPhase("raise", 1.5f).To(Aside, -0.10f).To(Ahead, -0.06f).To(ForeFootUp, 0.38f).To(ForeFootOut, 0.12f).To(ForeFootPitch, 0.4f).To(NeckPitch, 0.2f).To(Ears, 0.8f).To(Jaw, 0.35f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.45f, ActEase.In).To(Ahead, 0.04f).To(ForeFootPitch, -0.2f).To(Reach, 0.85f),
+            new ActPhase("raise", 1.7f).To(Aside, -0.10f).To(Ahead, -0.12f).To(HindDown, 0.10f).To(Yaw, -0.04f).To(ForeFootUp, 0.5f).To(ForeFootAhead, -0.02f).To(ForeFootOut, 0.22f).To(ForeFootPitch, 0.9f).To(NeckPitch, 0.3f).To(NeckSide, -0.2f).To(Ears, 0.8f).To(Jaw, 0.35f).To(TailPitch, 0.3f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.12f).To(ForeDown, 0.04f).To(HindDown, 0f).To(Yaw, 0.02f).To(ForeFootPitch, -0.4f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(Jaw, 0.7f).To(Reach, 0.85f),
             new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("rake", 0.7f, ActEase.Out).To(Reach, 0f).To(ForeFootUp, 0.2f).To(ForeFootAhead, 0.15f).To(ForeFootOut, -0.05f).To(ForeFootPitch, 0.3f),
-            new ActPhase("down", 1.3f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(ForeFootOut, 0f).To(ForeFootPitch, 0f).To(Jaw, 0f),
-            new ActPhase("recover", 1.4f).To(Aside, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(Ears, 0f))
+            new ActPhase("rake", 0.7f, ActEase.Out).To(Reach, 0f).To(Ahead, 0.04f).To(ForeDown, 0.14f).To(Yaw, 0.03f).To(ForeFootUp, 0.12f).To(ForeFootAhead, 0.22f).To(ForeFootOut, -0.22f).To(ForeFootPitch, 0.5f).To(NeckPitch, -0.2f),
+            new ActPhase("down", 1.3f).To(ForeDown, 0f).To(Yaw, 0f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(ForeFootOut, 0f).To(ForeFootPitch, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(Jaw, 0f),
+            new ActPhase("recover", 1.4f).To(Aside, 0f).To(Ahead, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.FourLegs).With(ActTool.ForeFoot).For(BodyBuild.Pawed | BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
         new Act("Kick", ActKind.Strike,
             new ActPhase("look", 1.4f).To(NeckSide, 0.5f).To(HeadSide, 0.3f).To(Ears, 0.8f).To(Ahead, 0.08f).AtLeast(Seen),

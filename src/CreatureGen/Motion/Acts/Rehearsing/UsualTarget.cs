@@ -44,7 +44,7 @@ internal static class UsualTarget
         float unit = body.Unit;
         return tool switch
         {
-            ActTool.ForeFoot => now + ((body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? new Vector3(-0.05f, 0.22f, 0.2f) : new Vector3(-0.05f, 0.45f, 0.45f)) * unit),
+            ActTool.ForeFoot => now + ((body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? new Vector3(-0.05f, 0.28f, 0.3f) : new Vector3(-0.12f, 0.52f, 0.62f)) * unit),
             ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, body.Legs.IsBiped ? 0.45f : -0.55f) * unit),
             ActTool.Hand => BeforeShoulder(body),
             _ => Vec.Lerp(now, new Vector3(0f, 1.2f * unit, body.Skeleton.ModelPositions[Math.Max(body.Head, 0)].Z), 0.5f),
