@@ -48,6 +48,7 @@ internal static class Rows
         "atlas" => Glb(subjects, GltfOptions.Default with { TextureSize = AtlasSize }, 6),
         "profile" => new Row(subjects.Creatures.Take(60).Select<Creature, Action>(c => () => new MotionProfile(c)).ToArray()),
         "walk" => March(subjects, p => p.Legs != null && p.Legs.Rows == 2 && p.Flight == null, p => new MotionInput(p.Gaits!.Speeds[0].Comfortable)),
+        "crowd" => Crowds(subjects, p => p.Legs != null && p.Legs.Rows == 2 && p.Flight == null, p => new MotionInput(p.Gaits!.Speeds[0].Comfortable)),
         "far" => March(subjects, p => p.Legs != null && p.Legs.Rows == 2 && p.Flight == null, p => new MotionInput(p.Gaits!.Speeds[0].Comfortable), Far),
         "stand" => March(subjects, p => p.Legs != null && p.Legs.Rows == 2 && p.Flight == null, _ => default),
         "crawl" => March(subjects, p => p.Slither != null, _ => new MotionInput(0.5f)),
@@ -73,6 +74,9 @@ internal static class Rows
     {
     }
 
+    /// <summary>There was nothing of the kind: the share is that of updates of single animators.</summary>
+    private static Row Crowds(Subjects subjects, Predicate<MotionProfile> chosen, Func<MotionProfile, MotionInput> asked) => March(subjects, chosen, asked);
+
     private static CreatureMesh MeshOf(MotionProfile profile) => profile.Creature.Mesh;
 #else
     private static CreatureOptions Animals => CreatureOptions.Default with { Strangeness = 0 };
@@ -84,6 +88,31 @@ internal static class Rows
         MotionSettings settings = animator.Settings;
         settings.Detail = MotionDetail.Far;
         animator.Settings = settings;
+    }
+
+    /// <summary>As many as in a march, in crowds of one profile each.</summary>
+    private static Row Crowds(Subjects subjects, Predicate<MotionProfile> chosen, Func<MotionProfile, MotionInput> asked)
+    {
+        MotionProfile[] profiles = subjects.Profiles.Where(p => chosen(p)).ToArray();
+        int size = Math.Max(CrowdSize / profiles.Length, 1);
+        return new Row(
+            profiles.Select<MotionProfile, Action>(profile =>
+            {
+                var crowd = new Crowd(profile, size);
+                var inputs = new MotionInput[size];
+                Array.Fill(inputs, asked(profile));
+                for (int i = 0; i < size; i++)
+                {
+                    crowd[i].Teleport(new RootPlace(new Vector3(i * 10f, 0f, 0f), Quaternion.Identity), FlatGround.Level);
+                    for (int k = 0; k < 7 * i % 40; k++)
+                    {
+                        crowd[i].Update(1f / 60f, inputs[i], FlatGround.Level);
+                    }
+                }
+
+                return () => crowd.Update(1f / 60f, inputs, FlatGround.Level);
+            }).ToArray(),
+            size);
     }
 
     private static CreatureMesh MeshOf(MotionProfile profile) => profile.Subject.Mesh;

@@ -19,6 +19,7 @@ internal sealed record Comparison(string Row, string Work, double? Goal, PeerWor
         new("stand", "update, four legs, standing, of a crowd of 512", 0.7),
         new("walk", "update, four legs, walking", 0.7, new PeerWork(Peer.Ozz, "walk", "two clips sampled and blended, four legs, aim, skin matrices, of a crowd of 512")),
         new("far", "the same seen from afar, over the update in full", 0.15),
+        new("crowd", "update, four legs, walking, in crowds of one creature each", 0.5),
         new("crawl", "update, no legs, crawling", null),
         new("fly", "update, flying", null),
         new("swim", "update, swimming", null),
