@@ -279,7 +279,7 @@ internal static class LegSampler
     private static bool IsQuadruped(BodyPlan plan) => plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar;
 
     /// <summary>By how many segments legs grow nearer to the belly of a broad body: from its edges they stand like those of a table.</summary>
-    public static double LoweringAt(CreatureBuilder builder, int ring) =>
+    private static double LoweringAt(CreatureBuilder builder, int ring) =>
         Math.Min(1, 2 * builder.Strangeness) * Scalar.Clamp(LoweringRate * ((builder.Shape.Width[ring] / builder.HalfDepth(ring)) - Broad), 0, MaxLowering);
 
     private static SocketSet SetOf(CreatureBuilder builder)

@@ -67,11 +67,10 @@ internal static class OwnLegs
     public static SocketSet SetOf(CreatureBuilder builder, BirdPreset preset)
     {
         double girth = CreatureBuilder.Between(builder.Stream("thigh"), preset.Thigh);
-        double segment = preset.HipSegment + LegSampler.LoweringAt(builder, StationRing.Pelvis);
         var hips = new List<LimbSocket>();
         for (int ring = 34; ring <= 38; ring++)
         {
-            hips.Add(new LimbSocket(ring, segment, LimbArchetype.Bird, girth, 0, 0, SocketBounds.Limb));
+            hips.Add(new LimbSocket(ring, preset.HipSegment, LimbArchetype.Bird, girth, 0, 0, SocketBounds.Limb));
         }
 
         var stance = new StanceLimits(MinimumLength: 0.12, MaximumRaise: 0.45, RearwardShear: -0.05, ForwardShear: 0.5, MaximumPitchDegrees: 22, MaximumFootGrowth: 1.6, LowerPlan: BodyPlan.Theropod, FewerPlan: BodyPlan.Theropod) { BalanceMargin = SafeMargin(builder) };
