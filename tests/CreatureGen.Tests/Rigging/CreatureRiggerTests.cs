@@ -115,10 +115,11 @@ public sealed class CreatureRiggerTests
             bool lateral = limb.Archetype is LimbArchetype.Insect or LimbArchetype.Sprawl;
             Rotation.ToBasis(skeleton.ModelRotations[limb.Joints[2]], out Vector3 x, out _, out _);
 
-            // The knee of a swimmer's leg, laid back along its flank, bends in a plane that is rather level.
+            // The knee of a leg out to the side bends in the upright plane that the leg lies in; that of a swimmer's leg, laid back along its flank, in a plane that is rather level.
             bool trails = limb.Archetype == LimbArchetype.Sprawl && RigSubject.BlueprintOf(plan).Kind == LocomotionKind.Swimming;
-            Vector3 ofLeft = trails ? -Vector3.UnitY : Vector3.UnitZ;
-            Vector3 axis = lateral ? ofLeft * (limb.Side == Side.Left ? 1f : -1f) : Vector3.UnitX;
+            Vector3 reach = skeleton.ModelPositions[limb.Joints[3]] - skeleton.ModelPositions[limb.Joints[1]];
+            Vector3 ofSide = trails ? -Vector3.UnitY * (limb.Side == Side.Left ? 1f : -1f) : Vec.Normalize(new Vector3(-reach.Z, 0f, reach.X));
+            Vector3 axis = lateral ? ofSide : Vector3.UnitX;
             Assert.True(Vec.Dot(x, axis) > 0.6f, $"the knee of {limb.Archetype} {limb.Pair} turns about {x}");
         }
     }

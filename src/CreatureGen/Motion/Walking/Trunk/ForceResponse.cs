@@ -77,7 +77,8 @@ internal sealed class ForceResponse
         {
             float y = -unit * pushes[k].Height;
             Vector4 c = harmonics[k].Cosine;
-            max = Vector4.Max(max, harmonics[k].Amplitude * Math.Abs(y));
+            Vector4 amplitude = harmonics[k].Amplitude * Math.Abs(y);
+            max = new Vector4(Math.Max(max.X, amplitude.X), Math.Max(max.Y, amplitude.Y), Math.Max(max.Z, amplitude.Z), Math.Max(max.W, amplitude.W));
             height += c * y;
             nod -= ((c * NodResponses[k].InStep) + (harmonics[k].Sine * NodResponses[k].Behind)) * y;
         }

@@ -27,7 +27,8 @@ internal sealed class FourierSums
             ref Harmonic harmonic = ref harmonics[k];
             Vector4 x = harmonic.FirstCosine += c;
             Vector4 y = harmonic.FirstSine += s;
-            harmonic.Amplitude = Vector4.SquareRoot((x * x) + (y * y));
+            Vector4 squares = (x * x) + (y * y);
+            harmonic.Amplitude = new Vector4((float)Math.Sqrt(squares.X), (float)Math.Sqrt(squares.Y), (float)Math.Sqrt(squares.Z), (float)Math.Sqrt(squares.W));
             (c, s) = ((c * cosine) - (s * sine), (s * cosine) + (c * sine));
         }
     }
