@@ -24,7 +24,7 @@ for (const path of [...readdirSync(root).filter(name => name.endsWith('.md')).ma
 for (const path of below(join(out, 'docs/api'), ['.md'])) {
   pages.set(relative(out, path).replaceAll('\\', '/'), readFileSync(path, 'utf8'));
 }
-for (const path of below(join(root, 'docs'), ['.png', '.webp'])) {
+for (const path of below(join(root, 'docs'), ['.png', '.webp', '.svg'])) {
   const target = join(out, relative(root, path));
   mkdirSync(dirname(target), { recursive: true });
   cpSync(path, target);

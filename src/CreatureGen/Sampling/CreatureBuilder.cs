@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
@@ -37,6 +38,9 @@ internal sealed class CreatureBuilder
 
     /// <summary>How far it may be from any animal, 0..1.</summary>
     public double Strangeness { get; }
+
+    /// <summary>How far parts are fitted to bodies that are not their own, 0..1: not at all on animals, wholly from half of the strangeness on.</summary>
+    public double Fitting => Math.Min(1, 2 * Strangeness);
 
     /// <summary>Fewest and most pairs of legs and arms that are asked for: what can stand on any number of legs grows one within them.</summary>
     public int MinLegPairs { get; init; }

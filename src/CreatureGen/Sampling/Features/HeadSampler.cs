@@ -45,11 +45,11 @@ internal static class HeadSampler
     public static double LargestEye(CreatureBuilder builder)
     {
         // On a head that is mixed with larger ones, the eyes of an insect or a frog would be goggles.
-        double mixed = builder.Parents.Head == builder.Parents.First ? Scalar.Lerp(1, OwnEyes, builder.Strangeness) : Scalar.Lerp(1, MixedEyes, Math.Min(1, 2 * builder.Strangeness));
+        double mixed = builder.Parents.Head == builder.Parents.First ? Scalar.Lerp(1, OwnEyes, builder.Strangeness) : Scalar.Lerp(1, MixedEyes, builder.Fitting);
         BodyShape s = builder.Shape;
         double largest = mixed * builder.Parents.Head.LargestEye * HalfHeight(s);
         double flat = FlatEyes * 0.5 * (s.Top[StationRing.Brow] + s.Bottom[StationRing.Brow]);
-        return IsMixed(builder) ? Math.Min(largest, Scalar.Lerp(largest, flat, Math.Min(1, 2 * builder.Strangeness))) : largest;
+        return IsMixed(builder) ? Math.Min(largest, Scalar.Lerp(largest, flat, builder.Fitting)) : largest;
     }
 
     /// <summary>Whether the face is on the skull of another body; insects' eyes are large on any.</summary>
@@ -156,7 +156,7 @@ internal static class HeadSampler
         }
 
         double upper = Scalar.Clamp(species.LidDegrees.Upper - (9 * mood), 34, 72);
-        double sink = IsMixed(builder) ? Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, Math.Min(1, 2 * builder.Strangeness))) : species.EyeSink;
+        double sink = IsMixed(builder) ? Math.Max(species.EyeSink, Scalar.Lerp(species.EyeSink, MixedSink, builder.Fitting)) : species.EyeSink;
         return new EyeBlueprint(style, species.Eye.Ring, species.Eye.Segment, radius, sink, species.EyeForward, Scalar.Radians(upper), Scalar.Radians(species.LidDegrees.Lower), 0.42 * mood);
     }
 

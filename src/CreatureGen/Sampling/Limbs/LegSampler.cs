@@ -280,7 +280,7 @@ internal static class LegSampler
 
     /// <summary>By how many segments legs grow nearer to the belly of a broad body: from its edges they stand like those of a table.</summary>
     private static double LoweringAt(CreatureBuilder builder, int ring) =>
-        Math.Min(1, 2 * builder.Strangeness) * Scalar.Clamp(LoweringRate * ((builder.Shape.Width[ring] / builder.HalfDepth(ring)) - Broad), 0, MaxLowering);
+        builder.Fitting * Scalar.Clamp(LoweringRate * ((builder.Shape.Width[ring] / builder.HalfDepth(ring)) - Broad), 0, MaxLowering);
 
     private static SocketSet SetOf(CreatureBuilder builder)
     {

@@ -54,7 +54,7 @@ internal static class OwnLegs
         {
             bool jointed = IsJointed(site.Archetype);
             double half = 0.5 * measure.At(site.Ring).Thickness;
-            double stout = jointed ? Scalar.Lerp(1, Scalar.Clamp(Math.Sqrt(half / SlightTrunk), 1, MaxStout), Math.Min(1, 2 * builder.Strangeness)) : 1;
+            double stout = jointed ? Scalar.Lerp(1, Scalar.Clamp(Math.Sqrt(half / SlightTrunk), 1, MaxStout), builder.Fitting) : 1;
             double girth = stout * preset.Thickness * site.Thickness / half;
             places.Add(new LimbSocket(site.Ring, site.Segment, site.Archetype, girth, reach * site.Reach / measure.BodyLength, site.Azimuth, jointed ? SocketBounds.Insect : SocketBounds.Limb));
         }

@@ -62,7 +62,7 @@ internal static class WingSampler
 
         double own = form.Depth * span;
         double min = Math.Min(Math.Max(SlimmestOfSpan * span, SlimmestOfTrunk * trunk), MaxDeepening * own);
-        return Scalar.Lerp(own, Math.Max(own, min), Math.Min(1, 2 * builder.Strangeness));
+        return Scalar.Lerp(own, Math.Max(own, min), builder.Fitting);
     }
 
     /// <summary>Adds thin wings of a species' own.</summary>

@@ -44,7 +44,7 @@ internal static class HeadFit
         double size = Math.Sqrt(headWidth * headHeight / (width * height)) / Size;
         double breadth = headWidth / (width * Scalar.Lerp(Breadth, PlateBreadth, Scalar.Smooth((headWidth / headHeight) - (Plate - 0.5))));
         double excess = Math.Max(1, Math.Max(size, breadth));
-        double strange = Math.Min(1, 2 * builder.Strangeness);
+        double strange = builder.Fitting;
         return drawn with
         {
             Head = drawn.Head * PortableMath.Pow(excess, -HeadsPart * strange),

@@ -51,7 +51,7 @@ internal static class TailFit
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double size = Largest(shape, FirstOfTail, LastOfTail) / Largest(shape, FirstOfTrunk, LastOfTrunk);
         double excess = Math.Max(1, size / Size);
-        double strange = Math.Min(1, 2 * builder.Strangeness);
+        double strange = builder.Fitting;
         double trunk = shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst];
         double length = (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / trunk;
         double longest = TailTaper.Of(builder.Tail.Style) is { Curl: not 0 } ? Carried : Trailing;
@@ -89,7 +89,7 @@ internal static class TailFit
         int first = slices.Length - featherless.Length;
         for (int i = first; i < slices.Length; i++)
         {
-            double girth = Scalar.Lerp(1, featherless[i - first], Math.Min(1, 2 * builder.Strangeness));
+            double girth = Scalar.Lerp(1, featherless[i - first], builder.Fitting);
             slices[i] = slices[i] with { Width = girth * slices[i].Width, Height = girth * slices[i].Height };
         }
 

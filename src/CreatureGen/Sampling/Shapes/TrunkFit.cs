@@ -47,7 +47,7 @@ internal static class TrunkFit
         }
 
         (double relief, double breadth) = Measure(StanceSampler.ShapeOf(builder));
-        double strange = Math.Min(1, 2 * builder.Strangeness);
+        double strange = builder.Fitting;
         bool under = builder.Kind == LocomotionKind.Walking && builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
         double excess = under ? Math.Max(1, breadth / Broad) : 1;
         double want = strange * Scalar.Clamp((Shaped - relief) / (Shaped - Log), 0, 1);
@@ -94,7 +94,7 @@ internal static class TrunkFit
         double thin = Math.Min(1, Hips * Size(shape, StationRing.Belly) / hips);
         double root = Size(shape, StationRing.TailStem);
         double thick = Math.Max(1, Root * thin * hips / root);
-        double strange = Math.Min(1, 2 * builder.Strangeness);
+        double strange = builder.Fitting;
         return drawn with
         {
             Rump = drawn.Rump * PortableMath.Pow(thin, strange),
