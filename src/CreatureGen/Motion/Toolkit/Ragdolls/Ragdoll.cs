@@ -263,8 +263,10 @@ public static class Ragdoll
         float size = rig.Size * state.Scale;
         float speed = 0f;
         float mass = 0f;
+        Vector3 momentum = Vector3.Zero;
         for (int i = 0; i < rig.Count; i++)
         {
+            momentum += state.Velocities[i] / rig.Parts[i].InverseMass;
             float turning = Vec.LengthSquared(state.Spins[i]) * TurningArm * TurningArm * size * size;
             speed += (Vec.LengthSquared(state.Velocities[i]) + turning) / rig.Parts[i].InverseMass;
             mass += 1f / rig.Parts[i].InverseMass;
@@ -273,7 +275,9 @@ public static class Ragdoll
         speed = (float)Math.Sqrt(speed / mass);
         state.Speed = speed;
         float calm = CalmSpeed(rig, state, settings);
-        state.Restless = speed <= RestlessFraction * calm ? state.Restless + Substep : Math.Max(state.Restless - (Forgetting * Substep), 0f);
+
+        // What shakes in its place, however fast, goes nowhere as a whole.
+        state.Restless = Vec.Length(momentum) / mass <= RestlessFraction * calm ? state.Restless + Substep : Math.Max(state.Restless - (Forgetting * Substep), 0f);
         state.Calm = speed <= calm * Math.Max(1f, state.Restless / RestlessSeconds) ? state.Calm + Substep : 0f;
         state.IsAsleep = state.Calm > CalmSeconds;
         if (state.IsAsleep)
