@@ -49,18 +49,11 @@ public static class BlueprintSampler
     public static CreatureBlueprint Sample(ulong seed, CreatureOptions options, out SocketTally sockets)
     {
         options.ThrowIfInvalid();
-        var choice = new PlanChoice(options);
-
-        // First the creature that it is when nobody counts its legs, then the same with as many as are asked for.
-        CreatureOptions uncounted = options with { MinLegPairs = CreatureOptions.Default.MinLegPairs, MaxLegPairs = CreatureOptions.Default.MaxLegPairs };
-        bool counted = uncounted != options;
-        PlanChoice free = counted ? new PlanChoice(uncounted) : choice;
         var root = new Seed(seed);
-        for (int attempt = counted ? -2 : 0; attempt < Attempts; attempt++)
+        foreach ((Seed drawn, PlanChoice choice, CreatureOptions limits) in AttemptsAt(root, options))
         {
-            Seed drawn = attempt <= 0 ? root : root.Child("attempt").Child(attempt);
             double strangeness = options.Strangeness;
-            for (int withdrawal = 0; Stand(drawn, attempt < 0 ? free : choice, attempt == -2 ? uncounted : options, strangeness) is CreatureBuilder builder; withdrawal++)
+            for (int withdrawal = 0; Stand(drawn, choice, limits, strangeness) is CreatureBuilder builder; withdrawal++)
             {
                 CreatureBlueprint type = Finish(seed, builder, options, out sockets);
                 if (strangeness == 0 || Soundness.Holds(type, builder, sockets))
@@ -81,6 +74,26 @@ public static class BlueprintSampler
         throw new ImpossibleSeedException(
             FormattableString.Invariant($"seed {seed} gave no creature with {options.MinLegPairs} to {options.MaxLegPairs} pairs of limbs in {Attempts} attempts; expected options that leave more choice"),
             nameof(options));
+    }
+
+    /// <summary>What is tried for a seed, one after the other: draws, what they choose among, and how many legs they may have.</summary>
+    private static IEnumerable<(Seed Drawn, PlanChoice Choice, CreatureOptions Limits)> AttemptsAt(Seed root, CreatureOptions options)
+    {
+        var choice = new PlanChoice(options);
+        CreatureOptions uncounted = options with { MinLegPairs = CreatureOptions.Default.MinLegPairs, MaxLegPairs = CreatureOptions.Default.MaxLegPairs };
+        if (uncounted != options)
+        {
+            // First the creature that it is when nobody counts its legs, then the same with as many as are asked for.
+            var free = new PlanChoice(uncounted);
+            yield return (root, free, uncounted);
+            yield return (root, free, options);
+        }
+
+        yield return (root, choice, options);
+        for (int attempt = 1; attempt < Attempts; attempt++)
+        {
+            yield return (root.Child("attempt").Child(attempt), choice, options);
+        }
     }
 
     /// <summary>Draws body and legs; null when the number of limbs is not what the options ask for.</summary>
