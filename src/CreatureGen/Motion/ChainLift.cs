@@ -37,11 +37,11 @@ internal static class ChainLift
         }
     }
 
-    private static bool Raise(SpringRig rig, int bone, float least, in Pose local, in Pose model)
+    private static bool Raise(SpringRig rig, int bone, float min, in Pose local, in Pose model)
     {
         int joint = rig.Joints[bone];
         Vector3 tip = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], rig.Directions[bone] * rig.Lengths[bone]);
-        float deep = least - tip.Y;
+        float deep = min - tip.Y;
         if (!(deep > 0f))
         {
             return false;
