@@ -39,10 +39,9 @@ internal sealed class BodyPlacer
 
     private readonly LeggedBody body;
     private readonly ForceResponse response = new();
-    private readonly FourierSums hind = new();
-    private readonly FourierSums fore = new();
-    private readonly FourierSums track = new();
-    private readonly FourierSums all = new();
+
+    /// <summary>Sums over the legs, by the names of <see cref="LegSums"/>.</summary>
+    private readonly FourierSums sums = new();
     private readonly SteadyGait summed;
     private readonly LegSlack slack;
     private float slope;
@@ -156,20 +155,24 @@ internal sealed class BodyPlacer
         float nod;
         if (body.RidesOnGirdles)
         {
-            hindRise = response.Height(hind, 2, scale, cap, out _) * bounce;
-            foreRise = response.Height(fore, 2, scale, cap, out nod) * bounce;
+            Vector4 rise = response.Height(sums, 2, scale, cap, out Vector4 nods) * bounce;
+            (hindRise, foreRise, nod) = (rise.Hind(), rise.Fore(), nods.Fore());
         }
         else
         {
-            hindRise = foreRise = response.Height(all, feet.Length, scale, cap, out nod) * bounce;
+            hindRise = foreRise = response.Height(sums, feet.Length, scale, cap, out Vector4 nods).All() * bounce;
+            nod = nods.All();
         }
 
         // Feet that come down at once find the body at its height: all of them, or in a leap those of each girdle.
         float poise = Math.Min(-response.Touchdown * scale, cap) * bounce;
-        float atOnce = all.Together(feet.Length);
+        FourierSums.Harmonic first = sums.Harmonics[1];
+        float atOnce = FourierSums.Together(first.Cosine.All(), first.Sine.All(), feet.Length);
+        float hindAtOnce = FourierSums.Together(first.Cosine.Hind(), first.Sine.Hind(), 2);
+        float foreAtOnce = FourierSums.Together(first.Cosine.Fore(), first.Sine.Fore(), 2);
         float leap = body.Rows == 2 ? clock.Shape.Trail : 0f;
-        hindRise += poise * Math.Max(atOnce, leap * hind.Together(2));
-        foreRise += poise * Math.Max(atOnce, leap * fore.Together(2));
+        hindRise += poise * Math.Max(atOnce, leap * hindAtOnce);
+        foreRise += poise * Math.Max(atOnce, leap * foreAtOnce);
         Bounce = foreRise / length;
         hindRise += clock.Shape.Stretch * act * slack.Hind;
         foreRise += clock.Shape.Stretch * act * slack.Fore;
@@ -180,9 +183,9 @@ internal sealed class BodyPlacer
         float emphasis = clock.Shape.Emphasis;
         float swing = act * settings.Walking.Sway;
         float pendulum = settings.Gravity / body.HipHeight / (omega * omega);
-        float sway = Scalar.ClampSoftly((response.Sway(track, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MaxSway);
+        float sway = Scalar.ClampSoftly((response.Sway(sums, feet.Length, pendulum) * swing * (1f + (0.8f * (emphasis - 1f)))) + context.Idle.Shift, body.MaxSway);
         float stance = context.RootVelocity.Speed * clock.Duty / clock.Frequency;
-        float surge = response.Surge(all, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
+        float surge = response.Surge(sums, feet.Length, scale, stance / body.HipHeight, SurgeCap * length) * act;
 
         Spread(feet, out Girdle rear, out Girdle front);
         Scissor = rear.Left - rear.Right;
@@ -207,8 +210,8 @@ internal sealed class BodyPlacer
         pelvisYaw += context.Idle.Yaw - (body.IsBiped ? 0f : 0.5f * bend);
         chestYaw += ((body.IsBiped ? 0.35f : 0.5f) * bend) + look.Angle;
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
-        float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * hind.Together(2)));
-        float arch = body.IsBiped ? 0f : -clock.Shape.Arch * all.Harmonics[1].Cosine / feet.Length;
+        float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * hindAtOnce));
+        float arch = body.IsBiped ? 0f : -clock.Shape.Arch * first.Cosine.All() / feet.Length;
         float flexion = Scalar.Clamp(((supple * Scalar.Clamp(gather, -1f, 1f)) + arch) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
         float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Walking.Bank;
@@ -222,7 +225,7 @@ internal sealed class BodyPlacer
         foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) - effort.ForeDrop;
         Level(ref hindRise, ref foreRise);
         float lean = body.IsBiped ? (traits.Lean * clock.Shape.Lean * act) + effort.Lean : 0f;
-        Rock = clock.Shape.Rock * act * all.Harmonics[1].Sine / feet.Length;
+        Rock = clock.Shape.Rock * act * first.Sine.All() / feet.Length;
         float raised = body.Posture.Raised * context.Upright;
         Vector3 rest = Trunk.Rest[0];
         var plan = new TrunkPlan
@@ -297,31 +300,19 @@ internal sealed class BodyPlacer
         if (!summed.Is(clock))
         {
             summed.Take(clock);
-            hind.Clear();
-            fore.Clear();
-            all.Clear();
-            track.Clear();
+            sums.Clear();
             for (int i = 0; i < body.Legs.Length; i++)
             {
                 LegRig leg = body.Legs[i];
                 FastTrigonometry.OfTurns(-clock.Lags[i] - (0.5f * clock.Duty), out float s, out float c);
-                track.Add(s, c, leg.Home.X * clock.Shape.Track);
-                all.Add(s, c, 1f);
-                if (body.RidesOnGirdles && (leg.Row == 0 || leg.Row == body.Rows - 1))
-                {
-                    (leg.Row == 0 ? hind : fore).Add(s, c, 1f);
-                }
+                float hind = body.RidesOnGirdles && leg.Row == 0 ? 1f : 0f;
+                float fore = body.RidesOnGirdles && leg.Row > 0 && leg.Row == body.Rows - 1 ? 1f : 0f;
+                sums.Add(s, c, LegSums.WeightsOf(hind, fore, leg.Home.X * clock.Shape.Track));
             }
         }
 
         FastTrigonometry.OfTurns((float)clock.Phase, out float sine, out float cosine);
-        track.Turn(sine, cosine);
-        all.Turn(sine, cosine);
-        if (body.RidesOnGirdles)
-        {
-            hind.Turn(sine, cosine);
-            fore.Turn(sine, cosine);
-        }
+        sums.Turn(sine, cosine);
     }
 
     /// <summary>Fore-aft places and loads of the feet of the rearmost and the foremost pair.</summary>

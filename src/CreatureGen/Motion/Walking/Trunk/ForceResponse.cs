@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Walking.Trunk;
@@ -59,35 +60,36 @@ internal sealed class ForceResponse
         Touchdown = (float)touchdown;
     }
 
-    /// <summary>Height of the body above its mean, in units of the first harmonic's g/(2πf)², and the neck's passive nod.</summary>
+    /// <summary>Heights of the body above its mean, one for each of four sums, in units of the first harmonic's g/(2πf)², and the neck's passive nods.</summary>
     /// <param name="sums">Σ cos k m and Σ sin k m of the legs, k from 1.</param>
-    /// <param name="legs">Number of legs.</param>
+    /// <param name="legs">Number of legs in a sum.</param>
     /// <param name="scale">g/(2πf)², metres.</param>
     /// <param name="cap">Most that a harmonic may have as amplitude, metres.</param>
-    /// <param name="nod">Angle of a sprung neck per metre of its length.</param>
-    public float Height(FourierSums sums, int legs, float scale, float cap, out float nod)
+    /// <param name="nod">Angles of a sprung neck per metre of its length.</param>
+    public Vector4 Height(FourierSums sums, int legs, float scale, float cap, out Vector4 nod)
     {
-        float max = 0f;
-        float height = 0f;
+        Vector4 max = Vector4.Zero;
+        Vector4 height = Vector4.Zero;
         float unit = 2f * scale / legs;
-        nod = 0f;
+        nod = Vector4.Zero;
         ReadOnlySpan<FourierSums.Harmonic> harmonics = sums.Harmonics;
         for (int k = 1; k < harmonics.Length; k++)
         {
             float y = -unit * pushes[k].Height;
-            float c = harmonics[k].Cosine;
-            max = Math.Max(max, Math.Abs(y) * harmonics[k].Amplitude);
-            height += y * c;
-            nod -= y * ((NodResponses[k].InStep * c) + (NodResponses[k].Behind * harmonics[k].Sine));
+            Vector4 c = harmonics[k].Cosine;
+            Vector4 amplitude = harmonics[k].Amplitude * Math.Abs(y);
+            max = new Vector4(Math.Max(max.X, amplitude.X), Math.Max(max.Y, amplitude.Y), Math.Max(max.Z, amplitude.Z), Math.Max(max.W, amplitude.W));
+            height += c * y;
+            nod -= ((c * NodResponses[k].InStep) + (harmonics[k].Sine * NodResponses[k].Behind)) * y;
         }
 
-        float fraction = max > cap ? cap / max : 1f;
+        var fraction = new Vector4(Fraction(max.X, cap), Fraction(max.Y, cap), Fraction(max.Z, cap), Fraction(max.W, cap));
         nod *= fraction;
         return height * fraction;
     }
 
     /// <summary>Sway towards the loaded feet.</summary>
-    /// <param name="sums">Σ x cos k m of the legs, x the place of the foot to the left.</param>
+    /// <param name="sums"><see cref="LegSums.Aside"/> of them is Σ x cos k m of the legs, x the place of the foot to the left.</param>
     /// <param name="legs">Number of legs.</param>
     /// <param name="pendulum">w²/(2πf)², w² = g/height of the hips: an inverted pendulum follows slow feet and not quick ones.</param>
     public float Sway(FourierSums sums, int legs, float pendulum)
@@ -95,13 +97,13 @@ internal sealed class ForceResponse
         float sway = 0f;
         for (int k = 1; k <= 4; k++)
         {
-            sway += 2f * pushes[k].Even / legs * pendulum / (pendulum + (k * k)) * sums.Harmonics[k].Cosine;
+            sway += 2f * pushes[k].Even / legs * pendulum / (pendulum + (k * k)) * sums.Harmonics[k].Cosine.Aside();
         }
 
         return sway;
     }
 
-    /// <summary>Surge ahead as feet brake and push, for the same scale as the height and a stance of the given length over the hips' height.</summary>
+    /// <summary>Surge ahead as feet brake and push, by the sums over <see cref="LegSums.All"/> legs, for the same scale as the height and a stance of the given length over the hips' height.</summary>
     public float Surge(FourierSums sums, int legs, float scale, float stance, float cap)
     {
         float surge = 0f;
@@ -111,12 +113,14 @@ internal sealed class ForceResponse
         for (int k = 1; k < harmonics.Length; k++)
         {
             float z = -unit * pushes[k].Surge;
-            max = Math.Max(max, Math.Abs(z) * harmonics[k].Amplitude);
-            surge += z * harmonics[k].Sine;
+            max = Math.Max(max, Math.Abs(z) * harmonics[k].Amplitude.All());
+            surge += z * harmonics[k].Sine.All();
         }
 
         return max > cap ? surge * cap / max : surge;
     }
+
+    private static float Fraction(float max, float cap) => max > cap ? cap / max : 1f;
 
     private static (float InStep, float Behind)[] NodsOf()
     {

@@ -1,12 +1,13 @@
 using System;
+using System.Numerics;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
 /// <summary>
-/// Sums over some legs of w·cos k m and w·sin k m, k from 1, with m the angle of a leg from the middle of its stance and w its weight. Legs are added as they are at the beginning of the cycle, as often as the gait
-/// changes; the place in the cycle turns all of them alike.
+/// Sums over some legs of w·cos k m and w·sin k m, k from 1, with m the angle of a leg from the middle of its stance and w its weight, for four weights at once. Legs are added as they are at the beginning of the cycle,
+/// as often as the gait changes; the place in the cycle turns all of them alike.
 /// </summary>
-/// <remarks>All numbers of a harmonic lie side by side in one array: in a crowd what is not in the caches costs more than the sums.</remarks>
+/// <remarks>Four sums side by side cost little more than one. All numbers of a harmonic lie in one array: in a crowd what is not in the caches costs more than the sums.</remarks>
 internal sealed class FourierSums
 {
     private readonly Harmonic[] harmonics = new Harmonic[ForceResponse.Harmonics + 1];
@@ -17,16 +18,17 @@ internal sealed class FourierSums
     public void Clear() => Array.Clear(harmonics, 0, harmonics.Length);
 
     /// <summary>Adds a leg, from the sine and cosine of m at the beginning of the cycle.</summary>
-    public void Add(float sine, float cosine, float weight)
+    public void Add(float sine, float cosine, Vector4 weights)
     {
-        float s = weight * sine;
-        float c = weight * cosine;
+        Vector4 s = weights * sine;
+        Vector4 c = weights * cosine;
         for (int k = 1; k < harmonics.Length; k++)
         {
             ref Harmonic harmonic = ref harmonics[k];
-            float x = harmonic.FirstCosine += c;
-            float y = harmonic.FirstSine += s;
-            harmonic.Amplitude = (float)Math.Sqrt((x * x) + (y * y));
+            Vector4 x = harmonic.FirstCosine += c;
+            Vector4 y = harmonic.FirstSine += s;
+            Vector4 squares = (x * x) + (y * y);
+            harmonic.Amplitude = new Vector4((float)Math.Sqrt(squares.X), (float)Math.Sqrt(squares.Y), (float)Math.Sqrt(squares.Z), (float)Math.Sqrt(squares.W));
             (c, s) = ((c * cosine) - (s * sine), (s * cosine) + (c * sine));
         }
     }
@@ -39,35 +41,36 @@ internal sealed class FourierSums
         for (int k = 1; k < harmonics.Length; k++)
         {
             ref Harmonic harmonic = ref harmonics[k];
-            harmonic.Cosine = (harmonic.FirstCosine * c) - (harmonic.FirstSine * s);
-            harmonic.Sine = (harmonic.FirstSine * c) + (harmonic.FirstCosine * s);
+            Vector4 x = harmonic.FirstCosine;
+            Vector4 y = harmonic.FirstSine;
+            harmonic.Cosine = (x * c) - (y * s);
+            harmonic.Sine = (y * c) + (x * s);
             (c, s) = ((c * cosine) - (s * sine), (s * cosine) + (c * sine));
         }
     }
 
     /// <summary>How much of a number of equal terms fall together, 0..1.</summary>
-    public float Together(int terms)
-    {
-        Harmonic first = harmonics[1];
-        return Math.Max(0f, (2f * ((first.Cosine * first.Cosine) + (first.Sine * first.Sine)) / (terms * terms)) - 1f);
-    }
+    /// <param name="cosine">Their sum of cosines, of the first harmonic.</param>
+    /// <param name="sine">Their sum of sines.</param>
+    /// <param name="terms">How many there are.</param>
+    public static float Together(float cosine, float sine, int terms) => Math.Max(0f, (2f * ((cosine * cosine) + (sine * sine)) / (terms * terms)) - 1f);
 
     /// <summary>The sums of one harmonic.</summary>
     public struct Harmonic
     {
         /// <summary>Σ w·cos k m at the beginning of the cycle.</summary>
-        public float FirstCosine;
+        public Vector4 FirstCosine;
 
         /// <summary>Σ w·sin k m there.</summary>
-        public float FirstSine;
+        public Vector4 FirstSine;
 
         /// <summary>Σ w·cos k m now.</summary>
-        public float Cosine;
+        public Vector4 Cosine;
 
         /// <summary>Σ w·sin k m now.</summary>
-        public float Sine;
+        public Vector4 Sine;
 
         /// <summary>√(cosine² + sine²): the same all through the cycle.</summary>
-        public float Amplitude;
+        public Vector4 Amplitude;
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using CreatureGen.Motion.Walking.Trunk;
 using Xunit;
 
@@ -50,12 +51,12 @@ public class ForceResponseTests
             foreach (float lag in lags)
             {
                 double m = 2 * Math.PI * (-lag - (duty / 2));
-                sums.Add((float)Math.Sin(m), (float)Math.Cos(m), 1f);
+                sums.Add((float)Math.Sin(m), (float)Math.Cos(m), Vector4.One);
             }
 
             sums.Turn((float)Math.Sin(2 * Math.PI * phase), (float)Math.Cos(2 * Math.PI * phase));
 
-            Assert.Equal(expected, response.Height(sums, lags.Length, Scale, float.MaxValue, out _), 4);
+            Assert.Equal(expected, response.Height(sums, lags.Length, Scale, float.MaxValue, out _).W, 4);
         }
     }
 }

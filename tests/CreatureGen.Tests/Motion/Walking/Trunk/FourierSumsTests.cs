@@ -1,4 +1,5 @@
 using System;
+using System.Numerics;
 using CreatureGen.Motion.Walking.Trunk;
 using Xunit;
 
@@ -8,8 +9,11 @@ public class FourierSumsTests
 {
     private static readonly (double Angle, float Weight)[] Legs = { (0.3, 1f), (-1.9, 0.7f), (2.8, -1.2f), (1.1, 1f) };
 
+    /// <summary>Of the four weights over that of a leg.</summary>
+    private static readonly Vector4 Factors = new(1f, 0f, -0.5f, 2f);
+
     [Fact]
-    public void Turned_sums_are_those_of_the_legs_turned_one_by_one()
+    public void Turned_sums_are_those_of_the_legs_turned_one_by_one_for_each_of_four_weights()
     {
         FourierSums sums = Summed();
         foreach (double turn in new[] { 0, 0.4, 2.2, 3.9, 6.1 })
@@ -25,9 +29,14 @@ public class FourierSumsTests
                     sine += weight * Math.Sin(k * (angle + turn));
                 }
 
-                Assert.Equal(cosine, sums.Harmonics[k].Cosine, 4);
-                Assert.Equal(sine, sums.Harmonics[k].Sine, 4);
-                Assert.Equal(Math.Sqrt((cosine * cosine) + (sine * sine)), sums.Harmonics[k].Amplitude, 4);
+                double amplitude = Math.Sqrt((cosine * cosine) + (sine * sine));
+                FourierSums.Harmonic harmonic = sums.Harmonics[k];
+                for (int weight = 0; weight < 4; weight++)
+                {
+                    Assert.Equal(cosine * At(Factors, weight), At(harmonic.Cosine, weight), 4);
+                    Assert.Equal(sine * At(Factors, weight), At(harmonic.Sine, weight), 4);
+                    Assert.Equal(amplitude * Math.Abs(At(Factors, weight)), At(harmonic.Amplitude, weight), 4);
+                }
             }
         }
     }
@@ -41,12 +50,14 @@ public class FourierSumsTests
         Assert.All(sums.Harmonics.ToArray(), harmonic => Assert.Equal(default, harmonic));
     }
 
+    private static float At(Vector4 numbers, int place) => place switch { 0 => numbers.X, 1 => numbers.Y, 2 => numbers.Z, _ => numbers.W };
+
     private static FourierSums Summed()
     {
         var sums = new FourierSums();
         foreach ((double angle, float weight) in Legs)
         {
-            sums.Add((float)Math.Sin(angle), (float)Math.Cos(angle), weight);
+            sums.Add((float)Math.Sin(angle), (float)Math.Cos(angle), Factors * weight);
         }
 
         return sums;
