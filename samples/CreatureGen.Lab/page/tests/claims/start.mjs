@@ -38,7 +38,7 @@ export async function checkStart({ claim, require, browser, visit, lab, longest 
       };
     });
     await other.waitForFunction(() => creatureLab.count() > 1);
-    const marks = await other.evaluate(() => Object.fromEntries(performance.getEntriesByType('mark').map(mark => [mark.name, Math.round(mark.startTime)])));
+    const marks = await other.evaluate(() => Object.fromEntries(performance.getEntriesByType('mark').map(mark => [mark.name, mark.startTime])));
     const [baked, live] = ['baked', 'live'].map(name => marks[`creature:${name}`]);
     const early = await other.evaluate(live => window.asked.filter(({ at }) => at < live).map(({ name }) => name), live);
     await other.waitForFunction(() => !document.getElementById('cover'));
@@ -47,7 +47,7 @@ export async function checkStart({ claim, require, browser, visit, lab, longest 
     require(offered, 'there is no panel beside the live creature');
     require(baked < live, JSON.stringify(marks));
     require(['worker', 'Grow'].every(name => early.filter(one => one === name).length === 1), `asked for before the first picture: ${early}`);
-    return `${baked}, ${live} ms`;
+    return `${Math.round(baked)}, ${Math.round(live)} ms`;
   });
 
   await claim('where less motion is asked for, only creatures move', async () => {
