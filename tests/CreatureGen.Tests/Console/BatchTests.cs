@@ -118,8 +118,8 @@ public sealed class BatchTests
     /// <summary>What takes longer than a signal leaves it is left out between two of its clips, pictures or files.</summary>
     [Theory]
     [InlineData("--clips all --no-picture --textures none", Explicit = true)]
-    [InlineData("--dataset 3 --no-picture --textures none --picture-size 32x32")]
-    [InlineData("--views all --picture-size 32x32 --textures none", Explicit = true)]
+    [InlineData("--dataset 3 --no-picture --textures none --picture-size 32x32", Explicit = true)]
+    [InlineData("--views all --picture-size 32x32 --textures none")]
     public void A_creature_that_is_abandoned_leaves_no_file_and_no_line_and_the_next_run_makes_it(string heavy)
     {
         using var whole = new ConsoleRun();

@@ -66,7 +66,7 @@ public sealed class EvolveVerbTests
         Assert.Equal(ExitCode.Done, whole.Run([.. Small, "--generations", "2"]));
 
         // The disk fails at one operation after another, as if the process were killed there; what is left is gone on with.
-        for (int failsAt = 20; ; failsAt += 61)
+        for (int failsAt = 20; ; failsAt += Thoroughness.IsExhaustive ? 61 : 223)
         {
             using var run = new ConsoleRun { Disk = new FailingDisk(failsAt) };
             int code = run.Run([.. Small, "--generations", "2"]);

@@ -16,7 +16,7 @@ public sealed class FaultTests
     /// <summary>Every operation fails once (of the many of films some): each run ends with the code and the one line for a disk that is full, each file is the old one or the new one, whole, and nothing else is there.</summary>
     [Theory]
     [InlineData("generate --seeds 3-4 --individuals 1 --no-picture --threads 1 --out made", Explicit = true)]
-    [InlineData("build given.json --out given.glb")]
+    [InlineData("build given.json --textures none --out given.glb")]
     [InlineData("sheet --seeds 1-2 --size 32 --threads 1 --out sheet.png")]
     [InlineData("animate --seed 42 --size 64 --threads 1 --out film.png", Explicit = true)]
     public void A_disk_that_fails_at_any_operation_leaves_whole_files_alone(string command)
@@ -155,16 +155,16 @@ public sealed class FaultTests
     [Theory]
     [InlineData("--help >&-", ExitCode.CannotWrite)]
     [InlineData("--help >&- 2>&-", ExitCode.CannotWrite, Explicit = true)]
-    [InlineData("generate --seeds 1-2 --no-picture >&-", ExitCode.CannotWrite)]
-    [InlineData("generate --seeds 1-2 --no-picture --json >&- 2>&-", ExitCode.CannotWrite, Explicit = true)]
+    [InlineData("generate --seeds 1-2 --no-picture --textures none >&-", ExitCode.CannotWrite)]
+    [InlineData("generate --seeds 1-2 --no-picture --textures none --json >&- 2>&-", ExitCode.CannotWrite, Explicit = true)]
     [InlineData("nonsense 2>&-", ExitCode.BadInput, Explicit = true)]
-    [InlineData("generate --seeds 1-2 --no-picture 2>&-", ExitCode.Done)]
+    [InlineData("generate --seeds 1-2 --no-picture --textures none 2>&-", ExitCode.Done)]
     [InlineData("--help > /dev/full", ExitCode.CannotWrite, Explicit = true)]
     [InlineData("build - --out x.glb < /dev/null", ExitCode.BadInput)]
     [InlineData("build - --out x.glb <&-", ExitCode.BadInput, Explicit = true)]
     [InlineData("inspect - <&- 5< given.json", ExitCode.BadInput)]
-    [InlineData("build /dev/stdin --out x.glb < given.json", ExitCode.Done)]
-    [InlineData("build - --out - < given.json | cat > x.glb; test -s x.glb", ExitCode.Done)]
+    [InlineData("build /dev/stdin --textures none --out x.glb < given.json", ExitCode.Done)]
+    [InlineData("build - --textures none --out - < given.json | cat > x.glb; test -s x.glb", ExitCode.Done)]
     public async Task Closed_streams_end_a_run_with_a_code_and_without_a_trace(string line, int code)
     {
         Assert.SkipUnless(File.Exists("/bin/sh") && File.Exists("/dev/full"), "needs a Unix shell");

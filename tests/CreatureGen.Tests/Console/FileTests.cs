@@ -132,7 +132,7 @@ public sealed class FileTests
         int written = 0;
         using var disk = new StoppingDisk(path => path.EndsWith(".glb", StringComparison.Ordinal) && Interlocked.Increment(ref written) > 8 * Environment.ProcessorCount);
         using var run = new ConsoleRun { Disk = disk };
-        Assert.Equal(ExitCode.Interrupted, run.Run(disk.Token, "generate", "--seeds", "1-1000000", "--no-picture", "--json"));
+        Assert.Equal(ExitCode.Interrupted, run.Run(disk.Token, "generate", "--seeds", "1-1000000", "--no-picture", "--textures", "none", "--json"));
         string[] seeds = run.Json().GetProperty("creatures").EnumerateArray().Select(creature => creature.GetProperty("seed").GetString()!).ToArray();
         Assert.NotEmpty(seeds);
         Assert.DoesNotContain(run.Files, name => name.EndsWith(".tmp", StringComparison.Ordinal));

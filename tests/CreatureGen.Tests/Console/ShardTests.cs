@@ -51,7 +51,7 @@ public sealed class ShardTests
     public void The_scheduler_tells_the_shard_of_a_batch(string options, string environment, string shard)
     {
         using ConsoleRun run = InEnvironment(environment);
-        Assert.Equal(ExitCode.Done, run.Run(["generate", "--seeds", "1-12", "--no-picture", "--triangles", "6000", "--dry-run", .. options.Split(' ')]));
+        Assert.Equal(ExitCode.Done, run.Run(["generate", "--seeds", "1-12", "--no-picture", "--textures", "none", "--dry-run", .. options.Split(' ')]));
         Assert.True(Shard.TryRead(shard, out Shard expected));
         Assert.Equal(expected.Of(Enumerable.Range(1, 12)).Select(seed => run.At(FormattableString.Invariant($"creature-{seed}.glb"))), run.Out.Split(Environment.NewLine).Where(line => line.EndsWith("glb", StringComparison.Ordinal)));
     }

@@ -64,8 +64,8 @@ public sealed class VerbTests
     {
         using var one = new ConsoleRun();
         using var two = new ConsoleRun();
-        Assert.Equal(ExitCode.Done, one.Run("generate", "--seeds", "3-4,0x20", "--threads", "1", "--json"));
-        Assert.Equal(ExitCode.Done, two.Run("generate", "--seeds", "3-4,0x20", "--threads", "3", "--json"));
+        Assert.Equal(ExitCode.Done, one.Run("generate", "--seeds", "3-4,0x20", "--textures", "512", "--threads", "1", "--json"));
+        Assert.Equal(ExitCode.Done, two.Run("generate", "--seeds", "3-4,0x20", "--textures", "512", "--threads", "3", "--json"));
         Assert.Equal(9, one.Files.Length);
         Assert.Equal(one.AllBytes(), two.AllBytes());
         Assert.Equal(one.Out.Replace(one.Folder, "", StringComparison.Ordinal), two.Out.Replace(two.Folder, "", StringComparison.Ordinal));
@@ -185,21 +185,21 @@ public sealed class VerbTests
     public void A_broken_creature_is_built_only_by_force_or_after_repair()
     {
         using var run = new ConsoleRun();
-        Assert.Equal(ExitCode.Done, run.Run("generate", "--seed", "41", "--kind", "walking", "--plans", "upright=1000", "--strangeness", "0", "--no-picture"));
+        Assert.Equal(ExitCode.Done, run.Run("generate", "--seed", "41", "--kind", "walking", "--plans", "upright=1000", "--strangeness", "0", "--no-picture", "--textures", "none"));
         CreatureBlueprint sound = BlueprintJson.Read(File.ReadAllText(run.At("creature-41.json"))).GetBlueprint();
         File.WriteAllText(run.At("level.json"), BlueprintJson.Write(sound with { Body = sound.Body with { Posture = sound.Body.Posture with { Torso = 0 } } }));
-        Assert.Equal(ExitCode.CheckFailed, run.Run("build", "level.json", "--out", "level.glb"));
+        Assert.Equal(ExitCode.CheckFailed, run.Run("build", "level.json", "--textures", "none", "--out", "level.glb"));
         Assert.Contains("would be broken", run.Error, StringComparison.Ordinal);
         string problem = run.Error.Split('\n')[1].Trim();
         Assert.DoesNotContain("level.glb", run.Files);
 
-        Assert.Equal(ExitCode.Done, run.Run("build", "level.json", "--repair", "--out", "level.glb"));
+        Assert.Equal(ExitCode.Done, run.Run("build", "level.json", "--textures", "none", "--repair", "--out", "level.glb"));
         Assert.Contains("  repaired   ", run.Out, StringComparison.Ordinal);
         Assert.Equal(ExitCode.Done, run.Run("inspect", "level.glb", "--json"));
         Assert.True(run.Json().GetProperty("sound").GetBoolean());
         Assert.Empty(run.Json().GetProperty("problems").EnumerateArray());
 
-        Assert.Equal(ExitCode.Done, run.Run("build", "level.json", "--force", "--out", "forced.glb"));
+        Assert.Equal(ExitCode.Done, run.Run("build", "level.json", "--textures", "none", "--force", "--out", "forced.glb"));
         Assert.Contains("written although broken: " + problem, run.Error, StringComparison.Ordinal);
         Assert.Equal(ExitCode.CheckFailed, run.Run("inspect", "forced.glb", "--json"));
         Assert.False(run.Json().GetProperty("sound").GetBoolean());

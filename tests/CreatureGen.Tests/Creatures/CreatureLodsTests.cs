@@ -109,7 +109,7 @@ public sealed class CreatureLodsTests
     [MemberData(nameof(Kinds))]
     public void No_place_of_the_finest_level_is_far_from_a_vertex_that_stands_for_it(RequestedKind kind)
     {
-        for (int seed = 0; seed < 12; seed++)
+        for (int seed = 0; seed < Thoroughness.Of(12); seed++)
         {
             CreatureMesh mesh = LodSubjects.Of(kind, seed).Mesh;
             double diagonal = PointBounds.Of(mesh.Positions).Diagonal;
@@ -177,7 +177,7 @@ public sealed class CreatureLodsTests
     [Fact]
     public void Eyes_outlast_what_is_larger_than_they_are()
     {
-        for (int seed = 0; seed < 12; seed++)
+        for (int seed = 0; seed < Thoroughness.Of(12); seed++)
         {
             Creature creature = LodSubjects.Of(RequestedKind.Walking, seed);
             int[] eyes = Enumerable.Range(0, creature.Mesh.Weights.Length).Where(v => creature.Skeleton.Joints[creature.Mesh.Weights[v].Joint0].Name == "Eye_L").ToArray();

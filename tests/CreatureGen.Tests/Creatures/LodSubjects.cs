@@ -14,7 +14,7 @@ internal static class LodSubjects
     public static TheoryData<RequestedKind> Kinds => new(RequestedKind.Walking, RequestedKind.Flying, RequestedKind.Swimming);
 
     /// <summary>Seeds to try of each kind: a sample, or as many as the environment variable CREATUREGEN_SEEDS asks for.</summary>
-    public static int Seeds { get; } = int.TryParse(Environment.GetEnvironmentVariable("CREATUREGEN_SEEDS"), NumberStyles.None, CultureInfo.InvariantCulture, out int seeds) ? seeds : Environment.GetEnvironmentVariable("CREATUREGEN_EXHAUSTIVE") == "true" ? 60 : 6;
+    public static int Seeds { get; } = int.TryParse(Environment.GetEnvironmentVariable("CREATUREGEN_SEEDS"), NumberStyles.None, CultureInfo.InvariantCulture, out int seeds) ? seeds : Thoroughness.IsExhaustive ? 60 : 6;
 
     /// <summary>A creature of a kind with a budget of triangles, of the seed's size.</summary>
     public static Creature Of(RequestedKind kind, int seed, int budget = 20000) =>

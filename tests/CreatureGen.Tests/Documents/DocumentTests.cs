@@ -139,7 +139,7 @@ public sealed class DocumentTests
         foreach (string picture in RepositoryFiles.Below("docs", "*.png").Select(path => path["docs/".Length..]))
         {
             Assert.True(
-                DocumentText.All.Any(document => Regex.IsMatch(DocumentText.Read(document), @"(creaturegen \w+ .*--out |dotnet run .*--project ).*\]\(" + Regex.Escape(picture) + @"\)", RegexOptions.Singleline)),
+                DocumentText.All.Any(document => DocumentText.Read(document).Contains($"]({picture})", StringComparison.Ordinal) && Regex.IsMatch(DocumentText.Read(document), @"(creaturegen \w+ .*--out |dotnet run .*--project ).*\]\(" + Regex.Escape(picture) + @"\)", RegexOptions.Singleline)),
                 $"docs/{picture} stands below no command");
         }
     }

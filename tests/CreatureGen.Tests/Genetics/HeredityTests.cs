@@ -13,13 +13,10 @@ public sealed class HeredityTests(ITestOutputHelper output)
 {
     private const int Parents = 60;
 
-    [Fact]
-    public void Children_show_both_parents_part_by_part_and_strangers_in_no_part() => Check(400);
-
-    [Fact(Explicit = true)]
-    public void Of_a_thousand_children_most_show_both_parents_part_by_part() => Check(1000);
-
-    private void Check(int crosses)
+    [Theory]
+    [InlineData(150)]
+    [InlineData(1000, Explicit = true)]
+    public void Children_show_both_parents_part_by_part_and_strangers_in_no_part(int crosses)
     {
         CreatureBlueprint[] blueprints = Enumerable.Range(0, Parents).Select(i => BlueprintSampler.Sample((ulong)(9_400_000 + i), CreatureOptions.Default)).ToArray();
         Resemblance[] parents = Array.ConvertAll(blueprints, blueprint => new Resemblance(CreatureGenerator.Build(blueprint)));

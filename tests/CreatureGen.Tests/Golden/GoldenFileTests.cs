@@ -19,7 +19,7 @@ public sealed class GoldenFileTests
         GoldenEntry[] actual = GoldenFile.Entries.Select(e => GoldenEntry.Compute(e.Kind, e.Seed)).ToArray();
         string renewed = Path.Combine(AppContext.BaseDirectory, "golden.txt");
         File.WriteAllText(renewed, GoldenEntry.Format(GoldenFile.Text, actual));
-        GoldenFile.AssertSame(actual, $"If that is meant, copy {Path.GetRelativePath(RepositoryFiles.Root, renewed)} over it, and say why in the commit (docs/determinism.md).");
+        GoldenFile.AssertSame(GoldenFile.Entries, actual, $"If that is meant, copy {Path.GetRelativePath(RepositoryFiles.Root, renewed)} over it, and say why in the commit (docs/determinism.md).");
     }
 
     [Fact]

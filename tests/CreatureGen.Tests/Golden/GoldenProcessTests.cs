@@ -73,7 +73,7 @@ public sealed class GoldenProcessTests
     public async Task Motion_pictures_and_clips_are_the_same_in_any_culture_and_on_any_processor(string culture, string name, string value)
     {
         Dictionary<string, string> environment = name.Length == 0 ? [] : new() { [name] = value };
-        AssertOthers(await PrintAsync(DigestProgram.Plain, ["print-others", GoldenFile.Folder, "1", culture], environment));
+        await CompareOthersAsync(DigestProgram.Plain, culture, environment);
     }
 
     /// <summary>Of the library itself compiled without optimisation, which <c>.ci/run</c> builds.</summary>
@@ -82,8 +82,8 @@ public sealed class GoldenProcessTests
     {
         string debug = DigestProgram.Debug;
         Assert.SkipUnless(File.Exists(debug), "needs dotnet build -c Debug tests/CreatureGen.Digest");
-        AssertOthers(await PrintAsync(debug, ["print-others", GoldenFile.Folder, "1", "th-TH"], []));
-        GoldenFile.AssertSame(GoldenEntry.Parse(await PrintAsync(debug, ["print", GoldenFile.FullPath], [])), Advice);
+        await CompareOthersAsync(debug, "th-TH", []);
+        await RunAsync(debug, [], []);
     }
 
     /// <summary>Of the library compiled before it runs, which lies beside the tests where the compiler can be had. The other processes compile as they run.</summary>
@@ -92,8 +92,8 @@ public sealed class GoldenProcessTests
     {
         Assert.SkipUnless(IsCompiled(typeof(CreatureGenerator).Assembly.Location), "needs the compiler of tools/ReadyToRun, and a Release build");
         Assert.False(IsCompiled(Path.Combine(Path.GetDirectoryName(DigestProgram.Plain)!, "CreatureGen.dll")));
-        AssertOthers(await PrintAsync(DigestProgram.Beside, ["print-others", GoldenFile.Folder, "1", "th-TH"], []));
-        GoldenFile.AssertSame(GoldenEntry.Parse(await PrintAsync(DigestProgram.Beside, ["print", GoldenFile.FullPath], [])), Advice);
+        await CompareOthersAsync(DigestProgram.Beside, "th-TH", []);
+        await RunAsync(DigestProgram.Beside, [], []);
     }
 
     private static bool IsCompiled(string assembly)
@@ -103,19 +103,22 @@ public sealed class GoldenProcessTests
         return reader.PEHeaders.CorHeader!.ManagedNativeHeaderDirectory.Size > 0;
     }
 
-    private static void AssertOthers(string printed)
+    /// <summary>Runs the program and compares what it prints with the golden files of poses and of assets.</summary>
+    private static async Task CompareOthersAsync(string program, string culture, Dictionary<string, string> environment)
     {
-        string expected = RepositoryFiles.Text(GoldenFile.PosesPlace) + RepositoryFiles.Text(GoldenFile.AssetsPlace);
-        Assert.Equal(expected.ReplaceLineEndings("\n"), printed[(printed.IndexOf('\n', StringComparison.Ordinal) + 1)..]);
+        using var sample = new GoldenSample();
+        string printed = await PrintAsync(program, ["print-others", sample.Folder, "1", culture], environment);
+        Assert.Equal(sample.Others, printed[(printed.IndexOf('\n', StringComparison.Ordinal) + 1)..]);
     }
 
     /// <summary>Runs the program, compares what it prints with the golden file, and returns its remark about its surroundings.</summary>
     private static async Task<string> RunAsync(string program, string[] arguments, Dictionary<string, string> environment)
     {
-        string text = await PrintAsync(program, ["print", GoldenFile.FullPath, .. arguments], environment);
+        using var sample = new GoldenSample();
+        string text = await PrintAsync(program, ["print", sample.FilePath, .. arguments], environment);
         string remark = text.Split('\n')[0];
         Assert.StartsWith("# library=" + typeof(CreatureGenerator).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName + " ", remark, StringComparison.Ordinal);
-        GoldenFile.AssertSame(GoldenEntry.Parse(text), Advice);
+        GoldenFile.AssertSame(sample.Entries, GoldenEntry.Parse(text), Advice);
         return remark;
     }
 

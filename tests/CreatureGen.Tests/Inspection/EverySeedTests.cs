@@ -90,7 +90,7 @@ public sealed class EverySeedTests
     {
         CreatureOptions options = CreatureOptions.Default with { Kind = RequestedKind.Walking, BodyPlans = BodyPlanWeight.Only(BodyPlan.Upright) };
         int armed = 0;
-        foreach (ulong seed in Enumerable.Range(0, 120).Select(i => (ulong)i).Append(66549UL))
+        foreach (ulong seed in Enumerable.Range(0, Thoroughness.Of(120)).Select(i => (ulong)i).Append(66549UL))
         {
             CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, options);
             if (!blueprint.Legs.Any(leg => leg.Archetype == LimbArchetype.Arm))
@@ -105,7 +105,7 @@ public sealed class EverySeedTests
             Assert.True(along is > 0.185f and < 0.8f, $"{seed}: {along} of the way from heel to toe");
         }
 
-        Assert.True(armed > 60, $"{armed} with arms");
+        Assert.True(armed > Thoroughness.Of(60), $"{armed} with arms");
     }
 
     /// <summary>Serpents with great heads and short tails, which even a raised front did not carry.</summary>

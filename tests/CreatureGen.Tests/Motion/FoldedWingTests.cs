@@ -16,7 +16,7 @@ public sealed class FoldedWingTests
     [Fact]
     public void Folded_wings_end_near_the_root_of_the_tail()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(9000, 120).Where(flier => flier.IsStitched))
+        foreach (StandingFlier flier in StandingFlier.Of(9000, Thoroughness.Of(120)).Where(flier => flier.IsStitched))
         {
             flier.Stand(FlatGround.Level);
             Vector3 back = flier.PlaceOf(JointRole.Pelvis) - flier.PlaceOf(JointRole.Chest);
@@ -32,7 +32,7 @@ public sealed class FoldedWingTests
     [Fact]
     public void Folded_wings_keep_off_legs_and_ground_within_the_limits_of_their_joints()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(9200, 60))
+        foreach (StandingFlier flier in StandingFlier.Of(9200, Thoroughness.Of(60)))
         {
             flier.Stand(FlatGround.Level);
             Assert.True(flier.InLegs() < 0.03, $"{flier.Name}: {flier.InLegs()} leg lengths in its legs");
@@ -51,7 +51,7 @@ public sealed class FoldedWingTests
     [Fact]
     public void Folded_wings_hardly_touch_walking_legs_nor_hills()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(9300, 40))
+        foreach (StandingFlier flier in StandingFlier.Of(9300, Thoroughness.Of(40)))
         {
             float length = flier.Profile.LegLength;
             HeightFieldGround hills = new HillField(new Seed(flier.Creature.Blueprint.Seed), length).Around((6f * length) + 4f, -4f, (20f * length) + 8f);
@@ -74,7 +74,7 @@ public sealed class FoldedWingTests
     [Fact]
     public void Bodies_hardly_show_through_folded_wings()
     {
-        StandingFlier[] fliers = StandingFlier.Of(5000, 60).Where(flier => flier.IsStitched).ToArray();
+        StandingFlier[] fliers = StandingFlier.Of(5000, Thoroughness.Of(60)).Where(flier => flier.IsStitched).ToArray();
         double sum = 0;
         foreach (StandingFlier flier in fliers)
         {
@@ -90,7 +90,7 @@ public sealed class FoldedWingTests
     [Fact]
     public void Bodies_hardly_show_through_folded_wings_at_a_gallop()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(5000, 60).Where(flier => flier.IsStitched && flier.Profile.Gaits!.Speeds[^1].Gait.Name.Contains("Gallop", StringComparison.Ordinal)))
+        foreach (StandingFlier flier in StandingFlier.Of(5000, Thoroughness.Of(60)).Where(flier => flier.IsStitched && flier.Profile.Gaits!.Speeds[^1].Gait.Name.Contains("Gallop", StringComparison.Ordinal)))
         {
             flier.Stand(FlatGround.Level);
             flier.Go(3f, flier.Profile.Gaits!.Speeds[^1].Comfortable, FlatGround.Level);

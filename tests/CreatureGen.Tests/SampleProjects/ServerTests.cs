@@ -1,5 +1,4 @@
 using System;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Net;
@@ -15,40 +14,10 @@ using Xunit;
 
 namespace CreatureGen.Tests.SampleProjects;
 
-/// <summary>The server of the samples as a process of its own, asked over HTTP.</summary>
-public sealed class ServerTests : IAsyncLifetime
+/// <summary>The server of the samples, asked over HTTP.</summary>
+public sealed class ServerTests(SampleServer server) : IClassFixture<SampleServer>
 {
-    private readonly HttpClient client = new();
-    private Process? server;
-
-    public async ValueTask InitializeAsync()
-    {
-        string configuration = new DirectoryInfo(AppContext.BaseDirectory).Parent!.Name;
-        string program = SampleFiles.At($"samples/CreatureGen.Server/bin/{configuration}/net10.0/CreatureGen.Server.dll");
-        server = SampleFiles.Start(Path.GetTempPath(), "dotnet", [program, "--urls", $"http://{IPAddress.Loopback}:0", "--AtOnce", "1", "--Waiting", "2"]);
-        _ = server.StandardError.ReadToEndAsync();
-        const string told = "Now listening on: ";
-        while (await server.StandardOutput.ReadLineAsync() is string line)
-        {
-            if (line.Contains(told, StringComparison.Ordinal))
-            {
-                client.BaseAddress = new Uri(line[(line.IndexOf(told, StringComparison.Ordinal) + told.Length)..]);
-                _ = server.StandardOutput.ReadToEndAsync();
-                return;
-            }
-        }
-
-        throw new InvalidOperationException("the server ended before it listened");
-    }
-
-    public ValueTask DisposeAsync()
-    {
-        server!.Kill();
-        server.WaitForExit();
-        server.Dispose();
-        client.Dispose();
-        return ValueTask.CompletedTask;
-    }
+    private readonly HttpClient client = server.Client;
 
     private static CancellationToken Stop => TestContext.Current.CancellationToken;
 

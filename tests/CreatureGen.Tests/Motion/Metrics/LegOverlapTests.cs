@@ -126,7 +126,7 @@ public sealed class LegOverlapTests
     public void Hind_feet_of_four_footed_walkers_do_not_run_into_their_fore_feet()
     {
         var found = new List<float>();
-        for (ulong seed = 9000; seed < 9050; seed++)
+        for (ulong seed = 9000; seed < 9000 + (ulong)Thoroughness.Of(50); seed++)
         {
             var profile = new MotionProfile(Walkers.Any(seed));
             if (profile.Legs?.Rows != 2)
@@ -142,7 +142,7 @@ public sealed class LegOverlapTests
             }
         }
 
-        Assert.True(found.Count > 60);
+        Assert.True(found.Count > Thoroughness.Of(60));
         Assert.True(found.Count(overlap => overlap > 0.02f) < 0.15f * found.Count, $"{found.Count(overlap => overlap > 0.02f)} of {found.Count}");
     }
 

@@ -42,7 +42,7 @@ public class MotionQualityTests
     [Fact]
     public void Walks_keep_feet_down_as_animals_do()
     {
-        foreach ((MotionReport report, string name) in Record(5000, 40, 60f, GroundRelief.Flat))
+        foreach ((MotionReport report, string name) in Record(5000, Thoroughness.Of(40), 60f, GroundRelief.Flat))
         {
             string gait = name.Split(' ')[1];
             int min = gait switch { "Walk" or "Crawl" or "Amble" => 2, "BipedWalk" => 1, "Wave" or "Tripod" => 3, _ => 0 };

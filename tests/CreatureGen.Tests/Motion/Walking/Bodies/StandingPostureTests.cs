@@ -18,7 +18,7 @@ public sealed class StandingPostureTests
     {
         int perching = 0;
         int ducks = 0;
-        foreach (StandingFlier flier in StandingFlier.Of(9500, 120).Where(flier => flier.Creature.Blueprint.Legs.Count == 1))
+        foreach (StandingFlier flier in StandingFlier.Of(9500, Thoroughness.Of(120)).Where(flier => flier.Creature.Blueprint.Legs.Count == 1))
         {
             flier.Stand(FlatGround.Level);
             double degrees = Degrees(flier);
@@ -39,14 +39,14 @@ public sealed class StandingPostureTests
             }
         }
 
-        Assert.True(perching > 20, $"{perching}");
-        Assert.True(ducks > 2, $"{ducks}");
+        Assert.True(perching > Thoroughness.Of(20), $"{perching}");
+        Assert.True(ducks > Thoroughness.Of(2), $"{ducks}");
     }
 
     [Fact]
     public void Heads_of_raised_fliers_are_level_and_tails_clear_of_the_ground()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(9700, 60).Where(flier => flier.Profile.Legs!.Posture.Raised > 0f))
+        foreach (StandingFlier flier in StandingFlier.Of(9700, Thoroughness.Of(60)).Where(flier => flier.Profile.Legs!.Posture.Raised > 0f))
         {
             flier.Stand(FlatGround.Level);
             Skeleton skeleton = flier.Creature.Skeleton;
@@ -66,7 +66,7 @@ public sealed class StandingPostureTests
     [Fact]
     public void Raised_fliers_keep_their_centre_of_mass_over_their_feet()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(9800, 60).Where(flier => flier.Profile.Legs!.Posture.Raised > 0f))
+        foreach (StandingFlier flier in StandingFlier.Of(9800, Thoroughness.Of(60)).Where(flier => flier.Profile.Legs!.Posture.Raised > 0f))
         {
             flier.Stand(FlatGround.Level);
             Skeleton skeleton = flier.Creature.Skeleton;
@@ -79,7 +79,7 @@ public sealed class StandingPostureTests
     [Fact]
     public void Fliers_on_four_legs_insects_and_walkers_stand_as_they_are_built()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(9900, 60).Where(flier => flier.Profile.Legs!.Legs.Length > 2))
+        foreach (StandingFlier flier in StandingFlier.Of(9900, Thoroughness.Of(60)).Where(flier => flier.Profile.Legs!.Legs.Length > 2))
         {
             Assert.Equal(0f, flier.Profile.Legs!.Posture.Raised);
         }
