@@ -16,7 +16,7 @@ public sealed partial class GaitTableTests
     [Fact]
     public void The_table_of_gaits_is_what_the_library_brings()
     {
-        string[] listed = GaitRow().Matches(RepositoryFiles.Text("docs/motion.md")).Select(m => m.Value).ToArray();
+        string[] listed = GaitRow().Matches(RepositoryFiles.Text("docs/gaits.md")).Select(m => m.Value).ToArray();
         Assert.Equal(Gaits().Select(Row), listed);
     }
 

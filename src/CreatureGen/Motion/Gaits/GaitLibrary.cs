@@ -1,6 +1,6 @@
 namespace CreatureGen.Motion;
 
-/// <summary>The gaits that the library brings. Lags are those of touchdown, part of a cycle, rear left foot first; sources are in docs/motion.md.</summary>
+/// <summary>The gaits that the library brings. Lags are those of touchdown, part of a cycle, rear left foot first; sources are in docs/gaits.md.</summary>
 public static class GaitLibrary
 {
     private static readonly DutyLaw walking = new(Intercept: 0.78f, Slope: 0.36f, Min: 0.54f, Max: 0.75f);
