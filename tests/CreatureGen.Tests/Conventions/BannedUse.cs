@@ -88,6 +88,8 @@ internal static class BannedUse
             ([.. from row in Enumerable.Range(1, 4) from column in Enumerable.Range(1, 4) select $"M{row}{column}", "get_Identity", "Equals", "op_Equality", "op_Inequality"], Vectors),
         ["System.Runtime.Intrinsics.Vector128"] = (["Create", "Shuffle", "GetElement", "ToScalar", "AsVector128", "AsVector128Unsafe", "AsVector3", "AsQuaternion", "AsSingle", "LoadUnsafe", "StoreUnsafe", "LessThan", "ConditionalSelect", "Sqrt"], Vectors),
         ["System.Runtime.Intrinsics.Vector128`1"] = (["op_Addition", "op_Subtraction", "op_Multiply", "op_Division", "op_ExclusiveOr"], Vectors),
+        ["System.Runtime.Intrinsics.Vector256"] = (["Create", "Shuffle", "AsSingle", "GetLower", "GetUpper", "LoadUnsafe", "StoreUnsafe", "LessThan", "LessThanAny", "ConditionalSelect", "Sqrt"], Vectors),
+        ["System.Runtime.Intrinsics.Vector256`1"] = (["op_Addition", "op_Multiply", "op_Division"], Vectors),
     };
 
     /// <summary>Arithmetic of vectors that works on each component alone.</summary>

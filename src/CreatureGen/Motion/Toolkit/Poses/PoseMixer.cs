@@ -151,7 +151,7 @@ public readonly ref struct PoseMixer
                 i += RotationSums.Finish(i, totals, result, ref nought);
             }
 #endif
-            for (int end = Math.Min(i + 4, totals.Length); i < end; i++)
+            for (int end = Math.Min(i + 8, totals.Length); i < end; i++)
             {
                 nought += FinishOne(i, fallback);
             }

@@ -11,7 +11,7 @@ namespace CreatureGen.Motion.Toolkit.Poses;
 /// <remarks>Loops of their own over references, no calls inside: so the compiler keeps all in registers without a profile of earlier runs too.</remarks>
 internal static class RotationBlend
 {
-    /// <summary>The unit quaternions between two lists, the shorter way round; gives how many it made: what is left makes no four.</summary>
+    /// <summary>The unit quaternions between two lists, the shorter way round; gives how many it made: what is left makes no eight.</summary>
     /// <param name="from">Weight 0.</param>
     /// <param name="to">Weight 1, as long.</param>
     /// <param name="weight">0..1.</param>
@@ -23,27 +23,27 @@ internal static class RotationBlend
         ref Vector4 b = ref MemoryMarshal.GetReference(to);
         ref Vector4 r = ref MemoryMarshal.GetReference(result);
         int i = 0;
-        Vector128<float> noughts = Vector128.Create(0f);
-        Vector128<float> back = Vector128.Create(1f - weight);
-        for (; i <= result.Length - FourVectors.Count; i += FourVectors.Count)
+        Vector256<float> noughts = Vector256.Create(0f);
+        Vector256<float> back = Vector256.Create(1f - weight);
+        for (; i <= result.Length - EightVectors.Count; i += EightVectors.Count)
         {
-            Vector128<float> b0 = FourVectors.Load(ref b, i), b1 = FourVectors.Load(ref b, i + 1), b2 = FourVectors.Load(ref b, i + 2), b3 = FourVectors.Load(ref b, i + 3);
-            Vector128<float> a0 = FourVectors.Load(ref a, i), a1 = FourVectors.Load(ref a, i + 1), a2 = FourVectors.Load(ref a, i + 2), a3 = FourVectors.Load(ref a, i + 3);
-            Vector128<float> v = FourVectors.WithSignsOf(FourVectors.Sums(a0 * b0, a1 * b1, a2 * b2, a3 * b3), weight);
-            a0 = (a0 * back) + (b0 * FourVectors.First(v));
-            a1 = (a1 * back) + (b1 * FourVectors.Second(v));
-            a2 = (a2 * back) + (b2 * FourVectors.Third(v));
-            a3 = (a3 * back) + (b3 * FourVectors.Fourth(v));
-            Vector128<float> squares = FourVectors.Sums(a0 * a0, a1 * a1, a2 * a2, a3 * a3);
-            Vector128<float> scales = FourVectors.Scales(squares);
+            Vector256<float> b0 = EightVectors.Load(ref b, i), b1 = EightVectors.Load(ref b, i + 2), b2 = EightVectors.Load(ref b, i + 4), b3 = EightVectors.Load(ref b, i + 6);
+            Vector256<float> a0 = EightVectors.Load(ref a, i), a1 = EightVectors.Load(ref a, i + 2), a2 = EightVectors.Load(ref a, i + 4), a3 = EightVectors.Load(ref a, i + 6);
+            Vector256<float> v = EightVectors.WithSignsOf(EightVectors.Sums(a0 * b0, a1 * b1, a2 * b2, a3 * b3), weight);
+            a0 = (a0 * back) + (b0 * EightVectors.First(v));
+            a1 = (a1 * back) + (b1 * EightVectors.Second(v));
+            a2 = (a2 * back) + (b2 * EightVectors.Third(v));
+            a3 = (a3 * back) + (b3 * EightVectors.Fourth(v));
+            Vector256<float> squares = EightVectors.Sums(a0 * a0, a1 * a1, a2 * a2, a3 * a3);
+            Vector256<float> scales = EightVectors.Scales(squares);
             noughts += (squares + scales) * 0f;
-            FourVectors.Store(a0 * FourVectors.First(scales), ref r, i);
-            FourVectors.Store(a1 * FourVectors.Second(scales), ref r, i + 1);
-            FourVectors.Store(a2 * FourVectors.Third(scales), ref r, i + 2);
-            FourVectors.Store(a3 * FourVectors.Fourth(scales), ref r, i + 3);
+            EightVectors.Store(a0 * EightVectors.First(scales), ref r, i);
+            EightVectors.Store(a1 * EightVectors.Second(scales), ref r, i + 2);
+            EightVectors.Store(a2 * EightVectors.Third(scales), ref r, i + 4);
+            EightVectors.Store(a3 * EightVectors.Fourth(scales), ref r, i + 6);
         }
 
-        nought += FourVectors.Nought(noughts);
+        nought += EightVectors.Nought(noughts);
         return i;
     }
 
