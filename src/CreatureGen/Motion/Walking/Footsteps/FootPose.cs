@@ -19,4 +19,11 @@ internal struct FootPose
 
     /// <summary>Fold of the metatarsus, radians.</summary>
     public float Fold;
+
+    /// <summary>Brings it farther, metres; turned as it is.</summary>
+    public void MoveBy(Vector3 way)
+    {
+        Ball += way;
+        Target += way;
+    }
 }

@@ -33,6 +33,9 @@ internal struct LegOutcome
     /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>
     public float Relaxation;
 
+    /// <summary>How it then stood.</summary>
+    public TurnedFoot Turned;
+
     /// <summary>That of a leg that has not been posed yet, under a trunk at rest.</summary>
     public static LegOutcome AtRest(LegRig leg) => new() { Chord = leg.Parts.Upper + leg.Shank, Hip = leg.HipRest, Carrier = Quaternion.Identity };
 }

@@ -92,6 +92,8 @@ internal static class FootPoser
             pose.Fold = 0f;
             pose.Target = pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
         }
+
+        SoleHold.Carry(ref foot, ref pose);
     }
 
     /// <summary>Takes a foot where an act asks for it.</summary>

@@ -21,16 +21,18 @@ internal readonly struct HipLimit
     private const float Arrival = 0.85f;
 
     private readonly bool raised;
-    private readonly float standing;
 
     private HipLimit(bool raised, float standing, float arriving, float slack, float tolerance)
     {
         this.raised = raised;
-        this.standing = standing;
+        Standing = standing;
         Arriving = arriving;
         Slack = slack;
         Tolerance = tolerance;
     }
+
+    /// <summary>How much the leg is still as it stood, 0..1.</summary>
+    public float Standing { get; }
 
     /// <summary>How far the foot is about to come down, 0..1.</summary>
     public float Arriving { get; }
@@ -55,7 +57,7 @@ internal readonly struct HipLimit
     public void Bend(LegRig leg, in LegSegments parts, in LegGoal goal, float ground, ref LegRotations solved)
     {
         LegRotations stood = solved;
-        if (standing > 0f)
+        if (Standing > 0f)
         {
             LegSolver.Bend(leg, parts, goal.Chord, Tolerance, ref stood);
         }
@@ -67,9 +69,9 @@ internal readonly struct HipLimit
         }
 
         LegSolver.Raise(leg, parts, ground, Tolerance, ref solved);
-        if (standing > 0f)
+        if (Standing > 0f)
         {
-            solved.Blend(stood, standing, leg.Hinge);
+            solved.Blend(stood, Standing, leg.Hinge);
         }
     }
 
@@ -77,5 +79,5 @@ internal readonly struct HipLimit
     /// <param name="leg">Whose.</param>
     /// <param name="stood">How far its joints kept it from lying on the ground as it should when it last stood, about half the angle in radians.</param>
     /// <param name="excess">How far they do now.</param>
-    public float Relaxed(LegRig leg, float stood, float excess) => leg.Lateral || !raised ? 1f : Math.Max(Arriving, Math.Min(stood / excess, 1f) * standing);
+    public float Relaxed(LegRig leg, float stood, float excess) => leg.Lateral || !raised ? 1f : Math.Max(Arriving, Math.Min(stood / excess, 1f) * Standing);
 }

@@ -60,6 +60,7 @@ internal sealed class LegPoser
         Vector3 hip = placer.HipOf(index, foot, out Vector3 slide);
         turns.Slide(local, leg.Girdle, slide);
         float carried = Carried(leg, foot, tuck, trail);
+        bool stands = foot.Phase == FootPhase.Stance && foot.Taken == 0f;
         Solve(leg, carrier, hip, pose, carried, ref foot, local, out LegRotations solved);
         FootPose wanted = pose;
         if (carried > 0f && leg.Row == 0 && leg.Traits.Linkage == LegLinkage.Foot)
@@ -72,19 +73,36 @@ internal sealed class LegPoser
             wanted.Toes = Rotation.Multiply(wanted.Toes, point);
         }
 
-        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, out float excess);
+        bool flat = leg.FlatFoot && !leg.Lateral;
+        bool linked = leg.Traits.Linkage == LegLinkage.Pantograph;
+        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, !flat, out Vector3 astray, out float excess);
         foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
         float fraction = excess > 0f ? HipLimit.Of(foot).Relaxed(leg, foot.Leg.Relaxation, excess) : 0f;
 
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
+        FootPose asked = wanted;
 
         // As the ankle comes up for it the shank leans farther, and asks for a little more.
-        for (int i = 0; i < (leg.FlatFoot && !leg.Lateral ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
+        for (int i = 0; i < (flat ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
-            LimitRelaxation.Turn(leg, foot.Path.Normal, leg.Traits.Linkage == LegLinkage.Pantograph ? toes : metatarsus, toes, pitch, fraction, ref wanted);
+            LimitRelaxation.Turn(leg, foot.Path.Normal, linked ? toes : metatarsus, toes, pitch, fraction, ref wanted);
+            if (stands)
+            {
+                SoleHold.Keep(leg, ref foot, ref wanted);
+            }
+
+            wanted.Target -= astray * fraction;
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
-            metatarsus = PoseFoot(leg, solved, wanted, local, out excess);
+
+            // On the ground the toes lie as was found; in the air those of a linked leg go along with its ankle anew.
+            metatarsus = PoseFoot(leg, solved, linked && !stands ? asked : wanted, local, !flat && !stands, out astray, out excess);
+        }
+
+        foot.Leg.Turned.Stood = false;
+        if (fraction > 0f && stands)
+        {
+            SoleHold.Remember(ref foot, wanted);
         }
     }
 
@@ -162,8 +180,15 @@ internal sealed class LegPoser
     private static void SetKnee(LegRig leg, in LegRotations solved, in Pose local) => local.Rotations[leg.Knee] = Rotation.Multiply(leg.KneeRest, new Quaternion(solved.KneeHalfSine, 0f, 0f, solved.Knee.W));
 
     /// <summary>Writes ankle and ball, within their limits.</summary>
+    /// <param name="leg">Whose.</param>
+    /// <param name="solved">Hip and knee.</param>
+    /// <param name="pose">How foot and toes should lie.</param>
+    /// <param name="local">The pose.</param>
+    /// <param name="along">Whether the toes go along with a foot that its ankle turns, or lie as they should all the same.</param>
+    /// <param name="astray">How far the limit of its ankle takes the ball of a linked leg from where its linkage has it, metres.</param>
+    /// <param name="excess">How far ankle and ball are kept from how they should be, about half the angle in radians.</param>
     /// <returns>The turn of the metatarsus from rest.</returns>
-    private Quaternion PoseFoot(LegRig leg, in LegRotations solved, in FootPose pose, in Pose local, out float excess)
+    private Quaternion PoseFoot(LegRig leg, in LegRotations solved, in FootPose pose, in Pose local, bool along, out Vector3 astray, out float excess)
     {
         Quaternion metatarsus = pose.Foot;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
@@ -183,10 +208,13 @@ internal sealed class LegPoser
         Bound(local.Rotations, leg.Ankle, leg.AnkleJoint, 0f);
         Quaternion kept = local.Rotations[leg.Ankle];
         float ankle = asked == kept ? 0f : Chord(asked, kept);
+        astray = default;
         if (ankle > 0f)
         {
+            Quaternion free = metatarsus;
             metatarsus = Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle));
-            if (leg.FlatFoot && !leg.Lateral)
+            astray = leg.Traits.Linkage == LegLinkage.Pantograph ? Rotation.Rotate(metatarsus, leg.Metatarsus) - Rotation.Rotate(free, leg.Metatarsus) : astray;
+            if (!along)
             {
                 turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
             }

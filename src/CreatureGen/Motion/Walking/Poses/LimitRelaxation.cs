@@ -27,8 +27,8 @@ internal static class LimitRelaxation
     {
         Span<Vector3> before = stackalloc Vector3[SoleExtent.Directions];
         Span<Vector3> after = stackalloc Vector3[SoleExtent.Directions];
-        float lowest = Lay(leg, normal, foot, toes, after);
-        float sunk = Lay(leg, normal, pose.Foot, pose.Toes, before) - lowest;
+        float lowest = SoleEdge.Lay(leg, normal, foot, toes, after);
+        float sunk = SoleEdge.Lay(leg, normal, pose.Foot, pose.Toes, before) - lowest;
 
         // It holds on to the edge that it stands on as far as the ground lets it, and turns on a point of its sole for the rest.
         Vector3 way = SolePivot.Way(leg, pose.Toes, toes, pitch);
@@ -43,20 +43,5 @@ internal static class LimitRelaxation
         pose.Foot = UnitRotation.Nlerp(pose.Foot, foot, fraction);
         pose.Toes = UnitRotation.Nlerp(pose.Toes, toes, fraction);
         pose.Target = leg.Traits.Linkage == LegLinkage.Pantograph ? pose.Ball : pose.Ball - Rotation.Rotate(pose.Foot, leg.Metatarsus);
-    }
-
-    /// <summary>Where the outline of the sole is from the ball: ahead of it with the toes, behind it with the foot.</summary>
-    /// <returns>How far the lowest of it is along the normal.</returns>
-    private static float Lay(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, Span<Vector3> points)
-    {
-        float lowest = float.MaxValue;
-        for (int i = 0; i < points.Length; i++)
-        {
-            Vector3 place = leg.Sole[i];
-            points[i] = Rotation.Rotate(Vec.Dot(place, leg.ToeDirection) < 0f ? foot : toes, place);
-            lowest = Math.Min(lowest, Vec.Dot(normal, points[i]));
-        }
-
-        return lowest;
     }
 }

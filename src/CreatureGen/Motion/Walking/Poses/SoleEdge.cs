@@ -40,4 +40,19 @@ internal static class SoleEdge
 
         return way / sum;
     }
+
+    /// <summary>Where the outline of the sole is from the ball: ahead of it with the toes, behind it with the foot.</summary>
+    /// <returns>How far the lowest of it is along the normal.</returns>
+    public static float Lay(LegRig leg, Vector3 normal, Quaternion foot, Quaternion toes, Span<Vector3> points)
+    {
+        float lowest = float.MaxValue;
+        for (int i = 0; i < points.Length; i++)
+        {
+            Vector3 place = leg.Sole[i];
+            points[i] = Rotation.Rotate(Vec.Dot(place, leg.ToeDirection) < 0f ? foot : toes, place);
+            lowest = Math.Min(lowest, Vec.Dot(normal, points[i]));
+        }
+
+        return lowest;
+    }
 }
