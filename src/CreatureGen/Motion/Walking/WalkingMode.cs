@@ -160,7 +160,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         Stand(place, settings, ground, layer);
-        Pose(place, 0f, settings, layer, false, local);
+        Pose(place, 0f, settings, layer, null, local);
     }
 
     /// <summary>Poses it as it comes down to the ground at a run: in the stride that goes with its speed, a foot of the hindmost pair about to stand.</summary>
@@ -194,7 +194,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
             placer.Reset(planner.Feet);
         }
 
-        Pose(place, 0f, settings, layer, false, local);
+        Pose(place, 0f, settings, layer, null, local);
     }
 
     /// <summary>Poses it with its feet where they are: time passes for nothing but its breath.</summary>
@@ -203,7 +203,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     /// <param name="settings">What can be set.</param>
     /// <param name="layer">What an act asks of trunk and feet.</param>
     /// <param name="local">Receives the pose.</param>
-    public void Hold(in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local) => Pose(place, dt, settings, layer, false, local);
+    public void Hold(in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local) => Pose(place, dt, settings, layer, null, local);
 
     /// <summary>Pushes the body; what it intends stays as it is, and its feet step after it.</summary>
     /// <param name="push">Change of its velocity, metres per second of the model, in its own axes.</param>
@@ -262,7 +262,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         RootPlace next = Update(place, dt, input, settings, ground, layer);
-        Pose(next, dt, settings, layer, true, local);
+        Pose(next, dt, settings, layer, ground, local);
         return next;
     }
 
@@ -279,51 +279,8 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
         RootPlace at = pushed.At(goal);
         Follow(before, dt, at, own, ground, layer);
-        Pose(at, dt, settings, layer, true, local);
+        Pose(at, dt, settings, layer, ground, local);
         pushed.Show(goal, body.Body, local);
-    }
-
-    /// <summary>Writes the pose of a body that may rest as it stands, or of one that is held.</summary>
-    private void Pose(in RootPlace placement, float dt, in MotionSettings asked, BodyLayer? layer, bool rests, in Pose local)
-    {
-        MotionSettings settings = asked with { Gravity = GravityOf(asked, placement.Scale) };
-        float held = layer?.Still ?? 0f;
-        bool free = rests && activity < MinActivity && held < MinActivity;
-        IdlePose idle = life.Follow(body, dt, activity, settings.Idle * (1f - held), free);
-        if (restless.Follow(body, life.Seconds, dt, free && settings.Idle > 0f, out int leg, out float ahead))
-        {
-            planner.SetAhead(leg, ahead * body.LegLength);
-        }
-
-        PoseFeet(placement, dt, settings, layer, idle.Rest);
-        idle = idle with { Breath = idle.Breath - Sink };
-        Raise(dt, settings.Gravity);
-        var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow, Facing);
-        placer.Place(context, layer, planner.Feet, poses);
-        poser.PoseTrunk(placer, local);
-        for (int i = 0; i < poses.Length; i++)
-        {
-            poser.PoseLeg(i, placer, ref planner.Feet[i], poses[i], clock.Shape.Tuck * activity, clock.TrailIn(settings.Gravity) * activity, local);
-        }
-
-        HeadPosture.Pose(body, turns, placer, context, local);
-        ArmSwing.Pose(body, turns, placer, context, local);
-        FlipperPosture.Pose(body, turns, placer, context, local);
-        TailPosture.Pose(body, turns, placer, context, local);
-        if (winged)
-        {
-            sway.Follow(placer.Bounce, placer.Scissor * activity, idle.Wings, (float)Math.Sqrt(body.LegLength / settings.Gravity), dt);
-            wings?.Write(layer?.Wings ?? 0f, sway, local);
-        }
-    }
-
-    /// <summary>Brings the trunk into its posture: down at once, up after the last step.</summary>
-    private void Raise(float dt, float gravity)
-    {
-        float froude = velocity.Speed * velocity.Speed / (gravity * body.LegLength);
-        float wanted = StandingPosture.Fraction(activity, froude, Sink / body.LegLength);
-        Raised = arrived ? wanted : Raised + ((wanted - Raised) * raiseDecay.Fraction((wanted < Raised ? LowerRate : RaiseRate) * dt));
-        arrived = false;
     }
 
     private void Begin(in RootPlace placement, in MotionSettings settings, IGround ground, BodyLayer? layer)
@@ -382,20 +339,6 @@ internal sealed partial class WalkingMode : ILocomotionMode
         else
         {
             clock.Change(wanted, froude, settings.Gravity, lead);
-        }
-    }
-
-    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings, BodyLayer? layer, float rest)
-    {
-        var numbers = new GaitNumbers(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, dt);
-        for (int i = 0; i < poses.Length; i++)
-        {
-            FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, rest * body.RestPitch(i), out poses[i]);
-            planner.Feet[i].Path.Taken = 0f;
-            if (layer != null)
-            {
-                FootPoser.Add(body.Legs[i], layer.Feet[i], ref planner.Feet[i], ref poses[i]);
-            }
         }
     }
 

@@ -1,10 +1,14 @@
 using System.Numerics;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
 /// <summary>The plan of a foot: how far it is in its step, whether it steps, and to where. The planner of footsteps writes it, and nobody else.</summary>
 internal struct FootPlan
 {
+    /// <summary>How quickly a foot that sits out goes back to the middle of its stance, stances per second.</summary>
+    private const float MidstanceRate = 3f;
+
     /// <summary>Whether it is down.</summary>
     public FootPhase Phase;
 
@@ -55,4 +59,20 @@ internal struct FootPlan
 
     /// <summary>By how much it missed its place then, metres.</summary>
     public float Missed;
+
+    /// <summary>Lets the stance go on with the cycle; a foot that sits out goes back to the middle of its stance and is taken up again there.</summary>
+    /// <param name="seconds">That have passed.</param>
+    /// <param name="stance">Progress of the stance by the cycle.</param>
+    public void Rest(float seconds, float stance)
+    {
+        if (Held && stance < 0.5f)
+        {
+            float max = MidstanceRate * seconds;
+            Stance += Scalar.Clamp(0.5f - Stance, -max, max);
+            return;
+        }
+
+        Held = false;
+        Stance = stance;
+    }
 }

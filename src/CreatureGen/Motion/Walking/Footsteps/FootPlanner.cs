@@ -27,9 +27,6 @@ internal sealed class FootPlanner
     /// <summary>Leg lengths from home from which on a foot is far from it.</summary>
     private const float Far = 0.35f;
 
-    /// <summary>How quickly a foot that sits out goes back to the middle of its stance, stances per second.</summary>
-    private const float MidstanceRate = 3f;
-
     /// <summary>How far a foot may be from where it was to come down and still be put there, leg lengths.</summary>
     private const float MaxAstray = 0.004f;
 
@@ -199,6 +196,25 @@ internal sealed class FootPlanner
         Aim(leg, step, feet[leg].Plan.Flight, feet[leg].Plan.Flight);
     }
 
+    /// <summary>Lets a foot go that a long update has taken from its place: when it was decided last nobody knew how its trunk would lie. It is on its way for half of the update already.</summary>
+    /// <param name="leg">Whose, as it has been posed.</param>
+    /// <param name="missed">Distance by which the foot missed its place when last posed, metres.</param>
+    /// <param name="step">The update.</param>
+    /// <returns>Whether it goes: it has to be posed anew.</returns>
+    public bool TryLetGo(int leg, float missed, in StepContext step)
+    {
+        ref Foot foot = ref feet[leg];
+        float swing = (1f - step.Clock.Duty) / step.Clock.Frequency;
+        if (foot.Phase != FootPhase.Stance || !FootRelease.IsTorn(foot, missed, body.Legs[leg]) || !(step.Moving || Wants(leg, step, swing)))
+        {
+            return false;
+        }
+
+        Release(leg, step, swing);
+        foot.Plan.Swing = Math.Min(0.5f * step.Step / foot.Plan.Flight, LatestJoin);
+        return true;
+    }
+
     /// <summary>Moves all feet on by a step of time; the clock has been moved already.</summary>
     public void Advance(in StepContext step)
     {
@@ -227,7 +243,7 @@ internal sealed class FootPlanner
                     Land(i, step, Math.Min(p * cycle, step.Step));
                 }
 
-                Rest(ref foot, step, p / duty);
+                foot.Plan.Rest(step.Step, p / duty);
             }
             else
             {
@@ -285,7 +301,7 @@ internal sealed class FootPlanner
             if (!foot.Plan.Steps)
             {
                 foot.Plan.Held = true;
-                Rest(ref foot, step, 0f);
+                foot.Plan.Rest(step.Step, 0f);
                 return;
             }
 
@@ -298,20 +314,6 @@ internal sealed class FootPlanner
         {
             Aim(leg, step, ahead, flight);
         }
-    }
-
-    /// <summary>Lets the stance go on with the cycle; a foot that sits out goes back to the middle of its stance and is taken up again there.</summary>
-    private static void Rest(ref Foot foot, in StepContext step, float stance)
-    {
-        if (foot.Plan.Held && stance < 0.5f)
-        {
-            float max = MidstanceRate * step.Step;
-            foot.Plan.Stance += Scalar.Clamp(0.5f - foot.Plan.Stance, -max, max);
-            return;
-        }
-
-        foot.Plan.Held = false;
-        foot.Plan.Stance = stance;
     }
 
     private bool IsFar(int leg, in StepContext step)

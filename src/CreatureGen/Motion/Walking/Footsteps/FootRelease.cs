@@ -30,7 +30,7 @@ internal static class FootRelease
     private const float LateStance = 0.8f;
 
     /// <summary>Seconds since its last pose from which on nobody knows how its trunk is turned.</summary>
-    private const float Overdue = 1.5f * DecisionClock.Period;
+    public const float Overdue = 1.5f * DecisionClock.Period;
 
     /// <summary>Seconds of a swing out of step: as long as those of the gait, within these.</summary>
     private const float ShortestFlight = 0.06f;
@@ -62,6 +62,12 @@ internal static class FootRelease
         return drop > (late ? LateDrop : MaxDrop)
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
+
+    /// <summary>Whether a foot was taken from its place as its leg was posed.</summary>
+    /// <param name="foot">The foot.</param>
+    /// <param name="missed">Distance by which it missed its place before, metres.</param>
+    /// <param name="leg">Its leg.</param>
+    public static bool IsTorn(in Foot foot, float missed, LegRig leg) => foot.Leg.Residual - missed > MaxMiss * leg.Length;
 
     /// <summary>Where a place is as the body goes on until the next decision, model space; where it is now if that comes before the next pose.</summary>
     private static Vector3 Later(in StepContext step, Vector3 place)

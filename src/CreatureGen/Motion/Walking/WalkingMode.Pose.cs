@@ -1,0 +1,94 @@
+using System;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking.Bodies;
+using CreatureGen.Motion.Walking.Footsteps;
+using CreatureGen.Motion.Walking.Idle;
+using CreatureGen.Motion.Walking.Poses;
+using CreatureGen.Motion.Walking.Trunk;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Walking;
+
+/// <content>How it is posed: feet, body, legs, head, arms and tail.</content>
+internal sealed partial class WalkingMode
+{
+    /// <summary>Writes the pose of a body that may rest as it stands and step, or of one that is held.</summary>
+    /// <param name="placement">Where the root is.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="asked">What can be set.</param>
+    /// <param name="layer">What an act asks of trunk and feet.</param>
+    /// <param name="ground">Where feet find footing; null where they stay where they are.</param>
+    /// <param name="local">Receives the pose.</param>
+    private void Pose(in RootPlace placement, float dt, in MotionSettings asked, BodyLayer? layer, IGround? ground, in Pose local)
+    {
+        MotionSettings settings = asked with { Gravity = GravityOf(asked, placement.Scale) };
+        float held = layer?.Still ?? 0f;
+        bool free = ground != null && activity < MinActivity && held < MinActivity;
+        IdlePose idle = life.Follow(body, dt, activity, settings.Idle * (1f - held), free);
+        if (restless.Follow(body, life.Seconds, dt, free && settings.Idle > 0f, out int leg, out float ahead))
+        {
+            planner.SetAhead(leg, ahead * body.LegLength);
+        }
+
+        PoseFeet(placement, dt, settings, layer, idle.Rest);
+        idle = idle with { Breath = idle.Breath - Sink };
+        Raise(dt, settings.Gravity);
+        var context = new BodyContext(clock, velocity, settings, dt, activity, idle, acceleration, Raised, Bow, Facing);
+        placer.Place(context, layer, planner.Feet, poses);
+        poser.PoseTrunk(placer, local);
+        PoseLegs(placement, dt, settings, ground, local);
+        HeadPosture.Pose(body, turns, placer, context, local);
+        ArmSwing.Pose(body, turns, placer, context, local);
+        FlipperPosture.Pose(body, turns, placer, context, local);
+        TailPosture.Pose(body, turns, placer, context, local);
+        if (winged)
+        {
+            sway.Follow(placer.Bounce, placer.Scissor * activity, idle.Wings, (float)Math.Sqrt(body.LegLength / settings.Gravity), dt);
+            wings?.Write(layer?.Wings ?? 0f, sway, local);
+        }
+    }
+
+    /// <summary>Brings the trunk into its posture: down at once, up after the last step.</summary>
+    private void Raise(float dt, float gravity)
+    {
+        float froude = velocity.Speed * velocity.Speed / (gravity * body.LegLength);
+        float wanted = StandingPosture.Fraction(activity, froude, Sink / body.LegLength);
+        Raised = arrived ? wanted : Raised + ((wanted - Raised) * raiseDecay.Fraction((wanted < Raised ? LowerRate : RaiseRate) * dt));
+        arrived = false;
+    }
+
+    private void PoseFeet(in RootPlace placement, float dt, in MotionSettings settings, BodyLayer? layer, float rest)
+    {
+        GaitNumbers numbers = Numbers(dt, settings);
+        for (int i = 0; i < poses.Length; i++)
+        {
+            FootPoser.Pose(body.Legs[i], ref planner.Feet[i], planner.Ways[i], placement, numbers, rest * body.RestPitch(i), out poses[i]);
+            planner.Feet[i].Path.Taken = 0f;
+            if (layer != null)
+            {
+                FootPoser.Add(body.Legs[i], layer.Feet[i], ref planner.Feet[i], ref poses[i]);
+            }
+        }
+    }
+
+    private void PoseLegs(in RootPlace placement, float dt, in MotionSettings settings, IGround? ground, in Pose local)
+    {
+        float tuck = clock.Shape.Tuck * activity;
+        float trail = clock.TrailIn(settings.Gravity) * activity;
+        for (int i = 0; i < poses.Length; i++)
+        {
+            ref Foot foot = ref planner.Feet[i];
+            float missed = foot.Leg.Residual;
+            poser.PoseLeg(i, placer, ref foot, poses[i], tuck, trail, local);
+            if (dt > FootRelease.Overdue && ground != null && planner.TryLetGo(i, missed, new StepContext(placement, velocity, clock, settings, ground, dt, dt, 0f, activity, moving, placer.Climb)))
+            {
+                FootPoser.Pose(body.Legs[i], ref foot, planner.Ways[i], placement, Numbers(0f, settings), 0f, out poses[i]);
+                poser.PoseLeg(i, placer, ref foot, poses[i], tuck, trail, local);
+            }
+        }
+    }
+
+    private GaitNumbers Numbers(float dt, in MotionSettings settings) =>
+        new(clock.Duty, clock.Shape.Lift * settings.Walking.Lift, clock.Shape.ForceDip, activity, activity * clock.Length * FootRoll.Going(velocity.Speed, settings.Gravity * body.LegLength), clock.Cycle, dt);
+}
