@@ -79,9 +79,8 @@ internal sealed partial class WalkingMode
         for (int i = 0; i < poses.Length; i++)
         {
             ref Foot foot = ref planner.Feet[i];
-            float missed = foot.Leg.Residual;
             poser.PoseLeg(i, placer, ref foot, poses[i], tuck, trail, local);
-            if (dt > FootRelease.Overdue && ground != null && planner.TryLetGo(i, missed, new StepContext(placement, velocity, clock, settings, ground, dt, dt, 0f, activity, moving, placer.Climb)))
+            if (ground != null && FootRelease.IsTorn(foot, body.Legs[i], dt) && planner.TryLetGo(i, new StepContext(placement, velocity, clock, settings, ground, dt, dt, 0f, activity, moving, placer.Climb)))
             {
                 FootPoser.Pose(body.Legs[i], ref foot, planner.Ways[i], placement, Numbers(0f, settings), 0f, out poses[i]);
                 poser.PoseLeg(i, placer, ref foot, poses[i], tuck, trail, local);

@@ -196,16 +196,15 @@ internal sealed class FootPlanner
         Aim(leg, step, feet[leg].Plan.Flight, feet[leg].Plan.Flight);
     }
 
-    /// <summary>Lets a foot go that a long update has taken from its place: when it was decided last nobody knew how its trunk would lie. It is on its way for half of the update already.</summary>
+    /// <summary>Lets a foot go that an update has taken from its place: when it was decided last nobody knew how its trunk would lie. It is on its way for half of the update already.</summary>
     /// <param name="leg">Whose, as it has been posed.</param>
-    /// <param name="missed">Distance by which the foot missed its place when last posed, metres.</param>
     /// <param name="step">The update.</param>
     /// <returns>Whether it goes: it has to be posed anew.</returns>
-    public bool TryLetGo(int leg, float missed, in StepContext step)
+    public bool TryLetGo(int leg, in StepContext step)
     {
         ref Foot foot = ref feet[leg];
         float swing = (1f - step.Clock.Duty) / step.Clock.Frequency;
-        if (foot.Phase != FootPhase.Stance || !FootRelease.IsTorn(foot, missed, body.Legs[leg]) || !(step.Moving || Wants(leg, step, swing)))
+        if (!step.Moving && !Wants(leg, step, swing))
         {
             return false;
         }

@@ -21,6 +21,9 @@ internal static class FootRelease
     /// <summary>How far the joints of a leg may keep its foot off its place when it is decided next, as it goes on, leg lengths.</summary>
     private const float MaxMiss = 0.006f;
 
+    /// <summary>How far they may take it there before that is decided, leg lengths.</summary>
+    private const float Torn = 0.012f;
+
     /// <summary>How far it may ask the body to come down, and how far as it is stretched farther and farther, leg lengths.</summary>
     private const float MaxDrop = 0.16f;
     private const float MaxGrowingDrop = 0.10f;
@@ -63,11 +66,15 @@ internal static class FootRelease
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
 
-    /// <summary>Whether a foot was taken from its place as its leg was posed.</summary>
-    /// <param name="foot">The foot.</param>
-    /// <param name="missed">Distance by which it missed its place before, metres.</param>
+    /// <summary>Whether a standing foot was taken from its place since it was last decided what it does, and will not be decided on for long.</summary>
+    /// <param name="foot">The foot, as it has been posed.</param>
     /// <param name="leg">Its leg.</param>
-    public static bool IsTorn(in Foot foot, float missed, LegRig leg) => foot.Leg.Residual - missed > MaxMiss * leg.Length;
+    /// <param name="seconds">Since the last pose.</param>
+    public static bool IsTorn(in Foot foot, LegRig leg, float seconds)
+    {
+        float slid = foot.Leg.Residual - foot.Plan.Missed;
+        return slid > MaxMiss * leg.Length && foot.Phase == FootPhase.Stance && (seconds > Overdue || (slid > Torn * leg.Length && foot.Stance < LateStance));
+    }
 
     /// <summary>Where a place is as the body goes on until the next decision, model space; where it is now if that comes before the next pose.</summary>
     private static Vector3 Later(in StepContext step, Vector3 place)
