@@ -34,6 +34,7 @@ internal static class BirdLeg
         {
             MinGirth = 0.05,
             GreatestGirth = 0.34,
+            CarryingShank = 0.075,
             SideGirth = 0.8,
             SwingDegrees = 35,
             FootForward = 0.06,

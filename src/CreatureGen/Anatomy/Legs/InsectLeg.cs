@@ -29,6 +29,7 @@ internal static class InsectLeg
         {
             MinGirth = 0.08,
             GreatestGirth = 0.20,
+            CarryingShank = 0.085,
             SideGirth = 1,
             SwingDegrees = 20,
             FootForward = 0,

@@ -20,6 +20,9 @@ internal sealed record LegBuild(LimbPosture Posture)
     /// <summary>Radius of the root around the body relative to that along it.</summary>
     public double SideGirth { get; init; }
 
+    /// <summary>Radius of the shank below which a leg looks too thin for what it carries, relative to the edge of a cube as large as its share of the trunk; 0 where the root sees to it.</summary>
+    public double CarryingShank { get; init; }
+
     /// <summary>Largest swing of the hip to the front and to the rear in quick gaits, degrees.</summary>
     public double SwingDegrees { get; init; }
 

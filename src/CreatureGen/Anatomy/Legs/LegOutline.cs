@@ -59,4 +59,16 @@ internal sealed record LegOutline(FootEnd End)
 
     /// <summary>Whether it reaches out to the side on a foot that points ahead like any other: the legs of newts and lizards.</summary>
     public bool Sprawling => Lateral && !Jointed;
+
+    /// <summary>Mean radius from the knee to the ankle to the sides, in units of its thickness.</summary>
+    public double ShankRadius()
+    {
+        double sum = 0;
+        for (int row = KneeRow; row <= AnkleRow; row++)
+        {
+            sum += Rows[row].SideRadius / 1000.0;
+        }
+
+        return sum / (AnkleRow - KneeRow + 1);
+    }
 }

@@ -33,6 +33,7 @@ internal static class TheropodLeg
         {
             MinGirth = 0.145,
             GreatestGirth = 0.34,
+            CarryingShank = 0.105,
             SideGirth = 0.8,
             SwingDegrees = 35,
             FootForward = 0.06,

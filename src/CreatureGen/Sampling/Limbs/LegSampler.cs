@@ -318,7 +318,7 @@ internal static class LegSampler
             LegBuild build = LegKinds.Of(leg.Site.Archetype).Build;
             bool splayed = build.Posture == LimbPosture.Splayed;
             (double azimuth, double shear) = Posture(builder, placement, leg);
-            double slim = style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && builder.Parents.Legs.Legs == null ? 1.05 : 1);
+            double slim = LegLoad.Thicker(builder, style, leg, placement.Legs.Count) * style.Slimness * (leg.Site.Ring < BodyGrid.AnchorRing && builder.Parents.Legs.Legs == null ? 1.05 : 1);
             Add(builder, style with { Slimness = slim, FootSize = style.FootSize * growth }, leg.Site.Archetype, LegStance.Standing, leg.Socket, leg.RootRadius, leg.RootHeight, splayed ? leg.Reach : leg.RootHeight, azimuth, shear, leg.Site.Bounds.Pad);
         }
     }
