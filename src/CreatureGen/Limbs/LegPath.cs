@@ -22,7 +22,10 @@ internal sealed class LegPath
     private const float Bow = 0.25f;
 
     /// <summary>Share of the way from below its hip to where both feet just clear each other that the foot of a tall long-toed leg is set in.</summary>
-    private const float Narrowing = 0.5f;
+    private const float Narrowing = 0.8f;
+
+    /// <summary>Share of the way out from its hip to its thigh that a tall long-toed leg gives up.</summary>
+    private const float Gathering = 0.8f;
 
     // Height of a hip in distances of the foot from the sagittal plane: from the first on a leg is tall, at the second it is fully so.
     private const float Tall = 3.6f;
@@ -186,6 +189,7 @@ internal sealed class LegPath
                     // Straight down from the flanks, tall legs look like a wishbone.
                     float tall = Scalar.Smooth(((joints[0].Y / joints[last].X) - Tall) / (Tallest - Tall));
                     shift = Narrowing * tall * (halfWidth - joints[last].X);
+                    joints[1].X -= Gathering * tall * Math.Max(0f, joints[1].X - joints[0].X);
                 }
 
                 for (int k = 0; k <= last; k++)
