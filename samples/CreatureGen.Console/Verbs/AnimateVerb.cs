@@ -24,7 +24,7 @@ internal sealed class AnimateVerb : IVerb
     private const int MinSize = 64;
     private const int MaxSize = 2048;
 
-    private static readonly OptionSyntax ground = new("--ground", "GROUND", "flat (the default) or rough: seeded hills; with --course also stairs, slope, gap, platform, lift, water or stones");
+    private static readonly OptionSyntax ground = new("--ground", "GROUND", "flat (the default) or rough: seeded hills; with --course also stairs, slope, gap, platform, lift, water, stones or pipe");
     private static readonly OptionSyntax course = new("--course", "SCRIPT", "what to do one after the other, such as 'idle 1; walk; run 2; turn left at 1.5; stop': a word, at a speed or rate, seconds");
     private static readonly OptionSyntax sound = new("--sound", "FILE", "the WAV file to write as well: footsteps, landings, beats of wings, bites and calls, made by the weight of the creature");
     private static readonly OptionSyntax size = new("--size", "PIXELS", "width of the moving picture, 64 to 2048 (default 640)");

@@ -7,11 +7,8 @@ using CreatureGen.Preview.Scenes;
 namespace CreatureGen.Preview.Films;
 
 /// <summary>A piece of ground in checks that stay where they are in the world, so that a foot that slides is seen to.</summary>
-internal sealed class CheckedFloor
+internal sealed class CheckedFloor : IFloor
 {
-    private static readonly Vector3 light = new(0.60f, 0.58f, 0.54f);
-    private static readonly Vector3 dark = new(0.30f, 0.30f, 0.31f);
-
     // Part of a patch by which its corners are within it.
     private const float Inset = 1e-3f;
 
@@ -45,9 +42,7 @@ internal sealed class CheckedFloor
         this.front = front;
     }
 
-    /// <summary>The floor as a camera sees it, in its axes.</summary>
-    /// <param name="camera">Where that is, world space.</param>
-    /// <param name="frame">The axes that the checks stay in: those of the world, or of a platform.</param>
+    /// <inheritdoc/>
     public RenderMesh At(in RootPlace camera, in RootPlace frame)
     {
         Vector3 middle = frame.ToModel(camera.Position);
@@ -66,7 +61,7 @@ internal sealed class CheckedFloor
                 Vector3?[] corners = [At(xs[i] + x, zs[k] + z), At(xs[i] + x, zs[k + 1] - z), At(xs[i + 1] - x, zs[k + 1] - z), At(xs[i + 1] - x, zs[k] + z)];
                 double column = Math.Floor(0.5 * (xs[i] + xs[i + 1]) / check);
                 double row = Math.Floor(0.5 * (zs[k] + zs[k + 1]) / check);
-                Vector3 colour = (((long)column + (long)row) & 1) == 0 ? light : dark;
+                Vector3 colour = FloorMesh.Check((long)column + (long)row);
                 floor.Add(corners[0], corners[1], corners[2], corners[3], colour);
                 if (before[i] is { } behind)
                 {

@@ -15,16 +15,13 @@ internal readonly record struct ContactMark(Vector3 Point, bool Stands)
     /// <summary>The marks of feet.</summary>
     /// <param name="feet">How they are.</param>
     /// <param name="joints">Where all joints are, world space.</param>
-    /// <param name="ground">What they are above.</param>
+    /// <param name="below">The ground below a place; none where there is none.</param>
     /// <param name="camera">Where the camera is.</param>
-    public static ContactMark[] Of(FootReport[] feet, Vector3[] joints, IGround ground, RootPlace camera) => Array.ConvertAll(feet, foot =>
+    public static ContactMark[] Of(FootReport[] feet, Vector3[] joints, Func<Vector3, Vector3?> below, RootPlace camera) => Array.ConvertAll(feet, foot =>
     {
         bool stands = foot.Phase == FootPhase.Stance;
-        return new ContactMark(camera.ToModel(stands ? foot.Place : Below(joints[foot.Joint], ground)), stands);
+        return new ContactMark(camera.ToModel(stands ? foot.Place : below(joints[foot.Joint]) ?? joints[foot.Joint]), stands);
     });
-
-    private static Vector3 Below(Vector3 point, IGround ground) =>
-        ground.Cast(point with { Y = 1e3f }, -Vector3.UnitY, 2e3f, out GroundHit hit) ? hit.Point : point;
 }
 
 /// <summary>Marks on the ground of a picture: filled where a foot stands, an empty ring below one that swings.</summary>

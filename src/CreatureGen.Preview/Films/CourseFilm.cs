@@ -37,7 +37,7 @@ public sealed class CourseFilm : IFilm
     private const int Sparsely = 9;
 
     private readonly RenderMesh dressed;
-    private readonly CheckedFloor? floor;
+    private readonly IFloor? floor;
     private readonly WaterSheet? water;
     private readonly Dictionary<(View View, CameraTurn Turning), CameraAngle> angles;
     private readonly Vector3[] stillRoom;
@@ -123,8 +123,12 @@ public sealed class CourseFilm : IFilm
     /// <summary>The creature on its ground at a moment.</summary>
     internal Picture Draw(int moment, View view, CameraTurn turning, int width, int height)
     {
-        var camera = Camera.Fit(angles[(view, turning)], turning == CameraTurn.Along ? turningRoom : stillRoom, width / (float)height);
         RootPlace place = Take.CameraAt(moment, turning);
+
+        // From above on floors, level at walls, from below under ceilings.
+        CameraAngle angle = angles[(view, turning)];
+        angle = angle with { ElevationDegrees = angle.ElevationDegrees * Take.UpAt(place.Position).Y };
+        var camera = Camera.Fit(angle, turning == CameraTurn.Along ? turningRoom : stillRoom, width / (float)height);
         (Vector3[] positions, Vector3[] normals) = Take.SkinAt(moment, place);
         RenderMesh mesh = dressed.Posed(positions, normals);
         var options = new RenderOptions
@@ -150,7 +154,7 @@ public sealed class CourseFilm : IFilm
     private Dictionary<(View, CameraTurn), CameraAngle> FindAngles()
     {
         var found = new Dictionary<(View, CameraTurn), CameraAngle>();
-        bool even = floor == null || Ground is CourseGround.Flat or CourseGround.Lift;
+        bool even = floor == null || Ground is CourseGround.Flat or CourseGround.Lift or CourseGround.Pipe;
         foreach (View view in Enum.GetValues<View>())
         {
             foreach (CameraTurn turning in Enum.GetValues<CameraTurn>())
@@ -179,7 +183,7 @@ public sealed class CourseFilm : IFilm
         return [.. points];
     }
 
-    private CheckedFloor FloorAround()
+    private IFloor FloorAround()
     {
         float length = turningRoom.Max(point => point.Z) - turningRoom.Min(point => point.Z);
         float tread = CourseSurfaces.CheckLength(Profile);

@@ -74,11 +74,16 @@ internal sealed class CourseTake
     /// <summary>The ground's own axes.</summary>
     public RootPlace FrameAt(int moment) => moments[moment].Frame;
 
+    /// <summary>Which way is up at a place.</summary>
+    public Vector3 UpAt(Vector3 place) => surface.UpAt(place);
+
     /// <summary>The water on the ground; null where there is none.</summary>
     public IWaterGround? Water => surface.Ground as IWaterGround;
 
     /// <summary>A floor of checks around the camera.</summary>
-    public CheckedFloor Floor(float check, int patches, float reach) => new(surface.Ground, check, patches, reach, -reach, reach, () => surface.Frame);
+    public IFloor Floor(float check, int patches, float reach) => surface is PipeSurface pipe
+        ? new PipeFloor(pipe.Radius, check, reach)
+        : new CheckedFloor(surface.Ground, check, patches, reach, -reach, reach, () => surface.Frame);
 
     /// <summary>Where the camera is: it goes along, evened out.</summary>
     /// <param name="moment">When.</param>
@@ -96,7 +101,7 @@ internal sealed class CourseTake
         }
 
         ahead.Y = 0f;
-        Quaternion rotation = turning == CameraTurn.Along && Vec.Length(ahead) > 1e-3f * count ? Rotation.FromTo(Vector3.UnitZ, Vec.Normalize(ahead)) : Quaternion.Identity;
+        Quaternion rotation = turning == CameraTurn.Along && surface.IsLevel && Vec.Length(ahead) > 1e-3f * count ? Rotation.FromTo(Vector3.UnitZ, Vec.Normalize(ahead)) : Quaternion.Identity;
         return new RootPlace(position / count, rotation);
     }
 
@@ -132,7 +137,7 @@ internal sealed class CourseTake
     public ContactMark[] MarksAt(int moment, in RootPlace camera)
     {
         Moment at = moments[moment];
-        return ContactMark.Of(at.Feet, MovedSkin.Joints(creature.Skeleton, at.Place, at.Local), surface.Ground, camera);
+        return ContactMark.Of(at.Feet, MovedSkin.Joints(creature.Skeleton, at.Place, at.Local), surface.Below, camera);
     }
 
     private void Listen(CreatureAnimator animator)

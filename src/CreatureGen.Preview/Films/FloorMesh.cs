@@ -12,6 +12,9 @@ internal sealed class FloorMesh
     // Pieces thinner than this, metres squared, are not drawn.
     private const float MinArea = 1e-8f;
 
+    private static readonly Vector3 light = new(0.60f, 0.58f, 0.54f);
+    private static readonly Vector3 dark = new(0.30f, 0.30f, 0.31f);
+
     private readonly RootPlace camera;
     private readonly RootPlace frame;
     private readonly List<Vector3> positions = [];
@@ -28,46 +31,62 @@ internal sealed class FloorMesh
         this.frame = frame;
     }
 
-    /// <summary>Adds a piece with four corners, counter-clockwise or clockwise; nothing where a corner has no ground.</summary>
+    /// <summary>The colour of a check: one of two in turn.</summary>
+    /// <param name="number">Its row and its column together.</param>
+    public static Vector3 Check(long number) => (number & 1) == 0 ? light : dark;
+
+    /// <summary>Adds a piece with four corners, counter-clockwise or clockwise; nothing where a corner has no ground. Level pieces are seen from above, others from both sides.</summary>
     public void Add(Vector3? a, Vector3? b, Vector3? c, Vector3? d, Vector3 colour)
     {
-        if (a is not Vector3 first || b is not Vector3 second || c is not Vector3 third || d is not Vector3 fourth)
+        if (a is not Vector3 first || b is not Vector3 second || c is not Vector3 third || d is not Vector3 fourth || !TryPlace(first, second, third, fourth, colour, out int start, out Vector3 normal))
         {
-            return;
-        }
-
-        int start = positions.Count;
-        foreach (Vector3 corner in new[] { first, second, third, fourth })
-        {
-            positions.Add(camera.ToModel(frame.ToWorld(corner)));
-            colours.Add(colour);
-        }
-
-        Vector3 across = Vec.Cross(positions[start + 2] - positions[start], positions[start + 3] - positions[start + 1]);
-        if (Vec.Length(across) < MinArea)
-        {
-            positions.RemoveRange(start, 4);
-            colours.RemoveRange(start, 4);
             return;
         }
 
         // Seen from the camera, whatever the order of the corners.
-        Vector3 normal = Vec.Normalize(across);
         bool level = normal.Y is > 0.5f or < -0.5f;
-        normal = level && normal.Y < 0f ? -normal : normal;
-        for (int i = 0; i < 4; i++)
-        {
-            normals.Add(normal);
-        }
-
-        triangles.AddRange([start, start + 1, start + 2, start, start + 2, start + 3]);
+        Face(start, level && normal.Y < 0f ? -normal : normal);
         if (!level)
         {
             triangles.AddRange([start, start + 2, start + 1, start, start + 3, start + 2]);
         }
     }
 
+    /// <summary>Adds a piece that is seen from where its corners go counter-clockwise.</summary>
+    public void AddFacing(Vector3 a, Vector3 b, Vector3 c, Vector3 d, Vector3 colour)
+    {
+        if (TryPlace(a, b, c, d, colour, out int start, out Vector3 normal))
+        {
+            Face(start, normal);
+        }
+    }
+
     /// <summary>What was added.</summary>
     public RenderMesh ToMesh() =>
         new([.. positions], [.. normals], [.. colours], [.. triangles], [new RenderPart(new SurfaceMaterial(Facing.Front, 0f, 0f), 0, triangles.Count)]);
+
+    /// <summary>Puts corners in the camera's axes; false where there is nothing to be drawn between them.</summary>
+    private bool TryPlace(Vector3 a, Vector3 b, Vector3 c, Vector3 d, Vector3 colour, out int start, out Vector3 normal)
+    {
+        start = positions.Count;
+        Vector3 first = Seen(a), second = Seen(b), third = Seen(c), fourth = Seen(d);
+        Vector3 across = Vec.Cross(third - first, fourth - second);
+        normal = Vec.Normalize(across);
+        if (Vec.Length(across) < MinArea)
+        {
+            return false;
+        }
+
+        positions.AddRange([first, second, third, fourth]);
+        colours.AddRange([colour, colour, colour, colour]);
+        return true;
+    }
+
+    private Vector3 Seen(Vector3 corner) => camera.ToModel(frame.ToWorld(corner));
+
+    private void Face(int start, Vector3 normal)
+    {
+        normals.AddRange([normal, normal, normal, normal]);
+        triangles.AddRange([start, start + 1, start + 2, start, start + 2, start + 3]);
+    }
 }

@@ -5,6 +5,7 @@ using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Clips;
 using CreatureGen.Motion.Metrics;
+using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Motion.Toolkit;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;
@@ -159,7 +160,7 @@ internal sealed class Take
         }
 
         Vector3 camera = CameraAt(moment);
-        return ContactMark.Of(feet, Array.ConvertAll(JointsAt(moment), joint => joint + camera), Ground, new RootPlace(camera, Quaternion.Identity));
+        return ContactMark.Of(feet, Array.ConvertAll(JointsAt(moment), joint => joint + camera), new CourseSurface(Ground).Below, new RootPlace(camera, Quaternion.Identity));
     }
 
     /// <summary>Strokes from one repetition of the whole motion to the next.</summary>

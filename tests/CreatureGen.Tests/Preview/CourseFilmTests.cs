@@ -18,6 +18,7 @@ public sealed class CourseFilmTests
     [InlineData(CourseGround.Lift)]
     [InlineData(CourseGround.Gap)]
     [InlineData(CourseGround.Slope)]
+    [InlineData(CourseGround.Pipe)]
     public void A_film_has_twenty_frames_a_second_which_are_the_same_every_time(CourseGround ground)
     {
         var script = new CourseScript("go", [new CourseCommand(0.5f, new MotionInput(1f)), new CourseCommand(0.5f, default)]);

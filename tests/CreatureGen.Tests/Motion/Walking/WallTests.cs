@@ -1,10 +1,11 @@
 using System;
-using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics;
+using CreatureGen.Motion.Metrics.Courses;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Walking;
@@ -58,39 +59,41 @@ public sealed class WallTests
     {
         var profile = new MotionProfile(Walkers.Of(BodyPlan.Hexapod, 2));
         float leg = profile.LegLength;
-        var pipe = new Pipe(12f * leg);
+        var pipe = new PipeSurface(12f * leg);
         var animator = new CreatureAnimator(profile);
-        animator.Teleport(new RootPlace(new Vector3(0f, -12f * leg, 0f), Quaternion.Identity), pipe);
+        animator.Teleport(RootPlace.Identity, pipe.Ground);
         float speed = 0.6f * MathF.Sqrt(Gravity * leg);
         float highest = float.MinValue;
-        for (int i = 0; i < 1500 && highest < 11f * leg; i++)
+        for (int i = 0; i < 1500 && highest < 23f * leg; i++)
         {
             animator.Settings = animator.Settings with { Up = pipe.UpAt(animator.Root.Position) };
-            animator.Update(Frame, new MotionInput(speed), pipe);
+            animator.Update(Frame, new MotionInput(speed), pipe.Ground);
             highest = Math.Max(highest, animator.Root.Position.Y);
-            float radius = new Vector2(animator.Root.Position.Y, animator.Root.Position.Z).Length();
+            float radius = new Vector2(animator.Root.Position.Y - (12f * leg), animator.Root.Position.Z).Length();
             Assert.Equal(BodyState.Supported, animator.State);
             Assert.True(Math.Abs(radius - (12f * leg)) < 0.3f * leg, $"{(12f * leg) - radius} m off the pipe");
         }
 
-        Assert.True(highest >= 11f * leg, $"it came up to {highest / leg} legs");
+        Assert.True(highest >= 23f * leg, $"it came up to {highest / leg} legs");
     }
 
-    /// <summary>The inside of a pipe along the X axis.</summary>
-    private sealed class Pipe(float radius) : IGround
+    [Fact]
+    public void A_course_in_a_pipe_leads_a_sprawler_over_its_ceiling_with_its_feet_below_itself()
     {
-        public Vector3 UpAt(Vector3 place) => Vector3.Normalize(new Vector3(0f, -place.Y, -place.Z));
-
-        public bool Cast(Vector3 origin, Vector3 direction, float distance, out GroundHit hit)
+        var profile = new MotionProfile(Walkers.Of(BodyPlan.Sprawling, 2));
+        var script = new CourseScript("round", [new CourseCommand(20f, new MotionInput(0.6f * MathF.Sqrt(Gravity * profile.LegLength)))]);
+        var course = new CourseSimulation(profile, script, CourseGround.Pipe, CourseRate.Of(60f));
+        float highest = 0f;
+        foreach (float _ in course.Updates())
         {
-            // |o + t d|² = r² across the pipe, from within.
-            float a = (direction.Y * direction.Y) + (direction.Z * direction.Z);
-            float b = (origin.Y * direction.Y) + (origin.Z * direction.Z);
-            float c = (origin.Y * origin.Y) + (origin.Z * origin.Z) - (radius * radius);
-            float t = c >= 0f || a < 1e-9f ? 0f : (-b + MathF.Sqrt((b * b) - (a * c))) / a;
-            Vector3 point = origin + (direction * t);
-            hit = new GroundHit(point, UpAt(point));
-            return t <= distance;
+            Vector3 up = course.Surface.UpAt(course.Animator.Root.Position);
+            Assert.Equal(BodyState.Supported, course.Animator.State);
+            Assert.True(Vector3.Dot(up, Rotation.Rotate(course.Animator.Root.Rotation, Vector3.UnitY)) > 0.99f);
+            Vector3 below = course.Surface.Below(course.Animator.Root.Position)!.Value;
+            Assert.True(Vector3.Distance(below, course.Animator.Root.Position) < 0.3f * profile.LegLength);
+            highest = Math.Max(highest, course.Animator.Root.Position.Y);
         }
+
+        Assert.True(highest > 23f * profile.LegLength, $"it came up to {highest / profile.LegLength} legs");
     }
 }

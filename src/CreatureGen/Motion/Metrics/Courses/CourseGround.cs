@@ -29,4 +29,7 @@ public enum CourseGround
 
     /// <summary>Stepping stones in rows without end, 0.5 wide and long, one every 0.72, with seeded heights and places and nothing between.</summary>
     Stones,
+
+    /// <summary>The inside of a pipe along the X axis, 12 in radius: who goes ahead goes up its wall and along its ceiling, where up is towards the axis.</summary>
+    Pipe,
 }

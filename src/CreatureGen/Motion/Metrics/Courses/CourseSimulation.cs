@@ -55,6 +55,7 @@ internal sealed class CourseSimulation
             Command = index;
             MotionSettings settings = Animator.Settings;
             settings.Walking = settings.Walking with { Gait = command.Gait };
+            settings.Up = Surface.UpAt(Animator.Root.Position);
             Animator.Settings = settings;
             Surface.Advance(step);
             Animator.Update((float)step, command.Input, Surface.Ground);

@@ -10,6 +10,9 @@ internal class CourseSurface
     /// <summary>In how many steps the way out is looked for.</summary>
     private const int WaySteps = 16;
 
+    /// <summary>Metres above which there is no ground.</summary>
+    private const float Highest = 1e3f;
+
     private static readonly Vector3[] levelWays = { Vector3.UnitZ, -Vector3.UnitZ, Vector3.UnitX, -Vector3.UnitX };
 
     public CourseSurface(IGround ground) => Ground = ground;
@@ -19,6 +22,17 @@ internal class CourseSurface
 
     /// <summary>The axes that go along with it.</summary>
     public virtual RootPlace Frame => RootPlace.Identity;
+
+    /// <summary>Whether up is the Y axis everywhere.</summary>
+    public virtual bool IsLevel => true;
+
+    /// <summary>Which way is up for who is at a place.</summary>
+    /// <param name="place">World space.</param>
+    public virtual Vector3 UpAt(Vector3 place) => Vector3.UnitY;
+
+    /// <summary>The ground below a place, looked for from above the highest hill; null where there is none.</summary>
+    /// <param name="place">World space.</param>
+    public virtual Vector3? Below(Vector3 place) => Ground.Cast(place with { Y = Highest }, -Vector3.UnitY, 2f * Highest, out GroundHit hit) ? hit.Point : null;
 
     /// <summary>Moves on.</summary>
     /// <param name="seconds">Since the last time.</param>

@@ -21,6 +21,7 @@ internal static class CourseSurfaces
     private const float LakeLength = 8f;
     private const float IslandLength = 8f;
     private const float Freeboard = 0.1f;
+    private const float PipeRadius = 12f;
 
     /// <summary>Depth of a lake, parts of the depth at which who goes there floats.</summary>
     private const float LakeDepth = 1.6f;
@@ -44,6 +45,7 @@ internal static class CourseSurfaces
             CourseGround.Rough => new CourseSurface(new EndlessHills(new Seed(profile.Subject.Seed), length)),
             CourseGround.Lift => new LiftSurface(length),
             CourseGround.Water => new CourseSurface(new WaterGround(Across(profile, script, length, Lake(profile, length)), new Vector3(0f, -Freeboard * length, 0f), Vector3.UnitY)),
+            CourseGround.Pipe => new PipeSurface(PipeRadius * length),
             CourseGround.Stones => new CourseSurface(new SteppingStones(new Seed(profile.Subject.Seed).Child("stones"), length, MotionTrial.Extent(profile.Subject).Max.Z + (0.5f * length))),
             _ => new CourseSurface(Across(profile, script, length, Piece(ground, length))),
         };
