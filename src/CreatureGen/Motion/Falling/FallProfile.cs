@@ -55,8 +55,9 @@ internal sealed class FallProfile
         Mass = Math.Max(subject.Mass.Mass, 1e-4f);
         Swims = subject.Kind == LocomotionKind.Swimming;
         Windows = WindowsOf(subject.Skeleton);
-        Neck = ChainOf(subject.Skeleton, JointRole.Neck, JointRole.Head);
-        Tail = ChainOf(subject.Skeleton, JointRole.Tail, JointRole.Tail);
+        Neck = JointsOf(subject.Skeleton, JointRole.Neck, JointRole.Head);
+        Tail = JointsOf(subject.Skeleton, JointRole.Tail, JointRole.Tail);
+        Limbs = LyingLimb.Of(legs);
         Inertias = HangingInertia.Of(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
         Body = Math.Max(subject.Skeleton.FirstOf(JointRole.Body), 0);
@@ -96,6 +97,9 @@ internal sealed class FallProfile
     /// <summary>Joints of the tail.</summary>
     public int[] Tail { get; }
 
+    /// <summary>Legs out to the side.</summary>
+    public LyingLimb[] Limbs { get; }
+
     /// <summary>Length by which its times go, metres: of its legs, or part of its size.</summary>
     public float Height { get; }
 
@@ -124,18 +128,18 @@ internal sealed class FallProfile
     /// <summary>Works it out.</summary>
     public static FallProfile Of(MotionSubject subject, LeggedBody? legs, GaitSet? gaits) => new(subject, legs, gaits);
 
-    private static int[] ChainOf(Skeleton skeleton, JointRole role, JointRole last)
+    private static int[] JointsOf(Skeleton skeleton, JointRole role, JointRole last)
     {
-        var chain = new List<int>();
+        var joints = new List<int>();
         for (int j = 0; j < skeleton.Count; j++)
         {
             if (skeleton.Joints[j].Role == role || skeleton.Joints[j].Role == last)
             {
-                chain.Add(j);
+                joints.Add(j);
             }
         }
 
-        return chain.ToArray();
+        return joints.ToArray();
     }
 
     private static TimeWindow[] WindowsOf(Skeleton skeleton)

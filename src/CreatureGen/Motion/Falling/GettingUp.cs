@@ -9,7 +9,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Motion.Falling;
 
 /// <summary>
-/// Gets up by phases: the head rises first, legs are gathered, the body rolls onto its belly by the shorter side, lying on whatever of it is lowest; then it rises from its crouch with its feet planted.
+/// Gets up by phases: the head rises first, legs are gathered, those out to the side over the ground, the body rolls onto its belly by the shorter side, its trunk on the ground; then it rises from its crouch with its feet planted.
 /// What has no legs rights itself only.
 /// </summary>
 internal sealed class GettingUp
@@ -18,8 +18,13 @@ internal sealed class GettingUp
     private const float GatherTime = 5f;
     private const float RiseTime = 4.5f;
 
-    /// <summary>Parts of the gathering at whose beginning and end the body is as high as it lay and as it will stand, wherever its skin touches.</summary>
-    private const float Settled = 0.12f;
+    /// <summary>Parts of the gathering: what of its skin is in the ground is out of it at the first, its trunk has come down onto the ground at the second and begins to be as high as it will stand at the third.</summary>
+    private const float Cleared = 0.12f;
+    private const float Settled = 0.25f;
+    private const float Raised = 0.5f;
+
+    /// <summary>How fast the joints of legs out to the side turn towards where they belong at most, radians per τ.</summary>
+    private const float FastestLimb = 3f;
 
     private readonly FallProfile profile;
     private readonly ILocomotionMode inner;
@@ -27,6 +32,7 @@ internal sealed class GettingUp
     private readonly PoseBuffer from;
     private readonly LocalPose to;
     private readonly PoseBuffer shown;
+    private readonly LocalPose folded;
     private BodyTurn fromTurn;
     private BodyTurn toTurn;
     private float gather;
@@ -43,6 +49,7 @@ internal sealed class GettingUp
         from = new PoseBuffer(profile.Skeleton);
         to = new LocalPose(profile.Skeleton);
         shown = new PoseBuffer(profile.Skeleton);
+        folded = new LocalPose(profile.Skeleton);
     }
 
     /// <summary>Begins.</summary>
@@ -55,6 +62,7 @@ internal sealed class GettingUp
     {
         limp.Show(place, 0f, settings, ground, from.Local);
         from.Finish();
+        folded.Take(from.Local);
         to.SetToRest();
         inner.Stand(place, settings, ground, layer, to.Pose);
         bool crouches = legs != null && inner.IsOnFeet;
@@ -64,7 +72,7 @@ internal sealed class GettingUp
             Crouch(profile.CrouchDepth, place, settings, layer);
             shown.Take(to.Pose);
             shown.Finish();
-            float sunk = -profile.Support.Lowest(BodyPart.Trunk, place, shown.Model, settings.Up, ground, out _);
+            float sunk = -profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _);
             if (sunk > 0f)
             {
                 // What hangs lower than its belly, as long folded wings do, keeps it up.
@@ -94,7 +102,7 @@ internal sealed class GettingUp
         elapsed += dt;
         if (elapsed < gather)
         {
-            Gather(elapsed / gather, place, settings, ground, local);
+            Gather(elapsed / gather, dt, place, settings, ground, local);
             return false;
         }
 
@@ -121,6 +129,7 @@ internal sealed class GettingUp
     {
         from.Take(other.from.Local);
         to.Take(other.to.Pose);
+        folded.Take(other.folded.Pose);
         (fromTurn, toTurn, gather, rise, elapsed, gap, crouch) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap, other.crouch);
     }
 
@@ -133,7 +142,7 @@ internal sealed class GettingUp
     }
 
     /// <summary>Rolls onto the belly and gathers the legs.</summary>
-    private void Gather(float u, in RootPlace place, in MotionSettings settings, IGround ground, in Pose local)
+    private void Gather(float u, float dt, in RootPlace place, in MotionSettings settings, IGround ground, in Pose local)
     {
         for (int j = 0; j < profile.Skeleton.Count; j++)
         {
@@ -149,9 +158,12 @@ internal sealed class GettingUp
         shown.Finish();
         if (!profile.Swims)
         {
-            // It lies on whatever is lowest: from where it lay to where its soles will be.
-            float allowed = Math.Min(gap, 0f) * (1f - Scalar.Smooth(u / Settled));
-            GroundClearance.Lay(profile, shown, place, allowed, 1f - Scalar.Smooth((u - 1f + Settled) / Settled), settings.Up, ground);
+            // Its trunk lies on the ground while its legs are gathered.
+            float depth = Math.Min(gap, 0f) * (1f - Scalar.Smooth(u / Cleared));
+            float raised = Scalar.Smooth((u - Raised) / (1f - Raised));
+            GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u / Settled) * (1f - raised), settings.Up, ground);
+            LimbFold.Up(profile, shown, folded.Pose, FastestLimb * GatherTime * dt / gather, raised, place, depth, settings.Up, ground);
+            GroundClearance.Clear(profile, shown, place, depth, settings.Up, ground);
         }
 
         shown.Local.Rotations.CopyTo(local.Rotations);

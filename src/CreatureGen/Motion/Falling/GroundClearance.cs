@@ -6,7 +6,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
-/// <summary>Lays a pose on the ground: trunk and limbs lie on it, head and tail are bent up out of it, and what is in it still lifts the whole body.</summary>
+/// <summary>Lays a pose on the ground: the trunk lies on it, head and tail are bent up out of it, and what is in it still lifts the whole body.</summary>
 internal static class GroundClearance
 {
     private const int Rounds = 4;
@@ -17,28 +17,34 @@ internal static class GroundClearance
     /// <summary>Least lever of a chain, part of its length.</summary>
     private const float MinLever = 0.4f;
 
-    /// <summary>Lays it.</summary>
+    /// <summary>Lets the trunk down onto the ground, or lifts it out of it; the rest goes with it.</summary>
     /// <param name="profile">Whose.</param>
     /// <param name="pose">Its local pose is changed, that in model space brought up to date.</param>
     /// <param name="place">Where the creature is.</param>
     /// <param name="depth">How far below the ground its lowest point may be, metres of the model, not positive.</param>
-    /// <param name="settles">How far the body comes down onto what is lowest, 0..1; it is lifted out of the ground in any case.</param>
+    /// <param name="settles">How far it comes down, 0..1; it is lifted out of the ground in any case.</param>
     /// <param name="up">Unit, world space.</param>
     /// <param name="ground">What it lies on.</param>
-    public static void Lay(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, float settles, Vector3 up, IGround ground)
+    public static void Settle(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, float settles, Vector3 up, IGround ground)
     {
-        float lowest = profile.Support.Lowest(BodyPart.Trunk, place, pose.Model, up, ground, out _);
-        float shift = depth - lowest;
+        float shift = depth - profile.Support.Lowest(BodyPart.Trunk, place, pose.Model, up, ground, out _);
         profile.Raise(pose.Local, shift > 0f ? shift : settles * shift);
         pose.Finish();
+    }
+
+    /// <summary>Lifts the whole body out of the ground as far as limbs are in it, bends head and tail up out of it, and lifts it as far as they stay in it.</summary>
+    /// <param name="profile">Whose.</param>
+    /// <param name="pose">Its local pose is changed, that in model space brought up to date.</param>
+    /// <param name="place">Where the creature is.</param>
+    /// <param name="depth">How far below the ground its lowest point may be, metres of the model, not positive.</param>
+    /// <param name="up">Unit, world space.</param>
+    /// <param name="ground">What it lies on.</param>
+    public static void Clear(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
+    {
+        Lift(profile, BodyPart.Trunk | BodyPart.Limb, pose, place, depth, up, ground);
         Bend(profile, profile.Neck, BodyPart.Head, pose, place, depth, up, ground);
         Bend(profile, profile.Tail, BodyPart.Tail, pose, place, depth, up, ground);
-        float left = depth - profile.Support.Lowest(place, pose.Model, up, ground);
-        if (left > 0f)
-        {
-            profile.Raise(pose.Local, left);
-            pose.Finish();
-        }
+        Lift(profile, BodyPart.All, pose, place, depth, up, ground);
     }
 
     /// <summary>Bends head and tail up out of the ground; the body stays.</summary>
@@ -46,6 +52,16 @@ internal static class GroundClearance
     {
         Bend(profile, profile.Neck, BodyPart.Head, pose, place, 0f, up, ground);
         Bend(profile, profile.Tail, BodyPart.Tail, pose, place, 0f, up, ground);
+    }
+
+    /// <summary>Turns a joint in model space, within its limits.</summary>
+    public static void Turn(Skeleton skeleton, int joint, Quaternion turn, PoseBuffer pose)
+    {
+        int parent = skeleton.Parents[joint];
+        Quaternion carrier = parent < 0 ? Quaternion.Identity : pose.Model.Rotations[parent];
+        Quaternion own = Rotation.Multiply(Rotation.Inverse(carrier), Rotation.Multiply(turn, carrier));
+        Quaternion bent = Rotation.Normalize(Rotation.Multiply(own, pose.Local.Rotations[joint]));
+        pose.Local.Rotations[joint] = SwingTwistLimit.ClampLocal(bent, skeleton.Joints[joint]);
     }
 
     /// <summary>Bends a chain up out of the ground, as far as its joints go.</summary>
@@ -77,13 +93,20 @@ internal static class GroundClearance
             Quaternion turn = Rotation.FromAxisAngle(axis, Math.Min(sunk / reach, MaxBend) / chain.Length);
             foreach (int joint in chain)
             {
-                int parent = profile.Skeleton.Parents[joint];
-                Quaternion carrier = parent < 0 ? Quaternion.Identity : pose.Model.Rotations[parent];
-                Quaternion own = Rotation.Multiply(Rotation.Inverse(carrier), Rotation.Multiply(turn, carrier));
-                Quaternion bent = Rotation.Normalize(Rotation.Multiply(own, pose.Local.Rotations[joint]));
-                pose.Local.Rotations[joint] = SwingTwistLimit.ClampLocal(bent, profile.Skeleton.Joints[joint]);
+                Turn(profile.Skeleton, joint, turn, pose);
             }
 
+            pose.Finish();
+        }
+    }
+
+    /// <summary>Lifts the whole body as far as some of it is in the ground.</summary>
+    private static void Lift(FallProfile profile, BodyPart parts, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
+    {
+        float left = depth - profile.Support.Lowest(parts, place, pose.Model, up, ground, out _);
+        if (left > 0f)
+        {
+            profile.Raise(pose.Local, left);
             pose.Finish();
         }
     }

@@ -47,7 +47,8 @@ internal sealed class SupportPoints
         var chosen = new List<SupportPoint>();
         foreach (int v in OutermostVertices.Of(mesh.Positions, mesh.Weights, skeleton.Count))
         {
-            chosen.Add(new SupportPoint(mesh.Positions[v], mesh.Weights[v], PartOf(skeleton, mesh.Weights[v].Joint0)));
+            BodyPart part = PartOf(skeleton, mesh.Weights[v].Joint0, out int root);
+            chosen.Add(new SupportPoint(mesh.Positions[v], mesh.Weights[v], part, root));
         }
 
         Vector3 extent = max - min;
@@ -71,21 +72,34 @@ internal sealed class SupportPoints
     public float Lowest(BodyPart parts, in RootPlace root, in Pose model, Vector3 up, IGround ground, out Vector3 place)
     {
         float lowest = size;
-        float reach = Lookout * size * root.Scale;
         place = Vector3.Zero;
         foreach (ref readonly SupportPoint point in points.AsSpan())
         {
-            if ((point.Part & parts) == 0)
+            if ((point.Part & parts) != 0)
             {
-                continue;
+                Lower(point, root, model, up, ground, ref lowest, ref place);
             }
+        }
 
-            Vector3 at = At(point, model);
-            Vector3 world = root.ToWorld(at);
-            if (ground.Cast(world + (up * reach), -up, 2f * reach, out GroundHit hit) && Vec.Dot(world - hit.Point, up) is float height && height / root.Scale < lowest)
+        return lowest;
+    }
+
+    /// <summary>The same of a single limb.</summary>
+    /// <param name="hip">The joint at its root.</param>
+    /// <param name="root">Where the creature is.</param>
+    /// <param name="model">Its pose.</param>
+    /// <param name="up">Unit, world space.</param>
+    /// <param name="ground">What it is on.</param>
+    /// <param name="place">Receives where that point is, model space.</param>
+    public float LowestOfLimb(int hip, in RootPlace root, in Pose model, Vector3 up, IGround ground, out Vector3 place)
+    {
+        float lowest = size;
+        place = Vector3.Zero;
+        foreach (ref readonly SupportPoint point in points.AsSpan())
+        {
+            if (point.Part == BodyPart.Limb && point.Root == hip)
             {
-                lowest = height / root.Scale;
-                place = at;
+                Lower(point, root, model, up, ground, ref lowest, ref place);
             }
         }
 
@@ -105,22 +119,39 @@ internal sealed class SupportPoints
     }
 
     /// <summary>What the nearest joint with a part of its own says.</summary>
-    private static BodyPart PartOf(Skeleton skeleton, int joint)
+    private static BodyPart PartOf(Skeleton skeleton, int joint, out int root)
     {
         for (int j = joint; j >= 0; j = skeleton.Parents[j])
         {
+            root = j;
             switch (skeleton.Joints[j].Role)
             {
+                case JointRole.Hip:
+                    return BodyPart.Limb;
                 case JointRole.Neck or JointRole.Head:
                     return BodyPart.Head;
                 case JointRole.Tail:
                     return BodyPart.Tail;
-                case JointRole.Hip or JointRole.Wing or JointRole.Pelvis or JointRole.Spine or JointRole.Chest:
+                case JointRole.Wing or JointRole.Pelvis or JointRole.Spine or JointRole.Chest:
                     return BodyPart.Trunk;
             }
         }
 
+        root = -1;
         return BodyPart.Trunk;
+    }
+
+    /// <summary>Takes a point that is lower than all before.</summary>
+    private void Lower(in SupportPoint point, in RootPlace root, in Pose model, Vector3 up, IGround ground, ref float lowest, ref Vector3 place)
+    {
+        Vector3 at = At(point, model);
+        Vector3 world = root.ToWorld(at);
+        float reach = Lookout * size * root.Scale;
+        if (ground.Cast(world + (up * reach), -up, 2f * reach, out GroundHit hit) && Vec.Dot(world - hit.Point, up) is float height && height / root.Scale < lowest)
+        {
+            lowest = height / root.Scale;
+            place = at;
+        }
     }
 
     /// <summary>Where the pose takes a point, model space.</summary>
@@ -140,14 +171,15 @@ internal sealed class SupportPoints
     /// <param name="Rest">At rest, model space.</param>
     /// <param name="Weights">The joints that move it.</param>
     /// <param name="Part">What it is of.</param>
-    private readonly record struct SupportPoint(Vector3 Rest, SkinWeights Weights, BodyPart Part);
+    /// <param name="Root">The joint that says so: of a limb its hip.</param>
+    private readonly record struct SupportPoint(Vector3 Rest, SkinWeights Weights, BodyPart Part, int Root);
 }
 
 /// <summary>What parts of a body do about the ground.</summary>
 [Flags]
 internal enum BodyPart
 {
-    /// <summary>Trunk and limbs: they carry it.</summary>
+    /// <summary>The trunk and its wings: it lies on them.</summary>
     Trunk = 1,
 
     /// <summary>Neck, head and what is on it: they are lifted out of the ground.</summary>
@@ -156,6 +188,9 @@ internal enum BodyPart
     /// <summary>The tail: it is too.</summary>
     Tail = 4,
 
+    /// <summary>Legs and arms: they are as well.</summary>
+    Limb = 8,
+
     /// <summary>All of it.</summary>
-    All = Trunk | Head | Tail,
+    All = Trunk | Head | Tail | Limb,
 }

@@ -67,6 +67,51 @@ public sealed class GettingUpTests
         }
     }
 
+    /// <summary>Legs that go through the ground on their way would lift the body: by .1 to .5 leg lengths in these.</summary>
+    [Theory]
+    [InlineData(9988008UL)]
+    [InlineData(9987002UL)]
+    [InlineData(9990009UL)]
+    [InlineData(9990014UL)]
+    [InlineData(9990020UL)]
+    [InlineData(9741004UL)]
+    [InlineData(9741016UL)]
+    [InlineData(9741038UL)]
+    public void Who_has_legs_out_to_the_side_gathers_them_on_the_ground(ulong seed)
+    {
+        const float MaxAbove = 0.03f;
+        const float MaxSunk = 0.02f;
+        const float FastestJoint = 15f;
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        var profile = new MotionProfile(creature);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        animator.GoLimp();
+        for (int i = 0; i < 360; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+        }
+
+        animator.GetUp();
+        var watch = new JointWatch(profile);
+        float highest = 0f;
+        float lowest = 0f;
+        for (int i = 0; i < 3000 && animator.State != BodyState.Supported; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            watch.Record(animator.LocalPose.Rotations, Frame);
+            highest = MathF.Max(highest, Trunk(animator));
+            lowest = i % 4 == 0 ? MathF.Min(lowest, Lowest(animator)) : lowest;
+        }
+
+        float above = (highest - Trunk(animator)) / profile.LegLength;
+        Assert.Equal(BodyState.Supported, animator.State);
+        Assert.True(above < MaxAbove, $"{above} leg lengths above where it stands");
+        Assert.True(-lowest < MaxSunk * Extent(creature), $"{-lowest / Extent(creature)} of its extent in the ground");
+        Assert.True(Scalar.Degrees(watch.Excess) < 1, $"{Scalar.Degrees(watch.Excess)}° beyond {creature.Skeleton.Joints[Math.Max(watch.ExcessJoint, 0)].Name}");
+        Assert.True(watch.Speed < FastestJoint, $"{watch.Speed} rad/s");
+    }
+
     /// <summary>From the moment at which the body rises no foot leaves its place.</summary>
     [Fact]
     public void Feet_are_planted_while_the_body_rises()
@@ -133,6 +178,15 @@ public sealed class GettingUpTests
                 animator.Update(Frame, new MotionInput(1f), FlatGround.Level);
             }
         }
+    }
+
+    /// <summary>Mean height of the joints of the trunk, metres.</summary>
+    private static float Trunk(CreatureAnimator animator)
+    {
+        Skeleton skeleton = animator.Profile.Subject.Skeleton;
+        return Enumerable.Range(0, skeleton.Count)
+            .Where(j => skeleton.Joints[j].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest)
+            .Average(j => animator.Root.ToWorld(animator.ModelPose.Positions[j]).Y);
     }
 
     private static Vector3[] Feet(CreatureAnimator animator)
