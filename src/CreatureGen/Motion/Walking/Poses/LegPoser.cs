@@ -20,6 +20,12 @@ internal sealed class LegPoser
     /// <summary>How far a flat foot that trails behind is pointed beyond its pitch in the swing, radians.</summary>
     private const float TrailedPitch = 0.9f;
 
+    /// <summary>How close to its hip a foot that is carried over something passes below it, parts of the length of the leg as folded as it gets.</summary>
+    private const float NearestPass = 0.7f;
+
+    /// <summary>How high it is carried over something from which on it does so wholly, leg lengths.</summary>
+    private const float WhollyOver = 0.02f;
+
     private readonly LeggedBody body;
     private readonly RestRotations turns;
 
@@ -125,6 +131,12 @@ internal sealed class LegPoser
             chord.Y = Math.Max(chord.Y, ground + foot.Path.Over);
         }
 
+        if (foot.Path.Over > 0f && !leg.Lateral)
+        {
+            float above = chord.Y - Math.Max(Underneath(leg, chord), ground + foot.Path.Over);
+            chord.Y -= Math.Max(above, 0f) * Scalar.Smooth(foot.Path.Over / (WhollyOver * leg.Length));
+        }
+
         LegSegments folded = default;
         scoped ref readonly LegSegments parts = ref leg.Parts;
         if (pose.Fold != 0f)
@@ -156,6 +168,13 @@ internal sealed class LegPoser
         foot.Leg.Stretch = solved.Stretch;
         foot.Leg.Residual = solved.Residual;
         foot.Leg.Astray = limit.Arriving > 0f ? (LegSolver.EndOf(leg, parts, solved) - chord) * limit.Arriving : default;
+    }
+
+    /// <summary>How high a foot that is carried over what stands in its way comes below its hip at most, metres above that: closer past it, its leg would whirl about the hip.</summary>
+    private static float Underneath(LegRig leg, Vector3 chord)
+    {
+        float near = NearestPass * leg.FoldedReach;
+        return (((chord.X * chord.X) + (chord.Z * chord.Z)) / near) - near;
     }
 
     /// <summary>Solves hip and knee for a goal and writes them, the hip within its limits.</summary>

@@ -4,6 +4,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Metrics.Courses;
+using CreatureGen.Sampling;
 using CreatureGen.Skinning;
 using Xunit;
 
@@ -43,6 +44,15 @@ public sealed class StairFootingTests
         }
 
         Assert.True(deep <= 0.05 * standing, $"{seed}: {deep} of {standing} times a standing foot is deeper than {Deep} leg lengths in the stairs");
+    }
+
+    /// <summary>A bear whose hip turned by 90 rad/s as a foot passed it.</summary>
+    [Fact]
+    public void No_leg_whirls_about_its_hip_where_a_foot_is_carried_past_it_up_stairs()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(9920015, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.JointSpeed < 60f, $"{profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
     }
 
     private static float Depth(CourseSimulation simulation, FootSkin skin, Matrix4x4[] matrices)
