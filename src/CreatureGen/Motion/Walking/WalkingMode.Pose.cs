@@ -79,6 +79,9 @@ internal sealed partial class WalkingMode
         for (int i = 0; i < poses.Length; i++)
         {
             ref Foot foot = ref planner.Feet[i];
+
+            // Where no time passes nothing rolls: the pose before it may be of another moment.
+            foot.Leg.Turned.Stood &= dt > 0f;
             poser.PoseLeg(i, placer, ref foot, poses[i], tuck, trail, local);
             if (ground != null && FootRelease.IsTorn(foot, body.Legs[i], dt) && planner.TryLetGo(i, new StepContext(placement, velocity, clock, settings, ground, dt, dt, 0f, activity, moving, placer.Climb)))
             {
