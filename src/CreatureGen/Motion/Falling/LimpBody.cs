@@ -107,12 +107,16 @@ internal sealed class LimpBody
         now.Finish();
         Ragdoll.Show(profile.Ragdoll, ragdoll, place, now.Local, now.Model);
 
-        // Skin stands out of the capsules that lie on the ground.
-        float wanted = Math.Max(0f, -profile.Support.Lowest(place, now.Model, settings.Up, ground));
+        // Skin stands out of the capsules that lie on the ground: what head and tail wear bends them up, all else lifts the body.
+        float body = Math.Max(0f, -profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, now.Model, settings.Up, ground, out _));
+        profile.Raise(now.Local, body);
+        now.Finish();
+        GroundClearance.BendUp(profile, now, place, settings.Up, ground);
+        float wanted = body + Math.Max(0f, -profile.Support.Lowest(place, now.Model, settings.Up, ground));
         lift = Damping.Approach(lift, wanted, LiftRate, dt);
         now.Local.Rotations.CopyTo(local.Rotations);
         now.Local.Positions.CopyTo(local.Positions);
-        profile.Raise(local, Math.Max(lift, wanted));
+        profile.Raise(local, Math.Max(lift, wanted) - body);
     }
 
     /// <summary>Where it gets up: under its body, facing as that does.</summary>

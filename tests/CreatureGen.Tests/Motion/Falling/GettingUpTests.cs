@@ -112,6 +112,38 @@ public sealed class GettingUpTests
         Assert.True(watch.Speed < FastestJoint, $"{watch.Speed} rad/s");
     }
 
+    /// <summary>What heads and tails wear, as frills, stands out of what lies on the ground: it would lift the body by .1 to .5 leg lengths in these.</summary>
+    [Theory]
+    [InlineData(9990007UL)]
+    [InlineData(9990018UL)]
+    [InlineData(9741015UL)]
+    public void A_limp_body_does_not_hang_on_what_its_head_wears(ulong seed)
+    {
+        const float MaxAbove = 0.02f;
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        var profile = new MotionProfile(creature);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        animator.GoLimp();
+        for (int i = 0; i < 360; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+        }
+
+        float trunk = float.MaxValue;
+        float all = float.MaxValue;
+        Vector3[] skin = Skin(animator);
+        for (int v = 0; v < skin.Length; v++)
+        {
+            float height = animator.Root.ToWorld(skin[v]).Y;
+            all = MathF.Min(all, height);
+            trunk = IsOfTrunk(creature.Skeleton, creature.Mesh.Weights[v].Joint0) ? MathF.Min(trunk, height) : trunk;
+        }
+
+        Assert.True(trunk < MaxAbove * profile.LegLength, $"{trunk / profile.LegLength} leg lengths above the ground");
+        Assert.True(-all < 0.01f * Extent(creature), $"{-all / Extent(creature)} of its extent in the ground");
+    }
+
     /// <summary>From the moment at which the body rises no foot leaves its place.</summary>
     [Fact]
     public void Feet_are_planted_while_the_body_rises()
@@ -248,8 +280,25 @@ public sealed class GettingUpTests
         return MathF.Max(max.X - min.X, MathF.Max(max.Y - min.Y, max.Z - min.Z));
     }
 
+    /// <summary>Whether a joint is neither of neck and head nor of the tail.</summary>
+    private static bool IsOfTrunk(Skeleton skeleton, int joint)
+    {
+        for (int j = joint; j >= 0; j = skeleton.Parents[j])
+        {
+            if (skeleton.Joints[j].Role is JointRole.Neck or JointRole.Head or JointRole.Tail)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
     /// <summary>Height of the lowest vertex, metres.</summary>
-    private static float Lowest(CreatureAnimator animator)
+    private static float Lowest(CreatureAnimator animator) => Skin(animator).Min(p => animator.Root.ToWorld(p).Y);
+
+    /// <summary>The vertices, model space.</summary>
+    private static Vector3[] Skin(CreatureAnimator animator)
     {
         Creature creature = animator.Profile.Subject.Creature!;
         var matrices = new Matrix4x4[creature.Skeleton.Count];
@@ -257,6 +306,6 @@ public sealed class GettingUpTests
         var positions = new Vector3[creature.Mesh.Positions.Length];
         var normals = new Vector3[positions.Length];
         CpuSkinning.Skin(matrices, creature.Mesh.Weights, creature.Mesh.Positions, creature.Mesh.Normals, positions, normals);
-        return positions.Min(p => animator.Root.ToWorld(p).Y);
+        return positions;
     }
 }
