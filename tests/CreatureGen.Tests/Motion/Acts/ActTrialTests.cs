@@ -144,6 +144,16 @@ public class ActTrialTests
         Assert.InRange(ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == act).Run(profile).Penetration!.Value, 0f, 0.01f);
     }
 
+    /// <summary>The club at the end of a tail that goes down steeply is below it as the tail comes to lie.</summary>
+    [Theory]
+    [InlineData("Submit")]
+    [InlineData("Die")]
+    public void A_steep_tail_that_comes_to_lie_stays_above_the_ground_with_all_of_its_skin(string act)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(9731023, CreatureOptions.Default with { Kind = RequestedKind.Flying }));
+        Assert.InRange(ActTrial.Of(profile).Single(trial => trial.Ability.Act.Name == act).Run(profile).Penetration!.Value, 0f, 0.01f);
+    }
+
     [Theory]
     [InlineData(9731011, "TailSweep")]
     [InlineData(9731014, "TailSweep")]
