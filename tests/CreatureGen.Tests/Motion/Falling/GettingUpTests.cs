@@ -84,14 +84,7 @@ public sealed class GettingUpTests
         const float FastestJoint = 15f;
         Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
         var profile = new MotionProfile(creature);
-        var animator = new CreatureAnimator(profile);
-        animator.Teleport(RootPlace.Identity, FlatGround.Level);
-        animator.GoLimp();
-        for (int i = 0; i < 360; i++)
-        {
-            animator.Update(Frame, default, FlatGround.Level);
-        }
-
+        CreatureAnimator animator = Lying(profile);
         animator.GetUp();
         var watch = new JointWatch(profile);
         float highest = 0f;
@@ -122,14 +115,7 @@ public sealed class GettingUpTests
         const float MaxAbove = 0.02f;
         Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
         var profile = new MotionProfile(creature);
-        var animator = new CreatureAnimator(profile);
-        animator.Teleport(RootPlace.Identity, FlatGround.Level);
-        animator.GoLimp();
-        for (int i = 0; i < 360; i++)
-        {
-            animator.Update(Frame, default, FlatGround.Level);
-        }
-
+        CreatureAnimator animator = Lying(profile);
         float trunk = float.MaxValue;
         float all = float.MaxValue;
         Vector3[] skin = Skin(animator);
@@ -210,6 +196,20 @@ public sealed class GettingUpTests
                 animator.Update(Frame, new MotionInput(1f), FlatGround.Level);
             }
         }
+    }
+
+    /// <summary>Who has been limp for six seconds.</summary>
+    private static CreatureAnimator Lying(MotionProfile profile)
+    {
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        animator.GoLimp();
+        for (int i = 0; i < 360; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+        }
+
+        return animator;
     }
 
     /// <summary>Mean height of the joints of the trunk, metres.</summary>
