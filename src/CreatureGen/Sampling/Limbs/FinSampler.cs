@@ -16,6 +16,9 @@ internal static class FinSampler
     /// <summary>Greatest depth of a fin, relative to its length.</summary>
     private const double MaxWidth = 1.6;
 
+    /// <summary>Longest paired fin that is drawn, metres at scale 1: that of turtles; a longer one is a stilt from the side.</summary>
+    private const double LongestPair = 0.75;
+
     /// <summary>Depth of a paddle that is as deep as the plan says, relative to its length.</summary>
     private const double PaddleWidth = 0.5;
 
@@ -75,7 +78,9 @@ internal static class FinSampler
                     _ => front ? (0.34, 0.55) : (0.2, 0.55),
                 };
                 double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, size * length * LengthOf(fin.Style) * fin.Scale.X, Math.Min(MaxWidth, width * slender * fin.Scale.Z), drop, sweep));
+                double drawn = size * length * LengthOf(fin.Style) * fin.Scale.X;
+                double shorter = builder.Strangeness > 0 ? Math.Min(1, LongestPair / drawn) : 1;
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter), drop, sweep));
             }
             else
             {
