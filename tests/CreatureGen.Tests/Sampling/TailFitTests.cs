@@ -1,5 +1,6 @@
 using System.Linq;
 using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
 using CreatureGen.Bodies;
 using CreatureGen.Blueprints;
 using CreatureGen.Sampling;
@@ -29,6 +30,15 @@ public sealed class TailFitTests
     [InlineData("bear", 0.6)]
     public void Tails_of_animals_and_of_others_than_birds_stay_as_they_are(string tail, double strangeness) =>
         Assert.Equal(even, TailFit.Point(Mixed(tail, strangeness), even));
+
+    [Fact]
+    public void A_paddle_runs_out_in_a_point_and_a_club_ends_in_a_knob()
+    {
+        TailTaper paddle = TailTaper.Of(TailStyle.Paddle)!;
+        Assert.True(paddle.At(0.55).Height > 1.1 && paddle.At(1).Height < 0.15 && paddle.At(1).Width < 0.1);
+        TailTaper club = TailTaper.Of(TailStyle.Club)!;
+        Assert.True(club.At(0.9).Width > 3 * club.At(0.7).Width);
+    }
 
     [Fact]
     public void A_sting_is_no_longer_than_a_quarter_of_its_tail()
