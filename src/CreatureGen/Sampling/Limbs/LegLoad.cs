@@ -10,8 +10,9 @@ namespace CreatureGen.Sampling.Limbs;
 /// <summary>How thick legs are for what they carry: those of a species are made for its own trunk, and a stouter one stands on them like a log on wires.</summary>
 internal static class LegLoad
 {
-    /// <summary>Most that a leg gets thicker by below its thigh: beyond it the thigh would bulge below the hip.</summary>
-    private const double MostThicker = 1.6;
+    // Most that a leg gets thicker by below its thigh: of an insect's, whose femur may swell beyond its coxa, and of those with folded knees under a body, whose shank would cross the thigh.
+    private const double MostJointed = 1.6;
+    private const double MostFolded = 1.2;
 
     /// <summary>Thickness that a bird's trunk asks for, relative to others of its size: much of it is feathers.</summary>
     private const double Feathery = 0.78;
@@ -27,6 +28,6 @@ internal static class LegLoad
         double wanted = kind.Build.CarryingShank * (builder.Species.Class == AnimalClass.Bird ? Feathery : 1);
         double share = PortableMath.Cbrt(StanceSampler.Volume(builder.Shape) / (2 * pairs));
         double shank = kind.Outline.ShankRadius() * leg.RootRadius * style.Stoutness * style.Slimness;
-        return Scalar.Lerp(1, Scalar.Clamp(wanted * share / shank, 1, MostThicker), builder.Fitting);
+        return Scalar.Lerp(1, Scalar.Clamp(wanted * share / shank, 1, kind.Outline.Jointed ? MostJointed : MostFolded), builder.Fitting);
     }
 }
