@@ -102,8 +102,8 @@ public sealed class MotionVerbTests
     {
         using var one = new ConsoleRun();
         using var three = new ConsoleRun();
-        Assert.Equal(ExitCode.Done, one.Run("metrics", "--seeds", "1-6", "--json", "--threads", "1"));
-        Assert.Equal(ExitCode.Done, three.Run("metrics", "--seeds", "1-6", "--json", "--threads", "3"));
+        Assert.Equal(ExitCode.Done, one.Run("metrics", "--seeds", "1-3", "--json", "--threads", "1"));
+        Assert.Equal(ExitCode.Done, three.Run("metrics", "--seeds", "1-3", "--json", "--threads", "3"));
         Assert.Equal(one.Out, three.Out);
     }
 

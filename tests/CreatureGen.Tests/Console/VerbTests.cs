@@ -64,8 +64,8 @@ public sealed class VerbTests
     {
         using var one = new ConsoleRun();
         using var two = new ConsoleRun();
-        Assert.Equal(ExitCode.Done, one.Run("generate", "--seeds", "3-4,0x20", "--textures", "512", "--threads", "1", "--json"));
-        Assert.Equal(ExitCode.Done, two.Run("generate", "--seeds", "3-4,0x20", "--textures", "512", "--threads", "3", "--json"));
+        Assert.Equal(ExitCode.Done, one.Run("generate", "--seeds", "3-4,0x20", "--textures", "512", "--picture-size", "256x256", "--threads", "1", "--json"));
+        Assert.Equal(ExitCode.Done, two.Run("generate", "--seeds", "3-4,0x20", "--textures", "512", "--picture-size", "256x256", "--threads", "3", "--json"));
         Assert.Equal(9, one.Files.Length);
         Assert.Equal(one.AllBytes(), two.AllBytes());
         Assert.Equal(one.Out.Replace(one.Folder, "", StringComparison.Ordinal), two.Out.Replace(two.Folder, "", StringComparison.Ordinal));

@@ -9,7 +9,7 @@ namespace CreatureGen.Tests.Fuzz;
 public sealed class FuzzSampleTests
 {
     private const int Parents = 12;
-    private const int Inputs = 150;
+    private static readonly int Inputs = Thoroughness.Of(150);
     private const int ManyParents = 40;
     private const int BuildEvery = 30;
 
