@@ -79,7 +79,7 @@ internal static class FinSampler
                 };
                 double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
                 double drawn = size * length * LengthOf(fin.Style) * fin.Scale.X;
-                double shorter = builder.Strangeness > 0 ? Math.Min(1, LongestPair / drawn) : 1;
+                double shorter = Scalar.Lerp(1, Math.Min(1, LongestPair / drawn), builder.Fitting);
                 builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter), drop, sweep));
             }
             else
