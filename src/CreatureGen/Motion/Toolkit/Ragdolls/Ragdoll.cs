@@ -278,7 +278,8 @@ public static class Ragdoll
 
         // What shakes in its place, however fast, goes nowhere as a whole.
         state.Restless = Vec.Length(momentum) / mass <= RestlessFraction * calm ? state.Restless + Substep : Math.Max(state.Restless - (Forgetting * Substep), 0f);
-        state.Calm = speed <= calm * Math.Max(1f, state.Restless / RestlessSeconds) ? state.Calm + Substep : 0f;
+        float restless = Math.Max(1f, state.Restless / RestlessSeconds);
+        state.Calm = speed <= calm * restless * restless ? state.Calm + Substep : 0f;
         state.IsAsleep = state.Calm > CalmSeconds;
         if (state.IsAsleep)
         {

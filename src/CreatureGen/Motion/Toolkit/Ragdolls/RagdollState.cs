@@ -94,7 +94,7 @@ public sealed class RagdollState
     /// <summary>Goes on from where another of the same rig is.</summary>
     internal void CopyFrom(RagdollState other)
     {
-        (IsActive, IsAsleep, Speed, Anchor, Scale, Debt, Calm) = (other.IsActive, other.IsAsleep, other.Speed, other.Anchor, other.Scale, other.Debt, other.Calm);
+        (IsActive, IsAsleep, Speed, Anchor, Scale, Debt, Calm, Restless) = (other.IsActive, other.IsAsleep, other.Speed, other.Anchor, other.Scale, other.Debt, other.Calm, other.Restless);
         other.Positions.CopyTo(Positions, 0);
         other.Rotations.CopyTo(Rotations, 0);
         other.Velocities.CopyTo(Velocities, 0);

@@ -55,6 +55,36 @@ public sealed class RagdollTests
         Assert.True(complaints.Count == 0, string.Join("; ", complaints));
     }
 
+    /// <summary>A wing's tip of it shakes where it lies, by joints that pull apart.</summary>
+    [Fact]
+    public void Who_shakes_where_it_lies_comes_to_rest_and_a_copy_of_it_in_the_same_moment()
+    {
+        Creature creature = CreatureGenerator.Generate(94);
+        var rig = new RagdollRig(creature.Skeleton, creature.Bones);
+        var state = new RagdollState(rig);
+        var copy = new RagdollState(rig);
+        MovingPose pose = new(creature.Skeleton);
+        var root = new RootPlace(new Vector3(0f, 0.3f * rig.Size, 0f), Rotation.FromAxisAngle(Vec.Normalize(new Vector3(1f, 0.3f, 0f)), 1));
+        Ragdoll.Start(rig, state, root, pose.Model, root, pose.Model, 0f, FlatGround.Level);
+        int frames = 0;
+        for (; frames < 900 && !state.IsAsleep; frames++)
+        {
+            Ragdoll.Advance(rig, state, RagdollSettings.Default, FlatGround.Level, Frame);
+            if (frames == 240)
+            {
+                copy.CopyFrom(state);
+            }
+            else if (frames > 240)
+            {
+                Ragdoll.Advance(rig, copy, RagdollSettings.Default, FlatGround.Level, Frame);
+            }
+        }
+
+        Assert.InRange(frames, 242, 899);
+        Assert.True(copy.IsAsleep);
+        Assert.Equal(state.Positions, copy.Positions);
+    }
+
     [Fact]
     public void A_single_part_falls_by_half_g_t_squared_and_lies_on_its_radius()
     {
