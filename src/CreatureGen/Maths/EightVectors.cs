@@ -6,12 +6,15 @@ using System.Runtime.Intrinsics;
 
 namespace CreatureGen.Maths;
 
-/// <summary>Eight quaternions two by two, in the halves of four registers: what <see cref="FourVectors"/> does with four. A blend of poses takes 0.42 of the time of one by one, a mean 0.28, measured (0.6 and a third by four). Where registers are not as wide, each operation is done as two.</summary>
+/// <summary>Eight quaternions two by two, in the halves of four registers: square roots and divisions cost less than for each alone. A blend of poses takes 0.42 of the time of one by one, a mean 0.28, measured (0.6 and a third by four). Where registers are not as wide, each operation is done as two.</summary>
 /// <remarks>Each number is worked out by the same operations in the same order as alone, so the bits are the same.</remarks>
 internal static class EightVectors
 {
     /// <summary>How many there are.</summary>
     public const int Count = 8;
+
+    /// <summary>Whether eight at a time are quicker here: where four are.</summary>
+    public static bool Pay => FourVectors.Pay;
 
     /// <summary>One of a list and the next; no bounds are checked.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -20,6 +23,14 @@ internal static class EightVectors
     /// <summary>Puts two into a list; no bounds are checked.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(Vector256<float> rotations, ref Vector4 first, int index) => rotations.StoreUnsafe(ref Unsafe.As<Vector4, float>(ref Unsafe.Add(ref first, index)));
+
+    /// <summary>Puts two where they belong.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Store(Vector256<float> rotations, ref Vector4 first, ref Vector4 second)
+    {
+        rotations.GetLower().StoreUnsafe(ref Unsafe.As<Vector4, float>(ref first));
+        rotations.GetUpper().StoreUnsafe(ref Unsafe.As<Vector4, float>(ref second));
+    }
 
     /// <summary>(x + y) + (z + w) of each of eight vectors: in each half those of the four that lie in it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -60,7 +71,11 @@ internal static class EightVectors
 
     /// <summary>0, or NaN if one of eight numbers is; they are 0 or NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float Nought(Vector256<float> noughts) => FourVectors.Nought(noughts.GetLower() + noughts.GetUpper());
+    public static float Nought(Vector256<float> noughts)
+    {
+        Vector128<float> halves = noughts.GetLower() + noughts.GetUpper();
+        return (halves.GetElement(0) + halves.GetElement(1)) + (halves.GetElement(2) + halves.GetElement(3));
+    }
 
     /// <summary>In each half x + y of a, x + y of b, z + w of a, z + w of b.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -85,7 +85,7 @@ internal sealed class PoseCycle
         ReadOnlySpan<Vector4> second = turns.AsSpan(next * turning.Length, turning.Length);
         int done = 0;
 #if NET
-        if (FourVectors.Pay)
+        if (EightVectors.Pay)
         {
             done = RotationBlend.Between(turning, standTurns, still, first, now, second, later, MemoryMarshal.Cast<Quaternion, Vector4>(local.Rotations));
         }

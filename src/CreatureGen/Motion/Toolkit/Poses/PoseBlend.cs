@@ -89,7 +89,7 @@ public static class PoseBlend
         float nought = WeightedSums.Mix(MemoryMarshal.Cast<Vector3, float>(p), 1f - weight, MemoryMarshal.Cast<Vector3, float>(q), weight, MemoryMarshal.Cast<Vector3, float>(positions));
         int first = 0;
 #if NET
-        if (FourVectors.Pay)
+        if (EightVectors.Pay)
         {
             first = RotationBlend.Between(a, b, weight, rotations, ref nought);
         }

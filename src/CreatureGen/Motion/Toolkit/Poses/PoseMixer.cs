@@ -112,7 +112,7 @@ public readonly ref struct PoseMixer
         WeightedSums.Add(totals, weight);
         int first = 0;
 #if NET
-        if (FourVectors.Pay)
+        if (EightVectors.Pay)
         {
             first = RotationSums.Add(pose.Rotations, weight, result.Rotations);
         }
@@ -146,7 +146,7 @@ public readonly ref struct PoseMixer
         while (i < totals.Length)
         {
 #if NET
-            if (FourVectors.Pay)
+            if (EightVectors.Pay)
             {
                 i += RotationSums.Finish(i, totals, result, ref nought);
             }

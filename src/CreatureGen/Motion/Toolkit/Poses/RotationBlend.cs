@@ -47,7 +47,7 @@ internal static class RotationBlend
         return i;
     }
 
-    /// <summary>The unit means of three lists of quaternions that are on one side, each put where a number says; gives how many it made: what is left makes no four.</summary>
+    /// <summary>The unit means of three lists of quaternions that are on one side, each put where a number says; gives how many it made: what is left makes no eight.</summary>
     /// <param name="places">Where each mean goes in the result.</param>
     /// <param name="a">As many.</param>
     /// <param name="ofA">Weight of the first list.</param>
@@ -61,21 +61,21 @@ internal static class RotationBlend
         ref Vector4 first = ref MemoryMarshal.GetReference(a.Slice(0, places.Length));
         ref Vector4 second = ref MemoryMarshal.GetReference(b.Slice(0, places.Length));
         ref Vector4 third = ref MemoryMarshal.GetReference(c.Slice(0, places.Length));
-        Vector128<float> weightA = Vector128.Create(ofA);
-        Vector128<float> weightB = Vector128.Create(ofB);
-        Vector128<float> weightC = Vector128.Create(ofC);
+        Vector256<float> weightA = Vector256.Create(ofA);
+        Vector256<float> weightB = Vector256.Create(ofB);
+        Vector256<float> weightC = Vector256.Create(ofC);
         int i = 0;
-        for (; i <= places.Length - FourVectors.Count; i += FourVectors.Count)
+        for (; i <= places.Length - EightVectors.Count; i += EightVectors.Count)
         {
-            Vector128<float> q0 = (FourVectors.Load(ref first, i) * weightA) + (FourVectors.Load(ref second, i) * weightB) + (FourVectors.Load(ref third, i) * weightC);
-            Vector128<float> q1 = (FourVectors.Load(ref first, i + 1) * weightA) + (FourVectors.Load(ref second, i + 1) * weightB) + (FourVectors.Load(ref third, i + 1) * weightC);
-            Vector128<float> q2 = (FourVectors.Load(ref first, i + 2) * weightA) + (FourVectors.Load(ref second, i + 2) * weightB) + (FourVectors.Load(ref third, i + 2) * weightC);
-            Vector128<float> q3 = (FourVectors.Load(ref first, i + 3) * weightA) + (FourVectors.Load(ref second, i + 3) * weightB) + (FourVectors.Load(ref third, i + 3) * weightC);
-            Vector128<float> scales = FourVectors.Scales(FourVectors.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3));
-            FourVectors.Store(q0 * FourVectors.First(scales), ref result[places[i]], 0);
-            FourVectors.Store(q1 * FourVectors.Second(scales), ref result[places[i + 1]], 0);
-            FourVectors.Store(q2 * FourVectors.Third(scales), ref result[places[i + 2]], 0);
-            FourVectors.Store(q3 * FourVectors.Fourth(scales), ref result[places[i + 3]], 0);
+            Vector256<float> q0 = (EightVectors.Load(ref first, i) * weightA) + (EightVectors.Load(ref second, i) * weightB) + (EightVectors.Load(ref third, i) * weightC);
+            Vector256<float> q1 = (EightVectors.Load(ref first, i + 2) * weightA) + (EightVectors.Load(ref second, i + 2) * weightB) + (EightVectors.Load(ref third, i + 2) * weightC);
+            Vector256<float> q2 = (EightVectors.Load(ref first, i + 4) * weightA) + (EightVectors.Load(ref second, i + 4) * weightB) + (EightVectors.Load(ref third, i + 4) * weightC);
+            Vector256<float> q3 = (EightVectors.Load(ref first, i + 6) * weightA) + (EightVectors.Load(ref second, i + 6) * weightB) + (EightVectors.Load(ref third, i + 6) * weightC);
+            Vector256<float> scales = EightVectors.Scales(EightVectors.Sums(q0 * q0, q1 * q1, q2 * q2, q3 * q3));
+            EightVectors.Store(q0 * EightVectors.First(scales), ref result[places[i]], ref result[places[i + 1]]);
+            EightVectors.Store(q1 * EightVectors.Second(scales), ref result[places[i + 2]], ref result[places[i + 3]]);
+            EightVectors.Store(q2 * EightVectors.Third(scales), ref result[places[i + 4]], ref result[places[i + 5]]);
+            EightVectors.Store(q3 * EightVectors.Fourth(scales), ref result[places[i + 6]], ref result[places[i + 7]]);
         }
 
         return i;
