@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Preview.Scenes;
 
 namespace CreatureGen.Preview.Films;
@@ -15,8 +16,7 @@ internal sealed class CheckedFloor : IFloor
     // How dark the faces of steps are beside floors.
     private const float StepShade = 0.75f;
 
-    private readonly IGround ground;
-    private readonly Func<RootPlace> present;
+    private readonly CourseSurface surface;
     private readonly float check;
     private readonly float patch;
     private readonly float halfWidth;
@@ -24,17 +24,15 @@ internal sealed class CheckedFloor : IFloor
     private readonly float front;
 
     /// <summary>A floor around a camera.</summary>
-    /// <param name="ground">Its heights.</param>
+    /// <param name="surface">Its heights, in the frame in which it is whenever it is asked.</param>
     /// <param name="check">Side of a check, metres.</param>
     /// <param name="patches">Flat pieces along a side of a check.</param>
     /// <param name="halfWidth">To the left and right of the camera's way, metres.</param>
     /// <param name="rear">Its edge behind the camera, metres along +Z, negative.</param>
     /// <param name="front">Its edge ahead.</param>
-    /// <param name="present">The frame that the ground is in whenever it is asked; that of the world where it stands still.</param>
-    public CheckedFloor(IGround ground, float check, int patches, float halfWidth, float rear, float front, Func<RootPlace>? present = null)
+    public CheckedFloor(CourseSurface surface, float check, int patches, float halfWidth, float rear, float front)
     {
-        this.ground = ground;
-        this.present = present ?? (() => RootPlace.Identity);
+        this.surface = surface;
         this.check = check;
         patch = check / patches;
         this.halfWidth = halfWidth;
@@ -84,10 +82,8 @@ internal sealed class CheckedFloor : IFloor
     /// <summary>The ground at a place of the frame in which it is at present; null where there is none.</summary>
     private Vector3? At(float x, float z)
     {
-        // From above the highest hill.
-        RootPlace now = present();
-        Vector3 from = now.ToWorld(new Vector3(x, 1e3f, z));
-        return ground.Cast(from, -Vector3.UnitY, 2e3f, out GroundHit hit) ? now.ToModel(hit.Point) : null;
+        RootPlace now = surface.Frame;
+        return surface.Below(now.ToWorld(new Vector3(x, 0f, z))) is Vector3 place ? now.ToModel(place) : null;
     }
 
     /// <summary>Edges of patches from one end to the other, those of checks among them.</summary>

@@ -83,7 +83,7 @@ internal sealed class CourseTake
     /// <summary>A floor of checks around the camera.</summary>
     public IFloor Floor(float check, int patches, float reach) => surface is PipeSurface pipe
         ? new PipeFloor(pipe.Radius, check, reach)
-        : new CheckedFloor(surface.Ground, check, patches, reach, -reach, reach, () => surface.Frame);
+        : new CheckedFloor(surface, check, patches, reach, -reach, reach);
 
     /// <summary>Where the camera is: it goes along, evened out.</summary>
     /// <param name="moment">When.</param>

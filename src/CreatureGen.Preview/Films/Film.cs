@@ -169,7 +169,7 @@ public sealed class Film : IFilm
 
         float beyond = FloorPart * length;
         float halfWidth = Math.Max(Math.Abs(box.Min.X), Math.Abs(box.Max.X)) + beyond;
-        return new CheckedFloor(Take.Ground, check, Options.Ground == GroundRelief.Flat ? 1 : PatchesPerCheck, halfWidth, box.Min.Z - beyond, box.Max.Z + beyond);
+        return new CheckedFloor(Take.Surface, check, Options.Ground == GroundRelief.Flat ? 1 : PatchesPerCheck, halfWidth, box.Min.Z - beyond, box.Max.Z + beyond);
     }
 
     internal static void CheckRange(int value, string name)

@@ -54,17 +54,19 @@ internal sealed class Take
         float body = max.Z - min.Z;
         int cycles = OnGround && way > 0f && level.Closes ? (int)Scalar.Clamp((float)Math.Ceiling(ShortestWay * body / way), 1f, MaxCycles) : 1;
         SteadyMotion motion = level;
-        Ground = FlatGround.Level;
+        IGround ground = FlatGround.Level;
         if (relief == GroundRelief.Rough && OnGround && way > 0f && level.Closes)
         {
             float length = MotionTrial.HillLength(profile, movement);
             cycles = Math.Max(cycles, (int)Math.Ceiling(ShortestPeriod * length / way));
             float around = (2f * body) + (4f * length);
             float far = level.Animator.Speed * (SteadyMotion.SettleSeconds + ((2 + cycles) * (seconds + 1f)));
-            Ground = new HillField(new Seed(profile.Subject.Seed), length, cycles * way).Around(around, -around, far + around);
-            motion = new SteadyMotion(profile, movement, Ground);
+            ground = new HillField(new Seed(profile.Subject.Seed), length, cycles * way).Around(around, -around, far + around);
+            motion = new SteadyMotion(profile, movement, ground);
             motion.Settle(SteadyMotion.SettleSeconds);
         }
+
+        Surface = new CourseSurface(ground);
 
         // Of fliers that glide between their beats a stroke is a part of what repeats.
         int framesPerCycle = StripFrames * Math.Max(2, (int)Math.Round(Math.Min(seconds * FrameRate, MaxFrames) / StripFrames));
@@ -89,7 +91,7 @@ internal sealed class Take
     }
 
     /// <summary>What it goes on.</summary>
-    public IGround Ground { get; }
+    public CourseSurface Surface { get; }
 
     /// <summary>Whether it goes on the ground at all.</summary>
     public bool OnGround { get; }
@@ -160,7 +162,7 @@ internal sealed class Take
         }
 
         Vector3 camera = CameraAt(moment);
-        return ContactMark.Of(feet, Array.ConvertAll(JointsAt(moment), joint => joint + camera), new CourseSurface(Ground).Below, new RootPlace(camera, Quaternion.Identity));
+        return ContactMark.Of(feet, Array.ConvertAll(JointsAt(moment), joint => joint + camera), Surface.Below, new RootPlace(camera, Quaternion.Identity));
     }
 
     /// <summary>Strokes from one repetition of the whole motion to the next.</summary>
