@@ -86,11 +86,11 @@ internal sealed class LegPoser
         float fraction = excess > 0f ? HipLimit.Of(foot).Relaxed(leg, foot.Leg.Relaxation, excess) : 0f;
 
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
-        FootPose asked = wanted;
 
         // As the ankle comes up for it the shank leans farther, and asks for a little more.
         for (int i = 0; i < (flat ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
+            FootPose asked = wanted;
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
             LimitRelaxation.Turn(leg, foot.Path.Normal, linked ? toes : metatarsus, toes, pitch, fraction, ref wanted);
             if (stands)
