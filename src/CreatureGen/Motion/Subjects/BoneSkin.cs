@@ -10,7 +10,7 @@ namespace CreatureGen.Motion.Subjects;
 internal static class BoneSkin
 {
     /// <summary>Cosine of the slope from which on a bone says nothing of what is below it when it lies.</summary>
-    private const float LeastLevel = 0.3f;
+    private const float MinLevel = 0.3f;
 
     /// <summary>How far the skin of each bone is below its line when that lies level, as far as it is above the ground at rest, and beyond its tip below that, metres: at least so high it has to be above the ground.</summary>
     /// <param name="subject">Whose.</param>
@@ -34,7 +34,7 @@ internal static class BoneSkin
                 float depth = Vec.Dot(mesh.Positions[v] - place, down);
 
                 // A steep bone has more skin below it as it comes to lie, but is not bent up where it is at rest.
-                depth = Math.Max(depth, Math.Min(depth / Math.Max(Vec.Length(down), LeastLevel), tip.Y));
+                depth = Math.Max(depth, Math.Min(depth / Math.Max(Vec.Length(down), MinLevel), tip.Y));
                 depth = Vec.Dot(mesh.Positions[v] - tip, along) > 0f ? Math.Max(depth, tip.Y - mesh.Positions[v].Y) : depth;
                 below[bone] = Math.Max(below[bone], depth);
             }

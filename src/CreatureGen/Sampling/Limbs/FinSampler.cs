@@ -17,7 +17,7 @@ internal static class FinSampler
     private const double MaxWidth = 1.6;
 
     /// <summary>Longest paired fin that is drawn, metres at scale 1: that of turtles; a longer one is a stilt from the side.</summary>
-    private const double LongestPair = 0.75;
+    private const double MaxPairLength = 0.75;
 
     /// <summary>Depth of a paddle that is as deep as the plan says, relative to its length.</summary>
     private const double PaddleWidth = 0.5;
@@ -79,7 +79,7 @@ internal static class FinSampler
                 };
                 double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
                 double drawn = size * length * LengthOf(fin.Style) * fin.Scale.X;
-                double shorter = Scalar.Lerp(1, Math.Min(1, LongestPair / drawn), builder.Fitting);
+                double shorter = Scalar.Lerp(1, Math.Min(1, MaxPairLength / drawn), builder.Fitting);
                 builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter), drop, sweep));
             }
             else

@@ -11,8 +11,8 @@ namespace CreatureGen.Sampling.Limbs;
 internal static class LegLoad
 {
     // Most that a leg gets thicker by below its thigh: of an insect's, whose femur may swell beyond its coxa, and of those with folded knees under a body, whose shank would cross the thigh.
-    private const double MostJointed = 1.6;
-    private const double MostFolded = 1.2;
+    private const double MaxOfJointed = 1.6;
+    private const double MaxOfFolded = 1.2;
 
     /// <summary>Thickness that a bird's trunk asks for, relative to others of its size: much of it is feathers.</summary>
     private const double Feathery = 0.78;
@@ -28,6 +28,6 @@ internal static class LegLoad
         double wanted = kind.Build.CarryingShank * (builder.Species.Class == AnimalClass.Bird ? Feathery : 1);
         double share = PortableMath.Cbrt(StanceSampler.Volume(builder.Shape) / (2 * pairs));
         double shank = kind.Outline.ShankRadius() * leg.RootRadius * style.Stoutness * style.Slimness;
-        return Scalar.Lerp(1, Scalar.Clamp(wanted * share / shank, 1, kind.Outline.Jointed ? MostJointed : MostFolded), builder.Fitting);
+        return Scalar.Lerp(1, Scalar.Clamp(wanted * share / shank, 1, kind.Outline.Jointed ? MaxOfJointed : MaxOfFolded), builder.Fitting);
     }
 }
