@@ -36,7 +36,7 @@ public sealed class BlueprintFuzzTests
         RandomStream random = new Seed(6).Child("bytes").Stream();
         byte[][] texts = Samples.Drawn(3).Append(Samples.Small).Select(blueprint => Encoding.UTF8.GetBytes(BlueprintJson.Write(blueprint))).ToArray();
         int taken = 0;
-        for (int i = 0; i < 10_000; i++)
+        for (int i = 0; i < Thoroughness.Of(10_000); i++)
         {
             byte[] text = (byte[])texts[random.Integer(0, texts.Length)].Clone();
             for (int flips = random.Integer(1, 5); flips > 0; flips--)
@@ -54,7 +54,7 @@ public sealed class BlueprintFuzzTests
         }
 
         // Changed digits and white space leave many texts good.
-        Assert.InRange(taken, 100, 9_000);
+        Assert.InRange(taken, Thoroughness.Of(100), Thoroughness.Of(9_000));
     }
 
     [Fact]
@@ -65,7 +65,7 @@ public sealed class BlueprintFuzzTests
         (int Start, int End)[] values = Values(good).ToArray();
         Assert.InRange(values.Length, 150, 1000);
         int taken = 0;
-        for (int i = 0; i < 10_000; i++)
+        for (int i = 0; i < Thoroughness.Of(10_000); i++)
         {
             (int start, int end) = values[random.Integer(0, values.Length)];
             (int otherStart, int otherEnd) = values[random.Integer(0, values.Length)];
@@ -73,7 +73,7 @@ public sealed class BlueprintFuzzTests
             taken += Read(Encoding.UTF8.GetBytes(good[..start] + swap + good[end..])).Blueprint is null ? 0 : 1;
         }
 
-        Assert.InRange(taken, 100, 9_000);
+        Assert.InRange(taken, Thoroughness.Of(100), Thoroughness.Of(9_000));
     }
 
     [Fact]
@@ -81,7 +81,7 @@ public sealed class BlueprintFuzzTests
     {
         RandomStream random = new Seed(6).Child("pieces").Stream();
         string good = BlueprintJson.Write(Samples.Small);
-        for (int i = 0; i < 10_000; i++)
+        for (int i = 0; i < Thoroughness.Of(10_000); i++)
         {
             int start = random.Integer(0, good.Length);
             int end = Math.Min(good.Length, start + random.Integer(0, 60));

@@ -138,7 +138,7 @@ public sealed class SocketRulesTests
     }
 
     [Theory]
-    [InlineData(40)]
+    [InlineData(12)]
     [InlineData(150, Explicit = true)]
     public void Wherever_valid_sockets_lie_the_surface_stays_closed(int each)
     {

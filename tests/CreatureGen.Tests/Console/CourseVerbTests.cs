@@ -15,7 +15,7 @@ public sealed class CourseVerbTests
         "clearanceMinLegLengths", "linearAccelerationMaxG", "restingFootSpreadLegLengths", "supportMin",
     ];
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Courses_are_told_run_by_run_with_the_worst_of_each_measure_whatever_the_number_of_threads()
     {
         using var one = new ConsoleRun();

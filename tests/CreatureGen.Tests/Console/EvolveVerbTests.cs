@@ -41,7 +41,7 @@ public sealed class EvolveVerbTests
     }
 
     [Theory]
-    [InlineData("tournament")]
+    [InlineData("tournament", Explicit = true)]
     [InlineData("novelty", Explicit = true)]
     public void A_run_that_is_stopped_at_any_generation_goes_on_as_if_it_had_not_been(string selection)
     {
@@ -59,7 +59,7 @@ public sealed class EvolveVerbTests
         Assert.Equal(whole.Bytes("run/family-tree.png"), parts.Bytes("run/family-tree.png"));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_run_that_is_killed_loses_the_generation_it_was_at_and_no_more()
     {
         using var whole = new ConsoleRun();
@@ -85,7 +85,7 @@ public sealed class EvolveVerbTests
         }
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_run_that_is_interrupted_keeps_the_generations_that_are_done()
     {
         using var disk = new StoppingDisk(path => path.EndsWith("lineage.json", StringComparison.Ordinal));
@@ -98,7 +98,7 @@ public sealed class EvolveVerbTests
         Assert.Equal(whole.Bytes("run/lineage.json"), run.Bytes("run/lineage.json"));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Picks_are_found_by_their_first_digits_and_draw_the_population_to_them()
     {
         using var run = new ConsoleRun();
@@ -118,7 +118,7 @@ public sealed class EvolveVerbTests
         Assert.Equal(pick, Lineage(run).GetProperty("picks")[0].GetString());
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Creatures_become_like_an_outline_and_like_the_proportions_of_another()
     {
         using var run = new ConsoleRun();
@@ -169,7 +169,7 @@ public sealed class EvolveVerbTests
         Assert.Equal(["bad.json"], run.Files);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_folder_of_another_run_is_left_alone()
     {
         using var run = new ConsoleRun();

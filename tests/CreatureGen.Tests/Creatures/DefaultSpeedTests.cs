@@ -16,9 +16,9 @@ public sealed class DefaultSpeedTests
     [InlineData(BodyPlan.Fish, "Swim")]
     [InlineData(BodyPlan.Eel, "Swim", Explicit = true)]
     [InlineData(BodyPlan.Whale, "Swim", Explicit = true)]
-    [InlineData(BodyPlan.Flipper, "Swim")]
+    [InlineData(BodyPlan.Flipper, "Swim", Explicit = true)]
     [InlineData(BodyPlan.Flapping, "Fly")]
-    [InlineData(BodyPlan.Buzzing, "Fly")]
+    [InlineData(BodyPlan.Buzzing, "Fly", Explicit = true)]
     [InlineData(BodyPlan.Legless, "Slither")]
     public void What_does_not_walk_cruises_at_its_default_speed(BodyPlan plan, string movement)
     {

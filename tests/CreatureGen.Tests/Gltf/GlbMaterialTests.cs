@@ -17,21 +17,10 @@ public sealed class GlbMaterialTests
     // With wings of skin: it has triangles of both materials at every level.
     private static readonly Creature Subject = Enumerable.Range(0, 40).Select(seed => CreatureGenerator.Generate((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying })).First(c => c.Mesh.Parts.Count == 2);
 
-    public static TheoryData<LodChoice, Shading, int> Choices
-    {
-        get
-        {
-            var data = new TheoryData<LodChoice, Shading, int>();
-            foreach (LodChoice levels in new[] { LodChoice.Finest, LodChoice.Quarter, LodChoice.All })
-            {
-                data.Add(levels, Shading.Smooth, 0);
-                data.Add(levels, Shading.Flat, 0);
-                data.Add(levels, Shading.Smooth, 256);
-            }
-
-            return data;
-        }
-    }
+    public static IEnumerable<TheoryDataRow<LodChoice, Shading, int>> Choices =>
+        from levels in new[] { LodChoice.Quarter, LodChoice.Finest, LodChoice.All }
+        from look in new[] { (Shading.Smooth, 0), (Shading.Flat, 0), (Shading.Smooth, 256) }
+        select new TheoryDataRow<LodChoice, Shading, int>(levels, look.Item1, look.Item2) { Explicit = levels != LodChoice.Quarter };
 
     [Theory]
     [MemberData(nameof(Choices))]
@@ -70,7 +59,7 @@ public sealed class GlbMaterialTests
         Assert.StartsWith("materials 7; expected Two or One", e.Message, StringComparison.Ordinal);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public async Task The_validator_of_the_standard_finds_nothing_to_object_to_in_one_material()
     {
         string folder = Directory.CreateTempSubdirectory("creaturegen-").FullName;

@@ -12,7 +12,7 @@ public sealed class InfluenceWriterTests
     public void Weights_sum_to_one_within_what_importers_allow()
     {
         var random = new RandomStream(7);
-        for (int i = 0; i < 200_000; i++)
+        for (int i = 0; i < Thoroughness.Of(200_000); i++)
         {
             int used = 1 + (i % 4);
             Vector4 given = Descending(random, used);

@@ -20,7 +20,7 @@ public sealed class BrowserRuntimeTests
     private const string Page = "samples/CreatureGen.Lab.Runtime/CreatureGen.Lab.Runtime.csproj";
 
     [Theory]
-    [InlineData(3)]
+    [InlineData(3, Explicit = true)]
     [InlineData(int.MaxValue, Explicit = true)]
     public async Task Creatures_are_the_same_to_the_last_byte(int creatures)
     {

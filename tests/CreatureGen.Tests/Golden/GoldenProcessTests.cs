@@ -21,7 +21,7 @@ public sealed class GoldenProcessTests
     private const string Advice = "The golden file itself is checked by GoldenFileTests: if those pass, the bytes depend on the surroundings.";
 
     [Theory]
-    [InlineData("DOTNET_EnableHWIntrinsic", "vector128=False")]
+    [InlineData("DOTNET_EnableHWIntrinsic", "vector128=False", Explicit = true)]
     [InlineData("DOTNET_EnableAVX2", "avx2=False", Explicit = true)]
     [InlineData("DOTNET_EnableAVX", "avx2=False", Explicit = true)]
     public async Task Vector_instructions_do_not_matter(string switchedOff, string shown)
@@ -35,7 +35,7 @@ public sealed class GoldenProcessTests
     [InlineData("DOTNET_TieredPGO", "0", Explicit = true)]
     [InlineData("DOTNET_TC_QuickJitForLoops", "0", Explicit = true)]
     [InlineData("DOTNET_ReadyToRun", "0", Explicit = true)]
-    [InlineData("DOTNET_JITMinOpts", "1")]
+    [InlineData("DOTNET_JITMinOpts", "1", Explicit = true)]
     public async Task What_the_compiler_makes_of_the_code_does_not_matter(string name, string value) => await RunAsync(DigestProgram.Plain, ["1"], new() { [name] = value });
 
     [Theory]
@@ -58,7 +58,7 @@ public sealed class GoldenProcessTests
 
     [Theory]
     [InlineData("2", Explicit = true)]
-    [InlineData("5")]
+    [InlineData("5", Explicit = true)]
     public async Task Threads_and_the_order_of_creatures_do_not_matter(string threads) => await RunAsync(DigestProgram.Plain, [threads, "tr-TR"], []);
 
     /// <summary>Poses, textures, PNG files and clips.</summary>

@@ -22,12 +22,12 @@ public sealed class EveryIndividualTests
     private const int MaxStrangeSelfIntersecting = 11;
 
     [Theory]
-    [InlineData(RequestedKind.Walking, 12, 0)]
-    [InlineData(RequestedKind.Walking, 12, 0.6)]
-    [InlineData(RequestedKind.Flying, 12, 0)]
-    [InlineData(RequestedKind.Flying, 12, 0.6)]
-    [InlineData(RequestedKind.Swimming, 12, 0)]
-    [InlineData(RequestedKind.Swimming, 12, 0.6)]
+    [InlineData(RequestedKind.Walking, 4, 0)]
+    [InlineData(RequestedKind.Walking, 4, 0.6)]
+    [InlineData(RequestedKind.Flying, 4, 0)]
+    [InlineData(RequestedKind.Flying, 4, 0.6)]
+    [InlineData(RequestedKind.Swimming, 4, 0)]
+    [InlineData(RequestedKind.Swimming, 4, 0.6)]
     [InlineData(RequestedKind.Walking, 300, 0, Explicit = true)]
     [InlineData(RequestedKind.Walking, 300, 0.6, Explicit = true)]
     [InlineData(RequestedKind.Flying, 300, 0, Explicit = true)]

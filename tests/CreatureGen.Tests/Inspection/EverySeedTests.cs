@@ -23,12 +23,12 @@ public sealed class EverySeedTests
     private const int MaxStrangeSelfIntersecting = 5;
 
     [Theory]
-    [InlineData(RequestedKind.Walking, 40, 0)]
-    [InlineData(RequestedKind.Walking, 40, 0.6)]
-    [InlineData(RequestedKind.Flying, 40, 0)]
-    [InlineData(RequestedKind.Flying, 40, 0.6)]
-    [InlineData(RequestedKind.Swimming, 40, 0)]
-    [InlineData(RequestedKind.Swimming, 40, 0.6)]
+    [InlineData(RequestedKind.Walking, 20, 0)]
+    [InlineData(RequestedKind.Walking, 20, 0.6)]
+    [InlineData(RequestedKind.Flying, 20, 0)]
+    [InlineData(RequestedKind.Flying, 20, 0.6)]
+    [InlineData(RequestedKind.Swimming, 20, 0)]
+    [InlineData(RequestedKind.Swimming, 20, 0.6)]
     [InlineData(RequestedKind.Walking, 2000, 0, Explicit = true)]
     [InlineData(RequestedKind.Walking, 2000, 0.6, Explicit = true)]
     [InlineData(RequestedKind.Flying, 2000, 0, Explicit = true)]
@@ -65,9 +65,9 @@ public sealed class EverySeedTests
     }
 
     [Theory]
-    [InlineData(0.5, 6000, 10)]
-    [InlineData(0.05, 20000, 10)]
-    [InlineData(20, 20000, 10)]
+    [InlineData(0.5, 6000, 4)]
+    [InlineData(0.05, 20000, 4)]
+    [InlineData(20, 20000, 4)]
     [InlineData(0.5, 6000, 40, Explicit = true)]
     [InlineData(0.05, 20000, 40, Explicit = true)]
     [InlineData(20, 20000, 40, Explicit = true)]

@@ -60,7 +60,7 @@ public sealed class NumberParserTests
     public void Random_text_is_read_as_the_framework_reads_it()
     {
         RandomStream random = new Seed(3).Child("texts").Stream();
-        for (int i = 0; i < 200_000; i++)
+        for (int i = 0; i < Thoroughness.Of(200_000); i++)
         {
             var text = new StringBuilder(random.Chance(0.5) ? "-" : "");
             text.Append((char)('1' + random.Integer(0, 9)));

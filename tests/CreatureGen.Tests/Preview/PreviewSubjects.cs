@@ -19,7 +19,7 @@ internal static class PreviewSubjects
     private static TheoryData<ulong, View> MakeSeedsAndViews()
     {
         var data = new TheoryData<ulong, View>();
-        for (ulong seed = 1; seed <= 8; seed++)
+        for (ulong seed = 1; seed <= (ulong)Thoroughness.Of(8); seed++)
         {
             foreach (View view in Enum.GetValues<View>())
             {

@@ -121,7 +121,7 @@ public sealed class UnityTests
     private static readonly Lazy<Assembly> sample = new(() => EngineSamples.Compile("samples/Unity", LanguageVersion.CSharp9, Checks));
 
     [Theory]
-    [InlineData(101)]
+    [InlineData(101, Explicit = true)]
     [InlineData(42)]
     public void Unity_draws_each_vertex_where_the_library_has_it(ulong seed)
     {

@@ -19,7 +19,7 @@ public sealed class FlierLegsTests
     public void Fliers_stand_on_all_of_their_legs_or_let_all_of_them_hang()
     {
         int standing = 0;
-        for (ulong seed = 20000; seed < 20400; seed++)
+        for (ulong seed = 20000; seed < 20000 + (ulong)Thoroughness.Of(400); seed++)
         {
             CreatureBlueprint flier = BlueprintSampler.Sample(seed, LocomotionKind.Flying);
             LegBlueprint[] legs = flier.Legs.Where(leg => leg.Archetype is not (LimbArchetype.Raptorial or LimbArchetype.Arm)).ToArray();
@@ -27,13 +27,13 @@ public sealed class FlierLegsTests
             standing += legs.Any(leg => leg.Stance == LegStance.Standing) ? 1 : 0;
         }
 
-        Assert.InRange(standing, 360, 399);
+        Assert.InRange(standing, Thoroughness.Of(360), Thoroughness.Of(400) - 1);
     }
 
     [Fact]
     public void A_flier_that_stands_has_its_feet_on_the_ground_and_its_wings_above_them()
     {
-        for (ulong seed = 21000; seed < 21080; seed++)
+        for (ulong seed = 21000; seed < 21000 + (ulong)Thoroughness.Of(80); seed++)
         {
             Creature creature = CreatureGenerator.Build(BlueprintSampler.Sample(seed, LocomotionKind.Flying));
             Assert.Empty(CreatureInspection.Inspect(creature));

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
@@ -12,7 +13,7 @@ namespace CreatureGen.Tests.Sampling;
 /// <summary>Pairs of legs that are asked for.</summary>
 public sealed class LegPairTests
 {
-    public static TheoryData<int> Numbers => new(Enumerable.Range(0, 17));
+    public static IEnumerable<TheoryDataRow<int>> Numbers => Enumerable.Range(0, 17).Select(pairs => new TheoryDataRow<int>(pairs) { Explicit = pairs % 4 > 0 });
 
     [Theory]
     [MemberData(nameof(Numbers))]

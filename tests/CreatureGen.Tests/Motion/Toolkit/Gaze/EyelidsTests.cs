@@ -26,7 +26,7 @@ public sealed class EyelidsTests
         int lidded = 0;
         foreach (LocomotionKind kind in Enum.GetValues<LocomotionKind>())
         {
-            for (ulong seed = 0; seed < 40; seed++)
+            for (ulong seed = 0; seed < (ulong)Thoroughness.Of(40); seed++)
             {
                 Creature creature = Generate(kind, seed);
                 string[] lids = creature.Skeleton.Joints.Where(joint => joint.Role == JointRole.Lid).Select(joint => joint.Name).ToArray();
@@ -43,7 +43,7 @@ public sealed class EyelidsTests
             }
         }
 
-        Assert.InRange(lidded, 45, 119);
+        Assert.InRange(lidded, Thoroughness.Of(45), Thoroughness.Of(120) - 1);
     }
 
     [Fact]

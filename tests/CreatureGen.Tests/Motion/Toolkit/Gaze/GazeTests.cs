@@ -249,7 +249,7 @@ public sealed class GazeTests
         int reached = 0;
         int asked = 0;
         var worst = new List<string>();
-        for (ulong seed = 0; seed < 200; seed++)
+        for (ulong seed = 0; seed < (ulong)Thoroughness.Of(200); seed++)
         {
             Creature creature = CreatureGenerator.Generate(seed);
             Skeleton skeleton = creature.Skeleton;

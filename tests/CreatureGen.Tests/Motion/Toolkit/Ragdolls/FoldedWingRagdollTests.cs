@@ -17,7 +17,7 @@ public sealed class FoldedWingRagdollTests
     [Fact]
     public void A_flier_goes_limp_in_the_pose_that_it_stands_in()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(9500, 20).Where(flier => flier.IsStitched))
+        foreach (StandingFlier flier in StandingFlier.Of(9500, Thoroughness.Of(20)).Where(flier => flier.IsStitched))
         {
             (RagdollRig rig, RagdollState state, MovingPose shown) = Limp(flier);
             Assert.True(Shortest(flier.Creature.Skeleton, shown.Local) < 0.9f, $"{flier.Name}: its wings keep their length");
@@ -33,7 +33,7 @@ public sealed class FoldedWingRagdollTests
     [Fact]
     public void Folded_wings_do_not_burst_and_have_their_length_again_where_the_flier_lies()
     {
-        foreach (StandingFlier flier in StandingFlier.Of(9500, 20).Where(flier => flier.IsStitched))
+        foreach (StandingFlier flier in StandingFlier.Of(9500, Thoroughness.Of(20)).Where(flier => flier.IsStitched))
         {
             (RagdollRig rig, RagdollState state, MovingPose shown) = Limp(flier);
             Skeleton skeleton = flier.Creature.Skeleton;

@@ -17,7 +17,7 @@ public sealed class RagdollCollisionTests
     {
         float apart = 0f;
         float through = 0f;
-        for (ulong seed = 1; seed <= 10; seed++)
+        for (ulong seed = 1; seed <= (ulong)Thoroughness.Of(10); seed++)
         {
             Creature creature = Walkers.Any(seed);
             apart += DeepestAtRest(creature, true);
@@ -30,7 +30,7 @@ public sealed class RagdollCollisionTests
     [Fact]
     public void No_body_has_more_pairs_than_are_looked_at_quickly_and_none_is_of_neighbours()
     {
-        for (ulong seed = 1; seed <= 10; seed++)
+        for (ulong seed = 1; seed <= (ulong)Thoroughness.Of(10); seed++)
         {
             Creature creature = Walkers.Any(seed);
             var rig = new RagdollRig(creature.Skeleton, creature.Bones);

@@ -72,7 +72,7 @@ public sealed class LimitRelaxationTests
     [InlineData(0.2f, 0f)]
     [InlineData(-0.2f, 0f, Explicit = true)]
     [InlineData(0f, 0.2f, Explicit = true)]
-    [InlineData(0f, -0.2f)]
+    [InlineData(0f, -0.2f, Explicit = true)]
     public void Across_up_and_down_slopes_walkers_keep_to_the_limits_of_their_joints_and_stand_on_the_ground(float across, float along)
     {
         var ground = new FlatGround(Vector3.Zero, new Vector3(across, 1f, along));
