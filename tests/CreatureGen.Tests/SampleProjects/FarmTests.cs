@@ -61,7 +61,7 @@ public sealed class FarmTests
         Directory.Delete(place, recursive: true);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void The_script_for_slurm_makes_the_share_of_its_task()
     {
         RequireShell();

@@ -76,7 +76,7 @@ public sealed class ServerTests(SampleServer server) : IClassFixture<SampleServe
         Assert.Contains(message, problem.RootElement.GetProperty("detail").GetString(), StringComparison.Ordinal);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public async Task Too_many_at_once_are_sent_away_and_those_that_leave_make_room()
     {
         using var leave = new CancellationTokenSource();

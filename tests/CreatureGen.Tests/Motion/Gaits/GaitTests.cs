@@ -93,7 +93,7 @@ public class GaitTests
         Assert.Contains("frontLeft", Assert.ThrowsAny<ArgumentException>(() => new SpreadPhases(0f, 0f, float.NaN, 0f)).Message);
     }
 
-    [Fact]
+    [Fact(Explicit = true)]
     public void Mammals_and_winged_beasts_on_six_and_eight_legs_trot_and_the_lightest_footed_gallop()
     {
         var profiles = new List<MotionProfile>();

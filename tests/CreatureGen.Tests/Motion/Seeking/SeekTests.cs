@@ -16,7 +16,7 @@ public sealed class SeekTests
     [Theory]
     [InlineData(RequestedKind.Walking, MotionMedium.Ground)]
     [InlineData(RequestedKind.Flying, MotionMedium.Air, Explicit = true)]
-    [InlineData(RequestedKind.Swimming, MotionMedium.Ground)]
+    [InlineData(RequestedKind.Swimming, MotionMedium.Ground, Explicit = true)]
     public void Creatures_of_all_sizes_come_up_to_a_target_and_stop_before_it(RequestedKind kind, MotionMedium medium)
     {
         for (ulong seed = 1; seed <= 8; seed++)

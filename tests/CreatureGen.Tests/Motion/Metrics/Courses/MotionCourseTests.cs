@@ -11,7 +11,7 @@ namespace CreatureGen.Tests.Motion.Metrics.Courses;
 
 public sealed class MotionCourseTests
 {
-    [Fact]
+    [Fact(Explicit = true)]
     public void A_course_gives_the_same_figures_whenever_it_is_run()
     {
         var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));

@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Creatures;
 using CreatureGen.Motion;
@@ -10,26 +12,12 @@ namespace CreatureGen.Tests.Motion.Toolkit.Ragdolls;
 
 public sealed class RagdollBoundaryTests
 {
-    public static TheoryData<float, float, float, float, float> Corners
-    {
-        get
-        {
-            var data = new TheoryData<float, float, float, float, float>();
-            foreach (float gravity in new[] { 0f, 1000f })
-            {
-                foreach (float damping in new[] { 0f, 1e4f })
-                {
-                    foreach (float friction in new[] { 0f, 100f })
-                    {
-                        data.Add(gravity, damping, damping, friction, 0f);
-                        data.Add(gravity, 0f, damping, friction, 1e4f);
-                    }
-                }
-            }
-
-            return data;
-        }
-    }
+    public static IEnumerable<TheoryDataRow<float, float, float, float, float>> Corners =>
+        from gravity in new[] { 0f, 1000f }
+        from damping in new[] { 0f, 1e4f }
+        from friction in new[] { 0f, 100f }
+        from tone in new[] { 0f, 1e4f }
+        select new TheoryDataRow<float, float, float, float, float>(gravity, tone > 0f ? 0f : damping, damping, friction, tone) { Explicit = friction > 0f };
 
     /// <summary>Every corner of what is accepted, at even and uneven frames.</summary>
     [Theory]
