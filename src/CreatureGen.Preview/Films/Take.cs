@@ -7,6 +7,7 @@ using CreatureGen.Motion.Clips;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Motion.Toolkit;
+using CreatureGen.Preview.Scenes;
 using CreatureGen.Rigging;
 using CreatureGen.Seeding;
 

@@ -1,7 +1,9 @@
 using System;
 using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
+using CreatureGen.Motion;
 using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Scenes;
 using CreatureGen.Rigging;
@@ -20,15 +22,15 @@ public static class Portrait
     /// <summary>Radius of what a picture of a face shows about the eyes, relative to how far the snout is ahead of them.</summary>
     private const float AboutTheEyes = 1.2f;
 
-    /// <summary>The creature in rest pose from a named side, as large as the frame allows.</summary>
+    /// <summary>The creature at rest from a named side, as large as the frame allows: as it was built; what crawls without legs lies in the bends of its crawl.</summary>
     public static Picture Take(Creature creature, View view, RenderOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
-        RenderMesh mesh = RenderMesh.From(creature);
+        RenderMesh mesh = AtRest(creature);
         return Dressed(creature, mesh, Fit(mesh, view, options), options);
     }
 
-    /// <summary>The creature in rest pose as a file shows it: under its atlas, or in the colours of its vertices.</summary>
+    /// <summary>The creature at rest under the atlas of its file, or in the colours of its vertices.</summary>
     /// <param name="creature">The creature.</param>
     /// <param name="textures">Its atlas; null for none.</param>
     /// <param name="view">From which side.</param>
@@ -36,7 +38,7 @@ public static class Portrait
     public static Picture Take(Creature creature, CreatureTextures? textures, View view, RenderOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
-        RenderMesh mesh = RenderMesh.From(creature);
+        RenderMesh mesh = AtRest(creature);
         Camera camera = Fit(mesh, view, options);
         return Renderer.Render(textures is not null && TakesTextures(options) ? mesh.WithTextures(textures) : mesh, camera, options);
     }
@@ -72,6 +74,21 @@ public static class Portrait
         BoundingBox head = HeadBounds(creature);
         Camera camera = Camera.CloseUp(view, head.Centre, head.Diagonal * 0.5f * FaceRoom, options.Width / (float)options.Height);
         return Dressed(creature, RenderMesh.From(creature), camera, options);
+    }
+
+    // A body without legs is built straight, so that its halves mirror one another, and never lies like that.
+    private static RenderMesh AtRest(Creature creature)
+    {
+        ArgumentNullException.ThrowIfNull(creature);
+        if (creature.Blueprint.Plan != BodyPlan.Legless)
+        {
+            return RenderMesh.From(creature);
+        }
+
+        var animator = new CreatureAnimator(creature);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        (Vector3[] positions, Vector3[] normals) = MovedSkin.Of(creature, RootPlace.Identity, animator.LocalPose, RootPlace.Identity);
+        return RenderMesh.From(creature, positions, normals);
     }
 
     // The creature under an atlas about as fine as the picture; faces of one colour need none.

@@ -6,6 +6,8 @@ using CreatureGen.Preview.Pictures;
 using CreatureGen.Preview.Rendering;
 using CreatureGen.Preview.Scenes;
 using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Preview;
@@ -70,5 +72,20 @@ public sealed class PortraitTests
         Assert.True(face > 10 && face > whole, $"{face} pixels of eyes in the close-up and {whole} in the whole picture");
 
         int Count(Picture picture) => Enumerable.Range(0, 160 * 120).Count(i => eye.Contains(picture[i % 160, i / 160]));
+    }
+
+    [Fact]
+    public void What_crawls_without_legs_lies_in_bends_and_all_others_stand_as_they_were_built()
+    {
+        Assert.InRange(Lopsidedness("cobra"), 0.2, 1);
+        Assert.InRange(Lopsidedness("feline"), 0, 0.02);
+
+        // Of the pixels of a creature seen from above, how many have none at the mirrored place. Its middle line is in the middle of the pictures of what stands straight.
+        static double Lopsidedness(string body)
+        {
+            Picture picture = Portrait.Take(SpeciesSubject.Of(body, RequestedKind.Walking), View.Top, plain);
+            var covered = Enumerable.Range(0, 160 * 120).Where(i => picture[i % 160, i / 160].A > 0).ToArray();
+            return covered.Count(i => picture[159 - (i % 160), i / 160].A == 0) / (double)covered.Length;
+        }
     }
 }

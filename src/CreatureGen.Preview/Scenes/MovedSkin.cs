@@ -6,7 +6,7 @@ using CreatureGen.Motion;
 using CreatureGen.Rigging;
 using CreatureGen.Skinning;
 
-namespace CreatureGen.Preview.Films;
+namespace CreatureGen.Preview.Scenes;
 
 /// <summary>A creature in a pose at a place, as a camera sees it that is somewhere else.</summary>
 internal static class MovedSkin
