@@ -11,16 +11,27 @@ public sealed class FinLengthTests
     /// <summary>Longest flipper of a turtle, metres at scale 1, and how much longer those of a strange one grow.</summary>
     private const double Longest = 0.75 * 1.15;
 
+    /// <summary>Most that a pair hangs down for each unit that it is swept back, with room for the last digit.</summary>
+    private const double SteepestFall = 0.3501;
+
     [Theory]
     [InlineData(0.6)]
     [InlineData(1)]
     public void No_mixed_swimmer_rows_with_stilts(double strangeness)
     {
-        FinBlueprint[] pairs = Enumerable.Range(9990001, 60)
-            .SelectMany(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness }).Fins)
-            .Where(fin => fin.Place == FinPlace.Pectoral)
-            .ToArray();
+        FinBlueprint[] pairs = Pairs(strangeness);
         Assert.True(pairs.Length > 60);
         Assert.All(pairs, fin => Assert.InRange(fin.Length, 0, Longest));
     }
+
+    [Theory]
+    [InlineData(0.6)]
+    [InlineData(1)]
+    public void No_mixed_swimmer_holds_its_fins_like_legs(double strangeness) =>
+        Assert.All(Pairs(strangeness), fin => Assert.InRange(fin.Drop, 0, SteepestFall * fin.Sweep));
+
+    private static FinBlueprint[] Pairs(double strangeness) => Enumerable.Range(9990001, 60)
+        .SelectMany(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness }).Fins)
+        .Where(fin => fin.Place == FinPlace.Pectoral)
+        .ToArray();
 }

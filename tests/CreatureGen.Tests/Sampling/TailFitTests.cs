@@ -25,6 +25,16 @@ public sealed class TailFitTests
         Assert.True(slices[8].Width > slices[9].Width && slices[9].Width > slices[10].Width);
     }
 
+    [Fact]
+    public void The_tail_of_a_mixed_swimmer_runs_out()
+    {
+        SpeciesProfile first = SpeciesCatalogue.Find("crocodile");
+        var swimmer = new CreatureBuilder(new Seed(1), LocomotionKind.Swimming, new Parentage(first, first, first), BodyPlan.Eel, strangeness: 0.6);
+        ValueList<LatticeSlice> slices = TailFit.Point(swimmer, even);
+        Assert.Equal(even.Take(8), slices.Take(8));
+        Assert.Equal(new LatticeSlice(0.4, 0.4, 1), slices[10]);
+    }
+
     [Theory]
     [InlineData("parrot", 0)]
     [InlineData("bear", 0.6)]

@@ -32,6 +32,9 @@ internal static class FinSampler
     private const double FlattestDrop = 0.3;
     private const double SteepestDrop = 1.1;
 
+    /// <summary>Most that the paired fins of a strange swimmer hang down for each unit that they are swept back: steeper ones are legs from the side.</summary>
+    private const double SteepestFall = 0.35;
+
     /// <summary>Fills in the fins and the tail fin of the creature.</summary>
     public static void Sample(CreatureBuilder builder)
     {
@@ -57,8 +60,9 @@ internal static class FinSampler
         }
 
         SwimmingPlacement placement = SwimmingRules.Place(LegSampler.Measure(builder), FinAnatomy.Of(builder.Plan), builder.Sockets, builder.Seed.Child("swimmer"));
-        double drop = DropOf(builder) * random.Uniform(0.25, 0.6);
+        double hang = random.Uniform(0.25, 0.6);
         double sweep = random.Uniform(0.4, 0.8);
+        double drop = DropOf(builder, hang, sweep);
         foreach (FinPlacement fin in placement.Fins)
         {
             if (!builder.Sockets.TryReserve(fin.Socket, 0))
@@ -144,7 +148,7 @@ internal static class FinSampler
             bool crowded = builder.Legs.Count > 0 && !builder.Sockets.IsFree(socket, 0);
             if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder) * fin.Drop, fin.Sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder, fin.Drop, fin.Sweep), fin.Sweep));
             }
         }
 
@@ -164,8 +168,12 @@ internal static class FinSampler
         }
     }
 
-    /// <summary>Factor on how far paired fins hang down.</summary>
-    private static double DropOf(CreatureBuilder builder) => Scalar.Lerp(1, builder.Stream("fin drop").Uniform(FlattestDrop, SteepestDrop), builder.Strangeness);
+    /// <summary>How far paired fins hang down that hang so far on an animal.</summary>
+    private static double DropOf(CreatureBuilder builder, double hang, double sweep)
+    {
+        double drop = hang * Scalar.Lerp(1, builder.Stream("fin drop").Uniform(FlattestDrop, SteepestDrop), builder.Strangeness);
+        return Scalar.Lerp(drop, Math.Min(drop, SteepestFall * sweep), builder.Fitting);
+    }
 
     private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail or FinStyle.Ray => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
 

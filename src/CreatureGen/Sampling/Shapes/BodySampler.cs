@@ -35,6 +35,7 @@ internal static class BodySampler
         builder.Posture = builder.Drawn;
         builder.Slices = TailFit.Point(builder, Slices(builder));
         builder.Disc = Disc(builder);
+        builder.Slices = TrunkFit.Gather(builder);
         builder.Proportions = TrunkFit.Fit(builder);
         builder.Proportions = HeadFit.Fit(builder);
         builder.Proportions = TailFit.Fit(builder);

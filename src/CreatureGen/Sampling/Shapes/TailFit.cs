@@ -39,6 +39,9 @@ internal static class TailFit
     /// <summary>Girths of the last slices of a bird's tail without feathers, the tip last, relative to what its tables give.</summary>
     private static readonly double[] featherless = { 0.8, 0.6, 0.35 };
 
+    /// <summary>The same of a swimmer's tail, which ends in a fin or runs out in a point.</summary>
+    private static readonly double[] finless = { 0.9, 0.7, 0.4 };
+
     /// <summary>The proportions with a thinner tail where it is too thick, and a shorter one where it is too long; swimmers and what crawls move by theirs, and insects bear a thick abdomen.</summary>
     public static BodyProportions Fit(CreatureBuilder builder)
     {
@@ -77,10 +80,11 @@ internal static class TailFit
         return raised ? drawn : drawn with { Tail = drawn.Tail + Math.Max(0, Scalar.Radians(FallDegrees) - fall) };
     }
 
-    /// <summary>The slices with a point at the end of a bird's tail that wears no feathers: its tables are made for a fan, and end like a sawn log without one.</summary>
+    /// <summary>The slices with a point at the end of a bird's tail that wears no feathers, whose tables are made for a fan and end like a sawn log without one, and of a swimmer's, whose fin comes later.</summary>
     public static ValueList<LatticeSlice> Point(CreatureBuilder builder, ValueList<LatticeSlice> drawn)
     {
-        if (builder.Kind == LocomotionKind.Swimming || builder.Parents.Tail.Class != AnimalClass.Bird || builder.Tail.Style != TailStyle.Plain)
+        bool swims = builder.Kind == LocomotionKind.Swimming && builder.Species.Disc.Sweep == 0;
+        if (!swims && (builder.Parents.Tail.Class != AnimalClass.Bird || builder.Tail.Style != TailStyle.Plain))
         {
             return drawn;
         }
@@ -89,7 +93,7 @@ internal static class TailFit
         int first = slices.Length - featherless.Length;
         for (int i = first; i < slices.Length; i++)
         {
-            double girth = Scalar.Lerp(1, featherless[i - first], builder.Fitting);
+            double girth = Scalar.Lerp(1, swims ? finless[i - first] : featherless[i - first], builder.Fitting);
             slices[i] = slices[i] with { Width = girth * slices[i].Width, Height = girth * slices[i].Height };
         }
 

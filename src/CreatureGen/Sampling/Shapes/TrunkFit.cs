@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
@@ -7,98 +8,137 @@ using CreatureGen.Species;
 
 namespace CreatureGen.Sampling.Shapes;
 
-/// <summary>Trunks of strange creatures with a shape: chest, waist and hips of three species may even one another out to a log.</summary>
+/// <summary>Trunks of strange creatures with a shape: on legs the even and endless bodies of snakes, newts and eels are logs, and swimmers that end as thick as they are in the middle are sacks.</summary>
 internal static class TrunkFit
 {
-    // Deepest section against the shallowest from girdle to girdle: below the first a trunk is a log, from the second on it has a shape.
-    private const double Log = 1.08;
-    private const double Shaped = 1.4;
+    // Longest trunks in chests: on legs under the body, on legs out to its side, of swimmers, and of those that swim by winding.
+    private const double LongestCarried = 2.9;
+    private const double LongestSprawling = 3.5;
+    private const double LongestSwimmer = 2.7;
+    private const double LongestWinding = 4.2;
 
-    // What a log gains at the chest and at the hips, and what its belly loses.
-    private const double Chest = 0.3;
-    private const double Rump = 0.2;
-    private const double Belly = 0.16;
+    /// <summary>The part of what is too long that is taken from the length; the trunk grows thicker by <see cref="Thickened"/> of the rest.</summary>
+    private const double Shortened = 0.45;
+    private const double Thickened = 0.75;
 
-    /// <summary>What the abdomen of an insect gains: behind its waist it is the hips.</summary>
-    private const double Abdomen = 0.35;
+    /// <summary>The part of the thickening that is depth, above all that of the chest; the rest is girth.</summary>
+    private const double Deep = 0.5;
 
-    // A swimmer's largest hips against its belly, least root of its tail against its hips, and most that the tail's girth grows by for it.
-    private const double Hips = 0.8;
+    /// <summary>Least factor on the length of a slice.</summary>
+    private const double ShortestSlice = 0.6;
+
+    // Slices of the lattice that lie in the trunk.
+    private const int FirstSlice = 3;
+    private const int LastSlice = 7;
+
+    // Depth of the loin in chests that a belly is drawn in to, that of insects, which have a waist, and least factor that this asks for.
+    private const double Tucked = 0.74;
+    private const double Waist = 0.6;
+    private const double LeastTuck = 0.72;
+
+    // The parts of a tuck that the chest gains and that the loin gives way by, and what of it shows on the belly between them.
+    private const double Chest = 0.4;
+    private const double Flank = 0.6;
+    private const double Belly = 0.35;
+
+    /// <summary>What the abdomen of an insect gains of a tuck: behind its waist it is the hips.</summary>
+    private const double Abdomen = 0.8;
+
+    // A swimmer's largest hips against its belly, least and most of its tail's stem against its hips and belly, and most that the tail's girth changes by for it.
+    private const double Hips = 0.6;
     private const double Root = 0.5;
+    private const double Stem = 0.42;
     private const double MaxRoot = 1.3;
+    private const double MinRoot = 0.7;
 
     // Broadest trunk against its depth that legs under the body carry without looking like those of a table, and what of the excess the depth and the breadth give way by.
     private const double Broad = 1.25;
     private const double Deepened = 0.6;
     private const double Narrowed = 0.3;
 
-    /// <summary>The proportions with a deeper chest, a tucked belly and broader hips where the trunk has none; swimmers thin out to the tail, what lies is a rope, and what stands on two legs would be top-heavy.</summary>
+    /// <summary>The slices with a shorter trunk where it is too long for its depth.</summary>
+    public static ValueList<LatticeSlice> Gather(CreatureBuilder builder)
+    {
+        LatticeSlice[] slices = builder.Slices.ToArray();
+        double shorter = Math.Max(ShortestSlice, PortableMath.Pow(Length(builder, TrunkOutline.Of(StanceSampler.ShapeOf(builder))), -Shortened * builder.Fitting));
+        for (int i = FirstSlice; i <= LastSlice; i++)
+        {
+            slices[i] = slices[i] with { Length = shorter * slices[i].Length };
+        }
+
+        return new ValueList<LatticeSlice>(slices);
+    }
+
+    /// <summary>The proportions with a deeper chest and a belly that is drawn in where the trunk is even, and a thicker trunk where it is long; swimmers thin out to the tail, and what lies is a rope.</summary>
     public static BodyProportions Fit(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
-        if (builder.Kind == LocomotionKind.Swimming)
-        {
-            return Streamlined(builder);
-        }
-
-        if (builder.Plan is BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Upright or BodyPlan.Theropod || builder.Species.Disc.Sweep != 0)
+        if (builder.Plan is BodyPlan.Legless or BodyPlan.ManyLegged || builder.Species.Disc.Sweep != 0)
         {
             return drawn;
         }
 
-        (double relief, double breadth) = Measure(StanceSampler.ShapeOf(builder));
+        TrunkOutline outline = TrunkOutline.Of(StanceSampler.ShapeOf(builder));
+        double thick = PortableMath.Pow(Length(builder, outline), Thickened * builder.Fitting);
+        BodyProportions proportions = drawn with
+        {
+            Depth = drawn.Depth * PortableMath.Pow(thick, Deep),
+            Girth = drawn.Girth * PortableMath.Pow(thick, 1 - Deep),
+        };
+        return builder.Kind == LocomotionKind.Swimming ? Streamlined(builder, proportions) : Tuck(builder, outline, proportions);
+    }
+
+    /// <summary>How many times as long as it may be a trunk is, at least 1.</summary>
+    private static double Length(CreatureBuilder builder, TrunkOutline outline)
+    {
+        double longest = builder.Plan switch
+        {
+            BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing => double.PositiveInfinity,
+            BodyPlan.Sprawling => LongestSprawling,
+            BodyPlan.Eel => LongestWinding,
+            BodyPlan.Fish or BodyPlan.Whale or BodyPlan.Flipper => LongestSwimmer,
+            _ => LongestCarried,
+        };
+        return builder.Species.Disc.Sweep != 0 ? 1 : Math.Max(1, outline.Slenderness / longest);
+    }
+
+    private static BodyProportions Tuck(CreatureBuilder builder, TrunkOutline outline, BodyProportions drawn)
+    {
+        if (builder.Plan is BodyPlan.Upright or BodyPlan.Theropod)
+        {
+            return drawn;
+        }
+
         double strange = builder.Fitting;
         bool under = builder.Kind == LocomotionKind.Walking && builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
-        double excess = under ? Math.Max(1, breadth / Broad) : 1;
-        double want = strange * Scalar.Clamp((Shaped - relief) / (Shaped - Log), 0, 1);
         bool insect = builder.Species.Class == AnimalClass.Arthropod;
+        double excess = under ? Math.Max(1, outline.Breadth / Broad) : 1;
+        double tuck = PortableMath.Pow(Scalar.Clamp((insect ? Waist : Tucked) / outline.Tuck, LeastTuck, 1), strange);
         return drawn with
         {
-            Chest = drawn.Chest * (1 + (Chest * want)),
-            Belly = drawn.Belly * (1 - (Belly * want)),
-            Rump = drawn.Rump * (1 + ((insect ? 0 : Rump) * want)),
-            TailGirth = drawn.TailGirth * (1 + ((insect ? Abdomen : 0) * want)),
+            Chest = drawn.Chest * PortableMath.Pow(tuck, -Chest),
+            Belly = drawn.Belly * PortableMath.Pow(tuck, Belly),
+            Rump = drawn.Rump * PortableMath.Pow(tuck, insect ? 0 : Flank),
+            TailGirth = drawn.TailGirth * (insect ? PortableMath.Pow(tuck, -Abdomen) : 1),
             Depth = drawn.Depth * PortableMath.Pow(excess, Deepened * strange),
             Width = drawn.Width * PortableMath.Pow(excess, -Narrowed * strange),
         };
     }
 
-    /// <summary>The deepest section of a trunk against its shallowest, and its greatest breadth against the depth there.</summary>
-    private static (double Relief, double Breadth) Measure(BodyShape shape)
+    /// <summary>The proportions of a swimmer that thins out behind its belly instead of ending like a sack with a tail tied to it.</summary>
+    private static BodyProportions Streamlined(CreatureBuilder builder, BodyProportions drawn)
     {
-        double min = double.MaxValue;
-        double max = 0;
-        double breadth = 0;
-        for (int ring = StationRing.Shoulder; ring <= StationRing.Pelvis; ring++)
-        {
-            double size = shape.Top[ring] + shape.Bottom[ring];
-            min = Math.Min(min, size);
-            max = Math.Max(max, size);
-            breadth = Math.Max(breadth, 2 * shape.Width[ring] / size);
-        }
-
-        return (max / min, breadth);
-    }
-
-    /// <summary>The proportions of a swimmer that thins out behind its belly instead of ending like a sack with a tail tied to it; one as flat as a disc stays as it is.</summary>
-    private static BodyProportions Streamlined(CreatureBuilder builder)
-    {
-        BodyProportions drawn = builder.Proportions;
-        if (builder.Species.Disc.Sweep != 0)
-        {
-            return drawn;
-        }
-
         BodyShape shape = StanceSampler.ShapeOf(builder);
+        double belly = Size(shape, StationRing.Belly);
         double hips = Size(shape, StationRing.Pelvis);
-        double thin = Math.Min(1, Hips * Size(shape, StationRing.Belly) / hips);
+        double thin = Math.Min(1, Hips * belly / hips);
         double root = Size(shape, StationRing.TailStem);
-        double thick = Math.Max(1, Root * thin * hips / root);
+        double wanted = Math.Max(Root * thin * hips, Math.Min(Stem * belly, root));
         double strange = builder.Fitting;
         return drawn with
         {
             Rump = drawn.Rump * PortableMath.Pow(thin, strange),
-            TailGirth = drawn.TailGirth * Math.Min(MaxRoot, PortableMath.Pow(thick, strange)),
+            TailGirth = drawn.TailGirth * Scalar.Clamp(PortableMath.Pow(wanted / root, strange), MinRoot, MaxRoot),
         };
     }
 
