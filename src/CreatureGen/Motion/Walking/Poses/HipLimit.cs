@@ -75,6 +75,10 @@ internal readonly struct HipLimit
         }
     }
 
+    /// <summary>How far toes lie as they should where the ankle turns their foot, 0..1: those of flat feet do on the ground, those of legs out to the side less and less before and after.</summary>
+    /// <param name="leg">Whose.</param>
+    public float Laid(LegRig leg) => !leg.FlatFoot ? 0f : leg.Lateral ? Math.Max(Standing, Arriving) : 1f;
+
     /// <summary>Part of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
     /// <param name="leg">Whose.</param>
     /// <param name="stood">How far its joints kept it from lying on the ground as it should when it last stood, about half the angle in radians.</param>

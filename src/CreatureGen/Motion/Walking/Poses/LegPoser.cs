@@ -79,16 +79,24 @@ internal sealed class LegPoser
             wanted.Toes = Rotation.Multiply(wanted.Toes, point);
         }
 
-        bool flat = leg.FlatFoot && !leg.Lateral;
-        bool linked = leg.Traits.Linkage == LegLinkage.Pantograph;
-        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, !flat, out Vector3 astray, out float excess);
-        foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
-        float fraction = excess > 0f ? HipLimit.Of(foot).Relaxed(leg, foot.Leg.Relaxation, excess) : 0f;
+        if (carried > 0f && leg.Lateral)
+        {
+            // Folded to the body it goes along with its shank, whose turn an ankle does not undo.
+            wanted.Foot = UnitRotation.Nlerp(wanted.Foot, solved.Shank, carried);
+            wanted.Toes = UnitRotation.Nlerp(wanted.Toes, solved.Shank, carried);
+        }
 
+        HipLimit limit = HipLimit.Of(foot);
+        float laid = limit.Laid(leg);
+        bool linked = leg.Traits.Linkage == LegLinkage.Pantograph;
+        Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, laid, out Vector3 astray, out float excess);
+        foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
+        float fraction = excess > 0f ? limit.Relaxed(leg, foot.Leg.Relaxation, excess) : 0f;
+        bool turned = stands && fraction > 0f;
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
 
         // As the ankle comes up for it the shank leans farther, and asks for a little more.
-        for (int i = 0; i < (flat ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
+        for (int i = 0; i < (laid > 0f ? RelaxationRounds : 1) && fraction > 0f && excess > 0f; i++)
         {
             FootPose asked = wanted;
             Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
@@ -102,11 +110,12 @@ internal sealed class LegPoser
             Solve(leg, carrier, hip, wanted, carried, ref foot, local, out solved);
 
             // On the ground the toes lie as was found; in the air those of a linked leg go along with its ankle anew.
-            metatarsus = PoseFoot(leg, solved, linked && !stands ? asked : wanted, local, !flat && !stands, out astray, out excess);
+            metatarsus = PoseFoot(leg, solved, linked && !stands ? asked : wanted, local, stands ? 1f : laid, out astray, out excess);
+            fraction = i == 0 ? fraction * laid : fraction;
         }
 
         foot.Leg.Turned.Stood = false;
-        if (fraction > 0f && stands)
+        if (turned)
         {
             SoleHold.Remember(ref foot, wanted);
         }
@@ -203,11 +212,11 @@ internal sealed class LegPoser
     /// <param name="solved">Hip and knee.</param>
     /// <param name="pose">How foot and toes should lie.</param>
     /// <param name="local">The pose.</param>
-    /// <param name="along">Whether the toes go along with a foot that its ankle turns, or lie as they should all the same.</param>
+    /// <param name="laid">How far the toes lie as they should all the same where an ankle turns its foot, 0..1, instead of going along with it.</param>
     /// <param name="astray">How far the limit of its ankle takes the ball of a linked leg from where its linkage has it, metres.</param>
     /// <param name="excess">How far ankle and ball are kept from how they should be, about half the angle in radians.</param>
     /// <returns>The turn of the metatarsus from rest.</returns>
-    private Quaternion PoseFoot(LegRig leg, in LegRotations solved, in FootPose pose, in Pose local, bool along, out Vector3 astray, out float excess)
+    private Quaternion PoseFoot(LegRig leg, in LegRotations solved, in FootPose pose, in Pose local, float laid, out Vector3 astray, out float excess)
     {
         Quaternion metatarsus = pose.Foot;
         if (leg.Traits.Linkage == LegLinkage.Pantograph)
@@ -233,9 +242,11 @@ internal sealed class LegPoser
             Quaternion free = metatarsus;
             metatarsus = Rotation.Multiply(solved.Shank, turns.Of(local, leg.Ankle));
             astray = leg.Traits.Linkage == LegLinkage.Pantograph ? Rotation.Rotate(metatarsus, leg.Metatarsus) - Rotation.Rotate(free, leg.Metatarsus) : astray;
-            if (!along)
+            if (laid > 0f)
             {
-                turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), pose.Toes));
+                Quaternion toes = Rotation.Multiply(metatarsus, turns.Of(local, leg.Ball));
+                toes = laid < 1f ? UnitRotation.Nlerp(toes, pose.Toes, laid) : pose.Toes;
+                turns.Set(local, leg.Ball, Rotation.Multiply(Rotation.Inverse(metatarsus), toes));
             }
         }
 

@@ -47,4 +47,15 @@ public sealed class StanceSlipTests
         CourseReport report = course.Run(profile);
         Assert.True(report.StanceSlip <= 0.025f, $"{seed}: a stance slips by {report.StanceSlip}");
     }
+
+    /// <summary>Their ankles turned by 133 and 113 rad/s: fore feet folded to the body kept to the heading of their step, which the ankle of a shank that passes below its hip cannot.</summary>
+    [Theory]
+    [InlineData(9920009UL)]
+    [InlineData(9920023UL)]
+    public void Feet_of_insects_that_bound_go_along_with_their_shanks_as_they_are_folded_to_the_body(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Random(profile, 12f, 2.5f), CourseGround.Flat, CourseRate.Of(480f)).Run(profile);
+        Assert.True(report.JointSpeed < 60f, $"{seed}: {profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
+    }
 }

@@ -55,6 +55,17 @@ public sealed class StairFootingTests
         Assert.True(report.JointSpeed < 60f, $"{profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
     }
 
+    /// <summary>Lizards whose toes turned with the foot as its heel came off: they slipped by 4 and 4.9 % of a leg.</summary>
+    [Theory]
+    [InlineData(9920012UL)]
+    [InlineData(9920031UL)]
+    public void Toes_of_legs_out_to_the_side_stay_where_they_stand_on_stairs_as_their_heels_come_off(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.StanceSlip < 0.015f, $"{seed}: a stance slips by {report.StanceSlip}");
+    }
+
     private static float Depth(CourseSimulation simulation, FootSkin skin, Matrix4x4[] matrices)
     {
         float depth = 0f;
