@@ -15,6 +15,9 @@ internal struct FootPlan
     /// <summary>Where it is locked in stance, or comes from in a swing.</summary>
     public Foothold From;
 
+    /// <summary>Whether it has just come down, and has not been posed since or not been looked at.</summary>
+    public bool Arrived;
+
     /// <summary>Progress of the swing, 0..1.</summary>
     public float Swing;
 

@@ -13,7 +13,7 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 /// Decides when each foot leaves the ground and where it comes down. A foot on the ground is locked to its place in the world; a swinging one goes to where its home will be
 /// in the middle of the coming stance, predicted along the arc that the body follows: that alone gives straight steps, inner and outer legs in turns, and stepping on the spot.
 /// </summary>
-internal sealed class FootPlanner
+internal sealed partial class FootPlanner
 {
     /// <summary>Part of the leg's length that a foot has to be from its next place before it steps.</summary>
     private const float MinStep = 0.01f;
@@ -29,6 +29,9 @@ internal sealed class FootPlanner
 
     /// <summary>How far a foot may be from where it was to come down and still be put there, leg lengths.</summary>
     private const float MaxAstray = 0.004f;
+
+    /// <summary>How far a place may lie off the plane of another and still be on the same ground, leg lengths.</summary>
+    private const float OtherTread = 0.02f;
 
     /// <summary>How quickly a swing takes up a change of what is asked, per second.</summary>
     private const float AimRate = 15f;
@@ -115,43 +118,6 @@ internal sealed class FootPlanner
         return false;
     }
 
-    /// <summary>Sets all feet down at home.</summary>
-    public void PlaceAll(in StepContext step)
-    {
-        for (int i = 0; i < feet.Length; i++)
-        {
-            feet[i] = default;
-            ref Foot foot = ref feet[i];
-            foot.Leg = LegOutcome.AtRest(body.Legs[i]);
-            Target(i, step, body.Legs[i].Home, body.Legs[i].Home, 0f, step.Frame.Rotation);
-            foot.Plan.From = foot.Plan.To;
-            foot.Plan.Stance = 0.5f;
-        }
-    }
-
-    /// <summary>Sets all feet where they would be in their stride at the speed and place in the cycle.</summary>
-    public void PlaceInStride(in StepContext step)
-    {
-        float duty = step.Clock.Duty;
-        float cycle = 1f / step.Clock.Frequency;
-        for (int i = 0; i < feet.Length; i++)
-        {
-            float p = step.Clock.LegPhase(i);
-            feet[i] = default;
-            feet[i].Leg = LegOutcome.AtRest(body.Legs[i]);
-            Aim(i, step, ((0.5f * duty) - p) * cycle, 0f);
-            feet[i].Plan.From = feet[i].Plan.To;
-            feet[i].Plan.Stance = Math.Min(p / duty, 1f);
-            if (p >= duty)
-            {
-                feet[i].Plan.Phase = FootPhase.Swing;
-                feet[i].Plan.Swing = StepPhase.Swing(p, duty);
-                feet[i].Plan.Aimed = false;
-                Aim(i, step, (1f - p + (0.5f * duty)) * cycle, (1f - p) * cycle);
-            }
-        }
-    }
-
     /// <summary>Decides what standing feet do next: whether they leave the ground when the gait has them do so, and whether they do so at once.</summary>
     public void Decide(in StepContext step)
     {
@@ -223,6 +189,13 @@ internal sealed class FootPlanner
         {
             ref Foot foot = ref feet[i];
             float p = step.Clock.LegPhase(i);
+            if (foot.Plan.Arrived && step.Since <= step.Step)
+            {
+                foot.Plan.Arrived = false;
+                StandWhereItIs(i, step);
+                foot.Plan.From = foot.Plan.To;
+            }
+
             if (foot.Plan.Correcting)
             {
                 Correct(i, step, p, duty, cycle);
@@ -337,6 +310,7 @@ internal sealed class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         foot.Plan.Phase = FootPhase.Swing;
+        foot.Plan.Arrived = false;
         foot.Plan.Steps = false;
         foot.Plan.Held = false;
         foot.Plan.Correcting = false;
@@ -355,6 +329,7 @@ internal sealed class FootPlanner
         foot.Plan.Correcting = false;
         StandWhereItIs(leg, step);
         foot.Plan.From = foot.Plan.To;
+        foot.Plan.Arrived = true;
         foot.Plan.Swing = 0f;
         foot.Plan.Reached = float.MaxValue;
         foot.Plan.Missed = foot.Leg.Residual;
@@ -374,7 +349,15 @@ internal sealed class FootPlanner
             return;
         }
 
-        Target(leg, step, step.Frame.ToModel(foot.Plan.To.Position) + astray, body.Legs[leg].Home, foot.Plan.To.YawFrom(step.Frame), foot.Plan.To.Heading);
+        // It has been kept off edges already, and stays on the tread that it was to come down on.
+        Foothold meant = foot.Plan.To;
+        foot.Plan.Nudge = 0f;
+        Target(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), meant.Heading);
+        if (!foot.Plan.HasTarget || Math.Abs(Vec.Dot(foot.Plan.To.Position - meant.Position, meant.Normal)) > OtherTread * body.Legs[leg].Length * step.Frame.Scale)
+        {
+            foot.Plan.To = meant;
+            foot.Plan.HasTarget = true;
+        }
     }
 
     /// <summary>Sets the target of a swing.</summary>

@@ -53,7 +53,8 @@ internal static class FootRelease
         foot.Plan.Reached = reached;
         foot.Plan.Missed = foot.Leg.Residual;
         bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
-        if (misses || (leg.Lateral && Missing(foot, body, leg, step, chord + lowered + Later(step, place) - place) > MaxMiss * leg.Length))
+        Vector3 then = chord + lowered + Later(step, place) - place;
+        if (misses || (HipMayEnd(leg, then) && Missing(foot, body, leg, step, then) > MaxMiss * leg.Length))
         {
             return true;
         }
@@ -62,6 +63,9 @@ internal static class FootRelease
         return drop > (late ? LateDrop : MaxDrop)
             || (grows && ((!late && drop > MaxGrowingDrop) || reached > Math.Max(leg.Lateral ? LateralStretch : MaxStretch, leg.RestStretch + BeyondRest) * leg.Reach));
     }
+
+    /// <summary>Whether a hip may come to its end with a chord: any out to the side, one above its leg only where that lies flatter than it is steep.</summary>
+    private static bool HipMayEnd(LegRig leg, Vector3 chord) => leg.Lateral || (chord.X * chord.X) + (chord.Z * chord.Z) > chord.Y * chord.Y;
 
     /// <summary>Whether a standing foot was taken from its place in a long update, since it was last decided what it does.</summary>
     /// <param name="foot">The foot, as it has been posed.</param>

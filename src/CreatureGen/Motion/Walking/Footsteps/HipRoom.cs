@@ -6,7 +6,7 @@ using CreatureGen.Motion.Walking.Legs;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
-/// <summary>What the limits of the hip of a leg out to the side let it reach, without a pose: the trunk is taken to be turned as it was when the leg was last posed.</summary>
+/// <summary>What the limits of the hip of a leg let it reach, without a pose, its foot straight ahead: the trunk is taken to be turned as it was when the leg was last posed.</summary>
 internal static class HipRoom
 {
     /// <summary>Distance by which the leg would miss a place, metres.</summary>

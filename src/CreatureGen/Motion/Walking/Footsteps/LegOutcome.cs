@@ -27,7 +27,7 @@ internal struct LegOutcome
     /// <summary>Distance by which the foot missed its place when last posed, metres.</summary>
     public float Residual;
 
-    /// <summary>From where it was to be to where its leg brought it when last posed, the more of it the nearer it was to coming down. Model space.</summary>
+    /// <summary>From where it was to be to where its leg brought it when last posed, the more of it the nearer it was to coming down, all of it as it came down. Model space.</summary>
     public Vector3 Astray;
 
     /// <summary>How far the joints of its leg kept it from lying on the ground as it should when it last stood, about half the angle in radians.</summary>

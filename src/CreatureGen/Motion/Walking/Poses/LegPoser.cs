@@ -176,7 +176,8 @@ internal sealed class LegPoser
         foot.Leg.Carrier = carrier;
         foot.Leg.Stretch = solved.Stretch;
         foot.Leg.Residual = solved.Residual;
-        foot.Leg.Astray = limit.Arriving > 0f ? (LegSolver.EndOf(leg, parts, solved) - chord) * limit.Arriving : default;
+        float down = foot.Plan.Arrived && foot.Taken == 0f ? 1f : limit.Arriving;
+        foot.Leg.Astray = down > 0f ? (LegSolver.EndOf(leg, parts, solved) - chord) * down : default;
     }
 
     /// <summary>How high a foot that is carried over what stands in its way comes below its hip at most, metres above that: closer past it, its leg would whirl about the hip.</summary>

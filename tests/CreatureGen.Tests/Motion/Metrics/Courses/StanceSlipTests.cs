@@ -58,4 +58,14 @@ public sealed class StanceSlipTests
         CourseReport report = new MotionCourse(CourseScripts.Random(profile, 12f, 2.5f), CourseGround.Flat, CourseRate.Of(480f)).Run(profile);
         Assert.True(report.JointSpeed < 60f, $"{seed}: {profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
     }
+
+    /// <summary>A leg whose hip ends before its foot is where it was to come down: the foot was dragged there for a third of its stance, by 5.1 % of a leg.</summary>
+    [Fact]
+    public void A_foot_that_comes_down_short_of_its_place_stands_where_its_leg_has_brought_it()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(9920021, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        MotionCourse course = MotionCourse.Of(profile).Single(course => course.Ground == CourseGround.Lift);
+        CourseReport report = course.Run(profile);
+        Assert.True(report.StanceSlip < 0.005f, $"a stance slips by {report.StanceSlip}");
+    }
 }

@@ -66,6 +66,15 @@ public sealed class StairFootingTests
         Assert.True(report.StanceSlip < 0.015f, $"{seed}: a stance slips by {report.StanceSlip}");
     }
 
+    /// <summary>A running biped whose foot came down far behind it: its hip came to its end between two decisions, and dragged the foot by 4.8 % of a leg.</summary>
+    [Fact]
+    public void A_foot_that_lies_far_behind_on_stairs_is_let_go_before_its_hip_ends()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(9920016, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 15f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.StanceSlip < 0.03f, $"a stance slips by {report.StanceSlip}");
+    }
+
     private static float Depth(CourseSimulation simulation, FootSkin skin, Matrix4x4[] matrices)
     {
         float depth = 0f;

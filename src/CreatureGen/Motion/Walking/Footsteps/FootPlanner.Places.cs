@@ -1,0 +1,45 @@
+using System;
+using CreatureGen.Motion.Toolkit.Steps;
+
+namespace CreatureGen.Motion.Walking.Footsteps;
+
+/// <content>Where feet are put without a step.</content>
+internal sealed partial class FootPlanner
+{
+    /// <summary>Sets all feet down at home.</summary>
+    public void PlaceAll(in StepContext step)
+    {
+        for (int i = 0; i < feet.Length; i++)
+        {
+            feet[i] = default;
+            ref Foot foot = ref feet[i];
+            foot.Leg = LegOutcome.AtRest(body.Legs[i]);
+            Target(i, step, body.Legs[i].Home, body.Legs[i].Home, 0f, step.Frame.Rotation);
+            foot.Plan.From = foot.Plan.To;
+            foot.Plan.Stance = 0.5f;
+        }
+    }
+
+    /// <summary>Sets all feet where they would be in their stride at the speed and place in the cycle.</summary>
+    public void PlaceInStride(in StepContext step)
+    {
+        float duty = step.Clock.Duty;
+        float cycle = 1f / step.Clock.Frequency;
+        for (int i = 0; i < feet.Length; i++)
+        {
+            float p = step.Clock.LegPhase(i);
+            feet[i] = default;
+            feet[i].Leg = LegOutcome.AtRest(body.Legs[i]);
+            Aim(i, step, ((0.5f * duty) - p) * cycle, 0f);
+            feet[i].Plan.From = feet[i].Plan.To;
+            feet[i].Plan.Stance = Math.Min(p / duty, 1f);
+            if (p >= duty)
+            {
+                feet[i].Plan.Phase = FootPhase.Swing;
+                feet[i].Plan.Swing = StepPhase.Swing(p, duty);
+                feet[i].Plan.Aimed = false;
+                Aim(i, step, (1f - p + (0.5f * duty)) * cycle, (1f - p) * cycle);
+            }
+        }
+    }
+}
