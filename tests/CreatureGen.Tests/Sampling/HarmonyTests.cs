@@ -39,6 +39,19 @@ public sealed class HarmonyTests
         Assert.NotEqual(0, rays);
     }
 
+    [Theory]
+    [InlineData(RequestedKind.Walking)]
+    [InlineData(RequestedKind.Flying)]
+    public void Only_insects_wear_heads_of_insects(RequestedKind kind)
+    {
+        for (ulong seed = 9971001; seed <= 9971100; seed++)
+        {
+            BodyBlend blend = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = kind, Strangeness = 1 }).Body.Blend;
+            bool insect = SpeciesCatalogue.Find(blend.First).Class == AnimalClass.Arthropod;
+            Assert.True(insect || SpeciesCatalogue.Find(blend.Face).Class != AnimalClass.Arthropod, FormattableString.Invariant($"{seed}: a {blend.First} with the face of a {blend.Face}"));
+        }
+    }
+
     [Fact]
     public void Only_rays_wear_heads_of_rays()
     {

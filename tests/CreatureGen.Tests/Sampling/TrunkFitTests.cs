@@ -3,8 +3,10 @@ using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Tails;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
+using CreatureGen.Maths;
 using CreatureGen.Sampling;
 using CreatureGen.Sampling.Shapes;
+using CreatureGen.Species;
 using Xunit;
 
 namespace CreatureGen.Tests.Sampling;
@@ -18,6 +20,12 @@ public sealed class TrunkFitTests
     private const double Slenderness = 3.3;
     private const double Tuck = 0.86;
 
+    /// <summary>Most that the neck of a mixed mammal is raised over its trunk in the water, degrees.</summary>
+    private const double RaisedNeckDegrees = 40;
+
+    /// <summary>Least length of a tail that rolls up, in radii of its root: what posture and lattice leave of the rule's 9.</summary>
+    private const double LeastRolled = 7;
+
     /// <summary>Longest tail that is carried up, in trunks: what the lattice leaves of the rule's 0.75.</summary>
     private const double Carried = 0.85;
 
@@ -30,6 +38,23 @@ public sealed class TrunkFitTests
             BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
             double hips = Size(shape, StationRing.Pelvis) / Size(shape, StationRing.Belly);
             Assert.True(creature.Body.Disc.Sweep != 0 || hips <= Hips, FormattableString.Invariant($"{seed}: hips of {hips:0.00} bellies"));
+        }
+    }
+
+    [Theory]
+    [InlineData(0.6)]
+    [InlineData(1)]
+    public void Mixed_mammals_lay_their_necks_down_in_the_water(double strangeness)
+    {
+        for (ulong seed = 9971001; seed <= 9971060; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming, Strangeness = strangeness });
+            if (SpeciesCatalogue.Find(creature.Body.Blend.First).Class == AnimalClass.Mammal)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double raised = Scalar.Degrees(shape.Pitch[StationRing.NeckMiddle] - shape.Pitch[BodyGrid.AnchorRing]);
+                Assert.True(raised <= RaisedNeckDegrees, FormattableString.Invariant($"{seed}: a neck raised by {raised:0}° makes a corner of the withers"));
+            }
         }
     }
 
@@ -54,7 +79,7 @@ public sealed class TrunkFitTests
     }
 
     [Fact]
-    public void No_tail_that_is_carried_up_is_a_rod_over_the_back()
+    public void No_tail_that_is_carried_up_is_a_rod_over_the_back_or_a_knot()
     {
         for (ulong seed = 9971001; seed <= 9971100; seed++)
         {
@@ -64,6 +89,8 @@ public sealed class TrunkFitTests
                 BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
                 double length = (shape.Arc[BodyGrid.Rings - 1] - shape.Arc[StationRing.TorsoLast]) / (shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst]);
                 Assert.True(length <= Carried, FormattableString.Invariant($"{seed}: a tail of {length:0.00} trunks"));
+                double radii = (shape.Arc[BodyGrid.Rings - 1] - shape.Arc[StationRing.TorsoLast]) / Size(shape, StationRing.TailStem);
+                Assert.True(radii >= LeastRolled, FormattableString.Invariant($"{seed}: a tail of {radii:0.0} radii is a knot"));
             }
         }
     }

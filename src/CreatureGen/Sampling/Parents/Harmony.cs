@@ -1,7 +1,6 @@
 using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
-using CreatureGen.Seeding;
 using CreatureGen.Species;
 
 namespace CreatureGen.Sampling.Parents;
@@ -9,25 +8,20 @@ namespace CreatureGen.Sampling.Parents;
 /// <summary>Withdraws what would look stuck on or could not be carried, one part at a time; all else stays as it was drawn.</summary>
 internal static class Harmony
 {
-    /// <summary>How often a head of an insect stays on another body.</summary>
-    private const double InsectHeads = 1 / 8.0;
-
     /// <summary>The parents after the rules.</summary>
     /// <param name="parents">The parents as drawn.</param>
     /// <param name="mover">The parent whose own limbs carry the creature.</param>
     /// <param name="kind">How it moves.</param>
-    /// <param name="random">Decides what may be either way.</param>
-    public static Parentage Settle(Parentage parents, SpeciesProfile mover, LocomotionKind kind, RandomStream random)
+    public static Parentage Settle(Parentage parents, SpeciesProfile mover, LocomotionKind kind)
     {
         SpeciesProfile first = parents.First;
-        bool insectHead = random.Chance(InsectHeads);
         if (!CanLend(parents.Legs, first, kind) || (parents.Legs.Class == AnimalClass.Arthropod) != (first.Class == AnimalClass.Arthropod))
         {
             parents = parents with { Legs = mover };
         }
 
-        // Feelers across the frame, or a head that floats before the neck.
-        if (parents.Head.Class == AnimalClass.Arthropod && first.Class != AnimalClass.Arthropod && (kind == LocomotionKind.Swimming || !insectHead))
+        // Feelers and palps would stand in the place of a face.
+        if (parents.Head.Class == AnimalClass.Arthropod && first.Class != AnimalClass.Arthropod)
         {
             parents = parents with { Head = first };
         }

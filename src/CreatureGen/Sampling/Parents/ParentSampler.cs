@@ -98,7 +98,7 @@ internal static class ParentSampler
             parents = parents with { Legs = own };
         }
 
-        parents = Harmony.Settle(parents, own, kind, root.Child("harmony").Stream());
+        parents = Harmony.Settle(parents, own, kind);
         parents = distance < t * t * t ? Estranged(parents) : parents;
         parents = kind == LocomotionKind.Swimming ? parents with { Paddles = PaddlesOf(parents, root.Child("paddles").Stream(), t) } : parents;
         return parents with { Ears = EarsOf(parents, root.Child("foreign ears").Stream(), t) };

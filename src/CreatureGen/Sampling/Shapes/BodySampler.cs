@@ -23,6 +23,9 @@ internal static class BodySampler
     /// <summary>Largest head of another class on an insect: on its thin legs a larger one hides the rest from the front.</summary>
     private const double LargestOnInsect = 0.9;
 
+    /// <summary>Degrees by which the raised neck of a mixed mammal is laid down in the water: its withers would be a corner of the back.</summary>
+    private const double LaidNeck = 14;
+
     /// <summary>Fills in all of the creature that does not depend on how the creature stands.</summary>
     public static void Sample(CreatureBuilder builder)
     {
@@ -270,7 +273,7 @@ internal static class BodySampler
             tail /= 5;
             neckBend = 0;
             tailBend = 0;
-            neck -= builder.Species.SwimmingNeckDrop;
+            neck -= builder.Species.SwimmingNeckDrop + (builder.Species.Class == AnimalClass.Mammal ? LaidNeck * builder.Fitting : 0);
             head = builder.Species.SwimmingHead ?? head;
         }
 

@@ -19,6 +19,10 @@ internal static class TailFit
     private const double Carried = 0.75;
     private const double Trailing = 1.5;
 
+    /// <summary>Least length of a tail that rolls up, in radii of its root: a shorter one is a knot. It gives way in girth by <see cref="Slimmed"/> of what lacks, the rest in length.</summary>
+    private const double LeastRolled = 9;
+    private const double Slimmed = 0.6;
+
     // Least fall of a fan of feathers behind the rump, and rise from which on a fan is carried up as a cock's is.
     private const double FallDegrees = 18;
     private const double RaisedDegrees = 30;
@@ -57,11 +61,12 @@ internal static class TailFit
         double strange = builder.Fitting;
         double trunk = shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst];
         double length = (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / trunk;
-        double longest = TailTaper.Of(builder.Tail.Style) is { Curl: not 0 } ? Carried : Trailing;
+        bool rolls = TailTaper.Of(builder.Tail.Style) is { Curl: not 0 };
+        double stubby = rolls ? Math.Max(1, LeastRolled * Largest(shape, FirstOfTail, FirstOfTail) / (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast])) : 1;
         return drawn with
         {
-            Tail = drawn.Tail * PortableMath.Pow(Math.Max(1, length / longest), -strange),
-            TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess, -strange)),
+            Tail = drawn.Tail * PortableMath.Pow(PortableMath.Pow(stubby, 1 - Slimmed) / Math.Max(1, length / (rolls ? Carried : Trailing)), strange),
+            TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess * PortableMath.Pow(stubby, Slimmed), -strange)),
         };
     }
 
