@@ -51,6 +51,24 @@ internal static class SimdKernels
         return ((Next(a) * Last(b)) - (Last(a) * Next(b))).AsVector3();
     }
 
+    /// <summary>The smaller of each component; the second where neither is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Min(Vector3 first, Vector3 second)
+    {
+        Vector128<float> a = first.AsVector128Unsafe();
+        Vector128<float> b = second.AsVector128Unsafe();
+        return Vector128.ConditionalSelect(Vector128.LessThan(a, b), a, b).AsVector3();
+    }
+
+    /// <summary>The larger of each component; the second where neither is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Max(Vector3 first, Vector3 second)
+    {
+        Vector128<float> a = first.AsVector128Unsafe();
+        Vector128<float> b = second.AsVector128Unsafe();
+        return Vector128.ConditionalSelect(Vector128.LessThan(b, a), a, b).AsVector3();
+    }
+
     /// <summary>All components of a quaternion times a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Scale(Quaternion q, float factor) => (q.AsVector128() * factor).AsQuaternion();
@@ -115,6 +133,14 @@ internal static class SimdKernels
     /// <summary>Right-handed vector product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Cross(Vector3 a, Vector3 b) => new((a.Y * b.Z) - (a.Z * b.Y), (a.Z * b.X) - (a.X * b.Z), (a.X * b.Y) - (a.Y * b.X));
+
+    /// <summary>The smaller of each component; the second where neither is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Min(Vector3 a, Vector3 b) => new(a.X < b.X ? a.X : b.X, a.Y < b.Y ? a.Y : b.Y, a.Z < b.Z ? a.Z : b.Z);
+
+    /// <summary>The larger of each component; the second where neither is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3 Max(Vector3 a, Vector3 b) => new(a.X > b.X ? a.X : b.X, a.Y > b.Y ? a.Y : b.Y, a.Z > b.Z ? a.Z : b.Z);
 
     /// <summary>All components of a quaternion times a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -80,8 +80,8 @@ internal static class Vec
     }
 
     /// <summary>The smaller of each component.</summary>
-    public static Vector3 Min(Vector3 a, Vector3 b) => new(a.X < b.X ? a.X : b.X, a.Y < b.Y ? a.Y : b.Y, a.Z < b.Z ? a.Z : b.Z);
+    public static Vector3 Min(Vector3 a, Vector3 b) => SimdKernels.Min(a, b);
 
     /// <summary>The larger of each component.</summary>
-    public static Vector3 Max(Vector3 a, Vector3 b) => new(a.X > b.X ? a.X : b.X, a.Y > b.Y ? a.Y : b.Y, a.Z > b.Z ? a.Z : b.Z);
+    public static Vector3 Max(Vector3 a, Vector3 b) => SimdKernels.Max(a, b);
 }

@@ -44,6 +44,20 @@ public sealed class SimdKernelsTests
         Assert.Equal(new Quaternion(0f, 0f, 1f, 0f), SimdKernels.Multiply(new Quaternion(1f, 0f, 0f, 0f), new Quaternion(0f, 1f, 0f, 0f)));
     }
 
+    [Fact]
+    public void The_smaller_and_the_larger_are_those_of_comparisons_and_the_second_where_none_is()
+    {
+        float[] numbers = { 0f, -0f, 1f, -1f, 2.5f, float.MaxValue, float.MinValue, float.PositiveInfinity, float.NaN };
+        foreach (float a in numbers)
+        {
+            foreach (float b in numbers)
+            {
+                Same(new Vector3(a < b ? a : b, b < a ? b : a, b), SimdKernels.Min(new Vector3(a, b, b), new Vector3(b, a, b)));
+                Same(new Vector3(a > b ? a : b, b > a ? b : a, b), SimdKernels.Max(new Vector3(a, b, b), new Vector3(b, a, b)));
+            }
+        }
+    }
+
     private static Quaternion Drawn(RandomStream stream) => new(Number(stream), Number(stream), Number(stream), Number(stream));
 
     private static float Number(RandomStream stream) => (float)stream.Uniform(-1, 1);
