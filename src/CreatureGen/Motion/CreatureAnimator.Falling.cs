@@ -14,7 +14,7 @@ public sealed partial class CreatureAnimator
     /// <summary>Lets it go limp with the next update, at the velocities that it has: it falls as a ragdoll and lies in the pose in which it comes to rest until <see cref="GetUp"/>. Nothing happens to what lies already.</summary>
     public void GoLimp() => Mode?.GoLimp();
 
-    /// <summary>Has it get up as soon as it lies still: by phases, with its feet planted, and nothing of it in the ground. <see cref="State"/> is <see cref="BodyState.Supported"/> again when it stands.</summary>
+    /// <summary>Has it get up as soon as it lies still: by phases, with nothing of it in the ground, feet coming to where they stand. The first time for a <see cref="MotionProfile"/> finds out how the creature lies, which takes some ten milliseconds. <see cref="State"/> is <see cref="BodyState.Supported"/> again when it stands.</summary>
     /// <returns>Whether it lies; what stands has nothing to get up from.</returns>
     public bool GetUp() => Mode?.GetUp() ?? false;
 

@@ -71,7 +71,7 @@ public sealed class MotionProfile
         }
 
         Float = Legs == null || Swim != null ? null : FloatProfile.Of(Legs);
-        Fall = new Lazy<FallProfile>(() => FallProfile.Of(subject, Legs, Gaits), LazyThreadSafetyMode.ExecutionAndPublication);
+        Fall = new Lazy<FallProfile>(() => FallProfile.Of(subject, Legs, Gaits, FindLying), LazyThreadSafetyMode.ExecutionAndPublication);
         Distant = new Lazy<DistantBody?>(() => DistantRecorder.Of(this), LazyThreadSafetyMode.ExecutionAndPublication);
         Gaze = subject.Skeleton.FirstOf(JointRole.Head) >= 0 ? GazeRig.Of(subject.Skeleton) : null;
         acts = new Lazy<CreatureActs>(RehearseActs);
@@ -134,6 +134,12 @@ public sealed class MotionProfile
             : Swim != null ? new SwimmingMode(Swim)
             : Slither != null ? new SlitheringMode(Slither)
             : legs;
+    }
+
+    private LyingManner? FindLying()
+    {
+        ActAbility lie = Acts.RehearseNamed("Lie");
+        return lie.IsPossible ? new LyingManner(lie.Act, lie.Parts, ActTempo.Of(lie.Act, Acts.Body), Acts.Body, Acts.Room) : null;
     }
 
     private CreatureActs RehearseActs()

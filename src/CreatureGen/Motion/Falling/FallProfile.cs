@@ -47,7 +47,9 @@ internal sealed class FallProfile
     private static readonly TimeWindow limbs = new(0f, 0.5f);
     private static readonly TimeWindow rest = new(0.1f, 0.9f);
 
-    private FallProfile(MotionSubject subject, LeggedBody? legs, GaitSet? gaits)
+    private readonly Lazy<LyingManner?> lying;
+
+    private FallProfile(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<LyingManner?> lies)
     {
         Skeleton = subject.Skeleton;
         Ragdoll = new RagdollRig(subject.Skeleton, subject.Bones);
@@ -58,6 +60,7 @@ internal sealed class FallProfile
         Neck = JointsOf(subject.Skeleton, JointRole.Neck, JointRole.Head);
         Tail = JointsOf(subject.Skeleton, JointRole.Tail, JointRole.Tail);
         Limbs = LyingLimb.Of(legs);
+        lying = new Lazy<LyingManner?>(() => legs == null || Array.Exists(legs.Legs, leg => leg.Lateral) ? null : lies());
         Inertias = HangingInertia.Of(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
         Body = Math.Max(subject.Skeleton.FirstOf(JointRole.Body), 0);
@@ -97,8 +100,11 @@ internal sealed class FallProfile
     /// <summary>Joints of the tail.</summary>
     public int[] Tail { get; }
 
-    /// <summary>Legs out to the side.</summary>
+    /// <summary>Its legs.</summary>
     public LyingLimb[] Limbs { get; }
+
+    /// <summary>How it lies on its belly; null for what has no legs, or any out to the side, and where it cannot. Worked out when it is first asked for, which takes some ten milliseconds.</summary>
+    public LyingManner? Lying => lying.Value;
 
     /// <summary>Length by which its times go, metres: of its legs, or part of its size.</summary>
     public float Height { get; }
@@ -126,7 +132,11 @@ internal sealed class FallProfile
     }
 
     /// <summary>Works it out.</summary>
-    public static FallProfile Of(MotionSubject subject, LeggedBody? legs, GaitSet? gaits) => new(subject, legs, gaits);
+    /// <param name="subject">Whose.</param>
+    /// <param name="legs">The body as its walk sees it; null without legs.</param>
+    /// <param name="gaits">How it goes; null without legs.</param>
+    /// <param name="lies">Finds how it lies on its belly; null where it cannot.</param>
+    public static FallProfile Of(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<LyingManner?> lies) => new(subject, legs, gaits, lies);
 
     private static int[] JointsOf(Skeleton skeleton, JointRole role, JointRole last)
     {

@@ -131,6 +131,12 @@ internal sealed partial class FallingMode : ILocomotionMode
     public bool GetUp()
     {
         getsUp = State == BodyState.Limp || goesLimp;
+        if (getsUp)
+        {
+            // Here and not in an update, for finding out how a creature lies takes a while.
+            _ = Up;
+        }
+
         return getsUp;
     }
 

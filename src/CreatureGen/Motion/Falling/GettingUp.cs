@@ -9,14 +9,13 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Motion.Falling;
 
 /// <summary>
-/// Gets up by phases: the head rises first, legs are gathered, those out to the side over the ground, the body rolls onto its belly by the shorter side, its trunk on the ground; then it rises from its crouch with its feet planted.
+/// Gets up by phases: the head rises first, legs are gathered, those out to the side over the ground, those under the body drawn in along it, the body rolls onto its belly by the shorter side, its trunk on the ground but for what its legs heave it up; then it rises onto its feet.
 /// What has no legs rights itself only.
 /// </summary>
 internal sealed class GettingUp
 {
-    /// <summary>Seconds of the two parts, τ = √(ℓ/g).</summary>
+    /// <summary>Time of the gathering, τ = √(ℓ/g).</summary>
     private const float GatherTime = 5f;
-    private const float RiseTime = 4.5f;
 
     /// <summary>Parts of the gathering: what of its skin is in the ground is out of it at the first, its trunk has come down onto the ground at the second and begins to be as high as it will stand at the third.</summary>
     private const float Cleared = 0.12f;
@@ -28,27 +27,33 @@ internal sealed class GettingUp
 
     private readonly FallProfile profile;
     private readonly ILocomotionMode inner;
-    private readonly WalkingMode? legs;
+    private readonly IRise? rising;
+    private readonly LyingLimb[] lateral;
+    private readonly LyingLimb[] drawn;
+    private readonly Vector3[] ankles;
     private readonly PoseBuffer from;
     private readonly LocalPose to;
     private readonly PoseBuffer shown;
     private readonly LocalPose folded;
+    private readonly Heave heave = new();
     private BodyTurn fromTurn;
     private BodyTurn toTurn;
     private float gather;
     private float rise;
     private float elapsed;
     private float gap;
-    private float crouch;
 
     public GettingUp(FallProfile profile, ILocomotionMode inner, WalkingMode? legs)
     {
         this.profile = profile;
         this.inner = inner;
-        this.legs = legs;
+        rising = legs == null ? null : profile.Lying is LyingManner lying ? new BellyRise(profile, lying, legs) : new CrouchRise(profile, legs);
+        lateral = Array.FindAll(profile.Limbs, limb => limb.Lateral);
+        drawn = Array.FindAll(profile.Limbs, limb => !limb.Lateral);
         from = new PoseBuffer(profile.Skeleton);
         to = new LocalPose(profile.Skeleton);
         shown = new PoseBuffer(profile.Skeleton);
+        ankles = new Vector3[profile.Skeleton.Count];
         folded = new LocalPose(profile.Skeleton);
     }
 
@@ -65,28 +70,26 @@ internal sealed class GettingUp
         folded.Take(from.Local);
         to.SetToRest();
         inner.Stand(place, settings, ground, layer, to.Pose);
-        bool crouches = legs != null && inner.IsOnFeet;
-        if (crouches)
+        bool rises = rising != null && inner.IsOnFeet;
+        if (rises)
         {
-            legs!.Bow = 0f;
-            Crouch(profile.CrouchDepth, place, settings, layer);
-            shown.Take(to.Pose);
-            shown.Finish();
-            float sunk = -profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _);
-            if (sunk > 0f)
-            {
-                // What hangs lower than its belly, as long folded wings do, keeps it up.
-                Crouch(Math.Max(crouch - sunk, 0f), place, settings, layer);
-            }
+            rising!.Begin(place, settings, ground, layer, to.Pose);
         }
 
+        shown.Take(to.Pose);
+        shown.Finish();
+        shown.Model.Positions.CopyTo(ankles);
         fromTurn = BodyTurn.Of(profile, from.Local);
         toTurn = BodyTurn.Of(profile, to.Pose);
         gap = profile.Support.Lowest(place, from.Model, settings.Up, ground);
-        float tau = (float)Math.Sqrt(profile.Height * place.Scale / settings.Gravity) * profile.Manner.Tempo;
-        gather = GatherTime * tau;
-        rise = crouches ? RiseTime * tau : 0f;
+        float tau = (float)Math.Sqrt(profile.Height * place.Scale / settings.Gravity);
+        gather = GatherTime * tau * profile.Manner.Tempo;
+        rise = rises ? rising!.Seconds(tau) : 0f;
         elapsed = 0f;
+        if (drawn.Length > 0)
+        {
+            Foresee(place, settings, ground);
+        }
     }
 
     /// <summary>Goes on.</summary>
@@ -102,7 +105,15 @@ internal sealed class GettingUp
         elapsed += dt;
         if (elapsed < gather)
         {
-            Gather(elapsed / gather, dt, place, settings, ground, local);
+            float part = elapsed / gather;
+            Gather(part, dt, drawn.Length > 0 ? heave.At(part) : 0f, place, settings, ground);
+            if (!profile.Swims)
+            {
+                GroundClearance.Clear(profile, shown, place, DepthAt(part), settings.Up, ground);
+            }
+
+            shown.Local.Rotations.CopyTo(local.Rotations);
+            shown.Local.Positions.CopyTo(local.Positions);
             return false;
         }
 
@@ -111,10 +122,7 @@ internal sealed class GettingUp
         to.Pose.Positions.CopyTo(local.Positions);
         if (rise > 0f)
         {
-            (float fore, float hind) = profile.Manner.At(Math.Min(u, 1f));
-            legs!.Sink = hind * crouch;
-            legs.Bow = (fore - hind) * crouch;
-            legs.Hold(place, dt, settings, layer, local);
+            rising!.Show(Math.Min(u, 1f), place, dt, settings, layer, local);
             shown.Take(local);
             shown.Finish();
             GroundClearance.BendUp(profile, shown, place, settings.Up, ground);
@@ -130,19 +138,37 @@ internal sealed class GettingUp
         from.Take(other.from.Local);
         to.Take(other.to.Pose);
         folded.Take(other.folded.Pose);
-        (fromTurn, toTurn, gather, rise, elapsed, gap, crouch) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap, other.crouch);
+        (fromTurn, toTurn, gather, rise, elapsed, gap) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap);
+        rising?.CopyFrom(other.rising!);
+        heave.CopyFrom(other.heave);
+        other.ankles.CopyTo(ankles, 0);
     }
 
-    /// <summary>Stands in a crouch so deep, metres of the model.</summary>
-    private void Crouch(float depth, in RootPlace place, in MotionSettings settings, BodyLayer? layer)
+    /// <summary>Finds how high the body has to heave itself as it draws its legs in.</summary>
+    private void Foresee(in RootPlace place, in MotionSettings settings, IGround ground)
     {
-        crouch = depth;
-        legs!.Sink = depth;
-        legs.Hold(place, 0f, settings, layer, to.Pose);
+        for (int i = 0; i <= Heave.Parts; i++)
+        {
+            float u = (float)i / Heave.Parts;
+            Gather(u, gather / Heave.Parts, 0f, place, settings, ground);
+            heave.Ask(i, DepthAt(u) - profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _));
+        }
+
+        heave.Finish();
+        folded.Take(from.Local);
     }
+
+    /// <summary>How far below the ground skin may be: less and less of what was in it, metres of the model, not positive.</summary>
+    private float DepthAt(float u) => Math.Min(gap, 0f) * (1f - Scalar.Smooth(u / Cleared));
 
     /// <summary>Rolls onto the belly and gathers the legs.</summary>
-    private void Gather(float u, float dt, in RootPlace place, in MotionSettings settings, IGround ground, in Pose local)
+    /// <param name="u">Part of the time, 0..1.</param>
+    /// <param name="dt">Seconds since the last.</param>
+    /// <param name="height">How high its trunk is above the ground on which it would lie, metres of the model.</param>
+    /// <param name="place">Where it will stand.</param>
+    /// <param name="settings">Up and gravity.</param>
+    /// <param name="ground">What it lies on.</param>
+    private void Gather(float u, float dt, float height, in RootPlace place, in MotionSettings settings, IGround ground)
     {
         for (int j = 0; j < profile.Skeleton.Count; j++)
         {
@@ -156,17 +182,24 @@ internal sealed class GettingUp
         BodyTurn.Between(fromTurn, toTurn, u).Set(profile, shown.Local);
         shown.Local.Positions[body] = Vec.Lerp(from.Local.Positions[body], to.Pose.Positions[body], Scalar.Smooth(u));
         shown.Finish();
-        if (!profile.Swims)
+        if (profile.Swims)
         {
-            // Its trunk lies on the ground while its legs are gathered.
-            float depth = Math.Min(gap, 0f) * (1f - Scalar.Smooth(u / Cleared));
-            float raised = Scalar.Smooth((u - Raised) / (1f - Raised));
-            GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u / Settled) * (1f - raised), settings.Up, ground);
-            LimbFold.Up(profile, shown, folded.Pose, FastestLimb * GatherTime * dt / gather, raised, place, depth, settings.Up, ground);
-            GroundClearance.Clear(profile, shown, place, depth, settings.Up, ground);
+            return;
         }
 
-        shown.Local.Rotations.CopyTo(local.Rotations);
-        shown.Local.Positions.CopyTo(local.Positions);
+        // Its trunk lies on the ground while its legs are gathered.
+        float depth = DepthAt(u);
+        float raised = Scalar.Smooth((u - Raised) / (1f - Raised));
+        GroundClearance.Settle(profile, shown, place, depth, Scalar.Smooth(u / Settled) * (1f - raised), settings.Up, ground);
+        profile.Raise(shown.Local, height);
+        shown.Finish();
+        foreach (LyingLimb limb in drawn)
+        {
+            int ankle = limb.Joints[2];
+            LimbDraw.Apply(profile.Skeleton, limb, from.Model.Positions[ankle], ankles[ankle], Scalar.Smooth(u), shown);
+            LimbFold.Yield(profile, limb, shown, place, depth, settings.Up, ground);
+        }
+
+        LimbFold.Up(profile, lateral, shown, folded.Pose, FastestLimb * GatherTime * dt / gather, raised, place, depth, settings.Up, ground);
     }
 }

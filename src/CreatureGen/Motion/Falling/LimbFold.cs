@@ -9,8 +9,6 @@ namespace CreatureGen.Motion.Falling;
 /// <summary>Takes legs out to the side over the ground to where they belong: turned straight there they would go through it and lift the body. The joints of each turn by as much as each of them raises its lowest point (damped least squares), so that nothing turns over where that point is right below a joint; it goes on from how it was folded before, so that it does not go to and fro between two ways around.</summary>
 internal static class LimbFold
 {
-    private const int Rounds = 12;
-
     /// <summary>Radians by which a joint turns in a round at most.</summary>
     private const float MaxTurn = 0.25f;
 
@@ -22,6 +20,7 @@ internal static class LimbFold
 
     /// <summary>Folds all of them.</summary>
     /// <param name="profile">Whose.</param>
+    /// <param name="limbs">Which.</param>
     /// <param name="pose">Its local pose, in which limbs are where they belong, is changed, that in model space brought up to date.</param>
     /// <param name="folded">How they were folded before, in the parents' space; receives how they are now.</param>
     /// <param name="step">How far a joint turns from there towards where it belongs at most, radians.</param>
@@ -30,10 +29,10 @@ internal static class LimbFold
     /// <param name="depth">How far below the ground a limb may be, metres of the model, not positive.</param>
     /// <param name="up">Unit, world space.</param>
     /// <param name="ground">What it lies on.</param>
-    public static void Up(FallProfile profile, PoseBuffer pose, in Pose folded, float step, float home, in RootPlace place, float depth, Vector3 up, IGround ground)
+    public static void Up(FallProfile profile, LyingLimb[] limbs, PoseBuffer pose, in Pose folded, float step, float home, in RootPlace place, float depth, Vector3 up, IGround ground)
     {
         Span<Quaternion> belongs = stackalloc Quaternion[LyingLimb.JointCount];
-        foreach (ref readonly LyingLimb limb in profile.Limbs.AsSpan())
+        foreach (LyingLimb limb in limbs)
         {
             int[] joints = limb.Joints;
             for (int i = 0; i < joints.Length; i++)
@@ -42,7 +41,7 @@ internal static class LimbFold
             }
 
             Follow(profile, limb, pose, folded, step);
-            Fold(profile, limb, pose, place, depth, up, ground);
+            Yield(profile, limb, pose, place, depth, up, ground);
             Follow(profile, limb, pose, folded, Haste * step);
             for (int i = 0; i < joints.Length; i++)
             {
@@ -56,7 +55,7 @@ internal static class LimbFold
     }
 
     /// <summary>Lets the joints of a limb turn so far at most.</summary>
-    private static void Follow(FallProfile profile, in LyingLimb limb, PoseBuffer pose, in Pose folded, float step)
+    private static void Follow(FallProfile profile, LyingLimb limb, PoseBuffer pose, in Pose folded, float step)
     {
         foreach (int joint in limb.Joints)
         {
@@ -66,11 +65,19 @@ internal static class LimbFold
         Subtree.LocalToModel(profile.Skeleton, limb.Joints[0], pose.Local, pose.Model);
     }
 
-    private static void Fold(FallProfile profile, in LyingLimb limb, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
+    /// <summary>Turns the joints of a limb until it is out of the ground, or as far as that goes.</summary>
+    /// <param name="profile">Whose.</param>
+    /// <param name="limb">Which.</param>
+    /// <param name="pose">Its local pose is changed, that in model space brought up to date.</param>
+    /// <param name="place">Where the creature is.</param>
+    /// <param name="depth">How far below the ground the limb may be, metres of the model, not positive.</param>
+    /// <param name="up">Unit, world space.</param>
+    /// <param name="ground">What it lies on.</param>
+    public static void Yield(FallProfile profile, LyingLimb limb, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
     {
         int hip = limb.Joints[0];
         float damping = Damped * limb.Length * (Damped * limb.Length);
-        for (int round = 0; round < Rounds; round++)
+        for (int round = 0; round < limb.Yield.Rounds; round++)
         {
             float sunk = depth - profile.Support.LowestOfLimb(hip, place, pose.Model, up, ground, out Vector3 point);
             if (!(sunk > 1e-4f * limb.Length))
@@ -79,16 +86,17 @@ internal static class LimbFold
             }
 
             float levers = damping;
-            foreach (int joint in limb.Joints)
+            for (int i = 0; i < limb.Joints.Length; i++)
             {
-                levers += Vec.LengthSquared(Axis(point, pose.Model.Positions[joint]));
+                levers += limb.Yield.Of(i) * Vec.LengthSquared(Axis(point, pose.Model.Positions[limb.Joints[i]]));
             }
 
-            foreach (int joint in limb.Joints)
+            for (int i = 0; i < limb.Joints.Length; i++)
             {
-                Vector3 turn = Axis(point, pose.Model.Positions[joint]) * (sunk / levers);
+                int joint = limb.Joints[i];
+                Vector3 turn = Axis(point, pose.Model.Positions[joint]) * (limb.Yield.Of(i) * sunk / levers);
                 float angle = Vec.Length(turn);
-                GroundClearance.Turn(profile.Skeleton, joint, Rotation.FromAxisAngle(Vec.Normalize(turn, Vector3.UnitX), Math.Min(angle, MaxTurn)), pose);
+                GroundClearance.Turn(profile.Skeleton, joint, Rotation.FromAxisAngle(Vec.Normalize(turn, Vector3.UnitX), Math.Min(limb.Yield.Part * angle, MaxTurn)), pose);
             }
 
             Subtree.LocalToModel(profile.Skeleton, hip, pose.Local, pose.Model);

@@ -56,6 +56,34 @@ internal sealed class BodyLayer
         Array.Clear(Feet, 0, Feet.Length);
     }
 
+    /// <summary>Asks for what another asks as well, but where feet are to be instead of their places.</summary>
+    /// <param name="other">Of as many feet; null asks nothing.</param>
+    public void Add(BodyLayer? other)
+    {
+        if (other == null)
+        {
+            return;
+        }
+
+        Way += other.Way;
+        Yaw += other.Yaw;
+        Pitch += other.Pitch;
+        Roll += other.Roll;
+        ForeDown += other.ForeDown;
+        HindDown += other.HindDown;
+        BackPitch += other.BackPitch;
+        BackSide += other.BackSide;
+        BackTwist += other.BackTwist;
+        Wings += other.Wings;
+        Still = Math.Max(Still, other.Still);
+        for (int i = 0; i < Feet.Length; i++)
+        {
+            Feet[i].Way += other.Feet[i].Way;
+            Feet[i].Pitch += other.Feet[i].Pitch;
+            Feet[i].Loose = Math.Max(Feet[i].Loose, other.Feet[i].Loose);
+        }
+    }
+
     /// <summary>Takes over what another of as many feet asks.</summary>
     public void CopyFrom(BodyLayer other)
     {

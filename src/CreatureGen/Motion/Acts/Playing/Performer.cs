@@ -132,6 +132,7 @@ internal sealed class Performer
         player.CopyFrom(other.player);
         layer.CopyFrom(other.layer);
         other.values.CopyTo(values, 0);
+        other.armWays.CopyTo(armWays, 0);
         mood.CopyFrom(other.mood);
         aim = other.aim;
         lastAim = other.lastAim;

@@ -1,0 +1,95 @@
+using System;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Acts.Bodies;
+using CreatureGen.Motion.Acts.Playing;
+using CreatureGen.Motion.Modes;
+using CreatureGen.Motion.Walking;
+using CreatureGen.Rigging;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>Rises from the belly, its legs folded under it, by the last phases of the act of lying down: feet come to where they stand as the trunk is raised over them, hind first or fore first.</summary>
+internal sealed class BellyRise : IRise
+{
+    private readonly FallProfile profile;
+    private readonly LyingManner manner;
+    private readonly WalkingMode legs;
+    private readonly Performer performer;
+    private readonly BodyLayer asked;
+    private readonly PoseBuffer shown;
+    private readonly float[] values = new float[Act.ChannelCount];
+    private readonly int first;
+    private readonly float[] ends;
+    private float lift;
+
+    public BellyRise(FallProfile profile, LyingManner manner, WalkingMode legs)
+    {
+        this.profile = profile;
+        this.manner = manner;
+        this.legs = legs;
+        performer = new Performer(manner.Body, manner.Room);
+        asked = new BodyLayer(legs.FootCount);
+        shown = new PoseBuffer(profile.Skeleton);
+        ReadOnlySpan<ActPhase> phases = manner.Act.AllPhases;
+        while (!phases[first].Lasts)
+        {
+            first++;
+        }
+
+        // Times of an act are those of a leg length and a gravity of one, to begin with.
+        first++;
+        ends = new float[phases.Length - first];
+        float sum = 0f;
+        for (int i = 0; i < ends.Length; i++)
+        {
+            ends[i] = sum += phases[first + i].Duration;
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Begin(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    {
+        performer.Forget();
+        lift = 0f;
+        Show(0f, place, 0f, settings, layer, local);
+        shown.Take(local);
+        shown.Finish();
+        lift = Math.Max(0f, -profile.Support.Lowest(BodyPart.Trunk | BodyPart.Limb, place, shown.Model, settings.Up, ground, out _));
+        profile.Raise(local, lift);
+    }
+
+    /// <inheritdoc/>
+    public float Seconds(float tau) => ends[^1] * tau * manner.Tempo;
+
+    /// <inheritdoc/>
+    public void Show(float u, in RootPlace place, float dt, in MotionSettings settings, BodyLayer? layer, in Pose local)
+    {
+        float at = u * ends[^1];
+        int phase = 0;
+        while (phase + 1 < ends.Length && at > ends[phase])
+        {
+            phase++;
+        }
+
+        float begin = phase == 0 ? 0f : ends[phase - 1];
+        ActCurve.Write(manner.Act, first + phase, (at - begin) / (ends[phase] - begin), manner.Gain, values);
+        performer.Show(values, default, place);
+        asked.CopyFrom(performer.Trunk!);
+        asked.Still = 0f;
+        asked.Add(layer);
+        legs.Hold(place, dt, settings, asked, local);
+        shown.Take(local);
+        performer.Pose(place, true, ActGround.Under(legs.Feet, place), shown.Local, shown.Model);
+        shown.Local.Rotations.CopyTo(local.Rotations);
+        shown.Local.Positions.CopyTo(local.Positions);
+        profile.Raise(local, lift * (1f - Scalar.Smooth(u)));
+    }
+
+    /// <inheritdoc/>
+    public void CopyFrom(IRise other)
+    {
+        var rise = (BellyRise)other;
+        performer.CopyFrom(rise.performer);
+        lift = rise.lift;
+    }
+}
