@@ -57,8 +57,9 @@ internal sealed class FallProfile
         Mass = Math.Max(subject.Mass.Mass, 1e-4f);
         Swims = subject.Kind == LocomotionKind.Swimming;
         Windows = WindowsOf(subject.Skeleton);
-        Neck = JointsOf(subject.Skeleton, JointRole.Neck, JointRole.Head);
-        Tail = JointsOf(subject.Skeleton, JointRole.Tail, JointRole.Tail);
+        Neck = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head);
+        Tail = JointsOf(subject.Skeleton, role => role == JointRole.Tail);
+        Overlaid = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Lid or JointRole.Ear or JointRole.Antenna or JointRole.Tail);
         Limbs = LyingLimb.Of(legs);
         lying = new Lazy<LyingManner?>(() => legs == null || Array.Exists(legs.Legs, leg => leg.Lateral) ? null : lies());
         Inertias = HangingInertia.Of(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
@@ -100,6 +101,9 @@ internal sealed class FallProfile
     /// <summary>Joints of the tail.</summary>
     public int[] Tail { get; }
 
+    /// <summary>Joints that gaze, acts and springs turn after its way of moving has posed them.</summary>
+    public int[] Overlaid { get; }
+
     /// <summary>Its legs.</summary>
     public LyingLimb[] Limbs { get; }
 
@@ -138,12 +142,12 @@ internal sealed class FallProfile
     /// <param name="lies">Finds how it lies on its belly; null where it cannot.</param>
     public static FallProfile Of(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<LyingManner?> lies) => new(subject, legs, gaits, lies);
 
-    private static int[] JointsOf(Skeleton skeleton, JointRole role, JointRole last)
+    private static int[] JointsOf(Skeleton skeleton, Predicate<JointRole> has)
     {
         var joints = new List<int>();
         for (int j = 0; j < skeleton.Count; j++)
         {
-            if (skeleton.Joints[j].Role == role || skeleton.Joints[j].Role == last)
+            if (has(skeleton.Joints[j].Role))
             {
                 joints.Add(j);
             }

@@ -51,7 +51,7 @@ internal sealed class LimpBody
     /// <summary>Keeps the pose shown last: its velocities are those from this pose to the one in which it begins.</summary>
     public void Keep(in Pose shown) => before.Take(shown);
 
-    /// <summary>Goes limp.</summary>
+    /// <summary>Goes limp. What gaze, acts and springs turn is as it was shown last, and goes along with what carries it: the pose of this moment is without them, and to take the difference for a velocity would throw the body over its head.</summary>
     /// <param name="place">Where the root is.</param>
     /// <param name="shown">The pose, in the parents' space.</param>
     /// <param name="placeBefore">Where the root was when the pose was kept.</param>
@@ -60,11 +60,16 @@ internal sealed class LimpBody
     public void Begin(in RootPlace place, in Pose shown, in RootPlace placeBefore, float dt, IGround ground)
     {
         now.Take(shown);
+        foreach (int joint in profile.Overlaid)
+        {
+            now.Local.Rotations[joint] = before.Local.Rotations[joint];
+        }
+
         now.Finish();
         before.Finish();
         Ragdoll.Start(profile.Ragdoll, ragdoll, place, now.Model, placeBefore, before.Model, dt, ground);
         Ragdoll.Aim(profile.Ragdoll, ragdoll, now.Model);
-        before.Take(shown);
+        before.Take(now.Local);
         seconds = 0f;
         lift = 0f;
     }

@@ -173,6 +173,46 @@ public sealed class GettingUpTests
         Assert.True(watch.Speed < FastestJoint, $"{watch.Speed} rad/s");
     }
 
+    /// <summary>Gaze and springs turn neck and tail after the walk has posed them: taken for velocities, what they turn threw these over their heads, up to 6.8 legs far and 8 % of their extent into the ground.</summary>
+    [Theory]
+    [InlineData(RequestedKind.Walking, 9991003UL)]
+    [InlineData(RequestedKind.Walking, 9990007UL)]
+    [InlineData(RequestedKind.Walking, 9990018UL)]
+    [InlineData(RequestedKind.Flying, 9990005UL)]
+    public void Who_goes_limp_as_it_stands_falls_where_it_stands(RequestedKind kind, ulong seed)
+    {
+        const float MaxMoved = 0.6f;
+        const float MinUp = 0.85f;
+        const float MaxSunk = 0.01f;
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
+        var profile = new MotionProfile(creature);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        Go(30);
+        Vector3 stood = Middle(animator);
+        animator.GoLimp();
+        float lowest = Go(150);
+        Vector3 moved = Middle(animator) - stood;
+        int pelvis = creature.Skeleton.FirstOf(JointRole.Pelvis);
+        Quaternion turn = Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(creature.Skeleton.ModelRotations[pelvis]));
+        float away = new Vector2(moved.X, moved.Z).Length() / profile.LegLength;
+        Assert.True(away < MaxMoved, $"{away} leg lengths away");
+        Assert.True(Rotation.Rotate(turn, Vector3.UnitY).Y > MinUp, $"its back points {Rotation.Rotate(turn, Vector3.UnitY)}");
+        Assert.True(-lowest < MaxSunk * Extent(creature), $"{-lowest / Extent(creature)} of its extent in the ground");
+
+        float Go(int frames)
+        {
+            float low = 0f;
+            for (int i = 0; i < frames; i++)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+                low = i % 4 == 0 ? MathF.Min(low, Lowest(animator)) : low;
+            }
+
+            return low;
+        }
+    }
+
     /// <summary>A foot that has come to its place while the body rises does not leave it.</summary>
     [Fact]
     public void Feet_are_planted_while_the_body_rises()
@@ -257,12 +297,16 @@ public sealed class GettingUpTests
     }
 
     /// <summary>Mean height of the joints of the trunk, metres.</summary>
-    private static float Trunk(CreatureAnimator animator)
+    private static float Trunk(CreatureAnimator animator) => Middle(animator).Y;
+
+    /// <summary>Mean place of the joints of the trunk.</summary>
+    private static Vector3 Middle(CreatureAnimator animator)
     {
         Skeleton skeleton = animator.Profile.Subject.Skeleton;
-        return Enumerable.Range(0, skeleton.Count)
+        Vector3[] trunk = Enumerable.Range(0, skeleton.Count)
             .Where(j => skeleton.Joints[j].Role is JointRole.Pelvis or JointRole.Spine or JointRole.Chest)
-            .Average(j => animator.Root.ToWorld(animator.ModelPose.Positions[j]).Y);
+            .Select(j => animator.Root.ToWorld(animator.ModelPose.Positions[j])).ToArray();
+        return trunk.Aggregate(Vector3.Zero, (sum, place) => sum + place) / trunk.Length;
     }
 
     private static Vector3[] Feet(CreatureAnimator animator)
