@@ -12,6 +12,9 @@ internal struct LegOutcome
     /// <summary>How far its leg drew the body down when it last stood or was about to, metres.</summary>
     public float Drawn;
 
+    /// <summary>How far it held the body down when it last stood, 0..1: one that is let go in the middle of its stance does not let the body rise at once.</summary>
+    public float Held;
+
     /// <summary>How far the body was lowered when it was last posed, metres.</summary>
     public float Lowered;
 

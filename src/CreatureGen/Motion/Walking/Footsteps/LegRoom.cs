@@ -73,7 +73,8 @@ internal struct LegRoom
         foot.Leg.Drawn = leaves ? foot.Leg.Drawn : weight * asked;
         float drop = weight * drawn;
         float raise = weight * Math.Min(Beyond(leg.FoldedReach - distance, FoldedWidth * leg.Reach) / steep, MaxRaise * leg.Length);
-        float holds = foot.Phase == FootPhase.Swing ? arriving : Standing(foot);
+        foot.Leg.Held = foot.Phase == FootPhase.Swing ? foot.Leg.Held : Standing(foot);
+        float holds = Math.Max(arriving, foot.Leg.Held * Leaving(foot));
         float room = Math.Max(((1f + (Spare * (1f - holds))) * leg.Reach) - distance, 0f);
 
         // Bodies on many legs come down level.
