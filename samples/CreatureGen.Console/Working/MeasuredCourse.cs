@@ -41,6 +41,11 @@ internal sealed record MeasuredCourse(LocomotionKind Kind, BodyPlan Plan, ulong 
     public static IReadOnlyList<MeasuredCourse> AllOf(ulong seed, CreatureOptions options) =>
         Growing.Measure(seed, options, profile => MotionCourse.RunAll(profile).Select(run => Of(profile, run)));
 
+    /// <summary>Measures a creature on the courses on one ground.</summary>
+    /// <exception cref="InvalidOperationException">Its motion failed.</exception>
+    public static IReadOnlyList<MeasuredCourse> AllOn(CourseGround ground, ulong seed, CreatureOptions options) =>
+        Growing.Measure(seed, options, profile => MotionCourse.On(profile, ground).Select(course => Of(profile, (course, course.Run(profile)))));
+
     /// <inheritdoc/>
     public void WriteName(Utf8JsonWriter json)
     {

@@ -43,4 +43,14 @@ public sealed class CourseVerbTests
             Assert.True(values.Length == 0 || worst.GetProperty("value").GetSingle() == (measure.Worse == WorseFigure.Greater ? values.Max() : values.Min()), measure.Name);
         }
     }
+
+    [Fact]
+    public void Courses_on_one_ground_are_measured_alone_and_a_ground_without_courses_is_refused()
+    {
+        using var run = new ConsoleRun();
+        Assert.Equal(ExitCode.Done, run.Run("metrics", "--course", "--ground", "stones", "--seeds", "4", "--kind", "walking", "--json", "--threads", "1"));
+        Assert.All(run.Json().GetProperty("runs").EnumerateArray(), told => Assert.Equal("stones", told.GetProperty("ground").GetString()));
+        using var wrong = new ConsoleRun();
+        Assert.NotEqual(ExitCode.Done, wrong.Run("metrics", "--ground", "stones", "--seeds", "4"));
+    }
 }

@@ -41,6 +41,30 @@ public sealed record MotionCourse(CourseScript Script, CourseGround Ground, Cour
         return courses;
     }
 
+    /// <summary>The courses on one ground, of all that there are: changing speeds and turns, and runs straight ahead, at 60 Hz. What has no legs to walk on has them on the flat only.</summary>
+    /// <param name="profile">The creature's.</param>
+    /// <param name="ground">What it goes over.</param>
+    /// <exception cref="ArgumentNullException">There is no profile.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The ground is none of them.</exception>
+    public static IReadOnlyList<MotionCourse> On(MotionProfile profile, CourseGround ground)
+    {
+        if (profile == null)
+        {
+            throw new ArgumentNullException(nameof(profile));
+        }
+
+        if (ground < CourseGround.Flat || ground > CourseGround.Pipe)
+        {
+            throw new ArgumentOutOfRangeException(nameof(ground), ground, "expected a ground of courses");
+        }
+
+        return profile.Legs == null && ground != CourseGround.Flat ? Array.Empty<MotionCourse>() : new[]
+        {
+            new MotionCourse(CourseScripts.Mixed(profile, RandomSeconds), ground, CourseRate.Of(60f)),
+            new MotionCourse(CourseScripts.Runner(profile, RandomSeconds), ground, CourseRate.Of(60f)),
+        };
+    }
+
     /// <summary>Runs all courses of a creature. Of one script at several rates, those below the finest know how far from where they stood then the resting feet ended.</summary>
     /// <exception cref="ArgumentNullException">There is no profile.</exception>
     public static IReadOnlyList<(MotionCourse Course, CourseReport Report)> RunAll(MotionProfile profile)

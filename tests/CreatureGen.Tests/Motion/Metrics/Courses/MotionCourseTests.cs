@@ -61,6 +61,28 @@ public sealed class MotionCourseTests
         Assert.Equal(courses.Count, courses.Select(course => (course.Script.Name, course.Ground, course.Rate)).Distinct().Count());
     }
 
+    [Theory]
+    [InlineData(CourseGround.Water)]
+    [InlineData(CourseGround.Stones)]
+    [InlineData(CourseGround.Slope)]
+    public void A_creature_is_measured_on_a_ground_that_is_asked_for(CourseGround ground)
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
+        IReadOnlyList<MotionCourse> courses = MotionCourse.On(profile, ground);
+        Assert.Equal(2, courses.Count);
+        Assert.All(courses, course => Assert.Equal(ground, course.Ground));
+        Assert.True(courses[1].Run(profile).Stances > 10);
+        Assert.Empty(MotionCourse.On(new MotionProfile(SpeciesSubject.Of("fish", RequestedKind.Swimming)), ground));
+    }
+
+    [Fact]
+    public void A_ground_that_there_is_not_is_refused()
+    {
+        var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
+        Assert.Throws<ArgumentOutOfRangeException>(() => MotionCourse.On(profile, (CourseGround)99));
+        Assert.Throws<ArgumentNullException>(() => MotionCourse.On(null!, CourseGround.Water));
+    }
+
     [Fact]
     public void No_profile_is_refused()
     {
