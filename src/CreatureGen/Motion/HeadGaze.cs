@@ -39,6 +39,7 @@ internal sealed class HeadGaze
     private double seconds;
     private float slack;
     private float flickWeight;
+    private bool isLimp;
 
     /// <summary>Gives a creature habits.</summary>
     /// <param name="rig">Its head.</param>
@@ -69,8 +70,16 @@ internal sealed class HeadGaze
     /// <summary>How far an act or a mood shuts the lids: 0 as at rest, 1 shut, below 0 wide open. Blinks shut what is left.</summary>
     public float Lids { get; set; }
 
-    /// <summary>Whether the body is limp: its lids sink, and it does not blink.</summary>
-    public bool IsLimp { get; set; }
+    /// <summary>Whether the body is limp: its lids sink, it does not blink, and how it held its head is part of how it lies.</summary>
+    public bool IsLimp
+    {
+        get => isLimp;
+        set
+        {
+            state = value && !isLimp ? default : state;
+            isLimp = value;
+        }
+    }
 
     /// <summary>Turns head and eyes.</summary>
     /// <param name="target">A point in the world to look at; null for none.</param>

@@ -59,7 +59,7 @@ internal sealed class FallProfile
         Windows = WindowsOf(subject.Skeleton);
         Neck = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head);
         Tail = JointsOf(subject.Skeleton, role => role == JointRole.Tail);
-        Overlaid = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Lid or JointRole.Ear or JointRole.Antenna or JointRole.Tail);
+        Overlaid = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Antenna or JointRole.Tail);
         Limbs = LyingLimb.Of(legs);
         lying = new Lazy<LyingManner?>(() => legs == null || Array.Exists(legs.Legs, leg => leg.Lateral) ? null : lies());
         Inertias = HangingInertia.Of(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
@@ -101,7 +101,7 @@ internal sealed class FallProfile
     /// <summary>Joints of the tail.</summary>
     public int[] Tail { get; }
 
-    /// <summary>Joints that gaze, acts and springs turn after its way of moving has posed them.</summary>
+    /// <summary>Joints that gaze, acts and springs turn after its way of moving has posed them; ears and lids, which go on to be moved as it lies, are not among them.</summary>
     public int[] Overlaid { get; }
 
     /// <summary>Its legs.</summary>

@@ -53,23 +53,23 @@ internal sealed class LimpBody
 
     /// <summary>Goes limp. What gaze, acts and springs turn is as it was shown last, and goes along with what carries it: the pose of this moment is without them, and to take the difference for a velocity would throw the body over its head.</summary>
     /// <param name="place">Where the root is.</param>
-    /// <param name="shown">The pose, in the parents' space.</param>
+    /// <param name="shown">The pose of this moment, in the parents' space; receives that in which it begins.</param>
     /// <param name="placeBefore">Where the root was when the pose was kept.</param>
     /// <param name="dt">Seconds since then.</param>
     /// <param name="ground">What it falls on.</param>
     public void Begin(in RootPlace place, in Pose shown, in RootPlace placeBefore, float dt, IGround ground)
     {
-        now.Take(shown);
         foreach (int joint in profile.Overlaid)
         {
-            now.Local.Rotations[joint] = before.Local.Rotations[joint];
+            shown.Rotations[joint] = before.Local.Rotations[joint];
         }
 
+        now.Take(shown);
         now.Finish();
         before.Finish();
         Ragdoll.Start(profile.Ragdoll, ragdoll, place, now.Model, placeBefore, before.Model, dt, ground);
         Ragdoll.Aim(profile.Ragdoll, ragdoll, now.Model);
-        before.Take(now.Local);
+        before.Take(shown);
         seconds = 0f;
         lift = 0f;
     }

@@ -103,31 +103,6 @@ public sealed class GettingUpTests
         Assert.True(watch.Speed < FastestJoint, $"{watch.Speed} rad/s");
     }
 
-    /// <summary>What heads and tails wear, as frills, stands out of what lies on the ground: it would lift the body by .1 to .5 leg lengths in these.</summary>
-    [Theory]
-    [InlineData(9990007UL)]
-    [InlineData(9990018UL, Explicit = true)]
-    [InlineData(9741015UL, Explicit = true)]
-    public void A_limp_body_does_not_hang_on_what_its_head_wears(ulong seed)
-    {
-        const float MaxAbove = 0.02f;
-        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
-        var profile = new MotionProfile(creature);
-        CreatureAnimator animator = Lying(profile);
-        float trunk = float.MaxValue;
-        float all = float.MaxValue;
-        Vector3[] skin = Skin(animator);
-        for (int v = 0; v < skin.Length; v++)
-        {
-            float height = animator.Root.ToWorld(skin[v]).Y;
-            all = MathF.Min(all, height);
-            trunk = IsOfTrunk(creature.Skeleton, creature.Mesh.Weights[v].Joint0) ? MathF.Min(trunk, height) : trunk;
-        }
-
-        Assert.True(trunk < MaxAbove * profile.LegLength, $"{trunk / profile.LegLength} leg lengths above the ground");
-        Assert.True(-all < 0.01f * Extent(creature), $"{-all / Extent(creature)} of its extent in the ground");
-    }
-
     /// <summary>Legs that are turned straight to their places lift the body, by up to 1.2 of its standing height in these, and hang in the air.</summary>
     [Theory]
     [InlineData(RequestedKind.Walking, 9995009UL)]
@@ -171,46 +146,6 @@ public sealed class GettingUpTests
         Assert.True(-lowest < MaxSunk * Extent(creature), $"{-lowest / Extent(creature)} of its extent in the ground");
         Assert.True(Scalar.Degrees(watch.Excess) < 1, $"{Scalar.Degrees(watch.Excess)}° beyond {creature.Skeleton.Joints[Math.Max(watch.ExcessJoint, 0)].Name}");
         Assert.True(watch.Speed < FastestJoint, $"{watch.Speed} rad/s");
-    }
-
-    /// <summary>Gaze and springs turn neck and tail after the walk has posed them: taken for velocities, what they turn threw these over their heads, up to 6.8 legs far and 8 % of their extent into the ground.</summary>
-    [Theory]
-    [InlineData(RequestedKind.Walking, 9991003UL)]
-    [InlineData(RequestedKind.Walking, 9990007UL)]
-    [InlineData(RequestedKind.Walking, 9990018UL)]
-    [InlineData(RequestedKind.Flying, 9990005UL)]
-    public void Who_goes_limp_as_it_stands_falls_where_it_stands(RequestedKind kind, ulong seed)
-    {
-        const float MaxMoved = 0.6f;
-        const float MinUp = 0.85f;
-        const float MaxSunk = 0.01f;
-        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
-        var profile = new MotionProfile(creature);
-        var animator = new CreatureAnimator(profile);
-        animator.Teleport(RootPlace.Identity, FlatGround.Level);
-        Go(30);
-        Vector3 stood = Middle(animator);
-        animator.GoLimp();
-        float lowest = Go(150);
-        Vector3 moved = Middle(animator) - stood;
-        int pelvis = creature.Skeleton.FirstOf(JointRole.Pelvis);
-        Quaternion turn = Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(creature.Skeleton.ModelRotations[pelvis]));
-        float away = new Vector2(moved.X, moved.Z).Length() / profile.LegLength;
-        Assert.True(away < MaxMoved, $"{away} leg lengths away");
-        Assert.True(Rotation.Rotate(turn, Vector3.UnitY).Y > MinUp, $"its back points {Rotation.Rotate(turn, Vector3.UnitY)}");
-        Assert.True(-lowest < MaxSunk * Extent(creature), $"{-lowest / Extent(creature)} of its extent in the ground");
-
-        float Go(int frames)
-        {
-            float low = 0f;
-            for (int i = 0; i < frames; i++)
-            {
-                animator.Update(Frame, default, FlatGround.Level);
-                low = i % 4 == 0 ? MathF.Min(low, Lowest(animator)) : low;
-            }
-
-            return low;
-        }
     }
 
     /// <summary>A foot that has come to its place while the body rises does not leave it.</summary>
@@ -283,7 +218,7 @@ public sealed class GettingUpTests
     }
 
     /// <summary>Who has been limp for six seconds.</summary>
-    private static CreatureAnimator Lying(MotionProfile profile)
+    internal static CreatureAnimator Lying(MotionProfile profile)
     {
         var animator = new CreatureAnimator(profile);
         animator.Teleport(RootPlace.Identity, FlatGround.Level);
@@ -300,7 +235,7 @@ public sealed class GettingUpTests
     private static float Trunk(CreatureAnimator animator) => Middle(animator).Y;
 
     /// <summary>Mean place of the joints of the trunk.</summary>
-    private static Vector3 Middle(CreatureAnimator animator)
+    internal static Vector3 Middle(CreatureAnimator animator)
     {
         Skeleton skeleton = animator.Profile.Subject.Skeleton;
         Vector3[] trunk = Enumerable.Range(0, skeleton.Count)
@@ -355,7 +290,7 @@ public sealed class GettingUpTests
         }
     }
 
-    private static float Extent(Creature creature)
+    internal static float Extent(Creature creature)
     {
         Vector3 min = new(float.MaxValue);
         Vector3 max = new(float.MinValue);
@@ -368,25 +303,11 @@ public sealed class GettingUpTests
         return MathF.Max(max.X - min.X, MathF.Max(max.Y - min.Y, max.Z - min.Z));
     }
 
-    /// <summary>Whether a joint is neither of neck and head nor of the tail.</summary>
-    private static bool IsOfTrunk(Skeleton skeleton, int joint)
-    {
-        for (int j = joint; j >= 0; j = skeleton.Parents[j])
-        {
-            if (skeleton.Joints[j].Role is JointRole.Neck or JointRole.Head or JointRole.Tail)
-            {
-                return false;
-            }
-        }
-
-        return true;
-    }
-
     /// <summary>Height of the lowest vertex, metres.</summary>
-    private static float Lowest(CreatureAnimator animator) => Skin(animator).Min(p => animator.Root.ToWorld(p).Y);
+    internal static float Lowest(CreatureAnimator animator) => Skin(animator).Min(p => animator.Root.ToWorld(p).Y);
 
     /// <summary>The vertices, model space.</summary>
-    private static Vector3[] Skin(CreatureAnimator animator)
+    internal static Vector3[] Skin(CreatureAnimator animator)
     {
         Creature creature = animator.Profile.Subject.Creature!;
         var matrices = new Matrix4x4[creature.Skeleton.Count];

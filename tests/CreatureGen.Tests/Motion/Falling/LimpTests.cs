@@ -1,0 +1,124 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Creatures;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using Xunit;
+using static CreatureGen.Tests.Motion.Falling.GettingUpTests;
+
+namespace CreatureGen.Tests.Motion.Falling;
+
+/// <summary>How creatures go limp, and how they lie.</summary>
+public sealed class LimpTests
+{
+    private const float Frame = 1f / 60f;
+
+    /// <summary>Gaze and springs turn neck and tail after the walk has posed them: taken for velocities, what they turn threw these over their heads, up to 6.8 legs far and 8 % of their extent into the ground.</summary>
+    [Theory]
+    [InlineData(RequestedKind.Walking, 9991003UL)]
+    [InlineData(RequestedKind.Walking, 9990007UL)]
+    [InlineData(RequestedKind.Walking, 9990018UL)]
+    [InlineData(RequestedKind.Flying, 9990005UL)]
+    public void Who_goes_limp_as_it_stands_falls_where_it_stands(RequestedKind kind, ulong seed)
+    {
+        const float MaxMoved = 0.6f;
+        const float MinUp = 0.85f;
+        const float MaxSunk = 0.01f;
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
+        var profile = new MotionProfile(creature);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        Go(30);
+        Vector3 stood = Middle(animator);
+        animator.GoLimp();
+        float lowest = Go(150);
+        Vector3 moved = Middle(animator) - stood;
+        int pelvis = creature.Skeleton.FirstOf(JointRole.Pelvis);
+        Quaternion turn = Rotation.Multiply(animator.ModelPose.Rotations[pelvis], Rotation.Inverse(creature.Skeleton.ModelRotations[pelvis]));
+        float away = new Vector2(moved.X, moved.Z).Length() / profile.LegLength;
+        Assert.True(away < MaxMoved, $"{away} leg lengths away");
+        Assert.True(Rotation.Rotate(turn, Vector3.UnitY).Y > MinUp, $"its back points {Rotation.Rotate(turn, Vector3.UnitY)}");
+        Assert.True(-lowest < MaxSunk * Extent(creature), $"{-lowest / Extent(creature)} of its extent in the ground");
+
+        float Go(int frames)
+        {
+            float low = 0f;
+            for (int i = 0; i < frames; i++)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+                low = i % 4 == 0 ? MathF.Min(low, Lowest(animator)) : low;
+            }
+
+            return low;
+        }
+    }
+
+    [Fact]
+    public void Nothing_of_head_and_tail_jumps_as_a_creature_that_looks_aside_goes_limp()
+    {
+        const float FastestJoint = 12f;
+        MotionProfile profile = FreeFallTests.Lot(640, 1).Single();
+        Skeleton skeleton = profile.Subject.Skeleton;
+        var animator = new CreatureAnimator(profile) { LookAt = new Vector3(5f, 1f, 1f) };
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        Quaternion[] before = [];
+        for (int i = 0; i < 64; i++)
+        {
+            if (i == 60)
+            {
+                animator.GoLimp();
+            }
+
+            animator.Update(Frame, default, FlatGround.Level);
+            for (int j = 0; i >= 60 && j < skeleton.Count; j++)
+            {
+                double speed = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), animator.LocalPose.Rotations[j])) / Frame;
+                Assert.True(skeleton.Joints[j].Role is JointRole.Lid or JointRole.Ear || speed < FastestJoint, $"{skeleton.Joints[j].Name} turns by {speed} rad/s in update {i}");
+            }
+
+            before = animator.LocalPose.Rotations.ToArray();
+        }
+    }
+
+    /// <summary>What heads and tails wear, as frills, stands out of what lies on the ground: it would lift the body by .1 to .5 leg lengths in these.</summary>
+    [Theory]
+    [InlineData(9990007UL)]
+    [InlineData(9990018UL, Explicit = true)]
+    [InlineData(9741015UL, Explicit = true)]
+    public void A_limp_body_does_not_hang_on_what_its_head_wears(ulong seed)
+    {
+        const float MaxAbove = 0.02f;
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+        var profile = new MotionProfile(creature);
+        CreatureAnimator animator = Lying(profile);
+        float trunk = float.MaxValue;
+        float all = float.MaxValue;
+        Vector3[] skin = Skin(animator);
+        for (int v = 0; v < skin.Length; v++)
+        {
+            float height = animator.Root.ToWorld(skin[v]).Y;
+            all = MathF.Min(all, height);
+            trunk = IsOfTrunk(creature.Skeleton, creature.Mesh.Weights[v].Joint0) ? MathF.Min(trunk, height) : trunk;
+        }
+
+        Assert.True(trunk < MaxAbove * profile.LegLength, $"{trunk / profile.LegLength} leg lengths above the ground");
+        Assert.True(-all < 0.01f * Extent(creature), $"{-all / Extent(creature)} of its extent in the ground");
+    }
+
+    /// <summary>Whether a joint is neither of neck and head nor of the tail.</summary>
+    private static bool IsOfTrunk(Skeleton skeleton, int joint)
+    {
+        for (int j = joint; j >= 0; j = skeleton.Parents[j])
+        {
+            if (skeleton.Joints[j].Role is JointRole.Neck or JointRole.Head or JointRole.Tail)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+}
