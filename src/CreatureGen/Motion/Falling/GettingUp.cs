@@ -49,7 +49,7 @@ internal sealed class GettingUp
         this.inner = inner;
         rising = legs == null ? null : profile.Lying is LyingManner lying ? new BellyRise(profile, lying, legs) : new CrouchRise(profile, legs);
         lateral = Array.FindAll(profile.Limbs, limb => limb.Lateral);
-        drawn = Array.FindAll(profile.Limbs, limb => !limb.Lateral);
+        drawn = Array.FindAll(profile.Limbs, limb => !limb.Lateral && !profile.Swims);
         from = new PoseBuffer(profile.Skeleton);
         to = new LocalPose(profile.Skeleton);
         shown = new PoseBuffer(profile.Skeleton);
