@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Tails;
@@ -68,6 +69,24 @@ public sealed class TailFitTests
         }
 
         Assert.NotEqual(0, stings);
+    }
+
+    [Theory]
+    [InlineData(0.6)]
+    [InlineData(1)]
+    public void No_tail_of_a_mixed_flier_hangs_like_one_leg_more(double strangeness)
+    {
+        for (ulong seed = 9995331; seed <= 9995370; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = strangeness });
+            if (creature.Plan == BodyPlan.Flapping && creature.Tail.Style != TailStyle.Feathers)
+            {
+                BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+                double down = shape.Y[StationRing.TorsoLast] - shape.Y[BodyGrid.Rings - 1];
+                double back = shape.Z[StationRing.TorsoLast] - shape.Z[BodyGrid.Rings - 1];
+                Assert.True(down <= back, FormattableString.Invariant($"{seed}: a tail that comes down by {down / back:0.00} of what it goes back"));
+            }
+        }
     }
 
     private static CreatureBuilder Mixed(string tail, double strangeness)

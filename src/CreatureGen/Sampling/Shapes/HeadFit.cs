@@ -9,8 +9,9 @@ namespace CreatureGen.Sampling.Shapes;
 /// <summary>Heads of strange creatures in proportion to their trunks: a head on a trunk that is thinner than itself is a wedge on a tube from every side.</summary>
 internal static class HeadFit
 {
-    // Largest head against its trunk, each at its widest: by breadth, and by the mean of breadth and height.
+    // Largest head against its trunk, each at its largest: by breadth, by height, and by the mean of both.
     private const double Breadth = 1.15;
+    private const double Height = 1.2;
     private const double Size = 1;
 
     /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>
@@ -43,7 +44,7 @@ internal static class HeadFit
         (double width, double height) = Largest(shape, FirstOfTrunk, LastOfTrunk);
         double size = Math.Sqrt(headWidth * headHeight / (width * height)) / Size;
         double breadth = headWidth / (width * Scalar.Lerp(Breadth, PlateBreadth, Scalar.Smooth((headWidth / headHeight) - (Plate - 0.5))));
-        double excess = Math.Max(1, Math.Max(size, breadth));
+        double excess = Math.Max(Math.Max(1, size), Math.Max(breadth, headHeight / (height * Height)));
         double strange = builder.Fitting;
         return drawn with
         {

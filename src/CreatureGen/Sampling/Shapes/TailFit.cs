@@ -31,6 +31,13 @@ internal static class TailFit
     private const double SteepestTail = 1.1;
     private const double SteepestBalanced = 0.6;
 
+    /// <summary>The same of one that flies: it may stand on two legs.</summary>
+    private const double SteepestFlown = 0.7;
+
+    /// <summary>Least tail of what flies and of what balances on two legs, against the trunk, and most that it is made longer by: without one the trunk ends like a block behind the legs.</summary>
+    private const double LeastTail = 0.35;
+    private const double MostLonger = 1.8;
+
     /// <summary>Least girth that is left of a tail.</summary>
     private const double MinGirth = 0.5;
 
@@ -63,9 +70,11 @@ internal static class TailFit
         double length = (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / trunk;
         bool rolls = TailTaper.Of(builder.Tail.Style) is { Curl: not 0 };
         double stubby = rolls ? Math.Max(1, LeastRolled * Largest(shape, FirstOfTail, FirstOfTail) / (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast])) : 1;
+        bool steers = builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Tail.Style == TailStyle.Plain && builder.Parents.Tail.Class != AnimalClass.Bird;
+        double least = steers ? Scalar.Clamp(LeastTail / length, 1, MostLonger) : 1;
         return drawn with
         {
-            Tail = drawn.Tail * PortableMath.Pow(PortableMath.Pow(stubby, 1 - Slimmed) / Math.Max(1, length / (rolls ? Carried : Trailing)), strange),
+            Tail = drawn.Tail * PortableMath.Pow(least * PortableMath.Pow(stubby, 1 - Slimmed) / Math.Max(1, length / (rolls ? Carried : Trailing)), strange),
             TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess * PortableMath.Pow(stubby, Slimmed), -strange)),
         };
     }
@@ -105,7 +114,7 @@ internal static class TailFit
         return new ValueList<LatticeSlice>(slices);
     }
 
-    /// <summary>Whether the tail of one on two or four legs under its body hangs so steeply that it is seen between them from the front.</summary>
+    /// <summary>Whether the tail of one on two or four legs under its body hangs so steeply that it is seen between them from the front, or that of a flier like one leg more.</summary>
     public static bool HangsBetweenLegs(CreatureBuilder builder)
     {
         const int End = BodyGrid.Rings - 1;
@@ -114,6 +123,11 @@ internal static class TailFit
         double down = s.Y[StationRing.TorsoLast] - s.Y[End];
         double back = s.Z[StationRing.TorsoLast] - s.Z[End];
         bool balances = builder.Plan == BodyPlan.Theropod && builder.Species.Class != AnimalClass.Bird && builder.Tail.Style != TailStyle.Feathers;
+        if (builder.Plan == BodyPlan.Flapping)
+        {
+            return builder.Fitting > 0 && builder.Tail.Style != TailStyle.Feathers && down > SteepestFlown * back;
+        }
+
         return (stands || balances) && down > (balances ? SteepestBalanced : SteepestTail) * back && s.Y[End] < 0.75 * s.Y[StationRing.TorsoLast];
     }
 

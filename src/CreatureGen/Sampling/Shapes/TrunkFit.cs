@@ -12,7 +12,7 @@ namespace CreatureGen.Sampling.Shapes;
 internal static class TrunkFit
 {
     // Longest trunks in chests: on legs under the body, on legs out to its side, of swimmers, and of those that swim by winding.
-    private const double LongestCarried = 2.9;
+    private const double LongestCarried = 3.1;
     private const double LongestSprawling = 3.5;
     private const double LongestSwimmer = 2.7;
     private const double LongestWinding = 4.2;
@@ -32,7 +32,7 @@ internal static class TrunkFit
     private const int LastSlice = 7;
 
     // Depth of the loin in chests that a belly is drawn in to, that of insects, which have a waist, and least factor that this asks for.
-    private const double Tucked = 0.74;
+    private const double Tucked = 0.77;
     private const double Waist = 0.6;
     private const double LeastTuck = 0.72;
 
@@ -69,7 +69,7 @@ internal static class TrunkFit
         return new ValueList<LatticeSlice>(slices);
     }
 
-    /// <summary>The proportions with a deeper chest and a belly that is drawn in where the trunk is even, and a thicker trunk where it is long; swimmers thin out to the tail, and what lies is a rope.</summary>
+    /// <summary>The proportions with a deeper chest and a belly that is drawn in where the trunk is even, and a thicker trunk where it is long; swimmers thin out to the tail, what lies is a rope, and an upright one would be top-heavy on shorter legs.</summary>
     public static BodyProportions Fit(CreatureBuilder builder)
     {
         BodyProportions drawn = builder.Proportions;
@@ -93,7 +93,7 @@ internal static class TrunkFit
     {
         double longest = builder.Plan switch
         {
-            BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing => double.PositiveInfinity,
+            BodyPlan.Legless or BodyPlan.ManyLegged or BodyPlan.Hexapod or BodyPlan.Buzzing or BodyPlan.Upright => double.PositiveInfinity,
             BodyPlan.Sprawling => LongestSprawling,
             BodyPlan.Eel => LongestWinding,
             BodyPlan.Fish or BodyPlan.Whale or BodyPlan.Flipper => LongestSwimmer,
