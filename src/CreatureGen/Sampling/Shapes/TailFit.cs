@@ -19,7 +19,7 @@ internal static class TailFit
     private const double Carried = 0.75;
     private const double Trailing = 1.5;
 
-    /// <summary>Least length of a tail that rolls up, in radii of its root: a shorter one is a knot. It gives way in girth by <see cref="Slimmed"/> of what lacks, the rest in length.</summary>
+    // Least length of a tail that rolls up, in radii of its root: a shorter one is a knot. It gives way in girth by this part of what lacks, by the rest in length.
     private const double LeastRolled = 9;
     private const double Slimmed = 0.6;
 
@@ -34,7 +34,7 @@ internal static class TailFit
     /// <summary>The same of one that flies: it may stand on two legs.</summary>
     private const double SteepestFlown = 0.7;
 
-    /// <summary>Least tail of what flies and of what balances on two legs, against the trunk, and most that it is made longer by: without one the trunk ends like a block behind the legs.</summary>
+    // Least tail of what flies and of what balances on two legs, against the trunk, and most that it is made longer by: without one the trunk ends like a block behind the legs.
     private const double LeastTail = 0.35;
     private const double MostLonger = 1.8;
 

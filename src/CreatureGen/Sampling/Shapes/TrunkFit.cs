@@ -17,7 +17,7 @@ internal static class TrunkFit
     private const double LongestSwimmer = 2.7;
     private const double LongestWinding = 4.2;
 
-    /// <summary>The part of what is too long that is taken from the length; the trunk grows thicker by <see cref="Thickened"/> of the rest.</summary>
+    // The part of what is too long that is taken from the length, and the part of the rest by which the trunk grows thicker.
     private const double Shortened = 0.45;
     private const double Thickened = 0.75;
 
@@ -102,6 +102,7 @@ internal static class TrunkFit
         return builder.Species.Disc.Sweep != 0 ? 1 : Math.Max(1, outline.Slenderness / longest);
     }
 
+    /// <summary>The proportions of a trunk on legs whose belly is drawn in behind a deeper chest where it is even, and that is not much broader than deep; one carried level or upright by two legs stays as it is.</summary>
     private static BodyProportions Tuck(CreatureBuilder builder, TrunkOutline outline, BodyProportions drawn)
     {
         if (builder.Plan is BodyPlan.Upright or BodyPlan.Theropod)
