@@ -1,8 +1,8 @@
 namespace CreatureGen.Motion;
 
-/// <summary>How far a creature jumps from where it stands, in the world, under the gravity that is set. All is 0 for what cannot jump.</summary>
+/// <summary>How far a creature jumps from where it stands or runs, in the world, under the gravity that is set. All is 0 for what cannot jump.</summary>
 /// <param name="Speed">At the take-off, m/s.</param>
-/// <param name="Length">Over level ground, metres.</param>
+/// <param name="Length">Over level ground straight ahead, metres from where it is as it is asked; a run counts as far as it carries.</param>
 /// <param name="Height">Straight up, metres.</param>
 public readonly record struct JumpReach(float Speed, float Length, float Height);
 

@@ -50,6 +50,48 @@ public sealed class JumpAndBlowTests
         Assert.True(jumped > 3, $"{jumped} jumped");
     }
 
+    /// <summary>Who crouched at full speed ran past its target, turned round in the air and jumped back to it.</summary>
+    [Fact]
+    public void Jumps_out_of_a_run_land_ahead_where_they_were_asked_to()
+    {
+        int jumped = 0;
+        foreach (MotionProfile profile in FreeFallTests.Lot(9970001, 12))
+        {
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            float fastest = profile.Gaits!.Speeds[^1].Comfortable;
+            for (int i = 0; i < 180; i++)
+            {
+                animator.Update(Frame, new MotionInput(fastest), FlatGround.Level);
+            }
+
+            JumpReach reach = animator.JumpReach;
+            if (reach.Length == 0f || animator.State != BodyState.Supported)
+            {
+                continue;
+            }
+
+            Vector3 target = animator.Root.ToWorld(new Vector3(0f, 0f, 0.8f * reach.Length));
+            Vector3 heading = Rotation.Rotate(animator.Root.Rotation, Vector3.UnitZ);
+            Assert.Equal(JumpResult.Begun, animator.Jump(target));
+            Assert.Equal(JumpResult.OutOfReach, new CreatureAnimator(profile).Jump(target));
+            bool landed = false;
+            for (int i = 0; i < 600 && !landed; i++)
+            {
+                Vector3 before = animator.Root.Position;
+                animator.Update(Frame, default, FlatGround.Level);
+                landed = animator.Events.ToArray().Any(e => e.Kind == MotionEventKind.Landed);
+                Assert.True(Vec.Dot(animator.Root.Position - before, heading) > -1e-3f * profile.LegLength, $"{profile.Subject.Seed} goes back");
+            }
+
+            float miss = Vec.Distance(animator.Root.Position, target);
+            Assert.True(landed && miss < 0.3f * profile.LegLength, $"{profile.Subject.Seed} {profile.Subject.Plan}: {miss / profile.LegLength} legs from its target");
+            jumped++;
+        }
+
+        Assert.True(jumped > 6, $"{jumped} jumped");
+    }
+
     [Fact(Explicit = true)]
     public void A_light_blow_is_stepped_after_and_a_heavy_one_knocks_down_who_then_gets_up_by_itself()
     {
