@@ -30,6 +30,9 @@ internal sealed partial class FootPlanner
     /// <summary>How far a foot may be from where it was to come down and still be put there, leg lengths.</summary>
     private const float MaxAstray = 0.004f;
 
+    /// <summary>How far a foot is dragged at most to stay on its tread, leg lengths.</summary>
+    private const float MaxDrag = 0.05f;
+
     /// <summary>How far a place may lie off the plane of another and still be on the same ground, leg lengths.</summary>
     private const float OtherTread = 0.02f;
 
@@ -349,11 +352,12 @@ internal sealed partial class FootPlanner
             return;
         }
 
-        // It has been kept off edges already, and stays on the tread that it was to come down on.
+        // It has been kept off edges already, and stays on the tread that it was to come down on if it is not dragged far for that.
         Foothold meant = foot.Plan.To;
         foot.Plan.Nudge = 0f;
         Target(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), meant.Heading);
-        if (!foot.Plan.HasTarget || Math.Abs(Vec.Dot(foot.Plan.To.Position - meant.Position, meant.Normal)) > OtherTread * body.Legs[leg].Length * step.Frame.Scale)
+        bool isNear = Vec.LengthSquared(astray) < Square(MaxDrag * body.Legs[leg].Length);
+        if (!foot.Plan.HasTarget || (isNear && Math.Abs(Vec.Dot(foot.Plan.To.Position - meant.Position, meant.Normal)) > OtherTread * body.Legs[leg].Length * step.Frame.Scale))
         {
             foot.Plan.To = meant;
             foot.Plan.HasTarget = true;

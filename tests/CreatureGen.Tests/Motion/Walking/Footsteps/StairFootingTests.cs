@@ -75,6 +75,15 @@ public sealed class StairFootingTests
         Assert.True(report.StanceSlip < 0.03f, $"a stance slips by {report.StanceSlip}");
     }
 
+    /// <summary>An insect whose foot came down .15 of a leg from where its leg could bring it, on another tread: it is not dragged back so far.</summary>
+    [Fact]
+    public void A_foot_that_comes_down_far_from_its_place_stays_on_the_tread_that_it_has_come_to()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(9920051, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.StanceSlip < 0.02f, $"a stance slips by {report.StanceSlip}");
+    }
+
     private static float Depth(CourseSimulation simulation, FootSkin skin, Matrix4x4[] matrices)
     {
         float depth = 0f;
