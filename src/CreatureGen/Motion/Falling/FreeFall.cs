@@ -10,7 +10,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Motion.Falling;
 
 /// <summary>
-/// A walker without ground under it: its body flies as a stone does, its legs are drawn up and reach for the ground before it comes; then they take up the fall as a damped spring.
+/// A walker without ground under it: its body flies as a stone does, its legs are drawn up, tread the air where it takes long, and reach for the ground before it comes; then they take up the fall as a damped spring.
 /// </summary>
 /// <remarks>Landing: y″ + 2ζωy′ + ω²y = 0 from y′ = −v, which lets the body down by at most 0.42 v/ω at ζ = 0.8; ω is as soft as the depth of the crouch allows, and no harder than the legs bear.</remarks>
 internal sealed class FreeFall
@@ -50,6 +50,7 @@ internal sealed class FreeFall
     private readonly WalkingMode legs;
     private readonly FallingFloor floor = new();
     private readonly PoseFade fade;
+    private readonly Flail flail;
     private CriticallyDampedSpring sink;
     private Vector3 velocity;
     private float turn;
@@ -62,6 +63,7 @@ internal sealed class FreeFall
         this.profile = profile;
         this.legs = legs;
         fade = new PoseFade(body.Skeleton);
+        flail = new Flail(body);
     }
 
     /// <summary>Velocity of the body, world m/s.</summary>
@@ -77,6 +79,7 @@ internal sealed class FreeFall
         turn = yawRate;
         sink = new CriticallyDampedSpring { Value = legs.Sink, Rate = 0 };
         fade.Keep(shown);
+        flail.Begin();
     }
 
     /// <summary>Changes its velocity, world m/s.</summary>
@@ -103,7 +106,9 @@ internal sealed class FreeFall
             float h = Math.Min(left, LongestStep);
             left -= h;
             double before = sink.Value;
-            sink.Step(Goal(place, tau, settings, ground), LegRate / tau, h);
+            bool reaches = Reaches(place, tau, settings, ground);
+            sink.Step((reaches ? -Reaching : Drawn) * profile.CrouchDepth, LegRate / tau, h);
+            flail.Step(reaches, h, tau);
 
             // The body flies the parabola: what the legs draw up the root rises.
             Vector3 way = (velocity - (up * (0.5f * settings.Gravity * h))) * h;
@@ -127,7 +132,7 @@ internal sealed class FreeFall
         Vector3 ahead = Rotation.Rotate(Rotation.Inverse(place.Rotation), velocity) / place.Scale;
         legs.Sink = (float)sink.Value;
         legs.Bow = 0f;
-        legs.Arrive(place, ahead.Z, ahead.Z, turn, settings, floor, layer, local);
+        legs.Arrive(place, ahead.Z, ahead.Z, turn, settings, floor, flail.On(layer, tau), local);
         fade.Apply(dt, FadeTime * tau, local);
         if (down)
         {
@@ -164,25 +169,23 @@ internal sealed class FreeFall
     public void CopyFrom(FreeFall other)
     {
         fade.CopyFrom(other.fade);
+        flail.CopyFrom(other.flail);
         (sink, velocity, turn, sinkRate, braking) = (other.sink, other.velocity, other.turn, other.sinkRate, other.braking);
     }
 
-    /// <summary>How far legs are to be drawn up: much in the air, not at all as the ground comes.</summary>
-    private double Goal(in RootPlace place, float tau, in MotionSettings settings, IGround ground)
+    /// <summary>Whether the ground comes, so that legs are to be stretched to it instead of drawn up.</summary>
+    private bool Reaches(in RootPlace place, float tau, in MotionSettings settings, IGround ground)
     {
         float reach = Lookout * body.LegLength * place.Scale;
         float speed = -Vec.Dot(velocity, settings.Up);
-        if (ground.Cast(place.Position, -settings.Up, reach, out GroundHit hit))
+        if (!ground.Cast(place.Position, -settings.Up, reach, out GroundHit hit))
         {
-            float height = Math.Max(Vec.Dot(place.Position - hit.Point, settings.Up), 0f);
-            float time = ((float)Math.Sqrt((speed * speed) + (2f * settings.Gravity * height)) - speed) / settings.Gravity;
-            if (time < ReachTime * tau)
-            {
-                return -Reaching * profile.CrouchDepth;
-            }
+            return false;
         }
 
-        return Drawn * profile.CrouchDepth;
+        float height = Math.Max(Vec.Dot(place.Position - hit.Point, settings.Up), 0f);
+        float time = ((float)Math.Sqrt((speed * speed) + (2f * settings.Gravity * height)) - speed) / settings.Gravity;
+        return time < ReachTime * tau;
     }
 
     /// <summary>Whether the root comes to the ground on its way.</summary>

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using CreatureGen.Anatomy;
 using CreatureGen.Anatomy.Legs;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Maths;
 using CreatureGen.Sampling.Features;
 using CreatureGen.Sampling.Limbs;
@@ -154,7 +155,7 @@ internal sealed class IndividualBody
         return leg with { Thickness = leg.Thickness * traits.LegGirth, Length = leg.Length * length, Reach = leg.Reach * length };
     }
 
-    /// <summary>Whether a club at the end of a walker's tail and its open jaw, if it has them, are off the ground.</summary>
+    /// <summary>Whether the round end of a walker's tail, a club there and its open jaw, if it has them, are off the ground.</summary>
     private static bool ClearsTheGround(CreatureBlueprint type, CreatureBuilder builder)
     {
         if (!builder.IsOnGround)
@@ -163,6 +164,7 @@ internal sealed class IndividualBody
         }
 
         bool bites = type.Head.Mouth.Teeth == 0 || HeadSampler.WidestOpening(builder) >= Math.Min(type.Head.Mouth.Opening, HeadSampler.MinToothed);
-        return bites && FeatureSampler.TailClears(builder, type.Features);
+        BodyShape s = builder.Shape;
+        return bites && s.Y[^1] > s.Bottom[^1] && FeatureSampler.TailClears(builder, type.Features);
     }
 }

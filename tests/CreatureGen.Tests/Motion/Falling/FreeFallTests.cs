@@ -6,6 +6,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Metrics;
+using CreatureGen.Rigging;
 using CreatureGen.Sampling;
 using Xunit;
 
@@ -110,6 +111,38 @@ public sealed class FreeFallTests
             float seconds = 30 * Frame;
             float fallen = start - Height(animator, pelvis);
             Assert.True(Math.Abs(fallen - (0.5f * Gravity * seconds * seconds)) < 0.1f * profile.LegLength, $"{profile.Subject.Seed}: {fallen} m in {seconds} s");
+        }
+    }
+
+    /// <summary>A pose that stands still for seconds is that of a figure which is let go, not of a creature that falls.</summary>
+    [Fact]
+    public void In_a_long_fall_legs_tread_the_air_within_their_limits()
+    {
+        foreach (MotionProfile profile in Lot(550, 6))
+        {
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(RootPlace.Identity, FlatGround.Level);
+            float tau = MathF.Sqrt(profile.LegLength / Gravity);
+            Walk(animator, (int)(6f * tau / Frame), new Nothing());
+            int[] hips = profile.Subject.Limbs.Where(limb => limb.Kind == LimbKind.Leg && limb.Stands).Select(limb => limb.Joints[1]).ToArray();
+            var watch = new JointWatch(profile);
+            var turned = new float[hips.Length];
+            Quaternion[] before = animator.LocalPose.Rotations.ToArray();
+            for (int i = 0; i < 60; i++)
+            {
+                Walk(animator, 1, new Nothing());
+                watch.Record(animator.LocalPose.Rotations, Frame);
+                for (int k = 0; k < hips.Length; k++)
+                {
+                    turned[k] += (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[hips[k]]), animator.LocalPose.Rotations[hips[k]]));
+                    before[hips[k]] = animator.LocalPose.Rotations[hips[k]];
+                }
+            }
+
+            string name = $"{profile.Subject.Seed} {profile.Subject.Plan}";
+            Assert.Equal(BodyState.Falling, animator.State);
+            Assert.True(turned.Min() > 0.3f, $"{name}: a hip turns by {turned.Min()} radians in a second");
+            Assert.True(Scalar.Degrees(watch.Excess) < 1 && watch.Speed < 15f, $"{name}: {Scalar.Degrees(watch.Excess)}° beyond a limit, {watch.Speed} rad/s");
         }
     }
 
