@@ -1,8 +1,13 @@
 using System;
+using System.Numerics;
+using CreatureGen.Creatures;
 using CreatureGen.Motion;
+using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
+using CreatureGen.Sampling;
+using CreatureGen.Tests.Creatures;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Walking;
@@ -35,6 +40,38 @@ public sealed class StopTests
             MotionReport report = Walkers.Measure(animator, (int)(3 * Rate), Rate, default, FlatGround.Level);
             Assert.True(report.LimitExcess < 0.005f, $"{report.LimitExcess} rad of joint {report.WorstJoint}, stopped at place {place}");
         }
+    }
+
+    /// <summary>One of each plan that walks on legs, at its natural size; feet had gone on stepping for 1.4 s in the median, all of them once more.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(7)]
+    [InlineData(8)]
+    [InlineData(11, Explicit = true)]
+    [InlineData(15, Explicit = true)]
+    public void Once_a_runner_has_come_to_rest_its_feet_stand_within_a_second(int seed)
+    {
+        var profile = new MotionProfile(GrownCreatures.Of(9_920_000 + (ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var animator = new CreatureAnimator(profile);
+        Walkers.Run(animator, 3f, Rate, new MotionInput(profile.Gaits!.Speeds[profile.Gaits.Speeds.Count - 1].Comfortable), FlatGround.Level);
+        var places = new Vector3[5 * Rate];
+        int lastStep = 0;
+        for (int i = 0; i < places.Length; i++)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+            places[i] = animator.Root.Position;
+            foreach (MotionEvent moment in animator.Events)
+            {
+                lastStep = moment.Kind == MotionEventKind.FootDown ? i : lastStep;
+            }
+        }
+
+        float near = 0.03f * profile.LegLength;
+        int rest = 1 + Array.FindLastIndex(places, place => Vector3.Distance(place, places[places.Length - 1]) > near);
+        Assert.True(lastStep - rest < Rate, $"the last foot came down {(lastStep - rest) / (float)Rate} s after the body had come to rest");
     }
 
     [Fact]

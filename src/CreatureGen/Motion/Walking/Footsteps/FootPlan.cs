@@ -51,6 +51,9 @@ internal struct FootPlan
     /// <summary>Whether the present swing has a target.</summary>
     public bool Aimed;
 
+    /// <summary>Whether it goes to where it will stand for good.</summary>
+    public bool ForGood;
+
     /// <summary>Whether it swings by its own clock, out of step with the gait: a correction.</summary>
     public bool Correcting;
 

@@ -1,9 +1,10 @@
 using System;
+using System.Numerics;
 using CreatureGen.Motion.Toolkit.Steps;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
-/// <content>Where feet are put without a step.</content>
+/// <content>Where feet are put without a step, and where they stand next.</content>
 internal sealed partial class FootPlanner
 {
     /// <summary>Sets all feet down at home.</summary>
@@ -41,5 +42,20 @@ internal sealed partial class FootPlanner
                 Aim(i, step, (1f - p + (0.5f * duty)) * cycle, (1f - p) * cycle);
             }
         }
+    }
+
+    /// <summary>Where a foot will stand next: for good once the body comes to a stand, as soon as its leg reaches that and while there is time for it.</summary>
+    private NextStance Next(int leg, in StepContext step, float ahead, float flight, out bool forGood)
+    {
+        FootPlan plan = feet[leg].Plan;
+        forGood = false;
+        if (!step.Stops)
+        {
+            return NextStance.Going(body, leg, step, Offset(leg), ahead);
+        }
+
+        NextStance last = NextStance.Last(body, leg, step, Offset(leg));
+        forGood = plan.ForGood || ((plan.Phase == FootPhase.Stance || plan.Swing < StepPhase.LatestLift) && last.IsReached(body, leg, step, flight));
+        return forGood ? last : NextStance.Going(body, leg, step, Offset(leg), ahead);
     }
 }

@@ -16,7 +16,7 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 internal sealed partial class FootPlanner
 {
     /// <summary>Part of the leg's length that a foot has to be from its next place before it steps.</summary>
-    private const float MinStep = 0.01f;
+    private const float MinStep = 0.003f;
 
     /// <summary>Radians that a foot has to be turned from its next heading before it steps.</summary>
     private const float MinTurn = 0.05f;
@@ -110,7 +110,7 @@ internal sealed partial class FootPlanner
                 return true;
             }
 
-            Vector3 away = frame.ToModel(feet[i].Plan.From.Position) - Under(i, activity, clock, 0f, 0f);
+            Vector3 away = frame.ToModel(feet[i].Plan.From.Position) - GaitFootholds.Under(body, i, activity, clock, 0f, 0f) - (Offset(i) * (1f - activity));
             away.Y = 0f;
             if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].Plan.From.YawFrom(frame)) > 2f * MinTurn)
             {
@@ -136,21 +136,22 @@ internal sealed partial class FootPlanner
 
             float p = step.Clock.LegPhase(i);
             float u = StepPhase.Swing(p, duty);
-            float ahead = step.Moving ? StepPhase.ToMidstance((1f - p) * cycle, duty, cycle) : (1f - p) * cycle;
+            float flight = (1f - p) * cycle;
+            float ahead = step.Moving ? StepPhase.ToMidstance(flight, duty, cycle) : flight;
             foot.Plan.Steps = false;
-            if (FootRelease.IsDue(ref foot, body, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead)))
+            if (FootRelease.IsDue(ref foot, body, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead, flight)))
             {
                 Release(i, step, (1f - duty) * cycle);
             }
             else if (p < duty)
             {
-                foot.Plan.Steps = (duty - p) * cycle < DecisionsAhead * DecisionClock.Period && Wants(i, step, ahead);
+                foot.Plan.Steps = (duty - p) * cycle < DecisionsAhead * DecisionClock.Period && Wants(i, step, ahead, flight);
             }
-            else if (u < (IsFar(i, step) ? LatestRescue : StepPhase.LatestLift) && Wants(i, step, ahead))
+            else if (u < (IsFar(i, step) ? LatestRescue : StepPhase.LatestLift) && Wants(i, step, ahead, flight))
             {
                 Lift(i, step, u);
                 foot.Path.Posture.Begin();
-                Aim(i, step, ahead, (1f - p) * cycle);
+                Aim(i, step, ahead, flight);
             }
         }
     }
@@ -173,7 +174,7 @@ internal sealed partial class FootPlanner
     {
         ref Foot foot = ref feet[leg];
         float swing = (1f - step.Clock.Duty) / step.Clock.Frequency;
-        if (!step.Moving && !Wants(leg, step, swing))
+        if (!step.Moving && !Wants(leg, step, swing, swing))
         {
             return false;
         }
@@ -210,7 +211,7 @@ internal sealed partial class FootPlanner
                     Land(i, step, Math.Min(p * cycle, step.Step));
                 }
 
-                else if (step.Step > (1f - duty) * cycle && foot.Plan.Stance > p / duty && !foot.Plan.Held && Wants(i, step, ((0.5f * duty) - p) * cycle))
+                else if (step.Step > (1f - duty) * cycle && foot.Plan.Stance > p / duty && !foot.Plan.Held && Wants(i, step, ((0.5f * duty) - p) * cycle, 0f))
                 {
                     // Steps so quick that a whole swing has passed unseen: it stepped all the same.
                     Lift(i, step, 0f);
@@ -299,14 +300,12 @@ internal sealed partial class FootPlanner
     }
 
     /// <summary>Whether a foot's next place is far enough from where it stands.</summary>
-    private bool Wants(int leg, in StepContext step, float ahead)
+    private bool Wants(int leg, in StepContext step, float ahead, float flight)
     {
-        Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
-        Quaternion turn = AxisRotation.Yaw(yaw);
-        Vector3 next = there + Rotation.Rotate(turn, Under(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope));
-        Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - next;
+        NextStance next = Next(leg, step, ahead, flight, out _);
+        Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - next.Place;
         away.Y = 0f;
-        return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].Plan.From.YawFrom(step.Frame) - yaw) > MinTurn;
+        return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].Plan.From.YawFrom(step.Frame) - next.Yaw) > MinTurn;
     }
 
     private void Lift(int leg, in StepContext step, float at)
@@ -319,6 +318,7 @@ internal sealed partial class FootPlanner
         foot.Plan.Correcting = false;
         foot.Plan.LiftAt = at;
         foot.Plan.Aimed = false;
+        foot.Plan.ForGood = false;
         foot.Plan.Swing = 0f;
         foot.Plan.Nudge = 0f;
         foot.Plan.Ahead = step.Moving ? 0f : foot.Plan.Ahead;
@@ -371,21 +371,28 @@ internal sealed partial class FootPlanner
     private void Aim(int leg, in StepContext step, float ahead, float flight)
     {
         ref Foot foot = ref feet[leg];
-        Vector3 there = step.RootVelocity.Predict(ahead, out float yaw);
-        Quaternion turn = AxisRotation.Yaw(yaw);
-        Vector3 home = Under(leg, step.Activity, step.Clock, step.RootVelocity.Speed, step.Slope);
-        Vector3 wanted = there + Rotation.Rotate(turn, home);
+        NextStance stance = Next(leg, step, ahead, flight, out foot.Plan.ForGood);
+        Quaternion turn = AxisRotation.Yaw(stance.Yaw);
+        Vector3 wanted = stance.Place;
 
         // Who stands shifts its weight, and its feet go home whatever its hips do.
         Vector3 shift = Rotation.Rotate(turn, new Vector3(0f, 0f, foot.Plan.Nudge));
         Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body, body.Legs[leg], foot.Leg, step.RootVelocity, flight, wanted + shift) - shift : wanted);
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
-        float fraction = foot.Plan.Swing > 0f && foot.Plan.Aimed ? aimDecay.Fraction(AimRate * step.Step) : 1f;
+        float fraction = foot.Plan.Swing > 0f && foot.Plan.Aimed ? TakenUp(foot.Plan.Swing, flight, foot.Plan.ForGood, step) : 1f;
         foot.Plan.Wanted += (next - foot.Plan.Wanted) * fraction;
         heading = fraction < 1f ? UnitRotation.Nlerp(foot.Plan.To.Heading, heading, fraction) : heading;
-        Target(leg, step, step.Frame.ToModel(foot.Plan.Wanted), home, yaw, heading);
+        Target(leg, step, step.Frame.ToModel(foot.Plan.Wanted), stance.Home, stance.Yaw, heading);
         search.Survey(step, leg, foot, ways[leg]);
         foot.Plan.Aimed = true;
+    }
+
+    /// <summary>How much of a change of the target is taken up in a step of time; where the foot comes down for good, all by the time at which the target stays where it is.</summary>
+    private float TakenUp(float swing, float flight, bool forGood, in StepContext step)
+    {
+        float fraction = aimDecay.Fraction(AimRate * step.Step);
+        float left = flight * (StepPhase.Frozen - swing) / (1f - swing);
+        return forGood && left > 0f ? Math.Max(fraction, Math.Min(step.Step / left, 1f)) : fraction;
     }
 
     /// <summary>Looks for ground under where a foot goes, and sets it there.</summary>
@@ -397,9 +404,8 @@ internal sealed partial class FootPlanner
         foot.Plan.To.Attach(step.Ground as IMovingGround);
     }
 
-    /// <summary>Where a foot belongs: where its gait has it, and ahead of that where a standing body has set it.</summary>
-    private Vector3 Under(int leg, float activity, GaitClock clock, float speed, float slope) =>
-        GaitFootholds.Under(body, leg, activity, clock, speed, slope) + new Vector3(0f, 0f, feet[leg].Plan.Ahead * (1f - activity));
+    /// <summary>What a standing body has set a foot away from its home, metres of the model.</summary>
+    private Vector3 Offset(int leg) => new(0f, 0f, feet[leg].Plan.Ahead);
 
     private static float Square(float x) => x * x;
 }

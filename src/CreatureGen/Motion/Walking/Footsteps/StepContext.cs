@@ -1,3 +1,4 @@
+using System.Numerics;
 using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
@@ -18,6 +19,12 @@ internal readonly struct StepContext
         Activity = activity;
         Moving = moving;
         Slope = slope;
+        Stops = velocity.Stops;
+        if (Stops)
+        {
+            Rest = velocity.PredictRest(out float yaw);
+            RestYaw = yaw;
+        }
     }
 
     /// <summary>Where the creature is at the end of the step.</summary>
@@ -48,4 +55,13 @@ internal readonly struct StepContext
 
     /// <summary>Rise of the ground along the way, over some steps.</summary>
     public float Slope { get; }
+
+    /// <summary>Whether it comes to a stand.</summary>
+    public bool Stops { get; }
+
+    /// <summary>Where the root will come to rest then, model space.</summary>
+    public Vector3 Rest { get; }
+
+    /// <summary>How far it will turn until then, radians.</summary>
+    public float RestYaw { get; }
 }

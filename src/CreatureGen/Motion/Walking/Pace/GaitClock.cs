@@ -30,6 +30,9 @@ internal sealed class GaitClock
     /// <summary>How quickly a change of that is taken up, per second.</summary>
     private const float GainRate = 8f;
 
+    /// <summary>How quickly the tempo of who comes to a stand falls at most, cycles per second in a second, parts of g/leg: its last steps are short instead of slow.</summary>
+    private const float TempoFall = 0.05f;
+
     /// <summary>Times that a rate of turning is brought down to what steps can follow, by half at most.</summary>
     private const int TurnTrials = 4;
 
@@ -175,7 +178,8 @@ internal sealed class GaitClock
         float own = FrequencyOf(Gait, froude, gravity);
         float straight = Math.Max(own + frequencyRest, SlowestFraction * own) / stride;
         float spot = Math.Abs(velocity.Turn) / YawPerCycle * (1f - (0.5f * pace));
-        Frequency = Math.Max(Math.Max(straight, spot), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
+        float kept = velocity.IsToStand ? Frequency - (TempoFall * gravity / body.LegLength * dt) : 0f;
+        Frequency = Math.Max(Math.Max(Math.Max(straight, spot), kept), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
         Length = Math.Min(straight / Frequency, 1f);
         float cycle = Frequency * dt;
         float duty = DutyInTurn(Gait, froude, velocity.Turn, unit);

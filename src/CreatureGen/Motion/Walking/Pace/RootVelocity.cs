@@ -10,6 +10,14 @@ internal struct RootVelocity
     /// <summary>Seconds ahead for which turns are kept within bounds.</summary>
     private const float Foresight = 0.25f;
 
+    /// <summary>How often what is left of a way with a turn is cut as it comes to a stand, for speed and turn fall differently and each piece is an arc; each is so much longer than the one before it.</summary>
+    private const int Arcs = 20;
+    private const float FirstArc = 0.02f;
+    private const float ArcGrowth = 1.2f;
+
+    /// <summary>Seconds after which it stands.</summary>
+    private const float AtRest = 20f;
+
     private IntendedSpeed ahead;
     private IntendedSpeed aside;
     private IntendedSpeed yaw;
@@ -31,6 +39,12 @@ internal struct RootVelocity
 
     /// <summary>Metres per second squared ahead.</summary>
     public readonly float Acceleration => ahead.IsSteady ? 0f : ahead.Acceleration(Bounds.Along);
+
+    /// <summary>Whether it is to stand.</summary>
+    public readonly bool IsToStand => ahead.Goal == 0f && aside.Goal == 0f && yaw.Goal == 0f;
+
+    /// <summary>Whether it comes to a stand, and does not stand yet.</summary>
+    public readonly bool Stops => IsToStand && !(ahead.IsSteady && aside.IsSteady && yaw.IsSteady);
 
     /// <summary>Steady motion.</summary>
     public static RootVelocity At(float speed, float sideways, float turn) => new() { ahead = IntendedSpeed.At(speed), aside = IntendedSpeed.At(sideways), yaw = IntendedSpeed.At(turn) };
@@ -71,6 +85,27 @@ internal struct RootVelocity
     {
         RootVelocity later = this;
         return later.Advance(dt, out turned);
+    }
+
+    /// <summary>Where the body will come to rest, of one that stops.</summary>
+    /// <param name="turned">Turn until then, radians.</param>
+    /// <returns>Displacement in the axes at present.</returns>
+    public readonly Vector3 PredictRest(out float turned)
+    {
+        RootVelocity later = this;
+        Vector3 way = Vector3.Zero;
+        turned = 0f;
+        float seconds = FirstArc;
+        for (int i = 0; i < Arcs && later.Turn != 0f; i++)
+        {
+            way += Rotation.Rotate(AxisRotation.Yaw(turned), later.Advance(seconds, out float more));
+            turned += more;
+            seconds *= ArcGrowth;
+        }
+
+        way += Rotation.Rotate(AxisRotation.Yaw(turned), later.Advance(AtRest, out float last));
+        turned += last;
+        return way;
     }
 
     /// <summary>Speed ahead after a time.</summary>
