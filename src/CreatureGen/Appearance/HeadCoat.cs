@@ -14,11 +14,29 @@ internal sealed class HeadCoat
     // Metres at scale 1.
     private const float WidestRing = 0.04f;
 
+    // Lightness of a coat, as OKLCH has it, up to which features of the face that are darker still are not seen at all, and that from which on they are.
+    private const float Unseen = 0.36f;
+    private const float Seen = 0.48f;
+
+    // Lightness, as OKLCH has it, of what is pale in a dark face, and lightness and chroma of its beak, at least: of horn.
+    private const double PaleLightness = 0.56;
+    private const double PaleBeak = 0.52;
+    private const double HornyChroma = 0.06;
+
+    /// <summary>Share of the pale colour on the snout of a dark face.</summary>
+    private const float PalePatch = 0.75f;
+
+    /// <summary>Lips of a dark face, relative to what is pale in it.</summary>
+    private const float PaleLip = 0.7f;
+
     private readonly CoatPalette palette;
     private readonly CoatSubject subject;
     private readonly Vector3 markColour;
     private readonly Vector3 ringColour;
     private readonly Vector3 muzzleColour;
+    private readonly Vector3 beakColour;
+    private readonly Vector3 paleColour;
+    private readonly float dark;
 
     public HeadCoat(CoatPalette palette, CoatSubject subject, CoatBlueprint coat)
     {
@@ -32,8 +50,15 @@ internal sealed class HeadCoat
         float accent = vivid * (subject.Mark == HeadMark.Hood ? 0.12f : 0.42f);
         bool bright = subject.Mark != HeadMark.None && mark < accent;
         markColour = mark < accent ? palette.Accent : mark < 0.8f ? palette.Pattern : subject.Mark == HeadMark.Hood ? palette.Limb : palette.Belly;
-        ringColour = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) > 0.4f * vivid ? palette.Limb * 0.6f : palette.Accent;
-        muzzleColour = CoatChoice.Of(patternSeed, CoatChoice.Muzzle) < 0.5f ? palette.Belly : palette.Limb;
+
+        // Rings, lips and muzzles are darker than the coat; on a dark one nothing would be seen of them, so they are paler there, as those of bears and badgers are.
+        dark = 1f - Scalar.Smooth(((float)coat.Base.Lightness - Unseen) / (Seen - Unseen));
+        paleColour = AtLeast(coat.Belly, PaleLightness, chroma: 0);
+        beakColour = Vec.Lerp(palette.Muzzle, AtLeast(coat.Muzzle, PaleBeak, HornyChroma), dark);
+        Vector3 ring = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) > 0.4f * vivid ? palette.Limb * 0.6f : palette.Accent;
+        Vector3 muzzle = CoatChoice.Of(patternSeed, CoatChoice.Muzzle) < 0.5f ? palette.Belly : palette.Limb;
+        ringColour = Vec.Lerp(ring, paleColour, dark);
+        muzzleColour = Vec.Lerp(muzzle, paleColour, dark);
     }
 
     /// <summary>The colour of a place of the trunk with the head's own colours laid over <paramref name="colour"/>.</summary>
@@ -47,8 +72,17 @@ internal sealed class HeadCoat
         colour = Vec.Lerp(colour, markColour, 0.9f * HeadMarks.At(subject.Mark, place.Ring, place.Around));
         colour = EyeRing(colour, place);
         colour = Snout(colour, place);
-        return place.Region == SurfaceRegion.Lip ? colour * (subject.Snout == SnoutKind.Beak ? 0.8f : 0.55f) : colour;
+        if (place.Region != SurfaceRegion.Lip)
+        {
+            return colour;
+        }
+
+        return subject.Snout == SnoutKind.Beak ? colour * 0.8f : Vec.Lerp(colour * 0.55f, paleColour * PaleLip, dark);
     }
+
+    /// <summary>A colour made as light and as strong as asked for where it is less, linear RGB.</summary>
+    private static Vector3 AtLeast(ColourBlueprint colour, double lightness, double chroma) =>
+        OklchColour.ToLinearRgb(System.Math.Max(colour.Lightness, lightness), System.Math.Max(colour.Chroma, chroma), colour.Hue);
 
     private Vector3 EyeRing(Vector3 colour, in SkinPlace place)
     {
@@ -71,16 +105,17 @@ internal sealed class HeadCoat
             // Paler towards its root, where its edge meets the feathers, and dark at the tip.
             float beak = Scalar.Smooth((float)((arc[6] - place.Arc) / (0.25 * arc[2])));
             float shade = Scalar.Lerp(0.72f, 1.05f, Scalar.Smooth((float)(place.Arc / (0.6 * arc[6]))));
-            return Vec.Lerp(colour, palette.Muzzle * shade, beak);
+            return Vec.Lerp(colour, beakColour * shade, beak);
         }
 
+        float patch = Scalar.Smooth((float)((arc[8] - place.Arc) / arc[4]));
         if (subject.Snout == SnoutKind.Bare)
         {
-            return colour;
+            return Vec.Lerp(colour, muzzleColour, PalePatch * dark * patch);
         }
 
         float dorsal = 1f - (2f * place.Ventral);
-        colour = Vec.Lerp(colour, muzzleColour, 0.55f * Scalar.Smooth((float)((arc[8] - place.Arc) / arc[4])));
+        colour = Vec.Lerp(colour, muzzleColour, Scalar.Lerp(0.55f, PalePatch, dark) * patch);
         float nose = place.Region == SurfaceRegion.Nose ? Scalar.Smooth((dorsal + 0.2f) / 0.3f)
             : place.Arc < 0.9 * arc[1] ? Scalar.Smooth((dorsal + 0.15f) / 0.12f)
             : 0f;

@@ -45,7 +45,7 @@ internal static class Beetle
         {
             new PartSlot(
                 new PartChoice(1, InsectParts.Part(InsectParts.Jaw(length: 0.34, radius: 0.038, sideward: 0.30, bendUp: 0.25, bendSide: -0.30), 0.8, 1.2)),
-                new PartChoice(1, InsectParts.Part(InsectParts.NoseHorn(0.36), 0.85, 1.2)),
+                new PartChoice(1, InsectParts.Part(InsectParts.NoseHorn(0.36), 0.85, 1.2), InsectParts.Part(InsectParts.Jaw(length: 0.1, radius: 0.026, sideward: 0.05, bendUp: -0.1, bendSide: -0.4), 0.8, 1.2)),
                 new PartChoice(1, InsectParts.Part(InsectParts.Jaw(length: 0.07, radius: 0.022, sideward: 0, bendUp: -0.1, bendSide: -0.4), 0.8, 1.2))),
             new PartSlot(new PartChoice(1, InsectParts.Part(InsectParts.Feeler(ring: 6, segment: 2.6, length: 0.3, radius: 0.012, outward: 0.7, upward: 0.5, forward: 0.7, bendUp: 0.25, bendForward: 0, knob: 1.5), 0.85, 1.1))),
         },
