@@ -250,6 +250,8 @@ internal static class StanceSampler
         }
 
         double hip = Scalar.Lerp(min, max, draw) * torso / 0.92;
+        double lower = HipFit.Lower(builder, TrunkOutline.Of(s), hip);
+        (hip, torso) = (lower * hip, lower * torso);
         if (builder.Kind != LocomotionKind.Swimming && builder.Parents.Legs.Legs is LegPreset preset)
         {
             builder.HipHeight = hip;
