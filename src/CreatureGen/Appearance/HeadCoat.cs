@@ -14,7 +14,7 @@ internal sealed class HeadCoat
     // Metres at scale 1.
     private const float WidestRing = 0.04f;
 
-    // Lightness of a coat, as OKLCH has it, up to which features of the face that are darker still are not seen at all, and that from which on they are.
+    // Lightness of a coat, or of a hood, as OKLCH has it, up to which features of the face that are darker still are not seen at all, and that from which on they are.
     private const float Unseen = 0.36f;
     private const float Seen = 0.48f;
 
@@ -49,10 +49,12 @@ internal sealed class HeadCoat
         float vivid = Scalar.Smooth(((float)coat.Base.Chroma - 0.085f) / 0.035f);
         float accent = vivid * (subject.Mark == HeadMark.Hood ? 0.12f : 0.42f);
         bool bright = subject.Mark != HeadMark.None && mark < accent;
-        markColour = mark < accent ? palette.Accent : mark < 0.8f ? palette.Pattern : subject.Mark == HeadMark.Hood ? palette.Limb : palette.Belly;
+        ColourBlueprint marked = mark < accent ? coat.Accent : mark < 0.8f ? coat.Pattern : subject.Mark == HeadMark.Hood ? coat.Limb : coat.Belly;
+        markColour = OklchColour.ToLinearRgb(marked);
 
         // Rings, lips and muzzles are darker than the coat; on a dark one nothing would be seen of them, so they are paler there, as those of bears and badgers are.
-        dark = 1f - Scalar.Smooth(((float)coat.Base.Lightness - Unseen) / (Seen - Unseen));
+        double face = subject.Mark == HeadMark.Hood ? marked.Lightness : coat.Base.Lightness;
+        dark = 1f - Scalar.Smooth(((float)face - Unseen) / (Seen - Unseen));
         paleColour = AtLeast(coat.Belly, PaleLightness, chroma: 0);
         beakColour = Vec.Lerp(palette.Muzzle, AtLeast(coat.Muzzle, PaleBeak, HornyChroma), dark);
         Vector3 ring = bright || CoatChoice.Of(patternSeed, CoatChoice.EyeRing) > 0.4f * vivid ? palette.Limb * 0.6f : palette.Accent;
