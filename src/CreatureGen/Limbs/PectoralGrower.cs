@@ -16,9 +16,6 @@ internal static class PectoralGrower
     /// <summary>Share of the length over which a fin goes over from its socket to its outline.</summary>
     private const float Rooted = 0.3f;
 
-    /// <summary>Part of the sweep that the axis of a fin takes on whose outline is swept itself.</summary>
-    private const float SweepOfForms = 0.4f;
-
     /// <summary>Share of the length from which on the edges draw together, so that no tip is cut off straight.</summary>
     private const float RoundedFrom = 0.86f;
 
@@ -37,7 +34,7 @@ internal static class PectoralGrower
         Vector3 centre = socket.Centre;
         float root = socket.HalfLength;
         FlankFin? form = FlankFin.Of(fin.Style);
-        float lean = form is null ? 1f : SweepOfForms;
+        float lean = (float)FlankFin.AxisSweep(fin.Style);
         Vector3 outward = Vec.Normalize(new Vector3(1f, -(float)fin.Drop, -(float)fin.Sweep * lean));
         Vector3 back = Vec.Normalize(Vec.Reject(new Vector3(0f, -0.35f, -1f), outward));
         Vector3 normal = Vec.Cross(outward, back);

@@ -6,6 +6,9 @@ namespace CreatureGen.Anatomy.Fins;
 /// <remarks>After the ratios of Wainwright, Bellwood and Westneat, Environ. Biol. Fishes 65 (2002), drawn by eye.</remarks>
 internal sealed class FlankFin
 {
+    /// <summary>Part of the sweep that the axis of a fin takes on whose outline is swept itself.</summary>
+    private const double AxisOfSwept = 0.4;
+
     /// <summary>Where along the axis the edges are given.</summary>
     private static readonly double[] stations = { 0, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1 };
 
@@ -41,6 +44,9 @@ internal sealed class FlankFin
         FinStyle.Flying => FlyingFin.Flank,
         _ => null,
     };
+
+    /// <summary>Part of a fin's sweep that its axis takes on: all of it on a paddle, less where the outline is swept itself.</summary>
+    public static double AxisSweep(FinStyle style) => Of(style) is null ? 1 : AxisOfSwept;
 
     /// <summary>The leading edge behind the axis.</summary>
     public double LeadAt(double s) => MonotoneCubic.Evaluate(stations, lead, leadSlopes, s);

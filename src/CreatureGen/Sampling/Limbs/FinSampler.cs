@@ -32,8 +32,11 @@ internal static class FinSampler
     private const double FlattestDrop = 0.3;
     private const double SteepestDrop = 1.1;
 
-    /// <summary>Most that the paired fins of a strange swimmer hang down for each unit that they are swept back: steeper ones are legs from the side.</summary>
+    /// <summary>Most that the paired fins of a strange swimmer hang down for each unit that their axis is swept back: steeper ones are legs from the side.</summary>
     private const double SteepestFall = 0.35;
+
+    /// <summary>First segment of sockets so far under the belly that a flat fin would go into the flank above it.</summary>
+    private const int UnderBelly = 11;
 
     /// <summary>Fills in the fins and the tail fin of the creature.</summary>
     public static void Sample(CreatureBuilder builder)
@@ -62,7 +65,6 @@ internal static class FinSampler
         SwimmingPlacement placement = SwimmingRules.Place(LegSampler.Measure(builder), FinAnatomy.Of(builder.Plan), builder.Sockets, builder.Seed.Child("swimmer"));
         double hang = random.Uniform(0.25, 0.6);
         double sweep = random.Uniform(0.4, 0.8);
-        double drop = DropOf(builder, hang, sweep);
         foreach (FinPlacement fin in placement.Fins)
         {
             if (!builder.Sockets.TryReserve(fin.Socket, 0))
@@ -84,7 +86,7 @@ internal static class FinSampler
                 double slender = FlankFin.Of(fin.Style) is FlankFin form ? form.Depth / PaddleWidth : 1;
                 double drawn = size * length * LengthOf(fin.Style) * fin.Scale.X;
                 double shorter = Scalar.Lerp(1, Math.Min(1, MaxPairLength / drawn), builder.Fitting);
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter), drop, sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, fin.Socket, shorter * drawn, Math.Min(MaxWidth, width * slender * fin.Scale.Z / shorter), DropOf(builder, hang, sweep, fin.Style, fin.Socket), sweep));
             }
             else
             {
@@ -148,7 +150,7 @@ internal static class FinSampler
             bool crowded = builder.Legs.Count > 0 && !builder.Sockets.IsFree(socket, 0);
             if (!crowded && builder.Sockets.TryReserve(socket, 0))
             {
-                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder, fin.Drop, fin.Sweep), fin.Sweep));
+                builder.Fins.Add(new FinBlueprint(fin.Place, fin.Style, socket, length, fin.Place == FinPlace.Pectoral ? width : 0, DropOf(builder, fin.Drop, fin.Sweep, fin.Style, socket), fin.Sweep));
             }
         }
 
@@ -169,10 +171,11 @@ internal static class FinSampler
     }
 
     /// <summary>How far paired fins hang down that hang so far on an animal.</summary>
-    private static double DropOf(CreatureBuilder builder, double hang, double sweep)
+    private static double DropOf(CreatureBuilder builder, double hang, double sweep, FinStyle style, SocketBlueprint socket)
     {
+        double axis = socket.Segment < UnderBelly ? FlankFin.AxisSweep(style) : 1;
         double drop = hang * Scalar.Lerp(1, builder.Stream("fin drop").Uniform(FlattestDrop, SteepestDrop), builder.Strangeness);
-        return Scalar.Lerp(drop, Math.Min(drop, SteepestFall * sweep), builder.Fitting);
+        return Scalar.Lerp(drop, Math.Min(drop, SteepestFall * axis * sweep), builder.Fitting);
     }
 
     private static double SweepOf(FinStyle style) => style switch { FinStyle.Sail or FinStyle.Ray => 0.35, FinStyle.Shark => 0.9, _ => 0.6 };
