@@ -8,6 +8,7 @@ using CreatureGen.Bodies;
 using CreatureGen.Geometry;
 using CreatureGen.Maths;
 using Xunit;
+using static CreatureGen.Tests.Appearance.StraightSkin;
 
 namespace CreatureGen.Tests.Appearance;
 
@@ -189,24 +190,7 @@ public sealed class CoatPainterTests
         return address;
     }
 
-    private static VertexAddress Address(SurfaceRegion region, float ring, float segment) =>
-        new() { Region = region, Appendage = -1, Sign = 1, Ring = ring, Segment = segment, Around = segment * MathF.PI / 16f };
-
     private static float Distance(Vector3 a, Vector3 b) => Vector3.Distance(a, b);
-
-    private static CoatSubject Subject()
-    {
-        var body = new BodyShape(new double[BodyGrid.Rings]);
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            body.Y[i] = 1;
-            body.Arc[i] = 0.04 * i;
-            body.Z[i] = 1.2 - body.Arc[i];
-            body.Width[i] = body.Top[i] = body.Bottom[i] = 0.2;
-        }
-
-        return new CoatSubject(body);
-    }
 
     private static SurfaceBuilder Tube(out Vector3[] normals)
     {

@@ -3,9 +3,9 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Appearance;
 using CreatureGen.Blueprints;
-using CreatureGen.Bodies;
 using CreatureGen.Geometry;
 using Xunit;
+using static CreatureGen.Tests.Appearance.StraightSkin;
 
 namespace CreatureGen.Tests.Appearance;
 
@@ -54,20 +54,12 @@ public sealed class HeadCoatTests
 
     private static float Luminance(Vector3 colour) => (0.2126f * colour.X) + (0.7152f * colour.Y) + (0.0722f * colour.Z);
 
-    private static VertexAddress Address(SurfaceRegion region, float ring, float segment) =>
-        new() { Region = region, Appendage = -1, Sign = 1, Ring = ring, Segment = segment, Around = segment * MathF.PI / 16f };
-
     private static CoatSubject Subject(SnoutKind snout)
     {
-        var body = new BodyShape(new double[BodyGrid.Rings]);
-        for (int i = 0; i < BodyGrid.Rings; i++)
-        {
-            body.Y[i] = 1;
-            body.Arc[i] = 0.04 * i;
-            body.Z[i] = 1.2 - body.Arc[i];
-            body.Width[i] = body.Top[i] = body.Bottom[i] = 0.2;
-        }
-
-        return new CoatSubject(body) { Snout = snout, EyeCentre = new Vector3(0.2f, 1.1f, 0.8f), EyeRadius = 0.03f };
+        CoatSubject subject = StraightSkin.Subject();
+        subject.Snout = snout;
+        subject.EyeCentre = new Vector3(0.2f, 1.1f, 0.8f);
+        subject.EyeRadius = 0.03f;
+        return subject;
     }
 }
