@@ -19,6 +19,9 @@ internal sealed class LeggedBody
     /// <summary>Part of these that bends up and down take up: the rest is for the bends to a side that go with them.</summary>
     private const float PitchBendFraction = 0.75f;
 
+    /// <summary>Part of these that turns of a neck to a side take up: as much is left for its nods.</summary>
+    private const float TurnFraction = 0.7f;
+
     /// <summary>How far a body rolls with the ground at most, radians.</summary>
     private const float SteepestRoll = 0.5f;
 
@@ -94,13 +97,9 @@ internal sealed class LeggedBody
         Span = TrunkSpan.Of(Legs, GoingHomes, Rows, Skeleton.ModelPositions[Trunk[0]], Skeleton.ModelPositions[Trunk[ForeSlot]], TrunkLength);
         Neck = ChainOf(Skeleton, JointRole.Neck, JointRole.Head);
         NeckLimits = Array.ConvertAll(Neck, joint => BendFraction * Math.Min(-Skeleton.Joints[joint].Limit.SwingX.Min, Skeleton.Joints[joint].Limit.SwingX.Max));
+        NeckTurns = Array.ConvertAll(Neck, joint => TurnFraction * NarrowestSwing(Skeleton.Joints[joint].Limit));
         Tail = ChainOf(Skeleton, JointRole.Tail);
-        TailLimits = new float[Tail.Length];
-        for (int i = 0; i < Tail.Length; i++)
-        {
-            JointLimit limit = Skeleton.Joints[Tail[i]].Limit;
-            TailLimits[i] = Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
-        }
+        TailLimits = Array.ConvertAll(Tail, joint => NarrowestSwing(Skeleton.Joints[joint].Limit));
 
         Vector3 chest = Skeleton.ModelPositions[Trunk[Trunk.Length - 1]];
         Vector3 head = Skeleton.ModelPositions[Neck.Length > 0 ? Neck[Neck.Length - 1] : Trunk[Trunk.Length - 1]];
@@ -173,6 +172,9 @@ internal sealed class LeggedBody
 
     /// <summary>How far each joint of neck and head nods to its narrower side, radians.</summary>
     public float[] NeckLimits { get; }
+
+    /// <summary>How far each of them turns to a side and has room to nod as well, radians.</summary>
+    public float[] NeckTurns { get; }
 
     public int[] Tail { get; }
 
@@ -312,6 +314,9 @@ internal sealed class LeggedBody
 
         return max;
     }
+
+    /// <summary>How far a joint swings to its narrowest side, radians.</summary>
+    private static float NarrowestSwing(JointLimit limit) => Math.Min(Math.Min(-limit.SwingX.Min, limit.SwingX.Max), Math.Min(-limit.SwingZ.Min, limit.SwingZ.Max));
 
     /// <summary>The stiffest joint decides: all bend alike.</summary>
     private static float MaxBend(Skeleton skeleton, int[] trunk, int foreSlot, Func<JointLimit, AngleRange> axis)

@@ -6,6 +6,11 @@ namespace CreatureGen.Motion.Walking.Bodies;
 /// <summary>How a trunk goes with its legs: data. Angles in radians for each leg length of difference between left and right foot, or between hind and fore feet.</summary>
 internal sealed record TrunkTraits
 {
+    /// <summary>Bank, way to the inside and bend of four-footed runners in fast turns.</summary>
+    private const float RunnersBank = 0.7f;
+    private const float RunnersInward = 0.7f;
+    private const float RunnersBend = 0.2f;
+
     private static readonly TrunkTraits quadruped = new();
 
     /// <summary>Yaw of the pelvis with the hind feet.</summary>
@@ -50,6 +55,12 @@ internal sealed record TrunkTraits
     /// <summary>Sideways lean in turns, part of the angle of balance.</summary>
     public float Bank { get; init; } = 0.6f;
 
+    /// <summary>How far the pelvis goes over to the inside of a turn, part of the way on which the legs lean as the body does: else the hips would have to draw the legs in.</summary>
+    public float Inward { get; init; } = 0.5f;
+
+    /// <summary>Bend of the trunk in fast turns beside that of the arc under it, which is wide, part of the angle of balance.</summary>
+    public float FastBend { get; init; }
+
     /// <summary>Head-bob of walking birds, radians at the neck's root.</summary>
     public float HeadBob { get; init; }
 
@@ -62,9 +73,9 @@ internal sealed record TrunkTraits
         bool supple = species.IsSupple;
         return plan switch
         {
-            BodyPlan.Digitigrade => quadruped with { ChestYaw = 0.10f, PelvisRoll = 0.055f, ChestRoll = 0.05f, Flexion = supple ? 0.44f : 0.38f, TailLift = 0.8f, ForeSlide = supple ? 0.32f : 0.28f, ForeRise = supple ? 0.05f : 0.03f },
-            BodyPlan.Unguligrade or BodyPlan.Centaur => quadruped with { PelvisYaw = 0.10f, ChestYaw = 0.06f, PelvisRoll = 0.03f, ChestRoll = 0.02f, Flexion = 0.16f, TailLift = 0.5f, ForeSlide = 0.24f, Nod = 1.3f },
-            BodyPlan.Plantigrade => quadruped with { PelvisYaw = 0.15f, PelvisRoll = 0.07f, ChestRoll = 0.07f, Flexion = 0.33f, TailLift = 0.8f, ForeRise = 0.045f, Nod = 1.2f },
+            BodyPlan.Digitigrade => quadruped with { ChestYaw = 0.10f, PelvisRoll = 0.055f, ChestRoll = 0.05f, Flexion = supple ? 0.44f : 0.38f, TailLift = 0.8f, ForeSlide = supple ? 0.32f : 0.28f, ForeRise = supple ? 0.05f : 0.03f, Bank = RunnersBank, Inward = RunnersInward, FastBend = RunnersBend },
+            BodyPlan.Unguligrade or BodyPlan.Centaur => quadruped with { PelvisYaw = 0.10f, ChestYaw = 0.06f, PelvisRoll = 0.03f, ChestRoll = 0.02f, Flexion = 0.16f, TailLift = 0.5f, ForeSlide = 0.24f, Nod = 1.3f, Bank = RunnersBank, Inward = RunnersInward, FastBend = RunnersBend },
+            BodyPlan.Plantigrade => quadruped with { PelvisYaw = 0.15f, PelvisRoll = 0.07f, ChestRoll = 0.07f, Flexion = 0.33f, TailLift = 0.8f, ForeRise = 0.045f, Nod = 1.2f, Bank = RunnersBank, Inward = RunnersInward, FastBend = RunnersBend },
             BodyPlan.Columnar => quadruped with { PelvisYaw = 0.08f, ChestYaw = 0.06f, ChestRoll = 0.035f, Flexion = 0.03f, ForeSlide = 0.20f, ForeRise = 0.02f, Nod = 1f },
             BodyPlan.Sprawling => quadruped with { PelvisYaw = 0.70f, ChestYaw = 0.55f, PelvisRoll = 0.06f, ChestRoll = 0.06f, Flexion = 0f, ForeSlide = 0.03f, ForeRise = 0f, HeadSteadiness = 0.85f, TailYaw = 1.6f },
             BodyPlan.ManyLegged => quadruped with { PelvisYaw = 0.08f, ChestYaw = 0.08f, PelvisRoll = 0.02f, ChestRoll = 0.02f, Flexion = 0f, ForeSlide = 0f, ForeRise = 0f, Bank = 0.2f },

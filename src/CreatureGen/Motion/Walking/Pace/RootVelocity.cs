@@ -116,6 +116,14 @@ internal struct RootVelocity
         return later.Speed;
     }
 
+    /// <summary>Turn after a time, radians per second to the left.</summary>
+    public readonly float TurnAfter(float dt)
+    {
+        IntendedSpeed later = yaw;
+        later.Advance(dt, Bounds.Yaw);
+        return later.Speed;
+    }
+
     /// <summary>Displacement along an arc at steady speeds.</summary>
     private static Vector3 Along(float ahead, float left, float turn, float dt)
     {

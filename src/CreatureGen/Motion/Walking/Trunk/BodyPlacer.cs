@@ -23,10 +23,7 @@ internal sealed class BodyPlacer
     private const float SlopeFraction = 0.8f;
     private const float LateralSlopeFraction = 1f;
 
-    /// <summary>How far the pelvis goes over to the inside of a turn, part of the way on which the legs lean as the body does: else the hips would have to draw the legs in.</summary>
-    private const float InwardFraction = 0.5f;
-
-    /// <summary>The same of bodies on two legs, whose tracks are narrow.</summary>
+    /// <summary>How far the pelvis of bodies on two legs, whose tracks are narrow, goes over to the inside of a turn, part of the way on which the legs lean as the body does.</summary>
     private const float BipedInwardFraction = 0.8f;
 
     private const float SurgeCap = 0.04f;
@@ -72,6 +69,9 @@ internal sealed class BodyPlacer
 
     /// <summary>Bend of the trunk into a turn, radians.</summary>
     public float TurnBend => turnBend.Angle;
+
+    /// <summary>The angle to the inside at which its turn would be in balance, radians.</summary>
+    public float Balance { get; private set; }
 
     /// <summary>Whether the trunk has so far to go until it is straight that it takes its hips away from their feet.</summary>
     public bool IsBent => turnBend.IsBent(body);
@@ -189,7 +189,8 @@ internal sealed class BodyPlacer
 
         Spread(feet, out Girdle rear, out Girdle front);
         Scissor = rear.Left - rear.Right;
-        turnBend.Follow(body, context.RootVelocity, settings.Gravity, context.Step);
+        Balance = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity);
+        turnBend.Follow(body, context.RootVelocity, settings.Gravity, Balance, context.Step);
         look.Follow(body, context.Facing, context.Step);
         float bend = TurnBend;
         float spine = settings.Walking.SpineMotion;
@@ -214,8 +215,8 @@ internal sealed class BodyPlacer
         float arch = body.IsBiped ? 0f : -clock.Shape.Arch * first.Cosine.All() / feet.Length;
         float flexion = Scalar.Clamp(((supple * Scalar.Clamp(gather, -1f, 1f)) + arch) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
-        float bank = FastTrigonometry.Of(context.RootVelocity.Speed * context.RootVelocity.Turn, settings.Gravity) * traits.Bank * settings.Walking.Bank;
-        float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : InwardFraction) * body.HipHeight * bank;
+        float bank = Balance * traits.Bank * settings.Walking.Bank;
+        float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : traits.Inward) * body.HipHeight * bank;
 
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Subject.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);

@@ -9,7 +9,13 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>Neck and head: they take back most of the chest's turns, so that the gaze stays level, nod with the chest's rise, look into the turn, and bob in walking birds.</summary>
 internal static class HeadPosture
 {
-    private const float TurnLook = 0.18f;
+    /// <summary>The head is so many seconds ahead of the body's turn, and looks as far into it as the body turns in so many.</summary>
+    private const float TurnLead = 0.2f;
+    private const float TurnLook = 0.28f;
+
+    /// <summary>Most that it looks into a turn, radians.</summary>
+    private const float MaxTurnLook = 0.45f;
+
     private const float BobHold = 0.55f;
 
     /// <summary>Writes neck and head.</summary>
@@ -24,13 +30,14 @@ internal static class HeadPosture
         Quaternion chest = placer.Trunk.Turns[placer.Trunk.Turns.Length - 1];
         Rotation.ToBasis(chest, out Vector3 x, out Vector3 y, out Vector3 z);
         float steady = body.Traits.HeadSteadiness * context.Settings.Walking.HeadSteadiness;
-        float yaw = (-FastTrigonometry.Of(z.X, z.Z) * steady) + (TurnLook * Scalar.Clamp(context.RootVelocity.Turn, -1.5f, 1.5f));
+        float yaw = (-FastTrigonometry.Of(z.X, z.Z) * steady) + Scalar.Clamp(TurnLook * context.RootVelocity.TurnAfter(TurnLead), -MaxTurnLook, MaxTurnLook);
         float pitch = (FastTrigonometry.OfSine(z.Y) - (body.Posture.Raised * context.Upright)) * steady;
         float roll = -FastTrigonometry.Of(x.Y, y.Y) * steady;
         float fraction = 1f / count;
         float nod = placer.Nod;
         float bob = Bob(body, context);
-        float last = float.NaN;
+        float lastTilt = float.NaN;
+        float lastYaw = float.NaN;
         Quaternion turn = Quaternion.Identity;
         for (int i = 0; i < count; i++)
         {
@@ -42,10 +49,12 @@ internal static class HeadPosture
             }
 
             tilt = Scalar.Clamp(tilt, -body.NeckLimits[i], body.NeckLimits[i]) + (context.Upright * body.Posture.Nod(i));
-            if (tilt != last)
+            float aside = Scalar.Clamp(yaw * fraction, -body.NeckTurns[i], body.NeckTurns[i]);
+            if (tilt != lastTilt || aside != lastYaw)
             {
-                last = tilt;
-                turn = AxisRotation.YawPitchRoll(yaw * fraction, tilt, roll * fraction);
+                lastTilt = tilt;
+                lastYaw = aside;
+                turn = AxisRotation.YawPitchRoll(aside, tilt, roll * fraction);
             }
 
             turns.Set(local, body.Neck[i], turn);

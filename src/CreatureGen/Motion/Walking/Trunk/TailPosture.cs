@@ -11,6 +11,9 @@ internal static class TailPosture
 {
     private const float TurnFraction = -1.3f;
 
+    /// <summary>How far it is swung out of a turn, against the lean of the body: radians for each of the angle at which the turn would be in balance.</summary>
+    private const float Counterweight = 1.2f;
+
     /// <summary>Part of the pelvis's roll that the tail takes back.</summary>
     private const float Steadiness = 0.5f;
 
@@ -27,7 +30,7 @@ internal static class TailPosture
         Rotation.ToBasis(placer.Trunk.Turns[0], out Vector3 x, out Vector3 y, out Vector3 z);
         float pitch = (FastTrigonometry.OfSine(z.Y) * body.Posture.TailSteadiness) + (factor * body.Traits.TailLift * placer.Flexion);
         float roll = -FastTrigonometry.Of(x.Y, y.Y) * Steadiness;
-        float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnFraction * placer.TurnBend) + context.Idle.TailSway);
+        float yaw = factor * ((-body.Traits.TailYaw * placer.PelvisYaw) + (TurnFraction * placer.TurnBend) + (Counterweight * placer.Balance) + context.Idle.TailSway);
         float fraction = 1f / count;
         float lastYaw = float.NaN;
         float lastPitch = float.NaN;

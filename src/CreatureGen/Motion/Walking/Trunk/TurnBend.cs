@@ -37,11 +37,12 @@ internal struct TurnBend
     /// <param name="body">Gives the length of the trunk.</param>
     /// <param name="velocity">How it goes.</param>
     /// <param name="gravity">Metres per second squared.</param>
+    /// <param name="balance">The angle to the inside at which the turn would be in balance, radians.</param>
     /// <param name="dt">Seconds.</param>
-    public void Follow(LeggedBody body, in RootVelocity velocity, float gravity, float dt)
+    public void Follow(LeggedBody body, in RootVelocity velocity, float gravity, float balance, float dt)
     {
         float walking = (float)Math.Sqrt(0.12f * gravity * body.LegLength);
         float arc = velocity.Turn / Math.Max(Math.Abs(velocity.Speed), SlowestFraction * walking) * body.TrunkLength;
-        spring.Step(Scalar.Clamp(arc * ArcFraction, -Max, Max), Rate, dt);
+        spring.Step(Scalar.Clamp((arc * ArcFraction) + (balance * body.Traits.FastBend), -Max, Max), Rate, dt);
     }
 }
