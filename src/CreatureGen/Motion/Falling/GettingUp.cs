@@ -22,13 +22,15 @@ internal sealed class GettingUp
     private const float Settled = 0.25f;
     private const float Raised = 0.5f;
 
-    /// <summary>How fast the joints of legs out to the side turn towards where they belong at most, radians per τ.</summary>
+    /// <summary>Part of the rise in which a body comes down again that head, tail or wings keep off the ground once it has gathered itself.</summary>
+    private const float Lowered = 0.4f;
+
+    /// <summary>How fast the joints of legs turn towards where they belong at most, radians per τ.</summary>
     private const float FastestLimb = 3f;
 
     private readonly FallProfile profile;
     private readonly ILocomotionMode inner;
     private readonly IRise? rising;
-    private readonly LyingLimb[] lateral;
     private readonly LyingLimb[] drawn;
     private readonly Vector3[] ankles;
     private readonly PoseBuffer from;
@@ -42,13 +44,13 @@ internal sealed class GettingUp
     private float rise;
     private float elapsed;
     private float gap;
+    private float over;
 
     public GettingUp(FallProfile profile, ILocomotionMode inner, WalkingMode? legs)
     {
         this.profile = profile;
         this.inner = inner;
         rising = legs == null ? null : profile.Lying is LyingManner lying ? new BellyRise(profile, lying, legs) : new CrouchRise(profile, legs);
-        lateral = Array.FindAll(profile.Limbs, limb => limb.Lateral);
         drawn = Array.FindAll(profile.Limbs, limb => !limb.Lateral && !profile.Swims);
         from = new PoseBuffer(profile.Skeleton);
         to = new LocalPose(profile.Skeleton);
@@ -86,6 +88,7 @@ internal sealed class GettingUp
         gather = GatherTime * tau * profile.Manner.Tempo;
         rise = rises ? rising!.Seconds(tau) : 0f;
         elapsed = 0f;
+        over = profile.Swims ? 0f : GroundClearance.Clear(profile, shown, place, 0f, settings.Up, ground);
         if (drawn.Length > 0)
         {
             Foresee(place, settings, ground);
@@ -127,6 +130,7 @@ internal sealed class GettingUp
             shown.Finish();
             GroundClearance.BendUp(profile, shown, place, settings.Up, ground);
             shown.Local.Rotations.CopyTo(local.Rotations);
+            profile.Raise(local, over * (1f - Scalar.Smooth(u / Lowered)));
         }
 
         return u >= 1f;
@@ -138,7 +142,7 @@ internal sealed class GettingUp
         from.Take(other.from.Local);
         to.Take(other.to.Pose);
         folded.Take(other.folded.Pose);
-        (fromTurn, toTurn, gather, rise, elapsed, gap) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap);
+        (fromTurn, toTurn, gather, rise, elapsed, gap, over) = (other.fromTurn, other.toTurn, other.gather, other.rise, other.elapsed, other.gap, other.over);
         rising?.CopyFrom(other.rising!);
         heave.CopyFrom(other.heave);
         other.ankles.CopyTo(ankles, 0);
@@ -197,9 +201,8 @@ internal sealed class GettingUp
         {
             int ankle = limb.Joints[2];
             LimbDraw.Apply(profile.Skeleton, limb, from.Model.Positions[ankle], ankles[ankle], Scalar.Smooth(u), shown);
-            LimbFold.Yield(profile, limb, shown, place, depth, settings.Up, ground);
         }
 
-        LimbFold.Up(profile, lateral, shown, folded.Pose, FastestLimb * GatherTime * dt / gather, raised, place, depth, settings.Up, ground);
+        LimbFold.Up(profile, profile.Limbs, shown, folded.Pose, FastestLimb * GatherTime * dt / gather, raised, place, depth, settings.Up, ground);
     }
 }

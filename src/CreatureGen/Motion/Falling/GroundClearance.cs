@@ -39,12 +39,13 @@ internal static class GroundClearance
     /// <param name="depth">How far below the ground its lowest point may be, metres of the model, not positive.</param>
     /// <param name="up">Unit, world space.</param>
     /// <param name="ground">What it lies on.</param>
-    public static void Clear(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
+    /// <returns>How far it was lifted, metres of the model.</returns>
+    public static float Clear(FallProfile profile, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
     {
-        Lift(profile, BodyPart.Trunk | BodyPart.Limb, pose, place, depth, up, ground);
+        float lifted = Lift(profile, BodyPart.Trunk | BodyPart.Limb, pose, place, depth, up, ground);
         Bend(profile, profile.Neck, BodyPart.Head, pose, place, depth, up, ground);
         Bend(profile, profile.Tail, BodyPart.Tail, pose, place, depth, up, ground);
-        Lift(profile, BodyPart.All, pose, place, depth, up, ground);
+        return lifted + Lift(profile, BodyPart.All, pose, place, depth, up, ground);
     }
 
     /// <summary>Bends head and tail up out of the ground; the body stays.</summary>
@@ -101,13 +102,16 @@ internal static class GroundClearance
     }
 
     /// <summary>Lifts the whole body as far as some of it is in the ground.</summary>
-    private static void Lift(FallProfile profile, BodyPart parts, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
+    private static float Lift(FallProfile profile, BodyPart parts, PoseBuffer pose, in RootPlace place, float depth, Vector3 up, IGround ground)
     {
         float left = depth - profile.Support.Lowest(parts, place, pose.Model, up, ground, out _);
-        if (left > 0f)
+        if (!(left > 0f))
         {
-            profile.Raise(pose.Local, left);
-            pose.Finish();
+            return 0f;
         }
+
+        profile.Raise(pose.Local, left);
+        pose.Finish();
+        return left;
     }
 }

@@ -24,8 +24,10 @@ internal sealed class Heave
     {
         for (int i = 0; i <= Parts; i++)
         {
+            // Close to its end it looks less far around, for it comes to rest there.
+            int around = Math.Min(Around, Parts - 1 - i);
             float height = 0f;
-            for (int j = Math.Max(i - Around, 0); j <= Math.Min(i + Around, Parts); j++)
+            for (int j = Math.Max(i - around, 0); j <= i + around; j++)
             {
                 height = Math.Max(height, asked[j]);
             }

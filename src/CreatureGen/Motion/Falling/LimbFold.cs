@@ -6,7 +6,7 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
-/// <summary>Takes legs out to the side over the ground to where they belong: turned straight there they would go through it and lift the body. The joints of each turn by as much as each of them raises its lowest point (damped least squares), so that nothing turns over where that point is right below a joint; it goes on from how it was folded before, so that it does not go to and fro between two ways around.</summary>
+/// <summary>Takes legs over the ground to where they belong: turned straight there they would go through it and lift the body. The joints of each turn by as much as each of them raises its lowest point (damped least squares), so that nothing turns over where that point is right below a joint; it goes on from how it was folded before, so that it does not go to and fro between two ways around.</summary>
 internal static class LimbFold
 {
     /// <summary>Radians by which a joint turns in a round at most.</summary>
@@ -35,10 +35,7 @@ internal static class LimbFold
         foreach (LyingLimb limb in limbs)
         {
             int[] joints = limb.Joints;
-            for (int i = 0; i < joints.Length; i++)
-            {
-                belongs[i] = pose.Local.Rotations[joints[i]];
-            }
+            Keep(limb, pose, belongs);
 
             Follow(profile, limb, pose, folded, step);
             Yield(profile, limb, pose, place, depth, up, ground);
@@ -77,12 +74,26 @@ internal static class LimbFold
     {
         int hip = limb.Joints[0];
         float damping = Damped * limb.Length * (Damped * limb.Length);
-        for (int round = 0; round < limb.Yield.Rounds; round++)
+        Span<Quaternion> best = stackalloc Quaternion[LyingLimb.JointCount];
+        float least = float.MaxValue;
+        for (int round = 0; ; round++)
         {
             float sunk = depth - profile.Support.LowestOfLimb(hip, place, pose.Model, up, ground, out Vector3 point);
             if (!(sunk > 1e-4f * limb.Length))
             {
                 return;
+            }
+
+            if (sunk < least)
+            {
+                // Pressed between two points it goes to and fro: what was least deep counts, and not what was last.
+                least = sunk;
+                Keep(limb, pose, best);
+            }
+
+            if (round == limb.Yield.Rounds)
+            {
+                break;
             }
 
             float levers = damping;
@@ -100,6 +111,21 @@ internal static class LimbFold
             }
 
             Subtree.LocalToModel(profile.Skeleton, hip, pose.Local, pose.Model);
+        }
+
+        for (int i = 0; i < limb.Joints.Length; i++)
+        {
+            pose.Local.Rotations[limb.Joints[i]] = best[i];
+        }
+
+        Subtree.LocalToModel(profile.Skeleton, hip, pose.Local, pose.Model);
+    }
+
+    private static void Keep(LyingLimb limb, PoseBuffer pose, Span<Quaternion> kept)
+    {
+        for (int i = 0; i < limb.Joints.Length; i++)
+        {
+            kept[i] = pose.Local.Rotations[limb.Joints[i]];
         }
     }
 

@@ -149,6 +149,32 @@ public sealed class GettingUpTests
     }
 
     /// <summary>A foot that has come to its place while the body rises does not leave it.</summary>
+    /// <summary>Feet that flip over between two updates, limbs that are pressed between two points and what ends at once had lifted these by .066, .053 and .078 of a leg from one update to the next, another than from that to the one after it.</summary>
+    [Theory]
+    [InlineData(9990005UL)]
+    [InlineData(9985019UL)]
+    [InlineData(9990002UL, Explicit = true)]
+    [InlineData(9990019UL, Explicit = true)]
+    [InlineData(9990013UL, Explicit = true)]
+    public void No_trunk_jolts_as_its_body_gets_up(ulong seed)
+    {
+        const float MaxJolt = 0.027f;
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CreatureAnimator animator = Lying(profile);
+        animator.GetUp();
+        var heights = new List<float>();
+        for (int i = 0; i < 3000 && animator.State != BodyState.Supported; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            heights.Add(Trunk(animator));
+        }
+
+        float[] steps = heights.Zip(heights.Skip(1), (a, b) => b - a).ToArray();
+        float jolt = steps.Zip(steps.Skip(1), (a, b) => MathF.Abs(b - a)).Max() / profile.LegLength;
+        Assert.Equal(BodyState.Supported, animator.State);
+        Assert.True(jolt < MaxJolt, $"{jolt} leg lengths");
+    }
+
     [Fact]
     public void Feet_are_planted_while_the_body_rises()
     {
