@@ -26,7 +26,7 @@ internal sealed class GettingUp
     private const float Lowered = 0.4f;
 
     /// <summary>How fast the joints of legs turn towards where they belong at most, radians per τ.</summary>
-    private const float FastestLimb = 3f;
+    private const float FastestLimb = 4f;
 
     private readonly FallProfile profile;
     private readonly ILocomotionMode inner;
