@@ -352,8 +352,9 @@ internal sealed partial class FootPlanner
             return;
         }
 
-        // It stays on the tread that it was to come down on if it is not dragged far for that.
+        // It stays on the tread that it was to come down on if it is not dragged far for that. Its place is off edges already.
         Foothold meant = foot.Plan.To;
+        foot.Plan.Nudge = 0f;
         Target(leg, step, step.Frame.ToModel(meant.Position) + astray, body.Legs[leg].Home, meant.YawFrom(step.Frame), meant.Heading);
         bool isNear = Vec.LengthSquared(astray) < Square(MaxDrag * body.Legs[leg].Length);
         if (!foot.Plan.HasTarget || (isNear && Math.Abs(Vec.Dot(foot.Plan.To.Position - meant.Position, meant.Normal)) > OtherTread * body.Legs[leg].Length * step.Frame.Scale))

@@ -21,6 +21,9 @@ internal struct Foothold
     /// <summary>The platform that it is on, 0 for none.</summary>
     public int Platform;
 
+    /// <summary>Whether its toes hang over an edge: it does not roll over them.</summary>
+    public bool Overhangs;
+
     private Vector3 localPosition;
     private Quaternion localHeading;
     private Vector3 localNormal;

@@ -43,6 +43,9 @@ internal static class FootRoll
     /// <summary>Radians per second at which toes leave the ground at most: in the short stances of a fast gallop they roll off less far.</summary>
     private const float FastestRoll = 45f;
 
+    /// <summary>Part of its roll that a foot makes whose toes hang over an edge.</summary>
+    private const float OverhangingRoll = 0.2f;
+
     /// <summary>Speed backwards, of √(gℓ), from which on feet do not roll over their toes.</summary>
     private const float BackingSpeed = 0.08f;
 
@@ -83,7 +86,7 @@ internal static class FootRoll
     {
         LegGaitParameters traits = leg.Traits;
         float rising = Scalar.Clamp(RiseOfCycle / Math.Max(duty, 0.1f), ShortestRise, leg.FlatFoot && !leg.Lateral ? LongestFlatRise : LongestRise);
-        float off = Math.Min(traits.ToeOff * leg.RollFraction, 0.5f * FastestRoll * rising * duty * cycle);
+        float off = Math.Min(traits.ToeOff * leg.RollFraction, 0.5f * FastestRoll * rising * duty * cycle) * (foot.Plan.From.Overhangs ? OverhangingRoll : 1f);
         if (foot.Phase == FootPhase.Stance)
         {
             float rise = Scalar.Clamp(1f - ((1f - foot.Stance) / rising), 0f, 1f);

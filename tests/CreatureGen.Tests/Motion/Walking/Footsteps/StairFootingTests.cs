@@ -84,6 +84,15 @@ public sealed class StairFootingTests
         Assert.True(report.StanceSlip < 0.02f, $"a stance slips by {report.StanceSlip}");
     }
 
+    /// <summary>A cat whose foot was shifted off an edge once more as it stood where it had come down: it slipped by 12 % of a leg.</summary>
+    [Fact]
+    public void A_foot_that_stands_where_it_came_down_is_not_shifted_off_edges_again()
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(9920002, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
+        Assert.True(report.StanceSlip < 0.015f, $"a stance slips by {report.StanceSlip}");
+    }
+
     private static float Depth(CourseSimulation simulation, FootSkin skin, Matrix4x4[] matrices)
     {
         float depth = 0f;
