@@ -21,8 +21,11 @@ internal struct Foothold
     /// <summary>The platform that it is on, 0 for none.</summary>
     public int Platform;
 
-    /// <summary>Whether its toes hang over an edge: it does not roll over them.</summary>
+    /// <summary>Whether its toes hang over an edge: it hardly rolls over them.</summary>
     public bool Overhangs;
+
+    /// <summary>Whether its toes meet a wall.</summary>
+    public bool MeetsWall;
 
     private Vector3 localPosition;
     private Quaternion localHeading;

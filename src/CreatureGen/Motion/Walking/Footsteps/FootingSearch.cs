@@ -134,6 +134,7 @@ internal sealed class FootingSearch
         if (uneven)
         {
             place.Overhangs = sole.Toes == SoleEnd.Hangs;
+            place.MeetsWall = sole.Toes == SoleEnd.Wall;
             place.Position += up * (sole.Raise * step.Frame.Scale);
             Vector3 tilt = Rotation.Rotate(step.Frame.Rotation, (sole.Ahead * sole.Slope) + (sole.Aside * sole.Tilt));
             place.Normal = Vec.Normalize((place.Normal / Vec.Dot(place.Normal, up)) - tilt, up);

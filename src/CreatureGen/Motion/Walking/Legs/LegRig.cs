@@ -100,6 +100,7 @@ internal sealed class LegRig
         RollAxis = Vec.Cross(Vector3.UnitY, ToeDirection);
         Toe = Math.Max(sole.Toe, 0.02f * Length);
         Heel = Math.Max(sole.Heel, 0.02f * Length);
+        Tip = sole.Tip;
         Fore = Math.Max(sole.Fore, Toe);
         Aft = Math.Max(sole.Aft, Heel);
         HalfWidth = sole.HalfWidth;
@@ -136,7 +137,8 @@ internal sealed class LegRig
         RestStretch = Vec.Length(upper + Shank) / Reach;
         double folds = BendSign > 0 ? fold.Max : -fold.Min;
         FoldedReach = (float)Math.Sqrt(parts.OffsetSquared + Math.Max(0, (la * la) + (lb * lb) + (2 * la * lb * PortableMath.Cos(Math.Min(BendRange.Max, bend + folds)))));
-        Gathered = Lateral ? Gather(out float stoop) : Standing(out stoop);
+        float stoop = 0f;
+        Gathered = Lateral ? Gather(out stoop) : Home;
         Stoop = stoop;
         MinTrack = Math.Max(NarrowestTrack(), ThighTrack(skeleton, bones));
         Tucked = ((upper + Shank) * TuckedFraction) - new Vector3(0f, 0f, TuckedBack * Length);
@@ -182,12 +184,6 @@ internal sealed class LegRig
 
         float knee = -Thigh.Y / Math.Max(HipRest.Y, 1e-4f);
         return Lateral ? 0f : Math.Min(1f, 1f - (room / Math.Max(knee * Math.Abs(Home.X), 1e-4f)));
-    }
-
-    private Vector3 Standing(out float stoop)
-    {
-        stoop = 0f;
-        return Home;
     }
 
     /// <summary>Where the foot goes: drawn in towards the hip when the leg stands nearly stretched; and how far the body comes down for it where that is not enough.</summary>
@@ -331,6 +327,9 @@ internal sealed class LegRig
 
     /// <summary>From the ball to the tip of the toes, level.</summary>
     public float Toe { get; }
+
+    /// <summary>The end of the toes over which the foot rolls off the ground.</summary>
+    public ToeTip Tip { get; }
 
     /// <summary>Share of the roll over its toes that the foot makes: less on long toes.</summary>
     public float RollFraction { get; }

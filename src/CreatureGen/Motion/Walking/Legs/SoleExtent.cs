@@ -27,7 +27,7 @@ internal readonly struct SoleExtent
     /// <summary>Directions in which its outline is measured.</summary>
     public const int Directions = 8;
 
-    private SoleExtent(float toe, float heel, (float Fore, float Aft) bumpers, float width, Vector3 middle, Vector3[] outline)
+    private SoleExtent(float toe, float heel, (float Fore, float Aft) bumpers, float width, Vector3 middle, Vector3[] outline, ToeTip tip)
     {
         Toe = toe;
         Heel = heel;
@@ -36,6 +36,7 @@ internal readonly struct SoleExtent
         HalfWidth = width;
         Middle = middle;
         Outline = outline;
+        Tip = tip;
     }
 
     /// <summary>From the ball to what of the sole's surface is farthest out in each of so many directions, level.</summary>
@@ -56,6 +57,9 @@ internal readonly struct SoleExtent
 
     /// <summary>From the line through the ball to the farther side.</summary>
     public float HalfWidth { get; }
+
+    /// <summary>The end of the toes over which it rolls.</summary>
+    public ToeTip Tip { get; }
 
     /// <summary>Measures the soles of all legs on the skin.</summary>
     public static SoleExtent[] Measure(MotionSubject subject, LimbChain[] legs)
@@ -114,6 +118,7 @@ internal readonly struct SoleExtent
             }
         }
 
+        var tips = new ToeTip.Profile[legs.Length];
         Vector3[][] outlines = Array.ConvertAll(ahead, _ => new Vector3[Directions]);
         for (int v = 0; v < positions.Length; v++)
         {
@@ -122,6 +127,11 @@ internal readonly struct SoleExtent
             {
                 Vector3 ball = skeleton.ModelPositions[legs[leg].Joints[4]];
                 Vector3 hip = skeleton.ModelPositions[legs[leg].Joints[1]];
+                if (weights[v].Joint0 != legs[leg].Joints[3])
+                {
+                    tips[leg].Add(Vec.Dot(positions[v] - ball, ahead[leg]), positions[v].Y);
+                }
+
                 if (positions[v].Y < surface[leg] + (LayerFraction * Vec.Distance(hip, new Vector3(ball.X, 0f, ball.Z))))
                 {
                     Widen(outlines[leg], ahead[leg], positions[v] - ball);
@@ -134,7 +144,7 @@ internal readonly struct SoleExtent
         var extents = new SoleExtent[legs.Length];
         for (int i = 0; i < legs.Length; i++)
         {
-            extents[i] = new SoleExtent(toe[i], heel[i], bumpers[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])), outlines[i]);
+            extents[i] = new SoleExtent(toe[i], heel[i], bumpers[i], width[i], count[i] > 0 ? sum[i] / count[i] : ahead[i] * (0.5f * (toe[i] - heel[i])), outlines[i], tips[i].Fit(toe[i]));
         }
 
         return extents;

@@ -24,6 +24,9 @@ internal sealed class GaitClock
     /// <summary>Yaw of the body in one cycle on the spot, radians.</summary>
     private const float YawPerCycle = 0.45f;
 
+    /// <summary>The same at most, where steps would come quicker than its mass lets them.</summary>
+    private const float WidestYawPerCycle = 0.8f;
+
     /// <summary>Seconds ahead of which the speed decides how quick steps are.</summary>
     private const float Foresight = 0.25f;
 
@@ -177,7 +180,8 @@ internal sealed class GaitClock
         // What is left of a much slower gait must not stop the clock: feet in the air would never come down.
         float own = FrequencyOf(Gait, froude, gravity);
         float straight = Math.Max(own + frequencyRest, SlowestFraction * own) / stride;
-        float spot = Math.Abs(velocity.Turn) / YawPerCycle * (1f - (0.5f * pace));
+        float yaw = Math.Abs(velocity.Turn) * (1f - (0.5f * pace));
+        float spot = Math.Min(yaw / YawPerCycle, Math.Max(quickest, yaw / WidestYawPerCycle));
         float kept = velocity.IsToStand ? Frequency - (TempoFall * gravity / body.LegLength * dt) : 0f;
         Frequency = Math.Max(Math.Max(Math.Max(straight, spot), kept), Math.Min(FrequencyInTurn(velocity.Speed, velocity.Sideways, velocity.Turn, straight, Duty), quickest));
         Length = Math.Min(straight / Frequency, 1f);

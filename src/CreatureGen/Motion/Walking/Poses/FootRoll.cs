@@ -149,11 +149,13 @@ internal static class FootRoll
         float up = 0.5f * (pitch - root);
 
         // In the plane of toes and up: x along the toes, y up; toes down turns up towards the toes.
-        FastTrigonometry.SinCos(down, out float sd, out float cd);
         FastTrigonometry.SinCos(up, out float su, out float cu);
         float h = leg.BallHeight;
-        float along = (leg.Toe - (leg.Toe * cd)) + (h * sd) + ((leg.Heel * cu) - leg.Heel) + (h * su);
-        float above = ((leg.Toe * sd) + (h * cd)) + ((-leg.Heel * su) + (h * cu)) - h;
+
+        // Against a wall it turns about the tip of its toes, and does not roll on into it.
+        Vector2 over = (foot.Plan.From.MeetsWall ? new ToeTip(leg.Toe, 0f) : leg.Tip).BallAt(down, h);
+        float along = over.X + ((leg.Heel * cu) - leg.Heel) + (h * su);
+        float above = over.Y + ((-leg.Heel * su) + (h * cu)) - h;
         return (leg.ToeDirection * along) + new Vector3(0f, above, 0f);
     }
 }
