@@ -3,16 +3,23 @@ using CreatureGen.Maths;
 
 namespace CreatureGen.Motion.Winged;
 
-/// <summary>How far folded wings swing off the flank with a body that goes: they are left behind as it sinks and pressed down as it rises again, and the one on the side that steps ahead opens the more.</summary>
+/// <summary>How far folded wings swing off the flank with a body that goes: they are left behind as it sinks and pressed down as it rises again, the one on the side that steps ahead opens the more, both as it starts and brakes, and the outer one in a turn.</summary>
 internal struct WingSway
 {
     /// <summary>Radians for each leg length that the body bounces, and for each leg length between the hind feet.</summary>
     private const float LiftPerBounce = 2.6f;
     private const float TiltPerStep = 0.09f;
 
-    /// <summary>Bounds of what is followed, radians.</summary>
+    /// <summary>Radians for each part of gravity with which the body gets faster, with which it brakes, and for each radian at which its turn would be in balance.</summary>
+    private const float LiftPerStart = 0.35f;
+    private const float LiftPerBraking = 0.7f;
+    private const float TiltPerBalance = 0.35f;
+
+    /// <summary>Bounds of what is followed, radians: of steps, of starts and stops, and of turns.</summary>
     private const float MaxLift = 0.2f;
     private const float MaxTilt = 0.06f;
+    private const float MaxOpened = 0.35f;
+    private const float MaxTurned = 0.2f;
 
     /// <summary>How quickly a wing swings, 1/τ, τ = √(ℓ/g), and how soon that dies away.</summary>
     private const float Rate = 4.5f;
@@ -39,14 +46,17 @@ internal struct WingSway
     /// <summary>Swings on.</summary>
     /// <param name="bounce">How high the body is above its mean height, leg lengths.</param>
     /// <param name="scissor">How far the left hind foot is ahead of the right one, leg lengths.</param>
+    /// <param name="push">Acceleration ahead, parts of gravity.</param>
+    /// <param name="balance">The angle to the left at which its turn would be in balance, radians.</param>
     /// <param name="raised">How far they are held off besides, radians.</param>
     /// <param name="tau">√(ℓ/g), seconds.</param>
     /// <param name="dt">Seconds.</param>
-    public void Follow(float bounce, float scissor, float raised, float tau, float dt)
+    public void Follow(float bounce, float scissor, float push, float balance, float raised, float tau, float dt)
     {
         this.raised = raised;
-        float toLift = Scalar.ClampSoftly(LiftPerBounce * bounce, MaxLift);
-        float toTilt = Scalar.ClampSoftly(TiltPerStep * scissor, MaxTilt);
+        float opened = push > 0f ? LiftPerStart * push : -LiftPerBraking * push;
+        float toLift = Scalar.ClampSoftly(LiftPerBounce * bounce, MaxLift) + Scalar.ClampSoftly(opened, MaxOpened);
+        float toTilt = Scalar.ClampSoftly(TiltPerStep * scissor, MaxTilt) - Scalar.ClampSoftly(TiltPerBalance * balance, MaxTurned);
         if (IsStill(toLift) && IsStill(toTilt) && IsStill(lift) && IsStill(tilt) && IsStill(liftRate) && IsStill(tiltRate))
         {
             lift = liftRate = tilt = tiltRate = 0f;

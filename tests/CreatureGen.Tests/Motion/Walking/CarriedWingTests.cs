@@ -87,6 +87,38 @@ public sealed class CarriedWingTests
     }
 
     [Fact]
+    public void Folded_wings_open_in_braking_and_the_outer_one_in_a_turn()
+    {
+        (Creature creature, CreatureAnimator animator) = Standing(9985013);
+        float run = animator.Profile.Gaits!.Speeds[^1].Comfortable;
+        int left = JointsOf(creature).First();
+        int right = creature.Skeleton.Mirrors[left];
+        Quaternion[] folded = animator.LocalPose.Rotations.ToArray();
+        Walkers.Run(animator, 4f, 60f, new MotionInput(run), FlatGround.Level);
+        float steady = Most(left, new MotionInput(run));
+        float braking = Most(left, default);
+        Walkers.Run(animator, 4f, 60f, new MotionInput(run), FlatGround.Level);
+        Walkers.Run(animator, 1.5f, 60f, new MotionInput(run, 2f), FlatGround.Level);
+        float outer = Most(right, new MotionInput(run, 2f));
+        float inner = Most(left, new MotionInput(run, 2f));
+        Assert.True(braking > steady + 0.1f, $"{steady} rad at a run, {braking} rad in braking");
+        Assert.True(outer > inner + 0.1f, $"{inner} rad inside the turn, {outer} rad outside");
+        Assert.True(Math.Max(braking, outer) < 0.8f, $"{braking} rad in braking, {outer} rad outside the turn");
+
+        float Most(int shoulder, MotionInput input)
+        {
+            float most = 0f;
+            for (int i = 0; i < 60; i++)
+            {
+                animator.Update(1f / 60f, input, FlatGround.Level);
+                most = Math.Max(most, (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(folded[shoulder]), animator.LocalPose.Rotations[shoulder])));
+            }
+
+            return most;
+        }
+    }
+
+    [Fact]
     public void Wings_that_are_grown_along_the_flank_stay_as_they_are()
     {
         Creature bird = CreatureGenerator.Generate(9985006, walking);
