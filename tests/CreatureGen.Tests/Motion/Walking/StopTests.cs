@@ -4,6 +4,7 @@ using CreatureGen.Creatures;
 using CreatureGen.Motion;
 using CreatureGen.Motion.Events;
 using CreatureGen.Motion.Metrics;
+using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Motion.Walking.Bodies;
 using CreatureGen.Motion.Walking.Legs;
 using CreatureGen.Sampling;
@@ -72,6 +73,30 @@ public sealed class StopTests
         float near = 0.03f * profile.LegLength;
         int rest = 1 + Array.FindLastIndex(places, place => Vector3.Distance(place, places[places.Length - 1]) > near);
         Assert.True(lastStep - rest < Rate, $"the last foot came down {(lastStep - rest) / (float)Rate} s after the body had come to rest");
+    }
+
+    /// <summary>On treads where feet cannot come home, one had stepped on the spot for as long as its body stood.</summary>
+    [Theory]
+    [InlineData(9970037)]
+    [InlineData(9920002, Explicit = true)]
+    [InlineData(9920010, Explicit = true)]
+    public void Feet_that_have_come_to_rest_on_stairs_do_not_try_again_to_come_home(int seed)
+    {
+        var profile = new MotionProfile(GrownCreatures.Of((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        CourseScript script = CourseScripts.Runner(profile, 8f);
+        var simulation = new CourseSimulation(profile, script, CourseGround.Stairs, CourseRate.Of(Rate));
+        double seconds = 0;
+        int lifted = 0;
+        foreach (float dt in simulation.Updates())
+        {
+            seconds += dt;
+            foreach (MotionEvent moment in simulation.Animator.Events)
+            {
+                lifted += moment.Kind == MotionEventKind.FootUp && seconds > script.Seconds - 1 ? 1 : 0;
+            }
+        }
+
+        Assert.Equal(0, lifted);
     }
 
     [Fact]

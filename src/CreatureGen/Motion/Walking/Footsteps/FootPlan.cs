@@ -54,6 +54,9 @@ internal struct FootPlan
     /// <summary>Whether it goes to where it will stand for good.</summary>
     public bool ForGood;
 
+    /// <summary>Whether it has stepped under a body that stands, and so is as near to its home as its leg and the ground let it come: it need not try again.</summary>
+    public bool AsNear;
+
     /// <summary>Whether it swings by its own clock, out of step with the gait: a correction.</summary>
     public bool Correcting;
 

@@ -1,6 +1,8 @@
 using System;
 using System.Numerics;
+using CreatureGen.Maths;
 using CreatureGen.Motion.Toolkit.Steps;
+using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Footsteps;
 
@@ -57,5 +59,31 @@ internal sealed partial class FootPlanner
         NextStance last = NextStance.Last(body, leg, step, Offset(leg));
         forGood = plan.ForGood || ((plan.Phase == FootPhase.Stance || plan.Swing < StepPhase.LatestLift) && last.IsReached(body, leg, step, flight));
         return forGood ? last : NextStance.Going(body, leg, step, Offset(leg), ahead);
+    }
+
+    /// <summary>Whether a foot is in the air or away from its home.</summary>
+    public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
+    {
+        for (int i = 0; i < feet.Length; i++)
+        {
+            if (feet[i].Plan.Phase == FootPhase.Swing)
+            {
+                return true;
+            }
+
+            if (feet[i].Plan.AsNear)
+            {
+                continue;
+            }
+
+            Vector3 away = frame.ToModel(feet[i].Plan.From.Position) - GaitFootholds.Under(body, i, activity, clock, 0f, 0f) - (Offset(i) * (1f - activity)) - Shift(i);
+            away.Y = 0f;
+            if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].Plan.From.YawFrom(frame)) > 2f * MinTurn)
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 }

@@ -98,28 +98,7 @@ internal sealed partial class FootPlanner
     }
 
     /// <summary>Has a standing body set a foot ahead of its home, metres of the model.</summary>
-    public void SetAhead(int leg, float distance) => feet[leg].Plan.Ahead = distance;
-
-    /// <summary>Whether a foot is in the air or away from its home.</summary>
-    public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
-    {
-        for (int i = 0; i < feet.Length; i++)
-        {
-            if (feet[i].Plan.Phase == FootPhase.Swing)
-            {
-                return true;
-            }
-
-            Vector3 away = frame.ToModel(feet[i].Plan.From.Position) - GaitFootholds.Under(body, i, activity, clock, 0f, 0f) - (Offset(i) * (1f - activity));
-            away.Y = 0f;
-            if (Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[i].Plan.From.YawFrom(frame)) > 2f * MinTurn)
-            {
-                return true;
-            }
-        }
-
-        return false;
-    }
+    public void SetAhead(int leg, float distance) => (feet[leg].Plan.Ahead, feet[leg].Plan.AsNear) = (distance, false);
 
     /// <summary>Decides what standing feet do next: whether they leave the ground when the gait has them do so, and whether they do so at once.</summary>
     public void Decide(in StepContext step)
@@ -139,6 +118,7 @@ internal sealed partial class FootPlanner
             float flight = (1f - p) * cycle;
             float ahead = step.Moving ? StepPhase.ToMidstance(flight, duty, cycle) : flight;
             foot.Plan.Steps = false;
+            foot.Plan.AsNear &= !step.Moving;
             if (FootRelease.IsDue(ref foot, body, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead, flight)))
             {
                 Release(i, step, (1f - duty) * cycle);
@@ -302,8 +282,13 @@ internal sealed partial class FootPlanner
     /// <summary>Whether a foot's next place is far enough from where it stands.</summary>
     private bool Wants(int leg, in StepContext step, float ahead, float flight)
     {
+        if (feet[leg].Plan.AsNear && !step.Moving)
+        {
+            return false;
+        }
+
         NextStance next = Next(leg, step, ahead, flight, out _);
-        Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - next.Place;
+        Vector3 away = step.Frame.ToModel(feet[leg].Plan.From.Position) - next.Place - Rotation.Rotate(AxisRotation.Yaw(next.Yaw), Shift(leg));
         away.Y = 0f;
         return Vec.LengthSquared(away) > Square(MinStep * body.LegLength) || Math.Abs(feet[leg].Plan.From.YawFrom(step.Frame) - next.Yaw) > MinTurn;
     }
@@ -333,6 +318,7 @@ internal sealed partial class FootPlanner
         StandWhereItIs(leg, step);
         foot.Plan.From = foot.Plan.To;
         foot.Plan.Arrived = true;
+        foot.Plan.AsNear = !step.Moving;
         foot.Plan.Swing = 0f;
         foot.Plan.Reached = float.MaxValue;
         foot.Plan.Missed = foot.Leg.Residual;
@@ -377,7 +363,7 @@ internal sealed partial class FootPlanner
         Vector3 wanted = stance.Place;
 
         // Who stands shifts its weight, and its feet go home whatever its hips do.
-        Vector3 shift = Rotation.Rotate(turn, new Vector3(0f, 0f, foot.Plan.Nudge));
+        Vector3 shift = Rotation.Rotate(turn, Shift(leg));
         Vector3 next = step.Frame.ToWorld(step.Moving ? LandingRange.Within(body, body.Legs[leg], foot.Leg, step.RootVelocity, flight, wanted + shift) - shift : wanted);
         Quaternion heading = UnitRotation.Renormalize(Rotation.Multiply(step.Frame.Rotation, turn));
         float fraction = foot.Plan.Swing > 0f && foot.Plan.Aimed ? TakenUp(foot.Plan.Swing, flight, foot.Plan.ForGood, step) : 1f;
@@ -407,6 +393,9 @@ internal sealed partial class FootPlanner
 
     /// <summary>What a standing body has set a foot away from its home, metres of the model.</summary>
     private Vector3 Offset(int leg) => new(0f, 0f, feet[leg].Plan.Ahead);
+
+    /// <summary>How far a foot is set off an edge, metres of the model.</summary>
+    private Vector3 Shift(int leg) => new(0f, 0f, feet[leg].Plan.Nudge);
 
     private static float Square(float x) => x * x;
 }
