@@ -88,6 +88,19 @@ public class ActTrialTests
         }
     }
 
+    [Theory]
+    [InlineData(9997096, "Claw")]
+    [InlineData(9997096, "Scratch", Explicit = true)]
+    [InlineData(9997079, "Claw", Explicit = true)]
+    [InlineData(9997070, "Claw", Explicit = true)]
+    public void A_foot_that_an_act_holds_in_the_air_is_not_laid_on_an_edge_of_its_sole(ulong seed, string act)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        ActReport report = new ActTrial(profile.Acts.Find(act)).Run(profile);
+        Assert.InRange(report.JointSpeed, 0f, 60f);
+        Assert.InRange(report.ContactError ?? 0f, 0f, 0.02f);
+    }
+
     [Fact]
     public void Where_legs_fold_is_found_in_many_small_steps()
     {

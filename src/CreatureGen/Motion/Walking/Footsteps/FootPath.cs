@@ -30,4 +30,7 @@ internal struct FootPath
 
     /// <summary>How far an act has taken it off the ground, 0..1: then it neither carries nor steps.</summary>
     public float Taken;
+
+    /// <summary>How far an act holds it in the air, 0..1: nothing of its sole has to lie on the ground then. That of a leg that is folded under the body does lie there.</summary>
+    public float Aloft;
 }

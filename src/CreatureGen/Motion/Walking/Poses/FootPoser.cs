@@ -100,7 +100,10 @@ internal static class FootPoser
     public static void Add(LegRig leg, in FootLayer layer, ref Foot foot, ref FootPose pose)
     {
         Vector3 way = Vec.Lerp(layer.Way, layer.Aim - pose.Ball, layer.AimFraction);
-        foot.Path.Taken = Scalar.Smooth(Math.Max(way.Y / leg.Length, Math.Max(layer.AimFraction, layer.Loose)) / TakenHeight);
+        float raised = Scalar.Smooth(Math.Max(way.Y / leg.Length, layer.AimFraction) / TakenHeight);
+        float loose = Scalar.Smooth(layer.Loose / TakenHeight);
+        foot.Path.Taken = Math.Max(raised, loose);
+        foot.Path.Aloft = raised * (1f - loose);
         pose.Ball += way;
         if (layer.Pitch != 0f)
         {

@@ -79,9 +79,17 @@ internal readonly struct HipLimit
     /// <param name="leg">Whose.</param>
     public float Laid(LegRig leg) => !leg.FlatFoot ? 0f : leg.Lateral ? Math.Max(Standing, Arriving) : 1f;
 
-    /// <summary>Part of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, and no more of it in the air than it had on the ground.</summary>
+    /// <summary>Part of its place on an edge of its sole that a foot takes: all of it on the ground, less and less before and after, no more of it in the air than it had on the ground, and none where an act holds it.</summary>
     /// <param name="leg">Whose.</param>
-    /// <param name="stood">How far its joints kept it from lying on the ground as it should when it last stood, about half the angle in radians.</param>
-    /// <param name="excess">How far they do now.</param>
-    public float Relaxed(LegRig leg, float stood, float excess) => leg.Lateral || !raised ? 1f : Math.Max(Arriving, Math.Min(stood / excess, 1f) * Standing);
+    /// <param name="foot">Its foot.</param>
+    /// <param name="excess">How far its joints keep it from lying on the ground as it should, about half the angle in radians.</param>
+    public float Relaxed(LegRig leg, in Foot foot, float excess)
+    {
+        if (leg.Lateral)
+        {
+            return 1f;
+        }
+
+        return raised ? Math.Max(Arriving, Math.Min(foot.Leg.Relaxation / excess, 1f) * Standing) : 1f - foot.Path.Aloft;
+    }
 }

@@ -91,7 +91,7 @@ internal sealed class LegPoser
         bool linked = leg.Traits.Linkage == LegLinkage.Pantograph;
         Quaternion metatarsus = PoseFoot(leg, solved, wanted, local, laid, out Vector3 astray, out float excess);
         foot.Leg.Relaxation = foot.Phase == FootPhase.Swing ? foot.Leg.Relaxation : excess;
-        float fraction = excess > 0f ? limit.Relaxed(leg, foot.Leg.Relaxation, excess) : 0f;
+        float fraction = excess > 0f ? limit.Relaxed(leg, foot, excess) : 0f;
         bool turned = stands && fraction > 0f;
         float pitch = leg.FlatFoot ? FootRoll.ToePitch(foot.Path.Posture.Shown.Pitch) : foot.Path.Posture.Shown.Pitch;
 
