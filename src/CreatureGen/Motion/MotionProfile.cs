@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Threading;
 using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
@@ -137,17 +136,10 @@ public sealed class MotionProfile
             : legs;
     }
 
-    /// <summary>Finds how it lies on its belly a little at a time: nothing, and with the last what was found, which is nothing where it cannot.</summary>
-    private IEnumerable<LyingManner?> FindLying()
+    private LyingManner? FindLying()
     {
-        ActAbility? lie = null;
-        foreach (ActAbility? step in Acts.RehearseNamed("Lie"))
-        {
-            lie = step;
-            yield return null;
-        }
-
-        yield return lie!.IsPossible ? new LyingManner(lie.Act, lie.Parts, ActTempo.Of(lie.Act, Acts.Body), Acts.Body, Acts.Room) : null;
+        ActAbility lie = Acts.RehearseNamed("Lie");
+        return lie.IsPossible ? new LyingManner(lie.Act, lie.Parts, ActTempo.Of(lie.Act, Acts.Body), Acts.Body, Acts.Room) : null;
     }
 
     private CreatureActs RehearseActs()

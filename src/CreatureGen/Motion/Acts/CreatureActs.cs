@@ -58,31 +58,9 @@ public sealed class CreatureActs
     /// <exception cref="ArgumentNullException">There is no act.</exception>
     public IEnumerable<ActAbility?> RehearseInSteps(Act act) => rehearsal.Steps(act ?? throw new ArgumentNullException(nameof(act)));
 
-    /// <summary>Tries an act that comes with the library, and no other, a little at a time: nothing, and with the last the first way of doing it that the body can do, or why not the first of those that suit it best.</summary>
+    /// <summary>Tries an act that comes with the library, and no other.</summary>
     /// <param name="name">Its name, to the letter.</param>
-    internal IEnumerable<ActAbility?> RehearseNamed(string name)
-    {
-        ActAbility? refused = null;
-        foreach (Act act in ActLibrary.All.Where(act => act.Name == name).OrderByDescending(Suits))
-        {
-            ActAbility? found = null;
-            foreach (ActAbility? step in rehearsal.Steps(act))
-            {
-                found = step;
-                yield return null;
-            }
-
-            if (found!.IsPossible)
-            {
-                yield return found;
-                yield break;
-            }
-
-            refused ??= found;
-        }
-
-        yield return refused;
-    }
+    internal ActAbility RehearseNamed(string name) => FirstPossible(ActLibrary.All.Where(act => act.Name == name), rehearsal.Stage());
 
     /// <summary>How far the trunk goes over planted feet.</summary>
     internal TrunkRoom Room => rehearsal.Room;

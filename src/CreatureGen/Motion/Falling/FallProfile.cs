@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
-using System.Threading;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Events;
@@ -48,10 +47,9 @@ internal sealed class FallProfile
     private static readonly TimeWindow limbs = new(0f, 0.5f);
     private static readonly TimeWindow rest = new(0.1f, 0.9f);
 
-    private readonly Func<IEnumerable<LyingManner?>> lies;
-    private Tuple<LyingManner?>? lying;
+    private readonly Lazy<LyingManner?> lying;
 
-    private FallProfile(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<IEnumerable<LyingManner?>> lies)
+    private FallProfile(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<LyingManner?> lies)
     {
         Skeleton = subject.Skeleton;
         Ragdoll = new RagdollRig(subject.Skeleton, subject.Bones);
@@ -63,8 +61,7 @@ internal sealed class FallProfile
         Tail = JointsOf(subject.Skeleton, role => role == JointRole.Tail);
         Overlaid = JointsOf(subject.Skeleton, role => role is JointRole.Neck or JointRole.Head or JointRole.Jaw or JointRole.Eye or JointRole.Antenna or JointRole.Tail);
         Limbs = LyingLimb.Of(legs);
-        this.lies = lies;
-        lying = legs == null || Array.Exists(legs.Legs, leg => leg.Lateral) ? Tuple.Create<LyingManner?>(null) : null;
+        lying = new Lazy<LyingManner?>(() => legs == null || Array.Exists(legs.Legs, leg => leg.Lateral) ? null : lies());
         Inertias = HangingInertia.Of(subject.Skeleton, Ragdoll, Mass, legs == null ? ReadOnlySpan<int>.Empty : Array.ConvertAll(legs.Legs, leg => leg.End));
         Height = legs?.LegLength ?? BodyHeight * Ragdoll.Size;
         Body = Math.Max(subject.Skeleton.FirstOf(JointRole.Body), 0);
@@ -111,18 +108,7 @@ internal sealed class FallProfile
     public LyingLimb[] Limbs { get; }
 
     /// <summary>How it lies on its belly; null for what has no legs, or any out to the side, and where it cannot. Worked out when it is first asked for, which takes some ten milliseconds.</summary>
-    public LyingManner? Lying
-    {
-        get
-        {
-            foreach (bool _ in FindLying())
-            {
-                // Nobody waits here.
-            }
-
-            return lying!.Item1;
-        }
-    }
+    public LyingManner? Lying => lying.Value;
 
     /// <summary>Length by which its times go, metres: of its legs, or part of its size.</summary>
     public float Height { get; }
@@ -139,25 +125,6 @@ internal sealed class FallProfile
     /// <summary>Speed of a fall that its legs take up, √(gℓ).</summary>
     public float BorneSpeed { get; }
 
-    /// <summary>Finds how it lies a little at a time, for who may not wait; nothing is left to be done where that is known.</summary>
-    public IEnumerable<bool> FindLying()
-    {
-        if (Volatile.Read(ref lying) != null)
-        {
-            yield break;
-        }
-
-        LyingManner? manner = null;
-        foreach (LyingManner? step in lies())
-        {
-            manner = step;
-            yield return false;
-        }
-
-        // Others may seek it meanwhile and find the same: what was found first stays.
-        Interlocked.CompareExchange(ref lying, Tuple.Create(manner), null);
-    }
-
     /// <summary>Raises the whole of a pose.</summary>
     /// <param name="local">In the parents' space.</param>
     /// <param name="height">Metres of the model.</param>
@@ -172,8 +139,8 @@ internal sealed class FallProfile
     /// <param name="subject">Whose.</param>
     /// <param name="legs">The body as its walk sees it; null without legs.</param>
     /// <param name="gaits">How it goes; null without legs.</param>
-    /// <param name="lies">Finds how it lies on its belly a little at a time: the last is what was found, null where it cannot.</param>
-    public static FallProfile Of(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<IEnumerable<LyingManner?>> lies) => new(subject, legs, gaits, lies);
+    /// <param name="lies">Finds how it lies on its belly; null where it cannot.</param>
+    public static FallProfile Of(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<LyingManner?> lies) => new(subject, legs, gaits, lies);
 
     private static int[] JointsOf(Skeleton skeleton, Predicate<JointRole> has)
     {

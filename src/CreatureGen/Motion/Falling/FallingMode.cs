@@ -126,6 +126,20 @@ internal sealed partial class FallingMode : ILocomotionMode
         return result;
     }
 
+    /// <summary>Has it get up as soon as it lies still.</summary>
+    /// <returns>Whether it lies, or will with the next update.</returns>
+    public bool GetUp()
+    {
+        getsUp = State == BodyState.Limp || goesLimp;
+        if (getsUp)
+        {
+            // Here and not in an update, for finding out how a creature lies takes a while.
+            _ = Up;
+        }
+
+        return getsUp;
+    }
+
     /// <inheritdoc/>
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
@@ -145,11 +159,6 @@ internal sealed partial class FallingMode : ILocomotionMode
         if (goesLimp || State == BodyState.Falling)
         {
             Lying.Keep(local);
-        }
-
-        if (getsUp && State == BodyState.Limp)
-        {
-            Prepare();
         }
 
         if (getsUp && State == BodyState.Limp && Lying.IsCalm(place.Scale, settings.Gravity))
@@ -336,6 +345,18 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     private float Tau(float scale, float gravity) => (float)Math.Sqrt(profile.Value.Height * scale / gravity);
+
+    /// <summary>Begins to get up from where it lies.</summary>
+    private RootPlace Rise(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
+    {
+        RootPlace stand = Lying.PlaceUnder(place, settings, ground);
+        Up.Begin(Lying, stand, settings, ground, layer);
+        Lying.Stop();
+        getsUp = false;
+        State = BodyState.Rising;
+        Tell(MotionEventKind.Rises, stand, settings.Up, 0f, 0f);
+        return stand;
+    }
 
     private void Begin(in RootPlace place, in Pose shown, in MotionSettings settings)
     {

@@ -149,40 +149,6 @@ public sealed class GettingUpTests
     }
 
     /// <summary>A foot that has come to its place while the body rises does not leave it.</summary>
-    /// <summary>Who is knocked down pays for the search in its updates: at once it took up to some 80 ms of one.</summary>
-    [Fact]
-    public void How_it_gets_up_is_found_in_small_parts_and_whoever_finds_it_gets_up_with_the_same_bits()
-    {
-        Creature creature = CreatureGenerator.Generate(9990006, CreatureOptions.Default with { Kind = RequestedKind.Walking });
-        var known = new MotionProfile(creature);
-        int steps = known.Fall.Value.FindLying().Count();
-        Assert.True(steps > 40, $"{steps} steps");
-        Assert.NotNull(known.Fall.Value.Lying);
-        Assert.Empty(known.Fall.Value.FindLying());
-        var unknown = new MotionProfile(creature);
-        CreatureAnimator one = KnockedDown(known);
-        CreatureAnimator other = KnockedDown(unknown);
-        for (int i = 0; i < 600; i++)
-        {
-            one.Update(Frame, default, FlatGround.Level);
-            other.Update(Frame, default, FlatGround.Level);
-            Assert.Equal(one.State, other.State);
-            Assert.True(one.LocalPose.Rotations.SequenceEqual(other.LocalPose.Rotations));
-        }
-
-        Assert.Equal(BodyState.Supported, one.State);
-        Assert.Empty(unknown.Fall.Value.FindLying());
-
-        CreatureAnimator KnockedDown(MotionProfile profile)
-        {
-            var animator = new CreatureAnimator(profile);
-            animator.Teleport(RootPlace.Identity, FlatGround.Level);
-            animator.Update(Frame, default, FlatGround.Level);
-            animator.Hit(profile.Fall.Value.Body, new Vector3(3f * profile.Fall.Value.Mass * MathF.Sqrt(9.81f * profile.LegLength), 0f, 0f));
-            return animator;
-        }
-    }
-
     /// <summary>Feet that flip over between two updates, limbs that are pressed between two points and what ends at once had lifted these by .066, .053 and .078 of a leg from one update to the next, another than from that to the one after it.</summary>
     [Theory]
     [InlineData(9990005UL)]
