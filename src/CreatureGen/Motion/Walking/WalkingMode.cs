@@ -30,7 +30,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private const float SlowWalk = 0.06f;
 
     /// <summary>What is left of activity, and of the trunk's way up, where it counts as still.</summary>
-    private const float MinActivity = 0.02f;
+    private const float MinActivity = StepContext.MinActivity;
 
     /// <summary>The same of feet that are all down, for acts.</summary>
     private const float Settled = 0.06f;

@@ -46,23 +46,6 @@ internal sealed partial class FootPlanner
         }
     }
 
-    /// <summary>Where a foot will stand next: for good once the body comes to a stand, as soon as its leg reaches that and while there is time for it.</summary>
-    private NextStance Next(int leg, in StepContext step, float ahead, float flight, out bool forGood)
-    {
-        if (!step.Stops)
-        {
-            forGood = false;
-            return NextStance.Going(body, leg, step, Offset(leg), ahead);
-        }
-
-        // What is received may be what the plan remembers: it is written last.
-        ref readonly FootPlan plan = ref feet[leg].Plan;
-        NextStance last = NextStance.Last(body, leg, step, Offset(leg));
-        bool stays = plan.ForGood || ((plan.Phase == FootPhase.Stance || plan.Swing < StepPhase.LatestLift) && last.IsReached(body, leg, step, flight));
-        forGood = stays;
-        return stays ? last : NextStance.Going(body, leg, step, Offset(leg), ahead);
-    }
-
     /// <summary>Whether a foot is in the air or away from its home.</summary>
     public bool IsUnsettled(in RootPlace frame, float activity, GaitClock clock)
     {
@@ -87,5 +70,22 @@ internal sealed partial class FootPlanner
         }
 
         return false;
+    }
+
+    /// <summary>Where a foot will stand next: for good once the body comes to a stand, as soon as its leg reaches that and while there is time for it.</summary>
+    private NextStance Next(int leg, in StepContext step, float ahead, float flight, out bool forGood)
+    {
+        if (!step.Stops)
+        {
+            forGood = false;
+            return NextStance.Going(body, leg, step, Offset(leg), ahead);
+        }
+
+        // What is received may be what the plan remembers: it is written last.
+        ref readonly FootPlan plan = ref feet[leg].Plan;
+        NextStance last = NextStance.Last(body, leg, step, Offset(leg));
+        bool stays = plan.ForGood || ((plan.Phase == FootPhase.Stance || plan.Swing < StepPhase.LatestLift) && last.IsReached(body, leg, step, flight));
+        forGood = stays;
+        return stays ? last : NextStance.Going(body, leg, step, Offset(leg), ahead);
     }
 }

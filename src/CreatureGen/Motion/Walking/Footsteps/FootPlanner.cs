@@ -21,9 +21,6 @@ internal sealed partial class FootPlanner
     /// <summary>Radians that a foot has to be turned from its next heading before it steps.</summary>
     private const float MinTurn = 0.05f;
 
-    /// <summary>Activity of a body below which feet that come down are where they stand for good.</summary>
-    private const float AtRest = 0.02f;
-
     /// <summary>Part of the swing after which a foot that stayed down far from home stays for this cycle.</summary>
     private const float LatestRescue = 0.7f;
 
@@ -321,7 +318,7 @@ internal sealed partial class FootPlanner
         StandWhereItIs(leg, step);
         foot.Plan.From = foot.Plan.To;
         foot.Plan.Arrived = true;
-        foot.Plan.AsNear = !step.Moving && step.Activity < AtRest;
+        foot.Plan.AsNear = step.Rests;
         foot.Plan.Swing = 0f;
         foot.Plan.Reached = float.MaxValue;
         foot.Plan.Missed = foot.Leg.Residual;

@@ -6,6 +6,9 @@ namespace CreatureGen.Motion.Walking.Footsteps;
 /// <summary>What the feet are told in a step of time.</summary>
 internal readonly struct StepContext
 {
+    /// <summary>Activity of a body below which it counts as still.</summary>
+    public const float MinActivity = 0.02f;
+
     public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, in MotionSettings settings, IGround ground, float step, float since, float left, float activity, bool moving, float slope)
     {
         Frame = frame;
@@ -52,6 +55,9 @@ internal readonly struct StepContext
 
     /// <summary>Whether it goes or turns.</summary>
     public bool Moving { get; }
+
+    /// <summary>Whether it stands still: what comes down then stands for good.</summary>
+    public bool Rests => !Moving && Activity < MinActivity;
 
     /// <summary>Rise of the ground along the way, over some steps.</summary>
     public float Slope { get; }
