@@ -16,13 +16,26 @@ public static class ForwardKinematics
     {
         local.Require(skeleton);
         model.Require(skeleton);
-        Chain(skeleton.Parents, local.Rotations, local.Positions, model.Rotations, model.Positions);
+        Chain(skeleton.Outwards, skeleton.Parents, local.Rotations, local.Positions, model.Rotations, model.Positions);
     }
 
     /// <summary>The same over plain spans of equal length; the first joint is the root.</summary>
-    internal static void Chain(ReadOnlySpan<int> parents, ReadOnlySpan<Quaternion> localRotations, ReadOnlySpan<Vector3> localPositions, Span<Quaternion> modelRotations, Span<Vector3> modelPositions)
+    /// <param name="outwards">Every joint once, parents before children. Where joints of different chains take turns, none waits for the one before it.</param>
+    /// <param name="parents">The parent of each joint.</param>
+    /// <param name="localRotations">In the parents' space.</param>
+    /// <param name="localPositions">In the parents' space.</param>
+    /// <param name="modelRotations">Receives them in model space.</param>
+    /// <param name="modelPositions">Receives them in model space.</param>
+    internal static void Chain(
+        ReadOnlySpan<int> outwards,
+        ReadOnlySpan<int> parents,
+        ReadOnlySpan<Quaternion> localRotations,
+        ReadOnlySpan<Vector3> localPositions,
+        Span<Quaternion> modelRotations,
+        Span<Vector3> modelPositions)
     {
-        int count = parents.Length;
+        int count = outwards.Length;
+        parents = parents.Slice(0, count);
         localRotations = localRotations.Slice(0, count);
         localPositions = localPositions.Slice(0, count);
         modelRotations = modelRotations.Slice(0, count);
@@ -36,8 +49,9 @@ public static class ForwardKinematics
         modelPositions[0] = localPositions[0];
 
 #if NET
-        for (int i = 1; i < count; i++)
+        for (int k = 1; k < count; k++)
         {
+            int i = outwards[k];
             int parent = parents[i];
             Quaternion turn = modelRotations[parent];
             modelPositions[i] = modelPositions[parent] + Rotation.Rotate(turn, localPositions[i]);
@@ -45,8 +59,9 @@ public static class ForwardKinematics
         }
 #else
         // Written out and by reference: calls and copies of structures cost several times the arithmetic on interpreters.
-        for (int i = 1; i < count; i++)
+        for (int k = 1; k < count; k++)
         {
+            int i = outwards[k];
             int parent = parents[i];
             ref readonly Quaternion a = ref modelRotations[parent];
             ref readonly Vector3 o = ref modelPositions[parent];

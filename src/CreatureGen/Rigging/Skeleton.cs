@@ -15,6 +15,7 @@ public sealed class Skeleton
     private readonly int[] parents;
     private readonly int[] mirrors;
     private readonly int[] last;
+    private readonly int[] outwards;
     private readonly Quaternion[] localRotations;
     private readonly Vector3[] localPositions;
     private readonly Quaternion[] modelRotations;
@@ -61,6 +62,7 @@ public sealed class Skeleton
             last[parents[i]] = Math.Max(last[parents[i]], last[i]);
         }
 
+        outwards = OutwardOrder.Of(parents);
         FindMirrors();
     }
 
@@ -91,6 +93,9 @@ public sealed class Skeleton
     /// <summary>The joints as <see cref="Joints"/> has them, without a call for each.</summary>
     internal ReadOnlySpan<Joint> AllJoints => joints;
 
+    /// <summary>All joints in <see cref="OutwardOrder"/>.</summary>
+    internal ReadOnlySpan<int> Outwards => outwards;
+
     /// <summary>The last joint that hangs on each, itself if none does.</summary>
     internal ReadOnlySpan<int> LastBelow => last;
 
@@ -118,7 +123,7 @@ public sealed class Skeleton
 
         var modelRotations = new Quaternion[count];
         var modelPositions = new Vector3[count];
-        ForwardKinematics.Chain(parents, localRotations, localPositions, modelRotations, modelPositions);
+        ForwardKinematics.Chain(OutwardOrder.Of(parents), parents, localRotations, localPositions, modelRotations, modelPositions);
         int[] main = MainChildren.Find(parents, modelPositions);
         JointRole[] roles = placements.Select(one => one.Role).ToArray();
         Side[] sides = placements.Select(one => one.Side).ToArray();

@@ -132,7 +132,8 @@ internal sealed class SkeletonBuilder
 
         var modelRotations = new Quaternion[count];
         var modelPositions = new Vector3[count];
-        ForwardKinematics.Chain(parents.ToArray(), localRotations, localPositions, modelRotations, modelPositions);
+        int[] tree = parents.ToArray();
+        ForwardKinematics.Chain(OutwardOrder.Of(tree), tree, localRotations, localPositions, modelRotations, modelPositions);
         var joints = new Joint[count];
         for (int i = 0; i < count; i++)
         {
