@@ -60,7 +60,7 @@ public sealed partial class CreatureAnimator
         }
 
         actor ??= new Actor(Acts);
-        return actor.Begin(act, target, Root, settings.Gravity);
+        return actor.Begin(act, target, root, settings.Gravity);
     }
 
     /// <summary>Leaves a phase that lasts, as of sitting or sleeping: the act goes on to its end. Others take no notice.</summary>

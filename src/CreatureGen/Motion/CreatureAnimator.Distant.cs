@@ -21,12 +21,12 @@ public sealed partial class CreatureAnimator
         }
 
         distant.Turn(settings.Detail, LocalPose);
-        if (OnlyRootMoves(Root, ground))
+        if (OnlyRootMoves(root, ground))
         {
             BeginAfar();
-            if (Legs!.AdvanceRoot(Root, dt, input, settings, ground, out RootPlace next))
+            if (Legs!.AdvanceRoot(root, dt, input, settings, ground, out RootPlace next))
             {
-                Root = next;
+                root = next;
                 FinishAfar(dt);
                 return true;
             }
@@ -48,9 +48,9 @@ public sealed partial class CreatureAnimator
         if (OnlyRootMoves(placement, ground))
         {
             BeginAfar();
-            if (Legs!.AdvanceRootAlong(Root, dt, placement, settings, ground))
+            if (Legs!.AdvanceRootAlong(root, dt, placement, settings, ground))
             {
-                Root = placement;
+                root = placement;
                 FinishAfar(dt);
                 return true;
             }
@@ -65,7 +65,7 @@ public sealed partial class CreatureAnimator
     {
         if (distant!.MovesRoot)
         {
-            locomotion.Resume(Root, settings, ground, LocalPose);
+            locomotion.Resume(root, settings, ground, LocalPose);
             distant.End(LocalPose);
         }
     }

@@ -19,7 +19,7 @@ public sealed partial class CreatureAnimator
     public bool GetUp() => Mode?.GetUp() ?? false;
 
     /// <summary>How far it jumps from where it stands; all 0 for what cannot.</summary>
-    public JumpReach JumpReach => Mode?.ReachOf(Root.Scale, settings.Gravity) ?? default;
+    public JumpReach JumpReach => Mode?.ReachOf(root.Scale, settings.Gravity) ?? default;
 
     /// <summary>Has a walker jump to a point, from a stand or a run, over whatever is between: it turns there, crouches, flies and lands.</summary>
     /// <param name="target">Where its root is to land, world space.</param>
@@ -28,7 +28,7 @@ public sealed partial class CreatureAnimator
     public JumpResult Jump(Vector3 target)
     {
         Finite.RequireWithin(target, RootPlace.Farthest, nameof(target));
-        return Mode?.Jump(target, Root, settings) ?? JumpResult.NoLegs;
+        return Mode?.Jump(target, root, settings) ?? JumpResult.NoLegs;
     }
 
     /// <summary>Hits it: a neck, tail or limb that does not carry it gives and recovers, the body staggers and steps after it; above what balance takes it goes limp, and gets up by itself.</summary>
@@ -43,6 +43,6 @@ public sealed partial class CreatureAnimator
             throw new ArgumentOutOfRangeException(nameof(joint), joint, FormattableString.Invariant($"expected 0..{modelRotations.Length - 1}"));
         }
 
-        Mode?.Hit(joint, impulse, Root, ModelPose, settings);
+        Mode?.Hit(joint, impulse, root, ModelPose, settings);
     }
 }

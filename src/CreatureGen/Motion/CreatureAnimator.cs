@@ -41,6 +41,8 @@ public sealed partial class CreatureAnimator
     private Actor? actor;
     private Vector3? lookAt;
     private MotionSettings settings = MotionSettings.Default;
+    private RootPlace root;
+    private GazeSettings? gaze;
 
     /// <summary>An animator for a creature, standing at the origin.</summary>
     /// <exception cref="ArgumentNullException">There is no creature.</exception>
@@ -63,7 +65,7 @@ public sealed partial class CreatureAnimator
         ForwardKinematics.LocalToModel(skeleton, LocalPose, ModelPose);
         int feet = profile.Legs?.Legs.Length ?? 0;
         events = new EventQueue((2 * feet * WalkingMode.MaxSteps) + (profile.Flight != null ? FlyingMode.MaxBeats : 0) + FallingMode.MaxEvents + feet);
-        Root = RootPlace.Identity;
+        root = RootPlace.Identity;
         secondary = new SecondaryMotion(profile.SpringRigs, profile.SpringSettings);
         headGaze = profile.Gaze == null ? null : new HeadGaze(profile.Gaze, profile.Subject);
         locomotion = new Locomotion(profile, events);
@@ -73,7 +75,7 @@ public sealed partial class CreatureAnimator
     public MotionProfile Profile { get; }
 
     /// <summary>Where the creature's root is in the world: on the ground below its middle; set it by <see cref="Teleport"/> or <see cref="Follow"/>. Speeds and gravity are those of the world, whatever the scale.</summary>
-    public RootPlace Root { get; private set; }
+    public RootPlace Root => root;
 
     /// <summary>What can be set; taken up by the next update.</summary>
     /// <exception cref="ArgumentException">A setting is not finite or out of its range.</exception>
@@ -115,7 +117,11 @@ public sealed partial class CreatureAnimator
     }
 
     /// <summary>How head and eyes follow what they look at; null for what suits the creature: big heads turn slowly, fish look with their eyes.</summary>
-    public GazeSettings? GazeSettings { get; set; }
+    public GazeSettings? GazeSettings
+    {
+        get => gaze;
+        set => gaze = value;
+    }
 
     /// <summary>The pose in the parents' space, as of the last update. It may be changed before it is used; the next update writes it anew.</summary>
     public Pose LocalPose => new(localRotations, localPositions);
@@ -149,7 +155,7 @@ public sealed partial class CreatureAnimator
     private FallingMode? Mode => locomotion.Mode;
 
     /// <summary>Metres per second ahead at present.</summary>
-    public float Speed => (Mode?.Speed ?? 0f) * Root.Scale;
+    public float Speed => (Mode?.Speed ?? 0f) * root.Scale;
 
     /// <summary>Place in the gait's cycle, 0..1.</summary>
     public float Phase => Mode?.Phase ?? 0f;
@@ -177,7 +183,7 @@ public sealed partial class CreatureAnimator
     public float? SharpestTurn(float speed)
     {
         Finite.RequireWithin(speed, -1e6f, 1e6f, nameof(speed));
-        return Legs?.SharpestTurn(speed, Root.Scale, settings);
+        return Legs?.SharpestTurn(speed, root.Scale, settings);
     }
 
     /// <summary>Where a socket is in the world as of the last update: what is worn, held or rides there. A rider of its own animator goes along by <see cref="Follow"/>.</summary>
@@ -194,8 +200,8 @@ public sealed partial class CreatureAnimator
         CreatureSocket frame = sockets[socket];
         Quaternion joint = modelRotations[frame.Joint];
         Vector3 model = modelPositions[frame.Joint] + Rotation.Rotate(joint, frame.Position);
-        Quaternion world = Rotation.Multiply(Root.Rotation, Rotation.Multiply(joint, frame.Rotation));
-        return new RootPlace(Root.ToWorld(model), Rotation.Normalize(world), Root.Scale);
+        Quaternion world = Rotation.Multiply(root.Rotation, Rotation.Multiply(joint, frame.Rotation));
+        return new RootPlace(root.ToWorld(model), Rotation.Normalize(world), root.Scale);
     }
 
     /// <summary>Moves on: the creature goes as it is asked, over the ground.</summary>
@@ -211,11 +217,11 @@ public sealed partial class CreatureAnimator
         CheckedGround sound = Check(ref dt, ground);
         if (Mode != null && !GoesAfar(dt, input, sound))
         {
-            Face(Root);
-            MotionInput asked = actor == null ? input : actor.Begin(dt, Root, locomotion, input, settings, IdlesOf(input));
+            Face(root);
+            MotionInput asked = actor == null ? input : actor.Begin(dt, root, locomotion, input, settings, IdlesOf(input));
             try
             {
-                Root = locomotion.Update(Root, dt, asked, settings, sound, actor?.Layer, LocalPose);
+                root = locomotion.Update(root, dt, asked, settings, sound, actor?.Layer, LocalPose);
             }
             catch when (sound.MayThrow)
             {
@@ -247,10 +253,10 @@ public sealed partial class CreatureAnimator
         }
 
         Face(placement);
-        actor?.Begin(dt, Root, locomotion, default, settings, IdlesOf(default));
+        actor?.Begin(dt, root, locomotion, default, settings, IdlesOf(default));
         try
         {
-            locomotion.Follow(Root, dt, placement, settings, sound, actor?.Layer, LocalPose);
+            locomotion.Follow(root, dt, placement, settings, sound, actor?.Layer, LocalPose);
         }
         catch when (sound.MayThrow)
         {
@@ -258,7 +264,7 @@ public sealed partial class CreatureAnimator
             throw;
         }
 
-        Root = placement;
+        root = placement;
         Finish(dt);
     }
 
@@ -287,7 +293,7 @@ public sealed partial class CreatureAnimator
             throw;
         }
 
-        Root = placement;
+        root = placement;
         distant?.Reset();
         secondary.Reset();
         headGaze?.Reset();
@@ -300,7 +306,7 @@ public sealed partial class CreatureAnimator
     public void Rebase(Vector3 offset)
     {
         Finite.Require(offset, nameof(offset));
-        Root = new RootPlace(Root.Position + offset, Root.Rotation, Root.Scale);
+        root = new RootPlace(root.Position + offset, root.Rotation, root.Scale);
         Mode?.Rebase(offset);
         actor?.Performer.Rebase(offset);
         secondary.Rebase(offset);
@@ -343,7 +349,7 @@ public sealed partial class CreatureAnimator
         }
 
         PortableMath.SinCos(bank, out double sine, out double cosine);
-        return Rotation.Rotate(Root.Rotation, Vector3.UnitX) * (float)(settings.Gravity * sine / cosine);
+        return Rotation.Rotate(root.Rotation, Vector3.UnitX) * (float)(settings.Gravity * sine / cosine);
     }
 
     /// <summary>Tells what carries it where it looks: the chest turns some of the way.</summary>
@@ -369,18 +375,18 @@ public sealed partial class CreatureAnimator
         {
             headGaze.Lids = performer?.Lids ?? 0f;
             headGaze.IsLimp = State == BodyState.Limp;
-            headGaze.Update(looks ? lookAt : null, GazeSettings, Root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
+            headGaze.Update(looks ? lookAt : null, gaze, root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
         }
 
         if (performer != null)
         {
-            performer.Pose(Root, StandsOnFeet, StandsOnFeet ? ActGround.Under(Legs!.Feet, Root) : ActGround.Level, LocalPose, ModelPose);
-            actor!.Tell(Root, ModelPose);
+            performer.Pose(root, StandsOnFeet, StandsOnFeet ? ActGround.Under(Legs!.Feet, root) : ActGround.Level, LocalPose, ModelPose);
+            actor!.Tell(root, ModelPose);
         }
 
         if (awake && near)
         {
-            secondary.Update(Root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
+            secondary.Update(root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
         }
         else
         {

@@ -90,7 +90,7 @@ internal sealed class HeadGaze
     /// <param name="dt">Seconds.</param>
     /// <param name="local">The pose, its lids at rest; head, neck, eyes and lids are turned.</param>
     /// <param name="model">The same in model space.</param>
-    public void Update(Vector3? target, GazeSettings? settings, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
+    public void Update(Vector3? target, in GazeSettings? settings, in RootPlace root, float speed, float weight, float dt, in Pose local, in Pose model)
     {
         seconds += dt;
         bool still = weight > 0f && System.Math.Abs(speed) < Still;

@@ -40,7 +40,7 @@ internal sealed class Locomotion
     public FallingMode? Mode { get; private set; }
 
     /// <inheritdoc cref="ILocomotionMode.Update"/>
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, MotionSettings settings, CheckedGround ground, BodyLayer? layer, in Pose local)
+    public RootPlace Update(in RootPlace place, float dt, in MotionInput input, MotionSettings settings, CheckedGround ground, BodyLayer? layer, in Pose local)
     {
         if (Mode == null)
         {

@@ -82,7 +82,7 @@ internal sealed class SecondaryMotion
                 colliders = ground;
             }
 
-            SpringBones.Update(rigs[i], states[i], settings[i].Under(balanced), root, colliders, seconds, local, model);
+            SpringBones.Update(rigs[i], states[i], settings[i], balanced, root, colliders, seconds, local, model);
             if (KeepWithinLimits(rigs[i], local, model) && colliders.Length > 0)
             {
                 ChainLift.Raise(rigs[i], height, settings[i].Radius, local, model);

@@ -58,7 +58,7 @@ internal struct Footing
         {
             ref readonly Foot foot = ref legs.Feet[i];
             bool stands = foot.Phase == FootPhase.Stance;
-            Vector3 there = root.ToModel(stands ? foot.From.Position : foot.Plan.To.Position);
+            Vector3 there = root.ToModel(stands ? foot.Plan.From.Position : foot.Plan.To.Position);
             if (Carries(body, root, there, up, ground))
             {
                 // Under the hip of one in the air it will be once the body has come up to it: in a leap all of them are ahead of the body, which flies on to them.

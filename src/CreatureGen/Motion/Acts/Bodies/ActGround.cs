@@ -22,8 +22,8 @@ internal readonly record struct ActGround(Vector3 Point, Vector3 Normal)
         Vector3 normal = Vector3.Zero;
         foreach (ref readonly Foot foot in feet)
         {
-            sum += root.ToModel(foot.From.Position);
-            normal += Rotation.Rotate(Rotation.Inverse(root.Rotation), foot.From.Normal);
+            sum += root.ToModel(foot.Plan.From.Position);
+            normal += Rotation.Rotate(Rotation.Inverse(root.Rotation), foot.Plan.From.Normal);
         }
 
         return feet.Length == 0 ? Level : new(sum / feet.Length, Vec.Normalize(normal, Vector3.UnitY));

@@ -45,6 +45,9 @@ internal struct SpringBone
     /// <summary>Part of gravity that it feels.</summary>
     public float GravityFraction;
 
+    /// <summary>What it keeps from colliders, model metres.</summary>
+    public float Radius;
+
     /// <summary>One substep of its spring.</summary>
     public DampedSpring Step;
 }

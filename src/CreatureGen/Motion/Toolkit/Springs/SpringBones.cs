@@ -44,7 +44,11 @@ public static class SpringBones
     /// <param name="local">The animated pose in the parents' space; the joints are turned.</param>
     /// <param name="model">The same in model space; the joints and what hangs on them are brought up to date.</param>
     /// <exception cref="ArgumentException">The state is of another rig, a pose is not as long as the skeleton, or a number is not finite.</exception>
-    public static void Update(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
+    public static void Update(SpringRig rig, SpringState state, in SpringSettings settings, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model) =>
+        Update(rig, state, settings, settings.Gravity, root, colliders, seconds, local, model);
+
+    /// <summary>The same under another acceleration than the settings have.</summary>
+    internal static void Update(SpringRig rig, SpringState state, in SpringSettings settings, Vector3 gravity, in RootPlace root, ReadOnlySpan<SpringCollider> colliders, float seconds, in Pose local, in Pose model)
     {
         local.Require(rig.Skeleton);
         model.Require(rig.Skeleton);
@@ -55,12 +59,12 @@ public static class SpringBones
             throw new ArgumentException("the state was made for another rig; expected new SpringState(rig)", nameof(state));
         }
 
-        ReadOnlySpan<int> joints = rig.Joints;
-        if (joints.Length == 0)
+        if (rig.Joints.Length == 0)
         {
             return;
         }
 
+        state.Gravity = gravity;
         ReadModelPose(rig, state, root, model);
         ReadOnlySpan<SpringCollider> around = Place(colliders, state, root, model);
         if (!state.Started)
@@ -234,10 +238,10 @@ public static class SpringBones
         const float PerSecond = 1f / Substep;
         int parent = rig.Parents[index];
         float length = rig.Lengths[index] * scale;
-        float radius = Math.Max(settings.Radius.At(rig.Places[index]), 0f) * scale;
         float width = length * state.Width;
         ref SpringBone bone = ref state.Bones[index];
-        Vector3 push = settings.Gravity * (Substep * bone.GravityFraction);
+        float radius = bone.Radius * scale;
+        Vector3 push = state.Gravity * (Substep * bone.GravityFraction);
         DampedSpring step = bone.Step;
         for (int k = 0; k < fractions.Length; k++)
         {
@@ -279,11 +283,11 @@ public static class SpringBones
         bone.Shown = moment.Place + tail;
         float fraction = state.Debt / Substep;
         Vector3 goalVelocity = fraction > MinFraction ? (bone.Shown - bone.Goal) / state.Debt : bone.GoalVelocity;
-        Vector3 velocity = Driven(bone, goalVelocity, settings.Gravity * (Substep * bone.GravityFraction), length * state.Width);
+        Vector3 velocity = Driven(bone, goalVelocity, state.Gravity * (Substep * bone.GravityFraction), length * state.Width);
         velocity = bone.Slowed < 1f ? Blown(velocity, goalVelocity, settings.Wind, bone.Slowed) : velocity;
         Vector3 free = Vec.Lerp(bone.Offset, (bone.Offset * bone.Step.PlaceOfPlace) + (velocity * bone.Step.PlaceOfVelocity), fraction);
         Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
-        direction = Outside(colliders, moment.Place, direction, length, Math.Max(settings.Radius.At(rig.Places[index]), 0f) * scale);
+        direction = Outside(colliders, moment.Place, direction, length, bone.Radius * scale);
         bone.OffsetShown = (direction * length) - tail;
         moment.Deviation = Turned(carried, squared, along, direction);
     }

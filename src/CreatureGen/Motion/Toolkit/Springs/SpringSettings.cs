@@ -74,7 +74,7 @@ public readonly struct SpringSettings
     public ChainCurve Radius { get; }
 
     /// <summary>World space, m/s².</summary>
-    public Vector3 Gravity { get; private init; }
+    public Vector3 Gravity { get; }
 
     /// <summary>Radians that a bone may leave its goal.</summary>
     public float MaxSwing { get; }
@@ -105,10 +105,6 @@ public readonly struct SpringSettings
 
     /// <summary>World space, m/s.</summary>
     public Vector3 Wind { get; }
-
-    /// <summary>The same under another acceleration.</summary>
-    /// <param name="gravity">World space, m/s²; finite.</param>
-    internal SpringSettings Under(Vector3 gravity) => this with { Gravity = gravity };
 
     /// <summary>A tail: slow, and damped so much that it trails and never pumps up in a gallop.</summary>
     /// <param name="length">Of the whole chain in the world, metres.</param>

@@ -11,6 +11,7 @@ public sealed class SpringState
 {
     private ChainCurve frequency;
     private ChainCurve ratio;
+    private ChainCurve radius;
     private ChainCurve drag;
     private ChainCurve fraction;
     private float swing;
@@ -35,6 +36,9 @@ public sealed class SpringState
 
     /// <summary>Where the creature was.</summary>
     internal RootPlace Root { get; set; }
+
+    /// <summary>Acceleration in the world that the bones feel in this update, m/s².</summary>
+    internal Vector3 Gravity { get; set; }
 
     /// <summary>What is remembered of each joint of the rig, in its order.</summary>
     internal SpringBone[] Bones { get; }
@@ -81,7 +85,7 @@ public sealed class SpringState
     internal void Tune(in SpringSettings settings)
     {
         bool air = drag.Is(settings.Drag) && fraction.Is(settings.GravityFraction);
-        if (tuned && air && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MaxSwing && speed == settings.MaxSpeed)
+        if (tuned && air && radius.Is(settings.Radius) && frequency.Is(settings.Frequency) && ratio.Is(settings.DampingRatio) && swing == settings.MaxSwing && speed == settings.MaxSpeed)
         {
             return;
         }
@@ -89,6 +93,7 @@ public sealed class SpringState
         tuned = true;
         frequency = settings.Frequency;
         ratio = settings.DampingRatio;
+        radius = settings.Radius;
         drag = settings.Drag;
         fraction = settings.GravityFraction;
         swing = settings.MaxSwing;
@@ -105,6 +110,7 @@ public sealed class SpringState
             Bones[i].Liveliness = cycles > 0f && fastest < 1e9 ? (float)(fastest * fastest) : float.PositiveInfinity;
             Bones[i].Slowed = Damping.Left(System.Math.Max(drag.At(along), 0f), SpringBones.Substep);
             Bones[i].GravityFraction = fraction.At(along);
+            Bones[i].Radius = System.Math.Max(radius.At(along), 0f);
             Bones[i].Step = new DampedSpring((float)(cycles * PortableMath.Tau), System.Math.Max(ratio.At(along), 0f), SpringBones.Substep);
         }
     }

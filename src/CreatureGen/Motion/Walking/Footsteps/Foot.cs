@@ -17,9 +17,6 @@ internal struct Foot
     /// <inheritdoc cref="FootPlan.Phase"/>
     public readonly FootPhase Phase => Plan.Phase;
 
-    /// <inheritdoc cref="FootPlan.From"/>
-    public readonly Foothold From => Plan.From;
-
     /// <inheritdoc cref="FootPlan.Swing"/>
     public readonly float Swing => Plan.Swing;
 
@@ -37,7 +34,7 @@ internal struct Foot
     public readonly FootReport Report(int joint)
     {
         bool down = Phase == FootPhase.Stance;
-        Foothold place = down ? From : Plan.To;
+        Foothold place = down ? Plan.From : Plan.To;
         return new FootReport(Taken > 0f ? FootPhase.Swing : Phase, joint, place.Position, place.Normal, down ? Stance : Swing, Load * (1f - Taken), Leg.Stretch, Leg.Residual);
     }
 

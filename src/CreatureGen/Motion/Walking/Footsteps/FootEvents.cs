@@ -37,7 +37,7 @@ internal sealed class FootEvents
     {
         for (int i = 0; i < feet.Length; i++)
         {
-            Foothold place = feet[i].From;
+            Foothold place = feet[i].Plan.From;
             if (feet[i].Phase == FootPhase.Stance)
             {
                 events.Add(new MotionEvent(kind, i, body.Legs[i].Ball, place.Position, place.Normal, place.Surface, speed, strength, 0f));

@@ -105,6 +105,7 @@ internal sealed partial class FootPlanner
     {
         float duty = step.Clock.Duty;
         float cycle = 1f / step.Clock.Frequency;
+        var onward = Onward.From(step);
         for (int i = 0; i < feet.Length; i++)
         {
             ref Foot foot = ref feet[i];
@@ -119,7 +120,7 @@ internal sealed partial class FootPlanner
             float ahead = step.Moving ? StepPhase.ToMidstance(flight, duty, cycle) : flight;
             foot.Plan.Steps = false;
             foot.Plan.AsNear &= !step.Moving;
-            if (FootRelease.IsDue(ref foot, body, body.Legs[i], step) && (step.Moving || Wants(i, step, ahead, flight)))
+            if (FootRelease.IsDue(ref foot, body, body.Legs[i], step, onward) && (step.Moving || Wants(i, step, ahead, flight)))
             {
                 Release(i, step, (1f - duty) * cycle);
             }

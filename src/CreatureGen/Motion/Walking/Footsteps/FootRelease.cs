@@ -41,9 +41,10 @@ internal static class FootRelease
     /// <param name="body">Whose foot it is.</param>
     /// <param name="leg">Its leg.</param>
     /// <param name="step">The moment.</param>
-    public static bool IsDue(ref Foot foot, LeggedBody body, LegRig leg, in StepContext step)
+    /// <param name="onward">How the body goes on.</param>
+    public static bool IsDue(ref Foot foot, LeggedBody body, LegRig leg, in StepContext step, in Onward onward)
     {
-        Vector3 place = step.Frame.ToModel(foot.From.Position);
+        Vector3 place = step.Frame.ToModel(foot.Plan.From.Position);
         Vector3 chord = foot.Leg.Chord + place - foot.Path.Base;
         var lowered = new Vector3(0f, foot.Leg.Lowered, 0f);
         float reached = Vec.Length(chord + lowered);
@@ -53,7 +54,7 @@ internal static class FootRelease
         foot.Plan.Reached = reached;
         foot.Plan.Missed = foot.Leg.Residual;
         bool misses = slides > 0f && foot.Leg.Residual + slides > MaxMiss * leg.Length;
-        Vector3 then = chord + lowered + Later(step, place) - place;
+        Vector3 then = chord + lowered + onward.Later(place) - place;
         if (misses || (HipMayEnd(leg, then) && Missing(foot, body, leg, step, then) > MaxMiss * leg.Length))
         {
             return true;
@@ -73,18 +74,6 @@ internal static class FootRelease
     /// <param name="seconds">Since the last pose.</param>
     public static bool IsTorn(in Foot foot, LegRig leg, float seconds) =>
         seconds > Overdue && foot.Phase == FootPhase.Stance && foot.Leg.Residual - foot.Plan.Missed > MaxMiss * leg.Length;
-
-    /// <summary>Where a place is as the body goes on until the next decision, model space; where it is now if that comes before the next pose.</summary>
-    private static Vector3 Later(in StepContext step, Vector3 place)
-    {
-        if (step.Left >= DecisionClock.Period)
-        {
-            return place;
-        }
-
-        Vector3 way = step.RootVelocity.Predict(DecisionClock.Period, out float yaw);
-        return Rotation.Rotate(AxisRotation.Yaw(-yaw), place - way);
-    }
 
     /// <summary>How far a foot will be off its place with a chord, metres: a hip that comes to its end between two decisions would drag it along with the body.</summary>
     private static float Missing(in Foot foot, LeggedBody body, LegRig leg, in StepContext step, Vector3 chord)

@@ -86,7 +86,7 @@ internal sealed class FootingSearch
     public bool Find(in StepContext step, int leg, Vector3 wanted, Vector3 home, float yaw, ref float nudge, int looks, out Foothold place)
     {
         LegRig shape = body.Legs[leg];
-        Vector3 up = step.Settings.Up;
+        Vector3 up = step.Up;
         Vector3 ahead = Ahead(yaw);
         Vector3 target = wanted + (ahead * nudge);
         bool found = Down(step, target, out GroundHit hit);
@@ -170,9 +170,9 @@ internal sealed class FootingSearch
 
         LegRig shape = body.Legs[leg];
         Quaternion inverse = Rotation.Inverse(step.Frame.Rotation);
-        Vector3 from = step.Frame.ToModel(foot.From.Position);
+        Vector3 from = step.Frame.ToModel(foot.Plan.From.Position);
         Vector3 to = step.Frame.ToModel(foot.Plan.To.Position);
-        Vector3 slopeFrom = Slope(Rotation.Rotate(inverse, foot.From.Normal));
+        Vector3 slopeFrom = Slope(Rotation.Rotate(inverse, foot.Plan.From.Normal));
         Vector3 slopeTo = Slope(Rotation.Rotate(inverse, foot.Plan.To.Normal));
         int first = 0;
         int last = SwingClearance.Knots;
@@ -328,7 +328,7 @@ internal sealed class FootingSearch
             return 0f;
         }
 
-        Vector3 up = step.Settings.Up;
+        Vector3 up = step.Up;
         Vector3 way = hit.Point - under.Point;
         float scale = step.Frame.Scale;
         float height = Vec.Dot(way, up);
@@ -346,7 +346,7 @@ internal sealed class FootingSearch
     private bool Down(in StepContext step, Vector3 point, float farther, out GroundHit hit)
     {
         float above = (Above + farther) * body.LegLength;
-        Vector3 up = step.Settings.Up;
+        Vector3 up = step.Up;
         Vector3 origin = step.Frame.ToWorld(new Vector3(point.X, above + (step.Slope * point.Z), point.Z));
         return step.Ground.Cast(origin, -up, (above + ((Below + farther) * body.LegLength)) * step.Frame.Scale, out hit) && Vec.Dot(hit.Normal, up) > Steepest;
     }

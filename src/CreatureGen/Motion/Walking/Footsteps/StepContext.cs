@@ -9,12 +9,12 @@ internal readonly struct StepContext
     /// <summary>Activity of a body below which it counts as still.</summary>
     public const float MinActivity = 0.02f;
 
-    public StepContext(RootPlace frame, RootVelocity velocity, GaitClock clock, in MotionSettings settings, IGround ground, float step, float since, float left, float activity, bool moving, float slope)
+    public StepContext(in RootPlace frame, in RootVelocity velocity, GaitClock clock, in MotionSettings settings, IGround ground, float step, float since, float left, float activity, bool moving, float slope)
     {
         Frame = frame;
         RootVelocity = velocity;
         Clock = clock;
-        Settings = settings;
+        Up = settings.Up;
         Ground = ground;
         Step = step;
         Since = since;
@@ -31,13 +31,14 @@ internal readonly struct StepContext
     }
 
     /// <summary>Where the creature is at the end of the step.</summary>
-    public RootPlace Frame { get; }
+    public readonly RootPlace Frame;
 
-    public RootVelocity RootVelocity { get; }
+    public readonly RootVelocity RootVelocity;
 
     public GaitClock Clock { get; }
 
-    public MotionSettings Settings { get; }
+    /// <summary>Against gravity, unit, world space.</summary>
+    public Vector3 Up { get; }
 
     public IGround Ground { get; }
 

@@ -29,9 +29,9 @@ internal static class FootPoser
     public static void Pose(LegRig leg, ref Foot foot, SwingClearance way, in RootPlace frame, in GaitNumbers gait, float rest, out FootPose pose)
     {
         Quaternion inverse = Rotation.Inverse(frame.Rotation);
-        Vector3 from = frame.ToModel(foot.From.Position);
-        Quaternion heading = Rotation.Multiply(inverse, foot.From.Heading);
-        Vector3 normal = Rotation.Rotate(inverse, foot.From.Normal);
+        Vector3 from = frame.ToModel(foot.Plan.From.Position);
+        Quaternion heading = Rotation.Multiply(inverse, foot.Plan.From.Heading);
+        Vector3 normal = Rotation.Rotate(inverse, foot.Plan.From.Normal);
         foot.Path.Lift = 0f;
         foot.Path.Over = 0f;
         foot.Path.Start = from;

@@ -6,7 +6,7 @@ namespace CreatureGen.Motion.Walking.Trunk;
 /// <summary>What the body goes by in an update.</summary>
 internal readonly struct BodyContext
 {
-    public BodyContext(GaitClock clock, RootVelocity velocity, in MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright, float bow, float facing)
+    public BodyContext(GaitClock clock, in RootVelocity velocity, in MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright, float bow, float facing)
     {
         Clock = clock;
         RootVelocity = velocity;
@@ -22,9 +22,9 @@ internal readonly struct BodyContext
 
     public GaitClock Clock { get; }
 
-    public RootVelocity RootVelocity { get; }
+    public readonly RootVelocity RootVelocity;
 
-    public MotionSettings Settings { get; }
+    public readonly MotionSettings Settings;
 
     /// <summary>Seconds.</summary>
     public float Step { get; }
@@ -32,7 +32,7 @@ internal readonly struct BodyContext
     /// <summary>0 stands, 1 walks.</summary>
     public float Activity { get; }
 
-    public IdlePose Idle { get; }
+    public readonly IdlePose Idle;
 
     /// <summary>Metres per second squared ahead.</summary>
     public float Acceleration { get; }
