@@ -26,6 +26,7 @@ internal sealed class AnimateVerb : IVerb
 
     private static readonly OptionSyntax ground = new("--ground", "GROUND", "flat (the default) or rough: seeded hills; with --course also stairs, slope, gap, platform, lift, water, stones or pipe");
     private static readonly OptionSyntax course = new("--course", "SCRIPT", "what to do one after the other, such as 'idle 1; walk; run 2; turn left at 1.5; stop': a word, at a speed or rate, seconds");
+    private static readonly OptionSyntax camera = new("--camera", "CHOICE", "with --course or --act: still (the default), it keeps its direction so that turns are seen, or along: it turns with the creature so that lean and bend are");
     private static readonly OptionSyntax sound = new("--sound", "FILE", "the WAV file to write as well: footsteps, landings, beats of wings, bites and calls, made by the weight of the creature");
     private static readonly OptionSyntax size = new("--size", "PIXELS", "width of the moving picture, 64 to 2048 (default 640)");
 
@@ -44,7 +45,7 @@ internal sealed class AnimateVerb : IVerb
             new("animate --seed 42 --speed 4 --out run.png --sound run.wav", "with the sound of its footsteps"),
             new("animate --seed 42 --course \"idle 1; walk; run; turn left; stop\" --ground stairs --out course.png", "starts, turns and stops; course-strip.png shows the transitions"),
         ],
-        [SeedOptions.Seed with { Short = "-s" }, MovementArguments.Gait, MovementArguments.Speed, course, ActArguments.Act, ActArguments.Target, ground, sound, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
+        [SeedOptions.Seed with { Short = "-s" }, MovementArguments.Gait, MovementArguments.Speed, course, ActArguments.Act, ActArguments.Target, ground, camera, sound, CommonOptions.OutFile with { Meaning = "the animated PNG to write; the film strip gets -strip in its name" }, CommonOptions.View, size, CommonOptions.Flat, .. CreatureArguments.Syntax, CommonOptions.Threads, CommonOptions.Quiet]);
 
     /// <inheritdoc/>
     public int Run(ParsedArguments arguments, Surroundings surroundings)
@@ -66,6 +67,7 @@ internal sealed class AnimateVerb : IVerb
             Width = width,
             Height = width * 3 / 4,
             View = CommonOptions.ReadView(arguments),
+            Camera = arguments.Choice(camera.Name, WordList<CameraTurn>.Instance, CameraTurn.Still),
             Shading = arguments.Has(CommonOptions.Flat.Name) ? ShadingMode.Faceted : ShadingMode.Smooth,
             Threads = threads,
         };

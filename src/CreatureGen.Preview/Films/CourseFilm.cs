@@ -96,7 +96,7 @@ public sealed class CourseFilm : IFilm
 
     private static int MomentsPerFrame => CourseTake.Rate / FramesPerSecond;
 
-    /// <summary>A frame of the moving picture: the camera goes along and keeps its direction, so that turns are seen.</summary>
+    /// <summary>A frame of the moving picture: the camera goes along, and turns along if it is asked to.</summary>
     /// <param name="index">0 up to <see cref="FrameCount"/>.</param>
     /// <exception cref="ArgumentOutOfRangeException">There is no such frame.</exception>
     public Picture Frame(int index)
@@ -107,7 +107,7 @@ public sealed class CourseFilm : IFilm
         }
 
         int moment = index * MomentsPerFrame;
-        Picture frame = Draw(moment, Options.View, CameraTurn.Still, Options.Width, Options.Height);
+        Picture frame = Draw(moment, Options.View, Options.Camera, Options.Width, Options.Height);
         string command = Take.Script.Commands[Take.CommandAt(moment)].ToString();
         Label.Draw(frame, Label.Fit(FormattableString.Invariant($"{moment / (double)CourseTake.Rate:0.0} s  {command}"), LabelSize.Small, Options.Width - 16), 8, 8, LabelSize.Small, new Pixel(24, 27, 32));
         return frame;

@@ -177,13 +177,3 @@ internal sealed class CourseTake
         public Pose Local => new(Rotations, Positions);
     }
 }
-
-/// <summary>Whether a camera that goes along turns with what it sees.</summary>
-internal enum CameraTurn
-{
-    /// <summary>It looks the same way at all times.</summary>
-    Still,
-
-    /// <summary>It sees the same side at all times.</summary>
-    Along,
-}

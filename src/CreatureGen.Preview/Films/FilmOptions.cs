@@ -16,6 +16,9 @@ public sealed record FilmOptions
     /// <summary>From where the moving picture is taken; the film strip has a side and a front of its own.</summary>
     public View View { get; init; } = View.ThreeQuarter;
 
+    /// <summary>Whether the camera of a <see cref="CourseFilm"/> turns along with the creature.</summary>
+    public CameraTurn Camera { get; init; } = CameraTurn.Still;
+
     /// <summary>What the creature goes on. Of what flies and swims nothing is seen below.</summary>
     public GroundRelief Ground { get; init; } = GroundRelief.Flat;
 
