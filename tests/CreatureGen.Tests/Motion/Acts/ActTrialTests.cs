@@ -101,6 +101,22 @@ public class ActTrialTests
         Assert.InRange(report.ContactError ?? 0f, 0f, 0.02f);
     }
 
+    [Theory]
+    [InlineData(9999012)]
+    [InlineData(9999040)]
+    [InlineData(9999001)]
+    [InlineData(9999037, Explicit = true)]
+    [InlineData(9999095, Explicit = true)]
+    public void Low_bodies_eat_off_the_ground_with_neither_jaw_nor_feelers_in_it(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        ActAbility eating = profile.Acts.Find("Eat");
+        Assert.True(eating.IsPossible, eating.Refusal);
+        ActReport report = new ActTrial(eating).Run(profile);
+        Assert.InRange(report.Penetration ?? 0f, 0f, 0.02f);
+        Assert.InRange(report.ContactError ?? 0f, 0f, 0.02f);
+    }
+
     [Fact]
     public void Where_legs_fold_is_found_in_many_small_steps()
     {

@@ -23,7 +23,7 @@ public sealed class ClipRecipeTests
     // Each body with everything that it does: what goes and stands, what leads from one to another, and its acts.
     [Theory]
     [InlineData("feline", RequestedKind.Walking, "Idle Walk Trot Canter TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround Start Stop Jump Fall Land", "Bite Claw Kick TailSweep Eat Drink Sniff Shake Scratch Groom Call Threaten Submit Dance Flinch Sit Lie Sleep Die")]
-    [InlineData("frog", RequestedKind.Walking, "Idle Crawl Leap TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround Start Stop Jump Fall Land", "Bite Claw TailSweep Drink Sniff Shake Groom Call Threaten Submit Dance Flinch Lie Sleep Die")]
+    [InlineData("frog", RequestedKind.Walking, "Idle Crawl Leap TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround Start Stop Jump Fall Land", "Bite Claw TailSweep Eat Drink Sniff Shake Groom Call Threaten Submit Dance Flinch Lie Sleep Die")]
     [InlineData("cobra", RequestedKind.Walking, "Idle Slither Sidewind Rectilinear TurnLeft TurnRight LookAround Start Stop", "Bite Eat Sniff Call Threaten Submit Flinch Sleep Die")]
     [InlineData("raptor", RequestedKind.Flying, "Idle Walk Run Fly Hover TakeOff Land TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround BankLeft BankRight Glide Start Stop Jump Dart", "Bite Kick TailSweep Eat Drink Sniff Shake Groom Call Threaten Submit Dance Flinch Lie Sleep Die")]
     [InlineData("bee", RequestedKind.Flying, "Idle Wave Tripod Fly Hover TakeOff Land TurnLeft TurnRight StrafeLeft StrafeRight Reverse LookAround BankLeft BankRight Start Stop Jump Dart", "Bite Claw TailSweep Eat Drink Sniff Shake Groom Threaten Submit Dance Flinch Lie Sleep Die")]

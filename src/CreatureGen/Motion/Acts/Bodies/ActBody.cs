@@ -58,6 +58,7 @@ internal sealed class ActBody
         Feelers = Array.ConvertAll(RootsOf(JointRole.Antenna), root => new TurnedChain(Skeleton, Joints(JointRole.Antenna).Where(joint => Hangs(joint, root)).ToArray()));
         FeelerSkins = Array.ConvertAll(Feelers, feeler => Skin.Of(joint => Hangs(joint, feeler.Joints[0])));
         HeadSkin = Skin.Of(joint => Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Array.Exists(Feelers, feeler => Hangs(joint, feeler.Joints[0])));
+        JawSkin = Skin.Of(joint => Hangs(joint, Jaw));
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
         BearingSkin = Skin.Of(joint => !Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1) && !Array.Exists(Arms, arm => Hangs(joint, arm.Joints[1])));
@@ -134,6 +135,9 @@ internal sealed class ActBody
     public BonePoints HeadSkin { get; }
 
     public BonePoints TailSkin { get; }
+
+    /// <summary>The same of the jaw; none without one.</summary>
+    public BonePoints JawSkin { get; }
 
     /// <summary>The same of each arm.</summary>
     public BonePoints[] ArmSkins { get; }

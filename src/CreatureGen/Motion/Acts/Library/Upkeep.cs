@@ -28,12 +28,12 @@ internal static class Upkeep
             new ActPhase("back", 3f).To(Reach, 0f))
             .Needing(ActNeeds.Jaw).With(ActTool.Mouth).For(BodyBuild.Swimming | BodyBuild.Airborne),
         new Act("Eat", ActKind.Upkeep,
-            new ActPhase("down", 3.2f).To(Reach, 1f).To(Jaw, 0.4f).To(Ears, -0.2f),
-            new ActPhase("bite", 0.8f).To(Jaw, 0f).Then(ActMark.Contact),
+            new ActPhase("down", 3.2f).To(Reach, 0.92f).To(Jaw, 0.45f).To(Ears, -0.2f),
+            new ActPhase("bite", 0.8f).To(Reach, 1f).To(Jaw, 0f).Then(ActMark.Contact),
             new ActPhase("tear", 0.8f).To(Reach, 0.86f).To(HeadSide, 0.12f),
             new ActPhase("chew", 5f).To(Reach, 0.78f).To(HeadSide, 0f).With(new ActWave(Jaw, 0.28f, 5f, 0.25f)).With(new ActWave(HeadRoll, 0.05f, 2.5f)),
-            new ActPhase("down again", 1.6f).To(Reach, 1f).To(Jaw, 0.4f),
-            new ActPhase("bite again", 0.8f).To(Jaw, 0f),
+            new ActPhase("down again", 1.6f).To(Reach, 0.92f).To(Jaw, 0.45f),
+            new ActPhase("bite again", 0.8f).To(Reach, 1f).To(Jaw, 0f),
             new ActPhase("chew again", 4f).To(Reach, 0.8f).With(new ActWave(Jaw, 0.28f, 4f, 0.25f)),
             new ActPhase("up", 2.8f).To(Reach, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.95f).For(BodyBuild.Standing),

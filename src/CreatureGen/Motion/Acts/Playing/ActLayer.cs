@@ -119,12 +119,10 @@ internal sealed class ActLayer
             TurnJoint(body.Head, AxisRotation.YawPitchRoll(side * values[(int)ActChannel.HeadSide], -values[(int)ActChannel.HeadPitch], side * values[(int)ActChannel.HeadRoll]), local);
         }
 
-        // A mouth shuts no farther than it is at rest: its lips would cut through one another.
-        float jaw = Math.Max(0f, values[(int)ActChannel.Jaw]);
-        if (body.Jaw >= 0 && jaw != 0f)
+        float jaw = JawTurn(values);
+        if (jaw != 0f)
         {
-            AngleRange range = body.Skeleton.AllJoints[body.Jaw].Limit.SwingX;
-            local.Rotations[body.Jaw] = SwingTwistLimit.ClampLocal(Rotation.Multiply(local.Rotations[body.Jaw], AxisRotation.Pitch(jaw * range.Max)), body.Skeleton.AllJoints[body.Jaw]);
+            local.Rotations[body.Jaw] = SwingTwistLimit.ClampLocal(Rotation.Multiply(local.Rotations[body.Jaw], AxisRotation.Pitch(jaw)), body.Skeleton.AllJoints[body.Jaw]);
         }
 
         float ears = values[(int)ActChannel.Ears];
@@ -138,6 +136,9 @@ internal sealed class ActLayer
         TurnArms(values, side, local);
         TurnFins(values[(int)ActChannel.Wings], local);
     }
+
+    /// <summary>How far the jaw is let down from where it is at rest, radians; 0 without one. A mouth shuts no farther than it is at rest: its lips would cut through one another.</summary>
+    public float JawTurn(float[] values) => body.Jaw < 0 ? 0f : Math.Max(0f, values[(int)ActChannel.Jaw]) * body.Skeleton.AllJoints[body.Jaw].Limit.SwingX.Max;
 
     /// <summary>Moves a body that nothing carries, and bends its back.</summary>
     private void TurnTrunk(float[] values, float side, in Pose local)

@@ -208,11 +208,6 @@ internal sealed class Performer
             Settle(ground, local, model);
             KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, ClearingRounds, local, model);
             KeepOffGround(ground, body.Tail, body.TailSkin, 1f, FeelerRounds, local, model);
-            for (int i = 0; i < body.Feelers.Length; i++)
-            {
-                KeepOffGround(ground, body.Feelers[i], body.FeelerSkins[i], -1f, FeelerRounds, local, model);
-            }
-
             for (int i = 0; i < body.Arms.Length; i++)
             {
                 KeepArmOffGround(ground, body.Arms[i].Joints[1], body.ArmSkins[i], ref armWays[i], local, model);
@@ -221,6 +216,15 @@ internal sealed class Performer
 
         Bring(lastAim, player.LeftReach, root, carried, local, model);
         Bring(aim, player.Act == null ? values[(int)ActChannel.Reach] - player.LeftReach : player.OwnReach, root, carried, local, model);
+        if (carried)
+        {
+            // What hangs on the head goes where that is brought.
+            KeepJawOffGround(ground, local, model);
+            for (int i = 0; i < body.Feelers.Length; i++)
+            {
+                KeepOffGround(ground, body.Feelers[i], body.FeelerSkins[i], -1f, FeelerRounds, local, model);
+            }
+        }
     }
 
     /// <summary>The joint that an act strikes or sounds with, and its place.</summary>
@@ -263,6 +267,25 @@ internal sealed class Performer
             way = layer.Loose > 0f ? -1f : way != 0f ? way : ahead <= back ? -1f : 1f;
             body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(way * Math.Min(way < 0f ? ahead : back, MaxCleared)), local);
             Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
+        }
+    }
+
+    /// <summary>Opens a mouth no farther than the ground below it lets the jaw come down.</summary>
+    private void KeepJawOffGround(in ActGround ground, in Pose local, in Pose model)
+    {
+        float open = layer.JawTurn(values);
+        for (int round = 0; round < ClearingRounds && open > 0f; round++)
+        {
+            float raise = body.JawSkin.Raise(ground, model.Positions[body.Jaw], model);
+            if (raise == 0f)
+            {
+                return;
+            }
+
+            float shut = Math.Min(raise, open);
+            open -= shut;
+            body.Neck.TurnJoint(body.Turns, body.Jaw, AxisRotation.Pitch(-shut), local);
+            Toolkit.Subtree.LocalToModel(body.Skeleton, body.Jaw, local, model);
         }
     }
 
