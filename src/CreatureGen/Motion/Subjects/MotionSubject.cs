@@ -32,7 +32,8 @@ public sealed class MotionSubject
         Plan = blueprint.Plan;
         Seed = blueprint.Seed;
         Manner = SpeciesCatalogue.Find(blueprint.Body.Blend.Manner).Motion;
-        HasHorns = blueprint.Features.Any(feature => feature.Kind is FeatureKind.Horn or FeatureKind.Antler or FeatureKind.Tusk);
+        HasHorns = blueprint.Features.Any(feature => (feature.Kind is FeatureKind.Horn or FeatureKind.Antler or FeatureKind.Tusk) && feature.Ring <= StationRing.Nape);
+        HasSting = blueprint.Tail.Style == TailStyle.Stinger;
         Seed species = new Seed(blueprint.Seed).Child("glances");
         Habits = blueprint.Coat.Marks == 0 ? species : species.Child(blueprint.Coat.Marks);
     }
@@ -93,8 +94,11 @@ public sealed class MotionSubject
     /// <summary>How it carries itself, beyond what its plan says.</summary>
     internal MotionTraits Manner { get; }
 
-    /// <summary>Whether it can gore.</summary>
+    /// <summary>Whether it can gore: horns, antlers or tusks on its head, not spikes along its back.</summary>
     internal bool HasHorns { get; }
+
+    /// <summary>Whether its tail ends in a sting.</summary>
+    internal bool HasSting { get; }
 
     /// <summary>What its glances, blinks and idle acts are drawn from: individuals of one species differ.</summary>
     internal Seed Habits { get; }

@@ -209,6 +209,8 @@ internal sealed class ActBody
         Add(ActNeeds.LongTail, Tail.Count > 1 && Tail.Length > LongTailFraction * TrunkLength());
         Add(ActNeeds.Arms, Arms.Length > 0);
         Add(ActNeeds.Lids, Joints(JointRole.Lid).Length > 0);
+        Add(ActNeeds.Sting, Subject.HasSting && Tail.Count > 0);
+        Add(ActNeeds.Abdomen, Legs is { HasAbdomen: true } && Tail.Count > 0);
         return has;
 
         void Add(ActNeeds part, bool there) => has |= there ? part : ActNeeds.None;

@@ -35,4 +35,10 @@ public enum ActNeeds
 
     /// <summary>Lids that shut.</summary>
     Lids = 256,
+
+    /// <summary>A tail that ends in a sting.</summary>
+    Sting = 512,
+
+    /// <summary>The abdomen of an insect.</summary>
+    Abdomen = 1024,
 }

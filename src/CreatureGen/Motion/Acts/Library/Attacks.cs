@@ -44,22 +44,30 @@ internal static class Attacks
             new ActPhase("hit", 0.25f, ActEase.Out).To(Reach, 1f).To(Ahead, 0.1f).Then(ActMark.Contact),
             new ActPhase("hook", 0.8f, ActEase.Out).To(Reach, 0.15f).To(ForeDown, 0.05f).To(NeckPitch, 0.5f).To(HeadPitch, 0.15f).To(HeadRoll, 0.3f).To(NeckSide, 0.2f),
             new ActPhase("recover", 2.2f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(HeadRoll, 0f).To(NeckSide, 0f).To(Ears, 0f).To(TailPitch, 0f))
-            .Needing(ActNeeds.Horns | ActNeeds.Head).With(ActTool.Brow, 0.1f).For(BodyBuild.Standing),
+            .Needing(ActNeeds.Horns | ActNeeds.Head).With(ActTool.Brow, 0.2f).For(BodyBuild.Standing),
         new Act("Claw", ActKind.Strike,
-            new ActPhase("raise", 1.9f).To(ArmAhead, 0.9f).To(ArmOut, 1.0f).To(ArmBend, 0.3f).To(BackTwist, 0.15f).To(BackSide, -0.2f).To(Yaw, -0.12f).To(Jaw, 0.5f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.75f, ActEase.In).To(Ahead, 0.12f).To(ArmOut, 0.2f).To(ArmBend, 0.2f).To(BackTwist, -0.1f).To(Yaw, 0.12f).To(Reach, 0.85f),
+            new ActPhase("raise", 1.9f).To(ArmAhead, 0.5f).To(ArmOut, 1.1f).To(ArmBend, 1.2f).To(BackTwist, 0.15f).To(BackSide, -0.2f).To(Yaw, -0.12f).To(Jaw, 0.5f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.75f, ActEase.In).To(Ahead, 0.12f).To(ArmAhead, 0.9f).To(ArmOut, 0.3f).To(ArmBend, 0.2f).To(BackTwist, -0.1f).To(Yaw, 0.12f).To(Reach, 0.85f),
             new ActPhase("hit", 0.3f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("tear", 0.9f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.6f).To(ArmOut, -0.25f).To(ArmBend, 0.5f),
+            new ActPhase("tear", 0.9f, ActEase.Out).To(Reach, 0f).To(ArmAhead, 0.3f).To(ArmOut, -0.3f).To(ArmBend, 0.5f),
             new ActPhase("recover", 1.8f).To(Ahead, 0f).To(ArmAhead, 0f).To(ArmOut, 0f).To(ArmBend, 0f).To(BackTwist, 0f).To(BackSide, 0f).To(Yaw, 0f).To(Jaw, 0f).To(Ears, 0f))
             .Needing(ActNeeds.Arms | ActNeeds.Legs).With(ActTool.Hand).For(BodyBuild.Standing),
         new Act("Claw", ActKind.Strike,
             new ActPhase("raise", 1.7f).To(Aside, -0.10f).To(Ahead, -0.12f).To(HindDown, 0.10f).To(Yaw, -0.04f).To(ForeFootUp, 0.5f).To(ForeFootAhead, -0.02f).To(ForeFootOut, 0.22f).To(ForeFootPitch, 0.9f).To(NeckPitch, 0.3f).To(NeckSide, -0.2f).To(Ears, 0.8f).To(Jaw, 0.35f).To(TailPitch, 0.3f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.12f).To(ForeDown, 0.04f).To(HindDown, 0f).To(Yaw, 0.02f).To(ForeFootPitch, -0.4f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(Jaw, 0.7f).To(Reach, 0.85f),
             new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("rake", 0.7f, ActEase.Out).To(Reach, 0f).To(Ahead, 0.04f).To(ForeDown, 0.14f).To(Yaw, 0.03f).To(ForeFootUp, 0.12f).To(ForeFootAhead, 0.22f).To(ForeFootOut, -0.22f).To(ForeFootPitch, 0.5f).To(NeckPitch, -0.2f),
+            new ActPhase("rake", 0.7f, ActEase.Out).To(Reach, 0f).To(Ahead, 0.04f).To(ForeDown, 0.14f).To(Yaw, 0.03f).To(ForeFootUp, 0.2f).To(ForeFootAhead, 0.22f).To(ForeFootOut, -0.22f).To(ForeFootPitch, 0.2f).To(NeckPitch, -0.2f),
             new ActPhase("down", 1.3f).To(ForeDown, 0f).To(Yaw, 0f).To(ForeFootUp, 0f).To(ForeFootAhead, 0f).To(ForeFootOut, 0f).To(ForeFootPitch, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(Jaw, 0f),
             new ActPhase("recover", 1.4f).To(Aside, 0f).To(Ahead, 0f).To(Ears, 0f).To(TailPitch, 0f))
-            .Needing(ActNeeds.FourLegs).With(ActTool.ForeFoot).For(BodyBuild.Pawed | BodyBuild.Sprawling | BodyBuild.ManyLegged).OnTheSpot(),
+            .Needing(ActNeeds.FourLegs).With(ActTool.ForeFoot).For(BodyBuild.Pawed | BodyBuild.Sprawling).OnTheSpot(),
+        new Act("Claw", ActKind.Strike,
+            new ActPhase("rear", 1.7f).To(Ahead, -0.06f).To(ForeFeetUp, 0.35f).To(ForeFeetAhead, 0.1f).To(ForeFootUp, 0.25f).To(ForeFootOut, 0.25f).To(ForeFootPitch, 0.6f).To(NeckPitch, 0.3f).To(NeckSide, -0.2f).To(Jaw, 0.35f).To(Ears, 0.8f).To(TailPitch, 0.3f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.06f).To(ForeFootPitch, -0.3f).To(NeckPitch, 0f).To(NeckSide, 0.1f).To(Jaw, 0.7f).To(Reach, 0.85f),
+            new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+            new ActPhase("rake", 0.7f, ActEase.Out).To(Reach, 0f).To(Ahead, 0.03f).To(ForeFeetUp, 0.2f).To(ForeFootUp, 0f).To(ForeFootAhead, 0.12f).To(ForeFootOut, -0.2f).To(ForeFootPitch, 0.2f).To(NeckPitch, -0.2f),
+            new ActPhase("down", 1.3f).To(ForeFeetUp, 0f).To(ForeFeetAhead, 0f).To(ForeFootAhead, 0f).To(ForeFootOut, 0f).To(ForeFootPitch, 0f).To(NeckPitch, 0f).To(NeckSide, 0f).To(Jaw, 0f),
+            new ActPhase("recover", 1.4f).To(Ahead, 0f).To(Ears, 0f).To(TailPitch, 0f))
+            .Needing(ActNeeds.FourLegs).With(ActTool.ForeFoot).For(BodyBuild.ManyLegged).OnTheSpot(),
         new Act("Kick", ActKind.Strike,
             new ActPhase("look", 1.4f).To(NeckSide, 0.5f).To(HeadSide, 0.3f).To(Ears, 0.8f).To(Ahead, 0.08f).AtLeast(Seen),
             new ActPhase("fold", 0.9f).To(Pitch, -0.12f).To(NeckPitch, -0.3f).To(HindFeetUp, 0.22f).To(HindFeetAhead, 0.08f).To(ForeDown, 0.05f).Then(ActMark.Commit),
@@ -77,13 +85,15 @@ internal static class Attacks
             new ActPhase("land", 1.1f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootPitch, 0f),
             new ActPhase("recover", 1.4f).To(Aside, 0f).To(ArmsOut, 0f).To(Wings, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Legs).With(ActTool.HindFoot).For(BodyBuild.TwoLegged | BodyBuild.Upright).OnTheSpot(),
+        OverBack().Needing(ActNeeds.Sting | ActNeeds.Legs).For(BodyBuild.Standing),
         new Act("Sting", ActKind.Strike,
-            new ActPhase("cock", 1.6f).To(TailPitch, 0.8f).To(TailCurl, 0.8f).To(HindDown, -0.1f).To(ForeDown, 0.1f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("strike", 0.5f, ActEase.In).To(Ahead, 0.08f).To(Reach, 0.85f),
+            new ActPhase("cock", 1.6f).To(TailPitch, -0.4f).To(HindDown, -0.3f).To(ForeDown, 0.15f).To(NeckPitch, 0.2f).To(Wings, 0.5f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("strike", 0.5f, ActEase.In).To(TailPitch, -0.8f).To(TailCurl, -0.6f).To(Ahead, -0.05f).To(Reach, 0.85f),
             new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
-            new ActPhase("hold", 0.5f),
-            new ActPhase("recover", 2.2f).To(Reach, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(HindDown, 0f).To(ForeDown, 0f).To(Ahead, 0f))
-            .Needing(ActNeeds.LongTail | ActNeeds.Legs).With(ActTool.Tail).For(BodyBuild.ManyLegged),
+            new ActPhase("pump", 1.6f).With(new ActWave(TailCurl, 0.1f, 3f)).With(new ActWave(Ahead, 0.02f, 3f)),
+            new ActPhase("recover", 2.2f).To(Reach, 0f).To(TailPitch, 0f).To(TailCurl, 0f).To(HindDown, 0f).To(ForeDown, 0f).To(Ahead, 0f).To(NeckPitch, 0f).To(Wings, 0f))
+            .Needing(ActNeeds.Abdomen | ActNeeds.Legs).With(ActTool.Tail).For(BodyBuild.ManyLegged | BodyBuild.Sprawling).OnTheSpot(),
+        OverBack().Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.ManyLegged),
         new Act("TailSweep", ActKind.Strike,
             new ActPhase("wind", 2f).To(Yaw, -0.32f).To(TailSide, 1.6f).To(TailPitch, 0.15f).To(HindDown, 0.1f).To(NeckSide, 0.9f).To(HeadSide, 0.4f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
             new ActPhase("sweep", 1.0f, ActEase.In).To(Yaw, 0.15f).To(TailSide, -0.5f).To(HindDown, 0.04f),
@@ -92,4 +102,14 @@ internal static class Attacks
             new ActPhase("recover", 2.6f).To(Yaw, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(HindDown, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, 0f))
             .Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.Standing).OnTheSpot(),
     };
+
+    /// <summary>As scorpions do: the tail rolled up over a body that crouches, and struck out ahead.</summary>
+    private static Act OverBack() => new Act("Sting", ActKind.Strike,
+        new ActPhase("cock", 2f).To(TailPitch, 1.1f).To(TailCurl, 1.2f).To(HindDown, -0.15f).To(ForeDown, 0.35f).To(Ahead, -0.08f).To(NeckPitch, -0.15f).To(HeadPitch, 0.1f).To(Jaw, 0.3f).To(Ears, 0.8f).AtLeast(Seen).Then(ActMark.Commit),
+        new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.1f).To(TailPitch, 2f).To(TailCurl, 0.4f).To(Reach, 0.85f),
+        new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
+        new ActPhase("hold", 0.5f),
+        new ActPhase("draw back", 1.4f).To(Reach, 0f).To(TailPitch, 1.1f).To(TailCurl, 0.9f).To(Ahead, 0f),
+        new ActPhase("recover", 2.4f).To(TailPitch, 0f).To(TailCurl, 0f).To(HindDown, 0f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Jaw, 0f).To(Ears, 0f))
+        .With(ActTool.Tail).OnTheSpot();
 }

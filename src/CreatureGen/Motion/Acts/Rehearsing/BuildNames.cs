@@ -36,6 +36,8 @@ internal static class BuildNames
             (ActNeeds.Tail, "tail"),
             (ActNeeds.Arms, "arms"),
             (ActNeeds.Lids, "lids that shut"),
+            (ActNeeds.Sting, "sting"),
+            (ActNeeds.Abdomen, "abdomen"),
         };
         return string.Join(" and no ", names.Where(name => (parts & name.Part) != 0).Select(name => name.Name));
     }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Maths;
 using CreatureGen.Motion.Acts.Bodies;
@@ -16,8 +17,18 @@ internal static class UsualTarget
     /// <summary>Height of what is eaten off the ground, units.</summary>
     private const float FoodHeight = 0.03f;
 
-    // Where a hand strikes, arms from its shoulder.
-    private static readonly Vector3 acrossAndAhead = new(-0.2f, -0.1f, 0.85f);
+    // Where a hand strikes, arms from its shoulder as the trunk has it then.
+    private static readonly Vector3 acrossAndAhead = new(-0.1f, -0.25f, 0.74f);
+
+    // Where a tail strikes that comes over the back, and an abdomen that is bent under the body: tails up from its root, and ahead; the farthest first.
+    private static readonly (float Up, float Ahead)[] overBack = { (0.3f, 0.6f), (0.4f, 0.45f), (0.5f, 0.3f), (0.55f, 0.15f), (0.6f, 0f) };
+    private static readonly (float Up, float Ahead)[] under = { (-0.65f, -0.4f), (-0.6f, -0.6f), (-0.5f, -0.7f), (-0.4f, -0.8f) };
+
+    /// <summary>Height above the ground at the least of what an abdomen stings, units.</summary>
+    private const float StungHeight = 0.06f;
+
+    // Where a lowered brow strikes, units from where it is.
+    private static readonly Vector3 beforeBrow = new(0f, 0.08f, 0.35f);
 
     // Where the mouth may meet the ground, units ahead of where it is.
     private static readonly float[] places = { 0f, -0.25f, 0.25f, -0.5f, 0.5f };
@@ -30,30 +41,31 @@ internal static class UsualTarget
     {
         stage.Show(act, 0, 0, ActGain.Full, default);
         Vector3 now = stage.PlaceOf(act.Tool, false);
-        if (act.Tool is ActTool.Mouth or ActTool.Brow)
+        return act.Tool switch
         {
-            bool grounded = act.SnoutDown > GroundedSnout && (body.Legs != null || body.Build == BodyBuild.Legless);
-            return grounded ? OnGround(act, body, stage, now) : InFront(act, body, stage, now);
-        }
-
-        return new Vector3?[] { Beside(act.Tool, body, now) };
-    }
-
-    private static Vector3 Beside(ActTool tool, ActBody body, Vector3 now)
-    {
-        float unit = body.Unit;
-        return tool switch
-        {
-            ActTool.ForeFoot => now + ((body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? new Vector3(-0.05f, 0.28f, 0.3f) : new Vector3(-0.12f, 0.52f, 0.62f)) * unit),
-            ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, body.Legs.IsBiped ? 0.45f : -0.55f) * unit),
-            ActTool.Hand => BeforeShoulder(body),
-            _ => Vec.Lerp(now, new Vector3(0f, 1.2f * unit, body.Skeleton.ModelPositions[Math.Max(body.Head, 0)].Z), 0.5f),
+            ActTool.Mouth when act.SnoutDown > GroundedSnout && (body.Legs != null || body.Build == BodyBuild.Legless) => OnGround(act, body, stage, now),
+            ActTool.Mouth => FirstReached(act, body, stage, InFront(act, body, now)),
+            ActTool.Brow => FirstReached(act, body, stage, BeforeBrow(act, body, stage)),
+            ActTool.Tail => FirstReached(act, body, stage, AroundTail(act, body)),
+            _ => new Vector3?[] { Beside(act, body, stage, now) },
         };
     }
 
-    /// <summary>Ahead of the shoulder and a little across, as far as an arm that is all but straight.</summary>
-    private static Vector3 BeforeShoulder(ActBody body)
+    private static Vector3 Beside(Act act, ActBody body, ActStage stage, Vector3 now)
     {
+        float unit = body.Unit;
+        return act.Tool switch
+        {
+            ActTool.ForeFoot => now + ((body.Build is BodyBuild.Sprawling or BodyBuild.ManyLegged ? new Vector3(-0.05f, 0.28f, 0.3f) : new Vector3(-0.12f, 0.52f, 0.62f)) * unit),
+            ActTool.HindFoot => now + (new Vector3(0f, body.Legs!.IsBiped ? 0.4f : 0.5f, body.Legs.IsBiped ? 0.45f : -0.55f) * unit),
+            _ => BeforeShoulder(act, body, stage),
+        };
+    }
+
+    /// <summary>Ahead of the shoulder and a little across, as far as an arm that is nearly straight.</summary>
+    private static Vector3 BeforeShoulder(Act act, ActBody body, ActStage stage)
+    {
+        stage.Show(act, ReachSearch.ReachedIn(act), 1, ActGain.Full, default);
         int[] arm = body.Tools.ArmOf(false);
         float reach = 0f;
         for (int i = 1; i < arm.Length; i++)
@@ -61,16 +73,44 @@ internal static class UsualTarget
             reach += Vec.Distance(body.Skeleton.ModelPositions[arm[i - 1]], body.Skeleton.ModelPositions[arm[i]]);
         }
 
-        return body.Skeleton.ModelPositions[arm[0]] + (acrossAndAhead * reach);
+        return stage.Model.Positions[arm[0]] + (acrossAndAhead * reach);
     }
 
-    /// <summary>As far in front as it reaches, of a few distances.</summary>
-    private static IEnumerable<Vector3?> InFront(Act act, ActBody body, ActStage stage, Vector3 now)
+    /// <summary>In front of the mouth, at a few distances.</summary>
+    private static IEnumerable<Vector3> InFront(Act act, ActBody body, Vector3 now)
     {
         Vector3 way = (act.Kind == ActKind.Upkeep && body.Build == BodyBuild.Legless ? new Vector3(0f, 0.15f, -0.3f) : Before(body.Build)) * body.Unit;
-        foreach (float part in parts)
+        return parts.Select(part => now + (way * part));
+    }
+
+    /// <summary>Ahead of the brow as it is lowered before it strikes.</summary>
+    private static IEnumerable<Vector3> BeforeBrow(Act act, ActBody body, ActStage stage)
+    {
+        stage.Show(act, Math.Max(act.IndexOf(ActMark.Commit), 0), 1, ActGain.Full, default);
+        Vector3 lowered = stage.PlaceOf(act.Tool, false);
+        return parts.Select(part => lowered + (beforeBrow * body.Unit * part));
+    }
+
+    /// <summary>Over the back, of a tail that is raised before it strikes, else under the body.</summary>
+    private static IEnumerable<Vector3> AroundTail(Act act, ActBody body)
+    {
+        Vector3 root = body.Skeleton.ModelPositions[body.Tail.Joints[0]];
+        bool raised = act.Ends[Math.Max(act.IndexOf(ActMark.Commit), 0)][(int)ActChannel.TailPitch] > 0f;
+        return (raised ? overBack : under).Select(place =>
         {
-            var aim = new ActAim(act.Tool, false, now + (way * part), act.SnoutDown, default);
+            Vector3 target = root + (new Vector3(0f, place.Up, place.Ahead) * body.Tail.Length);
+            return target with { Y = Math.Max(target.Y, StungHeight * body.Unit) };
+        });
+    }
+
+    /// <summary>The first of some places that it reaches, else the last.</summary>
+    private static IEnumerable<Vector3?> FirstReached(Act act, ActBody body, ActStage stage, IEnumerable<Vector3> places)
+    {
+        Vector3 last = default;
+        foreach (Vector3 place in places)
+        {
+            last = place;
+            var aim = new ActAim(act.Tool, false, place, act.SnoutDown, default);
             var search = new ReachSearch(stage, body, act, ActGain.Full, aim);
             while (search.Advance())
             {
@@ -84,7 +124,7 @@ internal static class UsualTarget
             }
         }
 
-        yield return now + (way * parts[^1]);
+        yield return last;
     }
 
     /// <summary>What a mouth snaps at, units from where it is: ahead; of crawlers above where the head lies; of what is in the air far ahead, as it flies there.</summary>
