@@ -378,15 +378,21 @@ public sealed partial class CreatureAnimator
             headGaze.Update(looks ? lookAt : null, gaze, root, Mode?.Speed ?? 0f, looks ? settings.Idle : 0f, dt, LocalPose, ModelPose);
         }
 
+        bool carried = performer != null && StandsOnFeet;
+        ActGround ground = carried ? ActGround.Under(Legs!.Feet, root) : ActGround.Level;
         if (performer != null)
         {
-            performer.Pose(root, StandsOnFeet, StandsOnFeet ? ActGround.Under(Legs!.Feet, root) : ActGround.Level, LocalPose, ModelPose);
+            performer.Pose(root, carried, ground, LocalPose, ModelPose);
             actor!.Tell(root, ModelPose);
         }
 
         if (awake && near)
         {
             secondary.Update(root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
+            if (carried)
+            {
+                performer!.KeepEndsOffGround(ground, LocalPose, ModelPose);
+            }
         }
         else
         {

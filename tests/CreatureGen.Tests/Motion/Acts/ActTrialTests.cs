@@ -102,6 +102,48 @@ public class ActTrialTests
     }
 
     [Theory]
+    [InlineData(RequestedKind.Walking, 9999008, "Submit")]
+    [InlineData(RequestedKind.Flying, 9997011, "Scratch", Explicit = true)]
+    [InlineData(RequestedKind.Flying, 9731035, "Submit", Explicit = true)]
+    public void Tails_that_swing_in_an_act_do_not_swing_into_the_ground(RequestedKind kind, ulong seed, string act)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+        Assert.InRange(new ActTrial(profile.Acts.Find(act)).Run(profile).Penetration ?? 0f, 0f, 0.01f);
+    }
+
+    [Fact]
+    public void A_swing_of_the_trunk_is_tried_at_its_ends_and_not_at_a_few_moments()
+    {
+        // A hind foot slid by .0104 of its leg between two of the moments at which it was looked at.
+        var profile = new MotionProfile(CreatureGenerator.Generate(9997082, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.InRange(new ActTrial(profile.Acts.Find("Sniff")).Run(profile).FootSlip ?? 0f, 0f, 0.008f);
+    }
+
+    [Theory]
+    [InlineData(9999059)]
+    [InlineData(9999032)]
+    [InlineData(9999004, Explicit = true)]
+    [InlineData(9999087, Explicit = true)]
+    public void Who_scratches_itself_sits_and_lifts_the_foot_of_one_side_alone(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        ActAbility ability = profile.Acts.Find("Scratch");
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(animator.Root, FlatGround.Level);
+        int pelvis = profile.Subject.Skeleton.IndexOf("Pelvis");
+        float stood = animator.ModelPose.Positions[pelvis].Y;
+        animator.Perform(ability);
+        int raised = ability.Act.Phases.ToList().FindIndex(phase => phase.Name == "raise");
+        Walkers.Run(animator, ability.SecondsTo(raised), 60f, default, FlatGround.Level);
+        (int left, int right) = profile.Acts.Body.HindFeet;
+        Assert.InRange(animator.ModelPose.Positions[pelvis].Y / stood, 0f, 0.85f);
+        Assert.True(Height(left) > Height(right) + (0.1f * profile.Acts.Body.Unit), $"{Height(left)} m and {Height(right)} m");
+        Assert.InRange(new ActTrial(ability).Run(profile).JointSpeed, 0f, 60f);
+
+        float Height(int foot) => animator.ModelPose.Positions[profile.Legs!.Legs[foot].Ball].Y;
+    }
+
+    [Theory]
     [InlineData(9999012)]
     [InlineData(9999040)]
     [InlineData(9999001)]

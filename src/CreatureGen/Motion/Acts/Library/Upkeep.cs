@@ -68,6 +68,17 @@ internal static class Upkeep
             new ActPhase("recover", 1.6f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing).OnTheSpot(),
         new Act("Scratch", ActKind.Upkeep,
+            new ActPhase("lower", 1.6f).To(HindDown, 0.4f).To(HindFold, 0.3f).To(BackSide, 0.15f).To(NeckSide, 0.2f),
+            new ActPhase("settle", 1.8f).To(HindDown, 0.97f).To(HindFold, 1f).To(BackSide, 0.35f).To(NeckSide, 0.5f).To(TailPitch, 0.9f),
+            new ActPhase("draw out", 1.4f).To(HindFootUp, 0.25f).To(HindFootAhead, 0.45f).To(HindFootOut, 0.25f).To(NeckSide, 0.8f),
+            new ActPhase("raise", 1.8f).To(HindFootUp, 0.52f).To(HindFootAhead, 0.8f).To(HindFootPitch, -0.3f).To(NeckSide, 1.1f).To(NeckPitch, -0.3f).To(HeadRoll, 0.5f).To(HeadSide, 0.3f).To(Lids, 0.7f),
+            new ActPhase("scratch", 7f).With(new ActWave(HindFootUp, 0.09f, 9f)).With(new ActWave(HindFootAhead, 0.08f, 9f, 0.25f)).With(new ActWave(HeadRoll, 0.05f, 9f)),
+            new ActPhase("put down", 1.6f).To(HindFootUp, 0.25f).To(HindFootAhead, 0.45f).To(HindFootPitch, 0f).To(HeadRoll, 0f).To(HeadSide, 0f).To(NeckPitch, 0f).To(NeckSide, 0.3f).To(Lids, 0f),
+            new ActPhase("draw in", 1.6f).To(HindFootUp, 0f).To(HindFootAhead, 0f).To(HindFootOut, 0f),
+            new ActPhase("rise", 1.6f).To(HindDown, 0.4f).To(HindFold, 0.3f).To(TailPitch, 0.3f).To(BackSide, 0.1f).To(NeckSide, 0f),
+            new ActPhase("stand", 1.6f).To(HindDown, 0f).To(HindFold, 0f).To(TailPitch, 0f).To(BackSide, 0f))
+            .Needing(ActNeeds.FourLegs).For(BodyBuild.Pawed).OnTheSpot(),
+        new Act("Scratch", ActKind.Upkeep,
             new ActPhase("squat", 2.2f).To(Aside, -0.1f).To(HindDown, 0.6f).To(BackSide, 0.35f).To(NeckSide, 0.4f),
             new ActPhase("raise", 1.8f).To(HindFootUp, 0.62f).To(HindFootAhead, 0.75f).To(HindFootOut, 0.16f).To(NeckSide, 0.9f).To(NeckPitch, -0.2f).To(HeadRoll, 0.5f).To(HeadSide, 0.3f).To(Lids, 0.7f),
             new ActPhase("scratch", 7f).With(new ActWave(HindFootUp, 0.07f, 9f)).With(new ActWave(HindFootAhead, 0.06f, 9f, 0.25f)).With(new ActWave(HeadRoll, 0.05f, 9f)),

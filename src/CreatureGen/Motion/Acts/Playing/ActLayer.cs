@@ -21,6 +21,9 @@ internal sealed class ActLayer
     private const float EarTurn = 0.8f;
     private const float FinTurn = 0.7f;
 
+    /// <summary>How high an act holds a foot whose leg is not folded under the body with the others any more, parts of the leg.</summary>
+    private const float Unfolded = 0.3f;
+
     private readonly ActBody body;
     private readonly FoldedLegs folded;
 
@@ -77,7 +80,8 @@ internal sealed class ActLayer
         for (int leg = 0; leg < Trunk.Feet.Length; leg++)
         {
             bool isFore = body.Legs.Rows > 1 && body.Legs.Legs[leg].Row == body.Legs.Rows - 1;
-            float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f);
+            float lifted = Scalar.Smooth(Trunk.Feet[leg].Way.Y / (Unfolded * body.Legs.Legs[leg].Length));
+            float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f) * (1f - lifted);
             if (fold > 0f || stretched > 0f)
             {
                 folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched);

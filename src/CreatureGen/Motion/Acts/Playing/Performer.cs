@@ -207,7 +207,7 @@ internal sealed class Performer
         {
             Settle(ground, local, model);
             KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, ClearingRounds, local, model);
-            KeepOffGround(ground, body.Tail, body.TailSkin, 1f, FeelerRounds, local, model);
+            KeepTailOffGround(ground, local, model);
             for (int i = 0; i < body.Arms.Length; i++)
             {
                 KeepArmOffGround(ground, body.Arms[i].Joints[1], body.ArmSkins[i], ref armWays[i], local, model);
@@ -220,11 +220,18 @@ internal sealed class Performer
         {
             // What hangs on the head goes where that is brought.
             KeepJawOffGround(ground, local, model);
-            for (int i = 0; i < body.Feelers.Length; i++)
-            {
-                KeepOffGround(ground, body.Feelers[i], body.FeelerSkins[i], -1f, FeelerRounds, local, model);
-            }
+            KeepFeelersOffGround(ground, local, model);
         }
+    }
+
+    /// <summary>Raises out of the ground what has swung into it since: tail and feelers, whose springs know less of their skin.</summary>
+    /// <param name="ground">That the feet stand on.</param>
+    /// <param name="local">The pose.</param>
+    /// <param name="model">The same in model space.</param>
+    public void KeepEndsOffGround(in ActGround ground, in Pose local, in Pose model)
+    {
+        KeepTailOffGround(ground, local, model);
+        KeepFeelersOffGround(ground, local, model);
     }
 
     /// <summary>The joint that an act strikes or sounds with, and its place.</summary>
@@ -267,6 +274,16 @@ internal sealed class Performer
             way = layer.Loose > 0f ? -1f : way != 0f ? way : ahead <= back ? -1f : 1f;
             body.Neck.TurnJoint(body.Turns, shoulder, AxisRotation.Pitch(way * Math.Min(way < 0f ? ahead : back, MaxCleared)), local);
             Toolkit.Subtree.LocalToModel(body.Skeleton, shoulder, local, model);
+        }
+    }
+
+    private void KeepTailOffGround(in ActGround ground, in Pose local, in Pose model) => KeepOffGround(ground, body.Tail, body.TailSkin, 1f, FeelerRounds, local, model);
+
+    private void KeepFeelersOffGround(in ActGround ground, in Pose local, in Pose model)
+    {
+        for (int i = 0; i < body.Feelers.Length; i++)
+        {
+            KeepOffGround(ground, body.Feelers[i], body.FeelerSkins[i], -1f, FeelerRounds, local, model);
         }
     }
 

@@ -13,8 +13,10 @@ namespace CreatureGen.Motion.Acts.Rehearsing;
 /// <summary>Tries acts on a body before it performs them: what it lacks, how much of it its legs and the ground leave, where it reaches.</summary>
 internal sealed class Rehearsal
 {
-    /// <summary>Moments of a phase at which it is looked at.</summary>
+    /// <summary>Moments of a phase at which it is looked at, and of each cycle in which trunk or feet swing in it; and how many in a step.</summary>
     private const int Moments = 7;
+    private const int MomentsOfCycle = 8;
+    private const int MomentsOfStep = 10;
     private const double Offbeat = 0.37;
 
     /// <summary>How far a planted foot may be off, parts of its leg, and how deep the skin may be, parts of the body's length.</summary>
@@ -219,15 +221,16 @@ internal sealed class Rehearsal
         return act.Tool != ActTool.None && body.Tools.JointOf(act.Tool, false) < 0 ? "it has nothing to do it with" : null;
     }
 
-    /// <summary>What goes wrong in the course of an act, in words, one phase a step: null for nothing, up to the first that something spoils.</summary>
+    /// <summary>What goes wrong in the course of an act, in words, one phase a step, or less where it swings: null for nothing, up to the first that something spoils.</summary>
     private IEnumerable<string?> Spoils(Act act, ActStage stage, ActGain gain, ActAim aim)
     {
         for (int phase = 0; phase < act.Phases.Count; phase++)
         {
-            for (int k = 1; k <= Moments; k++)
+            int moments = MomentsOf(act.Phases[phase]);
+            for (int k = 1; k <= moments; k++)
             {
                 // Out of step with waves; the last is the end.
-                stage.Show(act, phase, k == Moments ? 1 : (k - Offbeat) / Moments, gain, aim);
+                stage.Show(act, phase, k == moments ? 1 : (k - Offbeat) / moments, gain, aim);
                 if (body.Legs != null && stage.Slip() > MaxSlip)
                 {
                     yield return "its feet would not stay where they stand";
@@ -239,10 +242,28 @@ internal sealed class Rehearsal
                     yield return "it would sink into the ground";
                     yield break;
                 }
+
+                if (k % MomentsOfStep == 0)
+                {
+                    yield return null;
+                }
             }
 
             yield return null;
         }
+    }
+
+    /// <summary>Moments at which a phase is looked at: enough of them to see the ends of swings that feet or the ground bound.</summary>
+    private static int MomentsOf(ActPhase phase)
+    {
+        float cycles = 0f;
+        foreach (ActWave wave in phase.AllWaves)
+        {
+            bool moves = wave.Channel is <= ActChannel.BackTwist or (>= ActChannel.ForeFeetUp and <= ActChannel.HindFootPitch);
+            cycles = moves ? Math.Max(cycles, wave.Cycles) : cycles;
+        }
+
+        return Math.Max(Moments, (int)(MomentsOfCycle * cycles));
     }
 
     private ActReach? ReachOf(Act act, ActGain gain, Vector3 usual)
