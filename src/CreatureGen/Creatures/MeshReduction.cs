@@ -103,7 +103,7 @@ internal sealed class MeshReduction
     }
 
     /// <summary>From now on no step is taken after which the surface would cut through itself where it did not before.</summary>
-    public void KeepFromCrossing() => guard ??= new CrossingGuard(surface, positions, corners, pieceOf);
+    public void KeepFromCrossing() => guard ??= new CrossingGuard(surface, positions, corners, pieceOf, MirrorImages.Find(corners, side, pieceOf, lopsided));
 
     /// <summary>Triangles that are left.</summary>
     public int Triangles => surface.Triangles;
@@ -258,6 +258,8 @@ internal sealed class MeshReduction
             return false;
         }
 
+        // What is around the image of a step is the image of what is around the step: what is allowed here is allowed there.
+        bool apart = twinFrom != from && !lopsided[pieceOf[from]] && surface.LiesAmong(from, side, 1) && surface.LiesAmong(to, side, 1);
         choice.Match(from, to, pairs);
         surface.Collapse(from, to, pairs);
         surface.Taken(moved, lost);
@@ -269,7 +271,7 @@ internal sealed class MeshReduction
 
         if (twinFrom != from)
         {
-            if (!surface.Allows(twinFrom, twinTo))
+            if (!apart && !surface.Allows(twinFrom, twinTo))
             {
                 surface.Undo();
                 return false;

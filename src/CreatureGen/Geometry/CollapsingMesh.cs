@@ -9,9 +9,7 @@ namespace CreatureGen.Geometry;
 /// A closed surface that loses one point after another: a point is pulled onto one of its neighbours, and the two triangles at the edge between them vanish.
 /// </summary>
 /// <remarks>
-/// A corner of a triangle has a point, where it is, and a drawn vertex, how it looks: points at which a texture or a colour parts have several vertices.
-/// A closed two-manifold stays one, because a point only moves when the link condition holds: what both ends of the edge neighbour is what the edge neighbours.
-/// Based on: H. Hoppe 1996, "Progressive meshes"; T. K. Dey, H. Edelsbrunner, S. Guha and D. V. Nekhayev 1999, "Topology preserving edge contraction".
+/// A corner of a triangle has a point, where it is, and a drawn vertex, how it looks: points at which a texture or a colour parts have several vertices. A closed two-manifold stays one, because a point only moves when the link condition holds: what both ends of the edge neighbour is what the edge neighbours. Based on: H. Hoppe 1996, "Progressive meshes"; T. K. Dey, H. Edelsbrunner, S. Guha and D. V. Nekhayev 1999, "Topology preserving edge contraction".
 /// </remarks>
 internal sealed class CollapsingMesh
 {
@@ -184,6 +182,18 @@ internal sealed class CollapsingMesh
                 found.Add(vertices[c]);
             }
         }
+    }
+
+    /// <summary>Whether all neighbours of a point are on a side. Those that it has lost since it was pruned count as well.</summary>
+    public bool LiesAmong(int point, sbyte[] sideOf, sbyte side)
+    {
+        int c = first[point];
+        while (c >= 0 && sideOf[points[Next(c)]] == side && sideOf[points[Previous(c)]] == side)
+        {
+            c = next[c];
+        }
+
+        return c < 0;
     }
 
     /// <summary>Whether a point can be pulled onto a neighbour without pinching the surface, folding it or making a sliver.</summary>

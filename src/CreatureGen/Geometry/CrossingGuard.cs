@@ -7,7 +7,7 @@ namespace CreatureGen.Geometry;
 
 /// <summary>Says of triangles that a step of a reduction would move whether they would cut through others of their piece.</summary>
 /// <remarks>
-/// Triangles lie in a <see cref="TriangleTree"/>, whose boxes are widened as they move; once a third of them has gone, the tree is built anew of what is left. It is asked in a third of the time of a grid of cells: a triangle lies in it once, and
+/// Triangles, of mirrored pieces those of the left side alone, lie in a <see cref="TriangleTree"/>, whose boxes are widened as they move; once a third of them has gone, the tree is built anew of what is left. It is asked in a third of the time of a grid of cells: a triangle lies in it once, and
 /// boxes are met without branches. What counts as a crossing is said by <see cref="TriangleCrossing"/>.
 /// </remarks>
 internal sealed class CrossingGuard
@@ -19,6 +19,7 @@ internal sealed class CrossingGuard
     private readonly Vector3[] positions;
     private readonly int[] points;
     private readonly int[] pieceOf;
+    private readonly bool[] isImage;
     private readonly double tolerance;
     private readonly TriangleTree tree = new();
     private readonly int[] slotOf;
@@ -39,12 +40,14 @@ internal sealed class CrossingGuard
     /// <param name="positions">Place of each point; points do not move.</param>
     /// <param name="points">The point of each corner, as the reduction changes them.</param>
     /// <param name="pieceOf">The piece of each point.</param>
-    public CrossingGuard(CollapsingMesh surface, Vector3[] positions, int[] points, int[] pieceOf)
+    /// <param name="isImage">The triangles that are images of others, on the other side of the plane of symmetry, and never asked about. Both sides have only the plane in common, so that they are met by none.</param>
+    public CrossingGuard(CollapsingMesh surface, Vector3[] positions, int[] points, int[] pieceOf, bool[] isImage)
     {
         this.surface = surface;
         this.positions = positions;
         this.points = points;
         this.pieceOf = pieceOf;
+        this.isImage = isImage;
         tolerance = Tolerance.CrossingLengthPerDiagonal * PointBounds.Of(positions).Diagonal;
         slotOf = new int[points.Length / 3];
         entered = new int[points.Length / 3];
@@ -131,7 +134,7 @@ internal sealed class CrossingGuard
         int count = 0;
         for (int t = 0; t < slotOf.Length; t++)
         {
-            if (!surface.IsGone(t))
+            if (!surface.IsGone(t) && !isImage[t])
             {
                 corners[3 * count] = points[3 * t];
                 corners[(3 * count) + 1] = points[(3 * t) + 1];
@@ -148,7 +151,7 @@ internal sealed class CrossingGuard
             slotOf[entered[order[slot]]] = slot;
         }
 
-        worn = (int)(Worn * count);
+        worn = (int)(Worn * surface.Triangles);
     }
 
     /// <summary>Lists the slots that the box of all moved triangles meets, without those that share a point with all of these: one search instead of one for each triangle, which halves the time of a reduction.</summary>

@@ -34,7 +34,7 @@ public sealed class CrossingGuardTests
 
             int[] points = Enumerable.Range(0, 3 * Count).ToArray();
             var surface = new CollapsingMesh(positions, new Vector3[3 * Count], points, (int[])points.Clone());
-            var guard = new CrossingGuard(surface, positions, points, new int[3 * Count]);
+            var guard = new CrossingGuard(surface, positions, points, new int[3 * Count], new bool[Count]);
             SelfIntersection.Find(positions, points, crossing);
             for (int t = 0; t < Count; t++)
             {
@@ -101,7 +101,7 @@ public sealed class CrossingGuardTests
         Vector3[] positions = ball.ToArray();
         int[] points = corners.ToArray();
         var surface = new CollapsingMesh(positions, new Vector3[positions.Length], points, corners.ToArray());
-        var guard = new CrossingGuard(surface, positions, points, new int[positions.Length]);
+        var guard = new CrossingGuard(surface, positions, points, new int[positions.Length], new bool[points.Length / 3]);
         var crossing = new List<(int First, int Second)>();
         var moved = new List<int>();
         var lost = new List<int>();
@@ -123,5 +123,5 @@ public sealed class CrossingGuardTests
     }
 
     private static CrossingGuard Guard(Vector3[] positions, int[] points, int[] pieces) =>
-        new(new CollapsingMesh(positions, new Vector3[positions.Length], points, (int[])points.Clone()), positions, points, pieces);
+        new(new CollapsingMesh(positions, new Vector3[positions.Length], points, (int[])points.Clone()), positions, points, pieces, new bool[points.Length / 3]);
 }
