@@ -114,6 +114,7 @@ internal sealed class LeggedBody
         MaxBendRoll = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.Twist);
         Turns = new RestRotations(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
+        Leaps = Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Kind.Step.Leaps);
         Hops = Rows == 1 && subject.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
         Idle = IdleRhythm.Of(Mass);
         Flippers = Waddles && subject.Kind == LocomotionKind.Walking ? FlippersOf(subject) : Array.Empty<LimbChain>();
@@ -224,7 +225,7 @@ internal sealed class LeggedBody
     public bool Hops { get; }
 
     /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers and frogs.</summary>
-    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Kind.Step.Leaps);
+    public bool Leaps { get; }
 
     /// <summary>Whether it rolls from side to side on short legs under an upright body: penguins.</summary>
     public bool Waddles => IsBiped && Subject.Manner.Waddles;
