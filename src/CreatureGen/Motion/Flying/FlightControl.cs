@@ -147,7 +147,10 @@ internal static class FlightControl
         double dive = Scalar.Smooth((-path - 0.5) / 0.5) * (1 - hover);
         state.Spread.Step(down ? 0 : 1 - (0.35 * dive), down ? 1.3 * tempo : 2.2 * tempo, dt);
         double landing = state.Phase == FlightPhase.Landing ? Scalar.Smooth((LandingHeight - (height / leg)) / (0.6 * LandingHeight)) : 0;
-        state.Flare.Step(flying ? Math.Max(landing, BrakingFlare * slow) : 0, 1.5 * k, dt);
+
+        // It flares as soon as it means to land: near the ground its body is to be as it stands.
+        double flare = state.Phase == FlightPhase.Landing ? 1 : BrakingFlare * slow;
+        state.Flare.Step(flying ? flare : 0, 1.5 * k, dt);
         state.Reach.Step(landing, 1.5 * k, dt);
         state.Bank = Scalar.Clamp(settings.Bank * PortableMath.Atan2(state.Ahead.Speed * state.Turn.Value, gravity), -SteepestBank, SteepestBank);
         state.Steer = Curve.Bounded(state.Turn.Value * Math.Max(0.35, 0.5 * cruise / gravity), 1);

@@ -20,6 +20,9 @@ internal sealed class FlightLegs
     private const double RaisedKnees = 0.25;
     private const double LoweredKnees = -0.5;
 
+    /// <summary>How far insects' legs are turned about their thighs as these are swept back, so that the shanks hang back in the stream of air, parts of that.</summary>
+    private const double TrailingShanks = 0.8;
+
     /// <summary>Share below which a leg is in the air alone.</summary>
     private const double MinPlanted = 1e-5;
 
@@ -29,6 +32,8 @@ internal sealed class FlightLegs
     private readonly LegPosture reaching;
     private readonly bool lateral;
     private readonly double raise;
+    private readonly double trailing;
+    private readonly Vector3 femur;
     private readonly Vector3 normal;
     private readonly double side;
 
@@ -40,9 +45,10 @@ internal sealed class FlightLegs
         LegFlight flight = kind.Flight;
         (tucked, hanging, reaching) = (flight.Tucked, flight.Hanging, flight.Reaching);
         lateral = kind.Outline.Lateral;
-        raise = kind.Outline.Arched ? RaisedKnees : LoweredKnees;
+        (raise, trailing) = kind.Outline.Arched ? (RaisedKnees, TrailingShanks) : (LoweredKnees, 0);
         Vector3 thigh = chain.Points[2] - chain.Points[1];
         Vector3 shank = chain.Points[3] - chain.Points[2];
+        femur = Vec.Normalize(thigh, Vector3.UnitX);
         normal = Vec.Normalize(Vec.Cross(thigh, shank), Vector3.UnitX);
         Vector3 line = Vec.Normalize(thigh + shank, -Vector3.UnitY);
         side = Vec.Dot(thigh, Vec.Cross(normal, line)) < 0 ? -1 : 1;
@@ -94,7 +100,7 @@ internal sealed class FlightLegs
         }
     }
 
-    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisRotation.Roll(raise * Math.Abs(hip)), AxisRotation.Yaw(hip)) : AxisRotation.Pitch(hip);
+    private Quaternion Bend(double hip) => lateral ? Rotation.Multiply(AxisRotation.Roll(raise * Math.Abs(hip)), Rotation.Multiply(AxisRotation.Yaw(hip), Rotation.FromAxisAngle(femur, trailing * hip))) : AxisRotation.Pitch(hip);
 
     /// <summary>Two bones reach from the hip, wherever the body has taken it, to the ankle's place over the foothold; the foot stays level.</summary>
     private void Plant(Span<Quaternion> turns, in LegStroke stroke, Quaternion body, Vector3 bodyPivot, Vector3 bodyNow)

@@ -13,6 +13,10 @@ internal static class FlightPose
     private const double HoverPitch = 0.72;
     private const double BuzzPitch = 0.5;
     private const double FlarePitch = 0.45;
+
+    /// <summary>Part of the slope of its way by which the body is pitched.</summary>
+    private const double PathPitch = 0.75;
+
     private const double BeatPitch = 0.035;
     private const double MaxHeave = 0.05;
     private const double HoverBob = 0.03;
@@ -90,7 +94,10 @@ internal static class FlightPose
         // Close to the ground it goes over to how it stands, so that all feet reach it.
         double free = air * Scalar.Smooth(state.Height.Value / profile.LegLength);
         double raised = (1 - free) * state.Upright.Value;
-        double pitch = (free * (posture - (0.75 * state.Path.Value) - (FlarePitch * Scalar.Clamp(state.Flare.Value, 0, 1)))) - (raised * profile.Posture.Raised);
+
+        // Who flares does not go nose down along a way that leads down: it comes down on its spread wings.
+        double flare = Scalar.Clamp(state.Flare.Value, 0, 1);
+        double pitch = (free * (posture - (PathPitch * (1 - flare) * state.Path.Value) - (FlarePitch * flare))) - (raised * profile.Posture.Raised);
         pitch += (profile.Buzzes ? 0.2 : 1) * BeatPitch * beating * PortableMath.Sin((2 * PortableMath.Pi * beats) + 0.6);
         pitch -= 0.12 * crouch;
         double roll = -air * state.Bank;
