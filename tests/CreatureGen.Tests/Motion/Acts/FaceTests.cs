@@ -48,6 +48,31 @@ public class FaceTests
         }
     }
 
+    [Theory]
+    [InlineData(9999018)]
+    [InlineData(9999043)]
+    [InlineData(9999045, Explicit = true)]
+    public void Feelers_are_laid_back_in_fear(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Skeleton skeleton = profile.Subject.Skeleton;
+        int[] feeler = profile.Acts.Body.Feelers[0].Joints;
+        int head = skeleton.FirstOf(JointRole.Head);
+        float calm = Up(default);
+        float afraid = Up(new Emotion(1f, -1f, -1f));
+        Assert.True(afraid > calm + (0.03f * profile.Acts.Body.Feelers[0].Length), FormattableString.Invariant($"a feeler is {calm} m above its root in calm, {afraid} m in fear"));
+
+        // As the head sees it.
+        float Up(Emotion emotion)
+        {
+            var animator = new CreatureAnimator(profile) { Emotion = emotion };
+            Walkers.Run(animator, 3f, 60f, default, FlatGround.Level);
+            Pose model = animator.ModelPose;
+            Quaternion level = Rotation.Multiply(skeleton.ModelRotations[head], Rotation.Inverse(model.Rotations[head]));
+            return Rotation.Rotate(level, model.Positions[feeler[^1]] - model.Positions[feeler[0]]).Y;
+        }
+    }
+
     [Fact]
     public void Eyes_of_what_is_limp_sink_shut_and_do_not_blink()
     {

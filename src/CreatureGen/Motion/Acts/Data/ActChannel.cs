@@ -63,7 +63,7 @@ public enum ActChannel
     /// <summary>The lids: 0 as at rest, 1 shut; below 0 wide open.</summary>
     Lids,
 
-    /// <summary>The ears: 1 laid flat back, −1 pricked ahead.</summary>
+    /// <summary>The ears, and feelers like them: 1 laid flat back, −1 pricked ahead.</summary>
     Ears,
 
     /// <summary>The tail raised, all of it together.</summary>

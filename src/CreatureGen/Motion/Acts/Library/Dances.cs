@@ -25,7 +25,7 @@ internal static class Dances
         new ActPhase("rise", 4f).To(Up, 0.6f).To(Pitch, 0.25f).To(NeckPitch, 0.3f),
         new ActPhase("sway", 28f)
             .With(new ActWave(Aside, 1.1f, 4f)).With(new ActWave(Roll, 0.6f, 4f)).With(new ActWave(Yaw, 0.3f, 4f, 0.75f)).With(new ActWave(Up, 0.45f, 8f, 0.25f)).With(new ActWave(Pitch, 0.16f, 8f))
-            .With(new ActWave(NeckSide, 0.4f, 4f, 0.15f)).With(new ActWave(HeadRoll, 0.3f, 4f)).With(new ActWave(NeckPitch, 0.15f, 8f, 0.25f)).With(new ActWave(TailSide, 0.5f, 4f, 0.35f)).With(new ActWave(TailPitch, 0.25f, 8f, 0.4f)),
+            .With(new ActWave(BackSide, 0.35f, 4f, 0.2f)).With(new ActWave(BackPitch, 0.2f, 8f, 0.1f)).With(new ActWave(NeckSide, 0.4f, 4f, 0.15f)).With(new ActWave(HeadRoll, 0.3f, 4f)).With(new ActWave(NeckPitch, 0.15f, 8f, 0.25f)).With(new ActWave(TailSide, 0.8f, 4f, 0.35f)).With(new ActWave(TailPitch, 0.25f, 8f, 0.4f)),
         new ActPhase("sink", 5f).To(Up, 0f).To(Pitch, 0f).To(NeckPitch, 0f)).For(BodyBuild.Airborne);
 
     private static ActPhase[] Steps()

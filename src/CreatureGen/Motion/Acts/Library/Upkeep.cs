@@ -52,19 +52,19 @@ internal static class Upkeep
         new Act("Sniff", ActKind.Upkeep,
             new ActPhase("rise", 1.6f).To(ForeDown, -0.09f).To(NeckPitch, 0.55f).To(HeadPitch, 0.2f).To(BackSide, 0.08f).To(NeckSide, 0.4f).To(TailPitch, 0.2f).To(TailSide, -0.3f),
             new ActPhase("towards", 2.2f).To(ForeDown, 0.08f).To(Ahead, 0.10f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(BackSide, 0f).To(NeckSide, 0f).To(Reach, 1f).To(Ears, -0.7f).To(TailSide, 0f).Then(ActMark.Contact),
-            new ActPhase("sniff", 6f).To(Reach, 0.4f).With(new ActWave(BackSide, 0.08f, 2f)).With(new ActWave(NeckSide, 0.5f, 2f, 0.1f)).With(new ActWave(HeadSide, 0.25f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.10f, 8f)).With(new ActWave(Jaw, 0.05f, 8f)).With(new ActWave(TailSide, 0.3f, 2f, 0.4f)),
+            new ActPhase("sniff", 6f).To(Reach, 0.4f).With(new ActWave(BackSide, 0.08f, 2f)).With(new ActWave(NeckSide, 0.5f, 2f, 0.1f)).With(new ActWave(HeadSide, 0.25f, 2f, 0.15f)).With(new ActWave(HeadPitch, 0.10f, 8f)).With(new ActWave(Jaw, 0.05f, 8f)).With(new ActWave(Ears, 0.4f, 6f, 0.3f)).With(new ActWave(TailSide, 0.3f, 2f, 0.4f)),
             new ActPhase("back", 2.4f).To(Reach, 0f).To(Ahead, 0f).To(ForeDown, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f).For(BodyBuild.Sprawling | BodyBuild.ManyLegged),
         new Act("Sniff", ActKind.Upkeep,
             new ActPhase("towards", 2.2f).To(Reach, 1f).To(Ears, -0.7f).To(TailPitch, 0.1f).Then(ActMark.Contact),
-            new ActPhase("sniff", 5f).To(Reach, 0.92f).With(new ActWave(Reach, 0.06f, 7f)).With(new ActWave(Jaw, 0.05f, 7f)).With(new ActWave(HeadSide, 0.1f, 1f)),
+            new ActPhase("sniff", 5f).To(Reach, 0.92f).With(new ActWave(Reach, 0.06f, 7f)).With(new ActWave(Jaw, 0.05f, 7f)).With(new ActWave(HeadSide, 0.1f, 1f)).With(new ActWave(Ears, 0.3f, 5f, 0.3f)),
             new ActPhase("back", 2.2f).To(Reach, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f),
         new Act("Shake", ActKind.Upkeep,
             new ActPhase("brace", 1f).To(ForeDown, 0.08f).To(HindDown, 0.06f).To(NeckPitch, -0.2f).To(Lids, 1f),
             new ActPhase("shake", 7f)
                 .With(new ActWave(HeadRoll, 0.30f, 6f)).With(new ActWave(NeckTwist, 0.42f, 6f)).With(new ActWave(BackTwist, 0.22f, 6f, 0.14f)).With(new ActWave(Roll, 0.05f, 6f, 0.2f))
-                .With(new ActWave(TailSide, 0.45f, 6f, 0.35f)).With(new ActWave(Ears, 0.6f, 6f)).With(new ActWave(ArmsOut, 0.12f, 6f, 0.1f)),
+                .With(new ActWave(TailSide, 0.7f, 6f, 0.35f)).With(new ActWave(Ears, 0.6f, 6f)).With(new ActWave(ArmsOut, 0.12f, 6f, 0.1f)),
             new ActPhase("recover", 1.6f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing).OnTheSpot(),
         new Act("Scratch", ActKind.Upkeep,

@@ -17,8 +17,9 @@ internal sealed class ActLayer
     /// <summary>How far a body on two legs bows for a chest that is let down whole, radians.</summary>
     private const float Bow = 0.9f;
 
-    /// <summary>How far ears are laid back, and fins spread, radians.</summary>
+    /// <summary>How far ears and feelers are laid back, and fins spread, radians.</summary>
     private const float EarTurn = 0.8f;
+    private const float FeelerTurn = 0.6f;
     private const float FinTurn = 0.7f;
 
     /// <summary>How high an act holds a foot whose leg is not folded under the body with the others any more, parts of the leg.</summary>
@@ -133,6 +134,11 @@ internal sealed class ActLayer
         for (int i = 0; i < body.Ears.Length && ears != 0f; i++)
         {
             TurnJoint(body.Ears[i], AxisRotation.Pitch(-EarTurn * ears), local);
+        }
+
+        foreach (TurnedChain feeler in body.Feelers)
+        {
+            feeler.Turn(body.Turns, 0f, -FeelerTurn * ears, 0f, 0, local);
         }
 
         body.Tail.Turn(body.Turns, -side * values[(int)ActChannel.TailSide], values[(int)ActChannel.TailPitch], 0f, 0, local);
