@@ -11,7 +11,7 @@ namespace CreatureGen.Bodies;
 internal static class BodyShaper
 {
     /// <summary>Metres. No section is thinner than this.</summary>
-    private const double ThinnestSection = 0.006;
+    internal const double ThinnestSection = 0.006;
 
     /// <summary>Share of the distance between two rings that a bend may take up on its inner side: below 1 rings never cross.</summary>
     private const double BendLimit = 0.75;
@@ -54,7 +54,7 @@ internal static class BodyShaper
         ApplyLattice(body, arc, step, width, top, bottom);
         ApplyDepth(body.Proportions, width, top, bottom);
         Divide(body.Annuli, width, top, bottom);
-        ShapeTail(tail, width, top, bottom);
+        TailShaper.Shape(tail, step, width, top, bottom);
 
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
@@ -159,92 +159,6 @@ internal static class BodyShaper
             width[i] *= factor;
             top[i] *= factor;
             bottom[i] *= factor;
-        }
-    }
-
-    private static void ShapeTail(TailBlueprint tail, double[] width, double[] top, double[] bottom)
-    {
-        const int Start = StationRing.TailFirst;
-        double width0 = width[Start];
-        double top0 = top[Start];
-        double bottom0 = bottom[Start];
-        switch (tail.Style)
-        {
-            case TailStyle.Fork:
-            case TailStyle.Fan:
-            case TailStyle.Lance:
-                for (int i = Start; i < BodyGrid.Rings; i++)
-                {
-                    double q = Scalar.Smooth((i - 47) / 7.0);
-                    double flare = tail.Size * PortableMath.Pow(q, 1.3);
-                    top[i] = Math.Max(0.03, (top0 * (1 - q)) + (flare * (1 + tail.Lobe)));
-                    bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (0.95 * flare * (1 - tail.Lobe)));
-                    width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
-                }
-
-                break;
-            case TailStyle.Fluke:
-                for (int i = Start; i < BodyGrid.Rings; i++)
-                {
-                    double q = Scalar.Smooth((i - 46) / 7.0);
-                    width[i] = (width0 * (1 - q)) + (tail.Size * PortableMath.Pow(q, 1.7));
-                    top[i] = (top0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
-                    bottom[i] = (bottom0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
-                }
-
-                break;
-            case TailStyle.Feathers:
-                for (int i = Start - 1; i < BodyGrid.Rings; i++)
-                {
-                    double q = Scalar.Smooth((i - 45) / 8.0);
-                    width[i] = (width[i] * (1 - q)) + (tail.Size * PortableMath.Pow(q, 0.8));
-                    top[i] = (top[i] * (1 - q)) + (0.017 * q);
-                    bottom[i] = (bottom[i] * (1 - q)) + (0.017 * q);
-                }
-
-                break;
-            default:
-                if (TailTaper.Of(tail.Style) is TailTaper taper)
-                {
-                    Taper(taper, Math.Min(1, tail.Size), width, top, bottom);
-                }
-                else if (TailFin.Of(tail.Style) is TailFin fin)
-                {
-                    Spread(fin, tail, width, top, bottom);
-                }
-
-                break;
-        }
-    }
-
-    /// <summary>Gives the tail from its root on the thickness of a form.</summary>
-    private static void Taper(TailTaper form, double fraction, double[] width, double[] top, double[] bottom)
-    {
-        const int Last = BodyGrid.Rings - 1;
-        (double width0, double height0) = (width[StationRing.TorsoLast], (top[StationRing.TorsoLast] + bottom[StationRing.TorsoLast]) / 2);
-        for (int i = StationRing.TorsoLast + 1; i <= Last; i++)
-        {
-            (double w, double h) = form.At((double)(i - StationRing.TorsoLast) / (Last - StationRing.TorsoLast));
-            double bead = i % 2 == 1 ? 1 : 1 - form.Beads;
-            double weight = fraction * Scalar.Smooth((i - StationRing.TorsoLast) / 3.0);
-            width[i] = Math.Max(ThinnestSection, Scalar.Lerp(width[i], w * bead * width0, weight));
-            top[i] = Math.Max(ThinnestSection, Scalar.Lerp(top[i], h * bead * height0, weight));
-            bottom[i] = Math.Max(ThinnestSection, Scalar.Lerp(bottom[i], h * bead * height0, weight));
-        }
-    }
-
-    /// <summary>Spreads the end of the tail into an upright fin.</summary>
-    private static void Spread(TailFin form, TailBlueprint tail, double[] width, double[] top, double[] bottom)
-    {
-        const int Start = StationRing.TailFirst;
-        (double width0, double top0, double bottom0) = (width[Start], top[Start], bottom[Start]);
-        for (int i = Start; i < BodyGrid.Rings; i++)
-        {
-            double q = Scalar.Smooth((i - 47) / 7.0);
-            double flare = tail.Size * PortableMath.Pow(q, form.Spread);
-            top[i] = Math.Max(0.03, (top0 * (1 - q)) + (form.Halves.Upper * flare * (1 + tail.Lobe)));
-            bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (form.Halves.Lower * flare * (1 - tail.Lobe)));
-            width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
         }
     }
 

@@ -195,8 +195,9 @@ internal sealed class BodySkin
             case TailStyle.Fork:
             case TailStyle.Fan:
             case TailStyle.Lance:
-                // Deeper forks than the rings are apart would turn the end inside out.
-                double fork = Math.Min(tail.Fork, 0.85 * tailStep / 0.0328);
+                // Deeper forks than the rings are apart, and rounder ends, would turn the end inside out.
+                double deepest = 0.85 * tailStep / 0.0328;
+                double fork = Scalar.Clamp(tail.Fork, -deepest, deepest);
                 double height = Math.Abs(y) / Math.Max(shape.Top[ring], 1e-3);
                 return (float)(-Scalar.Smooth((ring - 46) / 8.0) * fork * 0.16 * PortableMath.Pow(height, 1.6));
             case TailStyle.Fluke:

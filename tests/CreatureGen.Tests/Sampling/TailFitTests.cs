@@ -51,6 +51,18 @@ public sealed class TailFitTests
         Assert.True(club.At(0.9).Width > 3 * club.At(0.7).Width);
     }
 
+    [Theory]
+    [InlineData(0, -0.5, 0.1)]
+    [InlineData(0.6, -0.9, -0.3)]
+    public void Fans_of_rays_end_rounder_on_mixed_creatures(double strangeness, double roundest, double straightest)
+    {
+        CreatureBuilder builder = Mixed("fish", strangeness);
+        for (ulong seed = 1; seed <= 40; seed++)
+        {
+            Assert.InRange(TailSampler.FanFork(builder, new RandomStream(seed)), roundest, straightest);
+        }
+    }
+
     [Fact]
     public void A_sting_is_no_longer_than_a_quarter_of_its_tail()
     {

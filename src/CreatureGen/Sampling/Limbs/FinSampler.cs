@@ -98,7 +98,7 @@ internal static class FinSampler
         double fork = placement.Tail.Style switch
         {
             TailStyle.Fork => random.Uniform(1.2, 2.2),
-            TailStyle.Fan => random.Uniform(-0.5, 0.1),
+            TailStyle.Fan => TailSampler.FanFork(builder, random),
             TailStyle.Lance => -1,
             TailStyle.Fluke => 1,
             _ => 0,

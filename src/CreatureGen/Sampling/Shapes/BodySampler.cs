@@ -316,7 +316,7 @@ internal static class BodySampler
         double feathers = random.Uniform(0.13, 0.19);
         bool feathered = builder.Kind == LocomotionKind.Flying || random.Chance(0.55);
         double size = random.Uniform(0.16, 0.24);
-        double fork = random.Uniform(-0.5, 0.1);
+        double fork = TailSampler.FanFork(builder, random);
 
         // A fan of feathers at a furry rump, or of rays, looks stuck on.
         bool feathery = builder.Parents.Skin.Class == AnimalClass.Bird || builder.Kind == LocomotionKind.Flying;

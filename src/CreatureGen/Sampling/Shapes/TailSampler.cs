@@ -5,11 +5,16 @@ using CreatureGen.Species;
 
 namespace CreatureGen.Sampling.Shapes;
 
-/// <summary>Draws tails without fins and feathers: those of the parent that gives the tail, or any on a strange creature.</summary>
+/// <summary>Draws tails without fins and feathers, those of the parent that gives the tail or any on a strange creature, and how straight fans of rays end.</summary>
 internal static class TailSampler
 {
     /// <summary>Probability at full strangeness of a tail that is none of the parent's.</summary>
     private const double AnyTail = 0.45;
+
+    // Fork of a fan, negative for a rounded rear edge, and how much rounder that of a mixed creature is: on another body's tail a straight edge looks sawn off.
+    private const double RoundestFan = -0.5;
+    private const double StraightestFan = 0.1;
+    private const double RoundedBy = 0.4;
 
     private static readonly Weighted<TailStyle>[] any =
         Weights.Of((TailStyle.Whip, 1), (TailStyle.Paddle, 1), (TailStyle.Club, 0.8), (TailStyle.Prehensile, 1), (TailStyle.Stinger, 0.8));
@@ -32,6 +37,9 @@ internal static class TailSampler
             && builder.Parents.First.Disc.Sweep == 0;
         return style == TailStyle.Plain || !carried ? null : new TailBlueprint(style, fraction, 0);
     }
+
+    /// <summary>The fork of a fan of fin rays.</summary>
+    public static double FanFork(CreatureBuilder builder, RandomStream random) => random.Uniform(RoundestFan, StraightestFan) - (RoundedBy * builder.Fitting);
 
     private static TailStyle OwnOf(SpeciesProfile donor, double draw)
     {

@@ -1,0 +1,125 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Tails;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+
+namespace CreatureGen.Bodies;
+
+/// <summary>The sections of the tail: stalks that taper, fins that spread, and fans of feathers.</summary>
+internal static class TailShaper
+{
+    /// <summary>The ring from which on an upright fin spreads.</summary>
+    private const int FinFirst = 47;
+
+    /// <summary>Greatest length of an upright fin along the spine, in its sizes; those of fish are up to 1.6 long. Spread over all of a long tail it is a funnel that ends sawn off; a lance is to be long.</summary>
+    private const double LongestFin = 2.2;
+
+    /// <summary>Gives the rings of the tail the sections of its style.</summary>
+    /// <param name="tail">The end of the tail.</param>
+    /// <param name="step">Metres along the spine from the ring before to each ring.</param>
+    /// <param name="width">Half widths, metres.</param>
+    /// <param name="top">Heights above the spine, metres.</param>
+    /// <param name="bottom">Depths below the spine, metres.</param>
+    public static void Shape(TailBlueprint tail, ReadOnlySpan<double> step, double[] width, double[] top, double[] bottom)
+    {
+        const int Start = StationRing.TailFirst;
+        double width0 = width[Start];
+        double top0 = top[Start];
+        double bottom0 = bottom[Start];
+        switch (tail.Style)
+        {
+            case TailStyle.Fork:
+            case TailStyle.Fan:
+            case TailStyle.Lance:
+                for (int i = Start; i < BodyGrid.Rings; i++)
+                {
+                    double q = Scalar.Smooth((i - FinFirst) / 7.0);
+                    double flare = tail.Size * PortableMath.Pow(tail.Style == TailStyle.Lance ? q : Opening(tail, step, i), 1.3);
+                    top[i] = Math.Max(0.03, (top0 * (1 - q)) + (flare * (1 + tail.Lobe)));
+                    bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (0.95 * flare * (1 - tail.Lobe)));
+                    width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
+                }
+
+                break;
+            case TailStyle.Fluke:
+                for (int i = Start; i < BodyGrid.Rings; i++)
+                {
+                    double q = Scalar.Smooth((i - 46) / 7.0);
+                    width[i] = (width0 * (1 - q)) + (tail.Size * PortableMath.Pow(q, 1.7));
+                    top[i] = (top0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
+                    bottom[i] = (bottom0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
+                }
+
+                break;
+            case TailStyle.Feathers:
+                for (int i = Start - 1; i < BodyGrid.Rings; i++)
+                {
+                    double q = Scalar.Smooth((i - 45) / 8.0);
+                    width[i] = (width[i] * (1 - q)) + (tail.Size * PortableMath.Pow(q, 0.8));
+                    top[i] = (top[i] * (1 - q)) + (0.017 * q);
+                    bottom[i] = (bottom[i] * (1 - q)) + (0.017 * q);
+                }
+
+                break;
+            default:
+                if (TailTaper.Of(tail.Style) is TailTaper taper)
+                {
+                    Taper(taper, Math.Min(1, tail.Size), width, top, bottom);
+                }
+                else if (TailFin.Of(tail.Style) is TailFin fin)
+                {
+                    Spread(fin, tail, step, width, top, bottom);
+                }
+
+                break;
+        }
+    }
+
+    /// <summary>Gives the tail from its root on the thickness of a form.</summary>
+    private static void Taper(TailTaper form, double fraction, double[] width, double[] top, double[] bottom)
+    {
+        const int Last = BodyGrid.Rings - 1;
+        (double width0, double height0) = (width[StationRing.TorsoLast], (top[StationRing.TorsoLast] + bottom[StationRing.TorsoLast]) / 2);
+        for (int i = StationRing.TorsoLast + 1; i <= Last; i++)
+        {
+            (double w, double h) = form.At((double)(i - StationRing.TorsoLast) / (Last - StationRing.TorsoLast));
+            double bead = i % 2 == 1 ? 1 : 1 - form.Beads;
+            double weight = fraction * Scalar.Smooth((i - StationRing.TorsoLast) / 3.0);
+            width[i] = Math.Max(BodyShaper.ThinnestSection, Scalar.Lerp(width[i], w * bead * width0, weight));
+            top[i] = Math.Max(BodyShaper.ThinnestSection, Scalar.Lerp(top[i], h * bead * height0, weight));
+            bottom[i] = Math.Max(BodyShaper.ThinnestSection, Scalar.Lerp(bottom[i], h * bead * height0, weight));
+        }
+    }
+
+    /// <summary>Spreads the end of the tail into an upright fin.</summary>
+    private static void Spread(TailFin form, TailBlueprint tail, ReadOnlySpan<double> step, double[] width, double[] top, double[] bottom)
+    {
+        const int Start = StationRing.TailFirst;
+        (double width0, double top0, double bottom0) = (width[Start], top[Start], bottom[Start]);
+        for (int i = Start; i < BodyGrid.Rings; i++)
+        {
+            double q = Scalar.Smooth((i - FinFirst) / 7.0);
+            double flare = tail.Size * PortableMath.Pow(Opening(tail, step, i), form.Spread);
+            top[i] = Math.Max(0.03, (top0 * (1 - q)) + (form.Halves.Upper * flare * (1 + tail.Lobe)));
+            bottom[i] = Math.Max(0.03, (bottom0 * (1 - q)) + (form.Halves.Lower * flare * (1 - tail.Lobe)));
+            width[i] = (width0 * PortableMath.Pow(1 - q, 1.5)) + 0.007;
+        }
+    }
+
+    /// <summary>How far an upright fin has opened at a ring, 0 at the end of its stalk to 1 at its rear edge.</summary>
+    private static double Opening(TailBlueprint tail, ReadOnlySpan<double> step, int ring)
+    {
+        const int Last = BodyGrid.Rings - 1;
+        double length = 0;
+        double behind = 0;
+        for (int i = FinFirst + 1; i <= Last; i++)
+        {
+            length += step[i];
+            behind += i > ring ? step[i] : 0;
+        }
+
+        double longest = LongestFin * tail.Size;
+        return Scalar.Smooth(length > longest ? 1 - (behind / longest) : (ring - FinFirst) / 7.0);
+    }
+}
