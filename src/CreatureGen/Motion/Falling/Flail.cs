@@ -61,7 +61,11 @@ internal sealed class Flail
         }
 
         layer.Clear();
-        layer.Add(asked);
+        if (asked != null)
+        {
+            layer.CopyFrom(asked);
+        }
+
         float turn = 2f * (float)PortableMath.Pi * seconds / (Period * tau);
         for (int i = 0; i < layer.Feet.Length; i++)
         {
