@@ -40,6 +40,9 @@ internal sealed class FallProfile
     private const float MinFraction = 0.5f;
     private const float GreatestFraction = 1.2f;
 
+    /// <summary>Legs from which on a body rolls to its side as it goes limp.</summary>
+    private const int FourFooted = 4;
+
     /// <summary>Length by which the times of bodies without legs go, part of their size.</summary>
     private const float BodyHeight = 0.25f;
 
@@ -52,7 +55,10 @@ internal sealed class FallProfile
     private FallProfile(MotionSubject subject, LeggedBody? legs, GaitSet? gaits, Func<LyingManner?> lies)
     {
         Skeleton = subject.Skeleton;
-        Ragdoll = new RagdollRig(subject.Skeleton, subject.Bones);
+        bool topples = legs != null && legs.Legs.Length >= FourFooted && !Array.Exists(legs.Legs, leg => leg.Lateral);
+        Ragdoll = topples ? new RagdollRig(subject.Skeleton, subject.Bones, PassiveLimit.Of) : new RagdollRig(subject.Skeleton, subject.Bones);
+        Tone = topples ? LimpTone.NeckLast(Ragdoll) : LimpTone.Together(Ragdoll);
+        ToppleSide = !topples ? 0f : (subject.Seed & 1) == 0 ? 1f : -1f;
         Manner = RisingManner.Of(subject);
         Mass = Math.Max(subject.Mass.Mass, 1e-4f);
         Swims = subject.Kind == LocomotionKind.Swimming;
@@ -79,6 +85,12 @@ internal sealed class FallProfile
 
     /// <summary>Its parts when it is limp.</summary>
     public RagdollRig Ragdoll { get; }
+
+    /// <summary>How its muscles let go.</summary>
+    public LimpTone Tone { get; }
+
+    /// <summary>The side to which it falls over if nothing else decides: 1 left, −1 right, another with each seed; 0 for what does not, on two legs, on legs out to the side or on none.</summary>
+    public float ToppleSide { get; }
 
     /// <summary>How it gets up.</summary>
     public RisingManner Manner { get; }

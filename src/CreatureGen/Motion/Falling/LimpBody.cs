@@ -9,10 +9,6 @@ namespace CreatureGen.Motion.Falling;
 /// <summary>A body that nothing holds up: a ragdoll that takes over pose and velocities, and the place that goes along with it.</summary>
 internal sealed class LimpBody
 {
-    /// <summary>What is left of the tone of muscles as a body goes limp, per second, and how long it takes to go, seconds.</summary>
-    private const float StartTone = 4f;
-    private const float ToneSeconds = 0.35f;
-
     /// <summary>What of its weight water does not carry, and how much it slows, per second.</summary>
     private const float SunkWeight = 0.03f;
     private const float WaterDamping = 2.5f;
@@ -28,6 +24,7 @@ internal sealed class LimpBody
     private readonly RagdollState ragdoll;
     private readonly PoseBuffer before;
     private readonly PoseBuffer now;
+    private Topple topple;
     private float seconds;
     private float lift;
 
@@ -44,7 +41,7 @@ internal sealed class LimpBody
     /// <param name="gravity">World m/s².</param>
     public bool IsCalm(float scale, float gravity)
     {
-        float tau = (float)Math.Sqrt(profile.Height * scale / gravity);
+        float tau = Tau(scale, gravity);
         return ragdoll.IsAsleep || (seconds > FallTime * tau && ragdoll.Speed < CalmSpeed * gravity * tau);
     }
 
@@ -70,6 +67,8 @@ internal sealed class LimpBody
         Ragdoll.Start(profile.Ragdoll, ragdoll, place, now.Model, placeBefore, before.Model, dt, ground);
         Ragdoll.Aim(profile.Ragdoll, ragdoll, now.Model);
         before.Take(shown);
+        Vector3 velocity = dt > 0f ? (place.Position - placeBefore.Position) / dt : Vector3.Zero;
+        topple.Begin(Rotation.Rotate(place.Rotation, Vector3.UnitX), Rotation.Rotate(place.Rotation, Vector3.UnitZ), profile.ToppleSide, velocity, (float)Math.Sqrt(StandardGravity.Acceleration * profile.Height * place.Scale));
         seconds = 0f;
         lift = 0f;
     }
@@ -94,8 +93,10 @@ internal sealed class LimpBody
         seconds += dt;
         bool swims = profile.Swims;
         float weight = swims ? SunkWeight : 1f;
-        float tone = StartTone * (float)PortableMath.Exp(-seconds / ToneSeconds);
-        var material = new RagdollSettings(settings.Up * (-weight * settings.Gravity), airDamping: swims ? WaterDamping : 0.5f, tone: tone < 0.01f ? 0f : tone);
+        float tau = Tau(place.Scale, settings.Gravity);
+        profile.Tone.Write(seconds, tau, ragdoll.Tones);
+        var material = new RagdollSettings(settings.Up * (-weight * settings.Gravity), airDamping: swims ? WaterDamping : 0.5f);
+        topple.Turn(ragdoll, dt, seconds, tau, settings.Up);
         Ragdoll.Advance(profile.Ragdoll, ragdoll, material, ground, dt);
         return PlaceOf(place.Rotation, place.Scale, settings.Up, ground);
     }
@@ -139,8 +140,10 @@ internal sealed class LimpBody
     {
         ragdoll.CopyFrom(other.ragdoll);
         before.Take(other.before.Local);
-        (seconds, lift) = (other.seconds, other.lift);
+        (topple, seconds, lift) = (other.topple, other.seconds, other.lift);
     }
+
+    private float Tau(float scale, float gravity) => (float)Math.Sqrt(profile.Height * scale / gravity);
 
     /// <summary>The heading of the body.</summary>
     private Quaternion Facing(in RootPlace place, Vector3 up)

@@ -81,6 +81,7 @@ public static class Ragdoll
             state.PastPositions[i] = state.Positions[i];
             state.PastRotations[i] = state.Rotations[i];
             state.Targets[i] = Quaternion.Identity;
+            state.Tones[i] = 0f;
             state.Excesses[i] = 0f;
             state.Slides[i] = Vector3.Zero;
             if (i > 0)

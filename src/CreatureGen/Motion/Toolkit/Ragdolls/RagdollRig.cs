@@ -29,6 +29,16 @@ public sealed class RagdollRig
     /// <param name="capsules">In the space of its joints, model metres.</param>
     /// <exception cref="ArgumentException">There is no capsule.</exception>
     public RagdollRig(Skeleton skeleton, IReadOnlyList<CapsuleCollider> capsules)
+        : this(skeleton, capsules, joint => joint.Limit)
+    {
+    }
+
+    /// <summary>Takes a skeleton, its capsules, and how far its joints go.</summary>
+    /// <param name="skeleton">In rest pose.</param>
+    /// <param name="capsules">In the space of its joints, model metres.</param>
+    /// <param name="limitOf">Limit of a joint without muscles, within its own.</param>
+    /// <exception cref="ArgumentException">There is no capsule.</exception>
+    internal RagdollRig(Skeleton skeleton, IReadOnlyList<CapsuleCollider> capsules, Func<Joint, JointLimit> limitOf)
     {
         if (capsules.Count == 0)
         {
@@ -54,7 +64,7 @@ public sealed class RagdollRig
         for (int i = 0; i < parts.Length; i++)
         {
             int parent = i == 0 ? -1 : partOfJoint[skeleton.Parents[owners[i]]];
-            parts[i] = Part(skeleton, owners, masses, i, parent, total);
+            parts[i] = Part(skeleton, owners, masses, i, parent, total, limitOf);
         }
 
         var balls = new List<RagdollContact>();
@@ -159,7 +169,7 @@ public sealed class RagdollRig
         return size;
     }
 
-    private RagdollPart Part(Skeleton skeleton, List<int> owners, PartMass[] masses, int i, int parent, float total)
+    private RagdollPart Part(Skeleton skeleton, List<int> owners, PartMass[] masses, int i, int parent, float total, Func<Joint, JointLimit> limitOf)
     {
         int joint = owners[i];
         float mass = Math.Max(masses[i].Volume / total, MinMassFraction);
@@ -174,7 +184,7 @@ public sealed class RagdollRig
         Quaternion toParent = Rotation.Inverse(skeleton.ModelRotations[above]);
         Vector3 pivot = Rotation.Rotate(toParent, skeleton.ModelPositions[joint] - skeleton.ModelPositions[above]) - masses[parent].Centre;
         Quaternion rest = Rotation.Normalize(Rotation.Multiply(toParent, skeleton.ModelRotations[joint]));
-        return new RagdollPart(joint, parent, centre, mass, inertia, pivot, rest, skeleton.Joints[joint].Limit);
+        return new RagdollPart(joint, parent, centre, mass, inertia, pivot, rest, limitOf(skeleton.Joints[joint]));
     }
 
     /// <summary>The longest way from a part's centre of mass to a joint on it.</summary>

@@ -74,7 +74,7 @@ internal static class RagdollSolver
             state.Spins[i] = new Vector3(turn.X, turn.Y, turn.Z) * (2f * perSecond * (turn.W < 0f ? -1f : 1f));
         }
 
-        Rub(state, parts, settings.Tone, 1f - Damping.Left(settings.JointDamping + (FirmnessPerTone * settings.Tone), h));
+        Rub(state, parts, settings, h);
     }
 
     /// <summary>Changes velocity and spin of a part as an impulse would that changes the velocity at a point by so much.</summary>
@@ -212,15 +212,24 @@ internal static class RagdollSolver
     }
 
     /// <summary>Brings the turning of neighbouring parts against each other some way to that which muscles want: none at all, or towards their pose.</summary>
-    private static void Rub(RagdollState state, ReadOnlySpan<RagdollPart> parts, float tone, float fraction)
+    private static void Rub(RagdollState state, ReadOnlySpan<RagdollPart> parts, in RagdollSettings settings, float h)
     {
-        if (fraction <= 0f)
-        {
-            return;
-        }
-
+        float known = -1f;
+        float fraction = 0f;
         for (int i = 1; i < parts.Length; i++)
         {
+            float tone = settings.Tone + state.Tones[i];
+            if (tone != known)
+            {
+                known = tone;
+                fraction = 1f - Damping.Left(settings.JointDamping + (FirmnessPerTone * tone), h);
+            }
+
+            if (fraction <= 0f)
+            {
+                continue;
+            }
+
             ref readonly RagdollPart child = ref parts[i];
             Vector3 against = state.Spins[i] - state.Spins[child.Parent];
             if (tone > 0f)

@@ -20,6 +20,7 @@ public sealed class RagdollState
         PastPositions = new Vector3[count];
         PastRotations = new Quaternion[count];
         Targets = new Quaternion[count];
+        Tones = new float[count];
         Excesses = new float[count];
         Slides = new Vector3[count];
         Allowances = new float[rig.Contacts.Length];
@@ -69,6 +70,9 @@ public sealed class RagdollState
     /// <summary>Rotations that muscles pull to, in the parents' axes.</summary>
     internal Quaternion[] Targets { get; }
 
+    /// <summary>Tone of the muscles that hold each part on its parent, beside that of the material; s⁻¹.</summary>
+    internal float[] Tones { get; }
+
     /// <summary>How far each part may still be beyond its limit, since the motion had it there; radians.</summary>
     internal float[] Excesses { get; }
 
@@ -91,6 +95,27 @@ public sealed class RagdollState
     /// <summary>Turn of the first part from rest, world axes.</summary>
     internal Quaternion FirstTurn => Rotation.Multiply(Rotations[0], Rotation.Inverse(Rig.Skeleton.ModelRotations[Rig.FirstJoint]));
 
+    /// <summary>Sets the whole turning about its centre of mass, as if it were rigid.</summary>
+    /// <param name="change">Of its angular velocity, world axes, rad/s.</param>
+    internal void Turn(Vector3 change)
+    {
+        ReadOnlySpan<RagdollPart> parts = Rig.Parts;
+        Vector3 centre = Vector3.Zero;
+        float mass = 0f;
+        for (int i = 0; i < parts.Length; i++)
+        {
+            centre += Positions[i] / parts[i].InverseMass;
+            mass += 1f / parts[i].InverseMass;
+        }
+
+        centre /= mass;
+        for (int i = 0; i < parts.Length; i++)
+        {
+            Velocities[i] += Vec.Cross(change, Positions[i] - centre);
+            Spins[i] += change;
+        }
+    }
+
     /// <summary>Goes on from where another of the same rig is.</summary>
     internal void CopyFrom(RagdollState other)
     {
@@ -102,6 +127,7 @@ public sealed class RagdollState
         other.PastPositions.CopyTo(PastPositions, 0);
         other.PastRotations.CopyTo(PastRotations, 0);
         other.Targets.CopyTo(Targets, 0);
+        other.Tones.CopyTo(Tones, 0);
         other.Excesses.CopyTo(Excesses, 0);
         other.Slides.CopyTo(Slides, 0);
         other.Allowances.CopyTo(Allowances, 0);

@@ -1,0 +1,56 @@
+using System;
+using System.Numerics;
+using CreatureGen.Maths;
+using CreatureGen.Motion.Toolkit;
+
+namespace CreatureGen.Motion.Falling;
+
+/// <summary>To which side a body on four legs under it rolls as it goes limp: without that it would come to stand on its folded legs, and its head would come down below its chest.</summary>
+internal struct Topple
+{
+    /// <summary>How fast it rolls, 1/τ² with τ = √(ℓ/g), and how long that goes on, τ.</summary>
+    private const float Roll = 1.6f;
+    private const float Time = 2.5f;
+
+    /// <summary>Longest time of an update that counts, τ: what falls in slow motion rolls no faster for it.</summary>
+    private const float LongestStep = 0.3f;
+
+    /// <summary>Cosines of how far it is tipped over: up to the first it rolls as hard, from the second on it only falls, so that it does not roll onto its back.</summary>
+    private const float Upright = 0.94f;
+    private const float Tipped = 0.4f;
+
+    /// <summary>Speed to a side that decides to which it falls, √(gℓ).</summary>
+    private const float Deciding = 0.05f;
+
+    private Vector3 axis;
+
+    /// <summary>Goes limp.</summary>
+    /// <param name="left">Unit, world space, where its left is.</param>
+    /// <param name="ahead">Unit, world space, where it faces.</param>
+    /// <param name="usual">1 where it falls to the left if nothing else decides, −1 to the right, 0 for what lies on its belly.</param>
+    /// <param name="velocity">World m/s.</param>
+    /// <param name="unit">√(gℓ), m/s.</param>
+    public void Begin(Vector3 left, Vector3 ahead, float usual, Vector3 velocity, float unit)
+    {
+        float aside = Vec.Dot(velocity, left) / unit;
+
+        // To the left its back turns from up to left, about what is behind it.
+        axis = usual == 0f ? Vector3.Zero : ahead * (aside > Deciding ? -1f : aside < -Deciding ? 1f : -usual);
+    }
+
+    /// <summary>Rolls on.</summary>
+    /// <param name="body">What is limp.</param>
+    /// <param name="dt">Seconds.</param>
+    /// <param name="seconds">Since it went limp.</param>
+    /// <param name="tau">√(ℓ/g), seconds.</param>
+    /// <param name="up">Unit, world space.</param>
+    public readonly void Turn(RagdollState body, float dt, float seconds, float tau, Vector3 up)
+    {
+        float upright = Vec.Dot(Rotation.Rotate(body.FirstTurn, Vector3.UnitY), up);
+        float share = (float)Scalar.Clamp((upright - Tipped) / (Upright - Tipped), 0, 1) * (1f - Scalar.Smooth(seconds / (Time * tau)));
+        if (share > 0f && axis != Vector3.Zero)
+        {
+            body.Turn(axis * (share * Roll * Math.Min(dt, LongestStep * tau) / (tau * tau)));
+        }
+    }
+}
