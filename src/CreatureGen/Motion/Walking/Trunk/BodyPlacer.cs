@@ -88,6 +88,9 @@ internal sealed class BodyPlacer
     /// <summary>Passive nod of the neck, radians.</summary>
     public float Nod { get; private set; }
 
+    /// <summary>How far the neck is stretched ahead as the body speeds up, radians; negative for up and back as it brakes.</summary>
+    public float NeckReach { get; private set; }
+
     /// <summary>How far the trunk of a biped is thrown up by its push, radians; negative where it dips to the landing.</summary>
     public float Rock { get; private set; }
 
@@ -107,6 +110,7 @@ internal sealed class BodyPlacer
         Nod = other.Nod;
         Scissor = other.Scissor;
         Rock = other.Rock;
+        NeckReach = other.NeckReach;
         SlideFraction = other.SlideFraction;
         slope = other.slope;
         turnBend = other.turnBend;
@@ -223,14 +227,16 @@ internal sealed class BodyPlacer
         float gather = body.IsBiped ? 0f : 0.5f * ((rear.Left + rear.Right) - (front.Left + front.Right));
         float supple = traits.Flexion * (StepFlexion + ((1f - StepFlexion) * hindAtOnce));
         float arch = body.IsBiped ? 0f : -clock.Shape.Arch * first.Cosine.All() / feet.Length;
-        float flexion = Scalar.Clamp(((supple * Scalar.Clamp(gather, -1f, 1f)) + arch) * act * spine, -body.MaxBendPitch, body.MaxBendPitch);
+        Effort effort = Effort.Of(body, context.Acceleration / settings.Gravity, Climb);
+        NeckReach = effort.Neck;
+        float tuck = body.IsBiped ? 0f : traits.Flexion * effort.Tuck * spine;
+        float flexion = Scalar.Clamp((((supple * Scalar.Clamp(gather, -1f, 1f)) + arch) * act * spine) + tuck, -body.MaxBendPitch, body.MaxBendPitch);
         Flexion = flexion;
         float bank = Balance * traits.Bank * settings.Walking.Bank;
         float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : traits.Inward) * body.HipHeight * bank;
 
         Follow(context, feet);
         float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Subject.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
-        Effort effort = Effort.Of(body, context.Acceleration / settings.Gravity, Climb);
         float stoop = Scalar.Smooth(act);
         hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - effort.HindDrop;
         foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) - effort.ForeDrop;

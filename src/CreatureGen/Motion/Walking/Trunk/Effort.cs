@@ -5,25 +5,37 @@ using CreatureGen.Motion.Walking.Bodies;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
-/// <summary>How a body shows what speeds it up or slows it down: it crouches and leans into a start, and sits back on its hind legs, which brace, as it brakes.</summary>
+/// <summary>
+/// How a body shows what speeds it up or slows it down: it crouches and leans into a start, chest down and neck stretched ahead, and sits back on its hind legs, which brace, as it brakes, with chest and
+/// head up.
+/// </summary>
 /// <param name="HindDrop">How far its rear comes down, metres.</param>
 /// <param name="ForeDrop">The same of its front, negative for up.</param>
 /// <param name="Shift">How far it goes ahead over its feet, metres.</param>
 /// <param name="Lean">How far two-legged ones lean ahead, radians.</param>
-internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shift, float Lean)
+/// <param name="Tuck">How far hips come under it, part of how far its back bends with its feet.</param>
+/// <param name="Neck">How far the neck is stretched ahead, radians; negative for up and back.</param>
+internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shift, float Lean, float Tuck, float Neck)
 {
     /// <summary>Most that counts, parts of gravity.</summary>
     private const float Max = 0.5f;
 
     // Leg lengths for each part of gravity.
     private const float CrouchOfStart = 0.16f;
-    private const float RiseOfStart = 0.02f;
+    private const float DropOfStart = 0.30f;
     private const float SitOfBraking = 0.24f;
-    private const float RiseOfBraking = 0.04f;
+    private const float RiseOfBraking = 0.10f;
     private const float ShiftOfStart = 0.14f;
     private const float ShiftOfBraking = 0.20f;
+
+    // Radians, and parts of a bend, for each part of gravity.
     private const float LeanOfStart = 0.40f;
     private const float LeanOfBraking = 0.45f;
+    private const float UprightLean = 1.8f;
+    private const float TuckOfStart = 0.6f;
+    private const float TuckOfBraking = 1.2f;
+    private const float NeckOfStart = 0.9f;
+    private const float NeckOfBraking = 0.9f;
 
     // What of it low bodies and pillars show.
     private const float LateralFraction = 0.3f;
@@ -37,8 +49,9 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     {
         float push = Scalar.Clamp(acceleration < 0f ? Math.Min(acceleration + Math.Max(climb, 0f), 0f) : Math.Max(acceleration + Math.Min(climb, 0f), 0f), -Max, Max);
         float shown = body.LegLength * (body.Legs[0].Lateral ? LateralFraction : body.Subject.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
+        float leaning = push * (body.Subject.Plan == BodyPlan.Upright ? UprightLean : 1f);
         return push > 0f
-            ? new Effort(CrouchOfStart * push * shown, -RiseOfStart * push * shown, ShiftOfStart * push * shown, LeanOfStart * push)
-            : new Effort(-SitOfBraking * push * shown, RiseOfBraking * push * shown, ShiftOfBraking * push * shown, LeanOfBraking * push);
+            ? new Effort(CrouchOfStart * push * shown, DropOfStart * push * shown, ShiftOfStart * push * shown, LeanOfStart * leaning, TuckOfStart * push, NeckOfStart * push)
+            : new Effort(-SitOfBraking * push * shown, RiseOfBraking * push * shown, ShiftOfBraking * push * shown, LeanOfBraking * leaning, -TuckOfBraking * push, NeckOfBraking * push);
     }
 }

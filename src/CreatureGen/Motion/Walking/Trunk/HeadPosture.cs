@@ -16,6 +16,13 @@ internal static class HeadPosture
     /// <summary>Most that it looks into a turn, radians.</summary>
     private const float MaxTurnLook = 0.45f;
 
+    /// <summary>Part of what a neck is stretched ahead that the head takes back; and what of it a head without a neck shows.</summary>
+    private const float HeadLevel = 0.8f;
+    private const float LoneHead = 0.5f;
+
+    /// <summary>How far a joint of it turns for that at most, part of how far it bends.</summary>
+    private const float MaxReach = 0.6f;
+
     private const float BobHold = 0.55f;
 
     /// <summary>Writes neck and head.</summary>
@@ -49,6 +56,9 @@ internal static class HeadPosture
             }
 
             tilt = Scalar.Clamp(tilt, -body.NeckLimits[i], body.NeckLimits[i]) + (context.Upright * body.Posture.Nod(i));
+            float reach = placer.NeckReach * (!head ? 1f / (count - 1) : count == 1 ? LoneHead : -HeadLevel);
+            float most = MaxReach * body.NeckLimits[i];
+            tilt = Scalar.Clamp(tilt + reach, Math.Min(tilt, -most), Math.Max(tilt, most));
             float aside = Scalar.Clamp(yaw * fraction, -body.NeckTurns[i], body.NeckTurns[i]);
             if (tilt != lastTilt || aside != lastYaw)
             {
