@@ -36,6 +36,12 @@ internal static class SwimMotion
     private const double PushEffort = 0.8;
     private const double GlidingGap = 0.3;
 
+    /// <summary>How far the whole body bends with each beat, from nose to tail, as it gets faster as hard as it can, radians: it leaves with a stroke that is more than its wave.</summary>
+    private const double StrokeBend = 0.35;
+
+    /// <summary>Part of its thrust from which on that is as hard as it can.</summary>
+    private const double StrokePart = 0.6;
+
     /// <summary>Sharpness with which it comes to turn, in cycles at cruise: the body bends first.</summary>
     private const double YawResponse = 3.5;
 
@@ -135,7 +141,9 @@ internal static class SwimMotion
         SwimmingSettings settings = input.Settings ?? SwimmingSettings.Default;
         MomentumLimits limits = profile.Momentum.Quickened(settings.SpeedResponse).Braked(settings.Braking);
         double goal = Math.Max(input.Speed, -cruise);
+        double gained = state.Ahead.Acceleration;
         double way = state.Ahead.Step(goal, limits, dt);
+        gained = 0.5 * (gained + state.Ahead.Acceleration);
         double climbed = state.Rise.Step(Math.Max(input.ClimbRate, MinClimb(input.Room, limits)), limits, dt);
         double speed = state.Ahead.Speed;
         double climb = state.Rise.Speed;
@@ -153,6 +161,7 @@ internal static class SwimMotion
         // What is integrated goes by the mean of the step, so that frame rates agree.
         double cruises = (dt > 0 ? way / dt : speed) / cruise;
         Beat(Effort(cruises, goal / cruise), cruises, out double tempo, out double width);
+        double pushing = Scalar.Smooth(Math.Sign(goal) * gained / (StrokePart * limits.Thrust));
         tempo += 1.2 * drive;
         width = Math.Min((width + (0.5 * drive)) * settings.BeatAmplitude, WidestBeat);
         state.Lean = settings.Bank;
@@ -160,6 +169,7 @@ internal static class SwimMotion
         state.Phase += state.Frequency.Step(backwards ? -tempo * cycle : tempo * cycle, sharpness, dt);
         state.Phase -= Math.Floor(state.Phase);
         state.Amplitude.Step(width, sharpness, dt);
+        state.Stroke.Step(profile.IsStiff ? 0 : pushing * settings.BeatAmplitude, sharpness, dt);
 
         // The body lies along the arc that it swims.
         double arc = yaw * profile.BodyLength / Math.Max(Math.Abs(speed), 0.4 * cruise);
@@ -214,11 +224,15 @@ internal static class SwimMotion
         double amplitude = state.Amplitude.Value * calm;
         double bend = state.Bend.Value + (escaping ? state.EscapeSide * profile.Curl * EscapeCurve.Bend(state.EscapeAge) : 0);
         PortableMath.SinCos(2 * PortableMath.Pi * state.Phase, out double sine, out double cosine);
+
+        // With the tail, which it takes to where its wave has it.
+        double stroke = StrokeBend * state.Stroke.Value * calm * profile.Wave.Displacement(chain.Count, cosine, sine) / profile.Wave.TailReach;
         for (int b = 0; b < chain.Count; b++)
         {
             ref readonly AxialBone bone = ref chain.Bones[b];
-            double heading = profile.Wave.Heading(b, amplitude, cosine, sine);
-            double round = bend * (bone.Middle.Z - chain.Centre.Z) / chain.Length;
+            double along = (bone.Middle.Z - chain.Centre.Z) / chain.Length;
+            double heading = profile.Wave.Heading(b, amplitude, cosine, sine) + (stroke * along);
+            double round = bend * along;
             turns[b] = vertical ? Rotation.Multiply(AxisRotation.Yaw(round), AxisRotation.Pitch(-heading)) : AxisRotation.Yaw(round + heading);
         }
 
@@ -231,25 +245,25 @@ internal static class SwimMotion
 
         chain.Write(local, turns, pivots);
         Place(profile, state, there, bend, amplitude, turns, pivots, local);
-        SwimStroke stroke = StrokeOf(profile, state, amplitude, calm);
+        SwimStroke moment = StrokeOf(profile, state, amplitude, calm);
         foreach (SwimLeg leg in profile.Legs)
         {
-            leg.Write(local, stroke, turns);
+            leg.Write(local, moment, turns);
         }
 
         foreach (SwimFin fin in profile.Fins)
         {
-            fin.Write(local, profile.Style, stroke);
+            fin.Write(local, profile.Style, moment);
         }
 
         foreach (SwimDisc row in profile.Rows)
         {
-            row.Write(local, stroke);
+            row.Write(local, moment);
         }
 
         foreach (MedianFin fin in profile.MedianFins)
         {
-            fin.Write(local, stroke);
+            fin.Write(local, moment);
         }
     }
 

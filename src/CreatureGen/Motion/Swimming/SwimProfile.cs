@@ -122,6 +122,9 @@ internal sealed class SwimProfile
     /// <summary>Whether the wave of its axis goes up and down.</summary>
     internal bool IsVertical => Style is SwimStyle.Cetacean or SwimStyle.Disc;
 
+    /// <summary>Whether its fins do the work of its body, which beats little.</summary>
+    internal bool IsStiff => Style is SwimStyle.Flippers or SwimStyle.Disc;
+
     /// <summary>Works out how a creature swims. Any creature can: those not built for it swim as their shape allows.</summary>
     /// <exception cref="ArgumentException">The skeleton lacks a body, a head or a tail.</exception>
     public static SwimProfile Of(MotionSubject subject)

@@ -18,6 +18,9 @@ internal struct SwimState
     internal CriticallyDampedSpring Bend;
     internal CriticallyDampedSpring Climb;
     internal CriticallyDampedSpring Brake;
+
+    /// <summary>How hard it works to get faster, 0..1: its body bends with its beat.</summary>
+    internal CriticallyDampedSpring Stroke;
     internal double EscapeAge;
     internal double EscapeSide;
     internal EscapeTurn LastEscape;
