@@ -44,6 +44,30 @@ public sealed class SwimMotionTests
         }
     }
 
+    [Theory]
+    [InlineData(BodyPlan.Fish)]
+    [InlineData(BodyPlan.Eel)]
+    [InlineData(BodyPlan.Whale)]
+    public void A_swimmer_bends_with_its_beat_while_it_gets_faster_and_then_no_longer(BodyPlan plan)
+    {
+        foreach (Creature creature in StrokeSubject.Of(plan))
+        {
+            var body = new StrokeSubject(creature);
+            SwimProfile profile = SwimProfile.Of(new MotionSubject(creature));
+            var input = new SwimInput(profile.CruiseSpeed);
+            SwimState state = default;
+            double most = 0;
+            for (int i = 0; i < 120; i++)
+            {
+                SwimMotion.Update(profile, input, ref state, 1 / (60 * profile.CruiseFrequency), body.Local);
+                most = Math.Max(most, state.Stroke.Value);
+            }
+
+            Assert.InRange(most, 0.5, 1);
+            Assert.InRange(Steady(profile, input, body).Stroke.Value, 0, 1e-3);
+        }
+    }
+
     /// <summary>A swimmer that is asked to be slower lets itself glide: its tail does not beat as hard as its speed alone would ask.</summary>
     [Theory]
     [MemberData(nameof(Plans))]
