@@ -116,42 +116,6 @@ public sealed class GaitCharacterTests
         Assert.True(min > 0f, $"{min} degrees");
     }
 
-    [Fact]
-    public void A_leaping_insect_takes_off_with_its_nose_up_and_comes_down_with_it_lower()
-    {
-        int leapers = 0;
-        foreach ((ulong seed, Creature creature) in Walkers.WithPlan(BodyPlan.Hexapod, 400))
-        {
-            var profile = new MotionProfile(creature);
-            if (!profile.Gaits!.Speeds.Any(speed => speed.Gait == GaitLibrary.Leap))
-            {
-                continue;
-            }
-
-            var cycle = new GaitCycle(profile, GaitLibrary.Leap);
-            bool before = false;
-            float off = 0f;
-            float down = 0f;
-            float last = 0f;
-            cycle.Watch(() =>
-            {
-                float pitch = MathF.Asin(Vector3.Transform(Vector3.UnitZ, cycle.TurnOf(JointRole.Chest)).Y);
-                bool flies = Feet(cycle.Animator).All(foot => foot.Phase == FootPhase.Swing);
-                off = flies && !before ? pitch : off;
-                down = before && !flies ? last : down;
-                (before, last) = (flies, pitch);
-            });
-            Assert.True(off > 0.06f, $"{seed}: {off} rad as it takes off");
-            Assert.True(down < off - 0.06f, $"{seed}: {off} rad as it takes off, {down} as it comes down");
-            if (++leapers == 3)
-            {
-                return;
-            }
-        }
-
-        Assert.Fail($"{leapers} leapers");
-    }
-
     [Theory]
     [InlineData(5010)]
     public void A_hop_is_flight_for_the_most_part_and_high(int seed)

@@ -114,7 +114,6 @@ internal sealed class LeggedBody
         MaxBendRoll = MaxBend(Skeleton, Trunk, ForeSlot, limit => limit.Twist);
         Turns = new RestRotations(Skeleton);
         TrunkRest = Array.ConvertAll(Trunk, joint => Skeleton.ModelPositions[joint]);
-        Leaps = Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Kind.Step.Leaps);
         Hops = Rows == 1 && subject.Plan == BodyPlan.Upright && LongFeet() && TailLength() > 0.8f * LegLength;
         Idle = IdleRhythm.Of(Mass);
         Flippers = Waddles && subject.Kind == LocomotionKind.Walking ? FlippersOf(subject) : Array.Empty<LimbChain>();
@@ -225,7 +224,7 @@ internal sealed class LeggedBody
     public bool Hops { get; }
 
     /// <summary>Whether its hind legs are built to throw it ahead: those of grasshoppers and frogs.</summary>
-    public bool Leaps { get; }
+    public bool Leaps => Array.Exists(Legs, leg => leg.Row == 0 && leg.Traits.Kind.Step.Leaps);
 
     /// <summary>Whether it rolls from side to side on short legs under an upright body: penguins.</summary>
     public bool Waddles => IsBiped && Subject.Manner.Waddles;

@@ -34,9 +34,6 @@ internal sealed class BodyPlacer
     /// <summary>Part of the difference between hind and fore body that a leaping trunk does not go along with: nose up as it takes off, it levels out to the landing and does not dive.</summary>
     private const float LeapSteadiness = 0.5f;
 
-    /// <summary>How far a body on many legs out to the side is pitched up and down at most as its hindmost pair throws it up, slope: its legs stand close together.</summary>
-    private const float SteepestThrow = 0.3f;
-
     private readonly LeggedBody body;
     private readonly ForceResponse response = new();
 
@@ -169,13 +166,6 @@ internal sealed class BodyPlacer
         {
             hindRise = foreRise = response.Height(sums, feet.Length, scale, cap, out Vector4 nods).All() * bounce;
             nod = nods.All();
-            if (body.Leaps && clock.Shape.Trail > 0f)
-            {
-                Vector4 thrown = response.Height(sums, 2, scale, cap, out _) * bounce;
-                float pitched = 0.5f * clock.Shape.Trail * Scalar.ClampSoftly(thrown.Fore() - thrown.Hind(), SteepestThrow * body.TrunkLength);
-                hindRise -= pitched;
-                foreRise += pitched;
-            }
         }
 
         // Feet that come down at once find the body at its height: all of them, or in a leap those of each girdle.
@@ -322,9 +312,8 @@ internal sealed class BodyPlacer
             {
                 LegRig leg = body.Legs[i];
                 FastTrigonometry.OfTurns(-clock.Lags[i] - (0.5f * clock.Duty), out float s, out float c);
-                bool pitches = body.RidesOnGirdles || body.Leaps;
-                float hind = pitches && leg.Row == 0 ? 1f : 0f;
-                float fore = pitches && leg.Row > 0 && leg.Row == body.Rows - 1 ? 1f : 0f;
+                float hind = body.RidesOnGirdles && leg.Row == 0 ? 1f : 0f;
+                float fore = body.RidesOnGirdles && leg.Row > 0 && leg.Row == body.Rows - 1 ? 1f : 0f;
                 sums.Add(s, c, LegSums.WeightsOf(hind, fore, leg.Home.X * clock.Shape.Track));
             }
         }
