@@ -37,9 +37,16 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     private const float NeckOfStart = 0.9f;
     private const float NeckOfBraking = 0.9f;
 
+    /// <summary>Rise of the ground along the way at which nothing of it is shown: legs that climb have no room left to crouch.</summary>
+    private const float Steep = 0.7f;
+
     // What of it low bodies and pillars show.
     private const float LateralFraction = 0.3f;
     private const float ColumnarFraction = 0.6f;
+
+    // The front of bodies that fly stays up, for the room that their wings need; necks and backs of such show nothing.
+    private const float WingedRiseOfStart = 0.02f;
+    private const float WingedRiseOfBraking = 0.04f;
 
     /// <summary>The effort of an acceleration.</summary>
     /// <param name="body">Gives build and size.</param>
@@ -48,8 +55,16 @@ internal readonly record struct Effort(float HindDrop, float ForeDrop, float Shi
     public static Effort Of(LeggedBody body, float acceleration, float climb)
     {
         float push = Scalar.Clamp(acceleration < 0f ? Math.Min(acceleration + Math.Max(climb, 0f), 0f) : Math.Max(acceleration + Math.Min(climb, 0f), 0f), -Max, Max);
+        push *= Math.Max(1f - (Math.Abs(climb) / Steep), 0f);
         float shown = body.LegLength * (body.Legs[0].Lateral ? LateralFraction : body.Subject.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
         float leaning = push * (body.Subject.Plan == BodyPlan.Upright ? UprightLean : 1f);
+        if (body.Subject.Plan is BodyPlan.Flapping or BodyPlan.Buzzing)
+        {
+            return push > 0f
+                ? new Effort(CrouchOfStart * push * shown, -WingedRiseOfStart * push * shown, ShiftOfStart * push * shown, LeanOfStart * leaning, 0f, 0f)
+                : new Effort(-SitOfBraking * push * shown, WingedRiseOfBraking * push * shown, ShiftOfBraking * push * shown, LeanOfBraking * leaning, 0f, 0f);
+        }
+
         return push > 0f
             ? new Effort(CrouchOfStart * push * shown, DropOfStart * push * shown, ShiftOfStart * push * shown, LeanOfStart * leaning, TuckOfStart * push, NeckOfStart * push)
             : new Effort(-SitOfBraking * push * shown, RiseOfBraking * push * shown, ShiftOfBraking * push * shown, LeanOfBraking * leaning, -TuckOfBraking * push, NeckOfBraking * push);

@@ -42,10 +42,30 @@ public sealed class EffortTests
     public void Who_brakes_uphill_or_starts_downhill_leaves_to_its_weight_what_that_does()
     {
         LeggedBody body = Body(1);
-        Assert.Equal(Effort.Of(body, -0.25f, 0f), Effort.Of(body, -0.5f, 0.25f));
-        Assert.Equal(Effort.Of(body, 0.25f, 0f), Effort.Of(body, 0.5f, -0.25f));
+        Assert.Equal(Effort.Of(body, -0.25f, -0.25f), Effort.Of(body, -0.5f, 0.25f));
+        Assert.Equal(Effort.Of(body, 0.25f, 0.25f), Effort.Of(body, 0.5f, -0.25f));
         Assert.Equal(default, Effort.Of(body, -0.3f, 0.4f));
-        Assert.Equal(Effort.Of(body, -0.3f, 0f), Effort.Of(body, -0.3f, -0.4f));
+        Assert.Equal(Effort.Of(body, 0.25f, 0.5f), Effort.Of(body, 0.75f, -0.5f));
+    }
+
+    [Fact]
+    public void The_steeper_the_ground_the_less_is_shown_for_legs_that_climb_have_no_room_left()
+    {
+        LeggedBody body = Body(1);
+        float level = Effort.Of(body, 0.4f, 0f).HindDrop;
+        float slope = Effort.Of(body, 0.4f, 0.2f).HindDrop;
+        Assert.InRange(slope, 0.6f * level, 0.8f * level);
+        Assert.InRange(Effort.Of(body, 0.4f, 0.36f).HindDrop, 0.4f * level, 0.55f * level);
+        Assert.Equal(0f, Effort.Of(body, 0.4f, 1f).HindDrop);
+    }
+
+    [Fact]
+    public void The_front_of_who_flies_stays_up_for_its_wings()
+    {
+        LeggedBody body = Body(RequestedKind.Flying, 1);
+        Effort starts = Effort.Of(body, 0.4f, 0f);
+        Assert.True(starts.HindDrop > 0f && starts.ForeDrop < 0f && starts.Neck == 0f && starts.Tuck == 0f);
+        Assert.True(Effort.Of(body, -0.4f, 0f).ForeDrop < 0f);
     }
 
     [Theory]
@@ -88,5 +108,7 @@ public sealed class EffortTests
         float Height(JointRole role) => animator.ModelPose.Positions[creature.Skeleton.FirstOf(role)].Y;
     }
 
-    private static LeggedBody Body(ulong seed) => LeggedBody.Of(new MotionSubject(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking })))!;
+    private static LeggedBody Body(ulong seed) => Body(RequestedKind.Walking, seed);
+
+    private static LeggedBody Body(RequestedKind kind, ulong seed) => LeggedBody.Of(new MotionSubject(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind })))!;
 }
