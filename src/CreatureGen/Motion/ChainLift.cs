@@ -16,18 +16,19 @@ internal static class ChainLift
 
     /// <summary>Raises every bone whose tip is too low, those next to the root first.</summary>
     /// <param name="rig">The chains.</param>
-    /// <param name="ground">Height of the level ground, model space.</param>
+    /// <param name="ground">Height of the ground at the root of the body, model space.</param>
+    /// <param name="rise">How it goes on along the body, metres up for each metre ahead.</param>
     /// <param name="radius">Metres that bones keep from it, along the chain.</param>
     /// <param name="local">Receives the rotations, within the joints' limits.</param>
     /// <param name="model">Receives what follows from them.</param>
-    public static void Raise(SpringRig rig, float ground, ChainCurve radius, in Pose local, in Pose model)
+    public static void Raise(SpringRig rig, float ground, float rise, ChainCurve radius, in Pose local, in Pose model)
     {
         for (int round = 0; round < Rounds; round++)
         {
             bool raised = false;
             for (int i = 0; i < rig.Joints.Length; i++)
             {
-                raised |= Raise(rig, i, ground + Math.Max(radius.At(rig.Places[i]), 0f), local, model);
+                raised |= Raise(rig, i, ground + Math.Max(radius.At(rig.Places[i]), 0f), rise, local, model);
             }
 
             if (!raised)
@@ -37,11 +38,11 @@ internal static class ChainLift
         }
     }
 
-    private static bool Raise(SpringRig rig, int bone, float min, in Pose local, in Pose model)
+    private static bool Raise(SpringRig rig, int bone, float min, float rise, in Pose local, in Pose model)
     {
         int joint = rig.Joints[bone];
         Vector3 tip = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], rig.Directions[bone] * rig.Lengths[bone]);
-        float deep = min - tip.Y;
+        float deep = min + (rise * tip.Z) - tip.Y;
         if (!(deep > 0f))
         {
             return false;

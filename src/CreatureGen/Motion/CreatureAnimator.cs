@@ -388,7 +388,7 @@ public sealed partial class CreatureAnimator
 
         if (awake && near)
         {
-            secondary.Update(root, Mode?.Clearance ?? 0f, Balanced(), dt, LocalPose, ModelPose);
+            secondary.Update(root, Mode?.Clearance ?? 0f, Mode?.Incline ?? 0f, Balanced(), dt, LocalPose, ModelPose);
             if (carried)
             {
                 performer!.KeepEndsOffGround(ground, LocalPose, ModelPose);

@@ -65,27 +65,29 @@ internal sealed class SecondaryMotion
     /// <summary>Turns the joints that swing.</summary>
     /// <param name="root">Where the creature is.</param>
     /// <param name="clearance">Height of the root above the ground, metres of the model; infinite where there is none.</param>
+    /// <param name="rise">How the ground goes on along the body, metres up for each metre ahead.</param>
     /// <param name="balanced">The push to the side that the lean of the body balances, m/s², world space.</param>
     /// <param name="seconds">Since the last update.</param>
     /// <param name="local">Receives the rotations.</param>
     /// <param name="model">Receives what follows from them.</param>
-    public void Update(in RootPlace root, float clearance, Vector3 balanced, float seconds, in Pose local, in Pose model)
+    public void Update(in RootPlace root, float clearance, float rise, Vector3 balanced, float seconds, in Pose local, in Pose model)
     {
         Vector3 up = Rotation.Rotate(root.Rotation, Vector3.UnitY);
+        Vector3 normal = rise == 0f ? up : Rotation.Rotate(root.Rotation, Vec.Normalize(new Vector3(0f, 1f, -rise), Vector3.UnitY));
         for (int i = 0; i < rigs.Length; i++)
         {
             ReadOnlySpan<SpringCollider> colliders = ReadOnlySpan<SpringCollider>.Empty;
             float height = (Thickness * rigs[i].Length) - clearance;
-            if (ReachesDown(i, clearance, model))
+            if (ReachesDown(i, clearance, rise, model))
             {
-                ground[0] = SpringCollider.Plane(root.Position + (up * (height * root.Scale)), up);
+                ground[0] = SpringCollider.Plane(root.Position + (up * (height * root.Scale)), normal);
                 colliders = ground;
             }
 
             SpringBones.Update(rigs[i], states[i], settings[i], balanced, root, colliders, seconds, local, model);
             if (KeepWithinLimits(rigs[i], local, model) && colliders.Length > 0)
             {
-                ChainLift.Raise(rigs[i], height, settings[i].Radius, local, model);
+                ChainLift.Raise(rigs[i], height, rise, settings[i].Radius, local, model);
             }
         }
     }
@@ -132,12 +134,12 @@ internal sealed class SecondaryMotion
     }
 
     /// <summary>Whether a chain is as near to the ground as it is long.</summary>
-    private bool ReachesDown(int chain, float clearance, in Pose model)
+    private bool ReachesDown(int chain, float clearance, float rise, in Pose model)
     {
-        float length = (1f + Thickness) * rigs[chain].Length;
+        float length = (1f + Thickness + Math.Abs(rise)) * rigs[chain].Length;
         foreach (int root in roots[chain])
         {
-            if (model.Positions[root].Y + clearance < length)
+            if (model.Positions[root].Y + clearance - (rise * model.Positions[root].Z) < length)
             {
                 return true;
             }

@@ -75,7 +75,7 @@ internal sealed class Marcher
                 headGaze?.Update(null, null, root, motion.Speed, 1f, dt, Local, Model);
                 break;
             case CrowdStage.Springs:
-                secondary.Update(root, motion.Clearance, Vector3.Zero, dt, Local, Model);
+                secondary.Update(root, motion.Clearance, motion.Incline, Vector3.Zero, dt, Local, Model);
                 break;
             default:
                 SkinMatrices.Fill(skeleton, Model, matrices);

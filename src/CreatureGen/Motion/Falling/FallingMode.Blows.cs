@@ -6,9 +6,16 @@ using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
-/// <content>What blows do.</content>
+/// <content>What blows do, and how it goes limp.</content>
 internal sealed partial class FallingMode
 {
+    /// <summary>Has it go limp with the next update.</summary>
+    public void GoLimp()
+    {
+        goesLimp = State != BodyState.Limp;
+        getsUp = false;
+    }
+
     /// <summary>Hits a part: what does not carry the body gives and recovers, the body is pushed, and steps after it; above what balance takes it goes limp, and gets up by itself.</summary>
     /// <param name="joint">Of the part.</param>
     /// <param name="impulse">World N·s.</param>

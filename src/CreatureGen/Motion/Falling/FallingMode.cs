@@ -78,6 +78,8 @@ internal sealed partial class FallingMode : ILocomotionMode
 
     public float Clearance => State is BodyState.Falling or BodyState.Afloat ? float.PositiveInfinity : inner.Clearance;
 
+    public float Incline => State is BodyState.Falling or BodyState.Afloat ? 0f : inner.Incline;
+
     public float BalancedBank => inner.BalancedBank;
 
     /// <summary>Whether it goes on its legs and nothing else happens to it, or is about to.</summary>
@@ -102,13 +104,6 @@ internal sealed partial class FallingMode : ILocomotionMode
     private Reel Reel => reel ??= new Reel(body!.Legs.Length, body.LegLength);
 
     private FreeFall Fall => fall ??= new FreeFall(body!, profile.Value, legs!);
-
-    /// <summary>Has it go limp with the next update.</summary>
-    public void GoLimp()
-    {
-        goesLimp = State != BodyState.Limp;
-        getsUp = false;
-    }
 
     /// <summary>How far it jumps.</summary>
     public JumpReach ReachOf(float scale, float gravity) => legs == null ? default : Leap.Reach(scale, gravity);

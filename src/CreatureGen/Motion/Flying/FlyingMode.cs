@@ -58,6 +58,8 @@ internal sealed class FlyingMode : ILocomotionMode
 
     public float Clearance => IsOnFeet ? 0f : (float)state.Height.Value;
 
+    public float Incline => IsOnFeet ? legs!.Incline : 0f;
+
     public float BalancedBank => IsOnFeet ? 0f : (float)(state.Air.Value * state.Bank);
 
     public bool Escapes => false;

@@ -30,6 +30,9 @@ internal interface ILocomotionMode
     /// <summary>Height of the root above what tails must not go into, metres of the model; infinite where there is nothing.</summary>
     float Clearance { get; }
 
+    /// <summary>How that goes on along the body: metres up for each metre ahead.</summary>
+    float Incline { get; }
+
     /// <summary>How far the body leans to its left, radians, so that its weight and the turn that it flies balance: what hangs on it feels no push to the side. 0 where the ground or water carries it.</summary>
     float BalancedBank { get; }
 

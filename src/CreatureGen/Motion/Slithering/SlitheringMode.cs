@@ -33,6 +33,8 @@ internal sealed class SlitheringMode : ILocomotionMode
 
     public float Clearance => 0f;
 
+    public float Incline => 0f;
+
     public float BalancedBank => 0f;
 
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)

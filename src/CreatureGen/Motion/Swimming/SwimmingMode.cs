@@ -34,6 +34,8 @@ internal sealed class SwimmingMode : ILocomotionMode
 
     public float Clearance => float.PositiveInfinity;
 
+    public float Incline => 0f;
+
     public float BalancedBank => 0f;
 
     public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)

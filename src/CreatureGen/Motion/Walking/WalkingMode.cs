@@ -117,6 +117,8 @@ internal sealed partial class WalkingMode : ILocomotionMode
 
     public float Clearance => 0f;
 
+    public float Incline => placer.Climb;
+
     public float BalancedBank => 0f;
 
     /// <inheritdoc/>
