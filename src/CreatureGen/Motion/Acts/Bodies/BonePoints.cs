@@ -56,9 +56,10 @@ internal sealed class BonePoints
         {
             Vector3 place = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
             float height = ground.HeightOf(place);
-            if (height < 0f)
+            float away = LevelSquared(place - pivot);
+            if (height < 0f && away > shortest)
             {
-                max = Math.Max(max, -height / (float)Math.Sqrt(Math.Max(LevelSquared(place - pivot), shortest)));
+                max = Math.Max(max, -height / (float)Math.Sqrt(away));
             }
         }
 

@@ -105,11 +105,11 @@ internal static class Attacks
 
     /// <summary>As scorpions do: the tail rolled up over a body that crouches, and struck out ahead.</summary>
     private static Act OverBack() => new Act("Sting", ActKind.Strike,
-        new ActPhase("cock", 2f).To(TailPitch, 1.1f).To(TailCurl, 1.2f).To(HindDown, -0.15f).To(ForeDown, 0.35f).To(Ahead, -0.08f).To(NeckPitch, -0.15f).To(HeadPitch, 0.1f).To(Jaw, 0.3f).To(Ears, 0.8f).AtLeast(Seen).Then(ActMark.Commit),
+        new ActPhase("cock", 3.5f).To(TailPitch, 1.1f).To(TailCurl, 1.2f).To(HindDown, -0.15f).To(ForeDown, 0.35f).To(Ahead, -0.08f).To(NeckPitch, -0.15f).To(HeadPitch, 0.1f).To(Jaw, 0.3f).To(Ears, 0.8f).AtLeast(Seen).Then(ActMark.Commit),
         new ActPhase("strike", 0.55f, ActEase.In).To(Ahead, 0.1f).To(TailPitch, 2f).To(TailCurl, 0.4f).To(Reach, 0.85f),
         new ActPhase("hit", 0.2f, ActEase.Out).To(Reach, 1f).Then(ActMark.Contact),
         new ActPhase("hold", 0.5f),
-        new ActPhase("draw back", 1.4f).To(Reach, 0f).To(TailPitch, 1.1f).To(TailCurl, 0.9f).To(Ahead, 0f),
+        new ActPhase("draw back", 3f).To(Reach, 0f).To(TailPitch, 1.1f).To(TailCurl, 0.9f).To(Ahead, 0f),
         new ActPhase("recover", 2.4f).To(TailPitch, 0f).To(TailCurl, 0f).To(HindDown, 0f).To(ForeDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(Jaw, 0f).To(Ears, 0f))
         .With(ActTool.Tail).OnTheSpot();
 }
