@@ -11,7 +11,7 @@ namespace CreatureGen.Motion.Acts.Bodies;
 /// <summary>The outermost points of the skin of each bone, rigid to it: what can touch the ground. A few hundred stand for all vertices.</summary>
 internal sealed class BonePoints
 {
-    /// <summary>Part of the level distance of the farthest point within which a point counts as that far from its pivot.</summary>
+    /// <summary>Part of the level distance of the farthest point within which a point is not asked: it lies where the pivot lies.</summary>
     private const float ShortestLever = 0.25f;
 
     private readonly (int Joint, Vector3 Point)[] points;
@@ -36,7 +36,7 @@ internal sealed class BonePoints
     /// <summary>Those of some joints.</summary>
     public BonePoints Of(Predicate<int> joints) => new(Array.FindAll(points, point => joints(point.Joint)));
 
-    /// <summary>The angle about an axis to the left by which what hangs on a joint has to be raised so that nothing of it is in the ground, radians; 0 for none.</summary>
+    /// <summary>The angle about an axis to the left by which what hangs on a joint has to be raised so that nothing of it but what is next to the joint is in the ground, radians; 0 for none.</summary>
     /// <param name="ground">That it may be in.</param>
     /// <param name="pivot">Model space.</param>
     /// <param name="model">Pose in model space.</param>
@@ -50,7 +50,7 @@ internal sealed class BonePoints
             farthest = Math.Max(farthest, LevelSquared(place - pivot));
         }
 
-        // What is close to the pivot is hardly raised by any angle.
+        // What is close to the pivot is hardly raised by any angle: it would ask for all that there is.
         float shortest = Math.Max(ShortestLever * ShortestLever * farthest, 1e-8f);
         foreach ((int joint, Vector3 point) in points)
         {

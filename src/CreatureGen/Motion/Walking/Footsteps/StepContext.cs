@@ -30,7 +30,7 @@ internal readonly struct StepContext
         }
     }
 
-    /// <summary>Where the creature is at the end of the step.</summary>
+    /// <summary>Where the creature is at the end of the step. A field, as the velocity is: both are called upon, and a property would be copied for it.</summary>
     public readonly RootPlace Frame;
 
     public readonly RootVelocity RootVelocity;

@@ -3,7 +3,7 @@ using CreatureGen.Motion.Walking.Pace;
 
 namespace CreatureGen.Motion.Walking.Trunk;
 
-/// <summary>What the body goes by in an update.</summary>
+/// <summary>What the body goes by in an update. What is large is in fields: what is read of a property is read of a copy of all of it.</summary>
 internal readonly struct BodyContext
 {
     public BodyContext(GaitClock clock, in RootVelocity velocity, in MotionSettings settings, float step, float activity, in IdlePose idle, float acceleration, float upright, float bow, float facing)
