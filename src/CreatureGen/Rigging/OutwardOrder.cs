@@ -10,24 +10,22 @@ internal static class OutwardOrder
     public static int[] Of(ReadOnlySpan<int> parents)
     {
         int[] depths = new int[parents.Length];
-        int[] order = new int[parents.Length];
-        for (int i = 1; i < depths.Length; i++)
+        int[] begins = new int[parents.Length + 1];
+        for (int i = 0; i < depths.Length; i++)
         {
-            depths[i] = depths[parents[i]] + 1;
-            order[i] = i;
+            depths[i] = i == 0 ? 0 : depths[parents[i]] + 1;
+            begins[depths[i] + 1]++;
         }
 
-        // Insertion sort: stable, and joints are nearly in order where chains are short.
-        for (int i = 1; i < order.Length; i++)
+        for (int depth = 1; depth < begins.Length; depth++)
         {
-            int joint = order[i];
-            int k = i;
-            for (; k > 0 && depths[order[k - 1]] > depths[joint]; k--)
-            {
-                order[k] = order[k - 1];
-            }
+            begins[depth] += begins[depth - 1];
+        }
 
-            order[k] = joint;
+        int[] order = new int[parents.Length];
+        for (int i = 0; i < order.Length; i++)
+        {
+            order[begins[depths[i]]++] = i;
         }
 
         return order;
