@@ -27,6 +27,9 @@ internal sealed class SwimDisc
     private const double Steering = 0.3;
     private const double Cup = 0.25;
 
+    /// <summary>How far both halves are raised to push off, radians.</summary>
+    private const double PushRaise = 0.4;
+
     /// <summary>Least width of the beat, of that at cruise: standing in the water it keeps itself up.</summary>
     private const double MinWidth = 0.34;
 
@@ -58,7 +61,7 @@ internal sealed class SwimDisc
         double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
         double width = (MinWidth + ((1 - MinWidth) * stroke.Amplitude)) * (1 - (Steering * inside));
         double phase = (Tau * stroke.Phase) - lag;
-        double raised = level + (Cup * stroke.Brake);
+        double raised = level + (Cup * stroke.Brake) + (PushRaise * stroke.Push);
         chain.Write(local, side, 0, chain.Stroke(0, raised + (Beat * width * PortableMath.Cos(phase)), 0, 0));
         for (int k = 1; k < chain.Count; k++)
         {

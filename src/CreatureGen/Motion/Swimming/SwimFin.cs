@@ -11,6 +11,11 @@ internal sealed class SwimFin
 {
     private const double Tau = 2 * PortableMath.Pi;
 
+    /// <summary>How far flippers are raised, drawn forward and turned edge on to push off, radians; they come down, back and flat by half of that.</summary>
+    private const double PushRaise = 0.5;
+    private const double PushDraw = 0.55;
+    private const double PushTurn = 0.6;
+
     private readonly PairedChain chain;
     private readonly bool fore;
 
@@ -95,11 +100,12 @@ internal sealed class SwimFin
         double backing = 1 - (2 * stroke.Back);
         double tip = PortableMath.Cos((Tau * stroke.Phase) - lag - 0.9);
         double flare = stroke.Brake;
+        double push = (fore ? 1 : 0.64) * stroke.Push;
         return new FinAngles
         {
-            Raise = (size * ((flying * 0.55 * cosine) - (rowing * 0.16 * sine))) - 0.05 - (0.1 * flare) + (0.1 * inside),
-            Sweep = (size * ((flying * 0.16 * sine) - (rowing * backing * 0.42 * cosine))) + 0.05 - (0.45 * flare),
-            Twist = (size * ((flying * 0.50 * sine) - (rowing * ((0.9 * power) - 0.25)))) - (0.5 * flare) - (0.25 * stroke.Rise * (fore ? 1 : -1)),
+            Raise = (size * ((flying * 0.55 * cosine) - (rowing * 0.16 * sine))) - 0.05 - (0.1 * flare) + (0.1 * inside) + (PushRaise * push),
+            Sweep = (size * ((flying * 0.16 * sine) - (rowing * backing * 0.42 * cosine))) + 0.05 - (0.45 * flare) - (PushDraw * push),
+            Twist = (size * ((flying * 0.50 * sine) - (rowing * ((0.9 * power) - 0.25)))) - (0.5 * flare) - (0.25 * stroke.Rise * (fore ? 1 : -1)) + (PushTurn * push),
             TipRaise = size * ((flying * 0.34 * tip) + (rowing * 0.1 * tip)),
             TipSweep = -size * rowing * 0.22 * sine,
         };

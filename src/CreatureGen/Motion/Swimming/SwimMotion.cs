@@ -39,11 +39,25 @@ internal static class SwimMotion
     /// <summary>How far the whole body bends with each beat, from nose to tail, as it gets faster as hard as it can, radians: it leaves with a stroke that is more than its wave.</summary>
     private const double StrokeBend = 0.35;
 
-    /// <summary>Part of its thrust from which on that is as hard as it can.</summary>
+    /// <summary>Part of its thrust from which on that is as hard as it can, and how much more sharply than the rest of its motion it comes to that.</summary>
     private const double StrokePart = 0.6;
+    private const double StrokeSharpness = 2;
+
+    /// <summary>How far the body bends from nose to tail as it pushes off, radians, and how much of that more towards the tail.</summary>
+    private const double PushBend = 1.2;
+    private const double PushInTail = 1.2;
+
+    /// <summary>Where the body keeps its heading as it bends with its strokes, body lengths behind the nose: heads are steadier than tails.</summary>
+    private const double SteadyPart = 0.35;
+
+    /// <summary>Part of a cycle from when it begins to push off until it strikes: there its wave is to have its tail where the strike ends.</summary>
+    private const double StrikePhase = 0.25;
 
     /// <summary>Sharpness with which it comes to turn, in cycles at cruise: the body bends first.</summary>
     private const double YawResponse = 3.5;
+
+    /// <summary>Body lengths that it goes before its tail bends as its head does: the rear follows the way of the front.</summary>
+    private const double TailWay = 0.25;
 
     /// <summary>Most that a steady turn bends the body from nose to tail, radians.</summary>
     private const double DeepestTurn = 1.25;
@@ -169,11 +183,16 @@ internal static class SwimMotion
         state.Phase += state.Frequency.Step(backwards ? -tempo * cycle : tempo * cycle, sharpness, dt);
         state.Phase -= Math.Floor(state.Phase);
         state.Amplitude.Step(width, sharpness, dt);
-        state.Stroke.Step(profile.IsStiff ? 0 : pushing * settings.BeatAmplitude, sharpness, dt);
+        state.Stroke.Step(profile.IsStiff ? 0 : pushing * settings.BeatAmplitude, StrokeSharpness * sharpness, dt);
+        double missing = side == 0 ? (goal / cruise) - Math.Abs(cruises) : 0;
+        state.Push.Step(Scalar.Smooth(missing / PushingGap) * Math.Min(settings.BeatAmplitude, 1), missing, cruises, PushSide(profile, yaw, state.Phase), dt * StagesPerSecond(profile));
 
         // The body lies along the arc that it swims.
         double arc = yaw * profile.BodyLength / Math.Max(Math.Abs(speed), 0.4 * cruise);
+        double bent = state.Bend.Value;
         state.Bend.Step(Curve.Bounded(arc, DeepestTurn), sharpness, dt);
+        double follows = 2 * Math.Max(Math.Abs(speed), 0.4 * cruise) / (TailWay * profile.BodyLength);
+        state.TailBend.Step(0.5 * (bent + state.Bend.Value), Math.Min(follows, sharpness), dt);
         state.Climb.Step(Curve.Bounded(PortableMath.Atan2(climb, Math.Max(Math.Abs(speed), 0.35 * cruise)), SteepestPitch), 0.7 * sharpness, dt);
         double brake = Scalar.Clamp((Math.Abs(speed) - Math.Abs(goal)) / (0.5 * cruise), 0, 1);
         state.Brake.Step(brake, 2 * sharpness, dt);
@@ -191,6 +210,18 @@ internal static class SwimMotion
         }
 
         return new BodyVelocity(new Vector3(0f, (float)(climbed / dt), (float)ahead), (float)turn);
+    }
+
+    /// <summary>To which side it curls up to push off: into its turn, or so that its tail strikes to where its wave goes on.</summary>
+    private static double PushSide(SwimProfile profile, double yaw, double phase)
+    {
+        if (profile.IsVertical || profile.IsStiff)
+        {
+            return 1;
+        }
+
+        PortableMath.SinCos(2 * PortableMath.Pi * (phase + StrikePhase), out double sine, out double cosine);
+        return (yaw != 0 ? yaw : -profile.Wave.Displacement(profile.Chain.Count, cosine, sine)) < 0 ? -1 : 1;
     }
 
     /// <summary>The least climb with so much room below it: it comes to rest above the ground, and rises out of what comes up towards it.</summary>
@@ -220,9 +251,11 @@ internal static class SwimMotion
         Span<Vector3> pivots = stackalloc Vector3[chain.Count];
         bool vertical = profile.IsVertical;
         bool escaping = state.EscapeSide != 0;
-        double calm = escaping ? EscapeCurve.Wave(state.EscapeAge) : 1;
+        double calm = (escaping ? EscapeCurve.Wave(state.EscapeAge) : 1) * (profile.IsStiff ? 1 : state.Push.Wave);
         double amplitude = state.Amplitude.Value * calm;
-        double bend = state.Bend.Value + (escaping ? state.EscapeSide * profile.Curl * EscapeCurve.Bend(state.EscapeAge) : 0);
+        double bend = (0.5 * (state.Bend.Value + state.TailBend.Value)) + (escaping ? state.EscapeSide * profile.Curl * EscapeCurve.Bend(state.EscapeAge) : 0);
+        double ahead = state.Bend.Value - state.TailBend.Value;
+        double push = profile.IsStiff ? 0 : PushBend * state.Push.Bend;
         PortableMath.SinCos(2 * PortableMath.Pi * state.Phase, out double sine, out double cosine);
 
         // With the tail, which it takes to where its wave has it.
@@ -231,8 +264,9 @@ internal static class SwimMotion
         {
             ref readonly AxialBone bone = ref chain.Bones[b];
             double along = (bone.Middle.Z - chain.Centre.Z) / chain.Length;
-            double heading = profile.Wave.Heading(b, amplitude, cosine, sine) + (stroke * along);
-            double round = bend * along;
+            double behind = SteadyPart - ((chain.Nose.Z - bone.Middle.Z) / chain.Length);
+            double heading = profile.Wave.Heading(b, amplitude, cosine, sine) + (stroke * behind) + Bent(push, -PushInTail * push, behind);
+            double round = Bent(bend, ahead, along);
             turns[b] = vertical ? Rotation.Multiply(AxisRotation.Yaw(round), AxisRotation.Pitch(-heading)) : AxisRotation.Yaw(round + heading);
         }
 
@@ -266,6 +300,12 @@ internal static class SwimMotion
             fin.Write(local, moment);
         }
     }
+
+    /// <summary>Heading of a bone of a bent body.</summary>
+    /// <param name="bend">Between nose and tail, radians.</param>
+    /// <param name="ahead">How much more the head is bent than the tail, as the bends that they would give the whole body, radians.</param>
+    /// <param name="along">How far the bone is in front of the middle, body lengths.</param>
+    private static double Bent(double bend, double ahead, double along) => along * (bend + (0.5 * ahead * along));
 
     /// <summary>Hangs the body on its centre of mass, which sways by what the recoil leaves of the wave's mean.</summary>
     private static void Place(SwimProfile profile, in SwimState state, Quaternion there, double bend, double amplitude, ReadOnlySpan<Quaternion> turns, ReadOnlySpan<Vector3> pivots, in Pose local)
@@ -323,6 +363,7 @@ internal static class SwimMotion
             Rise = Curve.Bounded(state.Climb.Value / 0.6, 1),
             Brake = state.Brake.Value,
             Back = Scalar.Smooth(-u / 0.3),
+            Push = state.Push.Bend,
         };
     }
 }

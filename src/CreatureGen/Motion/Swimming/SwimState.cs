@@ -16,11 +16,15 @@ internal struct SwimState
     internal Momentum Rise;
     internal CriticallyDampedSpring Turn;
     internal CriticallyDampedSpring Bend;
+
+    /// <summary>The bend of its tail, which gets to where its head was later.</summary>
+    internal CriticallyDampedSpring TailBend;
     internal CriticallyDampedSpring Climb;
     internal CriticallyDampedSpring Brake;
 
     /// <summary>How hard it works to get faster, 0..1: its body bends with its beat.</summary>
     internal CriticallyDampedSpring Stroke;
+    internal PushOff Push;
     internal double EscapeAge;
     internal double EscapeSide;
     internal EscapeTurn LastEscape;

@@ -35,4 +35,7 @@ internal struct SwimStroke
 
     /// <summary>0..1, how hard it backs up.</summary>
     public double Back;
+
+    /// <summary>1 drawn up to push off out of rest, negative in the stroke that follows.</summary>
+    public double Push;
 }
