@@ -46,6 +46,6 @@ internal sealed record SwimKinematics(double Wavelength, double TailSweep, doubl
 
     /// <summary>Shape of the amplitude along the body, to be scaled to the tail's sweep.</summary>
     public static double Envelope(SwimStyle style, double s) => style == SwimStyle.Anguilliform
-        ? 0.1 * PortableMath.Exp(1.1 * (s - 1)) * (0.35 + (0.65 * Scalar.Smooth(2 * s)))
+        ? 0.1 * PortableMath.Exp(0.9 * (s - 1)) * (0.45 + (0.55 * Scalar.Smooth(2 * s)))
         : 0.02 - (0.0825 * s) + (0.1625 * s * s);
 }
