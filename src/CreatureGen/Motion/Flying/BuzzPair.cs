@@ -13,6 +13,7 @@ namespace CreatureGen.Motion.Flying;
 internal sealed class BuzzPair
 {
     private const double StrokeAngle = 0.52;
+    private const double MiddleOfBeat = 0.30;
     private const double Deviation = 0.16;
     private const double Flip = 0.70;
     private const double TipBend = 0.22;
@@ -39,6 +40,7 @@ internal sealed class BuzzPair
     private readonly double lag;
     private readonly double plane;
     private readonly double incidence;
+    private readonly double reach;
 
     /// <summary>Takes a pair, how it folds, its place among those of the creature from the front, 0 the first, and how broad the wings are, 0..1.</summary>
     public BuzzPair(PairedChain chain, FoldedWing folded, int place, double breadth)
@@ -51,7 +53,8 @@ internal sealed class BuzzPair
         incidence = ThinWingBlade.RestIncidence(axis);
 
         // The stroke's middle lies a little above level.
-        level = 0.30 - PortableMath.Atan2(axis.Y, Math.Sqrt(((double)axis.X * axis.X) + ((double)axis.Z * axis.Z)));
+        reach = Math.Max(Vec.Distance(chain.Points[0], chain.Points[chain.Count]), 1e-6);
+        level = MiddleOfBeat - PortableMath.Atan2(axis.Y, Math.Sqrt(((double)axis.X * axis.X) + ((double)axis.Z * axis.Z)));
     }
 
     /// <summary>Fastest that a wing turns at its root for each radian of its beat and a width of 1: as it goes through the middle of its stroke or flips.</summary>
@@ -73,7 +76,8 @@ internal sealed class BuzzPair
         double a = stroke.Amplitude * (1 - (Steering * inside));
         double angle = 2 * PortableMath.Pi * (stroke.Phase - lag);
         PortableMath.SinCos(angle, out double sine, out double cosine);
-        double raise = level + (Shown * stroke.Shown) + (a * StrokeAngle * cosine);
+        double lift = WingFloor.Lift(stroke.Altitude + chain.Points[0].Y, reach, (a * StrokeAngle) - MiddleOfBeat);
+        double raise = level + (0.5 * lift * (1 - cosine)) + (Shown * stroke.Shown) + (a * StrokeAngle * cosine);
         double sweep = a * Deviation * 2 * sine * cosine;
         double twist = a * Flip * sine;
         double bend = a * TipBend * PortableMath.Sin(angle - TipLag);

@@ -43,6 +43,7 @@ internal static class FlightPose
             Steer = steer,
             Hover = hover,
             Drift = slow,
+            Altitude = state.Height.Value,
             LiftLeft = input.Sway.Left,
             LiftRight = input.Sway.Right,
         };

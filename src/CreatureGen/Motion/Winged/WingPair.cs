@@ -32,9 +32,17 @@ internal sealed class WingPair
     // How far each joint is raised for a wing that is shown, radians.
     private static readonly double[] shown = { 0.5, 0.12, 0.08, 0.05 };
 
+    /// <summary>How far the shoulder swings up and down, and how far above level the middle of that is with its dihedral taken back, radians.</summary>
+    private const double ShoulderBeat = 0.48;
+    private const double MiddleOfBeat = 0.10;
+
+    /// <summary>How much farther down the tip goes than the shoulder alone would take it, as an angle at the shoulder, radians.</summary>
+    private const double OuterBeat = 0.12;
+
     private readonly PairedChain chain;
     private readonly FoldedWing folded;
     private readonly double dihedral;
+    private readonly double reach;
 
     public WingPair(PairedChain chain, FoldedWing folded)
     {
@@ -42,6 +50,7 @@ internal sealed class WingPair
         this.folded = folded;
         Vector3 out2 = chain.Points[2] - chain.Points[0];
         dihedral = PortableMath.Atan2(out2.Y, out2.X);
+        reach = Math.Max(Vec.Distance(chain.Points[0], chain.Points[chain.Count]), 1e-6);
     }
 
     /// <summary>Stitched wings, folded from the rear: those before them lie over them, as tiles do.</summary>
@@ -84,6 +93,7 @@ internal sealed class WingPair
     /// <summary>Writes the joints of both sides.</summary>
     public void Write(in Pose local, in WingStroke stroke)
     {
+        double lift = WingFloor.Lift(stroke.Altitude + chain.Points[0].Y, reach, ((ShoulderBeat + OuterBeat) * stroke.Amplitude) - MiddleOfBeat - (0.28 * dihedral));
         for (int k = 0; k < chain.Count && k < Joints; k++)
         {
             WingBeat beat = WingBeat.At(stroke.Phase - lags[k]);
@@ -93,12 +103,12 @@ internal sealed class WingPair
                 chain.Draw(local, k, Scalar.Lerp(folded.LengthOf(k - 1), 1f, (float)open));
             }
 
-            Write(local, Side.Left, k, beat, stroke, open);
-            Write(local, Side.Right, k, beat, stroke, open);
+            Write(local, Side.Left, k, beat, stroke, open, k == 0 ? lift : 0);
+            Write(local, Side.Right, k, beat, stroke, open, k == 0 ? lift : 0);
         }
     }
 
-    private void Write(in Pose local, Side side, int k, in WingBeat beat, in WingStroke stroke, double open)
+    private void Write(in Pose local, Side side, int k, in WingBeat beat, in WingStroke stroke, double open, double lift)
     {
         double inside = side == Side.Left ? stroke.Steer : -stroke.Steer;
         Beating(k, beat, stroke, inside, out double raise, out double sweep, out double twist);
@@ -110,7 +120,7 @@ internal sealed class WingPair
             twist = Scalar.Lerp(twist, glideTwist, stroke.Glide);
         }
 
-        Quaternion spread = chain.Stroke(k, raise + (shown[k] * stroke.Shown), sweep, twist);
+        Quaternion spread = chain.Stroke(k, raise + (0.5 * lift * (1 - beat.Height)) + (shown[k] * stroke.Shown), sweep, twist);
         if (open < Spread)
         {
             // On the way the shoulder is raised, so that the tip does not sweep over the ground.
@@ -127,7 +137,7 @@ internal sealed class WingPair
         switch (joint)
         {
             case 0:
-                raise = (-0.72 * dihedral) + 0.10 + (0.48 * a * b.Height) - (0.05 * inside);
+                raise = (-0.72 * dihedral) + MiddleOfBeat + (ShoulderBeat * a * b.Height) - (0.05 * inside);
                 sweep = -0.06 + (a * ((-0.16 * b.Sine) + (0.18 * b.Up))) - (0.22 * stroke.Flare);
                 twist = WingForm.RestIncidence + (a * ((0.10 * b.Down) - (0.16 * b.Up))) - (0.30 * stroke.Flare);
                 break;

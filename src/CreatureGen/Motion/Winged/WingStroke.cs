@@ -30,6 +30,9 @@ internal struct WingStroke
     /// <summary>−1..1, a slow swing.</summary>
     public double Drift;
 
+    /// <summary>How far the body is above where it stands, metres.</summary>
+    public double Altitude;
+
     /// <summary>How far folded wings are off the flank, radians.</summary>
     public double LiftLeft;
 
