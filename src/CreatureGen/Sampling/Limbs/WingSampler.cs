@@ -47,6 +47,9 @@ internal static class WingSampler
     private const int FirstOfTrunk = 26;
     private const int LastOfTrunk = 40;
 
+    /// <summary>Degrees; thin wings that point farther back lie along the body.</summary>
+    private const double FoldedAzimuth = -60;
+
     /// <summary>Length of the torso that a creature's wings are made for, metres: those of small bodies are larger for it.</summary>
     public static double CarriedTorso(CreatureBuilder builder) => Math.Min(Math.Max(builder.TorsoLength, MinTorso), MaxEnlargement * builder.TorsoLength);
 
@@ -65,17 +68,29 @@ internal static class WingSampler
         return Scalar.Lerp(own, Math.Max(own, min), builder.Fitting);
     }
 
-    /// <summary>Adds thin wings of a species' own.</summary>
+    /// <summary>Adds thin wings of a species' own. They are most of an outline, so that those of mixed creatures differ in form and in how they are held.</summary>
     public static void AddThin(CreatureBuilder builder, ThinWing[] wings)
     {
         RandomStream random = builder.Stream("thin wings");
         double size = random.Uniform(0.9, 1.1);
         double breadth = random.Uniform(0.92, 1.08);
         double rise = random.Uniform(-1, 1);
-        foreach (ThinWing wing in wings)
+        RandomStream form = builder.Stream("thin wing form");
+        double longer = form.Uniform(-0.2, 0.15);
+        double broader = form.Uniform(-0.2, 0.2);
+        double hind = form.Uniform(-0.25, 0.2);
+        double higher = form.Uniform(-12, 12);
+        double parted = form.Uniform(-3, 12);
+        for (int i = 0; i < wings.Length; i++)
         {
-            double elevation = wing.Elevation + (wing.Azimuth < -60 ? 0 : 6 * rise);
-            builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.5, wing.Length * size, wing.Width * size * breadth, Scalar.Radians(wing.Azimuth), Scalar.Radians(elevation), wing.Style));
+            ThinWing wing = wings[i];
+            bool folded = wing.Azimuth < FoldedAzimuth;
+            double freedom = folded ? 0 : builder.Fitting;
+            double scale = (1 + (freedom * longer)) * (i == 0 ? 1 : 1 + (freedom * hind));
+            double width = wing.Width * size * breadth * scale * (1 + (freedom * broader));
+            double azimuth = wing.Azimuth + (freedom * (i == 0 ? parted : -parted));
+            double elevation = wing.Elevation + (folded ? 0 : 6 * rise) + (freedom * higher);
+            builder.InsectWings.Add(new InsectWingBlueprint(wing.Ring, 2.5, wing.Length * size * scale, width, Scalar.Radians(azimuth), Scalar.Radians(elevation), wing.Style));
         }
     }
 

@@ -99,6 +99,13 @@ internal static class ParentSampler
         }
 
         parents = Harmony.Settle(parents, own, kind);
+        foreach (SpeciesProfile other in new[] { second, third })
+        {
+            // Legs and head make the outline: of what has both of its first parent there are doubles.
+            bool unmixed = parents.Legs == first && parents.Head == first;
+            parents = unmixed && distance < t * (2 - t) ? Harmony.Settle(parents with { Head = other }, own, kind) : parents;
+        }
+
         parents = distance < t * t * t ? Estranged(parents) : parents;
         parents = kind == LocomotionKind.Swimming ? parents with { Paddles = PaddlesOf(parents, root.Child("paddles").Stream(), t) } : parents;
         return parents with { Ears = EarsOf(parents, root.Child("foreign ears").Stream(), t) };
