@@ -52,12 +52,20 @@ internal static class WeightChecks
         void Foreign(int joint, float weight)
         {
             int other = limbs[joint];
-            if (weight >= Visible && other != 0 && other != own)
+            if (weight >= Visible && other != 0 && other != own && !IsRooted(creature, own, other))
             {
                 IReadOnlyList<Joint> joints = creature.Skeleton.Joints;
                 found.Add(CreatureInspection.WeightReach, $"vertex {vertex} at {creature.Mesh.Positions[vertex]} follows {joints[w.Joint0].Name} and with weight {weight} {joints[joint].Name}; expected joints of one limb");
             }
         }
+    }
+
+    /// <summary>Whether one is the half of a disc on which the other grows: there the disc is the body.</summary>
+    private static bool IsRooted(Creature creature, int first, int second)
+    {
+        (int limb, int disc) = (Math.Min(first, second), Math.Max(first, second));
+        int limbs = creature.Limbs.Count;
+        return limb <= limbs && disc > limbs && creature.Limbs[limb - 1].Side == (disc == limbs + 1 ? Side.Left : Side.Right);
     }
 
     /// <summary>For each joint the limb whose free part it moves, counted from 1, or 0. Girdles belong to the body.</summary>

@@ -198,6 +198,10 @@ public sealed class CreatureInspectionTests
     }
 
     [Fact]
+    public void Skin_goes_over_from_the_half_of_a_disc_into_the_fin_that_grows_on_it() =>
+        Assert.Empty(CreatureInspection.Inspect(CreatureGenerator.Generate(10140051, CreatureOptions.Default with { Kind = RequestedKind.Swimming })));
+
+    [Fact]
     public void A_limb_that_the_blueprint_asks_for_is_missed()
     {
         Creature broken = Sound with { Limbs = Sound.Limbs.Where(limb => limb.Kind != LimbKind.Leg || limb.Side != Side.Left).ToArray() };

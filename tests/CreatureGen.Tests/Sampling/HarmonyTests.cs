@@ -61,4 +61,22 @@ public sealed class HarmonyTests
             Assert.True(body.Disc.Sweep != 0 || SpeciesCatalogue.Find(body.Blend.Face).Disc.Sweep == 0, FormattableString.Invariant($"{seed}: a {body.Blend.First} with the face of a ray"));
         }
     }
+
+    [Fact]
+    public void Hardly_anybody_that_is_mixed_has_legs_and_head_of_its_first_parent()
+    {
+        int unmixed = 0;
+        int all = 0;
+        for (ulong seed = 9971001; seed <= 9971200; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+            BodyBlend blend = creature.Body.Blend;
+            bool choosy = SpeciesCatalogue.Find(blend.First).Class == AnimalClass.Arthropod || creature.Plan == BodyPlan.Legless;
+            all += choosy ? 0 : 1;
+            unmixed += !choosy && blend.Face == blend.First && blend.Manner == blend.First ? 1 : 0;
+        }
+
+        Assert.InRange(unmixed, 0, all / 10);
+        Assert.InRange(all, 80, 200);
+    }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
@@ -28,6 +29,23 @@ public sealed class SpreadWingTests
         }
 
         Assert.InRange(seen, 30, 80);
+    }
+
+    [Fact]
+    public void Hind_wings_of_mixed_butterflies_are_larger_or_smaller_and_those_of_animals_are_not()
+    {
+        Assert.Equal(0.0, Spread(0), 12);
+        Assert.True(Spread(0.6) > 0.25);
+
+        static double Spread(double strangeness)
+        {
+            double[] ratios = Enumerable.Range(9_943_001, 24)
+                .Select(seed => BlueprintSampler.Sample((ulong)seed, CreatureOptions.Default with { Kind = RequestedKind.Flying, Strangeness = strangeness, BaseBodies = new ValueList<BaseBodyWeight>([new BaseBodyWeight("butterfly", 1000)]) }))
+                .Where(flier => flier.InsectWings.Count == 2 && flier.InsectWings[0].Style == ThinWingStyle.ButterflyFore)
+                .Select(flier => flier.InsectWings[1].Length / flier.InsectWings[0].Length)
+                .ToArray();
+            return ratios.Max() - ratios.Min();
+        }
     }
 
     /// <summary>Mean depth of the left wing as it is seen from the front, in its lengths from shoulder to tip.</summary>
