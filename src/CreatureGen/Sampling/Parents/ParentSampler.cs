@@ -101,8 +101,8 @@ internal static class ParentSampler
         parents = Harmony.Settle(parents, own, kind);
         foreach (SpeciesProfile other in new[] { second, third })
         {
-            // Legs and head make the outline, of insects their wings: of what has both of its first parent there are doubles.
-            bool unmixed = parents.Legs == first && parents.Head == first && first.Class != AnimalClass.Arthropod;
+            // Legs and head make the outline, of insects and fliers the wings: of what has both of its first parent there are doubles.
+            bool unmixed = parents.Legs == first && parents.Head == first && first.Class != AnimalClass.Arthropod && kind != LocomotionKind.Flying;
             parents = unmixed && distance < t * (2 - t) ? Harmony.Settle(parents with { Head = other }, own, kind) : parents;
         }
 
