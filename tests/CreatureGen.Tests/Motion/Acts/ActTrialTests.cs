@@ -111,12 +111,35 @@ public class ActTrialTests
         Assert.InRange(new ActTrial(profile.Acts.Find(act)).Run(profile).Penetration ?? 0f, 0f, 0.01f);
     }
 
-    [Fact]
-    public void A_swing_of_the_trunk_is_tried_at_its_ends_and_not_at_a_few_moments()
+    [Theory]
+    [InlineData(9997082, "Sniff", Explicit = true)]
+    [InlineData(9998566, "Shake")]
+    public void A_swing_of_the_trunk_is_tried_at_its_ends_and_not_at_a_few_moments(ulong seed, string act)
     {
-        // A hind foot slid by .0104 of its leg between two of the moments at which it was looked at.
-        var profile = new MotionProfile(CreatureGenerator.Generate(9997082, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
-        Assert.InRange(new ActTrial(profile.Acts.Find("Sniff")).Run(profile).FootSlip ?? 0f, 0f, 0.008f);
+        // Feet slid by .0104 and .0201 of their legs between two of the moments at which they were looked at.
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.InRange(new ActTrial(profile.Acts.Find(act)).Run(profile).FootSlip ?? 0f, 0f, 0.008f);
+    }
+
+    [Theory]
+    [InlineData(9998523, "Sit")]
+    [InlineData(9998523, "Scratch", Explicit = true)]
+    [InlineData(9998567, "Sit", Explicit = true)]
+    [InlineData(9998511, "Die", Explicit = true)]
+    public void Skin_at_folded_hips_stays_above_the_ground_though_several_bones_move_it(ulong seed, string act)
+    {
+        // .020 to .023 of the body's length was in the ground, where a thigh alone would have left .010.
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.InRange(new ActTrial(profile.Acts.Find(act)).Run(profile).Penetration ?? 0f, 0f, 0.015f);
+    }
+
+    [Theory]
+    [InlineData("Eat")]
+    [InlineData("Drink", Explicit = true)]
+    public void A_head_brought_below_its_own_neck_does_not_turn_from_side_to_side(string act)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(9998509, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        Assert.InRange(new ActTrial(profile.Acts.Find(act)).Run(profile).JointSpeed, 0f, 30f);
     }
 
     [Theory]

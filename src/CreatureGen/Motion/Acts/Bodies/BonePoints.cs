@@ -8,32 +8,30 @@ using CreatureGen.Skinning;
 
 namespace CreatureGen.Motion.Acts.Bodies;
 
-/// <summary>The outermost points of the skin of each bone, rigid to it: what can touch the ground. A few hundred stand for all vertices.</summary>
+/// <summary>The outermost points of the skin of each bone: what can touch the ground. A few hundred stand for all vertices. They follow all joints that move their skin, for at a folded hip that is far from where the thigh alone would have it.</summary>
 internal sealed class BonePoints
 {
     /// <summary>Part of the level distance of the farthest point within which a point is not asked: it lies where the pivot lies.</summary>
     private const float ShortestLever = 0.25f;
 
-    private readonly (int Joint, Vector3 Point)[] points;
+    private readonly SkinPoint[] points;
 
-    private BonePoints((int, Vector3)[] points) => this.points = points;
+    private BonePoints(SkinPoint[] points) => this.points = points;
 
     /// <summary>Those of a creature.</summary>
     public static BonePoints Of(MotionSubject subject)
     {
-        Skeleton skeleton = subject.Skeleton;
         CreatureMesh mesh = subject.Mesh;
-        var points = new List<(int, Vector3)>();
-        foreach (int v in OutermostVertices.Of(mesh.Positions, mesh.Weights, skeleton.Count))
+        var points = new List<SkinPoint>();
+        foreach (int v in OutermostVertices.Of(mesh.Positions, mesh.Weights, subject.Skeleton.Count))
         {
-            int joint = mesh.Weights[v].Joint0;
-            points.Add((joint, Rotation.Rotate(Rotation.Inverse(skeleton.ModelRotations[joint]), mesh.Positions[v] - skeleton.ModelPositions[joint])));
+            points.Add(new SkinPoint(subject.Skeleton, mesh.Positions[v], mesh.Weights[v]));
         }
 
         return new BonePoints(points.ToArray());
     }
 
-    /// <summary>Those of some joints.</summary>
+    /// <summary>Those that some joints move most.</summary>
     public BonePoints Of(Predicate<int> joints) => new(Array.FindAll(points, point => joints(point.Joint)));
 
     /// <summary>The angle about an axis to the left by which what hangs on a joint has to be raised so that nothing of it but what is next to the joint is in the ground, radians; 0 for none.</summary>
@@ -44,17 +42,17 @@ internal sealed class BonePoints
     {
         float max = 0f;
         float farthest = 0f;
-        foreach ((int joint, Vector3 point) in points)
+        foreach (SkinPoint point in points)
         {
-            Vector3 place = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
+            Vector3 place = point.PlaceIn(model);
             farthest = Math.Max(farthest, LevelSquared(place - pivot));
         }
 
         // What is close to the pivot is hardly raised by any angle: it would ask for all that there is.
         float shortest = Math.Max(ShortestLever * ShortestLever * farthest, 1e-8f);
-        foreach ((int joint, Vector3 point) in points)
+        foreach (SkinPoint point in points)
         {
-            Vector3 place = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
+            Vector3 place = point.PlaceIn(model);
             float height = ground.HeightOf(place);
             float away = LevelSquared(place - pivot);
             if (height < 0f && away > shortest)
@@ -75,9 +73,9 @@ internal sealed class BonePoints
         float ahead = 0f;
         float back = 0f;
         float above = ground.HeightOf(pivot);
-        foreach ((int joint, Vector3 point) in points)
+        foreach (SkinPoint point in points)
         {
-            Vector3 place = model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point);
+            Vector3 place = point.PlaceIn(model);
             float height = ground.HeightOf(place);
             if (height < 0f)
             {
@@ -99,9 +97,9 @@ internal sealed class BonePoints
     public float Lowest(in ActGround ground, in Pose model)
     {
         float lowest = float.MaxValue;
-        foreach ((int joint, Vector3 point) in points)
+        foreach (SkinPoint point in points)
         {
-            lowest = Math.Min(lowest, ground.HeightOf(model.Positions[joint] + Rotation.Rotate(model.Rotations[joint], point)));
+            lowest = Math.Min(lowest, ground.HeightOf(point.PlaceIn(model)));
         }
 
         return lowest;
@@ -111,9 +109,9 @@ internal sealed class BonePoints
     public float Lowest(in Pose model)
     {
         float lowest = float.MaxValue;
-        foreach ((int joint, Vector3 point) in points)
+        foreach (SkinPoint point in points)
         {
-            lowest = Math.Min(lowest, model.Positions[joint].Y + Rotation.Rotate(model.Rotations[joint], point).Y);
+            lowest = Math.Min(lowest, point.PlaceIn(model).Y);
         }
 
         return lowest;

@@ -26,6 +26,9 @@ internal sealed class Performer
     /// <summary>How far lids are shut that see nothing.</summary>
     private const float Asleep = 0.6f;
 
+    /// <summary>How far ahead of the neck's root a snout's target counts at least, parts of the leg.</summary>
+    private const float LeastAhead = 0.25f;
+
     private readonly ActBody body;
     private readonly TrunkRoom room;
     private readonly ActPlayer player = new();
@@ -353,11 +356,12 @@ internal sealed class Performer
         }
     }
 
-    /// <summary>Where the snout is to point: at the target from where the neck begins, as far down as the act says.</summary>
+    /// <summary>Where the snout is to point: at the target from where the neck begins, as far down as the act says. What is below that point, or behind it, has no direction of its own: the snout points ahead.</summary>
     private Vector3 Direction(in ActAim what, Vector3 target, in Pose model)
     {
         Vector3 way = target - model.Positions[body.Bearers[0]];
         way.Y = 0f;
+        way.Z = Math.Max(way.Z, LeastAhead * body.Unit);
         Vector3 level = Vec.Normalize(way, Vector3.UnitZ);
         PortableMath.SinCos(what.SnoutDown, out double sine, out double cosine);
         return (level * (float)cosine) - new Vector3(0f, (float)sine, 0f);

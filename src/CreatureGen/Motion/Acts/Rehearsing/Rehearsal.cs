@@ -253,7 +253,7 @@ internal sealed class Rehearsal
         }
     }
 
-    /// <summary>Moments at which a phase is looked at: enough of them to see the ends of swings that feet or the ground bound.</summary>
+    /// <summary>Moments at which a phase is looked at: enough of them to see the ends of swings that feet or the ground bound, and one more, so that each cycle is seen at places of its own.</summary>
     private static int MomentsOf(ActPhase phase)
     {
         float cycles = 0f;
@@ -263,7 +263,7 @@ internal sealed class Rehearsal
             cycles = moves ? Math.Max(cycles, wave.Cycles) : cycles;
         }
 
-        return Math.Max(Moments, (int)(MomentsOfCycle * cycles));
+        return Math.Max(Moments, (int)(MomentsOfCycle * cycles) + 1);
     }
 
     private ActReach? ReachOf(Act act, ActGain gain, Vector3 usual)
