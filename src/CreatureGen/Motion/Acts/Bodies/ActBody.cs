@@ -47,6 +47,7 @@ internal sealed class ActBody
         Fins = subject.Limbs.Where(limb => limb.Kind == LimbKind.Pectoral || (limb.Kind == LimbKind.Wing && subject.Kind != LocomotionKind.Flying && !(legs != null && SpreadWings.Is(Skeleton, limb)))).ToArray();
         Size = SizeOf();
         Unit = legs?.LegLength ?? Size / LegsPerBody;
+        Depth = legs == null ? 0f : Math.Max(0f, Skeleton.ModelPositions[Body].Y - legs.BellyHeight);
         if (legs != null)
         {
             ForeFeet = Pair(legs, legs.Rows - 1);
@@ -85,8 +86,10 @@ internal sealed class ActBody
     /// <summary>The leg length of its acts, metres.</summary>
     public float Unit { get; }
 
-    /// <summary>The joint that carries the trunk.</summary>
+    /// <summary>The joint that carries the trunk, and how far its belly is below that, metres; 0 without legs.</summary>
     public int Body { get; }
+
+    public float Depth { get; }
 
     /// <summary>Joints from pelvis to chest, the chest with them.</summary>
     public int[] Spine { get; }
@@ -211,6 +214,7 @@ internal sealed class ActBody
         Add(ActNeeds.Lids, Joints(JointRole.Lid).Length > 0);
         Add(ActNeeds.Sting, Subject.HasSting && Tail.Count > 0);
         Add(ActNeeds.Abdomen, Legs is { HasAbdomen: true } && Tail.Count > 0);
+        Add(ActNeeds.Flanks, Legs != null && Arms.Length == 0 && !SpreadWings.Of(Subject));
         return has;
 
         void Add(ActNeeds part, bool there) => has |= there ? part : ActNeeds.None;

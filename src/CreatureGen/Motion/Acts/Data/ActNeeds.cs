@@ -41,4 +41,7 @@ public enum ActNeeds
 
     /// <summary>The abdomen of an insect.</summary>
     Abdomen = 1024,
+
+    /// <summary>Flanks to lie on: neither arms nor spread wings beside them.</summary>
+    Flanks = 2048,
 }

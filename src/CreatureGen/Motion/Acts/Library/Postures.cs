@@ -24,6 +24,16 @@ internal static class Postures
         new ActPhase("wake", 2.4f).To(Lids, 0f).To(NeckPitch, 0.1f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, -0.3f).To(TailSide, 0f),
     };
 
+    // Over onto the flank out of lying, and back onto the belly.
+    private static readonly ActPhase[] sleepOnFlank =
+    {
+        OnFlankFrom("roll over", 3.5f, ActEase.Smooth).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(NeckPitch, -0.1f).To(TailSide, 0.7f).To(Lids, 0.8f).To(Ears, 0.35f),
+        new ActPhase("nod", 1.6f).To(NeckSide, 0.9f).To(Lids, 1f),
+        new ActPhase("sleep", 14f).Lasting().With(new ActWave(BackPitch, 0.012f, 2.5f)),
+        new ActPhase("wake", 1.6f).To(Lids, 0.2f).To(NeckSide, 0.1f).To(NeckPitch, 0.1f).To(Ears, -0.3f),
+        new ActPhase("roll back", 3f).To(OnFlank, 0f).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(TailSide, 0f).To(Lids, 0f),
+    };
+
     public static readonly Act[] All =
     {
         new Act("Sit", ActKind.Posture,
@@ -37,6 +47,8 @@ internal static class Postures
         Lying("Lie", GettingDownOnHooves(lie)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
         Lying("Lie", GettingDownUpright(propped)).For(BodyBuild.Upright),
         Lying("Lie", GettingDown(lie)).For(BodyBuild.Standing),
+        Lying("Sleep", GettingDownOnPaws(sleepOnFlank)).Needing(ActNeeds.FourLegs | ActNeeds.Flanks).For(BodyBuild.Pawed),
+        Lying("Sleep", GettingDownOnHooves(sleepOnFlank)).Needing(ActNeeds.FourLegs | ActNeeds.Flanks).For(BodyBuild.Hoofed | BodyBuild.Columnar),
         Lying("Sleep", GettingDownOnPaws(sleep)).For(BodyBuild.Pawed),
         Lying("Sleep", GettingDownOnHooves(sleep)).For(BodyBuild.Hoofed | BodyBuild.Columnar),
         Lying("Sleep", GettingDownUpright(sleep)).For(BodyBuild.Upright),
@@ -55,6 +67,17 @@ internal static class Postures
             new ActPhase("squat", 2.2f).To(ForeFold, 0f).To(HindFold, 0.6f).To(HindDown, 0.6f).To(ArmsAhead, 0.3f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f),
             new ActPhase("rise", 2.2f).To(HindDown, 0f).To(HindFold, 0f).To(ArmsAhead, 0f).To(ArmsOut, 0f).To(Ears, 0f).To(TailSide, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Legs).For(BodyBuild.Upright).OnTheSpot(),
+        new Act("Die", ActKind.Posture,
+            new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
+            new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
+            new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.1f).To(NeckSide, 0.2f).To(Roll, 0f).To(OnFlank, 0.3f),
+            OnFlankFrom("topple", 1.8f, ActEase.In).To(NeckSide, 0.9f).To(NeckPitch, 0.1f).To(HeadSide, 0.3f).To(TailSide, 0.9f).To(Jaw, 0.3f),
+            new ActPhase("settle", 1.2f, ActEase.Out).To(NeckPitch, -0.1f).To(Lids, 0.8f),
+            new ActPhase("still", 5f).Lasting(),
+            new ActPhase("gather", 2.6f).To(OnFlank, 0.2f).To(ForeDown, 0.9f).To(HindDown, 0.97f).To(ForeFold, 0.9f).To(HindFold, 1f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckPitch, 0f).To(NeckSide, -0.1f).To(HeadSide, 0f).To(TailSide, 0.2f),
+            new ActPhase("lift", 2.4f).To(OnFlank, 0f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckPitch, -0.2f).To(NeckSide, 0f).To(TailSide, 0f),
+            new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f))
+            .Needing(ActNeeds.FourLegs | ActNeeds.Flanks).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar).OnTheSpot(),
         new Act("Die", ActKind.Posture,
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
             new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
@@ -78,6 +101,10 @@ internal static class Postures
             new ActPhase("rise", 3f).To(HeadRoll, 0f).To(NeckTwist, 0f).To(NeckSide, 0f).To(Jaw, 0f).To(Lids, 0f))
             .For(BodyBuild.Legless),
     };
+
+    /// <summary>Over onto the flank, legs stretched out.</summary>
+    private static ActPhase OnFlankFrom(string name, float duration, ActEase ease) =>
+        new ActPhase(name, duration, ease).To(OnFlank, 1f).To(ForeDown, Flank.Down).To(HindDown, Flank.Down).To(ForeFold, 0f).To(HindFold, 0f).To(ForeFeetPitch, Flank.ToesDown).To(HindFeetPitch, Flank.ToesDown);
 
     private static Act Lying(string name, ActPhase[] phases) => new Act(name, ActKind.Posture, phases).Needing(ActNeeds.Legs).OnTheSpot();
 

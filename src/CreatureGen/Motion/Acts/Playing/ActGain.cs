@@ -11,7 +11,7 @@ internal readonly record struct ActGain(float Whole, float Down)
     /// <summary>Factor on a channel. No body is too weak for its face.</summary>
     public float Of(ActChannel channel) => channel switch
     {
-        ActChannel.Jaw or ActChannel.Lids or ActChannel.Ears or ActChannel.Reach or ActChannel.ForeFold or ActChannel.HindFold => 1f,
+        ActChannel.Jaw or ActChannel.Lids or ActChannel.Ears or ActChannel.Reach or ActChannel.ForeFold or ActChannel.HindFold or ActChannel.OnFlank => 1f,
         ActChannel.ForeDown or ActChannel.HindDown => Whole * Down,
         _ => Whole,
     };

@@ -25,6 +25,9 @@ internal sealed class ActLayer
     /// <summary>How high an act holds a foot whose leg is not folded under the body with the others any more, parts of the leg.</summary>
     private const float Unfolded = 0.3f;
 
+    /// <summary>How far feet come to the middle below a body on its flank, parts of the way.</summary>
+    private const float Together = 0.7f;
+
     private readonly ActBody body;
     private readonly FoldedLegs folded;
 
@@ -88,6 +91,10 @@ internal sealed class ActLayer
                 folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched);
             }
 
+            // Legs go over with a body that rolls over, and come together so that it lies on its flank and not on them.
+            float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
+            Trunk.Feet[leg].Way.X -= Together * over * (1f - fold) * body.Legs.Legs[leg].Home.X;
+            Trunk.Feet[leg].Loose = Math.Max(Trunk.Feet[leg].Loose, over);
             Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);
         }
     }
@@ -149,6 +156,23 @@ internal sealed class ActLayer
 
     /// <summary>How far the jaw is let down from where it is at rest, radians; 0 without one. A mouth shuts no farther than it is at rest: its lips would cut through one another.</summary>
     public float JawTurn(float[] values) => body.Jaw < 0 ? 0f : Math.Max(0f, values[(int)ActChannel.Jaw]) * body.Skeleton.AllJoints[body.Jaw].Limit.SwingX.Max;
+
+    /// <summary>Rolls a body over onto its flank as it lies, legs and all, as a log rolls: it goes aside by what it turns.</summary>
+    /// <param name="values">Of the channels.</param>
+    /// <param name="side">1 for an act to the left, −1 to the right.</param>
+    /// <param name="local">The pose.</param>
+    /// <returns>By how much its left side is up, radians.</returns>
+    public float RollOver(float[] values, float side, in Pose local)
+    {
+        float turn = -side * values[(int)ActChannel.OnFlank] * folded.Flank;
+        if (turn != 0f)
+        {
+            local.Positions[body.Body] -= new Vector3(turn * body.Depth, 0f, 0f);
+            body.Turns.Set(local, body.Body, Rotation.Multiply(AxisRotation.Roll(turn), body.Turns.Of(local, body.Body)));
+        }
+
+        return turn;
+    }
 
     /// <summary>Moves a body that nothing carries, and bends its back.</summary>
     private void TurnTrunk(float[] values, float side, in Pose local)

@@ -212,7 +212,7 @@ internal sealed class ActPlayer
 
     /// <summary>Whether a channel has a sign for the side. Those of one foot or arm have none: what is left of them goes over to the other.</summary>
     private static bool IsOfSide(ActChannel channel) => channel is ActChannel.Aside or ActChannel.Yaw or ActChannel.Roll or ActChannel.BackSide or ActChannel.BackTwist
-        or ActChannel.NeckSide or ActChannel.NeckTwist or ActChannel.HeadSide or ActChannel.HeadRoll or ActChannel.TailSide;
+        or ActChannel.NeckSide or ActChannel.NeckTwist or ActChannel.HeadSide or ActChannel.HeadRoll or ActChannel.TailSide or ActChannel.OnFlank;
 
     private static bool IsOfFootWay(ActChannel channel) => channel is ActChannel.ForeFeetAhead or ActChannel.ForeFeetOut or ActChannel.ForeFootAhead or ActChannel.ForeFootOut
         or ActChannel.HindFeetAhead or ActChannel.HindFeetOut or ActChannel.HindFootAhead or ActChannel.HindFootOut;

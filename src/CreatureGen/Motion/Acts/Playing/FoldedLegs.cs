@@ -23,6 +23,9 @@ internal sealed class FoldedLegs
     /// <summary>Stretched out behind a body that stands upright otherwise, and lies on its chest.</summary>
     public FootWays Stretched { get; }
 
+    /// <summary>How far a trunk rolls over from its belly until it rests on its flank, radians; 0 where it would not stay there.</summary>
+    public float Flank { get; set; }
+
     /// <summary>How far a trunk tips over ahead from upright until it is level, radians.</summary>
     public float Tip { get; set; }
 
@@ -39,6 +42,7 @@ internal sealed class FoldedLegs
                 Folded.Take(found.Folded);
                 Stretched.Take(found.Stretched);
                 Tip = found.Tip;
+                Flank = found.Flank;
                 IsFound = true;
             }
         }

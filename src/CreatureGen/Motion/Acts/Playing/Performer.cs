@@ -10,7 +10,7 @@ namespace CreatureGen.Motion.Acts.Playing;
 /// <summary>What one creature on the scene performs: sequences the player, the layer and what is brought to a target, and nothing else. Allocates nothing once it is made.</summary>
 internal sealed class Performer
 {
-    /// <summary>How often neck and tail are raised off the ground, feelers too, which go deeper, and by how much at most, radians: a turn that is spread over a chain raises its end about half as far.</summary>
+    /// <summary>How often arms and jaw are brought out of the ground, and neck, tail and feelers, which go deeper, and by how much at most, radians: a turn that is spread over a chain raises its end about half as far.</summary>
     private const int ClearingRounds = 3;
     private const int FeelerRounds = 6;
     private const float MaxCleared = 0.5f;
@@ -41,6 +41,7 @@ internal sealed class Performer
     private ActAim aim;
     private ActAim lastAim;
     private float side = 1f;
+    private float over;
     private float still;
     private float stilling;
     private float stillRate = StillRate;
@@ -206,10 +207,12 @@ internal sealed class Performer
         layer.Turn(values, side, carried, local);
         ForwardKinematics.LocalToModel(body.Skeleton, local, model);
         Settled = 0f;
+        over = 0f;
         if (carried)
         {
+            RollOver(local, model);
             Settle(ground, local, model);
-            KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, ClearingRounds, local, model);
+            KeepOffGround(ground, body.Neck, body.HeadSkin, -1f, FeelerRounds, local, model);
             KeepTailOffGround(ground, local, model);
             for (int i = 0; i < body.Arms.Length; i++)
             {
@@ -245,7 +248,7 @@ internal sealed class Performer
         return joint < 0 ? root.Position : root.ToWorld(body.Tools.PlaceOf(tool, side < 0f, model));
     }
 
-    /// <summary>How far the ground has raised the body that lies on it, metres; negative where it came down to it.</summary>
+    /// <summary>How far the ground has raised the body that lies on it, metres; negative where it came down to it. 0 of one that rolls over, which the ground has to raise.</summary>
     public float Settled { get; private set; }
 
     /// <summary>Brings a body none of whose feet stands to the ground: neither in it nor in the air above it.</summary>
@@ -253,8 +256,19 @@ internal sealed class Performer
     {
         if (layer.Loose > 0f && room.Legs.IsFound)
         {
-            Settled = -Scalar.Smooth(layer.Loose / Borne) * body.BearingSkin.Lowest(ground, model);
-            local.Positions[body.Body] += new Vector3(0f, Settled, 0f);
+            float raised = -Scalar.Smooth(layer.Loose / Borne) * body.BearingSkin.Lowest(ground, model);
+            local.Positions[body.Body] += new Vector3(0f, raised, 0f);
+            Settled = over == 0f ? raised : 0f;
+            ForwardKinematics.LocalToModel(body.Skeleton, local, model);
+        }
+    }
+
+    /// <summary>Rolls a body that lies over onto its flank.</summary>
+    private void RollOver(in Pose local, in Pose model)
+    {
+        over = layer.RollOver(values, side, local);
+        if (over != 0f)
+        {
             ForwardKinematics.LocalToModel(body.Skeleton, local, model);
         }
     }
@@ -320,7 +334,10 @@ internal sealed class Performer
                 return;
             }
 
-            chain.Turn(body.Turns, 0f, sign * Math.Min(raise, MaxCleared), 0f, 0, local);
+            // Up is to the side of a body that lies on its flank.
+            float turn = sign * Math.Min(raise, MaxCleared);
+            FastTrigonometry.SinCos(over, out float sine, out float cosine);
+            chain.Turn(body.Turns, -turn * sine, turn * cosine, 0f, 0, local);
             Toolkit.Subtree.LocalToModel(body.Skeleton, chain.Joints[0], local, model);
         }
     }

@@ -38,6 +38,12 @@ internal static class FoldSearch
     /// <summary>What a foot costs that its ankle does not let turn as it is asked, for each square of a radian: far beyond its limit it would come round from the other side.</summary>
     private const float TurnCost = 0.15f;
 
+    /// <summary>How far a body rolls over onto its flank, in which steps it is sought, radians, and how much higher than on its belly it may be there.</summary>
+    private const float MinFlank = 1.1f;
+    private const float MaxFlank = 1.67f;
+    private const float FlankStep = 0.05f;
+    private const float MaxRise = 1.3f;
+
     // Ahead, out, up: parts of the leg; toes down, radians. Ways to begin with: where they stand, feet ahead as a sphinx, far ahead on the heels, wrists folded and hooves behind, legs out to the side.
     private static readonly float[][] beginnings = { new[] { 0f, 0f, 0f, 0f }, new[] { 0.45f, 0f, 0f, 0f }, new[] { 0.8f, 0.05f, 0.05f, -0.4f }, new[] { -0.4f, 0f, 0.05f, 1.2f }, new[] { 0.15f, 0.4f, 0f, 0.2f } };
     private static readonly float[] min = { -0.9f, -0.2f, 0f, -0.6f };
@@ -59,13 +65,43 @@ internal static class FoldSearch
             yield return cost;
         }
 
-        if (body.Build == BodyBuild.Upright)
+        foreach (float cost in body.Build == BodyBuild.Upright ? Stretched(body, stage, legs) : OnFlank(body, stage, legs))
         {
-            foreach (float cost in Stretched(body, stage, legs))
-            {
-                yield return cost;
-            }
+            yield return cost;
         }
+    }
+
+    /// <summary>How far a body with its legs stretched out rolls over until it lies lowest: there it rests. One that would have to climb for it does not stay there.</summary>
+    private static IEnumerable<float> OnFlank(ActBody body, ActStage stage, FoldedLegs legs)
+    {
+        if ((body.Has & ActNeeds.Flanks) == 0)
+        {
+            yield break;
+        }
+
+        var values = new float[Act.ChannelCount];
+        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = values[(int)ActChannel.ForeFold] = values[(int)ActChannel.HindFold] = 1f;
+        stage.Show(values);
+        float lowest = MaxRise * Height();
+        values[(int)ActChannel.ForeDown] = values[(int)ActChannel.HindDown] = Flank.Down;
+        values[(int)ActChannel.ForeFold] = values[(int)ActChannel.HindFold] = 0f;
+        values[(int)ActChannel.ForeFeetPitch] = values[(int)ActChannel.HindFeetPitch] = Flank.ToesDown;
+        values[(int)ActChannel.OnFlank] = 1f;
+        float best = 0f;
+        for (float turn = MinFlank; turn < MaxFlank; turn += FlankStep)
+        {
+            legs.Flank = turn;
+            stage.Show(values);
+            float height = Height();
+            best = height < lowest ? turn : best;
+            lowest = Math.Min(lowest, height);
+            yield return lowest;
+        }
+
+        legs.Flank = best;
+
+        // Nothing brings it to the ground as long as this is not found.
+        float Height() => (0.5f * (stage.Model.Positions[body.Body].Y + stage.Model.Positions[body.Spine[^1]].Y)) - body.BearingSkin.Lowest(stage.Model);
     }
 
     /// <summary>How far the trunk tips over until it is level, and where the legs are then.</summary>

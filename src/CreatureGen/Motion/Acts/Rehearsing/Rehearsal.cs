@@ -107,6 +107,12 @@ internal sealed class Rehearsal
             }
         }
 
+        if (Uses(act, ActChannel.OnFlank) && legs.Flank == 0f)
+        {
+            yield return new ActAbility(act, "it would not stay on its flank", default, ends, default(ActAim), () => null);
+            yield break;
+        }
+
         Vector3 usual = default;
         foreach (Vector3? target in act.Reaches ? UsualTarget.Steps(act, body, stage) : [])
         {
@@ -188,11 +194,13 @@ internal sealed class Rehearsal
 
     private ActStage StageWithoutRoom(FoldedLegs shown) => new(body, mode(), TrunkRoom.Any(shown));
 
-    private static bool Folds(Act act)
+    private static bool Folds(Act act) => Uses(act, ActChannel.ForeFold) || Uses(act, ActChannel.HindFold) || Uses(act, ActChannel.OnFlank);
+
+    private static bool Uses(Act act, ActChannel channel)
     {
         foreach (float[] end in act.Ends)
         {
-            if (end[(int)ActChannel.ForeFold] > 0f || end[(int)ActChannel.HindFold] > 0f)
+            if (end[(int)channel] != 0f)
             {
                 return true;
             }

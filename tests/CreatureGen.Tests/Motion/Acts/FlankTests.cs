@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using CreatureGen.Anatomy;
+using CreatureGen.Maths;
+using CreatureGen.Motion;
+using CreatureGen.Rigging;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Acts;
+
+public class FlankTests
+{
+    private const float Rate = 60f;
+
+    [Theory]
+    [InlineData(BodyPlan.Digitigrade, "Die")]
+    [InlineData(BodyPlan.Unguligrade, "Die", Explicit = true)]
+    [InlineData(BodyPlan.Columnar, "Die", Explicit = true)]
+    [InlineData(BodyPlan.Plantigrade, "Sleep", Explicit = true)]
+    [InlineData(BodyPlan.Unguligrade, "Sleep")]
+    public void Who_dies_or_sleeps_on_four_legs_under_its_body_lies_on_its_flank_and_stands_again(BodyPlan plan, string act)
+    {
+        List<string> wrong = [];
+        for (ulong seed = 1; seed <= 3; seed++)
+        {
+            var profile = new MotionProfile(Walkers.Of(plan, seed));
+            ActAbility ability = profile.Acts.Find(act);
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(animator.Root, FlatGround.Level);
+            int chest = profile.Subject.Skeleton.IndexOf("Chest");
+            float stood = animator.ModelPose.Positions[chest].Y;
+            Vector3 left = LeftOf(animator, chest);
+            animator.Perform(ability);
+            Walkers.Run(animator, ability.SecondsToLast, Rate, default, FlatGround.Level);
+            float turned = (float)Math.Acos(Scalar.Clamp(Vec.Dot(left, LeftOf(animator, chest)), -1f, 1f));
+            float height = animator.ModelPose.Positions[chest].Y / stood;
+            animator.GoOn();
+            Walkers.Run(animator, ability.Seconds - ability.SecondsToLast + 0.5f, Rate, default, FlatGround.Level);
+            float again = animator.ModelPose.Positions[chest].Y / stood;
+            if (!(turned is > 1f and < 2.1f && height < 0.6f && again is > 0.95f and < 1.05f))
+            {
+                wrong.Add(FormattableString.Invariant($"{seed}: turned by {turned:0.00}, chest at {height:0.00} of its height, {again:0.00} afterwards"));
+            }
+        }
+
+        Assert.Empty(wrong);
+    }
+
+    [Fact]
+    public void A_body_with_arms_beside_it_stays_on_its_belly()
+    {
+        for (ulong seed = 1; seed <= 3; seed++)
+        {
+            ActAbility die = new MotionProfile(Walkers.Of(BodyPlan.Centaur, seed)).Acts.Find("Die");
+            Assert.True(die.IsPossible);
+            Assert.DoesNotContain(die.Act.Phases.SelectMany(phase => phase.Ends), end => end.Channel == ActChannel.OnFlank && end.Value != 0f);
+        }
+    }
+
+    /// <summary>What is to the left of a joint at rest.</summary>
+    private static Vector3 LeftOf(CreatureAnimator animator, int joint)
+    {
+        Vector3 own = Rotation.Rotate(Rotation.Inverse(animator.Profile.Subject.Skeleton.ModelRotations[joint]), Vector3.UnitX);
+        return Rotation.Rotate(animator.ModelPose.Rotations[joint], own);
+    }
+}
