@@ -95,11 +95,11 @@ internal static class Attacks
             .Needing(ActNeeds.Abdomen | ActNeeds.Legs).With(ActTool.Tail).For(BodyBuild.ManyLegged | BodyBuild.Sprawling).OnTheSpot(),
         OverBack().Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.ManyLegged),
         new Act("TailSweep", ActKind.Strike,
-            new ActPhase("wind", 2f).To(Yaw, -0.32f).To(TailSide, 1.6f).To(TailPitch, 0.15f).To(HindDown, 0.1f).To(NeckSide, 0.9f).To(HeadSide, 0.4f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
-            new ActPhase("sweep", 1.0f, ActEase.In).To(Yaw, 0.15f).To(TailSide, -0.5f).To(HindDown, 0.04f),
-            new ActPhase("hit", 0.4f, ActEase.Out).To(Yaw, 0.32f).To(TailSide, -1.5f).To(NeckSide, 0.5f).Then(ActMark.Contact),
+            new ActPhase("wind", 2f).To(Yaw, -0.32f).To(BackSide, 0.3f).To(TailSide, 1.6f).To(TailPitch, 0.15f).To(HindDown, 0.1f).To(NeckSide, 0.9f).To(HeadSide, 0.4f).To(Ears, 0.6f).AtLeast(Seen).Then(ActMark.Commit),
+            new ActPhase("sweep", 1.0f, ActEase.In).To(Yaw, 0.15f).To(BackSide, -0.1f).To(TailSide, -0.5f).To(HindDown, 0.04f),
+            new ActPhase("hit", 0.4f, ActEase.Out).To(Yaw, 0.32f).To(BackSide, -0.35f).To(TailSide, -1.5f).To(NeckSide, 0.5f).Then(ActMark.Contact),
             new ActPhase("follow", 0.9f, ActEase.Out).To(Yaw, 0.36f).To(TailSide, -1.8f),
-            new ActPhase("recover", 2.6f).To(Yaw, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(HindDown, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, 0f))
+            new ActPhase("recover", 2.6f).To(Yaw, 0f).To(BackSide, 0f).To(TailSide, 0f).To(TailPitch, 0f).To(HindDown, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(Ears, 0f))
             .Needing(ActNeeds.LongTail | ActNeeds.Legs).For(BodyBuild.Standing).OnTheSpot(),
     };
 

@@ -77,7 +77,7 @@ internal static class Postures
             new ActPhase("gather", 2.6f).To(OnFlank, 0.2f).To(ForeDown, 0.9f).To(HindDown, 0.97f).To(ForeFold, 0.9f).To(HindFold, 1f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckPitch, 0f).To(NeckSide, -0.1f).To(HeadSide, 0f).To(TailSide, 0.2f),
             new ActPhase("lift", 2.4f).To(OnFlank, 0f).To(ForeDown, 0.5f).To(HindDown, 0.5f).To(ForeFold, 0.4f).To(HindFold, 0.4f).To(NeckPitch, -0.2f).To(NeckSide, 0f).To(TailSide, 0f),
             new ActPhase("rise", 2.6f).To(ForeDown, 0f).To(HindDown, 0f).To(ForeFold, 0f).To(HindFold, 0f).To(NeckPitch, 0f).To(Lids, 0f).To(Jaw, 0f).To(Ears, 0f))
-            .Needing(ActNeeds.FourLegs | ActNeeds.Flanks).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar).OnTheSpot(),
+            .Needing(ActNeeds.Legs | ActNeeds.Flanks).For(BodyBuild.Pawed | BodyBuild.Hoofed | BodyBuild.Columnar | BodyBuild.TwoLegged).OnTheSpot(),
         new Act("Die", ActKind.Posture,
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
             new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
