@@ -61,9 +61,9 @@ internal static class Upkeep
             new ActPhase("back", 2.2f).To(Reach, 0f).To(Ears, 0f).To(TailPitch, 0f))
             .Needing(ActNeeds.Head).With(ActTool.Mouth, 0.4f),
         new Act("Shake", ActKind.Upkeep,
-            new ActPhase("brace", 1f).To(ForeDown, 0.14f).To(HindDown, 0.12f).To(NeckPitch, -0.2f).To(Lids, 1f),
+            new ActPhase("brace", 1f).To(ForeDown, 0.08f).To(HindDown, 0.06f).To(NeckPitch, -0.2f).To(Lids, 1f),
             new ActPhase("shake", 7f)
-                .With(new ActWave(HeadRoll, 0.45f, 6f)).With(new ActWave(NeckTwist, 0.6f, 6f)).With(new ActWave(BackTwist, 0.34f, 6f, 0.14f)).With(new ActWave(Roll, -0.17f, 6f, 0.2f))
+                .With(new ActWave(HeadRoll, 0.30f, 6f)).With(new ActWave(NeckTwist, 0.42f, 6f)).With(new ActWave(BackTwist, 0.22f, 6f, 0.14f)).With(new ActWave(Roll, 0.05f, 6f, 0.2f))
                 .With(new ActWave(TailSide, 0.7f, 6f, 0.35f)).With(new ActWave(Ears, 0.6f, 6f)).With(new ActWave(ArmsOut, 0.12f, 6f, 0.1f)),
             new ActPhase("recover", 1.6f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(Lids, 0f))
             .Needing(ActNeeds.Head).For(BodyBuild.Standing).OnTheSpot(),
