@@ -43,6 +43,7 @@ internal static class BodySampler
         builder.Proportions = HeadFit.Fit(builder);
         builder.Proportions = TailFit.Fit(builder);
         builder.Posture = TailFit.Lower(builder);
+        builder.Posture = HeadFit.Level(builder);
         builder.Drawn = builder.Posture;
     }
 

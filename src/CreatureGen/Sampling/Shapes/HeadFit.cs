@@ -1,6 +1,7 @@
 using System;
-using CreatureGen.Bodies;
+using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
 using CreatureGen.Maths;
 using CreatureGen.Species;
 
@@ -23,6 +24,9 @@ internal static class HeadFit
     // Flatness from which on a head is a plate, and the largest breadth of one against its trunk: it may not overhang what carries it.
     private const double Plate = 2.2;
     private const double PlateBreadth = 0.75;
+
+    /// <summary>Most that the face of a swimmer falls away ahead of its brow, as those of swimming animals do; one that hangs as on a neck over land turns its forehead to the water.</summary>
+    private const double SteepestFaceDegrees = 12;
 
     // Rings of the head behind its lips, and of the trunk between the girdles.
     private const int FirstOfHead = 3;
@@ -51,6 +55,20 @@ internal static class HeadFit
             Head = drawn.Head * PortableMath.Pow(excess, -HeadsPart * strange),
             Girth = drawn.Girth * Math.Min(MaxGirth, PortableMath.Pow(excess, (1 - HeadsPart) * strange)),
         };
+    }
+
+    /// <summary>The posture of a strange swimmer with its face lifted until it looks ahead.</summary>
+    public static BodyPosture Level(CreatureBuilder builder)
+    {
+        BodyPosture drawn = builder.Posture;
+        if (builder.Kind != LocomotionKind.Swimming)
+        {
+            return drawn;
+        }
+
+        BodyShape shape = StanceSampler.ShapeOf(builder);
+        double fall = PortableMath.Atan2(shape.Y[StationRing.Brow] - shape.Y[StationRing.Nose], shape.Z[StationRing.Nose] - shape.Z[StationRing.Brow]);
+        return drawn with { Head = drawn.Head + (builder.Fitting * Math.Max(0, fall - Scalar.Radians(SteepestFaceDegrees))) };
     }
 
     /// <summary>Half the width and half the height of the largest sections, metres.</summary>
