@@ -36,7 +36,7 @@ internal static class PectoralGrower
         FlankFin? form = FlankFin.Of(fin.Style);
         float lean = (float)FlankFin.AxisSweep(fin.Style);
         Vector3 outward = Vec.Normalize(new Vector3(1f, -(float)fin.Drop, -(float)fin.Sweep * lean));
-        Vector3 back = Vec.Normalize(Vec.Reject(new Vector3(0f, -0.35f, -1f), outward));
+        Vector3 back = Vec.Normalize(Vec.Reject(new Vector3(0f, (float)FlankFin.Pronation(fin.Style), -1f), outward));
         Vector3 normal = Vec.Cross(outward, back);
         normal = normal.Y > 0f ? normal : -normal;
         Vector3 skin = body.Skin.At(socket.CentreRing, fin.Socket.Segment + (fin.Socket.Columns / 2.0)).Normal;

@@ -1,4 +1,5 @@
 using System;
+using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Bodies;
 using CreatureGen.Sampling;
@@ -14,6 +15,26 @@ public sealed class HeadFitTests
 
     /// <summary>Broadest head in breadths of its trunk: what the posture leaves of the rule's 1.15.</summary>
     private const double Broadest = 1.25;
+
+    /// <summary>Most that a face falls away ahead of its brow, degrees: what the bend of the nape leaves of the rule's 12.</summary>
+    private const double SteepestFace = 26;
+
+    [Fact]
+    public void Mixed_swimmers_without_a_beak_look_ahead_whosever_head_they_have()
+    {
+        for (ulong seed = 10310001; seed <= 10310150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+            if (SpeciesCatalogue.Find(creature.Body.Blend.Face).Snout == SnoutKind.Beak)
+            {
+                continue;
+            }
+
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            double fall = 180 / Math.PI * Math.Atan2(shape.Y[10] - shape.Y[0], shape.Z[0] - shape.Z[10]);
+            Assert.True(fall <= SteepestFace, FormattableString.Invariant($"{seed}: a face that falls by {fall:0} degrees"));
+        }
+    }
 
     [Theory]
     [InlineData(RequestedKind.Walking)]
