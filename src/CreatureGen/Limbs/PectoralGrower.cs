@@ -19,6 +19,14 @@ internal static class PectoralGrower
     /// <summary>Share of the length from which on the edges draw together, so that no tip is cut off straight.</summary>
     private const float RoundedFrom = 0.86f;
 
+    // Rise of the trailing edge for each unit that it lies behind the leading one: of a fin on the flank, turned as in gliding, and of one under the body, which keeps off it. Falling with the axis, a blade on the flank would be a rod from the side.
+    private const float Pronation = 0.15f;
+    private const float UnderBody = -0.35f;
+
+    // How far skin faces down from which on, and over which, a fin is one under the body.
+    private const float FacesDown = 0.5f;
+    private const float Turning = 0.4f;
+
     /// <summary>Sections along the fin, crowded towards its tip.</summary>
     private const int SectionCount = 17;
 
@@ -36,10 +44,11 @@ internal static class PectoralGrower
         FlankFin? form = FlankFin.Of(fin.Style);
         float lean = (float)FlankFin.AxisSweep(fin.Style);
         Vector3 outward = Vec.Normalize(new Vector3(1f, -(float)fin.Drop, -(float)fin.Sweep * lean));
-        Vector3 back = Vec.Normalize(Vec.Reject(new Vector3(0f, (float)FlankFin.Pronation(fin.Style), -1f), outward));
+        Vector3 skin = body.Skin.At(socket.CentreRing, fin.Socket.Segment + (fin.Socket.Columns / 2.0)).Normal;
+        float rise = Scalar.Lerp(Pronation, UnderBody, Scalar.Smooth((-skin.Y - FacesDown) / Turning));
+        Vector3 back = Vec.Normalize(Vec.Reject(new Vector3(0f, rise, -1f), outward));
         Vector3 normal = Vec.Cross(outward, back);
         normal = normal.Y > 0f ? normal : -normal;
-        Vector3 skin = body.Skin.At(socket.CentreRing, fin.Socket.Segment + (fin.Socket.Columns / 2.0)).Normal;
 
         // Both edges are lifted off the skin, or a swept fin would dive into the body.
         Vector3 Lift(float s) => skin * (0.13f * length * Scalar.Smooth(s / 0.25f));

@@ -9,10 +9,6 @@ internal sealed class FlankFin
     /// <summary>Part of the sweep that the axis of a fin takes on whose outline is swept itself.</summary>
     private const double AxisOfSwept = 0.4;
 
-    // Rise of the trailing edge for each unit that it lies behind the leading one, of paddles and of outlines that are swept themselves, whose tips would turn up.
-    private const double PaddlePronation = 0.35;
-    private const double SweptPronation = 0.2;
-
     /// <summary>Where along the axis the edges are given.</summary>
     private static readonly double[] stations = { 0, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1 };
 
@@ -51,9 +47,6 @@ internal sealed class FlankFin
 
     /// <summary>Part of a fin's sweep that its axis takes on: all of it on a paddle, less where the outline is swept itself.</summary>
     public static double AxisSweep(FinStyle style) => Of(style) is null ? 1 : AxisOfSwept;
-
-    /// <summary>How far the blade is turned with its leading edge down, as in gliding: rise for each unit of depth. Falling with the axis it would be a rod from the side.</summary>
-    public static double Pronation(FinStyle style) => Of(style) is null ? PaddlePronation : SweptPronation;
 
     /// <summary>The leading edge behind the axis.</summary>
     public double LeadAt(double s) => MonotoneCubic.Evaluate(stations, lead, leadSlopes, s);
