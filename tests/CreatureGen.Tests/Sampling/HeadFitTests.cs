@@ -13,6 +13,9 @@ public sealed class HeadFitTests
     /// <summary>Largest head against its trunk, by the mean of breadth and height: what the posture leaves of the rule's 1.</summary>
     private const double Largest = 1.15;
 
+    /// <summary>The same of swimmers, whose heads hide the trunk from the front: what is left of the rule's .8.</summary>
+    private const double LargestOfSwimmers = 0.95;
+
     /// <summary>Broadest head in breadths of its trunk: what the posture leaves of the rule's 1.15.</summary>
     private const double Broadest = 1.25;
 
@@ -37,10 +40,10 @@ public sealed class HeadFitTests
     }
 
     [Theory]
-    [InlineData(RequestedKind.Walking)]
-    [InlineData(RequestedKind.Flying)]
-    [InlineData(RequestedKind.Swimming)]
-    public void No_head_of_a_mixed_creature_but_an_insects_is_larger_than_the_trunk_behind_it(RequestedKind kind)
+    [InlineData(RequestedKind.Walking, Largest)]
+    [InlineData(RequestedKind.Flying, Largest)]
+    [InlineData(RequestedKind.Swimming, LargestOfSwimmers)]
+    public void No_head_of_a_mixed_creature_but_an_insects_is_larger_than_the_trunk_behind_it(RequestedKind kind, double largest)
     {
         for (ulong seed = 9794001; seed <= 9794060; seed++)
         {
@@ -49,7 +52,7 @@ public sealed class HeadFitTests
             {
                 BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
                 double size = Size(shape, 3, 14) / Size(shape, 23, 42);
-                Assert.True(size <= Largest, FormattableString.Invariant($"{kind} {seed}: a head of {size:0.00} trunks"));
+                Assert.True(size <= largest, FormattableString.Invariant($"{kind} {seed}: a head of {size:0.00} trunks"));
             }
         }
     }

@@ -38,8 +38,19 @@ internal static class HeadSampler
     /// <summary>How far the root of a beak stands off the skull, in radii of the section.</summary>
     private const double BeakEdge = 0.08;
 
+    // Breadth of a head in heights from which on its top is a board, and what models it where it is twice that: a rise along the middle, and hollows to both sides of it and below the eyes.
+    private const double Level = 0.9;
+    private const double Bridge = 0.16;
+    private const double Hollow = 0.14;
+
+    /// <summary>Highest ridge of the brow on a strange head, relative to its section: a higher one is a corner of a box.</summary>
+    private const double HighestBrow = 0.12;
+
     /// <summary>Mean of half the width and half the height of a head at the eyes, metres.</summary>
     public static double HalfHeight(BodyShape shape) => 0.5 * (shape.Width[StationRing.Brow] + (0.5 * (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow])));
+
+    /// <summary>Width of a head at the eyes in heights.</summary>
+    private static double Breadth(BodyShape shape) => 2 * shape.Width[StationRing.Brow] / (shape.Top[StationRing.Brow] + shape.Bottom[StationRing.Brow]);
 
     /// <summary>Radius of the largest eyes that a head has room for, metres.</summary>
     public static double LargestEye(CreatureBuilder builder)
@@ -98,7 +109,11 @@ internal static class HeadSampler
         SpeciesProfile species = builder.Parents.Head;
         RandomStream random = builder.Stream("skull");
         var bumps = new List<HeadBump>();
-        Add(9.2, 4.2, 1.6, 1.3, Vary(species.Swelling.Brow));
+
+        // What goes on legs keeps its head: its gaits were tuned to where its weight lies.
+        double fitting = builder.Kind == LocomotionKind.Swimming ? builder.Fitting : 0;
+        double brow = Vary(species.Swelling.Brow);
+        Add(9.2, 4.2, 1.6, 1.3, Math.Min(brow, Scalar.Lerp(brow, HighestBrow, fitting)));
         Add(8.4, 1.0, 1.5, 1.6, -Vary(0.05));
         Add(12.8, 9.2, 2.2, 2.0, Vary(species.Swelling.Cheek));
         Add(13.2, 12.5, 1.8, 1.8, IfAny(species.Skull.Jowl));
@@ -112,6 +127,15 @@ internal static class HeadSampler
             Add(ring - 1.6, segment - 1.9, 1.2, 1.1, 0.11 * species.Bone * (1 + (0.5 * mood)));
             Add(ring + 1.2, segment - 2.0, 1.4, 1.1, 0.11 * species.Bone * (1 - (0.4 * mood)));
             Add(ring + 1.2, segment + 2.9, 1.9, 1.2, 0.10 * species.Bone);
+        }
+
+        if (species.Snout != SnoutKind.Beak && species.Class != AnimalClass.Arthropod)
+        {
+            // Between its eyes a broad head is a board without a bridge of the nose, hollows beside it, and cheekbones.
+            double board = fitting * Scalar.Clamp(Breadth(builder.Shape) - Level, 0, 1);
+            Add(6, 0, 3.2, 1.5, Bridge * board);
+            Add(7, 3.2, 2.2, 1.3, -Hollow * board);
+            Add(6.2, 7.6, 2, 1.3, -Hollow * board);
         }
 
         if (species.Snout == SnoutKind.Beak)

@@ -15,6 +15,9 @@ internal static class HeadFit
     private const double Height = 1.2;
     private const double Size = 1;
 
+    /// <summary>What swimmers have of these: they come head first, and a head as large as the trunk hides all of it.</summary>
+    private const double Swimmers = 0.8;
+
     /// <summary>The part of what is too much that the head gives way; the trunk grows by the rest.</summary>
     private const double HeadsPart = 0.7;
 
@@ -48,7 +51,8 @@ internal static class HeadFit
         (double width, double height) = Largest(shape, FirstOfTrunk, LastOfTrunk);
         double size = Math.Sqrt(headWidth * headHeight / (width * height)) / Size;
         double breadth = headWidth / (width * Scalar.Lerp(Breadth, PlateBreadth, Scalar.Smooth((headWidth / headHeight) - (Plate - 0.5))));
-        double excess = Math.Max(Math.Max(1, size), Math.Max(breadth, headHeight / (height * Height)));
+        double largest = builder.Kind == LocomotionKind.Swimming ? Swimmers : 1;
+        double excess = Math.Max(1, Math.Max(size, Math.Max(breadth, headHeight / (height * Height))) / largest);
         double strange = builder.Fitting;
         return drawn with
         {

@@ -1,0 +1,51 @@
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling;
+using CreatureGen.Species;
+using Xunit;
+
+namespace CreatureGen.Tests.Sampling;
+
+public sealed class FacePlanesTests
+{
+    [Fact]
+    public void A_broad_face_of_a_mixed_swimmer_rises_in_the_middle_and_is_hollow_beside_it()
+    {
+        int broad = 0;
+        for (ulong seed = 10320001; seed <= 10320060; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+            SpeciesProfile face = SpeciesCatalogue.Find(creature.Body.Blend.Face);
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            if (face.Snout == SnoutKind.Beak || face.Class == AnimalClass.Arthropod || shape.Width[10] < 1.3 * 0.5 * (shape.Top[10] + shape.Bottom[10]))
+            {
+                continue;
+            }
+
+            // The same head without what models its top.
+            HeadBlueprint bare = creature.Head with { Bumps = new ValueList<HeadBump>(creature.Head.Bumps.Where(bump => bump is not { Ring: 6, Segment: 0 } and not { Ring: 7, Segment: 3.2 })) };
+            BodySkin modelled = BodySkin.Span(shape, creature.Body, creature.Head, creature.Tail);
+            BodySkin board = BodySkin.Span(shape, creature.Body, bare, creature.Tail);
+            Assert.True(Relief(modelled, shape) > Relief(board, shape) + 0.03);
+            broad++;
+        }
+
+        Assert.True(broad > 5);
+    }
+
+    [Fact]
+    public void Brows_of_mixed_swimmers_are_ridges_and_not_corners()
+    {
+        for (ulong seed = 10320001; seed <= 10320060; seed++)
+        {
+            HeadBlueprint head = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming }).Head;
+            Assert.All(head.Bumps.Where(bump => bump is { Ring: 9.2, Segment: 4.2 }), bump => Assert.InRange(bump.Amount, 0, 0.1201));
+        }
+    }
+
+    /// <summary>How far the middle of the top of the muzzle rises above the skin beside it, in heights of the section.</summary>
+    private static double Relief(BodySkin skin, BodyShape shape) =>
+        System.Numerics.Vector3.Dot(skin[7, 0] - skin[7, 3], shape.Up(7)) / shape.Top[7];
+}
