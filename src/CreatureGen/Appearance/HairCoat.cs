@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 
@@ -22,8 +24,14 @@ internal sealed class HairCoat
     public HairCoat(CoatPalette palette, CoatSubject subject)
     {
         manes = subject.Manes;
-        colour = palette.Accent * Shade;
+        colour = ColourOf(palette, manes) * Shade;
     }
+
+    /// <summary>The colour of all hair of a creature: that of its ornaments; hair of the tail alone is the coat's own, dark or pale as the limbs are.</summary>
+    public static Vector3 ColourOf(CoatPalette palette, IReadOnlyList<ManeBlueprint> manes) => manes.Any(IsOfBody) ? palette.Accent : palette.Limb;
+
+    /// <summary>Whether hair grows ahead of the tail.</summary>
+    public static bool IsOfBody(ManeBlueprint mane) => mane.Ring < StationRing.TorsoLast;
 
     /// <summary>The colour of a place of the trunk with the shade of hair laid over <paramref name="under"/>.</summary>
     public Vector3 Over(Vector3 under, in SkinPlace place)
@@ -34,7 +42,7 @@ internal sealed class HairCoat
             float along = Window(place.Ring, (float)mane.Ring - Ahead, (float)mane.LastRing + Behind);
             if (along > 0f)
             {
-                float segment = place.Around * (float)(Anatomy.BodyGrid.Segments / PortableMath.Tau);
+                float segment = place.Around * (float)(BodyGrid.Segments / PortableMath.Tau);
                 fraction = Math.Max(fraction, along * Window(segment, (float)mane.Segment - Beside, (float)mane.LastSegment + Beside));
             }
         }

@@ -296,7 +296,7 @@ internal sealed class FeatureSetter
     {
         builder.Clear(SurfaceFinish.Hair);
         var addresses = new List<SkinAddress>();
-        ManeShape.Append(builder, mane, grown.Skin, palette.Accent, addresses);
+        ManeShape.Append(builder, mane, grown.Skin, HairCoat.ColourOf(palette, blueprint.Manes), addresses);
         int[] vertices = addresses.ConvertAll(address => grown.BodyVertex(address.Ring, address.Segment)).ToArray();
         pieces.Add(builder.ToPiece(MaterialKind.Skin, new PieceBinding.Skin(vertices), HairSimplificationWeight));
     }

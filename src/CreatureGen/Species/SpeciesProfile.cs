@@ -143,6 +143,9 @@ internal sealed record SpeciesProfile
     /// <summary>Tails without fins and feathers that it may have, and how likely each is; the body table's own is what is left to 1.</summary>
     public Weighted<TailStyle>[] Tails { get; init; } = Array.Empty<Weighted<TailStyle>>();
 
+    /// <summary>Hair of its tail; null for none.</summary>
+    public ManePreset? TailHair { get; init; }
+
     /// <summary>Factor on the girth of legs that the rules of the plan, or those for fliers, place.</summary>
     public double LegGirth { get; init; } = 1;
 

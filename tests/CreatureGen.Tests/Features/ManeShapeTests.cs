@@ -78,7 +78,7 @@ public sealed class ManeShapeTests
     [Fact]
     public void Locks_of_all_kits_are_at_least_four_times_as_long_as_wide()
     {
-        foreach (ManePreset kit in new[] { NeckPresets.Ruff, NeckPresets.Falling, NeckPresets.Bristles, NeckPresets.Shag, NeckPresets.Beard })
+        foreach (ManePreset kit in new[] { NeckPresets.Ruff, NeckPresets.Falling, NeckPresets.Bristles, NeckPresets.Shag, NeckPresets.Beard, TailHair.Tuft, TailHair.Skirt, TailHair.Brush, TailHair.Scut })
         {
             Assert.All(kit.Fields, mane => Assert.True(mane.Length >= 4 * 2 * mane.Width, $"{mane}"));
         }

@@ -29,6 +29,7 @@ internal static class FeatureSampler
     {
         double plenty = level switch { OrnamentLevel.None => 0, OrnamentLevel.Sparse => 0.4, OrnamentLevel.Rich => 2, _ => 1 };
         Ornaments(builder, plenty);
+        NeckSampler.Tail(builder, builder.Stream("tail hair"));
         FaceRule.Clear(builder);
         Sting(builder);
         StrangeParts.Add(builder);

@@ -17,6 +17,9 @@ internal static class NeckSampler
     /// <summary>Length of the longest lock of a row in lengths of its mane.</summary>
     private const double LongestLock = 1.2;
 
+    /// <summary>Rise up to which hair lies on the skin, radians.</summary>
+    private const double LyingHair = 0.25;
+
     // How hair that is too long is cut.
     private const double Shortening = 0.88;
     private const int MaxCuts = 20;
@@ -64,11 +67,25 @@ internal static class NeckSampler
         return true;
     }
 
-    /// <summary>Adds hair; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
-    public static void Add(CreatureBuilder builder, in ManePreset preset, double size)
+    /// <summary>The hair of a furred tail that ends as its parent's does; none that stands off where wings fold onto its root.</summary>
+    public static void Tail(CreatureBuilder builder, RandomStream random)
+    {
+        double size = random.Uniform();
+        bool furred = builder.Parents.Skin.Cover == SkinCover.Fur || builder.Parents.Skin == builder.Parents.Tail;
+        if (builder.Parents.Tail.TailHair is ManePreset hair && furred && builder.Tail.Style == TailStyle.Plain && !(builder.Wings.Count > 0 && Array.Exists(hair.Fields, StandsOff)))
+        {
+            Add(builder, hair, size, builder.Shape.Arc[StationRing.TailTip] - builder.Shape.Arc[StationRing.TorsoLast]);
+        }
+    }
+
+    private static bool StandsOff(ManeBlueprint mane) => mane.Ring < StationRing.TailThird && mane.Rise > LyingHair;
+
+    /// <summary>Adds hair of the neck; <paramref name="size"/> 0..1 goes from its least length to its most.</summary>
+    public static void Add(CreatureBuilder builder, in ManePreset preset, double size) => Add(builder, preset, size, builder.HalfDepth(StationRing.NeckMiddle));
+
+    private static void Add(CreatureBuilder builder, in ManePreset preset, double size, double unit)
     {
         double factor = Scalar.Lerp(preset.Min, preset.Max, size);
-        double unit = builder.HalfDepth(StationRing.NeckMiddle);
         foreach (ManeBlueprint mane in preset.Fields)
         {
             ManeBlueprint cut = OffGround(builder, mane with { Length = mane.Length * factor * unit, Width = mane.Width * Math.Sqrt(factor) * unit });

@@ -32,6 +32,7 @@ internal static class Bat
             (50, 10, 22, 22, 22),      // tail, second third
             (40, 10, 10, 10, 10)),     // tail tip
         Motion = new MotionTraits { StandingPitch = 26 },
+        TailHair = TailHair.Scut,
         TorsoLength = (0.04, 0.13),
         Frequency = (0, 0.42, 0),
         Dominance = (0.92, 0.97),

@@ -31,6 +31,7 @@ internal static class Bear
             (50, 52, 55, 58, 58),      // tail, first third
             (50, 52, 38, 42, 42),      // tail, second third
             (40, 52, 14, 14, 14)),     // tail tip
+        TailHair = TailHair.Scut,
         TorsoLength = (0.85, 1.4),
         Frequency = (0.26, 0, 0),
         Kinship = 0,

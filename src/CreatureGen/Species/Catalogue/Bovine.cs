@@ -37,6 +37,7 @@ internal static class Bovine
                 new HeadBump(Ring: 5.5, Segment: 6.0, RingSpread: 1.8, SegmentSpread: 2.5, Amount: -0.08),
             } }, WidestMouth = 0,
         IsHoofed = true, HornsBesideEars = true, Antlered = true, Tusked = true, FallingMane = 0.3, Shelled = true, FlierLegPairs = Weights.Of((2, 1)),
+        TailHair = TailHair.Tuft,
         TorsoLength = (1, 1.7),
         Frequency = (0.45, 0, 0),
         Partners = new[] { "canine", "amphibian", "reptile", "feline" },

@@ -39,6 +39,7 @@ internal static class Canine
                 new HeadBump(Ring: 0.6, Segment: 2.0, RingSpread: 1.0, SegmentSpread: 3.0, Amount: 0.10),
             } },
         Antlered = true, Tusked = true, Hair = (0.22, 0.15), BackRow = 0.1, FlierLegPairs = Weights.Of((2, 1)), SwimmingHead = 4,
+        TailHair = TailHair.Brush,
         TorsoLength = (0.45, 0.85),
         Frequency = (0.62, 0.4, 0.16),
         Partners = new[] { "feline", "bovine", "reptile", "avian" },

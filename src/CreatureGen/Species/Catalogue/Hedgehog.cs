@@ -32,6 +32,7 @@ internal static class Hedgehog
             (40, 36, 52, 52, 50),     // tail, first third
             (36, 34, 30, 30, 28),     // tail, second third
             (30, 32, 12, 12, 12)),    // tail tip
+        TailHair = null,
         TorsoLength = (0.12, 0.18),
         Frequency = (0.22, 0, 0),
         OnlyByName = true,

@@ -31,6 +31,7 @@ internal static class Horse
             (130, 62, 42, 46, 46),     // tail, first third
             (170, 76, 50, 56, 56),     // tail, second third
             (180, 80, 24, 28, 28)),    // tail tip
+        TailHair = TailHair.Skirt,
         TorsoLength = (1.1, 1.5),
         Frequency = (0.25, 0, 0),
         Dominance = (0.93, 0.98),

@@ -31,6 +31,7 @@ internal static class Lion
             (300, 40, 34, 34, 34),     // tail, first third
             (320, 20, 28, 28, 28),     // tail, second third
             (240, -30, 20, 20, 20)),   // tail tip
+        TailHair = TailHair.Tuft,
         TorsoLength = (0.9, 1.25),
         Frequency = (0.25, 0, 0),
         Dominance = (0.93, 0.98),

@@ -31,6 +31,7 @@ internal static class Rabbit
             (50, -40, 62, 64, 64),     // tail, first third
             (40, -40, 44, 46, 46),     // tail, second third
             (30, -40, 14, 14, 14)),    // tail tip
+        TailHair = TailHair.Scut,
         TorsoLength = (0.2, 0.34),
         Frequency = (0.22, 0, 0),
         Kinship = 0,

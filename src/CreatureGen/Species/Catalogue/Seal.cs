@@ -31,6 +31,7 @@ internal static class Seal
             (120, 0, 60, 50, 50),      // tail, first third
             (100, 0, 42, 35, 35),      // tail, second third
             (100, 0, 22, 15, 15)),     // tail tip
+        TailHair = null,
         TorsoLength = (0.8, 1.4),
         Frequency = (0, 0, 0.3),
         Eye = (8.8, 5.6), EyeSize = 0.30,
