@@ -252,6 +252,9 @@ public enum TailStyle
 
     /// <summary>A row of beads that ends in a bulb with a sting (scorpion).</summary>
     Stinger,
+
+    /// <summary>Thick at its root and evenly down to a point (lizard, dinosaur).</summary>
+    Saurian,
 }
 
 /// <summary>How an eye is made.</summary>

@@ -39,6 +39,7 @@ internal sealed class TailCoat
             case TailStyle.Club:
             case TailStyle.Prehensile:
             case TailStyle.Stinger:
+            case TailStyle.Saurian:
                 return Vec.Lerp(colour, tipColour, tipFraction * Between(place, 50, 53));
             case TailStyle.Feathers:
                 return Vec.Lerp(colour, palette.Limb * 0.85f, 0.85f * Between(place, 49, 52));

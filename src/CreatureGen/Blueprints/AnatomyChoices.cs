@@ -111,7 +111,8 @@ internal static class AnatomyChoices
         (TailStyle.Paddle, "paddle"),
         (TailStyle.Club, "club"),
         (TailStyle.Prehensile, "prehensile"),
-        (TailStyle.Stinger, "stinger"));
+        (TailStyle.Stinger, "stinger"),
+        (TailStyle.Saurian, "saurian"));
 
     public static readonly ChoiceNames<EyeStyle> Eye = new(
         (EyeStyle.Round, "round"),

@@ -80,7 +80,7 @@ internal static class TailShaper
     private static void Taper(TailTaper form, double fraction, double[] width, double[] top, double[] bottom)
     {
         const int Last = BodyGrid.Rings - 1;
-        (double width0, double height0) = (width[StationRing.TorsoLast], (top[StationRing.TorsoLast] + bottom[StationRing.TorsoLast]) / 2);
+        (double width0, double height0) = Root(form, width, top, bottom);
         for (int i = StationRing.TorsoLast + 1; i <= Last; i++)
         {
             (double w, double h) = form.At((double)(i - StationRing.TorsoLast) / (Last - StationRing.TorsoLast));
@@ -90,6 +90,16 @@ internal static class TailShaper
             top[i] = Math.Max(BodyShaper.ThinnestSection, Scalar.Lerp(top[i], h * bead * height0, weight));
             bottom[i] = Math.Max(BodyShaper.ThinnestSection, Scalar.Lerp(bottom[i], h * bead * height0, weight));
         }
+    }
+
+    /// <summary>Half width and half height that a form is told in: those of the end of the rump; of a tail that leaves it thinner its own, or it would swell behind its root, as beads do.</summary>
+    private static (double Width, double Height) Root(TailTaper form, double[] width, double[] top, double[] bottom)
+    {
+        const int Rump = StationRing.TorsoLast;
+        const int First = StationRing.TailFirst;
+        (double w, double h) = form.At((double)(First - Rump) / (BodyGrid.Rings - 1 - Rump));
+        (double width0, double height0) = (width[Rump], (top[Rump] + bottom[Rump]) / 2);
+        return form.Beads > 0 ? (width0, height0) : (Math.Min(width0, width[First] / w), Math.Min(height0, (top[First] + bottom[First]) / h / 2));
     }
 
     /// <summary>Spreads the end of the tail into an upright fin.</summary>

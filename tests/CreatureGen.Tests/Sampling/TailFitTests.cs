@@ -63,6 +63,51 @@ public sealed class TailFitTests
         }
     }
 
+    [Theory]
+    [InlineData("ant", 0.6, TailStyle.Saurian)]
+    [InlineData("fish", 0.6, TailStyle.Saurian)]
+    [InlineData("bovine", 0.6, TailStyle.Plain)]
+    [InlineData("reptile", 0.6, TailStyle.Plain)]
+    [InlineData("ant", 0, TailStyle.Plain)]
+    public void Abdomens_and_tails_without_their_fin_run_out_evenly_on_other_bodies(string tail, double strangeness, TailStyle style) =>
+        Assert.Equal(style, TailSampler.Other(Mixed(tail, strangeness)).Style);
+
+    [Fact]
+    public void A_furred_tail_on_bare_skin_runs_out_evenly()
+    {
+        CreatureBuilder furred = Mixed("bovine", 0.6);
+        var bare = new CreatureBuilder(new Seed(1), LocomotionKind.Walking, furred.Parents with { Skin = SpeciesCatalogue.Find("frog") }, BodyPlan.Plantigrade, strangeness: 0.6);
+        Assert.Equal(TailStyle.Saurian, TailSampler.Other(bare).Style);
+    }
+
+    [Fact]
+    public void No_tail_of_a_family_swells_behind_its_root_and_none_is_a_peg()
+    {
+        int tails = 0;
+        for (ulong seed = 10095001; seed <= 10095060; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking });
+            if (creature.Tail.Style is not (TailStyle.Saurian or TailStyle.Whip))
+            {
+                continue;
+            }
+
+            tails++;
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            double Size(int ring) => Math.Sqrt(shape.Width[ring] * 0.5 * (shape.Top[ring] + shape.Bottom[ring]));
+            double length = shape.Arc[StationRing.TailTip] - shape.Arc[StationRing.TorsoLast];
+            Assert.True(length > 6 * Size(StationRing.TailStem), FormattableString.Invariant($"{seed}: a tail of {length / Size(StationRing.TailStem):0.0} radii of its root"));
+            for (int ring = StationRing.TailBase; ring <= StationRing.TailTip; ring++)
+            {
+                Assert.True(Size(ring) < 1.03 * Size(ring - 1), FormattableString.Invariant($"{seed}: ring {ring} is {Size(ring) / Size(ring - 1):0.00} of the one before it"));
+            }
+
+            Assert.True(Size(StationRing.TailTip) < 0.25 * Size(StationRing.TailStem), $"{seed}: a blunt tip");
+        }
+
+        Assert.InRange(tails, 8, 60);
+    }
+
     [Fact]
     public void A_sting_is_no_longer_than_a_quarter_of_its_tail()
     {

@@ -44,6 +44,7 @@ internal sealed class TailTaper
         TailStyle.Club => ClubTail.Form,
         TailStyle.Prehensile => PrehensileTail.Form,
         TailStyle.Stinger => StingerTail.Form,
+        TailStyle.Saurian => SaurianTail.Form,
         _ => null,
     };
 

@@ -16,6 +16,10 @@ internal static class StrangeParts
     /// <summary>First ring of a further tail: where the tail of the body begins.</summary>
     private const double TailRing = 43.4;
 
+    // Least length of a further tail in torsos, and in radii of its root: shorter and thicker ones are horns on the rump.
+    private const double LeastTail = 0.6;
+    private const double Slenderness = 13;
+
     /// <summary>Draws what there is.</summary>
     public static void Add(CreatureBuilder builder)
     {
@@ -85,15 +89,15 @@ internal static class StrangeParts
     private static void Tails(CreatureBuilder builder, double size)
     {
         BodyShape s = builder.Shape;
-        bool plain = builder.Tail.Style is TailStyle.Plain or TailStyle.Whip or TailStyle.Prehensile;
+        bool plain = builder.Tail.Style is TailStyle.Plain or TailStyle.Whip or TailStyle.Saurian or TailStyle.Prehensile;
         if (!plain || builder.Kind == LocomotionKind.Swimming || builder.Plan == BodyPlan.Legless || builder.Parents.Tail.Class == AnimalClass.Arthropod || builder.Parents.First.Disc.Sweep != 0)
         {
             return;
         }
 
-        double length = (0.75 + (0.4 * size)) * Math.Max(s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast], 0.35 * builder.TorsoLength);
-        double radius = 0.62 * 0.5 * (s.Width[StationRing.TailBase] + builder.HalfDepth(StationRing.TailBase));
-        var tail = new FeatureBlueprint(FeatureKind.Tail, TailRing, Segment: 4.6, Length: length, Radius: radius, Outward: 0.55, Upward: 0.2, Forward: -1, Sideward: 0.35, BendUp: 0.12, BendForward: 0, BendSide: 0.2, Flatness: 1, Taper: 0.85);
+        double length = (0.75 + (0.4 * size)) * Math.Max(s.Arc[BodyGrid.Rings - 1] - s.Arc[StationRing.TorsoLast], LeastTail * builder.TorsoLength);
+        double radius = Math.Min(0.62 * 0.5 * (s.Width[StationRing.TailBase] + builder.HalfDepth(StationRing.TailBase)), length / Slenderness);
+        var tail = new FeatureBlueprint(FeatureKind.Tail, TailRing, Segment: 4.6, Length: length, Radius: radius, Outward: 0.4, Upward: 0.1, Forward: -1, Sideward: 0.3, BendUp: -0.25, BendForward: 0, BendSide: 0.1, Flatness: 1, Taper: 0.7);
         builder.Features.Add(FeatureSampler.OffGround(builder, tail));
     }
 }

@@ -335,14 +335,14 @@ internal static class BodySampler
         if (builder.Parents.Tail.Bird is BirdPreset bird && feathery)
         {
             double fan = bird.Fan * (builder.Kind == LocomotionKind.Flying ? 1.35 : 1);
-            return bird.Fan == 0 ? new TailBlueprint(TailStyle.Plain, 0, 0) : new TailBlueprint(TailStyle.Feathers, fan, 0);
+            return bird.Fan == 0 ? TailSampler.Other(builder) : new TailBlueprint(TailStyle.Feathers, fan, 0);
         }
 
         return builder.Parents.Tail.Class switch
         {
             AnimalClass.Bird when feathered && feathery => new TailBlueprint(TailStyle.Feathers, feathers, 0),
             AnimalClass.Fish when scaly && builder.Plan != BodyPlan.Theropod => new TailBlueprint(TailStyle.Fan, size, fork),
-            _ => new TailBlueprint(TailStyle.Plain, 0, 0),
+            _ => TailSampler.Other(builder),
         };
     }
 }

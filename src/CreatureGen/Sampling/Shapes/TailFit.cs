@@ -19,8 +19,10 @@ internal static class TailFit
     private const double Carried = 0.75;
     private const double Trailing = 1.5;
 
-    // Least length of a tail that rolls up, in radii of its root: a shorter one is a knot. It gives way in girth by this part of what lacks, by the rest in length.
+    // Least length in radii of its root of a tail that rolls up, of others of a family, and of one as the tables give it that balances a body or is carried over the ground without hair on it: shorter ones are knots and pegs. They give way in girth by this part of what lacks, by the rest in length.
     private const double LeastRolled = 9;
+    private const double LeastTapered = 8.5;
+    private const double LeastBalancing = 7.5;
     private const double Slimmed = 0.6;
 
     // Least fall of a fan of feathers behind the rump, and rise from which on a fan is carried up as a cock's is.
@@ -34,8 +36,9 @@ internal static class TailFit
     /// <summary>The same of one that flies: it may stand on two legs.</summary>
     private const double SteepestFlown = 0.7;
 
-    // Least tail of what flies and of what balances on two legs, against the trunk, and most that it is made longer by: without one the trunk ends like a block behind the legs.
+    // Least tail of what flies and of what balances on two legs, against the trunk, that of others whose tail is of a family, and most that it is made longer by: without one the trunk ends like a block behind the legs.
     private const double LeastTail = 0.35;
+    private const double LeastOfFamily = 0.45;
     private const double MostLonger = 1.8;
 
     /// <summary>Least girth that is left of a tail.</summary>
@@ -68,13 +71,17 @@ internal static class TailFit
         double strange = builder.Fitting;
         double trunk = shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst];
         double length = (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / trunk;
-        bool rolls = TailTaper.Of(builder.Tail.Style) is { Curl: not 0 };
-        double stubby = rolls ? Math.Max(1, LeastRolled * Largest(shape, FirstOfTail, FirstOfTail) / (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast])) : 1;
-        bool steers = builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Tail.Style == TailStyle.Plain && builder.Parents.Tail.Class != AnimalClass.Bird;
-        double least = steers ? Scalar.Clamp(LeastTail / length, 1, MostLonger) : 1;
+        TailTaper? taper = TailTaper.Of(builder.Tail.Style);
+        bool rolls = taper is { Curl: not 0 };
+        bool steers = builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian && builder.Parents.Tail.Class != AnimalClass.Bird;
+        bool carried = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur && builder.Parents.Tail.TailHair is null;
+        double slender = rolls ? LeastRolled : taper != null ? LeastTapered : steers || carried ? LeastBalancing : 0;
+        double stubby = Math.Max(1, slender * Largest(shape, FirstOfTail, FirstOfTail) / (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]));
+        double shortest = steers ? LeastTail : taper != null && !rolls ? LeastOfFamily : 0;
+        double longer = Math.Min(MostLonger, Math.Max(shortest / length, PortableMath.Pow(stubby, 1 - Slimmed)));
         return drawn with
         {
-            Tail = drawn.Tail * PortableMath.Pow(least * PortableMath.Pow(stubby, 1 - Slimmed) / Math.Max(1, length / (rolls ? Carried : Trailing)), strange),
+            Tail = drawn.Tail * PortableMath.Pow(longer / Math.Max(1, length / (rolls ? Carried : Trailing)), strange),
             TailGirth = drawn.TailGirth * Math.Max(MinGirth, PortableMath.Pow(excess * PortableMath.Pow(stubby, Slimmed), -strange)),
         };
     }

@@ -1,3 +1,4 @@
+using System;
 using CreatureGen.Anatomy;
 using CreatureGen.Blueprints;
 using CreatureGen.Seeding;
@@ -36,6 +37,21 @@ internal static class TailSampler
         bool carried = builder.Plan is not (BodyPlan.Legless or BodyPlan.Theropod) && builder.Parents.Legs.Bird is null && builder.Parents.First.Class != AnimalClass.Arthropod
             && builder.Parents.First.Disc.Sweep == 0;
         return style == TailStyle.Plain || !carried ? null : new TailBlueprint(style, fraction, 0);
+    }
+
+    /// <summary>The tail of a creature that has none of a family: as the tables give it, or evenly to a point where these end in what it does not have, as those of fish do in a fin, those of insects in an abdomen, and those of furred ones in hair.</summary>
+    public static TailBlueprint Other(CreatureBuilder builder)
+    {
+        SpeciesProfile donor = builder.Parents.Tail;
+        bool lacks = donor.Class switch
+        {
+            AnimalClass.Fish => true,
+            AnimalClass.Arthropod => builder.Species.Class != AnimalClass.Arthropod,
+            AnimalClass.Mammal => builder.Parents.Skin.Cover != SkinCover.Fur,
+            _ => false,
+        };
+        bool runs = lacks && builder.Fitting > 0 && builder.Plan is not (BodyPlan.Legless or BodyPlan.ManyLegged) && builder.Species.Class != AnimalClass.Arthropod && builder.Species.Disc.Sweep == 0;
+        return runs ? new TailBlueprint(TailStyle.Saurian, Math.Max(BlueprintRules.MinTailSize, builder.Fitting), 0) : new TailBlueprint(TailStyle.Plain, 0, 0);
     }
 
     /// <summary>The fork of a fan of fin rays.</summary>
