@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using CreatureGen.Blueprints;
 using CreatureGen.Maths;
 
@@ -41,22 +42,30 @@ public static class SpeciesDistance
     }
 
     /// <summary>1 for a factor of e and more.</summary>
-    private static double Ratio(double a, double b) => Math.Min(1, Math.Abs(PortableMath.Log(a / b)));
+    private static double Ratio(double a, double b) => Math.Min(1, PortableMath.Log(Math.Max(a, b) / Math.Min(a, b)));
 
     private static double Counts(int a, int b) => a == b ? 0 : Math.Abs(a - b) / (double)Math.Max(a, b);
 
-    private static double Bodies(BodyBlend a, BodyBlend b, Func<BodyBlend, System.Collections.Generic.IReadOnlyList<double>> fractionsOf)
+    private static double Bodies(BodyBlend a, BodyBlend b, Func<BodyBlend, IReadOnlyList<double>> fractionsOf)
     {
-        double shared = 0;
+        var shared = new List<double>();
         for (int i = 0; i < a.Bodies.Count; i++)
         {
             for (int k = 0; k < b.Bodies.Count; k++)
             {
-                shared += a.Bodies[i].Name == b.Bodies[k].Name ? Math.Min(fractionsOf(a)[i], fractionsOf(b)[k]) : 0;
+                shared.Add(a.Bodies[i].Name == b.Bodies[k].Name ? Math.Min(fractionsOf(a)[i], fractionsOf(b)[k]) : 0);
             }
         }
 
-        return Math.Max(0, 1 - shared);
+        // Whoever comes first, they add up in one order: the sum is the same to the last bit.
+        shared.Sort();
+        double sum = 0;
+        foreach (double one in shared)
+        {
+            sum += one;
+        }
+
+        return Math.Max(0, 1 - sum);
     }
 
     /// <summary>Distance in the plane of chroma and hue with lightness, 1 for opposite strong colours.</summary>

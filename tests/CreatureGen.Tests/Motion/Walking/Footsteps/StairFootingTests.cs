@@ -6,6 +6,7 @@ using CreatureGen.Motion.Metrics;
 using CreatureGen.Motion.Metrics.Courses;
 using CreatureGen.Sampling;
 using CreatureGen.Skinning;
+using CreatureGen.Tests.Motion.Kept;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Walking.Footsteps;
@@ -50,7 +51,7 @@ public sealed class StairFootingTests
     [Fact]
     public void No_leg_whirls_about_its_hip_where_a_foot_is_carried_past_it_up_stairs()
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate(9920015, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var profile = new MotionProfile(KeptCreatures.Of(9920015));
         CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
         Assert.True(report.JointSpeed < 60f, $"{profile.Subject.Skeleton.Joints[report.JointSpeedJoint].Name} turns by {report.JointSpeed} rad/s");
     }
