@@ -48,6 +48,34 @@ public class FlankTests
         Assert.Empty(wrong);
     }
 
+    /// <summary>A hind foot was lifted past its hip as the body went over, and its ball turned by 490 rad/s.</summary>
+    [Theory]
+    [InlineData("Die")]
+    [InlineData("Sleep")]
+    public void No_joint_whirls_as_a_body_goes_over_onto_its_flank(string act)
+    {
+        const float Fine = 240f;
+        var profile = new MotionProfile(Walkers.Any(9971544));
+        ActAbility ability = profile.Acts.Find(act);
+        Assert.Contains(ability.Act.Phases.SelectMany(phase => phase.Ends), end => end.Channel == ActChannel.OnFlank && end.Value != 0f);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(animator.Root, FlatGround.Level);
+        animator.Perform(ability);
+        Quaternion[] before = animator.LocalPose.Rotations.ToArray();
+        float fastest = 0f;
+        for (int i = 0; i < Fine * ability.SecondsToLast; i++)
+        {
+            animator.Update(1f / Fine, default, FlatGround.Level);
+            for (int j = 0; j < before.Length; j++)
+            {
+                fastest = Math.Max(fastest, Fine * Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before[j]), animator.LocalPose.Rotations[j])));
+                before[j] = animator.LocalPose.Rotations[j];
+            }
+        }
+
+        Assert.InRange(fastest, 0f, 40f);
+    }
+
     [Fact]
     public void A_body_with_arms_beside_it_stays_on_its_belly()
     {

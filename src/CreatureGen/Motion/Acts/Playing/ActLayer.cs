@@ -86,13 +86,13 @@ internal sealed class ActLayer
             bool isFore = body.Legs.Rows > 1 && body.Legs.Legs[leg].Row == body.Legs.Rows - 1;
             float lifted = Scalar.Smooth(Trunk.Feet[leg].Way.Y / (Unfolded * body.Legs.Legs[leg].Length));
             float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f) * (1f - lifted);
+            float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
             if (fold > 0f || stretched > 0f)
             {
-                folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched);
+                folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched, over);
             }
 
             // Legs go over with a body that rolls over, and come together so that it lies on its flank and not on them.
-            float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
             Trunk.Feet[leg].Way.X -= Together * over * (1f - fold) * body.Legs.Legs[leg].Home.X;
             Trunk.Feet[leg].Loose = Math.Max(Trunk.Feet[leg].Loose, over);
             Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);

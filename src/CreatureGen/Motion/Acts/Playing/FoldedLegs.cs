@@ -49,17 +49,22 @@ internal sealed class FoldedLegs
     }
 
     /// <summary>Adds a share of them to what is asked of a foot.</summary>
-    public void AddTo(ref FootLayer foot, int leg, float folded, float stretched)
+    /// <param name="foot">What is asked of it.</param>
+    /// <param name="leg">Its leg.</param>
+    /// <param name="folded">How far it is folded, 0..1.</param>
+    /// <param name="stretched">How far it is stretched out behind, 0..1.</param>
+    /// <param name="over">How far the body is over on its flank, 0..1: there is no ground there that a foot would have to be lifted from, and lifted it would pass its hip.</param>
+    public void AddTo(ref FootLayer foot, int leg, float folded, float stretched, float over)
     {
-        Add(Folded, ref foot, leg, folded);
-        Add(Stretched, ref foot, leg, stretched);
+        Add(Folded, ref foot, leg, folded, 1f - over);
+        Add(Stretched, ref foot, leg, stretched, 1f);
     }
 
-    private static void Add(FootWays ways, ref FootLayer foot, int leg, float fraction)
+    private static void Add(FootWays ways, ref FootLayer foot, int leg, float fraction, float lifted)
     {
         Vector3 way = ways.Ways[leg];
         float level = (float)Math.Sqrt((way.X * way.X) + (way.Z * way.Z));
-        way.Y += ways.Arch * level * 4f * (1f - fraction);
+        way.Y += ways.Arch * level * 4f * (1f - fraction) * lifted;
         foot.Way += way * fraction;
         foot.Pitch += ways.Pitches[leg] * fraction;
         foot.Loose = Math.Max(foot.Loose, fraction);
