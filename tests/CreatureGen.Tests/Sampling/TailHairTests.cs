@@ -19,7 +19,7 @@ public sealed class TailHairTests
     [InlineData("rabbit", 44.5, 45.5)]
     public void Furred_tails_wear_the_hair_of_their_species(string body, double first, double last)
     {
-        ManeBlueprint hair = Assert.Single(Draw(body, 1).Manes.Where(IsOfTail));
+        ManeBlueprint hair = Assert.Single(Draw(body, 1).Manes, IsOfTail);
         Assert.InRange(hair.Ring, first, last);
     }
 
