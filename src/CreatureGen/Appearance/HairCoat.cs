@@ -28,10 +28,7 @@ internal sealed class HairCoat
     }
 
     /// <summary>The colour of all hair of a creature: that of its ornaments; hair of the tail alone is the coat's own, dark or pale as the limbs are.</summary>
-    public static Vector3 ColourOf(CoatPalette palette, IReadOnlyList<ManeBlueprint> manes) => manes.Any(IsOfBody) ? palette.Accent : palette.Limb;
-
-    /// <summary>Whether hair grows ahead of the tail.</summary>
-    public static bool IsOfBody(ManeBlueprint mane) => mane.Ring < StationRing.TorsoLast;
+    public static Vector3 ColourOf(CoatPalette palette, IReadOnlyList<ManeBlueprint> manes) => manes.Any(mane => mane.IsOfBody) ? palette.Accent : palette.Limb;
 
     /// <summary>The colour of a place of the trunk with the shade of hair laid over <paramref name="under"/>.</summary>
     public Vector3 Over(Vector3 under, in SkinPlace place)

@@ -1,3 +1,5 @@
+using CreatureGen.Anatomy;
+
 namespace CreatureGen.Blueprints;
 
 /// <summary>Hair in locks on a field of the body: a mane, a crest of bristles, a beard, the tuft of a tail.</summary>
@@ -27,6 +29,9 @@ public sealed record ManeBlueprint(
     double Fall,
     double Hang)
 {
+    /// <summary>Whether it grows ahead of the tail.</summary>
+    internal bool IsOfBody => Ring < StationRing.TorsoLast;
+
     /// <summary>Its JSON text on one line, the same in every culture.</summary>
     public override string ToString() => RecordJson.LineOf(this, NeckFields.Mane);
 }

@@ -53,7 +53,10 @@ public static class SpeciesDistance
         {
             for (int k = 0; k < b.Bodies.Count; k++)
             {
-                shared.Add(a.Bodies[i].Name == b.Bodies[k].Name ? Math.Min(fractionsOf(a)[i], fractionsOf(b)[k]) : 0);
+                if (a.Bodies[i].Name == b.Bodies[k].Name)
+                {
+                    shared.Add(Math.Min(fractionsOf(a)[i], fractionsOf(b)[k]));
+                }
             }
         }
 

@@ -64,9 +64,11 @@ internal static class WeightChecks
     private static bool IsRooted(Creature creature, int first, int second)
     {
         (int limb, int disc) = (Math.Min(first, second), Math.Max(first, second));
-        int limbs = creature.Limbs.Count;
-        return limb <= limbs && disc > limbs && creature.Limbs[limb - 1].Side == (disc == limbs + 1 ? Side.Left : Side.Right);
+        return limb <= creature.Limbs.Count && disc == DiscOf(creature, creature.Limbs[limb - 1].Side);
     }
+
+    /// <summary>The number of a half of a disc, whose rows move one skin: beyond those of limbs.</summary>
+    private static int DiscOf(Creature creature, Side side) => creature.Limbs.Count + (side == Side.Left ? 1 : 2);
 
     /// <summary>For each joint the limb whose free part it moves, counted from 1, or 0. Girdles belong to the body.</summary>
     private static int[] LimbsOf(Creature creature)
@@ -74,9 +76,8 @@ internal static class WeightChecks
         var limbs = new int[creature.Skeleton.Count];
         for (int i = 0; i < creature.Limbs.Count; i++)
         {
-            // The rows of a half of a disc move one skin.
             LimbChain limb = creature.Limbs[i];
-            int number = limb.Kind != LimbKind.Disc ? i + 1 : creature.Limbs.Count + (limb.Side == Side.Left ? 1 : 2);
+            int number = limb.Kind != LimbKind.Disc ? i + 1 : DiscOf(creature, limb.Side);
             foreach (int joint in limb.Joints)
             {
                 if (creature.Skeleton.Joints[joint].Role != JointRole.Girdle)

@@ -49,7 +49,7 @@ public sealed class TailHairTests
         Assert.Equal(palette.Accent, HairCoat.ColourOf(palette, horse.Manes));
     }
 
-    private static bool IsOfTail(ManeBlueprint mane) => !HairCoat.IsOfBody(mane);
+    private static bool IsOfTail(ManeBlueprint mane) => !mane.IsOfBody;
 
     private static CreatureBlueprint Draw(string body, ulong seed) => BlueprintSampler.Sample(seed, SpeciesSubject.Only(body, RequestedKind.Walking));
 }

@@ -70,7 +70,7 @@ internal static class CoatSampler
         ColourBlueprint muzzle = builder.Parents.Head.Snout == SnoutKind.Beak
             ? random.Chance(0.65) ? Colour(0.70, 0.13, CreatureBuilder.Choose(random, (60.0, 1), (75.0, 1), (45.0, 1))) : Colour(0.3, 0.02, 60)
             : Colour(0.25, 0.03, 30);
-        if (mood != PaletteMood.Vivid && builder.Manes.Exists(mane => mane.Ring < StationRing.TorsoLast))
+        if (mood != PaletteMood.Vivid && builder.Manes.Exists(mane => mane.IsOfBody))
         {
             // Hair of a colour of its own suits vivid coats; on all others it is a darker or paler shade of the coat.
             accent = Colour(Scalar.Clamp(lightness + (lightness > 0.45 ? -0.24 : 0.2), 0.2, 0.9), chroma * 1.05, hue - 14);

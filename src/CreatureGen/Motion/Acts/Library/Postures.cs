@@ -27,7 +27,7 @@ internal static class Postures
     // Over onto the flank out of lying, and back onto the belly.
     private static readonly ActPhase[] sleepOnFlank =
     {
-        OnFlankFrom("roll over", 3.5f, ActEase.Smooth).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(NeckPitch, -0.1f).To(TailSide, 0.7f).To(Lids, 0.8f).To(Ears, 0.35f),
+        OntoFlank("roll over", 3.5f, ActEase.Smooth).To(NeckSide, 0.7f).To(HeadSide, 0.2f).To(NeckPitch, -0.1f).To(TailSide, 0.7f).To(Lids, 0.8f).To(Ears, 0.35f),
         new ActPhase("nod", 1.6f).To(NeckSide, 0.9f).To(Lids, 1f),
         new ActPhase("sleep", 14f).Lasting().With(new ActWave(BackPitch, 0.012f, 2.5f)),
         new ActPhase("wake", 1.6f).To(Lids, 0.2f).To(NeckSide, 0.1f).To(NeckPitch, 0.1f).To(Ears, -0.3f),
@@ -71,7 +71,7 @@ internal static class Postures
             new ActPhase("reel", 1.6f).To(Aside, 0.06f).To(Roll, -0.06f).To(NeckPitch, 0.3f).To(NeckSide, -0.3f).To(Lids, 0.5f).To(Jaw, 0.4f).To(Ears, 0.8f),
             new ActPhase("buckle", 1.2f, ActEase.In).To(ForeDown, 0.62f).To(HindDown, 0.45f).To(ForeFold, 0.6f).To(HindFold, 0.4f).To(Aside, 0f).To(NeckPitch, -0.1f),
             new ActPhase("drop", 1.4f, ActEase.In).To(ForeDown, 0.97f).To(HindDown, 0.97f).To(ForeFold, 1f).To(HindFold, 1f).To(NeckPitch, -0.1f).To(NeckSide, 0.2f).To(Roll, 0f).To(OnFlank, 0.3f),
-            OnFlankFrom("topple", 1.8f, ActEase.In).To(NeckSide, 0.9f).To(NeckPitch, 0.1f).To(HeadSide, 0.3f).To(TailSide, 0.9f).To(Jaw, 0.3f),
+            OntoFlank("topple", 1.8f, ActEase.In).To(NeckSide, 0.9f).To(NeckPitch, 0.1f).To(HeadSide, 0.3f).To(TailSide, 0.9f).To(Jaw, 0.3f),
             new ActPhase("settle", 1.2f, ActEase.Out).To(NeckPitch, -0.1f).To(Lids, 0.8f),
             new ActPhase("still", 5f).Lasting(),
             new ActPhase("gather", 2.6f).To(OnFlank, 0.2f).To(ForeDown, 0.9f).To(HindDown, 0.97f).To(ForeFold, 0.9f).To(HindFold, 1f).To(ForeFeetPitch, 0f).To(HindFeetPitch, 0f).To(NeckPitch, 0f).To(NeckSide, -0.1f).To(HeadSide, 0f).To(TailSide, 0.2f),
@@ -103,7 +103,7 @@ internal static class Postures
     };
 
     /// <summary>Over onto the flank, legs stretched out.</summary>
-    private static ActPhase OnFlankFrom(string name, float duration, ActEase ease) =>
+    private static ActPhase OntoFlank(string name, float duration, ActEase ease) =>
         new ActPhase(name, duration, ease).To(OnFlank, 1f).To(ForeDown, Flank.Down).To(HindDown, Flank.Down).To(ForeFold, 0f).To(HindFold, 0f).To(ForeFeetPitch, Flank.ToesDown).To(HindFeetPitch, Flank.ToesDown);
 
     private static Act Lying(string name, ActPhase[] phases) => new Act(name, ActKind.Posture, phases).Needing(ActNeeds.Legs).OnTheSpot();

@@ -81,12 +81,12 @@ internal sealed class ActLayer
         Lift(body.ForeFeet, side < 0f, values, ActChannel.ForeFeetUp, ActChannel.ForeFootUp);
         Lift(body.HindFeet, side < 0f, values, ActChannel.HindFeetUp, ActChannel.HindFootUp);
         Loose = 1f;
+        float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
         for (int leg = 0; leg < Trunk.Feet.Length; leg++)
         {
             bool isFore = body.Legs.Rows > 1 && body.Legs.Legs[leg].Row == body.Legs.Rows - 1;
             float lifted = Scalar.Smooth(Trunk.Feet[leg].Way.Y / (Unfolded * body.Legs.Legs[leg].Length));
             float fold = Scalar.Clamp(values[(int)(isFore ? ActChannel.ForeFold : ActChannel.HindFold)], 0f, 1f) * (1f - lifted);
-            float over = Math.Min(Math.Abs(values[(int)ActChannel.OnFlank]), 1f);
             if (fold > 0f || stretched > 0f)
             {
                 folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched, over);
