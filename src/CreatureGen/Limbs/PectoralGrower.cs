@@ -27,6 +27,17 @@ internal static class PectoralGrower
     private const float FacesDown = 0.5f;
     private const float Turning = 0.4f;
 
+    // A fin whose trailing edge is not off the flank by a share of its length is turned less, step by step: at its root first, from where it is turned out over a part of its length.
+    private const float Margin = 0.09f;
+    private const float Step = 0.1f;
+    private const float TwistFrom = 0.4f;
+    private const float Twist = 0.6f;
+
+    // Points of the trailing edge that are looked at, from where it leaves the root, and rings of the flank behind the socket.
+    private const float EdgeFrom = 0.1f;
+    private const int EdgePoints = 6;
+    private const int Flank = 20;
+
     /// <summary>Sections along the fin, crowded towards its tip.</summary>
     private const int SectionCount = 17;
 
@@ -46,14 +57,13 @@ internal static class PectoralGrower
         Vector3 outward = Vec.Normalize(new Vector3(1f, -(float)fin.Drop, -(float)fin.Sweep * lean));
         Vector3 skin = body.Skin.At(socket.CentreRing, fin.Socket.Segment + (fin.Socket.Columns / 2.0)).Normal;
         float rise = Scalar.Lerp(Pronation, UnderBody, Scalar.Smooth((-skin.Y - FacesDown) / Turning));
-        Vector3 back = Vec.Normalize(Vec.Reject(new Vector3(0f, rise, -1f), outward));
-        Vector3 normal = Vec.Cross(outward, back);
-        normal = normal.Y > 0f ? normal : -normal;
+        float rootRise = rise;
+        Vector3 Back(float s) => Vec.Normalize(Vec.Reject(new Vector3(0f, Scalar.Lerp(rootRise, rise, Scalar.Smooth((s - TwistFrom) / Twist)), -1f), outward));
 
         // Both edges are lifted off the skin, or a swept fin would dive into the body.
         Vector3 Lift(float s) => skin * (0.13f * length * Scalar.Smooth(s / 0.25f));
-        Vector3 Lead(float s) => centre + Lift(s) + (outward * (length * s)) - (back * Ahead(s));
-        Vector3 Trail(float s) => centre + Lift(s) + (skin * (length * 0.20f * Scalar.Smooth(s / 0.15f) * (1f - s))) + (outward * (length * s)) + (back * Behind(s));
+        Vector3 Lead(float s) => centre + Lift(s) + (outward * (length * s)) - (Back(s) * Ahead(s));
+        Vector3 Trail(float s) => centre + Lift(s) + (skin * (length * 0.20f * Scalar.Smooth(s / 0.15f) * (1f - s))) + (outward * (length * s)) + (Back(s) * Behind(s));
         float Ahead(float s) => Middle(s) + (Rounded(s) * (LeadOf(s) - Middle(s)));
         float Behind(float s) => (Rounded(s) * (TrailOf(s) + Middle(s))) - Middle(s);
         float Middle(float s) => (LeadOf(s) - TrailOf(s)) / 2f;
@@ -76,9 +86,21 @@ internal static class PectoralGrower
             return length * width * 0.9f * (float)bow * (1f - (0.12f * (float)Math.Abs(PortableMath.Sin(s * 14))));
         }
 
+        while (Math.Max(rootRise, rise) > UnderBody && !Clears(body.Skin, socket.CentreRing, Trail, Margin * length))
+        {
+            rise = rootRise > UnderBody ? rise : Math.Max(UnderBody, rise - Step);
+            rootRise = Math.Max(UnderBody, rootRise - Step);
+        }
+
+        Vector3 Across(float s)
+        {
+            Vector3 normal = Vec.Cross(outward, Back(s));
+            return normal.Y > 0f ? normal : -normal;
+        }
+
         var blade = new BladeSweep(Lead, Trail)
         {
-            Normal = _ => -normal,
+            Normal = s => -Across(s),
             Thickness = (s, u) => (u < 0.3f ? 0.022f : 0.022f * (1f - (0.85f * Scalar.Smooth((u - 0.2f) / 0.6f)))) * (1f - (0.7f * s)) * (length / 0.3f),
             Sections = Sections(),
             Blend = 0.22f,
@@ -97,9 +119,36 @@ internal static class PectoralGrower
             RootRing = socket.CentreRing,
             Joints = joints,
             JointsAlong = new[] { 0f, 0.5f, 1f },
-            Pole = back,
+            Pole = Back(0.5f),
             Contact = joints[2],
         };
+    }
+
+    /// <summary>Whether an edge keeps a margin off the flank behind its socket, metres: off the nearest of the points of the skin.</summary>
+    private static bool Clears(BodySkin skin, double ring, Func<float, Vector3> edge, float margin)
+    {
+        int first = (int)ring;
+        int last = Math.Min(first + Flank, BodyGrid.Rings - 2);
+        for (int k = 0; k <= EdgePoints; k++)
+        {
+            Vector3 point = edge(Scalar.Lerp(EdgeFrom, 1f, (float)k / EdgePoints));
+            (int Ring, int Segment) nearest = (first, 0);
+            for (int i = first; i <= last; i++)
+            {
+                for (int j = 0; j <= BodyGrid.Segments / 2; j++)
+                {
+                    nearest = Vector3.DistanceSquared(skin[i, j], point) < Vector3.DistanceSquared(skin[nearest.Ring, nearest.Segment], point) ? (i, j) : nearest;
+                }
+            }
+
+            SurfacePoint at = skin.At(nearest.Ring, nearest.Segment);
+            if (Vec.Dot(point - at.Position, at.Normal) < margin)
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 
     private static float[] Sections()
