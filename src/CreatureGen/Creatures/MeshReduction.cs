@@ -190,7 +190,7 @@ internal sealed class MeshReduction
         double min = double.PositiveInfinity;
         foreach (int n in around)
         {
-            min = Math.Min(min, cost.MinOf(point, n));
+            min = Math.Min(min, cost.MinOf(point, n, cost.ShapeOf(point, n)));
         }
 
         queued[point] = true;

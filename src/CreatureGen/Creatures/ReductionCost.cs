@@ -90,9 +90,10 @@ internal sealed class ReductionCost
     /// <summary>The cost of a step.</summary>
     /// <param name="from">The point that goes.</param>
     /// <param name="to">The neighbour that takes its place.</param>
+    /// <param name="shape">What <see cref="ShapeOf"/> says of the step.</param>
     /// <param name="pairs">For each vertex of <paramref name="from"/> the one that takes its place.</param>
     /// <param name="torn">Whether one of them leaves its place in the texture.</param>
-    public double Of(int from, int to, List<(int From, int To)> pairs, bool torn)
+    public double Of(int from, int to, double shape, List<(int From, int To)> pairs, bool torn)
     {
         double colour = 0;
         foreach ((int From, int To) pair in pairs)
@@ -100,19 +101,23 @@ internal sealed class ReductionCost
             colour += Difference(pair.From, pair.To);
         }
 
-        return CostOf(from, to, colour / pairs.Count, torn ? tear * tear : 0);
+        return CostOf(from, to, shape, colour / pairs.Count, torn ? tear * tear : 0);
     }
 
     /// <summary>The cost of a step between points with one vertex each, as <see cref="Of"/> has it.</summary>
     /// <param name="from">The point that goes.</param>
     /// <param name="to">The neighbour that takes its place.</param>
+    /// <param name="shape">What <see cref="ShapeOf"/> says of the step.</param>
     /// <param name="vertex">The vertex of <paramref name="from"/>.</param>
     /// <param name="other">The vertex of <paramref name="to"/>.</param>
-    public double OfPlain(int from, int to, int vertex, int other) => CostOf(from, to, Difference(vertex, other), 0);
+    public double OfPlain(int from, int to, double shape, int vertex, int other) => CostOf(from, to, shape, Difference(vertex, other), 0);
+
+    /// <summary>How much the shape changes in a step, m⁴: worked out once for the two costs that are asked for.</summary>
+    public double ShapeOf(int from, int to) => quadrics[from].At(positions[to]);
 
     /// <summary>A cost that <see cref="Of"/> does not fall below, whatever the rounding: the shape alone.</summary>
-    public double MinOf(int from, int to) =>
-        simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * (Vec.LengthSquared(positions[from] - positions[to]) * (Stretch * Stretch))));
+    public double MinOf(int from, int to, double shape) =>
+        simplificationWeight[from] * (shape + (areas[from] * (Vec.LengthSquared(positions[from] - positions[to]) * (Stretch * Stretch))));
 
     /// <summary>The cost of the loss of a piece.</summary>
     /// <param name="point">One of its points.</param>
@@ -130,13 +135,13 @@ internal sealed class ReductionCost
         areas[to] += areas[from];
     }
 
-    private double CostOf(int from, int to, double colour, double torn)
+    private double CostOf(int from, int to, double shape, double colour, double torn)
     {
         double distance = Vec.LengthSquared(positions[from] - positions[to]);
         double bend = Bend * WeightChange(weights[from], weights[to]);
         double seeming = (distance * ((bend * bend) + (Stretch * Stretch))) + (colour * contrast * contrast) + torn;
         seeming += positions[from].Y == 0f && positions[to].Y != 0f ? lift * lift : 0;
-        return simplificationWeight[from] * (quadrics[from].At(positions[to]) + (areas[from] * seeming));
+        return simplificationWeight[from] * (shape + (areas[from] * seeming));
     }
 
     /// <summary>0 for equal weights, 1 for weights on other joints.</summary>

@@ -11,6 +11,7 @@ namespace CreatureGen.Creatures;
 internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, int[] twin, sbyte[] side)
 {
     private readonly double[] costs = new double[64];
+    private readonly double[] shapes = new double[64];
     private readonly List<int> neighbours = new();
     private readonly List<int> ranked = new();
     private readonly List<int> vertices = new();
@@ -35,9 +36,11 @@ internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, int
         {
             if (KeepsSides(point, n) && ranked.Count < costs.Length)
             {
-                double min = cost.MinOf(point, n);
+                double shape = cost.ShapeOf(point, n);
+                double min = cost.MinOf(point, n, shape);
                 first = first < 0 || min < costs[first] ? ranked.Count : first;
                 costs[ranked.Count] = min;
+                shapes[ranked.Count] = shape;
                 ranked.Add(n);
             }
         }
@@ -65,7 +68,7 @@ internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, int
                 continue;
             }
 
-            double offered = plain ? cost.OfPlain(point, n, vertex, other) : InFull(point, n);
+            double offered = plain ? cost.OfPlain(point, n, shapes[at], vertex, other) : InFull(point, n, shapes[at]);
             if (offered < leastCost || (offered == leastCost && n < best))
             {
                 leastCost = offered;
@@ -76,11 +79,11 @@ internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, int
         return best;
     }
 
-    private double InFull(int point, int n)
+    private double InFull(int point, int n, double shape)
     {
         bool torn = !Match(point, n, pairs);
         MayTear |= torn;
-        return cost.Of(point, n, pairs, torn);
+        return cost.Of(point, n, shape, pairs, torn);
     }
 
     /// <summary>Whether a point stays on its side of the plane of symmetry, or on the plane, when it is pulled onto a neighbour.</summary>
@@ -98,7 +101,7 @@ internal sealed class StepChoice(CollapsingMesh surface, ReductionCost cost, int
                 continue;
             }
 
-            double edgeCost = InFull(point, n);
+            double edgeCost = InFull(point, n, cost.ShapeOf(point, n));
             int at = ranked.Count;
             ranked.Add(n);
             while (at > 0 && (edgeCost < costs[at - 1] || (edgeCost == costs[at - 1] && n < ranked[at - 1])))
