@@ -39,7 +39,7 @@ public sealed class CreatureLods
             return mesh;
         }
 
-        var reduction = new MeshReduction(mesh);
+        using var reduction = new MeshReduction(mesh);
         reduction.KeepFromCrossing();
         reduction.ReduceTo(budget);
         return reduction.ToLevel().ToMesh();
@@ -49,7 +49,7 @@ public sealed class CreatureLods
     public static CreatureLods Of(CreatureMesh mesh)
     {
         _ = mesh ?? throw new ArgumentNullException(nameof(mesh));
-        var reduction = new MeshReduction(mesh);
+        using var reduction = new MeshReduction(mesh);
         reduction.KeepFromCrossing();
         int triangles = reduction.Triangles;
         var levels = new CreatureLod[fractions.Length];

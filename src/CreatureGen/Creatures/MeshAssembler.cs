@@ -16,8 +16,7 @@ internal static class MeshAssembler
     /// <summary>Builds the buffers, larger by a factor than what they are built from. Normals, colours and weights have one entry per vertex of the surface.</summary>
     public static CreatureMesh Assemble(Surface surface, Vector3[] normals, Vector3[] colours, SkinWeights[] weights, IReadOnlyList<Piece> pieces, Rig rig, float scale)
     {
-        using var sources = new PooledList<int>(surface.Positions.Length * 3 / 2);
-        using var splitTexcoords = new PooledList<Vector2>(surface.Positions.Length * 3 / 2);
+        using var copies = new PooledList<SkinCopy>(surface.Positions.Length * 3 / 2);
         int vertices = 0;
         int skinIndices = surface.Triangles.Length;
         int membraneIndices = 0;
@@ -29,21 +28,21 @@ internal static class MeshAssembler
         }
 
         int[] triangles = new int[skinIndices + membraneIndices];
-        Split(surface, sources, splitTexcoords, triangles);
-        vertices += sources.Count;
+        Split(surface, copies, triangles);
+        vertices += copies.Count;
         var buffers = new Buffers(vertices);
-        ReadOnlySpan<int> copied = sources.Items;
-        splitTexcoords.Items.CopyTo(buffers.Texcoords);
+        ReadOnlySpan<SkinCopy> copied = copies.Items;
         for (int v = 0; v < copied.Length; v++)
         {
-            int source = copied[v];
+            int source = copied[v].Source;
             buffers.Positions[v] = surface.Positions[source] * scale;
             buffers.Normals[v] = normals[source];
+            buffers.Texcoords[v] = copied[v].Texcoord;
             buffers.Colours[v] = colours[source];
             buffers.Weights[v] = weights[source];
         }
 
-        int first = sources.Count;
+        int first = copies.Count;
         buffers.SimplificationWeight.AsSpan(0, first).Fill(1f);
         int nextSkin = surface.Triangles.Length;
         int nextMembrane = skinIndices;
@@ -108,21 +107,20 @@ internal static class MeshAssembler
         return index >= 0 ? index : throw new InvalidOperationException($"a piece is bound to joint \"{joint}\", which the skeleton does not have");
     }
 
-    /// <summary>Gives each vertex as many copies as it has places in the texture: adds what each copy is a copy of and its place, and writes the triangles.</summary>
-    private static void Split(Surface surface, PooledList<int> sources, PooledList<Vector2> texcoords, int[] triangles)
+    /// <summary>Gives each vertex as many copies as it has places in the texture, and writes the triangles.</summary>
+    private static void Split(Surface surface, PooledList<SkinCopy> copies, int[] triangles)
     {
         ChartPacking packing = ChartPacking.Pack(surface);
-        int[] firstCopy = new int[surface.Positions.Length];
-        Array.Fill(firstCopy, -1);
-        using var nextCopy = new PooledList<int>(surface.Positions.Length * 3 / 2);
+        int[] lastCopy = new int[surface.Positions.Length];
+        Array.Fill(lastCopy, -1);
         int at = 0;
         for (int f = 0; f < surface.Faces.Length; f++)
         {
             Face face = surface.Faces[f];
             FaceTexcoords t = surface.Texcoords[f];
-            int a = Copy(face.A, t.A);
-            int b = Copy(face.B, t.B);
-            int c = Copy(face.C, t.C);
+            int a = CopyAt(copies, lastCopy, face.A, packing.Map(face.Chart, t.A));
+            int b = CopyAt(copies, lastCopy, face.B, packing.Map(face.Chart, t.B));
+            int c = CopyAt(copies, lastCopy, face.C, packing.Map(face.Chart, t.C));
             triangles[at++] = a;
             triangles[at++] = b;
             triangles[at++] = c;
@@ -130,30 +128,47 @@ internal static class MeshAssembler
             {
                 triangles[at++] = a;
                 triangles[at++] = c;
-                triangles[at++] = Copy(face.D, t.D);
-            }
-
-            int Copy(int vertex, Vector2 texcoord)
-            {
-                Vector2 uv = packing.Map(face.Chart, texcoord);
-                int copy = firstCopy[vertex];
-                while (copy >= 0 && texcoords[copy] != uv)
-                {
-                    copy = nextCopy[copy];
-                }
-
-                if (copy < 0)
-                {
-                    copy = sources.Count;
-                    sources.Add(vertex);
-                    texcoords.Add(uv);
-                    nextCopy.Add(firstCopy[vertex]);
-                    firstCopy[vertex] = copy;
-                }
-
-                return copy;
+                triangles[at++] = CopyAt(copies, lastCopy, face.D, packing.Map(face.Chart, t.D));
             }
         }
+    }
+
+    /// <summary>The copy of a vertex at a place in the texture; a new one where there is none.</summary>
+    private static int CopyAt(PooledList<SkinCopy> copies, int[] lastCopy, int vertex, Vector2 texcoord)
+    {
+        ReadOnlySpan<SkinCopy> known = copies.Items;
+        int copy = lastCopy[vertex];
+        while (copy >= 0 && known[copy].Texcoord != texcoord)
+        {
+            copy = known[copy].Before;
+        }
+
+        if (copy < 0)
+        {
+            copy = copies.Count;
+            copies.Add(new SkinCopy(vertex, lastCopy[vertex], texcoord));
+            lastCopy[vertex] = copy;
+        }
+
+        return copy;
+    }
+
+    /// <summary>A vertex of the surface at one of its places in the texture. What is known of a copy lies together, for it is asked together, four times a face.</summary>
+    private readonly struct SkinCopy
+    {
+        public SkinCopy(int source, int before, Vector2 texcoord)
+        {
+            Source = source;
+            Before = before;
+            Texcoord = texcoord;
+        }
+
+        public int Source { get; }
+
+        /// <summary>The copy of the same vertex that was made before this one, −1 for the first.</summary>
+        public int Before { get; }
+
+        public Vector2 Texcoord { get; }
     }
 
     private sealed class Buffers

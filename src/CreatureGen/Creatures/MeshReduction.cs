@@ -13,7 +13,7 @@ namespace CreatureGen.Creatures;
 /// Points go one by one, together with their mirror images; small pieces that sit on the creature go as a whole when they cost less than another point.
 /// The order depends on nothing but the mesh, so that a coarse level is always a coarsening of a finer one.
 /// </remarks>
-internal sealed class MeshReduction
+internal sealed class MeshReduction : IDisposable
 {
     private readonly CreatureMesh mesh;
     private readonly CollapsingMesh surface;
@@ -69,7 +69,7 @@ internal sealed class MeshReduction
         }
 
         surface = new CollapsingMesh(positions, normals, corners, vertices);
-        twin = SagittalTwins.Find(positions);
+        twin = SagittalTwins.Find(welding);
         bool mirrored = Array.IndexOf(twin, -1) < 0;
         side = new sbyte[positions.Length];
         for (int p = 0; p < side.Length; p++)
@@ -153,6 +153,13 @@ internal sealed class MeshReduction
         }
 
         return new CreatureLod(mesh, triangles, parts, FinalRemap());
+    }
+
+    /// <summary>Gives borrowed memory back; nothing may be asked of it any more.</summary>
+    public void Dispose()
+    {
+        cost.Dispose();
+        guard?.Dispose();
     }
 
     private static int[] Identity(int count)

@@ -1,4 +1,5 @@
 using System;
+using System.Buffers;
 using System.Collections.Generic;
 using System.Numerics;
 using CreatureGen.Geometry;
@@ -13,8 +14,9 @@ namespace CreatureGen.Creatures;
 /// <remarks>
 /// The distance to the planes of all triangles that the point has stood for (shape), the part of its weights that changes (how it bends), its colour, and whether it leaves its place in the
 /// texture. The area grows with every point that is pulled onto it. What draws a viewer's attention counts as if it were larger.
+/// The largest lists are borrowed from the pool and given back when it is disposed of: made anew each time they would bring about full collections of garbage.
 /// </remarks>
-internal sealed class ReductionCost
+internal sealed class ReductionCost : IDisposable
 {
     /// <summary>Metres that a change of all weights counts for, per metre between the points: a joint between them bends by about this angle, radians.</summary>
     private const double Bend = 0.35;
@@ -52,7 +54,8 @@ internal sealed class ReductionCost
     public ReductionCost(CreatureMesh mesh, Vector3[] positions, ReadOnlySpan<int> pointOf, ReadOnlySpan<int> corners)
     {
         this.positions = positions;
-        quadrics = new Quadric[positions.Length];
+        quadrics = ArrayPool<Quadric>.Shared.Rent(positions.Length);
+        Array.Clear(quadrics, 0, positions.Length);
         areas = new double[positions.Length];
         for (int t = 0; t < corners.Length; t += 3)
         {
@@ -67,7 +70,7 @@ internal sealed class ReductionCost
             }
         }
 
-        weights = new SkinWeights[positions.Length];
+        weights = ArrayPool<SkinWeights>.Shared.Rent(positions.Length);
         simplificationWeight = new double[positions.Length];
         colours = new Vector3[pointOf.Length];
         for (int v = 0; v < pointOf.Length; v++)
@@ -133,6 +136,13 @@ internal sealed class ReductionCost
     {
         quadrics[to] += quadrics[from];
         areas[to] += areas[from];
+    }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+        ArrayPool<Quadric>.Shared.Return(quadrics);
+        ArrayPool<SkinWeights>.Shared.Return(weights);
     }
 
     private double CostOf(int from, int to, double shape, double colour, double torn)

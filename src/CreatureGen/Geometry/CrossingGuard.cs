@@ -10,8 +10,12 @@ namespace CreatureGen.Geometry;
 /// Triangles, of mirrored pieces those of the left side alone, lie in a <see cref="TriangleTree"/>, whose boxes are widened as they move; once a third of them has gone, the tree is built anew of what is left. It is asked in a third of the time of a grid of cells: a triangle lies in it once, and
 /// boxes are met without branches. What counts as a crossing is said by <see cref="TriangleCrossing"/>.
 /// </remarks>
-internal sealed class CrossingGuard
+internal sealed class CrossingGuard : IDisposable
 {
+    /// <summary>The tree of the last guard that was disposed of: its lists are large, and as long as those of the next one.</summary>
+    [ThreadStatic]
+    private static TriangleTree? spareTree;
+
     /// <summary>Part of the triangles that is left when the tree is built anew.</summary>
     private const double Worn = 0.66;
 
@@ -21,7 +25,7 @@ internal sealed class CrossingGuard
     private readonly int[] pieceOf;
     private readonly bool[] isImage;
     private readonly double tolerance;
-    private readonly TriangleTree tree = new();
+    private readonly TriangleTree tree;
     private readonly int[] slotOf;
 
     // The triangles in the tree, in the order in which they were given to it, and their corners then.
@@ -50,6 +54,8 @@ internal sealed class CrossingGuard
         this.pieceOf = pieceOf;
         this.isImage = isImage;
         tolerance = Tolerance.CrossingLengthPerDiagonal * PointBounds.Of(positions).Diagonal;
+        tree = spareTree ?? new TriangleTree();
+        spareTree = null;
         slotOf = new int[points.Length / 3];
         entered = new int[points.Length / 3];
         corners = new int[points.Length];
@@ -129,6 +135,9 @@ internal sealed class CrossingGuard
             Build();
         }
     }
+
+    /// <inheritdoc/>
+    public void Dispose() => spareTree = tree;
 
     private void Build()
     {

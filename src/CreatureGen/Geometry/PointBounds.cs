@@ -1,5 +1,6 @@
 using System;
 using System.Numerics;
+using CreatureGen.Maths;
 
 namespace CreatureGen.Geometry;
 
@@ -29,8 +30,8 @@ internal readonly struct PointBounds
     /// <summary>The box of the given points.</summary>
     public static PointBounds Of(ReadOnlySpan<Vector3> points)
     {
-        float minX = float.MaxValue, minY = float.MaxValue, minZ = float.MaxValue;
-        float maxX = float.MinValue, maxY = float.MinValue, maxZ = float.MinValue;
+        var min = new Vector3(float.MaxValue);
+        var max = new Vector3(float.MinValue);
         bool any = false;
         foreach (Vector3 p in points)
         {
@@ -40,14 +41,10 @@ internal readonly struct PointBounds
             }
 
             any = true;
-            minX = p.X < minX ? p.X : minX;
-            minY = p.Y < minY ? p.Y : minY;
-            minZ = p.Z < minZ ? p.Z : minZ;
-            maxX = p.X > maxX ? p.X : maxX;
-            maxY = p.Y > maxY ? p.Y : maxY;
-            maxZ = p.Z > maxZ ? p.Z : maxZ;
+            min = Vec.Min(p, min);
+            max = Vec.Max(p, max);
         }
 
-        return any ? new PointBounds(new Vector3(minX, minY, minZ), new Vector3(maxX, maxY, maxZ)) : default;
+        return any ? new PointBounds(min, max) : default;
     }
 }

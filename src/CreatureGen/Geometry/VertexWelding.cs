@@ -1,6 +1,5 @@
 using System;
 using System.Numerics;
-using System.Runtime.InteropServices;
 
 namespace CreatureGen.Geometry;
 
@@ -13,10 +12,14 @@ internal sealed class VertexWelding
     private readonly Vector3[] positions;
     private readonly int[] newIndex;
 
-    private VertexWelding(Vector3[] positions, int[] newIndex)
+    // Slots hold an index of a distinct position plus one; the order of the slots never shows.
+    private readonly int[] slots;
+
+    private VertexWelding(Vector3[] positions, int[] newIndex, int[] slots)
     {
         this.positions = positions;
         this.newIndex = newIndex;
+        this.slots = slots;
     }
 
     /// <summary>The distinct positions, in the order in which they first occurred.</summary>
@@ -34,12 +37,10 @@ internal sealed class VertexWelding
             capacity *= 2;
         }
 
-        // Slots hold an index of a distinct position plus one; the order of the slots never shows.
         int[] slots = new int[capacity];
         int[] newIndex = new int[positions.Length];
         var distinct = new Vector3[positions.Length];
         int count = 0;
-        ReadOnlySpan<int> bits = MemoryMarshal.Cast<Vector3, int>(positions);
         for (int v = 0; v < positions.Length; v++)
         {
             Vector3 p = positions[v];
@@ -50,12 +51,7 @@ internal sealed class VertexWelding
                 continue;
             }
 
-            int slot = Hash(bits.Slice(3 * v, 3)) & (capacity - 1);
-            while (slots[slot] != 0 && distinct[slots[slot] - 1] != p)
-            {
-                slot = (slot + 1) & (capacity - 1);
-            }
-
+            int slot = SlotOf(p, slots, distinct);
             if (slots[slot] == 0)
             {
                 distinct[count] = p;
@@ -66,7 +62,7 @@ internal sealed class VertexWelding
         }
 
         Array.Resize(ref distinct, count);
-        return new VertexWelding(distinct, newIndex);
+        return new VertexWelding(distinct, newIndex, slots);
     }
 
     /// <summary>The same triangles between the welded vertices.</summary>
@@ -84,20 +80,38 @@ internal sealed class VertexWelding
         return welded;
     }
 
-    private static int Hash(ReadOnlySpan<int> bits)
+    /// <summary>The index in <see cref="Positions"/> of a place; −1 where no vertex is, and for a place that is not finite.</summary>
+    public int IndexAt(Vector3 place) => TriangleList.IsFinite(place) ? slots[SlotOf(place, slots, positions)] - 1 : -1;
+
+    /// <summary>The slot that holds a position, or the empty one in which it belongs.</summary>
+    private static int SlotOf(Vector3 p, int[] slots, Vector3[] distinct)
     {
-        const uint MinusZero = 0x80000000u;
+        int slot = Hash(p) & (slots.Length - 1);
+        while (slots[slot] != 0 && distinct[slots[slot] - 1] != p)
+        {
+            slot = (slot + 1) & (slots.Length - 1);
+        }
+
+        return slot;
+    }
+
+    private static int Hash(Vector3 p)
+    {
         unchecked
         {
-            ulong hash = 0;
-            foreach (int b in bits)
-            {
-                uint word = (uint)b == MinusZero ? 0u : (uint)b;
-                hash = (hash ^ word) * 0x9E3779B97F4A7C15UL;
-                hash ^= hash >> 29;
-            }
-
+            ulong hash = Mix(Mix(Mix(0, p.X), p.Y), p.Z);
             return (int)(hash >> 33);
+        }
+    }
+
+    private static ulong Mix(ulong hash, float coordinate)
+    {
+        // Minus zero and zero are the same place.
+        uint word = (uint)BitConverter.SingleToInt32Bits(coordinate + 0f);
+        unchecked
+        {
+            hash = (hash ^ word) * 0x9E3779B97F4A7C15UL;
+            return hash ^ (hash >> 29);
         }
     }
 }

@@ -92,17 +92,10 @@ internal static class MeshChecks
 
     private static void CheckMirror(ReadOnlySpan<Vector3> positions, ViolationList found)
     {
-        var images = new Vector3[2 * positions.Length];
+        VertexWelding places = VertexWelding.Weld(positions);
         for (int v = 0; v < positions.Length; v++)
         {
-            images[v] = positions[v];
-            images[positions.Length + v] = Vec.Mirror(positions[v]);
-        }
-
-        ReadOnlySpan<int> index = VertexWelding.Weld(images).NewIndex;
-        for (int v = 0; v < positions.Length; v++)
-        {
-            if (index[positions.Length + v] >= positions.Length)
+            if (places.IndexAt(Vec.Mirror(positions[v])) < 0)
             {
                 found.Add(CreatureInspection.Mirrored, $"the vertex at {positions[v]} has no mirror image; expected one at exactly {Vec.Mirror(positions[v])}");
                 return;
