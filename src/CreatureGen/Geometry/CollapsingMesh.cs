@@ -19,7 +19,7 @@ internal sealed class CollapsingMesh
     private readonly int[] vertices;
     private readonly bool[] gone;
 
-    // The corners of a point as a chain; those of triangles that are gone stay in it until it is pruned. Most chains have none and need not be looked through: that saves a fifteenth of a reduction.
+    // The corners of a point as a chain; those of triangles that are gone stay in it until it is pruned. Most chains have none and are not looked through.
     private readonly int[] first;
     private readonly int[] last;
     private readonly int[] next;

@@ -36,7 +36,6 @@ internal sealed class CrossingGuard : IDisposable
     private int[] nearby = new int[64];
     private ulong[] nearbyLow = new ulong[64];
     private ulong[] nearbyHigh = new ulong[64];
-    private ulong[] nearbyPoints = new ulong[64];
     private int nearbyCount;
     private int worn;
 
@@ -182,25 +181,22 @@ internal sealed class CrossingGuard : IDisposable
             nearby = new int[2 * met.Length];
             nearbyLow = new ulong[nearby.Length];
             nearbyHigh = new ulong[nearby.Length];
-            nearbyPoints = new ulong[nearby.Length];
         }
 
         nearbyCount = 0;
         int piece = pieceOf[pulledTo];
         ReadOnlySpan<int> ends = tree.Corners;
-        ReadOnlySpan<ulong> triples = tree.Triples;
         ReadOnlySpan<ulong> lows = tree.Low(0);
         ReadOnlySpan<ulong> highs = tree.High(0);
-        ulong step = TriangleTree.Pack(pulled, pulledTo, pulledTo);
         foreach (int slot in met)
         {
             // The tree is told of a step when it is taken: what the step moves or takes away still has the point there that was pulled.
-            if (BoxCode.Distinct(step, triples[slot]) == 1 && pieceOf[ends[3 * slot]] == piece)
+            int i = ends[3 * slot], j = ends[(3 * slot) + 1], k = ends[(3 * slot) + 2];
+            if (i != pulled && j != pulled && k != pulled && i != pulledTo && j != pulledTo && k != pulledTo && pieceOf[i] == piece)
             {
                 nearby[nearbyCount] = slot;
                 nearbyLow[nearbyCount] = lows[slot];
-                nearbyHigh[nearbyCount] = highs[slot];
-                nearbyPoints[nearbyCount++] = triples[slot];
+                nearbyHigh[nearbyCount++] = highs[slot];
             }
         }
     }
@@ -213,19 +209,16 @@ internal sealed class CrossingGuard : IDisposable
         ReadOnlySpan<int> ends = tree.Corners;
         ReadOnlySpan<ulong> lows = nearbyLow.AsSpan(0, nearbyCount);
         ReadOnlySpan<ulong> highs = nearbyHigh.AsSpan(0, lows.Length);
-        ReadOnlySpan<ulong> triples = nearbyPoints.AsSpan(0, lows.Length);
-        ulong triple = TriangleTree.Pack(a, b, c);
         for (int n = 0; n < lows.Length; n++)
         {
-            // Four of five that are met have a point in common, which is found without a branch.
-            if ((BoxCode.Overlap(low, high, lows[n], highs[n]) & BoxCode.Distinct(triple, triples[n])) == 0)
+            if (BoxCode.Overlap(low, high, lows[n], highs[n]) == 0)
             {
                 continue;
             }
 
             int slot = nearby[n];
             int i = ends[3 * slot], j = ends[(3 * slot) + 1], k = ends[(3 * slot) + 2];
-            if (!plane.IsOneOf(positions[i], positions[j], positions[k]) && TriangleCrossing.Cross(positions[a], positions[b], positions[c], positions[i], positions[j], positions[k], tolerance))
+            if (!Connected(a, b, c, i, j, k) && !plane.IsOneOf(positions[i], positions[j], positions[k]) && TriangleCrossing.Cross(positions[a], positions[b], positions[c], positions[i], positions[j], positions[k], tolerance))
             {
                 return true;
             }

@@ -157,8 +157,7 @@ internal sealed class TriangleTree
         high[slot] = BoxCode.Guard(0);
     }
 
-    /// <summary>Three vertices packed as in <see cref="Triples"/>.</summary>
-    public static ulong Pack(int i, int j, int k) => BoxCode.Pack(i & BoxCode.MaxCoordinate, j & BoxCode.MaxCoordinate, k & BoxCode.MaxCoordinate);
+    private static ulong Pack(int i, int j, int k) => BoxCode.Pack(i & BoxCode.MaxCoordinate, j & BoxCode.MaxCoordinate, k & BoxCode.MaxCoordinate);
 
     private void Grow(int vertices, int triangles)
     {
