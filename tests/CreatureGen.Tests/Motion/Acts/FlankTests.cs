@@ -3,9 +3,15 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using CreatureGen.Anatomy;
+using CreatureGen.Creatures;
+using CreatureGen.Inspection;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
 using CreatureGen.Rigging;
+using CreatureGen.Sampling;
+using CreatureGen.Skinning;
+using CreatureGen.Tests.Creatures;
+using CreatureGen.Tests.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Acts;
@@ -74,6 +80,26 @@ public class FlankTests
         }
 
         Assert.InRange(fastest, 0, 40);
+    }
+
+    /// <summary>Feet come together on the flank. Broad paws went into one another there: 11 % of the triangles crossed.</summary>
+    [Fact]
+    public void Broad_paws_lie_beside_one_another_on_the_flank()
+    {
+        const ulong Seed = 7200004;
+        var profile = new MotionProfile(GrownCreatures.Of(Seed, SizeOfSeed.In(CreatureOptions.Default with { Kind = RequestedKind.Walking }, Seed)));
+        ActAbility sleep = profile.Acts.Find("Sleep");
+        Assert.Contains(sleep.Act.Phases.SelectMany(phase => phase.Ends), end => end.Channel == ActChannel.OnFlank && end.Value != 0f);
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(animator.Root, FlatGround.Level);
+        animator.Perform(sleep);
+        Walkers.Run(animator, sleep.SecondsToLast, Rate, default, FlatGround.Level);
+        CreatureMesh mesh = profile.Subject.Mesh;
+        var matrices = new Matrix4x4[profile.Subject.Skeleton.Count];
+        SkinMatrices.Fill(profile.Subject.Skeleton, animator.ModelPose, matrices);
+        var positions = new Vector3[mesh.Positions.Length];
+        CpuSkinning.Skin(matrices, mesh.Weights, mesh.Positions, mesh.Normals, positions, new Vector3[positions.Length]);
+        Assert.InRange(new CrossingCounter(mesh, mesh.Triangles).Count(positions).All, 0, 0.07 * mesh.Triangles.Length / 3);
     }
 
     [Fact]

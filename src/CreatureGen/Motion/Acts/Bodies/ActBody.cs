@@ -63,6 +63,7 @@ internal sealed class ActBody
         TailSkin = Skin.Of(joint => Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1));
         ArmSkins = Array.ConvertAll(Arms, arm => Skin.Of(joint => Hangs(joint, arm.Joints[1])));
         BearingSkin = Skin.Of(joint => !Hangs(joint, Bearers.Length > 0 ? Bearers[0] : -1) && !Hangs(joint, Tail.Count > 0 ? Tail.Joints[0] : -1) && !Array.Exists(Arms, arm => Hangs(joint, arm.Joints[1])));
+        FeetFromMiddle = legs == null ? Array.Empty<float>() : Array.ConvertAll(legs.Legs, leg => Skin.Of(joint => Hangs(joint, leg.Ankle)).FromMiddle(Skeleton, leg.Side));
         Tools = new ActTools(subject, Head, Jaw, Arms, Tail, BallsOf(ForeFeet), BallsOf(HindFeet));
     }
 
@@ -127,6 +128,9 @@ internal sealed class ActBody
 
     /// <summary>Left and right foot of the rearmost pair.</summary>
     public (int Left, int Right) HindFeet { get; } = (-1, -1);
+
+    /// <summary>How far the skin of each foot is from the middle of the body at rest, metres: as far it may go there without touching the other.</summary>
+    public float[] FeetFromMiddle { get; }
 
     /// <summary>What it strikes with.</summary>
     public ActTools Tools { get; }

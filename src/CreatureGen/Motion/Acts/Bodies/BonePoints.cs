@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using CreatureGen.Anatomy;
 using CreatureGen.Creatures;
 using CreatureGen.Maths;
 using CreatureGen.Rigging;
@@ -115,5 +116,20 @@ internal sealed class BonePoints
         }
 
         return lowest;
+    }
+
+    /// <summary>How far the skin at rest is from the middle of the body on its own side, metres: 0 where it reaches over to the other.</summary>
+    /// <param name="skeleton">At rest.</param>
+    /// <param name="side">Its side.</param>
+    public float FromMiddle(Skeleton skeleton, Side side)
+    {
+        var rest = new Pose(skeleton.ModelRotations.ToArray(), skeleton.ModelPositions.ToArray());
+        float nearest = float.MaxValue;
+        foreach (SkinPoint point in points)
+        {
+            nearest = Math.Min(nearest, point.PlaceIn(rest).X * (side == Side.Left ? 1f : -1f));
+        }
+
+        return Math.Max(nearest, 0f);
     }
 }

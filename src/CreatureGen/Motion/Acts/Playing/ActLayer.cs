@@ -92,8 +92,9 @@ internal sealed class ActLayer
                 folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched, over);
             }
 
-            // Legs go over with a body that rolls over, and come together so that it lies on its flank and not on them.
-            Trunk.Feet[leg].Way.X -= Together * over * (1f - fold) * body.Legs.Legs[leg].Home.X;
+            // Legs go over with a body that rolls over, and come together so that it lies on its flank and not on them, until broad paws touch.
+            float home = body.Legs.Legs[leg].Home.X;
+            Trunk.Feet[leg].Way.X -= over * (1f - fold) * Scalar.Clamp(Together * home, -body.FeetFromMiddle[leg], body.FeetFromMiddle[leg]);
             Trunk.Feet[leg].Loose = Math.Max(Trunk.Feet[leg].Loose, over);
             Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);
         }
