@@ -44,5 +44,6 @@ public sealed partial class CreatureAnimator
         }
 
         Mode?.Hit(joint, impulse, root, ModelPose, settings);
+        headGaze?.Wince();
     }
 }

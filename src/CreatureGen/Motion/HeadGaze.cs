@@ -26,6 +26,9 @@ internal sealed class HeadGaze
     /// <summary>How quickly ears begin and leave off to flick where that is in the middle of one, per second: they would snap.</summary>
     private const float FlickFade = 6f;
 
+    /// <summary>How long who is struck has its eyes shut, blinks.</summary>
+    private const double WinceLength = 2.5;
+
     private readonly GazeRig rig;
     private readonly Seed habits;
     private readonly Seed blinks;
@@ -40,6 +43,7 @@ internal sealed class HeadGaze
     private float slack;
     private float flickWeight;
     private bool isLimp;
+    private double winced = double.NegativeInfinity;
 
     /// <summary>Gives a creature habits.</summary>
     /// <param name="rig">Its head.</param>
@@ -143,7 +147,7 @@ internal sealed class HeadGaze
         }
 
         float shut = slack + ((1f - slack) * Lids);
-        float blink = Held?.Lids ?? (IsLimp ? 0f : Blinks.At(blinks, seconds, blinkPeriod));
+        float blink = Held?.Lids ?? (IsLimp ? 0f : System.Math.Max(Blinks.At(blinks, seconds, blinkPeriod), Blinks.Once((seconds - winced) / WinceLength)));
         return shut + ((1f - shut) * blink);
     }
 
@@ -153,11 +157,15 @@ internal sealed class HeadGaze
         return new StandingAct(0f, left * weight, right * weight);
     }
 
+    /// <summary>Shuts its eyes for a moment, as who is struck does.</summary>
+    public void Wince() => winced = seconds;
+
     /// <summary>Looks straight ahead again, at once.</summary>
     public void Reset()
     {
         state = default;
         slack = 0f;
         flickWeight = 0f;
+        winced = double.NegativeInfinity;
     }
 }

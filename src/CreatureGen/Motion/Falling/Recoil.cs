@@ -11,12 +11,12 @@ namespace CreatureGen.Motion.Falling;
 internal sealed class Recoil
 {
     /// <summary>Springs, 1/τ with τ = √(ℓ/g), and their damping.</summary>
-    private const float Stiffness = 3.5f;
+    private const float Stiffness = 2.7f;
     private const float DampingRatio = 0.55f;
 
     /// <summary>Fastest throw of a joint, 1/τ, and what of it each joint farther in takes.</summary>
-    private const float MaxRate = 3f;
-    private const float Inward = 0.6f;
+    private const float MaxRate = 3.4f;
+    private const float Inward = 0.7f;
 
     /// <summary>Radians below which it is over.</summary>
     private const float Over = 1e-3f;

@@ -14,8 +14,8 @@ internal sealed class Reel
     private const float DampingRatio = 0.5f;
 
     /// <summary>Speed with which a trunk tips for a change of the body's speed of √(gℓ), 1/τ, and its greatest.</summary>
-    private const float TipRate = 2f;
-    private const float MaxRate = 1.2f;
+    private const float TipRate = 2.8f;
+    private const float MaxRate = 1.6f;
 
     /// <summary>How far it gives at the knees, leg lengths for each radian that it is tipped.</summary>
     private const float Flexion = 0.35f;

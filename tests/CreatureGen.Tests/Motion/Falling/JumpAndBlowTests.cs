@@ -146,6 +146,26 @@ public sealed class JumpAndBlowTests
     }
 
     [Fact]
+    public void Who_is_struck_shuts_its_eyes_for_a_moment()
+    {
+        MotionProfile profile = FreeFallTests.Lot(690, 8).First(one => one.Subject.Skeleton.FirstOf(JointRole.Lid) >= 0);
+        int lid = profile.Subject.Skeleton.FirstOf(JointRole.Lid);
+        var struck = new CreatureAnimator(profile);
+        var spared = new CreatureAnimator(profile);
+        float unit = profile.Subject.Mass.Mass * MathF.Sqrt(9.81f * profile.LegLength);
+        struck.Hit(profile.Subject.Skeleton.FirstOf(JointRole.Chest), new Vector3(0.1f * unit, 0f, 0f));
+        Assert.True(After(0.25f) > 0.2f);
+        Assert.InRange(After(1f), 0f, 1e-3f);
+
+        float After(float seconds)
+        {
+            Run(struck, (int)(seconds / Frame));
+            Run(spared, (int)(seconds / Frame));
+            return (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(spared.LocalPose.Rotations[lid]), struck.LocalPose.Rotations[lid]));
+        }
+    }
+
+    [Fact]
     public void Blows_and_targets_that_are_no_numbers_and_unknown_joints_are_refused()
     {
         MotionProfile profile = FreeFallTests.Lot(690, 4).First();

@@ -11,8 +11,19 @@ internal sealed class Mood
 
     private const float Nothing = 1e-4f;
 
+    /// <summary>How often a tail goes to and fro, per time unit, and how much slower that of one who dozes.</summary>
+    private const float Wags = 0.4f;
+    private const float Drowsy = 0.6f;
+
     private readonly float[] goal = new float[Act.ChannelCount];
     private readonly float[] shown = new float[Act.ChannelCount];
+    private readonly float turnRate;
+    private (float Goal, float Shown) wag;
+    private float wagPace = 1f;
+    private float turn;
+
+    /// <param name="timeUnit">√(leg length / gravity), seconds.</param>
+    public Mood(float timeUnit) => turnRate = Wags / timeUnit;
 
     /// <summary>Factor on the speed of acts.</summary>
     public float Pace { get; private set; } = 1f;
@@ -33,15 +44,18 @@ internal sealed class Mood
         float calm = drowsy * good;
         float sad = drowsy * bad;
         float alert = aroused * Math.Max(1f - threat - fear, 0f);
-        Set(ActChannel.NeckPitch, (0.35f * alert) - (0.15f * threat) - (0.35f * fear) - (0.6f * sad) + (0.12f * calm));
-        Set(ActChannel.ForeDown, (0.08f * threat) + (0.18f * fear) + (0.07f * sad));
+        Set(ActChannel.NeckPitch, (0.45f * alert) - (0.2f * play) - (0.15f * threat) - (0.35f * fear) - (0.6f * sad) - (0.12f * calm));
+        Set(ActChannel.ForeDown, (0.16f * play) + (0.08f * threat) + (0.18f * fear) + (0.07f * sad));
         Set(ActChannel.HindDown, (0.3f * fear) + (0.04f * sad));
         Set(ActChannel.Ahead, (0.08f * threat) - (0.14f * fear));
-        Set(ActChannel.Ears, (-0.5f * alert) + (0.9f * threat) + fear + (0.5f * sad) - (0.2f * calm));
-        Set(ActChannel.Lids, (-0.1f * aroused) + (0.35f * threat) + (0.35f * calm) + (0.65f * sad) - (0.05f * fear));
-        Set(ActChannel.TailPitch, (0.3f * aroused) + (0.2f * threat) - (1.2f * fear) - (0.4f * sad) + (0.2f * calm) + (0.3f * play));
-        Set(ActChannel.Jaw, 0.4f * threat);
-        Set(ActChannel.Wings, 0.5f * threat);
+        Set(ActChannel.HeadRoll, 0.2f * play);
+        Set(ActChannel.Ears, (-0.5f * alert) + (0.9f * threat) + fear + (0.5f * sad) + (0.2f * calm));
+        Set(ActChannel.Lids, (-0.1f * aroused) + (0.35f * threat) + (0.5f * calm) + (0.65f * sad) - (0.05f * fear));
+        Set(ActChannel.TailPitch, (0.3f * aroused) + (0.2f * threat) - (1.2f * fear) - (0.4f * sad) + (0.1f * calm) + (0.4f * play));
+        Set(ActChannel.Jaw, (0.4f * threat) + (0.3f * play));
+        Set(ActChannel.Wings, (0.5f * threat) + (0.2f * play));
+        wag.Goal = (0.6f * play) + (0.3f * calm);
+        wagPace = 1f - (Drowsy * calm);
         Pace = 1f + (0.35f * emotion.Arousal) - (0.15f * sad);
         IsShown = true;
     }
@@ -57,6 +71,9 @@ internal sealed class Mood
             IsShown |= goal[i] != 0f || Math.Abs(shown[i]) > Nothing;
         }
 
+        wag.Shown += (wag.Goal - wag.Shown) * fraction;
+        turn += turnRate * wagPace * dt;
+        turn -= (float)Math.Floor(turn);
         AddTo(values);
     }
 
@@ -64,6 +81,7 @@ internal sealed class Mood
     public void Settle()
     {
         goal.CopyTo(shown, 0);
+        wag.Shown = wag.Goal;
         IsShown = Array.Exists(shown, value => value != 0f);
     }
 
@@ -74,6 +92,8 @@ internal sealed class Mood
         {
             values[i] += shown[i];
         }
+
+        values[(int)ActChannel.TailSide] += wag.Shown * (float)PortableMath.Sin(2.0 * Math.PI * turn);
     }
 
     /// <summary>Takes over what another feels.</summary>
@@ -81,6 +101,7 @@ internal sealed class Mood
     {
         other.goal.CopyTo(goal, 0);
         other.shown.CopyTo(shown, 0);
+        (wag, wagPace, turn) = (other.wag, other.wagPace, other.turn);
         Pace = other.Pace;
         IsShown = other.IsShown;
     }

@@ -34,7 +34,7 @@ internal sealed class Performer
     private readonly ActPlayer player = new();
     private readonly ActLayer layer;
     private readonly float[] values = new float[Act.ChannelCount];
-    private readonly Mood mood = new();
+    private readonly Mood mood;
 
     /// <summary>The way by which each arm is kept out of the ground: −1 ahead, 1 back, 0 where it is not in it.</summary>
     private readonly float[] armWays;
@@ -51,6 +51,7 @@ internal sealed class Performer
         this.body = body;
         this.room = room;
         layer = new ActLayer(body, room.Legs);
+        mood = new Mood(body.TimeUnit(MotionSettings.Default.Gravity));
         armWays = new float[body.Arms.Length];
     }
 

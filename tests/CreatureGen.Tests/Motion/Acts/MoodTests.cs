@@ -1,0 +1,38 @@
+using System;
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Motion;
+using CreatureGen.Rigging;
+using Xunit;
+
+namespace CreatureGen.Tests.Motion.Acts;
+
+public class MoodTests
+{
+    private const float Rate = 60f;
+
+    [Theory]
+    [InlineData(1f, 1f, 0.1f, 2f)]
+    [InlineData(-1f, 1f, 0.03f, 1f)]
+    [InlineData(1f, 0f, 0f, 0.02f)]
+    [InlineData(1f, -1f, 0f, 0.02f)]
+    public void Who_feels_well_wags_its_tail_and_others_do_not(float arousal, float valence, float least, float most)
+    {
+        var profile = new MotionProfile(Walkers.Of(BodyPlan.Digitigrade, 1));
+        var animator = new CreatureAnimator(profile) { Emotion = new Emotion(arousal, valence, 0f) };
+        animator.Settings = animator.Settings with { Idle = 0f };
+        animator.Teleport(animator.Root, FlatGround.Level);
+        int tip = Array.FindLastIndex(profile.Subject.Skeleton.Joints.ToArray(), joint => joint.Role == JointRole.Tail);
+        float left = float.MinValue;
+        float right = float.MaxValue;
+        for (int i = 0; i < 6f * Rate; i++)
+        {
+            animator.Update(1f / Rate, default, FlatGround.Level);
+            float aside = animator.ModelPose.Positions[tip].X;
+            left = i < Rate ? left : Math.Max(left, aside);
+            right = i < Rate ? right : Math.Min(right, aside);
+        }
+
+        Assert.InRange((left - right) / profile.LegLength, least, most);
+    }
+}
