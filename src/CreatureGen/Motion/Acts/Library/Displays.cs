@@ -60,8 +60,8 @@ internal static class Displays
         Dances.OfFliers,
         Dances.OfOthers,
         new Act("Flinch", ActKind.Reflex,
-            new ActPhase("start", 0.6f, ActEase.Out).To(Ahead, -0.3f).To(ForeDown, 0.34f).To(HindDown, 0.26f).To(Roll, 0.1f).To(NeckPitch, 0.5f).To(HeadPitch, -0.45f).To(NeckSide, -0.6f).To(HeadSide, -0.25f).To(BackSide, -0.2f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -1f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.5f),
+            new ActPhase("start", 0.6f, ActEase.Out).To(Ahead, -0.18f).To(ForeDown, 0.28f).To(HindDown, 0.2f).To(NeckPitch, 0.5f).To(HeadPitch, -0.45f).To(NeckSide, -0.6f).To(HeadSide, -0.25f).To(BackSide, -0.08f).To(Lids, 1f).To(Ears, 1f).To(TailPitch, -1f).To(ArmsBend, 1f).To(ArmsAhead, 0.7f).To(Wings, 0.5f),
             new ActPhase("freeze", 1.6f).To(Lids, -0.2f).To(HeadSide, 0.1f).With(new ActWave(Up, 0.006f, 6f)),
-            new ActPhase("ease", 2.6f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(Roll, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(BackSide, 0f).To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsBend, 0f).To(ArmsAhead, 0f).To(Wings, 0f)),
+            new ActPhase("ease", 2.6f).To(Ahead, 0f).To(ForeDown, 0f).To(HindDown, 0f).To(NeckPitch, 0f).To(HeadPitch, 0f).To(NeckSide, 0f).To(HeadSide, 0f).To(BackSide, 0f).To(Lids, 0f).To(Ears, 0f).To(TailPitch, 0f).To(ArmsBend, 0f).To(ArmsAhead, 0f).To(Wings, 0f)),
     };
 }

@@ -92,12 +92,20 @@ internal sealed class ActLayer
                 folded.AddTo(ref Trunk.Feet[leg], leg, fold, stretched, over);
             }
 
-            // Legs go over with a body that rolls over, and come together so that it lies on its flank and not on them, until broad paws touch.
-            float home = body.Legs.Legs[leg].Home.X;
-            Trunk.Feet[leg].Way.X -= over * (1f - fold) * Scalar.Clamp(Together * home, -body.FeetFromMiddle[leg], body.FeetFromMiddle[leg]);
+            // Legs go over with a body that rolls over, and come together so that it lies on its flank and not on them.
+            bool isLower = (body.Legs.Legs[leg].Side == Side.Left) == (side * values[(int)ActChannel.OnFlank] > 0f);
+            Trunk.Feet[leg].Way.X -= over * (1f - fold) * Inward(leg, isLower);
             Trunk.Feet[leg].Loose = Math.Max(Trunk.Feet[leg].Loose, over);
             Loose = Math.Min(Loose, Trunk.Feet[leg].Loose);
         }
+    }
+
+    /// <summary>How far a foot of a body on its flank goes to the right of where it stands if it is a left one, metres: the lower ones come to the middle, the upper ones as far as they do not go into these, and off them where paws are broad.</summary>
+    private float Inward(int leg, bool isLower)
+    {
+        float home = body.Legs!.Legs[leg].Home.X;
+        float together = Together * Math.Abs(home);
+        return Math.Sign(home) * (isLower ? together : Math.Min(together, (2f * body.FeetFromMiddle[leg]) - together));
     }
 
     /// <summary>Takes a foot to its target.</summary>
