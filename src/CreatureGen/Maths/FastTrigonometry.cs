@@ -80,7 +80,7 @@ internal static class FastTrigonometry
     }
 
     /// <summary>Angle whose sine is given, radians, −π/2..π/2; what is beyond −1..1 counts as the end.</summary>
-    public static float OfSine(float sine) => Of(sine, MathF.Sqrt(Math.Max((1f - sine) * (1f + sine), 0f)));
+    public static float OfSine(float sine) => Of(sine, (float)Math.Sqrt(Math.Max((1f - sine) * (1f + sine), 0f)));
 
     /// <summary>Up to π/4.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -107,7 +107,7 @@ internal static class UnitRotation
     {
         Vector3 across = Vec.Reject(v, axis);
         float squared = Vec.LengthSquared(across);
-        return squared > (float)(MinSine * MinSine) * Vec.LengthSquared(v) ? across / MathF.Sqrt(squared) : fallback;
+        return squared > (float)(MinSine * MinSine) * Vec.LengthSquared(v) ? across / (float)Math.Sqrt(squared) : fallback;
     }
 
     /// <summary>A rotation tilted the shortest way, so that its own up points along a direction.</summary>

@@ -146,7 +146,7 @@ public sealed class Movement
         {
             Gait walk = gaits.Speeds[0].Gait;
             float speed = gaits.Speeds[0].Comfortable;
-            float turn = SpotTurn / MathF.Sqrt(legs.LegLength / StandardGravity.Acceleration);
+            float turn = SpotTurn / (float)Math.Sqrt(legs.LegLength / StandardGravity.Acceleration);
             movements.Add(new Movement("TurnLeft", new MotionInput(0f, turn), walk));
             movements.Add(new Movement("TurnRight", new MotionInput(0f, -turn), walk));
             movements.Add(new Movement("StrafeLeft", new MotionInput(0f, Sideways: AsideSpeed * speed), walk));

@@ -161,7 +161,7 @@ internal static class Passages
 
     private static RecordedPassage Rest(RecordedPassage recorded, CreatureAnimator animator, in MotionInput input, IGround? ground = null)
     {
-        float still = Standing * MathF.Sqrt(Math.Max(animator.Profile.LegLength, 0.1f) * StandardGravity.Acceleration);
+        float still = Standing * (float)Math.Sqrt(Math.Max(animator.Profile.LegLength, 0.1f) * StandardGravity.Acceleration);
         ground ??= FlatGround.Level;
         return recorded.Stage(LongestStage, input, ground, now => Math.Abs(now.Speed) < still).Stage(Afterwards, input, ground);
     }

@@ -59,8 +59,8 @@ internal sealed record DistantBody(IReadOnlyList<Gait> Gaits, PoseCycle[] Cycles
             return;
         }
 
-        slope *= squared > Steepest * Steepest ? Steepest / MathF.Sqrt(squared) : 1f;
-        Vector3 up = new Vector3(slope.X, 1f, slope.Z) / MathF.Sqrt(1f + Vec.LengthSquared(slope));
+        slope *= squared > Steepest * Steepest ? Steepest / (float)Math.Sqrt(squared) : 1f;
+        Vector3 up = new Vector3(slope.X, 1f, slope.Z) / (float)Math.Sqrt(1f + Vec.LengthSquared(slope));
         Quaternion turn = UnitRotation.FromTo(Vector3.UnitY, up);
         local.Positions[Joint] = Rotation.Rotate(turn, local.Positions[Joint]);
         local.Rotations[Joint] = UnitRotation.Renormalize(Rotation.Multiply(turn, local.Rotations[Joint]));

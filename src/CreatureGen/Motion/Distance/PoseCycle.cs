@@ -140,7 +140,7 @@ internal sealed class PoseCycle
 
     private static Vector4 Row(Quaternion q) => new(q.X, q.Y, q.Z, q.W);
 
-    private static Vector4 Unit(Vector4 turn) => turn * (1f / MathF.Sqrt(Squared(turn)));
+    private static Vector4 Unit(Vector4 turn) => turn * (1f / (float)Math.Sqrt(Squared(turn)));
 
     private static float Squared(Vector4 v)
     {

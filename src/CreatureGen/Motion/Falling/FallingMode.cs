@@ -339,7 +339,7 @@ internal sealed partial class FallingMode : ILocomotionMode
         return place;
     }
 
-    private float Tau(float scale, float gravity) => MathF.Sqrt(profile.Value.Height * scale / gravity);
+    private float Tau(float scale, float gravity) => (float)Math.Sqrt(profile.Value.Height * scale / gravity);
 
     /// <summary>Begins to get up from where it lies.</summary>
     private RootPlace Rise(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)

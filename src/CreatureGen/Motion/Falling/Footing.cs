@@ -39,7 +39,7 @@ internal struct Footing
 
         bool again = lost > 0f;
         lost += Math.Max(dt, float.Epsilon);
-        return again && lost >= Patience * MathF.Sqrt(body.LegLength * root.Scale / settings.Gravity);
+        return again && lost >= Patience * (float)Math.Sqrt(body.LegLength * root.Scale / settings.Gravity);
     }
 
     /// <summary>Whether there is nothing below the middle, and that is not between feet that have ground.</summary>

@@ -99,7 +99,7 @@ internal sealed class FreeFall
         impact = 0f;
         Vector3 up = settings.Up;
         float gravity = settings.Gravity / place.Scale;
-        float tau = MathF.Sqrt(body.LegLength / gravity);
+        float tau = (float)Math.Sqrt(body.LegLength / gravity);
         float left = dt;
         while (left > 0f && impact == 0f)
         {
@@ -184,7 +184,7 @@ internal sealed class FreeFall
         }
 
         float height = Math.Max(Vec.Dot(place.Position - hit.Point, settings.Up), 0f);
-        float time = (MathF.Sqrt((speed * speed) + (2f * settings.Gravity * height)) - speed) / settings.Gravity;
+        float time = ((float)Math.Sqrt((speed * speed) + (2f * settings.Gravity * height)) - speed) / settings.Gravity;
         return time < ReachTime * tau;
     }
 

@@ -84,7 +84,7 @@ internal sealed class GettingUp
         fromTurn = BodyTurn.Of(profile, from.Local);
         toTurn = BodyTurn.Of(profile, to.Pose);
         gap = profile.Support.Lowest(place, from.Model, settings.Up, ground);
-        float tau = MathF.Sqrt(profile.Height * place.Scale / settings.Gravity);
+        float tau = (float)Math.Sqrt(profile.Height * place.Scale / settings.Gravity);
         gather = GatherTime * tau * profile.Manner.Tempo;
         rise = rises ? rising!.Seconds(tau) : 0f;
         elapsed = 0f;

@@ -89,7 +89,7 @@ internal sealed class Leap
         float squared = 2f * gravity * (force - 1f) * PushWay * body.LegLength * scale;
         float borne = Landable * profile.BorneSpeed;
         squared = Math.Min(squared, borne * borne * gravity * body.LegLength * scale);
-        float fastest = MathF.Sqrt(squared);
+        float fastest = (float)Math.Sqrt(squared);
         float ahead = Math.Max(legs.Speed, 0f) * scale;
         float length = squared / gravity;
         if (IsRun(ahead, scale, gravity))
@@ -126,17 +126,17 @@ internal sealed class Leap
 
         float runUp = runs ? towards * WindUpSeconds(RunningCrouch, reach.Speed, place.Scale, settings.Gravity) : 0f;
         float flight = Math.Max(distance - runUp, 0f);
-        float min = settings.Gravity * (height + MathF.Sqrt((height * height) + (flight * flight)));
+        float min = settings.Gravity * (height + (float)Math.Sqrt((height * height) + (flight * flight)));
         if (min > reach.Speed * reach.Speed)
         {
             return JumpResult.OutOfReach;
         }
 
         // At the angle of the least speed, but no lower than a jump is.
-        float velocity = Math.Min(reach.Speed, Spare * MathF.Sqrt(min));
+        float velocity = Math.Min(reach.Speed, Spare * (float)Math.Sqrt(min));
         float squared = velocity * velocity;
-        float slope = flight > 1e-4f ? (squared + MathF.Sqrt(Math.Max((squared * squared) - (settings.Gravity * ((settings.Gravity * flight * flight) + (2f * height * squared))), 0f))) / (settings.Gravity * flight) : 1e4f;
-        upward = Math.Max(velocity * slope / MathF.Sqrt(1f + (slope * slope)), Math.Min(Lowest(height, place.Scale, settings.Gravity), reach.Speed));
+        float slope = flight > 1e-4f ? (squared + (float)Math.Sqrt(Math.Max((squared * squared) - (settings.Gravity * ((settings.Gravity * flight * flight) + (2f * height * squared))), 0f))) / (settings.Gravity * flight) : 1e4f;
+        upward = Math.Max(velocity * slope / (float)Math.Sqrt(1f + (slope * slope)), Math.Min(Lowest(height, place.Scale, settings.Gravity), reach.Speed));
         (target, elapsed, pace, part) = (to, 0f, runs ? towards : 0f, runs ? RunningCrouch : 1f);
         return JumpResult.Begun;
     }
@@ -193,7 +193,7 @@ internal sealed class Leap
     private static float RateOf(float angle, float seconds, float dt) => Scalar.Clamp(angle / Math.Max(seconds, dt), -TurnRate, TurnRate);
 
     /// <summary>Seconds from the take-off until it is as high as its target, on the way down.</summary>
-    private static float FlightSeconds(float upward, float height, float gravity) => (upward + MathF.Sqrt(Math.Max((upward * upward) - (2f * gravity * height), 0f))) / gravity;
+    private static float FlightSeconds(float upward, float height, float gravity) => (upward + (float)Math.Sqrt(Math.Max((upward * upward) - (2f * gravity * height), 0f))) / gravity;
 
     /// <summary>A jump that a run carries to its target: as low as it may be at the speed that it has, and slower where the target is nearer. None where that is too far for it.</summary>
     private (float Upward, float Pace)? Carried(float distance, float height, float towards, float fastest, float scale, float gravity)
@@ -227,7 +227,7 @@ internal sealed class Leap
     }
 
     /// <summary>Least speed upwards of a jump to a height, world m/s.</summary>
-    private float Lowest(float height, float scale, float gravity) => MathF.Sqrt(2f * gravity * (Math.Max(height, 0f) + (MinHeight * body.LegLength * scale)));
+    private float Lowest(float height, float scale, float gravity) => (float)Math.Sqrt(2f * gravity * (Math.Max(height, 0f) + (MinHeight * body.LegLength * scale)));
 
     /// <summary>Time from the order until its feet leave the ground, with a part of a whole crouch.</summary>
     private float WindUpSeconds(float crouch, float speed, float scale, float gravity) => (crouch * CrouchTime * Tau(scale, gravity)) + PushSeconds(crouch, speed, scale);
@@ -235,9 +235,9 @@ internal sealed class Leap
     /// <summary>Time of a push out of a part of a whole crouch that ends at a speed upwards.</summary>
     private float PushSeconds(float crouch, float speed, float scale) => 2f * ((crouch * Crouch) + Stretched) * profile.CrouchDepth * scale / speed;
 
-    private float Tau(float scale, float gravity) => MathF.Sqrt(body.LegLength * scale / gravity);
+    private float Tau(float scale, float gravity) => (float)Math.Sqrt(body.LegLength * scale / gravity);
 
-    private bool IsRun(float speed, float scale, float gravity) => speed > Running * MathF.Sqrt(gravity * body.LegLength * scale);
+    private bool IsRun(float speed, float scale, float gravity) => speed > Running * (float)Math.Sqrt(gravity * body.LegLength * scale);
 
     /// <summary>Level velocity of a flight from here to the target.</summary>
     private Vector3 Flight(in RootPlace place, in MotionSettings settings, out float seconds)

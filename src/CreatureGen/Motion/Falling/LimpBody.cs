@@ -68,7 +68,7 @@ internal sealed class LimpBody
         Ragdoll.Aim(profile.Ragdoll, ragdoll, now.Model);
         before.Take(shown);
         Vector3 velocity = dt > 0f ? (place.Position - placeBefore.Position) / dt : Vector3.Zero;
-        topple.Begin(Rotation.Rotate(place.Rotation, Vector3.UnitX), Rotation.Rotate(place.Rotation, Vector3.UnitZ), profile.ToppleSide, velocity, MathF.Sqrt(StandardGravity.Acceleration * profile.Height * place.Scale));
+        topple.Begin(Rotation.Rotate(place.Rotation, Vector3.UnitX), Rotation.Rotate(place.Rotation, Vector3.UnitZ), profile.ToppleSide, velocity, (float)Math.Sqrt(StandardGravity.Acceleration * profile.Height * place.Scale));
         seconds = 0f;
         lift = 0f;
     }
@@ -81,7 +81,7 @@ internal sealed class LimpBody
     public void Push(int joint, Vector3 impulse, float scale, float gravity)
     {
         Vector3 change = impulse / (profile.Mass * scale * scale * scale * profile.Ragdoll.MassOf(joint));
-        float max = 2f * MathF.Sqrt(gravity * profile.Height * scale);
+        float max = 2f * (float)Math.Sqrt(gravity * profile.Height * scale);
         float length = Vec.Length(change);
         ragdoll.Push(joint, length > max ? change * (max / length) : change, ragdoll.CentreOf(joint));
     }
@@ -143,7 +143,7 @@ internal sealed class LimpBody
         (topple, seconds, lift) = (other.topple, other.seconds, other.lift);
     }
 
-    private float Tau(float scale, float gravity) => MathF.Sqrt(profile.Height * scale / gravity);
+    private float Tau(float scale, float gravity) => (float)Math.Sqrt(profile.Height * scale / gravity);
 
     /// <summary>The heading of the body.</summary>
     private Quaternion Facing(in RootPlace place, Vector3 up)

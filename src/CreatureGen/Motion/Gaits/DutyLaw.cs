@@ -10,5 +10,5 @@ namespace CreatureGen.Motion;
 public readonly record struct DutyLaw(float Intercept, float Slope, float Min, float Max)
 {
     /// <summary>Part of the cycle that a foot is down.</summary>
-    public float At(float froude) => Math.Min(Math.Max(Intercept - (Slope * MathF.Sqrt(froude)), Min), Max);
+    public float At(float froude) => Math.Min(Math.Max(Intercept - (Slope * (float)Math.Sqrt(froude)), Min), Max);
 }

@@ -77,7 +77,7 @@ public sealed class GaitSet
             TopSpeed = Math.Max(TopSpeed, speed.Fastest);
         }
 
-        float Speed(float froude) => MathF.Sqrt(froude * unit);
+        float Speed(float froude) => (float)Math.Sqrt(froude * unit);
     }
 
     /// <summary>Gaits and thresholds, slow to fast.</summary>
@@ -116,8 +116,8 @@ public sealed class GaitSet
         float stride = legLength * gait.Stride.At(fr);
         stride = Math.Max(Math.Min(stride, longestStance / gait.Duty.At(froude)), ShortestFraction * stride);
         float unit = gravity * legLength;
-        float frequency = MathF.Sqrt(fr * unit) / stride;
-        return frequency <= quickest ? frequency : Math.Max(quickest, MathF.Sqrt(froude * unit) / stride);
+        float frequency = (float)Math.Sqrt(fr * unit) / stride;
+        return frequency <= quickest ? frequency : Math.Max(quickest, (float)Math.Sqrt(froude * unit) / stride);
     }
 
     /// <summary>Cycles per second that a creature's mass lets it take at most.</summary>

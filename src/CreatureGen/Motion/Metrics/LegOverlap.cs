@@ -110,5 +110,5 @@ internal sealed class LegOverlap
         }
     }
 
-    private float Depth(int i, int k) => capsules[i].Radius + capsules[k].Radius - MathF.Sqrt(SegmentDistance.Squared(starts[i], ends[i], starts[k], ends[k]));
+    private float Depth(int i, int k) => capsules[i].Radius + capsules[k].Radius - (float)Math.Sqrt(SegmentDistance.Squared(starts[i], ends[i], starts[k], ends[k]));
 }

@@ -29,5 +29,5 @@ internal readonly struct FoldedBone
     public int Number { get; }
 
     /// <summary>How deep it goes into another, metres; negative is the gap between them.</summary>
-    public float DepthIn(in FoldedBone other) => radius + other.radius - MathF.Sqrt(SegmentDistance.Squared(start, end, other.start, other.end));
+    public float DepthIn(in FoldedBone other) => radius + other.radius - (float)Math.Sqrt(SegmentDistance.Squared(start, end, other.start, other.end));
 }

@@ -44,7 +44,7 @@ internal sealed partial class WalkingMode
         TailPosture.Pose(body, turns, placer, context, local);
         if (winged)
         {
-            sway.Follow(placer.Bounce, placer.Scissor * activity, acceleration / settings.Gravity, placer.Balance, idle.Wings, MathF.Sqrt(body.LegLength / settings.Gravity), dt);
+            sway.Follow(placer.Bounce, placer.Scissor * activity, acceleration / settings.Gravity, placer.Balance, idle.Wings, (float)Math.Sqrt(body.LegLength / settings.Gravity), dt);
             wings?.Write(layer?.Wings ?? 0f, sway, local);
         }
     }

@@ -29,7 +29,7 @@ internal sealed partial class WalkingMode
     {
         get
         {
-            float speed = MathF.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways)) + Math.Abs(velocity.Turn * body.FarthestFoot);
+            float speed = (float)Math.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways)) + Math.Abs(velocity.Turn * body.FarthestFoot);
             return (velocity.Speed < 0f ? -activity : activity) * speed / Math.Max(clock.Frequency, 1e-3f);
         }
     }
@@ -171,8 +171,8 @@ internal sealed partial class WalkingMode
     /// <summary>What it goes over to, of what is asked: metres per second of the model, ahead and to its left.</summary>
     private (float Ahead, float Aside) Asked(in MotionInput input, float scale, in MotionSettings settings)
     {
-        float top = settings.Walking.Gait == null ? gaits.TopSpeed / MathF.Sqrt(settings.Walking.Heft) : MathF.Sqrt(settings.Walking.Gait.Fastest * settings.Gravity * body.LegLength);
-        float back = 0.5f * MathF.Sqrt(0.3f * settings.Gravity * body.LegLength);
+        float top = settings.Walking.Gait == null ? gaits.TopSpeed / (float)Math.Sqrt(settings.Walking.Heft) : (float)Math.Sqrt(settings.Walking.Gait.Fastest * settings.Gravity * body.LegLength);
+        float back = 0.5f * (float)Math.Sqrt(0.3f * settings.Gravity * body.LegLength);
         return (clock.OnSlope(Scalar.Clamp(input.Speed / scale, -back, top), settings.Gravity), Scalar.Clamp(input.Sideways / scale, -back, back));
     }
 
@@ -217,7 +217,7 @@ internal sealed partial class WalkingMode
     {
         float unit = settings.Gravity * body.LegLength;
         float squared = (velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways);
-        float pace = Math.Min(MathF.Sqrt(squared / (SlowWalk * unit)), 1f);
+        float pace = Math.Min((float)Math.Sqrt(squared / (SlowWalk * unit)), 1f);
         moving = going = pace > 0.05f || Math.Abs(velocity.Turn) > 0.03f;
         ChooseGait(squared / unit, settings);
         activity += ((moving ? Math.Min(pace + (0.35f * Math.Abs(velocity.Turn)), 1f) : 0f) - activity) * activityDecay.Fraction(ActivityRate * dt);

@@ -178,7 +178,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
     {
         MotionSettings own = settings with { Gravity = GravityOf(settings, place.Scale) };
         float unit = own.Gravity * body.LegLength;
-        float walking = MathF.Sqrt(SlowWalk * unit);
+        float walking = (float)Math.Sqrt(SlowWalk * unit);
         int before = gait;
         Stand(place, own, ground, layer);
         if (foreseen > ArrivalSpeed * walking)
@@ -296,8 +296,8 @@ internal sealed partial class WalkingMode : ILocomotionMode
     private void Step(in RootPlace placement, float h, float since, float left, in MotionSettings settings, IGround ground)
     {
         float unit = settings.Gravity * body.LegLength;
-        float speed = MathF.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways));
-        float walking = MathF.Sqrt(SlowWalk * unit);
+        float speed = (float)Math.Sqrt((velocity.Speed * velocity.Speed) + (velocity.Sideways * velocity.Sideways));
+        float walking = (float)Math.Sqrt(SlowWalk * unit);
         if (ticker.Decides)
         {
             moving = speed > 0.05f * walking || Math.Abs(velocity.Turn) > 0.03f || placer.IsBent;

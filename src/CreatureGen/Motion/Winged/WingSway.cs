@@ -78,5 +78,5 @@ internal struct WingSway
     private static bool IsStill(float value) => Math.Abs(value) < Stillness;
 
     /// <summary>An angle above 0, and hardly any below.</summary>
-    private static float Off(float angle) => angle == 0f ? 0f : 0.5f * (angle + MathF.Sqrt((angle * angle) + (Softness * Softness)) - Softness);
+    private static float Off(float angle) => angle == 0f ? 0f : 0.5f * (angle + (float)Math.Sqrt((angle * angle) + (Softness * Softness)) - Softness);
 }

@@ -156,7 +156,7 @@ internal sealed class ActBody
     public BonePoints BearingSkin { get; }
 
     /// <summary>Seconds in which acts reckon: √(unit / gravity).</summary>
-    public float TimeUnit(float gravity) => MathF.Sqrt(Unit / gravity);
+    public float TimeUnit(float gravity) => (float)Math.Sqrt(Unit / gravity);
 
     /// <summary>Whether a joint is, or hangs on, another.</summary>
     public bool Hangs(int joint, int from)

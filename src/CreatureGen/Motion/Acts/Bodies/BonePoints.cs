@@ -58,7 +58,7 @@ internal sealed class BonePoints
             float away = LevelSquared(place - pivot);
             if (height < 0f && away > shortest)
             {
-                max = Math.Max(max, -height / MathF.Sqrt(away));
+                max = Math.Max(max, -height / (float)Math.Sqrt(away));
             }
         }
 
@@ -82,7 +82,7 @@ internal sealed class BonePoints
             {
                 float way = place.Z - pivot.Z;
                 float down = above - height;
-                float level = MathF.Sqrt(Math.Max((way * way) + (down * down) - (above * above), 0f));
+                float level = (float)Math.Sqrt(Math.Max((way * way) + (down * down) - (above * above), 0f));
                 double at = PortableMath.Atan2(down, way);
                 ahead = Math.Max(ahead, (float)(at - PortableMath.Atan2(above, level)));
                 back = Math.Max(back, (float)(PortableMath.Atan2(above, -level) - at));

@@ -63,7 +63,7 @@ internal sealed class FoldedLegs
     private static void Add(FootWays ways, ref FootLayer foot, int leg, float fraction, float lifted)
     {
         Vector3 way = ways.Ways[leg];
-        float level = MathF.Sqrt((way.X * way.X) + (way.Z * way.Z));
+        float level = (float)Math.Sqrt((way.X * way.X) + (way.Z * way.Z));
         way.Y += ways.Arch * level * 4f * (1f - fraction) * lifted;
         foot.Way += way * fraction;
         foot.Pitch += ways.Pitches[leg] * fraction;

@@ -112,7 +112,7 @@ internal sealed class CourseSimulation
     private void Hit(float side)
     {
         MotionProfile profile = Animator.Profile;
-        float speed = MathF.Sqrt(Animator.Settings.Gravity * profile.Fall.Value.Height);
+        float speed = (float)Math.Sqrt(Animator.Settings.Gravity * profile.Fall.Value.Height);
         int head = Math.Max(profile.Subject.Skeleton.FirstOf(Rigging.JointRole.Head), profile.Fall.Value.Body);
         Animator.Hit(head, Rotation.Rotate(Animator.Root.Rotation, Vector3.UnitX) * (side * BlowFraction * speed * profile.Fall.Value.Mass));
     }

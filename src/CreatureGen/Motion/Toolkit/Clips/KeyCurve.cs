@@ -48,7 +48,7 @@ internal static class KeyCurve
     public static Vector4 Unit(Vector4 q)
     {
         float squared = (q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W);
-        return q * (1f / MathF.Sqrt(squared));
+        return q * (1f / (float)Math.Sqrt(squared));
     }
 
     public static float SquaredDistance(Vector4 a, Vector4 b)

@@ -47,7 +47,7 @@ internal static class PackedValue
         float x = ((a & 0x7FFF) - TurnSteps) * step;
         float y = ((b & 0x7FFF) - TurnSteps) * step;
         float z = (c - TurnSteps) * step;
-        float w = MathF.Sqrt(Math.Max(0f, 1f - (x * x) - (y * y) - (z * z)));
+        float w = (float)Math.Sqrt(Math.Max(0f, 1f - (x * x) - (y * y) - (z * z)));
         return ((a >> 15) | (b >> 15 << 1)) switch
         {
             0 => new Quaternion(w, x, y, z),

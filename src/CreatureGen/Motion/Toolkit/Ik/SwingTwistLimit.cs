@@ -143,7 +143,7 @@ public static class SwingTwistLimit
             return false;
         }
 
-        float inverse = 1f / MathF.Sqrt(along);
+        float inverse = 1f / (float)Math.Sqrt(along);
         twist = AnglePerHalfSine * (turn.W < 0f ? -inverse : inverse) * turn.Y;
         x = AnglePerHalfSine * inverse * ((turn.X * turn.W) + (turn.Z * turn.Y));
         z = AnglePerHalfSine * inverse * ((turn.Z * turn.W) - (turn.X * turn.Y));

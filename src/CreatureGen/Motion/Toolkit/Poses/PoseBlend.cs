@@ -125,7 +125,7 @@ public static class PoseBlend
         Vector4 sum = (a * (1f - t)) + (b * v);
         Vector4 squares = sum * sum;
         float squared = (squares.X + squares.Y) + (squares.Z + squares.W);
-        float scale = 1f / MathF.Sqrt(squared);
+        float scale = 1f / (float)Math.Sqrt(squared);
         result = sum * scale;
 
         // A length that is nought or infinite leaves no rotation.

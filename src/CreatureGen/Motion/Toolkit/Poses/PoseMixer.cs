@@ -180,7 +180,7 @@ public readonly ref struct PoseMixer
         }
 
         float squared = ((q.X * q.X) + (q.Y * q.Y)) + ((q.Z * q.Z) + (q.W * q.W));
-        float scale = 1f / MathF.Sqrt(squared);
+        float scale = 1f / (float)Math.Sqrt(squared);
         q = new Quaternion(q.X * scale, q.Y * scale, q.Z * scale, q.W * scale);
         p *= 1f / total;
         result.Rotations[joint] = q;

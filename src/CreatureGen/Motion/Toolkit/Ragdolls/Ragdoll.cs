@@ -252,7 +252,7 @@ public static class Ragdoll
 
     /// <summary>Below this speed a creature has all but come to rest.</summary>
     private static float CalmSpeed(RagdollRig rig, RagdollState state, in RagdollSettings settings) =>
-        CalmFraction * MathF.Sqrt(rig.Size * state.Scale * Vec.Length(settings.Gravity));
+        CalmFraction * (float)Math.Sqrt(rig.Size * state.Scale * Vec.Length(settings.Gravity));
 
     /// <summary>Slow motion dies faster than fast motion: flesh rolls and rocks badly. So does what still moves seconds after a fall: joints, limits and ground that contradict one another can shake parts or push the whole along for ever.</summary>
     private static RagdollSettings Tired(RagdollRig rig, RagdollState state, in RagdollSettings settings) =>
@@ -273,7 +273,7 @@ public static class Ragdoll
             mass += 1f / rig.Parts[i].InverseMass;
         }
 
-        speed = MathF.Sqrt(speed / mass);
+        speed = (float)Math.Sqrt(speed / mass);
         state.Speed = speed;
         float calm = CalmSpeed(rig, state, settings);
 

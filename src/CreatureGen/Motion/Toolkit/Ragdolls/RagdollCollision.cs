@@ -123,7 +123,7 @@ internal static class RagdollCollision
         return Vec.Length(between);
     }
 
-    private static float Extent(in RagdollBone bone) => MathF.Sqrt(Math.Max(Vec.LengthSquared(bone.Start), Vec.LengthSquared(bone.End)));
+    private static float Extent(in RagdollBone bone) => (float)Math.Sqrt(Math.Max(Vec.LengthSquared(bone.Start), Vec.LengthSquared(bone.End)));
 
     /// <summary>Joints on the way from one part to another.</summary>
     private static int Joints(RagdollPart[] parts, int a, int b)

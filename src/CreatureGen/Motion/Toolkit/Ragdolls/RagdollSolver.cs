@@ -31,7 +31,7 @@ internal static class RagdollSolver
         Vector3 up = Vec.Normalize(-settings.Gravity, Vector3.UnitY);
         float size = state.Rig.Size * state.Scale;
         float maxShift = MaxShift * size;
-        float emergence = EmergenceFraction * MathF.Sqrt(size * Vec.Length(settings.Gravity)) * h;
+        float emergence = EmergenceFraction * (float)Math.Sqrt(size * Vec.Length(settings.Gravity)) * h;
         for (int i = 0; i < parts.Length; i++)
         {
             Vector3 v = (state.Velocities[i] + (settings.Gravity * h)) * air;

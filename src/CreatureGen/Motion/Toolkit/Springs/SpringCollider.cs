@@ -85,7 +85,7 @@ public readonly struct SpringCollider
             }
 
             Vector3 along = Vec.Normalize(Vec.Reject(bone, End), Vec.Perpendicular(End));
-            return (End * min) + (along * System.MathF.Sqrt(System.Math.Max(0f, (length * length) - (min * min))));
+            return (End * min) + (along * (float)System.Math.Sqrt(System.Math.Max(0f, (length * length) - (min * min))));
         }
 
         // A joint that lies in the collider holds its end of the bone in it: the bone's side keeps the distance that the joint has, its tip the whole.

@@ -26,7 +26,7 @@ internal sealed class FootEvents
     public void Tell(MotionEventKind kind, int leg, in StepContext step, in Foothold place, float ago)
     {
         int feet = body.Legs.Length;
-        float speed = MathF.Sqrt((step.RootVelocity.Speed * step.RootVelocity.Speed) + (step.RootVelocity.Sideways * step.RootVelocity.Sideways)) * step.Frame.Scale;
+        float speed = (float)Math.Sqrt((step.RootVelocity.Speed * step.RootVelocity.Speed) + (step.RootVelocity.Sideways * step.RootVelocity.Sideways)) * step.Frame.Scale;
         float strength = (float)PortableMath.Pi / (2f * feet * step.Clock.Duty);
         strength = Scalar.Lerp(1f / feet, strength, step.Activity);
         events.Add(new MotionEvent(kind, leg, body.Legs[leg].Ball, place.Position, place.Normal, place.Surface, speed, strength, step.Left + ago));

@@ -192,7 +192,7 @@ internal sealed class FootingSearch
         }
 
         Vector3 course = to - from;
-        float length = MathF.Sqrt((course.X * course.X) + (course.Z * course.Z));
+        float length = (float)Math.Sqrt((course.X * course.X) + (course.Z * course.Z));
         Vector3 ahead = course / Math.Max(length, 1e-6f);
         way.Span(length, shape.Toe, Vec.Dot(slopeFrom, ahead) - ahead.Y, Vec.Dot(slopeTo, ahead) - ahead.Y);
     }

@@ -54,7 +54,7 @@ internal static class LandingRange
             return place;
         }
 
-        float fraction = 1f - Math.Max(MathF.Sqrt(maxLevel / level), NearestFraction);
+        float fraction = 1f - Math.Max((float)Math.Sqrt(maxLevel / level), NearestFraction);
         return place - (new Vector3(chord.X, 0f, chord.Z) * fraction);
     }
 

@@ -137,7 +137,7 @@ internal struct LegRoom
             return 0f;
         }
 
-        float soft = 0.5f * (excess + MathF.Sqrt((excess * excess) + (width * width))) - (0.5f * (-4f * width + MathF.Sqrt(17f) * width));
+        float soft = 0.5f * (excess + (float)Math.Sqrt((excess * excess) + (width * width))) - (0.5f * (-4f * width + (float)Math.Sqrt(17f) * width));
         return Math.Max(soft, 0f);
     }
 

@@ -73,7 +73,7 @@ internal struct PushedBody
             }
             else
             {
-                float catching = Math.Min(Rate * distance, BrakeFraction * MathF.Sqrt(2f * Force * gravity * distance));
+                float catching = Math.Min(Rate * distance, BrakeFraction * (float)Math.Sqrt(2f * Force * gravity * distance));
                 Vector3 wanted = (went / dt) + (left * (catching / Math.Max(distance, 1e-9f))) - velocity;
                 velocity += wanted * Math.Min(1f, change / Vec.Length(wanted));
                 left -= velocity * dt;
@@ -88,7 +88,7 @@ internal struct PushedBody
             }
             else
             {
-                float catching = Math.Min(Rate * Math.Abs(yawLeft), BrakeFraction * MathF.Sqrt(2f * swing * Math.Abs(yawLeft)));
+                float catching = Math.Min(Rate * Math.Abs(yawLeft), BrakeFraction * (float)Math.Sqrt(2f * swing * Math.Abs(yawLeft)));
                 float wanted = (yawWent / dt) + (yawLeft < 0f ? -catching : catching) - turn;
                 turn += Scalar.Clamp(wanted, -yawChange, yawChange);
                 yawLeft -= turn * dt;

@@ -44,7 +44,7 @@ internal struct PostureFade
 
     /// <summary>Seconds that a leg takes.</summary>
     /// <param name="legLength">Metres.</param>
-    public static float SecondsOf(float legLength) => Scalar.Clamp(Time * MathF.Sqrt(legLength / TimedLength), ShortestTime, LongestTime);
+    public static float SecondsOf(float legLength) => Scalar.Clamp(Time * (float)Math.Sqrt(legLength / TimedLength), ShortestTime, LongestTime);
 
     /// <summary>Tells that the next posture does not follow on the last.</summary>
     public void Begin() => begins = true;

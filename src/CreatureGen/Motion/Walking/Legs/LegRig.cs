@@ -191,12 +191,12 @@ internal sealed class LegRig
     {
         Vector3 chord = Thigh + Shank;
         float reach = GoingStretch * Reach;
-        float level = MathF.Sqrt((chord.X * chord.X) + (chord.Z * chord.Z));
+        float level = (float)Math.Sqrt((chord.X * chord.X) + (chord.Z * chord.Z));
         float height = -chord.Y;
-        float max = MathF.Sqrt(Math.Max((reach * reach) - (height * height), 0f));
+        float max = (float)Math.Sqrt(Math.Max((reach * reach) - (height * height), 0f));
         float fraction = Scalar.Clamp(max / Math.Max(level, 1e-6f), MaxGathering, 1f);
         float aside = fraction * level;
-        stoop = fraction > MaxGathering ? 0f : Math.Max(0f, height - MathF.Sqrt(Math.Max((reach * reach) - (aside * aside), 0f)));
+        stoop = fraction > MaxGathering ? 0f : Math.Max(0f, height - (float)Math.Sqrt(Math.Max((reach * reach) - (aside * aside), 0f)));
         return new Vector3(Home.X - ((1f - fraction) * chord.X), 0f, Home.Z - ((1f - fraction) * chord.Z));
     }
 
@@ -208,7 +208,7 @@ internal sealed class LegRig
         float aside = Math.Max(Math.Abs(Gathered.X), 1e-4f);
         float apart = Math.Min(Breadth, aside);
         float over = 0.5f * PassingHeight * Traits.Lift * lift * Length;
-        float beside = MathF.Sqrt(Math.Max((apart * apart) - (over * over), 0f));
+        float beside = (float)Math.Sqrt(Math.Max((apart * apart) - (over * over), 0f));
         return Math.Max(asked, Math.Max(MinTrack, beside / aside));
     }
 
@@ -234,7 +234,7 @@ internal sealed class LegRig
         float max = Math.Min(ahead, behind);
         if (Lateral)
         {
-            float away = MathF.Sqrt(((steps.Home.X - HipRest.X) * (steps.Home.X - HipRest.X)) + ((steps.Home.Z - HipRest.Z) * (steps.Home.Z - HipRest.Z)));
+            float away = (float)Math.Sqrt(((steps.Home.X - HipRest.X) * (steps.Home.X - HipRest.X)) + ((steps.Home.Z - HipRest.Z) * (steps.Home.Z - HipRest.Z)));
             max = Math.Min(max, 2f * SweepTangent * away / Math.Max(1f - (2f * steps.Yaw), 0.4f));
         }
 
@@ -246,7 +246,7 @@ internal sealed class LegRig
     {
         float steep = 1f + (slope * slope);
         float rise = height * slope;
-        return (rise + MathF.Sqrt((rise * rise) + (steep * room))) / steep;
+        return (rise + (float)Math.Sqrt((rise * rise) + (steep * room))) / steep;
     }
 
     /// <summary>Whether it is in the rear half of the rows, which carries the pelvis.</summary>

@@ -192,7 +192,7 @@ internal static class LegSolver
             return target;
         }
 
-        float fraction = MathF.Sqrt(wanted / level);
+        float fraction = (float)Math.Sqrt(wanted / level);
         return new Vector3(target.X * fraction, target.Y, target.Z * fraction);
     }
 

@@ -99,7 +99,7 @@ internal static class GaitChoice
             bool hurries = Hurries(kept[kept.Count - 1].Gait, next.Enter) || Hurries(next.Gait, next.Leave);
             kept.Add(next);
             GaitSet longer = SetOf();
-            if (!hurries && longer.TopSpeed > WorthIt * System.Math.Min(before, System.MathF.Sqrt(steps[i].Enter * gravity * body.LegLength)))
+            if (!hurries && longer.TopSpeed > WorthIt * System.Math.Min(before, (float)System.Math.Sqrt(steps[i].Enter * gravity * body.LegLength)))
             {
                 set = longer;
             }

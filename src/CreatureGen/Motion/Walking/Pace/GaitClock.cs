@@ -99,7 +99,7 @@ internal sealed class GaitClock
     /// <param name="gravity">Metres of the model per second squared.</param>
     public float TrailIn(float gravity)
     {
-        float swing = (1f - Duty) * Cycle * MathF.Sqrt(gravity / body.LegLength);
+        float swing = (1f - Duty) * Cycle * (float)Math.Sqrt(gravity / body.LegLength);
         return Shape.Trail * Scalar.Smooth((swing - HurriedSwing) / (UnhurriedSwing - HurriedSwing));
     }
 
@@ -275,7 +275,7 @@ internal sealed class GaitClock
             max = Math.Max(max, (aside * aside) + (along * along));
         }
 
-        return 0.5f * duty * MathF.Sqrt(max);
+        return 0.5f * duty * (float)Math.Sqrt(max);
     }
 
     /// <summary>Part of the cycle that a foot is down in a turn: by the speed of the foot that is farthest from the pivot.</summary>

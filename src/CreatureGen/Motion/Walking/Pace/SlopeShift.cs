@@ -21,5 +21,5 @@ internal static class SlopeShift
         rows == 1 ? 0f : ((leg.Lateral ? LateralSlopeBias : SlopeBias) * leg.HipRest.Y * slope) - (place * Shortening(slope));
 
     /// <summary>By what part a way along a slope is shorter, seen from above.</summary>
-    public static float Shortening(float slope) => 1f - (1f / MathF.Sqrt(1f + (slope * slope)));
+    public static float Shortening(float slope) => 1f - (1f / (float)Math.Sqrt(1f + (slope * slope)));
 }

@@ -41,7 +41,7 @@ internal readonly record struct VelocityBounds(SpeedBounds Along, SpeedBounds Ya
     public static VelocityBounds Of(LeggedBody body, in MotionSettings settings)
     {
         float grip = settings.Gravity * settings.Walking.Traction * (body.Subject.Plan == BodyPlan.Columnar ? ColumnarFraction : 1f);
-        float lag = LagOfLeg * UsualResponse * MathF.Sqrt(body.LegLength / settings.Gravity);
+        float lag = LagOfLeg * UsualResponse * (float)Math.Sqrt(body.LegLength / settings.Gravity);
         float swing = Scalar.Clamp(Turning * grip / Math.Max(body.FarthestFoot, MinRadius * body.LegLength), SlowestTurning, QuickestTurning);
         return new VelocityBounds(
             new SpeedBounds(SpeedingUp * grip, Braking * grip, lag / settings.Walking.SpeedResponse),

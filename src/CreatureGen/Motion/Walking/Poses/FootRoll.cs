@@ -58,7 +58,7 @@ internal static class FootRoll
     /// <summary>How far feet roll at a speed, 0..1: who backs up comes down on the toes and leaves the ground with the whole sole.</summary>
     /// <param name="speed">Metres per second ahead.</param>
     /// <param name="unit">Square of the speed of creatures of its size, gℓ.</param>
-    public static float Going(float speed, float unit) => Scalar.Clamp(1f + (speed / (BackingSpeed * MathF.Sqrt(unit))), 0f, 1f);
+    public static float Going(float speed, float unit) => Scalar.Clamp(1f + (speed / (BackingSpeed * (float)Math.Sqrt(unit))), 0f, 1f);
 
     /// <summary>What a foot does at its place in the cycle.</summary>
     public static FootPosture At(in Foot foot, LegRig leg, in GaitNumbers gait) => new(
@@ -139,7 +139,7 @@ internal static class FootRoll
     public static Vector3 BallAt(LegRig leg, in Foot foot, float pitch)
     {
         float blend = foot.Phase == FootPhase.Stance ? 0f : PivotBlend * Scalar.Smooth(foot.Swing / 0.15f) * Scalar.Smooth((1f - foot.Swing) / 0.15f);
-        float root = MathF.Sqrt((pitch * pitch) + (blend * blend));
+        float root = (float)Math.Sqrt((pitch * pitch) + (blend * blend));
         if (root == 0f)
         {
             return new Vector3(0f, leg.BallHeight, 0f);

@@ -265,7 +265,7 @@ internal sealed class LegPoser
             return;
         }
 
-        float scale = (beyond.W < 0f ? -1f : 1f) / MathF.Sqrt((beyond.X * beyond.X) + (beyond.W * beyond.W));
+        float scale = (beyond.W < 0f ? -1f : 1f) / (float)Math.Sqrt((beyond.X * beyond.X) + (beyond.W * beyond.W));
         var fold = new Quaternion(-beyond.X * scale, 0f, 0f, beyond.W * scale);
         ankle = Rotation.Multiply(folded, Rotation.Multiply(beyond, fold));
     }
@@ -298,7 +298,7 @@ internal sealed class LegPoser
         float y = a.Y - (sign * b.Y);
         float z = a.Z - (sign * b.Z);
         float w = a.W - (sign * b.W);
-        return MathF.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
+        return (float)Math.Sqrt((x * x) + (y * y) + (z * z) + (w * w));
     }
 
     /// <summary>Fold of the metatarsus that the ankle can follow. Bounded here, as an angle: folded by more than half a turn the ankle would seem to be bent the other way.</summary>

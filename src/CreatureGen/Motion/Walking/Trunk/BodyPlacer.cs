@@ -226,7 +226,7 @@ internal sealed class BodyPlacer
         float inward = body.Legs[0].Lateral ? 0f : (body.IsBiped ? BipedInwardFraction : traits.Inward) * body.HipHeight * bank;
 
         Follow(context, feet);
-        float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Subject.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * MathF.Sqrt(act);
+        float crouch = clock.Shape.Crouch * length * (body.Legs[0].Lateral ? 0.3f : body.Subject.Plan == Anatomy.BodyPlan.Columnar ? 0.4f : 1f) * (float)Math.Sqrt(act);
         float stoop = Scalar.Smooth(act);
         hindRise += HindGround + context.Idle.Breath - crouch - (stoop * body.HindStoop) - effort.HindDrop;
         foreRise += ForeGround + context.Idle.Breath - context.Bow - crouch - (stoop * body.ForeStoop) - effort.ForeDrop;
@@ -389,7 +389,7 @@ internal sealed class BodyPlacer
                 placed.Pelvis.X -= 0.5f * (aside - (Trunk.Rest[slot].X - Trunk.Rest[0].X));
             }
 
-            float level = MathF.Sqrt(Math.Max(squared - (height * height), 0f));
+            float level = (float)Math.Sqrt(Math.Max(squared - (height * height), 0f));
             pitch -= Scalar.Clamp((wanted - placed.Pelvis.Y - height) / Math.Max(level, 0.2f * body.TrunkLength), -0.5f, 0.5f);
         }
 

@@ -28,7 +28,7 @@ internal sealed class FourierSums
             Vector4 x = harmonic.FirstCosine += c;
             Vector4 y = harmonic.FirstSine += s;
             Vector4 squares = (x * x) + (y * y);
-            harmonic.Amplitude = new Vector4(MathF.Sqrt(squares.X), MathF.Sqrt(squares.Y), MathF.Sqrt(squares.Z), MathF.Sqrt(squares.W));
+            harmonic.Amplitude = new Vector4((float)Math.Sqrt(squares.X), (float)Math.Sqrt(squares.Y), (float)Math.Sqrt(squares.Z), (float)Math.Sqrt(squares.W));
             (c, s) = ((c * cosine) - (s * sine), (s * cosine) + (c * sine));
         }
     }

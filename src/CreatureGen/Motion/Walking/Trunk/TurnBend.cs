@@ -41,7 +41,7 @@ internal struct TurnBend
     /// <param name="dt">Seconds.</param>
     public void Follow(LeggedBody body, in RootVelocity velocity, float gravity, float balance, float dt)
     {
-        float walking = MathF.Sqrt(0.12f * gravity * body.LegLength);
+        float walking = (float)Math.Sqrt(0.12f * gravity * body.LegLength);
         float arc = velocity.Turn / Math.Max(Math.Abs(velocity.Speed), SlowestFraction * walking) * body.TrunkLength;
         spring.Step(Scalar.Clamp((arc * ArcFraction) + (balance * body.Traits.FastBend), -Max, Max), Rate, dt);
     }
