@@ -27,8 +27,9 @@ internal static class PectoralGrower
     private const float FacesDown = 0.5f;
     private const float Turning = 0.4f;
 
-    // A fin whose trailing edge is not off the flank by a share of its length is turned less, step by step: at its root first, from where it is turned out over a part of its length.
-    private const float Margin = 0.09f;
+    // A fin whose trailing edge is not off the flank by a share of its length is turned back, step by step and to this rise at most: at its root first, from where it is turned out over a part of its length.
+    private const float Margin = 0.07f;
+    private const float Lowest = -0.55f;
     private const float Step = 0.1f;
     private const float TwistFrom = 0.4f;
     private const float Twist = 0.6f;
@@ -86,10 +87,10 @@ internal static class PectoralGrower
             return length * width * 0.9f * (float)bow * (1f - (0.12f * (float)Math.Abs(PortableMath.Sin(s * 14))));
         }
 
-        while (Math.Max(rootRise, rise) > UnderBody && !Clears(body.Skin, socket.CentreRing, Trail, Margin * length))
+        while (Math.Max(rootRise, rise) > Lowest && !Clears(body.Skin, socket.CentreRing, Trail, Margin * length))
         {
-            rise = rootRise > UnderBody ? rise : Math.Max(UnderBody, rise - Step);
-            rootRise = Math.Max(UnderBody, rootRise - Step);
+            rise = rootRise > Lowest ? rise : Math.Max(Lowest, rise - Step);
+            rootRise = Math.Max(Lowest, rootRise - Step);
         }
 
         Vector3 Across(float s)

@@ -33,7 +33,7 @@ internal static class FinSampler
     private const double SteepestDrop = 1.1;
 
     /// <summary>Most that the paired fins of a strange swimmer hang down for each unit that their axis is swept back: steeper ones are legs from the side.</summary>
-    private const double SteepestFall = 0.55;
+    private const double SteepestFall = 0.35;
 
     /// <summary>First segment of sockets so far under the belly that a flat fin would go into the flank above it.</summary>
     private const int UnderBelly = 11;
