@@ -50,13 +50,6 @@ internal static class Scalar
         return x / (float)Math.Sqrt(Math.Sqrt(1f + (part * part)));
     }
 
-    /// <summary>What is below this has faded: far too little to be seen, and its square is no denormal number yet.</summary>
-    public const float Faded = 1e-18f;
-
-    /// <summary>A number that fades, or 0 of its sign once it has faded: by itself it would stay a denormal number for ever, and processors take a hundred cycles for each product of one.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static float Fading(float x) => Math.Abs(x) < Faded ? x * 0f : x;
-
     /// <summary>The value at <paramref name="t"/> of the way from <paramref name="a"/> to <paramref name="b"/>.</summary>
     public static double Lerp(double a, double b, double t) => a + ((b - a) * t);
 

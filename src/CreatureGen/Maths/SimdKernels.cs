@@ -69,14 +69,6 @@ internal static class SimdKernels
         return Vector128.ConditionalSelect(Vector128.LessThan(b, a), a, b).AsVector3();
     }
 
-    /// <summary>A vector without the components that have faded.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Fading(Vector3 vector)
-    {
-        Vector128<float> v = vector.AsVector128Unsafe();
-        return Vector128.ConditionalSelect(Vector128.LessThan(Vector128.Abs(v), Vector128.Create(Scalar.Faded)), v * 0f, v).AsVector3();
-    }
-
     /// <summary>All components of a quaternion times a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Quaternion Scale(Quaternion q, float factor) => (q.AsVector128() * factor).AsQuaternion();
@@ -149,10 +141,6 @@ internal static class SimdKernels
     /// <summary>The larger of each component; the second where neither is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Max(Vector3 a, Vector3 b) => new(a.X > b.X ? a.X : b.X, a.Y > b.Y ? a.Y : b.Y, a.Z > b.Z ? a.Z : b.Z);
-
-    /// <summary>A vector without the components that have faded.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Fading(Vector3 v) => new(Scalar.Fading(v.X), Scalar.Fading(v.Y), Scalar.Fading(v.Z));
 
     /// <summary>All components of a quaternion times a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

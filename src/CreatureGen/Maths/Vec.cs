@@ -52,10 +52,6 @@ internal static class Vec
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3 Lerp(Vector3 a, Vector3 b, float t) => a + ((b - a) * t);
 
-    /// <summary><paramref name="a"/> as it fades, component by component (<see cref="Scalar.Fading"/>).</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3 Fading(Vector3 a) => SimdKernels.Fading(a);
-
     /// <summary>The point on the other side of the sagittal plane x = 0.</summary>
     public static Vector3 Mirror(Vector3 a) => new(-a.X, a.Y, a.Z);
 

@@ -33,20 +33,6 @@ public sealed class SimdKernelsTests
         }
     }
 
-    [Theory]
-    [InlineData(1f, 1f)]
-    [InlineData(-2e-18f, -2e-18f)]
-    [InlineData(9e-19f, 0f)]
-    [InlineData(-9e-19f, -0f)]
-    [InlineData(1e-40f, 0f)]
-    [InlineData(-0f, -0f)]
-    [InlineData(float.NaN, float.NaN)]
-    public void What_has_faded_is_nought_of_its_sign_and_all_else_stays_as_it_is(float x, float expected)
-    {
-        Same(expected, Scalar.Fading(x));
-        Same(new Vector3(expected, 3f, expected), Vec.Fading(new Vector3(x, 3f, x)));
-    }
-
     [Fact]
     public void A_quarter_turn_about_up_takes_ahead_to_the_left()
     {

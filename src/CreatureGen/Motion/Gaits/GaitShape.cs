@@ -1,5 +1,3 @@
-using CreatureGen.Maths;
-
 namespace CreatureGen.Motion.Gaits;
 
 /// <summary>The numbers of a gait that pass over smoothly into those of the next one.</summary>
@@ -48,7 +46,7 @@ internal struct GaitShape
         Lift += (gait.Lift - Lift) * fraction;
         Track += (gait.Track - Track) * fraction;
         Crouch += (gait.Crouch - Crouch) * fraction;
-        ForceDip = Scalar.Fading(ForceDip + ((gait.ForceDip - ForceDip) * fraction));
+        ForceDip += (gait.ForceDip - ForceDip) * fraction;
         Bounce += (gait.Bounce - Bounce) * fraction;
         BounceCap += (gait.BounceCap - BounceCap) * fraction;
         Emphasis += (gait.Emphasis - Emphasis) * fraction;

@@ -262,8 +262,8 @@ public static class SpringBones
             Vector3 direction = InCone(Vec.Normalize(tail + free, along), along, state.SwingCosine, state.SwingSine);
             direction = Outside(colliders, moment.Place, direction, length, radius);
             Vector3 held = (direction * length) - tail;
-            bone.Offset = Vec.Fading(held);
-            bone.Velocity = Vec.Fading(velocity + ((held - free) * PerSecond));
+            bone.Offset = held;
+            bone.Velocity = velocity + ((held - free) * PerSecond);
             bone.GoalVelocity = goalVelocity;
             bone.Goal = goal;
             moment.Deviation = Turned(carried, squared, along, direction);

@@ -169,13 +169,13 @@ internal sealed class GaitClock
         // A body that speeds up takes the steps of the speed that it will have: else the first of them would be lunges.
         float speed = Math.Abs(velocity.Speed);
         float gain = Math.Max(Math.Abs(velocity.SpeedAfter(Foresight)) - speed, 0f);
-        gainAhead = dt > 0f ? Scalar.Fading(gainAhead + ((gain - gainAhead) * gainDecay.Fraction(GainRate * dt))) : gain;
+        gainAhead = dt > 0f ? gainAhead + ((gain - gainAhead) * gainDecay.Fraction(GainRate * dt)) : gain;
         speed += gainAhead;
         float froude = ((speed * speed) + (velocity.Sideways * velocity.Sideways)) / unit;
         slope = rise;
         float fraction = shapeDecay.Fraction(ShapeRate * dt);
         Shape.Approach(Gait, fraction);
-        frequencyRest = Scalar.Fading(frequencyRest - (frequencyRest * fraction));
+        frequencyRest -= frequencyRest * fraction;
 
         // What is left of a much slower gait must not stop the clock: feet in the air would never come down.
         float own = FrequencyOf(Gait, froude, gravity);

@@ -56,26 +56,6 @@ public sealed class SpringBonesTests
         Assert.True(Math.Abs(pose.ModelPositions[^1].X) < 1e-3f);
     }
 
-    [Fact]
-    public void A_swing_that_has_faded_leaves_no_denormal_numbers_behind()
-    {
-        var state = new SpringState(rig);
-        Step(state, soft, RootPlace.Identity, 1f / 60f);
-        Step(state, soft, new RootPlace(new Vector3(0.1f, 0f, 0f), Quaternion.Identity), 1f / 60f);
-        bool swung = false;
-        for (int i = 0; i < 60 * 60; i++)
-        {
-            MovingPose pose = Step(state, soft, new RootPlace(new Vector3(0.1f, 0f, 0.01f * i), Quaternion.Identity), 1f / 60f);
-            foreach (Vector3 place in pose.ModelPositions)
-            {
-                swung |= place.X != 0f;
-                Assert.False(float.IsSubnormal(place.X) || float.IsSubnormal(place.Z), FormattableString.Invariant($"frame {i}: {place.X:R}"));
-            }
-        }
-
-        Assert.True(swung);
-    }
-
     /// <summary>Who is put elsewhere, or turned about at once, was not thrown there.</summary>
     [Fact]
     public void A_jump_of_the_root_swings_nothing_and_a_shorter_one_does()
