@@ -138,7 +138,7 @@ internal static class PectoralGrower
             {
                 for (int j = 0; j <= BodyGrid.Segments / 2; j++)
                 {
-                    nearest = Vector3.DistanceSquared(skin[i, j], point) < Vector3.DistanceSquared(skin[nearest.Ring, nearest.Segment], point) ? (i, j) : nearest;
+                    nearest = Vec.Distance(skin[i, j], point) < Vec.Distance(skin[nearest.Ring, nearest.Segment], point) ? (i, j) : nearest;
                 }
             }
 
