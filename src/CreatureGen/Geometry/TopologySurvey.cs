@@ -2,6 +2,7 @@ using System;
 using System.Buffers;
 using System.Numerics;
 using CreatureGen.Maths;
+using static CreatureGen.Geometry.TriangleCorner;
 
 namespace CreatureGen.Geometry;
 
@@ -240,8 +241,6 @@ internal static class TopologySurvey
 
     private static bool UsesAVertexTwice(ReadOnlySpan<int> triangles, int t) =>
         triangles[t] == triangles[t + 1] || triangles[t + 1] == triangles[t + 2] || triangles[t + 2] == triangles[t];
-
-    private static int Next(int h) => h % 3 == 2 ? h - 2 : h + 1;
 
     private struct EdgeCounts
     {

@@ -64,7 +64,7 @@ internal static class WeightChecks
     private static bool IsRooted(Creature creature, int first, int second)
     {
         (int limb, int disc) = (Math.Min(first, second), Math.Max(first, second));
-        return limb <= creature.Limbs.Count && disc == DiscOf(creature, creature.Limbs[limb - 1].Side);
+        return limb <= creature.Limbs.Count && creature.Limbs[limb - 1].Side != Side.Median && disc == DiscOf(creature, creature.Limbs[limb - 1].Side);
     }
 
     /// <summary>The number of a half of a disc, whose rows move one skin: beyond those of limbs.</summary>

@@ -34,11 +34,6 @@ internal static class PectoralGrower
     private const float TwistFrom = 0.4f;
     private const float Twist = 0.6f;
 
-    // Points of the trailing edge that are looked at, from where it leaves the root, and rings of the flank behind the socket.
-    private const float EdgeFrom = 0.1f;
-    private const int EdgePoints = 6;
-    private const int Flank = 20;
-
     /// <summary>Sections along the fin, crowded towards its tip.</summary>
     private const int SectionCount = 17;
 
@@ -87,7 +82,7 @@ internal static class PectoralGrower
             return length * width * 0.9f * (float)bow * (1f - (0.12f * (float)Math.Abs(PortableMath.Sin(s * 14))));
         }
 
-        while (Math.Max(rootRise, rise) > Lowest && !Clears(body.Skin, socket.CentreRing, Trail, Margin * length))
+        while (Math.Max(rootRise, rise) > Lowest && !FlankClearance.Has(body.Skin, socket.CentreRing, Trail, Margin * length))
         {
             rise = rootRise > Lowest ? rise : Math.Max(Lowest, rise - Step);
             rootRise = Math.Max(Lowest, rootRise - Step);
@@ -123,33 +118,6 @@ internal static class PectoralGrower
             Pole = Back(0.5f),
             Contact = joints[2],
         };
-    }
-
-    /// <summary>Whether an edge keeps a margin off the flank behind its socket, metres: off the nearest of the points of the skin.</summary>
-    private static bool Clears(BodySkin skin, double ring, Func<float, Vector3> edge, float margin)
-    {
-        int first = (int)ring;
-        int last = Math.Min(first + Flank, BodyGrid.Rings - 2);
-        for (int k = 0; k <= EdgePoints; k++)
-        {
-            Vector3 point = edge(Scalar.Lerp(EdgeFrom, 1f, (float)k / EdgePoints));
-            (int Ring, int Segment) nearest = (first, 0);
-            for (int i = first; i <= last; i++)
-            {
-                for (int j = 0; j <= BodyGrid.Segments / 2; j++)
-                {
-                    nearest = Vec.Distance(skin[i, j], point) < Vec.Distance(skin[nearest.Ring, nearest.Segment], point) ? (i, j) : nearest;
-                }
-            }
-
-            SurfacePoint at = skin.At(nearest.Ring, nearest.Segment);
-            if (Vec.Dot(point - at.Position, at.Normal) < margin)
-            {
-                return false;
-            }
-        }
-
-        return true;
     }
 
     private static float[] Sections()

@@ -93,7 +93,7 @@ internal sealed class Mood
             values[i] += shown[i];
         }
 
-        values[(int)ActChannel.TailSide] += wag.Shown * (float)PortableMath.Sin(2.0 * Math.PI * turn);
+        values[(int)ActChannel.TailSide] += wag.Shown * (float)PortableMath.Sin(PortableMath.Tau * turn);
     }
 
     /// <summary>Takes over what another feels.</summary>
