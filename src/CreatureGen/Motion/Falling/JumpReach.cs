@@ -12,7 +12,7 @@ public enum JumpResult
     /// <summary>It crouches, jumps and lands.</summary>
     Begun,
 
-    /// <summary>The target is out of reach: farther or higher than its <see cref="JumpReach"/>.</summary>
+    /// <summary>The target is out of reach: farther or higher than its <see cref="JumpReach"/>, or so near that its run carries it past.</summary>
     OutOfReach,
 
     /// <summary>It is not on its feet: in the air, lying, getting up, or jumping already.</summary>

@@ -9,8 +9,7 @@ using CreatureGen.Rigging;
 namespace CreatureGen.Motion.Falling;
 
 /// <summary>
-/// A jump to a point until its feet leave the ground: it turns there, crouches, and pushes itself off with its feet where they stand. Out of a run its feet go on stepping, it crouches half as long, and it slows down to
-/// the speed at which it flies. What follows is a fall.
+/// A jump to a point until its feet leave the ground: it turns there, crouches, and pushes itself off with its feet where they stand. Out of a run its feet go on stepping (<see cref="RunningLeap"/>). What follows is a fall.
 /// </summary>
 /// <remarks>The least speed to a point d ahead and h up is v² = g(h + √(h² + d²)). Mean force of the push in weights of the body 3.6 (M/30 kg)^−0.18, a law that fits its look, over a way of 0.45 ℓ.</remarks>
 internal sealed class Leap
@@ -31,17 +30,8 @@ internal sealed class Leap
     /// <summary>Part of the speed of a fall that its legs take up with which it takes off at most.</summary>
     private const float Landable = 0.9f;
 
-    /// <summary>Seconds of the crouch, τ = √(ℓ/g); its depth, and how far legs are stretched at the end, parts of the deepest crouch.</summary>
-    private const float CrouchTime = 1.6f;
-    private const float Crouch = 0.8f;
-    private const float Stretched = 0.08f;
-
-    /// <summary>Speed to the target from which on it jumps out of a run, √(gℓ), and the part of a crouch that this takes.</summary>
+    /// <summary>Speed to the target from which on it jumps out of a run, √(gℓ).</summary>
     private const float Running = 0.3f;
-    private const float RunningCrouch = 0.5f;
-
-    /// <summary>How often the speed upwards of a jump out of a run is halved in on.</summary>
-    private const int Halvings = 16;
 
     /// <summary>How quickly it turns to its target at most, radians per second.</summary>
     private const float TurnRate = 2.5f;
@@ -49,17 +39,12 @@ internal sealed class Leap
     /// <summary>Factor on the least speed to a point: it comes down from above.</summary>
     private const float Spare = 1.03f;
 
-    /// <summary>Least height of a jump, leg lengths.</summary>
-    private const float MinHeight = 0.12f;
-
     private readonly LeggedBody body;
     private readonly FallProfile profile;
     private readonly WalkingMode legs;
     private Vector3 target;
     private float elapsed;
-    private float upward;
-    private float pace;
-    private float part = 1f;
+    private LeapPlan plan;
 
     public Leap(LeggedBody body, FallProfile profile, WalkingMode legs)
     {
@@ -94,7 +79,8 @@ internal sealed class Leap
         float length = squared / gravity;
         if (IsRun(ahead, scale, gravity))
         {
-            length = Math.Max(length, ahead * FlightSeconds(fastest * (float)Math.Sqrt(0.5), 0f, gravity)) + (ahead * WindUpSeconds(RunningCrouch, fastest, scale, gravity));
+            LeapTiming timing = Timing(scale, gravity);
+            length = Math.Max(length, ahead * timing.FlightSeconds(fastest * (float)Math.Sqrt(0.5), 0f)) + (ahead * timing.WindUpSeconds(RunningLeap.UsualCrouch, fastest));
         }
 
         return new JumpReach(fastest, length, 0.5f * squared / gravity);
@@ -117,14 +103,28 @@ internal sealed class Leap
         Vector3 level = Vec.Reject(way, settings.Up);
         float distance = Vec.Length(level);
         float towards = Math.Max(legs.Speed * place.Scale * Vec.Dot(Rotation.Rotate(place.Rotation, Vector3.UnitZ), Vec.Normalize(level, Vector3.Zero)), 0f);
-        bool runs = IsRun(towards, place.Scale, settings.Gravity);
-        if (runs && Carried(distance, height, towards, reach.Speed, place.Scale, settings.Gravity) is { } carried)
+        LeapTiming timing = Timing(place.Scale, settings.Gravity);
+        float runUp = 0f;
+        plan = new LeapPlan(0f, 0f, 1f);
+        if (IsRun(towards, place.Scale, settings.Gravity))
         {
-            (target, elapsed, upward, pace, part) = (to, 0f, carried.Upward, carried.Pace, RunningCrouch);
-            return JumpResult.Begun;
+            var run = new RunningLeap(timing, legs, settings, place.Scale, towards, height);
+            if (distance < run.Nearest)
+            {
+                return JumpResult.OutOfReach;
+            }
+
+            if (run.Over(distance, reach.Speed) is { } carried)
+            {
+                (target, elapsed, plan) = (to, 0f, carried);
+                return JumpResult.Begun;
+            }
+
+            // The push has to add to the run.
+            plan = new LeapPlan(0f, towards, RunningLeap.UsualCrouch);
+            runUp = towards * timing.WindUpSeconds(plan.Crouch, reach.Speed);
         }
 
-        float runUp = runs ? towards * WindUpSeconds(RunningCrouch, reach.Speed, place.Scale, settings.Gravity) : 0f;
         float flight = Math.Max(distance - runUp, 0f);
         float min = settings.Gravity * (height + (float)Math.Sqrt((height * height) + (flight * flight)));
         if (min > reach.Speed * reach.Speed)
@@ -136,8 +136,8 @@ internal sealed class Leap
         float velocity = Math.Min(reach.Speed, Spare * (float)Math.Sqrt(min));
         float squared = velocity * velocity;
         float slope = flight > 1e-4f ? (squared + (float)Math.Sqrt(Math.Max((squared * squared) - (settings.Gravity * ((settings.Gravity * flight * flight) + (2f * height * squared))), 0f))) / (settings.Gravity * flight) : 1e4f;
-        upward = Math.Max(velocity * slope / (float)Math.Sqrt(1f + (slope * slope)), Math.Min(Lowest(height, place.Scale, settings.Gravity), reach.Speed));
-        (target, elapsed, pace, part) = (to, 0f, runs ? towards : 0f, runs ? RunningCrouch : 1f);
+        float upward = Math.Max(velocity * slope / (float)Math.Sqrt(1f + (slope * slope)), Math.Min(timing.Lowest(height), reach.Speed));
+        (target, elapsed, plan) = (to, 0f, plan with { Upward = upward });
         return JumpResult.Begun;
     }
 
@@ -152,99 +152,60 @@ internal sealed class Leap
     /// <returns>Where the root is then.</returns>
     public RootPlace Advance(RootPlace place, float dt, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local, out bool off)
     {
-        float crouch = part * CrouchTime * Tau(place.Scale, settings.Gravity);
-        float depth = part * Crouch * profile.CrouchDepth;
-        float push = PushSeconds(part, upward, place.Scale);
+        LeapTiming timing = Timing(place.Scale, settings.Gravity);
+        float crouch = timing.CrouchSeconds(plan.Crouch);
+        float depth = timing.DepthOf(plan.Crouch) / place.Scale;
+        float push = timing.PushSeconds(plan.Crouch, plan.Upward);
+        float left = crouch + push - elapsed;
         elapsed += dt;
-        off = elapsed >= crouch + push;
+        off = dt >= left;
         float angle = AngleTo(place, settings.Up);
         if (elapsed < crouch)
         {
             legs.Sink = depth * Scalar.Smooth(elapsed / crouch);
-            return legs.Update(place, dt, new MotionInput(pace, RateOf(angle, crouch - elapsed, dt)), settings, ground, layer, local);
+            return legs.Update(place, dt, new MotionInput(plan.Pace, RateOf(angle, crouch - elapsed, dt)), settings, ground, layer, local);
         }
 
         float u = Math.Min((elapsed - crouch) / push, 1f);
-        legs.Sink = depth - ((depth + (Stretched * profile.CrouchDepth)) * u * u);
-        Vector3 ahead = Flight(place, settings, out float seconds);
-        if (part < 1f)
+        legs.Sink = depth - (timing.PushOf(plan.Crouch) / place.Scale * u * u);
+        Vector3 ahead = Flight(place, settings, timing, out float seconds);
+        Vector3 before = Rotation.Rotate(place.Rotation, legs.Velocity.Linear) * place.Scale;
+        if (plan.Crouch < 1f)
         {
-            float even = Vec.Length(ahead) * seconds / (seconds + (push * (1f - u)));
-            place = legs.Update(place, dt, new MotionInput(even, RateOf(angle, push, dt)), settings, ground, layer, local);
+            // What the push adds to the run comes evenly: D = ½(v + v′)t + v′T until it lands, where it goes at v now and flies at v′.
+            Vector3 missing = ((ahead * seconds) - (before * (seconds + left))) / (seconds + (0.5f * left));
+            legs.Push(Rotation.Rotate(Rotation.Inverse(place.Rotation), missing * Math.Min(dt / left, 1f) / place.Scale), 0f);
+            place = legs.Update(place, dt, new MotionInput(plan.Pace, RateOf(angle, push, dt)), settings, ground, layer, local);
         }
         else
         {
-            Vector3 before = Rotation.Rotate(place.Rotation, legs.Velocity.Linear) * place.Scale;
             Vector3 now = Vec.Lerp(before, ahead, u);
             place = new RootPlace(place.Position + (now * Math.Min(dt, push)), place.Rotation, place.Scale);
             legs.Hold(place, dt, settings, layer, local);
         }
 
-        Velocity = ahead + (settings.Up * upward);
+        Velocity = ahead + (settings.Up * plan.Upward);
         Turn = angle / Math.Max(seconds, 0.05f);
         return place;
     }
 
     /// <summary>Goes on from where another is.</summary>
     public void CopyFrom(Leap other) =>
-        (target, elapsed, upward, pace, part, Velocity, Turn) = (other.target, other.elapsed, other.upward, other.pace, other.part, other.Velocity, other.Turn);
+        (target, elapsed, plan, Velocity, Turn) = (other.target, other.elapsed, other.plan, other.Velocity, other.Turn);
 
     /// <summary>The yaw rate that turns it by an angle in a time.</summary>
     private static float RateOf(float angle, float seconds, float dt) => Scalar.Clamp(angle / Math.Max(seconds, dt), -TurnRate, TurnRate);
 
-    /// <summary>Seconds from the take-off until it is as high as its target, on the way down.</summary>
-    private static float FlightSeconds(float upward, float height, float gravity) => (upward + (float)Math.Sqrt(Math.Max((upward * upward) - (2f * gravity * height), 0f))) / gravity;
-
-    /// <summary>A jump that a run carries to its target: as low as it may be at the speed that it has, and slower where the target is nearer. None where that is too far for it.</summary>
-    private (float Upward, float Pace)? Carried(float distance, float height, float towards, float fastest, float scale, float gravity)
-    {
-        float low = Lowest(height, scale, gravity);
-        float high = fastest;
-        if (low > high || PaceOf(high) > towards)
-        {
-            return null;
-        }
-
-        if (PaceOf(low) > towards)
-        {
-            for (int i = 0; i < Halvings; i++)
-            {
-                float middle = 0.5f * (low + high);
-                (low, high) = PaceOf(middle) > towards ? (middle, high) : (low, middle);
-            }
-
-            low = high;
-        }
-
-        return (low, Math.Max(PaceOf(low), 0f));
-
-        // It goes over to its pace evenly while it crouches and pushes, and keeps that in the air.
-        float PaceOf(float speed)
-        {
-            float windUp = WindUpSeconds(RunningCrouch, speed, scale, gravity);
-            return (distance - (0.5f * towards * windUp)) / ((0.5f * windUp) + FlightSeconds(speed, height, gravity));
-        }
-    }
-
-    /// <summary>Least speed upwards of a jump to a height, world m/s.</summary>
-    private float Lowest(float height, float scale, float gravity) => (float)Math.Sqrt(2f * gravity * (Math.Max(height, 0f) + (MinHeight * body.LegLength * scale)));
-
-    /// <summary>Time from the order until its feet leave the ground, with a part of a whole crouch.</summary>
-    private float WindUpSeconds(float crouch, float speed, float scale, float gravity) => (crouch * CrouchTime * Tau(scale, gravity)) + PushSeconds(crouch, speed, scale);
-
-    /// <summary>Time of a push out of a part of a whole crouch that ends at a speed upwards.</summary>
-    private float PushSeconds(float crouch, float speed, float scale) => 2f * ((crouch * Crouch) + Stretched) * profile.CrouchDepth * scale / speed;
-
-    private float Tau(float scale, float gravity) => (float)Math.Sqrt(body.LegLength * scale / gravity);
+    private LeapTiming Timing(float scale, float gravity) => new(body.LegLength * scale, profile.CrouchDepth * scale, gravity);
 
     private bool IsRun(float speed, float scale, float gravity) => speed > Running * (float)Math.Sqrt(gravity * body.LegLength * scale);
 
     /// <summary>Level velocity of a flight from here to the target.</summary>
-    private Vector3 Flight(in RootPlace place, in MotionSettings settings, out float seconds)
+    private Vector3 Flight(in RootPlace place, in MotionSettings settings, in LeapTiming timing, out float seconds)
     {
         Vector3 way = target - place.Position;
         float height = Vec.Dot(way, settings.Up);
-        seconds = FlightSeconds(upward, height, settings.Gravity);
+        seconds = timing.FlightSeconds(plan.Upward, height);
         return Vec.Reject(way, settings.Up) / Math.Max(seconds, 1e-3f);
     }
 

@@ -94,6 +94,23 @@ internal sealed partial class WalkingMode
         return true;
     }
 
+    /// <summary>How far ahead it comes in a time on level ground in which a speed is asked of it, world metres.</summary>
+    /// <param name="pace">Asked, world m/s ahead.</param>
+    /// <param name="seconds">The time.</param>
+    /// <param name="scale">World metres per model metre.</param>
+    /// <param name="settings">What can be set.</param>
+    /// <param name="speed">How fast it is then, world m/s ahead.</param>
+    public float Foretell(float pace, float seconds, float scale, MotionSettings settings, out float speed)
+    {
+        settings.Gravity = GravityOf(settings, scale);
+        RootVelocity ahead = velocity;
+        ahead.Bounds = VelocityBounds.Of(body, settings);
+        ahead.Ask(pace / scale, 0f, 0f);
+        float way = ahead.Advance(seconds, out _).Z * scale;
+        speed = ahead.Speed * scale;
+        return way;
+    }
+
     /// <summary>Goes on from there on its feet: these are put where they are in their stride.</summary>
     /// <param name="place">Where the root is.</param>
     /// <param name="settings">What can be set.</param>

@@ -57,14 +57,7 @@ public sealed class JumpAndBlowTests
         int jumped = 0;
         foreach (MotionProfile profile in FreeFallTests.Lot(9970001, 12))
         {
-            var animator = new CreatureAnimator(profile);
-            animator.Teleport(RootPlace.Identity, FlatGround.Level);
-            float fastest = profile.Gaits!.Speeds[^1].Comfortable;
-            for (int i = 0; i < 180; i++)
-            {
-                animator.Update(Frame, new MotionInput(fastest), FlatGround.Level);
-            }
-
+            CreatureAnimator animator = AtFullSpeed(profile);
             JumpReach reach = animator.JumpReach;
             if (reach.Length == 0f || animator.State != BodyState.Supported)
             {
@@ -90,6 +83,61 @@ public sealed class JumpAndBlowTests
         }
 
         Assert.True(jumped > 6, $"{jumped} jumped");
+    }
+
+    /// <summary>Who braked to the speed of its flight did not come down to it in time: it stopped in the air, or flew back to its target.</summary>
+    [Theory]
+    [InlineData(0.7f)]
+    [InlineData(0.85f)]
+    [InlineData(0.98f)]
+    public void A_jump_out_of_a_run_flies_on_at_the_speed_of_the_run(float part)
+    {
+        int jumped = 0;
+        foreach (MotionProfile profile in FreeFallTests.Lot(9970001, Thoroughness.Of(24)))
+        {
+            CreatureAnimator animator = AtFullSpeed(profile);
+            float length = animator.JumpReach.Length;
+            float before = animator.Speed;
+            if (length == 0f || animator.State != BodyState.Supported || before < 0.3f * MathF.Sqrt(9.81f * profile.LegLength))
+            {
+                continue;
+            }
+
+            Vector3 heading = Rotation.Rotate(animator.Root.Rotation, Vector3.UnitZ);
+            Assert.Equal(JumpResult.Begun, animator.Jump(animator.Root.ToWorld(new Vector3(0f, 0f, part * length))));
+            bool landed = false;
+            for (int i = 0; i < 600 && !landed; i++)
+            {
+                Vector3 from = animator.Root.Position;
+                animator.Update(Frame, default, FlatGround.Level);
+                float speed = Vec.Dot(animator.Root.Position - from, heading) / Frame;
+                Assert.True(Math.Abs(speed - before) < 0.12f * MathF.Sqrt(9.81f * profile.LegLength), $"{profile.Subject.Seed}: from {before} to {speed} m/s in an update");
+                before = speed;
+                landed = animator.Events.ToArray().Any(e => e.Kind == MotionEventKind.Landed);
+            }
+
+            Assert.True(landed);
+            jumped++;
+        }
+
+        Assert.True(jumped > 3, $"{jumped} jumped");
+    }
+
+    [Fact]
+    public void What_a_run_carries_past_is_out_of_reach()
+    {
+        int refused = 0;
+        foreach (MotionProfile profile in FreeFallTests.Lot(9970001, 6))
+        {
+            CreatureAnimator animator = AtFullSpeed(profile);
+            if (animator.JumpReach.Length > 0f)
+            {
+                Assert.Equal(JumpResult.OutOfReach, animator.Jump(animator.Root.ToWorld(new Vector3(0f, 0f, 0.15f * animator.JumpReach.Length))));
+                refused++;
+            }
+        }
+
+        Assert.True(refused > 2, $"{refused} could have jumped");
     }
 
     [Fact(Explicit = true)]
@@ -174,6 +222,19 @@ public sealed class JumpAndBlowTests
         Assert.Contains("joint", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(-1, Vector3.UnitX)).Message, StringComparison.Ordinal);
         Assert.Contains("joint", Assert.ThrowsAny<ArgumentException>(() => animator.Hit(profile.Subject.Skeleton.Count, Vector3.UnitX)).Message, StringComparison.Ordinal);
         Assert.Contains("target", Assert.ThrowsAny<ArgumentException>(() => animator.Jump(new Vector3(0f, float.PositiveInfinity, 0f))).Message, StringComparison.Ordinal);
+    }
+
+    private static CreatureAnimator AtFullSpeed(MotionProfile profile)
+    {
+        var animator = new CreatureAnimator(profile);
+        animator.Teleport(RootPlace.Identity, FlatGround.Level);
+        float fastest = profile.Gaits!.Speeds[^1].Comfortable;
+        for (int i = 0; i < 180; i++)
+        {
+            animator.Update(Frame, new MotionInput(fastest), FlatGround.Level);
+        }
+
+        return animator;
     }
 
     private static void Run(CreatureAnimator animator, int frames)
