@@ -44,7 +44,15 @@ internal sealed class CourseReader
         words.Add("limp", _ => body = BodyCommand.GoLimp);
         words.Add("get-up", _ => body = BodyCommand.GetUp);
         words.Add("jump", _ => body = BodyCommand.Jump);
-        words.Add("hit", command => body = command.Side() > 0f ? BodyCommand.HitLeft : BodyCommand.HitRight);
+        words.Add("hit", command => body = command.Next() switch
+        {
+            "left" => BodyCommand.HitLeft,
+            "right" => BodyCommand.HitRight,
+            "front" => BodyCommand.HitFront,
+            "behind" => BodyCommand.HitBehind,
+            _ => throw command.Wrong("hit left, right, front or behind"),
+        });
+        words.Add("knock-down", _ => body = BodyCommand.KnockDown);
         words.Add("turn", command => input = input with { YawRate = command.Side() * command.At(DefaultYaw) });
         words.Add("straight", _ => input = input with { YawRate = 0f, Sideways = 0f, ClimbRate = 0f });
         words.Add("reverse", command => input = new MotionInput(-command.At(ReverseFraction * Pace()), Medium: input.Medium));

@@ -20,4 +20,13 @@ public enum BodyCommand
 
     /// <summary>The same from the right.</summary>
     HitRight,
+
+    /// <summary>The same from the front.</summary>
+    HitFront,
+
+    /// <summary>The same from behind.</summary>
+    HitBehind,
+
+    /// <summary>A blow from the left of twice as much, which knocks it down.</summary>
+    KnockDown,
 }

@@ -100,20 +100,30 @@ internal sealed class CourseSimulation
                 Animator.Jump(Animator.Root.ToWorld(new Vector3(0f, 0f, JumpFraction * Animator.JumpReach.Length)));
                 break;
             case BodyCommand.HitLeft:
-                Hit(-1f);
+                Hit(-Vector3.UnitX);
                 break;
             case BodyCommand.HitRight:
-                Hit(1f);
+                Hit(Vector3.UnitX);
+                break;
+            case BodyCommand.HitFront:
+                Hit(-Vector3.UnitZ);
+                break;
+            case BodyCommand.HitBehind:
+                Hit(Vector3.UnitZ);
+                break;
+            case BodyCommand.KnockDown:
+                Hit(-2f * Vector3.UnitX);
                 break;
         }
     }
 
-    /// <summary>Hits the head, or what carries the body, to its left by 1, to its right by −1.</summary>
-    private void Hit(float side)
+    /// <summary>Hits the head, or what carries the body.</summary>
+    /// <param name="way">Where to in model space, and how many times as hard as usual.</param>
+    private void Hit(Vector3 way)
     {
         MotionProfile profile = Animator.Profile;
         float speed = (float)Math.Sqrt(Animator.Settings.Gravity * profile.Fall.Value.Height);
         int head = Math.Max(profile.Subject.Skeleton.FirstOf(Rigging.JointRole.Head), profile.Fall.Value.Body);
-        Animator.Hit(head, Rotation.Rotate(Animator.Root.Rotation, Vector3.UnitX) * (side * BlowFraction * speed * profile.Fall.Value.Mass));
+        Animator.Hit(head, Rotation.Rotate(Animator.Root.Rotation, way) * (BlowFraction * speed * profile.Fall.Value.Mass));
     }
 }
