@@ -154,7 +154,7 @@ public sealed partial class CreatureAnimator
 
     private FallingMode? Mode => locomotion.Mode;
 
-    /// <summary>Metres per second ahead at present.</summary>
+    /// <summary>Metres per second ahead at present; 0 for who lies limp or gets up.</summary>
     public float Speed => (Mode?.Speed ?? 0f) * root.Scale;
 
     /// <summary>Place in the gait's cycle, 0..1.</summary>

@@ -62,7 +62,12 @@ internal sealed partial class FallingMode : ILocomotionMode
     /// <summary>What carries the creature.</summary>
     public BodyState State { get; private set; }
 
-    public float Speed => State == BodyState.Afloat ? Water.Speed : inner.Speed;
+    public float Speed => State switch
+    {
+        BodyState.Afloat => Water.Speed,
+        BodyState.Limp or BodyState.Rising => 0f,
+        _ => inner.Speed,
+    };
 
     public float Phase => State == BodyState.Afloat ? Water.Phase : inner.Phase;
 

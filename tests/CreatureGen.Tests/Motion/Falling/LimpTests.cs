@@ -98,6 +98,30 @@ public sealed class LimpTests
         }
     }
 
+    /// <summary>The speed at which it had walked was shown until it stood again.</summary>
+    [Fact]
+    public void Who_lies_and_gets_up_goes_at_no_speed()
+    {
+        var animator = new CreatureAnimator(CreatureGenerator.Generate(42, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        for (int i = 0; i < 120; i++)
+        {
+            animator.Update(Frame, new MotionInput(0.5f), FlatGround.Level);
+        }
+
+        Assert.InRange(animator.Speed, 0.3f, 0.6f);
+        animator.GoLimp();
+        animator.GetUp();
+        int lay = 0;
+        for (int i = 0; i < 900 && (i == 0 || animator.State != BodyState.Supported); i++)
+        {
+            animator.Update(Frame, new MotionInput(0.5f), FlatGround.Level);
+            Assert.True(animator.State is not (BodyState.Limp or BodyState.Rising) || animator.Speed == 0f, $"{animator.State} at {animator.Speed} m/s");
+            lay += animator.State == BodyState.Rising ? 1 : 0;
+        }
+
+        Assert.InRange(lay, 10, 800);
+    }
+
     [Fact]
     public void Nothing_of_head_and_tail_jumps_as_a_creature_that_looks_aside_goes_limp()
     {
