@@ -89,7 +89,7 @@ internal sealed partial class FallingMode : ILocomotionMode
 
     /// <summary>Whether it goes on its legs and nothing else happens to it, or is about to.</summary>
     public bool OnlyWalks(in RootPlace place, in MotionSettings settings, IGround ground) => State == BodyState.Supported && inner == legs
-        && !goesLimp && blow.Joint < 0 && recoil is not { IsActive: true } && reel is not { IsActive: true }
+        && glide.IsOver && !goesLimp && blow.Joint < 0 && recoil is not { IsActive: true } && reel is not { IsActive: true }
         && !(Read(ground, place) is { Ground: not null } reading && Water.IsWet(reading, place));
 
     /// <summary>What there is of water where it is; nothing for what does not float.</summary>
@@ -140,8 +140,8 @@ internal sealed partial class FallingMode : ILocomotionMode
         return getsUp;
     }
 
-    /// <inheritdoc/>
-    public RootPlace Update(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
+    /// <summary>Moves on by a time, seen from where the root is to be.</summary>
+    private RootPlace Advance(RootPlace place, float dt, in MotionInput input, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         IGround felt = ground;
         WaterReading reading = Read(ground, place);
@@ -203,6 +203,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     {
         bool swam = State == BodyState.Afloat;
         Recover();
+        glide = default;
         WaterReading reading = Read(ground, goal);
         bool swims = reading.Ground != null && Water.Carries(reading, goal, settings);
         if (swims != swam)
@@ -228,6 +229,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     public void Stand(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer, in Pose local)
     {
         Recover();
+        glide = default;
         water?.Stop();
         local.SetToRest(subject.Skeleton);
         inner.Stand(place, settings, ground, layer, local);
@@ -245,7 +247,7 @@ internal sealed partial class FallingMode : ILocomotionMode
     {
         var mode = (FallingMode)other;
         inner.CopyFrom(mode.inner);
-        (State, footing, goesLimp, getsUp, blow, drift) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.blow, mode.drift);
+        (State, footing, goesLimp, getsUp, blow, drift, glide) = (mode.State, mode.footing, mode.goesLimp, mode.getsUp, mode.blow, mode.drift, mode.glide);
         if (mode.fall != null)
         {
             Fall.CopyFrom(mode.fall);
@@ -300,9 +302,7 @@ internal sealed partial class FallingMode : ILocomotionMode
                 local.SetToRest(subject.Skeleton);
                 return Water.Update(drift.Carry(place, dt, Tau(place.Scale, settings.Gravity)), dt, input, settings, ground, layer, local);
             case BodyState.Limp:
-                place = Lying.Advance(place, dt, settings, ground);
-                Lying.Show(place, dt, settings, ground, local);
-                return place;
+                return Lie(place, dt, settings, ground, local);
             case BodyState.Rising:
                 if (Up.Advance(place, dt, settings, ground, layer, local))
                 {
@@ -345,18 +345,6 @@ internal sealed partial class FallingMode : ILocomotionMode
     }
 
     private float Tau(float scale, float gravity) => (float)Math.Sqrt(profile.Value.Height * scale / gravity);
-
-    /// <summary>Begins to get up from where it lies.</summary>
-    private RootPlace Rise(in RootPlace place, in MotionSettings settings, IGround ground, BodyLayer? layer)
-    {
-        RootPlace stand = Lying.PlaceUnder(place, settings, ground);
-        Up.Begin(Lying, stand, settings, ground, layer);
-        Lying.Stop();
-        getsUp = false;
-        State = BodyState.Rising;
-        Tell(MotionEventKind.Rises, stand, settings.Up, 0f, 0f);
-        return stand;
-    }
 
     private void Begin(in RootPlace place, in Pose shown, in MotionSettings settings)
     {

@@ -122,6 +122,42 @@ public sealed class LimpTests
         Assert.InRange(lay, 10, 800);
     }
 
+    /// <summary>It was put under the body at once, up to 0.2 m away and turned round, and what followed it, a camera, jumped.</summary>
+    [Theory]
+    [InlineData(10600001UL)]
+    [InlineData(10600002UL)]
+    [InlineData(10600007UL, Explicit = true)]
+    [InlineData(10600012UL, Explicit = true)]
+    [InlineData(10600018UL)]
+    [InlineData(10600020UL, Explicit = true)]
+    public void The_root_of_who_falls_and_gets_up_does_not_jump(ulong seed)
+    {
+        var profile = new MotionProfile(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var animator = new CreatureAnimator(profile);
+        float unit = MathF.Sqrt(9.81f * profile.LegLength);
+        RootPlace before = animator.Root;
+        Vector3 velocity = Vector3.Zero;
+        int up = 0;
+        for (int i = 0; i < 1500 && up < 60; i++)
+        {
+            animator.Update(Frame, new MotionInput(0.3f * unit), FlatGround.Level);
+            if (i == 90)
+            {
+                animator.GoLimp();
+                animator.GetUp();
+            }
+
+            Vector3 now = (animator.Root.Position - before.Position) / Frame;
+            float turn = (float)Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before.Rotation), animator.Root.Rotation)) / Frame;
+            Assert.True((now - velocity).Length() < 0.8f * unit, $"from {velocity} to {now} m/s in an update, {animator.State} at {i * Frame} s");
+            Assert.True(turn < 3f / profile.LegLength * unit, $"{turn} rad/s, {animator.State} at {i * Frame} s");
+            (before, velocity) = (animator.Root, now);
+            up += i > 90 && animator.State == BodyState.Supported ? 1 : 0;
+        }
+
+        Assert.Equal(60, up);
+    }
+
     [Fact]
     public void Nothing_of_head_and_tail_jumps_as_a_creature_that_looks_aside_goes_limp()
     {
