@@ -175,9 +175,11 @@ internal sealed class LimpBody
         Vector3 rest = Rotation.Rotate(rotation, profile.Skeleton.ModelPositions[profile.Ragdoll.FirstJoint]) * scale;
         Vector3 under = joint - rest;
         float size = profile.Ragdoll.Size * scale;
-        if (!profile.Swims && ground.Cast(joint + (up * (0.5f * size)), -up, 2.5f * size, out GroundHit hit))
+        if (ground.Cast(joint + (up * (0.5f * size)), -up, 2.5f * size, out GroundHit hit))
         {
-            under += up * Vec.Dot(hit.Point - under, up);
+            // On the ground; of what swims no lower.
+            float lift = Vec.Dot(hit.Point - under, up);
+            under += up * (profile.Swims ? Math.Max(lift, 0f) : lift);
         }
 
         return new RootPlace(under, rotation, scale);

@@ -158,6 +158,35 @@ public sealed class LimpTests
         Assert.Equal(60, up);
     }
 
+    /// <summary>The root of a fish that lay on the ground was below it, and came up at once as it swam again.</summary>
+    [Theory]
+    [InlineData(10600001UL)]
+    [InlineData(10600002UL)]
+    [InlineData(10600004UL, Explicit = true)]
+    public void The_root_of_a_swimmer_that_lay_on_the_ground_comes_up_with_its_body(ulong seed)
+    {
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = RequestedKind.Swimming });
+        var animator = new CreatureAnimator(creature);
+        float size = Extent(creature);
+        Vector3 before = animator.Root.Position;
+        animator.GoLimp();
+        int up = 0;
+        for (int i = 0; i < 1800 && up < 60; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            if (i == 600)
+            {
+                animator.GetUp();
+            }
+
+            Assert.True((animator.Root.Position - before).Length() < 0.02f * size, $"{(animator.Root.Position - before).Length() / size} of its size in an update, {animator.State} at {i * Frame} s");
+            before = animator.Root.Position;
+            up += i > 600 && animator.State == BodyState.Supported ? 1 : 0;
+        }
+
+        Assert.Equal(60, up);
+    }
+
     [Fact]
     public void Nothing_of_head_and_tail_jumps_as_a_creature_that_looks_aside_goes_limp()
     {
