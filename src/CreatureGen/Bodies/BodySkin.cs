@@ -34,9 +34,10 @@ internal sealed class BodySkin
     /// <summary>The point of a ring and a segment.</summary>
     public Vector3 this[int ring, int segment] => grid[(ring * BodyGrid.Segments) + segment];
 
-    /// <summary>Spans the skin over the sections and shapes head and tail.</summary>
-    public static BodySkin Span(BodyShape shape, BodyBlueprint body, HeadBlueprint head, TailBlueprint tail)
+    /// <summary>Spans the skin of a creature over its sections and shapes head, torso and tail.</summary>
+    public static BodySkin Span(BodyShape shape, CreatureBlueprint creature)
     {
+        (BodyBlueprint body, HeadBlueprint head, TailBlueprint tail) = (creature.Body, creature.Head, creature.Tail);
         var skin = new BodySkin(shape, body.Shell);
         Span<float> x = stackalloc float[Half + 1];
         Span<float> y = stackalloc float[Half + 1];
@@ -50,7 +51,7 @@ internal sealed class BodySkin
             tailStep += shape.Step[i] / 8;
         }
 
-        ValueList<HeadBump> relief = ReliefOf(body.Blend);
+        ValueList<HeadBump> relief = Girdles.Of(creature);
         for (int i = 0; i < BodyGrid.Rings; i++)
         {
             if (shape.TopExponent[i] != topExponent || shape.BottomExponent[i] != bottomExponent)
@@ -118,22 +119,6 @@ internal sealed class BodySkin
         int j = (((int)floor % BodyGrid.Segments) + BodyGrid.Segments) % BodyGrid.Segments;
         int k = (j + 1) % BodyGrid.Segments;
         return Vec.Lerp(Vec.Lerp(this[i, j], this[i, k], v), Vec.Lerp(this[i + 1, j], this[i + 1, k], v), u);
-    }
-
-    /// <summary>The relief of a mixed torso: that of each body in its share.</summary>
-    private static ValueList<HeadBump> ReliefOf(BodyBlend blend)
-    {
-        IReadOnlyList<double> fractions = blend.TorsoFractions;
-        var bumps = new List<HeadBump>();
-        for (int k = 0; k < blend.Bodies.Count; k++)
-        {
-            foreach (HeadBump bump in SpeciesCatalogue.Find(blend.Bodies[k].Name).Relief)
-            {
-                bumps.Add(bump with { Amount = fractions[k] * bump.Amount });
-            }
-        }
-
-        return new ValueList<HeadBump>(bumps);
     }
 
     private static void Superellipse(double topExponent, double bottomExponent, Span<float> powers)

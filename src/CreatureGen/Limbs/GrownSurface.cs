@@ -60,7 +60,7 @@ internal sealed class GrownSurface
     public static GrownSurface Grow(CreatureBlueprint blueprint)
     {
         BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
-        BodySkin skin = BodySkin.Span(shape, blueprint.Body, blueprint.Head, blueprint.Tail);
+        BodySkin skin = BodySkin.Span(shape, blueprint);
         using var builder = new SurfaceBuilder();
         var body = new BodySurface(builder, skin);
         var appendages = new List<Appendage>();

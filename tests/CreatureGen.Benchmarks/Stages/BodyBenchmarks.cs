@@ -17,5 +17,5 @@ public class BodyBenchmarks : StageBenchmark
 
     /// <summary>The 55 × 32 points of the skin and their normals.</summary>
     [Benchmark]
-    public object Skin() => BodySkin.Span(Subject.Shape, Subject.Blueprint.Body, Subject.Blueprint.Head, Subject.Blueprint.Tail);
+    public object Skin() => BodySkin.Span(Subject.Shape, Subject.Blueprint);
 }

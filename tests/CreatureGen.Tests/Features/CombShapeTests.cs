@@ -61,5 +61,5 @@ public sealed class CombShapeTests
     }
 
     private static BodySkin SkinOf(CreatureBlueprint blueprint) =>
-        BodySkin.Span(BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail), blueprint.Body, blueprint.Head, blueprint.Tail);
+        BodySkin.Span(BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail), blueprint);
 }

@@ -160,7 +160,7 @@ public sealed class ManeShapeTests
     private static BodySkin SkinOf(CreatureBlueprint blueprint)
     {
         BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
-        return BodySkin.Span(shape, blueprint.Body, blueprint.Head, blueprint.Tail);
+        return BodySkin.Span(shape, blueprint);
     }
 
     private static CreatureBlueprint Draw(string body, ulong seed) => BlueprintSampler.Sample(seed, SpeciesSubject.Only(body, RequestedKind.Walking));

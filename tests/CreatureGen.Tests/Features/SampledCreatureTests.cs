@@ -23,7 +23,7 @@ public sealed class SampledCreatureTests
         {
             CreatureBlueprint blueprint = BlueprintSampler.Sample(seed, kind);
             BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
-            BodySkin skin = BodySkin.Span(shape, blueprint.Body, blueprint.Head, blueprint.Tail);
+            BodySkin skin = BodySkin.Span(shape, blueprint);
             EyeBlueprint eye = blueprint.Head.Eyes;
             EyeFrame frame = EyeFrame.On(skin.At(eye.Ring, eye.Segment), eye, shape.Forward((int)eye.Ring), 1f);
             EyeShape.Append(builder, frame, eye.Style, Vector3.One * 0.5f);

@@ -26,8 +26,8 @@ public sealed class FacePlanesTests
 
             // The same head without what models its top.
             HeadBlueprint bare = creature.Head with { Bumps = new ValueList<HeadBump>(creature.Head.Bumps.Where(bump => bump is not { Ring: 6, Segment: 0 } and not { Ring: 7, Segment: 3.2 })) };
-            BodySkin modelled = BodySkin.Span(shape, creature.Body, creature.Head, creature.Tail);
-            BodySkin board = BodySkin.Span(shape, creature.Body, bare, creature.Tail);
+            BodySkin modelled = BodySkin.Span(shape, creature);
+            BodySkin board = BodySkin.Span(shape, creature with { Head = bare });
             Assert.True(Relief(modelled, shape) > Relief(board, shape) + 0.03);
             broad++;
         }

@@ -180,8 +180,8 @@ public sealed class SpeciesTests
         {
             Assert.Equal(ShellStyle.Elytra, blueprint.Body.Shell.Style);
             BodyShape shape = BodyShaper.Shape(blueprint.Plan, blueprint.Body, blueprint.Head, blueprint.Tail);
-            BodySkin skin = BodySkin.Span(shape, blueprint.Body, blueprint.Head, blueprint.Tail);
-            BodySkin bare = BodySkin.Span(shape, blueprint.Body with { Shell = blueprint.Body.Shell with { Style = ShellStyle.None } }, blueprint.Head, blueprint.Tail);
+            BodySkin skin = BodySkin.Span(shape, blueprint);
+            BodySkin bare = BodySkin.Span(shape, blueprint with { Body = blueprint.Body with { Shell = blueprint.Body.Shell with { Style = ShellStyle.None } } });
             Assert.True(skin[42, 6].X > 1.05f * bare[42, 6].X);
             Assert.Equal(bare[42, 12], skin[42, 12]);
         }
@@ -405,7 +405,7 @@ public sealed class SpeciesTests
         }
     }
 
-    private static BodySkin SkinOf(CreatureBlueprint b) => BodySkin.Span(BodyShaper.Shape(b.Plan, b.Body, b.Head, b.Tail), b.Body, b.Head, b.Tail);
+    private static BodySkin SkinOf(CreatureBlueprint b) => BodySkin.Span(BodyShaper.Shape(b.Plan, b.Body, b.Head, b.Tail), b);
 
     internal static IEnumerable<CreatureBlueprint> Drawn(string body, RequestedKind kind) =>
         Enumerable.Range(0, 12).Select(seed => BlueprintSampler.Sample((ulong)seed, SpeciesSubject.Only(body, kind)));

@@ -33,9 +33,10 @@ internal sealed class FlankFin
     /// <summary>Greatest distance between the edges, in lengths.</summary>
     public double Depth { get; }
 
-    /// <summary>The outline of a style; null for a paddle.</summary>
+    /// <summary>The outline of a style; null for one that has none on the flank.</summary>
     public static FlankFin? Of(FinStyle style) => style switch
     {
+        FinStyle.Paddle => PaddleFin.Flank,
         FinStyle.Shark => SharkFin.Flank,
         FinStyle.Tuna => TunaFin.Flank,
         FinStyle.Carp => CarpFin.Flank,
@@ -46,7 +47,7 @@ internal sealed class FlankFin
     };
 
     /// <summary>Part of a fin's sweep that its axis takes on: all of it on a paddle, less where the outline is swept itself.</summary>
-    public static double AxisSweep(FinStyle style) => Of(style) is null ? 1 : AxisOfSwept;
+    public static double AxisSweep(FinStyle style) => style == FinStyle.Paddle || Of(style) is null ? 1 : AxisOfSwept;
 
     /// <summary>The leading edge behind the axis.</summary>
     public double LeadAt(double s) => MonotoneCubic.Evaluate(stations, lead, leadSlopes, s);

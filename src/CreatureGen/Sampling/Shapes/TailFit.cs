@@ -15,6 +15,9 @@ internal static class TailFit
     /// <summary>Largest tail against its trunk, each at its largest section.</summary>
     private const double Size = 0.8;
 
+    /// <summary>Largest root of a tail behind legs under the body against the hips: one as thick as they are goes on as trunk, and has no rump before it.</summary>
+    private const double LargestRoot = 0.5;
+
     // Longest tail against the trunk: of one that is carried up, which is a rod over the back, and of all others.
     private const double Carried = 0.75;
     private const double Trailing = 1.5;
@@ -67,14 +70,16 @@ internal static class TailFit
 
         BodyShape shape = StanceSampler.ShapeOf(builder);
         double size = Largest(shape, FirstOfTail, LastOfTail) / Largest(shape, FirstOfTrunk, LastOfTrunk);
-        double excess = Math.Max(1, size / Size);
+        bool under = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur;
+        double root = under ? Largest(shape, StationRing.TailStem, StationRing.TailStem) / Largest(shape, StationRing.Pelvis, StationRing.Pelvis) : 0;
+        double excess = Math.Max(1, Math.Max(size / Size, root / LargestRoot));
         double strange = builder.Fitting;
         double trunk = shape.Arc[StationRing.TorsoLast] - shape.Arc[StationRing.TrunkFirst];
         double length = (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]) / trunk;
         TailTaper? taper = TailTaper.Of(builder.Tail.Style);
         bool rolls = taper is { Curl: not 0 };
         bool steers = builder.Plan is BodyPlan.Flapping or BodyPlan.Theropod && builder.Tail.Style is TailStyle.Plain or TailStyle.Saurian && builder.Parents.Tail.Class != AnimalClass.Bird;
-        bool carried = builder.Plan is BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar or BodyPlan.Centaur && builder.Parents.Tail.TailHair is null;
+        bool carried = under && builder.Parents.Tail.TailHair is null;
         double slender = rolls ? LeastRolled : taper != null ? LeastTapered : steers || carried ? LeastBalancing : 0;
         double stubby = Math.Max(1, slender * Largest(shape, FirstOfTail, FirstOfTail) / (shape.Arc[LastOfTail] - shape.Arc[StationRing.TorsoLast]));
         double shortest = steers ? LeastTail : taper != null && !rolls ? LeastOfFamily : 0;

@@ -1,0 +1,122 @@
+using System.Collections.Generic;
+using CreatureGen.Anatomy;
+using CreatureGen.Anatomy.Legs;
+using CreatureGen.Blueprints;
+using CreatureGen.Maths;
+using CreatureGen.Species;
+
+namespace CreatureGen.Bodies;
+
+/// <summary>Swellings and hollows of a mixed torso: those of its bodies in their shares, and over legs that few of its bodies have the shoulders, haunches and lines of back and belly that such legs need. On them a fish or a snake is a log.</summary>
+internal static class Girdles
+{
+    // Shares of the torso that comes from bodies without muscles for legs, from which on it is given some and from which on it has all of them.
+    private const double Few = 0.25;
+    private const double Most = 0.55;
+
+    /// <summary>How much of the muscles of legs that stand under the body those have that reach out to its side.</summary>
+    private const double Sprawling = 0.5;
+
+    // Half of the rings and segments of a back, of a belly, and the segments in the middle of them.
+    private const double Back = 0;
+    private const double Belly = BodyGrid.Segments / 2;
+    private const double Broad = 5;
+
+    /// <summary>At shoulders, in rings from the middle of their legs.</summary>
+    private static readonly HeadBump[] shoulders =
+    {
+        new(Ring: -1.6, Segment: 4.6, RingSpread: 1.9, SegmentSpread: 2.2, Amount: 0.12),  // shoulder blade
+        new(Ring: -0.2, Segment: Back, RingSpread: 2.8, SegmentSpread: Broad, Amount: 0.12),  // withers
+        new(Ring: 5.2, Segment: Back, RingSpread: 3.2, SegmentSpread: Broad, Amount: -0.16),  // dip behind them
+        new(Ring: -1, Segment: Belly, RingSpread: 3, SegmentSpread: Broad, Amount: 0.12),  // brisket
+    };
+
+    /// <summary>At hips, the same.</summary>
+    private static readonly HeadBump[] hips =
+    {
+        new(Ring: -0.4, Segment: 5.6, RingSpread: 2.2, SegmentSpread: 2.4, Amount: 0.13),  // haunch
+        new(Ring: -1.4, Segment: Back, RingSpread: 2.2, SegmentSpread: Broad, Amount: 0.16),  // croup
+        new(Ring: -4, Segment: 8.6, RingSpread: 2.2, SegmentSpread: 2.6, Amount: -0.10),  // flank
+        new(Ring: -3.2, Segment: Belly, RingSpread: 3, SegmentSpread: Broad, Amount: -0.38),  // groin
+    };
+
+    /// <summary>At hips that carry a trunk alone.</summary>
+    private static readonly HeadBump[] bipedHips =
+    {
+        new(Ring: -0.4, Segment: 5.6, RingSpread: 2.4, SegmentSpread: 2.6, Amount: 0.13),  // haunch
+        new(Ring: -1, Segment: Back, RingSpread: 2.6, SegmentSpread: Broad, Amount: 0.16),  // hip bone
+        new(Ring: -6, Segment: Back, RingSpread: 2.6, SegmentSpread: Broad, Amount: -0.15),  // loin
+        new(Ring: -8, Segment: Belly, RingSpread: 3, SegmentSpread: Broad, Amount: 0.18),  // breast
+        new(Ring: 5, Segment: Belly, RingSpread: 3, SegmentSpread: 6, Amount: -0.38),  // vent
+    };
+
+    /// <summary>The relief of a creature's torso.</summary>
+    public static ValueList<HeadBump> Of(CreatureBlueprint creature)
+    {
+        var bumps = new List<HeadBump>();
+        BodyBlend blend = creature.Body.Blend;
+        IReadOnlyList<double> fractions = blend.TorsoFractions;
+        for (int k = 0; k < blend.Bodies.Count; k++)
+        {
+            Add(bumps, SpeciesCatalogue.Find(blend.Bodies[k].Name).Relief, 0, fractions[k]);
+        }
+
+        List<LegBlueprint> legs = Standing(creature);
+        double bare = creature.Body.Shell.Style == ShellStyle.None ? Scalar.Smooth((Bare(blend, legs.Count) - Few) / (Most - Few)) : 0;
+        if (legs.Count > 0 && bare > 0)
+        {
+            LegBlueprint last = legs[legs.Count - 1];
+            Add(bumps, legs.Count > 1 ? hips : bipedHips, Middle(last), bare * Strength(last));
+            if (legs.Count > 1)
+            {
+                Add(bumps, shoulders, Middle(legs[0]), bare * Strength(legs[0]));
+            }
+        }
+
+        return new ValueList<HeadBump>(bumps);
+    }
+
+    private static void Add(List<HeadBump> bumps, HeadBump[] relief, double ring, double factor)
+    {
+        foreach (HeadBump bump in relief)
+        {
+            bumps.Add(bump with { Ring = ring + bump.Ring, Amount = factor * bump.Amount });
+        }
+    }
+
+    /// <summary>The legs that carry the trunk by muscles on it, from the front; insects' are all in their thorax.</summary>
+    private static List<LegBlueprint> Standing(CreatureBlueprint creature)
+    {
+        var legs = new List<LegBlueprint>();
+        foreach (LegBlueprint leg in creature.Legs)
+        {
+            LegOutline outline = LegKinds.Of(leg.Archetype).Outline;
+            if (leg.Stance == LegStance.Standing && !outline.Arched && !outline.Carried)
+            {
+                legs.Add(leg);
+            }
+        }
+
+        legs.Sort((a, b) => a.Socket.Ring.CompareTo(b.Socket.Ring));
+        return legs;
+    }
+
+    /// <summary>Share of a torso that comes from bodies that never stood on so many pairs of legs.</summary>
+    private static double Bare(BodyBlend blend, int pairs)
+    {
+        double bare = 0;
+        IReadOnlyList<double> fractions = blend.TorsoFractions;
+        for (int k = 0; k < fractions.Count; k++)
+        {
+            SpeciesProfile species = SpeciesCatalogue.Find(blend.Bodies[k].Name);
+            bool fitting = species.Relief.Length > 0 || species.Class == AnimalClass.Amphibian || (species.Class == AnimalClass.Bird && pairs == 1);
+            bare += fitting ? 0 : fractions[k];
+        }
+
+        return bare;
+    }
+
+    private static double Middle(LegBlueprint leg) => leg.Socket.Ring + (0.5 * leg.Socket.Rows);
+
+    private static double Strength(LegBlueprint leg) => LegKinds.Of(leg.Archetype).Outline.Sprawling ? Sprawling : 1;
+}

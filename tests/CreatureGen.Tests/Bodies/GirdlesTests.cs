@@ -1,0 +1,62 @@
+using System;
+using System.Linq;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling;
+using CreatureGen.Species;
+using Xunit;
+
+namespace CreatureGen.Tests.Bodies;
+
+public sealed class GirdlesTests
+{
+    private const int Belly = BodyGrid.Segments / 2;
+
+    /// <summary>Least rise of the belly from the brisket to the groin in radii of the section, above what the tables give: in dogs it is half of the trunk's depth.</summary>
+    private const double Rise = 0.3;
+
+    [Fact]
+    public void Trunks_of_fish_and_snakes_on_legs_under_them_have_withers_a_dip_a_croup_and_a_belly_that_rises_to_the_groin()
+    {
+        int logs = 0;
+        for (ulong seed = 10420001; seed <= 10420150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Walking);
+            if (creature.Plan is not (BodyPlan.Digitigrade or BodyPlan.Unguligrade or BodyPlan.Plantigrade or BodyPlan.Columnar) || Footless(creature.Body.Blend) < 0.6 || creature.Body.Shell.Style != ShellStyle.None)
+            {
+                continue;
+            }
+
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            BodySkin skin = BodySkin.Span(shape, creature);
+            Assert.True(Factor(skin, StationRing.Shoulder + 1, 0) > 1.05 && Factor(skin, 32, 0) < 0.93 && Factor(skin, 40, 0) > 1.08, FormattableString.Invariant($"{seed}: a straight back"));
+            Assert.True(Factor(skin, StationRing.Shoulder, Belly) - Factor(skin, StationRing.Loin, Belly) > Rise, FormattableString.Invariant($"{seed}: a straight belly"));
+            logs++;
+        }
+
+        Assert.True(logs > 3);
+    }
+
+    [Theory]
+    [InlineData(LocomotionKind.Walking)]
+    [InlineData(LocomotionKind.Flying)]
+    [InlineData(LocomotionKind.Swimming)]
+    public void Animals_and_what_has_no_legs_under_it_keep_the_torsos_of_their_bodies(LocomotionKind kind)
+    {
+        for (ulong seed = 10420001; seed <= 10420060; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, CreatureOptions.Default with { Kind = Enum.Parse<RequestedKind>(kind.ToString()), Strangeness = 0 });
+            int own = creature.Body.Blend.Bodies.Sum(body => SpeciesCatalogue.Find(body.Name).Relief.Length);
+            Assert.True(own == Girdles.Of(creature).Count, FormattableString.Invariant($"{seed}, {creature.Plan} {creature.Body.Blend.First}"));
+        }
+    }
+
+    /// <summary>Height of the skin in the middle plane, in that of the section that it is spanned over.</summary>
+    private static double Factor(BodySkin skin, int ring, int segment) =>
+        (skin[ring, segment] - skin.Shape.Centre(ring)).Length() / (segment == 0 ? skin.Shape.Top[ring] : skin.Shape.Bottom[ring]);
+
+    /// <summary>Share of a torso that comes from fish and insects.</summary>
+    private static double Footless(BodyBlend blend) =>
+        blend.Bodies.Select((body, k) => SpeciesCatalogue.Find(body.Name).Class is AnimalClass.Fish or AnimalClass.Arthropod ? blend.TorsoFractions[k] : 0).Sum();
+}
