@@ -89,7 +89,7 @@ public sealed class StairFootingTests
     [Fact]
     public void A_foot_that_stands_where_it_came_down_is_not_shifted_off_edges_again()
     {
-        var profile = new MotionProfile(CreatureGenerator.Generate(9920002, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        var profile = new MotionProfile(KeptCreatures.Of(9920002));
         CourseReport report = new MotionCourse(CourseScripts.Runner(profile, 12f), CourseGround.Stairs, CourseRate.Of(60f)).Run(profile);
         Assert.True(report.StanceSlip < 0.015f, $"a stance slips by {report.StanceSlip}");
     }
