@@ -15,6 +15,11 @@ internal static class TailShaper
     /// <summary>Greatest length of an upright fin along the spine, in its sizes; those of fish are up to 1.6 long. Spread over all of a long tail it is a funnel that ends sawn off; a lance is to be long.</summary>
     private const double LongestFin = 2.2;
 
+    /// <summary>The ring from which on a fluke spreads, its greatest length along the spine, in half of its span, and how much of its span is reached before its middle: its leading edge bends back to pointed tips.</summary>
+    private const int FlukeFirst = 47;
+    private const double LongestFluke = 1.1;
+    private const double FlukeBend = 0.45;
+
     /// <summary>Gives the rings of the tail the sections of its style.</summary>
     /// <param name="tail">The end of the tail.</param>
     /// <param name="step">Metres along the spine from the ring before to each ring.</param>
@@ -46,7 +51,8 @@ internal static class TailShaper
                 for (int i = Start; i < BodyGrid.Rings; i++)
                 {
                     double q = Scalar.Smooth((i - 46) / 7.0);
-                    width[i] = (width0 * (1 - q)) + (tail.Size * PortableMath.Pow(q, 1.7));
+                    double opened = Opened(step, i, FlukeFirst, LongestFluke * tail.Size);
+                    width[i] = (width0 * (1 - q)) + (tail.Size * opened * (1 + (FlukeBend * (1 - opened))));
                     top[i] = (top0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
                     bottom[i] = (bottom0 * PortableMath.Pow(1 - q, 1.3)) + 0.012;
                 }
@@ -120,16 +126,27 @@ internal static class TailShaper
     /// <summary>How far an upright fin has opened at a ring, 0 at the end of its stalk to 1 at its rear edge.</summary>
     private static double Opening(TailBlueprint tail, ReadOnlySpan<double> step, int ring)
     {
-        const int Last = BodyGrid.Rings - 1;
+        double length = 0;
+        for (int i = FinFirst + 1; i < BodyGrid.Rings; i++)
+        {
+            length += step[i];
+        }
+
+        double longest = LongestFin * tail.Size;
+        return Scalar.Smooth(length > longest ? Opened(step, ring, FinFirst, longest) : (ring - FinFirst) / 7.0);
+    }
+
+    /// <summary>How far a ring is along a fin that ends with the tail, 0 before it to 1 at its end.</summary>
+    private static double Opened(ReadOnlySpan<double> step, int ring, int first, double longest)
+    {
         double length = 0;
         double behind = 0;
-        for (int i = FinFirst + 1; i <= Last; i++)
+        for (int i = first + 1; i < BodyGrid.Rings; i++)
         {
             length += step[i];
             behind += i > ring ? step[i] : 0;
         }
 
-        double longest = LongestFin * tail.Size;
-        return Scalar.Smooth(length > longest ? 1 - (behind / longest) : (ring - FinFirst) / 7.0);
+        return Math.Max(0, 1 - (behind / Math.Min(length, longest)));
     }
 }
