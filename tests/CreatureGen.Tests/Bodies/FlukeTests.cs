@@ -1,0 +1,43 @@
+using System;
+using CreatureGen.Anatomy;
+using CreatureGen.Blueprints;
+using CreatureGen.Bodies;
+using CreatureGen.Sampling;
+using Xunit;
+
+namespace CreatureGen.Tests.Bodies;
+
+public sealed class FlukeTests
+{
+    private const int Last = BodyGrid.Rings - 1;
+
+    /// <summary>Longest fluke along the spine, in half of its span: those of dolphins are as long as half a span.</summary>
+    private const double Longest = 1.2;
+
+    [Fact]
+    public void Flukes_are_no_longer_than_half_their_span_and_end_in_points_at_their_rear_edge()
+    {
+        int flukes = 0;
+        for (ulong seed = 10440001; seed <= 10440150; seed++)
+        {
+            CreatureBlueprint creature = BlueprintSampler.Sample(seed, LocomotionKind.Swimming);
+            if (creature.Tail.Style != TailStyle.Fluke)
+            {
+                continue;
+            }
+
+            BodyShape shape = BodyShaper.Shape(creature.Plan, creature.Body, creature.Head, creature.Tail);
+            Assert.True(shape.Width[Last - 1] < 0.99 * shape.Width[Last], FormattableString.Invariant($"{seed}: a fluke with cut tips"));
+            double behind = 0;
+            for (int i = Last; i > StationRing.TailFirst; i--)
+            {
+                Assert.True(behind < Longest * creature.Tail.Size || shape.Width[i] <= shape.Width[StationRing.TailFirst] + 1e-9, FormattableString.Invariant($"{seed}: a funnel instead of a fluke"));
+                behind += shape.Step[i];
+            }
+
+            flukes++;
+        }
+
+        Assert.True(flukes > 3);
+    }
+}
