@@ -10,7 +10,7 @@ using CreatureGen.Preview.Scenes;
 
 namespace CreatureGen.Preview.Films;
 
-/// <summary>Lays out the strip of a course: a title, rows of pictures from the side and from the front left, and below them the course over time and from above.</summary>
+/// <summary>Lays out the strip of a course: a title, rows of pictures from the side and as the film is seen, and below them the course over time and from above.</summary>
 internal static class CourseStrip
 {
     private const int Columns = 8;
@@ -38,9 +38,10 @@ internal static class CourseStrip
     {
         IReadOnlyList<int> moments = Moments(film.Take);
         int side = CellHeight(film, CameraTurn.Along);
-        int oblique = CellHeight(film, CameraTurn.Still);
+        (View view, CameraTurn turning) = Second(film.Options);
+        int other = CellHeight(film, turning);
         int rows = (moments.Count + Columns - 1) / Columns;
-        int blockHeight = side + oblique + (2 * Gap);
+        int blockHeight = side + other + (2 * Gap);
         int width = (Columns * CellWidth) + (2 * Gap);
         int below = TitleHeight + (rows * blockHeight);
         int height = CourseTimeline.Height(film.Take);
@@ -55,13 +56,17 @@ internal static class CourseStrip
             int left = Gap + (i % Columns * CellWidth);
             int top = TitleHeight + (i / Columns * blockHeight);
             strip.Blit(Cell(film, moments, i, View.Side, CameraTurn.Along, side), left, top);
-            strip.Blit(Cell(film, moments, i, View.ThreeQuarter, CameraTurn.Still, oblique), left, top + side + Gap);
+            strip.Blit(Cell(film, moments, i, view, turning, other), left, top + side + Gap);
         });
         int map = Math.Min(width / 3, Math.Max(height, width / 4));
         CourseTimeline.Draw(strip, film, moments, Gap, below, width - map - (3 * Gap));
         CourseMap.Draw(strip, film, width - map - Gap, below, map, height - Gap);
         return strip;
     }
+
+    /// <summary>How the second row is seen: as the film, or from the front left where that is as the first row.</summary>
+    private static (View View, CameraTurn Turning) Second(FilmOptions options) =>
+        options is { View: View.Side, Camera: CameraTurn.Along } ? (View.ThreeQuarter, CameraTurn.Still) : (options.View, options.Camera);
 
     private static string Title(CourseFilm film) =>
         FormattableString.Invariant($"{film.Profile.Subject.Seed} {film.Profile.Subject.Plan} {film.Take.Script.Name}, {film.Ground} ground, {film.Take.Script.Seconds:0.0} s").ToLowerInvariant();

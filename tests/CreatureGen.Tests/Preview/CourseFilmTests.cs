@@ -49,6 +49,15 @@ public sealed class CourseFilmTests
     }
 
     [Fact]
+    public void Its_strip_shows_the_view_that_is_asked_for()
+    {
+        var script = new CourseScript("go", [new CourseCommand(0.5f, new MotionInput(1f))]);
+        Picture usual = new CourseFilm(cat, script, CourseGround.Flat, small).Strip();
+        Assert.True(usual.Bytes.SequenceEqual(new CourseFilm(cat, script, CourseGround.Flat, small with { View = View.ThreeQuarter }).Strip().Bytes));
+        Assert.False(usual.Bytes.SequenceEqual(new CourseFilm(cat, script, CourseGround.Flat, small with { View = View.Front }).Strip().Bytes));
+    }
+
+    [Fact]
     public void Too_long_scripts_are_refused()
     {
         var script = new CourseScript("long", [new CourseCommand(61f, default)]);
