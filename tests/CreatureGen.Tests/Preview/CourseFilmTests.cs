@@ -52,9 +52,9 @@ public sealed class CourseFilmTests
     public void Its_strip_shows_the_view_that_is_asked_for()
     {
         var script = new CourseScript("go", [new CourseCommand(0.5f, new MotionInput(1f))]);
-        Picture usual = new CourseFilm(cat, script, CourseGround.Flat, small).Strip();
-        Assert.True(usual.Bytes.SequenceEqual(new CourseFilm(cat, script, CourseGround.Flat, small with { View = View.ThreeQuarter }).Strip().Bytes));
-        Assert.False(usual.Bytes.SequenceEqual(new CourseFilm(cat, script, CourseGround.Flat, small with { View = View.Front }).Strip().Bytes));
+        Picture usual = new CourseFilm(cat, script, CourseGround.Flat, small).Strip(TestContext.Current.CancellationToken);
+        Assert.True(usual.Bytes.SequenceEqual(new CourseFilm(cat, script, CourseGround.Flat, small with { View = View.ThreeQuarter }).Strip(TestContext.Current.CancellationToken).Bytes));
+        Assert.False(usual.Bytes.SequenceEqual(new CourseFilm(cat, script, CourseGround.Flat, small with { View = View.Front }).Strip(TestContext.Current.CancellationToken).Bytes));
     }
 
     [Fact]
