@@ -46,7 +46,6 @@ internal static class Girdles
         new(Ring: -0.4, Segment: 5.6, RingSpread: 2.4, SegmentSpread: 2.6, Amount: 0.13),  // haunch
         new(Ring: -1, Segment: Back, RingSpread: 2.6, SegmentSpread: Broad, Amount: 0.16),  // hip bone
         new(Ring: -6, Segment: Back, RingSpread: 2.6, SegmentSpread: Broad, Amount: -0.15),  // loin
-        new(Ring: -8, Segment: Belly, RingSpread: 3, SegmentSpread: Broad, Amount: 0.18),  // breast
         new(Ring: 5, Segment: Belly, RingSpread: 3, SegmentSpread: 6, Amount: -0.38),  // vent
     };
 
