@@ -5,6 +5,8 @@ using System.Numerics;
 using CreatureGen.Anatomy;
 using CreatureGen.Maths;
 using CreatureGen.Motion;
+using CreatureGen.Rigging;
+using CreatureGen.Sampling;
 using Xunit;
 
 namespace CreatureGen.Tests.Motion.Acts;
@@ -157,6 +159,35 @@ public class PerformingTests
         }
 
         Assert.True(fastest.LegsPerSecond < 12f, fastest.ToString());
+    }
+
+    /// <summary>Its head let go of the target of the act before, and flew there and back: an eel's at 125 rad/s.</summary>
+    [Theory]
+    [InlineData(RequestedKind.Swimming, 10600005UL)]
+    [InlineData(RequestedKind.Swimming, 10600006UL)]
+    [InlineData(RequestedKind.Walking, 42UL)]
+    public void A_bite_that_is_broken_off_lets_go_of_its_target_without_a_jump(RequestedKind kind, ulong seed)
+    {
+        const float FastestHead = 20f;
+        var animator = new CreatureAnimator(CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind }));
+        int head = animator.Profile.Subject.Skeleton.FirstOf(JointRole.Head);
+        Assert.Equal(ActStatus.Started, animator.Perform("Bite").Status);
+        int frames = 0;
+        while (!animator.ActEvents.ToArray().Any(e => e.Mark == ActMark.Contact) && frames++ < 600)
+        {
+            animator.Update(1f / 60f, default, FlatGround.Level);
+        }
+
+        Quaternion before = animator.LocalPose.Rotations[head];
+        animator.StopAct();
+        for (int i = 0; i < 60; i++)
+        {
+            animator.Update(1f / 60f, default, FlatGround.Level);
+            Quaternion now = animator.LocalPose.Rotations[head];
+            double speed = 60 * Rotation.Angle(Rotation.Multiply(Rotation.Inverse(before), now));
+            Assert.True(speed < FastestHead, $"{speed} rad/s, {i} updates after it was broken off");
+            before = now;
+        }
     }
 
     [Fact]

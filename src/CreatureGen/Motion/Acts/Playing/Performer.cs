@@ -113,8 +113,16 @@ internal sealed class Performer
     /// <summary>Leaves a phase that lasts.</summary>
     public void GoOn() => player.GoOn();
 
-    /// <summary>Ends the act where it is.</summary>
-    public void Stop() => player.Stop();
+    /// <summary>Ends the act where it is: what was brought to its target lets go of that and of no other.</summary>
+    public void Stop()
+    {
+        if (player.Act != null)
+        {
+            lastAim = ActAim.Between(lastAim, player.LeftReach, aim, player.OwnReach);
+        }
+
+        player.Stop();
+    }
 
     /// <summary>Forgets what it performs. What it feels stays, and shows as if it always had.</summary>
     public void Reset()
