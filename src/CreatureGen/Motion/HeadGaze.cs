@@ -41,6 +41,7 @@ internal sealed class HeadGaze
     private GazeState state;
     private double seconds;
     private float slack;
+    private float shown;
     private float flickWeight;
     private bool isLimp;
     private double winced = double.NegativeInfinity;
@@ -74,13 +75,13 @@ internal sealed class HeadGaze
     /// <summary>How far an act or a mood shuts the lids: 0 as at rest, 1 shut, below 0 wide open. Blinks shut what is left.</summary>
     public float Lids { get; set; }
 
-    /// <summary>Whether the body is limp: its lids sink, it does not blink, and how it held its head is part of how it lies.</summary>
+    /// <summary>Whether the body is limp: its lids sink from where they are, it does not blink, and how it held its head is part of how it lies.</summary>
     public bool IsLimp
     {
         get => isLimp;
         set
         {
-            state = value && !isLimp ? default : state;
+            (state, slack) = value && !isLimp ? (default, shown) : (state, slack);
             isLimp = value;
         }
     }
@@ -148,7 +149,8 @@ internal sealed class HeadGaze
 
         float shut = slack + ((1f - slack) * Lids);
         float blink = Held?.Lids ?? (IsLimp ? 0f : System.Math.Max(Blinks.At(blinks, seconds, blinkPeriod), Blinks.Once((seconds - winced) / WinceLength)));
-        return shut + ((1f - shut) * blink);
+        shown = shut + ((1f - shut) * blink);
+        return shown;
     }
 
     private StandingAct Flicked(float weight)
@@ -164,7 +166,7 @@ internal sealed class HeadGaze
     public void Reset()
     {
         state = default;
-        slack = 0f;
+        (slack, shown) = (0f, 0f);
         flickWeight = 0f;
         winced = double.NegativeInfinity;
     }

@@ -187,6 +187,28 @@ public sealed class LimpTests
         Assert.Equal(60, up);
     }
 
+    /// <summary>They were thrown open, at 70 rad/s, and sank again.</summary>
+    [Fact]
+    public void Lids_of_a_sleeper_that_goes_limp_stay_shut()
+    {
+        var animator = new CreatureAnimator(CreatureGenerator.Generate(10600007, CreatureOptions.Default with { Kind = RequestedKind.Walking }));
+        int lid = animator.Profile.Subject.Skeleton.IndexOf("UpperLid_L");
+        animator.Perform("Sleep");
+        for (int i = 0; i < 480; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+        }
+
+        Quaternion asleep = animator.LocalPose.Rotations[lid];
+        animator.GoLimp();
+        for (int i = 0; i < 60; i++)
+        {
+            animator.Update(Frame, default, FlatGround.Level);
+            double moved = Rotation.Angle(Rotation.Multiply(Rotation.Inverse(asleep), animator.LocalPose.Rotations[lid]));
+            Assert.True(moved < 0.35, $"{moved} rad, {i} updates after it went limp");
+        }
+    }
+
     [Fact]
     public void Nothing_of_head_and_tail_jumps_as_a_creature_that_looks_aside_goes_limp()
     {
