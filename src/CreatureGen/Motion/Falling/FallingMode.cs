@@ -180,6 +180,11 @@ internal sealed partial class FallingMode : ILocomotionMode
         if (goesLimp)
         {
             goesLimp = false;
+            if (State == BodyState.Afloat || (State == BodyState.Supported && !inner.StandsOnFeet))
+            {
+                Lying.HoldBody(local);
+            }
+
             Lying.Begin(next, local, place, dt, ground);
             State = BodyState.Limp;
             Tell(MotionEventKind.WentLimp, next, settings.Up, 0f, 0f);

@@ -76,6 +76,14 @@ internal sealed class LimpBody
         lift = 0f;
     }
 
+    /// <summary>Leaves the body where it was shown last: an act moves the whole of one that no feet carry, which is no velocity of it.</summary>
+    /// <param name="shown">The pose of this moment, in the parents' space.</param>
+    public void HoldBody(in Pose shown)
+    {
+        shown.Positions[profile.Body] = before.Local.Positions[profile.Body];
+        shown.Rotations[profile.Body] = before.Local.Rotations[profile.Body];
+    }
+
     /// <summary>Pushes a part.</summary>
     /// <param name="joint">A joint of it.</param>
     /// <param name="impulse">World N·s.</param>

@@ -209,6 +209,38 @@ public sealed class LimpTests
         }
     }
 
+    /// <summary>An act moves the whole of a body in the water or in the air; that was taken for a velocity, and shot a whale away at 50 m/s.</summary>
+    [Theory]
+    [InlineData(RequestedKind.Swimming, 10620040UL, "Sniff")]
+    [InlineData(RequestedKind.Swimming, 10620033UL, "Eat")]
+    [InlineData(RequestedKind.Flying, 10610007UL, "Bite")]
+    public void Who_goes_limp_in_an_act_in_the_water_or_in_the_air_is_not_thrown(RequestedKind kind, ulong seed, string act)
+    {
+        Creature creature = CreatureGenerator.Generate(seed, CreatureOptions.Default with { Kind = kind });
+        var profile = new MotionProfile(creature);
+        float duration = new CreatureAnimator(profile).Acts.Find(act).Seconds;
+        for (int part = 1; part < 8; part++)
+        {
+            var animator = new CreatureAnimator(profile);
+            animator.Teleport(new RootPlace(new Vector3(0f, 50f, 0f), Quaternion.Identity), FlatGround.Level);
+            Assert.Equal(ActStatus.Started, animator.Perform(act).Status);
+            for (float time = 0f; time < 0.125f * part * duration; time += Frame)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+            }
+
+            Vector3 before = Middle(animator);
+            animator.GoLimp();
+            for (int i = 0; i < 6; i++)
+            {
+                animator.Update(Frame, default, FlatGround.Level);
+            }
+
+            float speed = (Middle(animator) - before).Length() / (6 * Frame);
+            Assert.True(speed < 2f * MathF.Sqrt(Extent(creature)), $"{speed} m/s after {part} eighths of {act}");
+        }
+    }
+
     [Fact]
     public void Nothing_of_head_and_tail_jumps_as_a_creature_that_looks_aside_goes_limp()
     {
