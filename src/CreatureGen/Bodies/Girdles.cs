@@ -17,7 +17,7 @@ internal static class Girdles
     /// <summary>How much of the muscles of legs that stand under the body those have that reach out to its side.</summary>
     private const double Sprawling = 0.5;
 
-    // Half of the rings and segments of a back, of a belly, and the segments in the middle of them.
+    // Segments in the middle of a back and of a belly, and to how many on both sides reaches what is on all of one.
     private const double Back = 0;
     private const double Belly = BodyGrid.Segments / 2;
     private const double Broad = 5;

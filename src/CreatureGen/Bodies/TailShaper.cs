@@ -126,27 +126,23 @@ internal static class TailShaper
     /// <summary>How far an upright fin has opened at a ring, 0 at the end of its stalk to 1 at its rear edge.</summary>
     private static double Opening(TailBlueprint tail, ReadOnlySpan<double> step, int ring)
     {
-        double length = 0;
-        for (int i = FinFirst + 1; i < BodyGrid.Rings; i++)
-        {
-            length += step[i];
-        }
-
         double longest = LongestFin * tail.Size;
-        return Scalar.Smooth(length > longest ? Opened(step, ring, FinFirst, longest) : (ring - FinFirst) / 7.0);
+        return Scalar.Smooth(Behind(step, FinFirst) > longest ? Opened(step, ring, FinFirst, longest) : (ring - FinFirst) / 7.0);
     }
 
     /// <summary>How far a ring is along a fin that ends with the tail, 0 before it to 1 at its end.</summary>
-    private static double Opened(ReadOnlySpan<double> step, int ring, int first, double longest)
+    private static double Opened(ReadOnlySpan<double> step, int ring, int first, double longest) =>
+        Math.Max(0, 1 - (Behind(step, Math.Max(ring, first)) / Math.Min(Behind(step, first), longest)));
+
+    /// <summary>Metres along the spine from a ring to the end of the tail.</summary>
+    private static double Behind(ReadOnlySpan<double> step, int ring)
     {
         double length = 0;
-        double behind = 0;
-        for (int i = first + 1; i < BodyGrid.Rings; i++)
+        for (int i = ring + 1; i < BodyGrid.Rings; i++)
         {
             length += step[i];
-            behind += i > ring ? step[i] : 0;
         }
 
-        return Math.Max(0, 1 - (behind / Math.Min(length, longest)));
+        return length;
     }
 }

@@ -30,14 +30,14 @@ internal sealed partial class FallingMode
     {
         if (!glide.IsOver)
         {
-            RootGlide.Reframe(subject.Skeleton, profile.Value.Body, before, after, local);
+            RootFrame.Change(subject.Skeleton, profile.Value.Body, before, after, local);
         }
     }
 
     /// <summary>Falls on limp, or lies.</summary>
     private RootPlace Lie(in RootPlace place, float dt, in MotionSettings settings, IGround ground, in Pose local)
     {
-        bool begins = Lying.HasBegun;
+        bool begins = !Lying.Falls;
         RootPlace under = Lying.Advance(place, dt, settings, ground);
         Lying.Show(under, dt, settings, ground, local);
         return begins ? GlideTo(under, place, settings) : under;

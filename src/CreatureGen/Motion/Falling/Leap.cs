@@ -105,7 +105,7 @@ internal sealed class Leap
         float towards = Math.Max(legs.Speed * place.Scale * Vec.Dot(Rotation.Rotate(place.Rotation, Vector3.UnitZ), Vec.Normalize(level, Vector3.Zero)), 0f);
         LeapTiming timing = Timing(place.Scale, settings.Gravity);
         float runUp = 0f;
-        plan = new LeapPlan(0f, 0f, 1f);
+        var usual = new LeapPlan(0f, 0f, 1f);
         if (IsRun(towards, place.Scale, settings.Gravity))
         {
             var run = new RunningLeap(timing, legs, settings, place.Scale, towards, height);
@@ -121,8 +121,8 @@ internal sealed class Leap
             }
 
             // The push has to add to the run.
-            plan = new LeapPlan(0f, towards, RunningLeap.UsualCrouch);
-            runUp = towards * timing.WindUpSeconds(plan.Crouch, reach.Speed);
+            usual = new LeapPlan(0f, towards, RunningLeap.UsualCrouch);
+            runUp = towards * timing.WindUpSeconds(usual.Crouch, reach.Speed);
         }
 
         float flight = Math.Max(distance - runUp, 0f);
@@ -137,7 +137,7 @@ internal sealed class Leap
         float squared = velocity * velocity;
         float slope = flight > 1e-4f ? (squared + (float)Math.Sqrt(Math.Max((squared * squared) - (settings.Gravity * ((settings.Gravity * flight * flight) + (2f * height * squared))), 0f))) / (settings.Gravity * flight) : 1e4f;
         float upward = Math.Max(velocity * slope / (float)Math.Sqrt(1f + (slope * slope)), Math.Min(timing.Lowest(height), reach.Speed));
-        (target, elapsed, plan) = (to, 0f, plan with { Upward = upward });
+        (target, elapsed, plan) = (to, 0f, usual with { Upward = upward });
         return JumpResult.Begun;
     }
 

@@ -36,8 +36,8 @@ internal sealed class LimpBody
         now = new PoseBuffer(profile.Skeleton);
     }
 
-    /// <summary>Whether it has gone limp a moment ago, and has not begun to fall.</summary>
-    public bool HasBegun => seconds == 0f;
+    /// <summary>Whether time has passed since it went limp.</summary>
+    public bool Falls => seconds > 0f;
 
     /// <summary>Whether it has fallen, and lies still enough to get up.</summary>
     /// <param name="scale">World metres per model metre.</param>

@@ -1,6 +1,5 @@
 using System.Numerics;
 using CreatureGen.Maths;
-using CreatureGen.Rigging;
 
 namespace CreatureGen.Motion.Falling;
 
@@ -37,8 +36,7 @@ internal struct RootGlide
             return goal;
         }
 
-        float left = 1f - Scalar.Smooth(elapsed / seconds);
-        return new RootPlace(goal.ToWorld(from.Position * left), Rotation.Normalize(Rotation.Multiply(goal.Rotation, TurnOf(left))), goal.Scale);
+        return new RootPlace(goal.ToWorld(from.Position * Left), Rotation.Normalize(Rotation.Multiply(goal.Rotation, Turn)), goal.Scale);
     }
 
     /// <summary>Where it is to be, of where it is shown.</summary>
@@ -49,28 +47,13 @@ internal struct RootGlide
             return shown;
         }
 
-        float left = 1f - Scalar.Smooth(elapsed / seconds);
-        Quaternion rotation = Rotation.Normalize(Rotation.Multiply(shown.Rotation, Rotation.Inverse(TurnOf(left))));
-        return new RootPlace(shown.Position - (Rotation.Rotate(rotation, from.Position * left) * shown.Scale), rotation, shown.Scale);
+        Quaternion rotation = Rotation.Normalize(Rotation.Multiply(shown.Rotation, Rotation.Inverse(Turn)));
+        return new RootPlace(shown.Position - (Rotation.Rotate(rotation, from.Position * Left) * shown.Scale), rotation, shown.Scale);
     }
 
-    /// <summary>Writes a pose as seen from another root: the body stays where it is in the world.</summary>
-    /// <param name="skeleton">Of the pose.</param>
-    /// <param name="body">The joint that carries the body.</param>
-    /// <param name="before">From where the pose is seen.</param>
-    /// <param name="after">From where it is to be seen.</param>
-    /// <param name="local">The pose, in the parents' space.</param>
-    public static void Reframe(Skeleton skeleton, int body, in RootPlace before, in RootPlace after, in Pose local)
-    {
-        int parent = skeleton.Parents[body];
-        Quaternion frame = parent < 0 ? Quaternion.Identity : skeleton.ModelRotations[parent];
-        Vector3 origin = parent < 0 ? Vector3.Zero : skeleton.ModelPositions[parent];
-        Quaternion back = Rotation.Inverse(frame);
-        Quaternion turn = Rotation.Multiply(Rotation.Inverse(after.Rotation), before.Rotation);
-        Vector3 place = after.ToModel(before.ToWorld(origin + Rotation.Rotate(frame, local.Positions[body])));
-        local.Positions[body] = Rotation.Rotate(back, place - origin);
-        local.Rotations[body] = Rotation.Normalize(Rotation.Multiply(back, Rotation.Multiply(turn, Rotation.Multiply(frame, local.Rotations[body]))));
-    }
+    /// <summary>What is left of the way, 1 to 0.</summary>
+    private readonly float Left => 1f - Scalar.Smooth(elapsed / seconds);
 
-    private readonly Quaternion TurnOf(float part) => Rotation.Slerp(Quaternion.Identity, from.Rotation, part);
+    /// <summary>Turn from where it is to be to where it is shown.</summary>
+    private readonly Quaternion Turn => Rotation.Slerp(Quaternion.Identity, from.Rotation, Left);
 }

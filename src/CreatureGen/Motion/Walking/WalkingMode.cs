@@ -282,7 +282,7 @@ internal sealed partial class WalkingMode : ILocomotionMode
         RootPlace at = pushed.At(goal);
         Follow(before, dt, at, own, ground, layer);
         Pose(at, dt, settings, layer, ground, local);
-        pushed.Show(goal, body.Body, local);
+        pushed.Show(goal, body.Subject.Skeleton, body.Body, local);
     }
 
     private void Begin(in RootPlace placement, in MotionSettings settings, IGround ground, BodyLayer? layer)

@@ -90,7 +90,7 @@ internal sealed class Performer
     public void Begin(Act act, in ActAim newAim, ActGain gain, float seconds)
     {
         float newSide = newAim.Mirrored ? -1f : 1f;
-        lastAim = ActAim.Between(lastAim, player.LeftReach, aim, player.OwnReach);
+        KeepAim();
         player.Begin(act, gain, newAim.Plan, newSide, seconds);
         stillRate = Math.Max(StillRate, StillRatePerUnit / seconds);
         aim = newAim;
@@ -118,7 +118,7 @@ internal sealed class Performer
     {
         if (player.Act != null)
         {
-            lastAim = ActAim.Between(lastAim, player.LeftReach, aim, player.OwnReach);
+            KeepAim();
         }
 
         player.Stop();
@@ -256,6 +256,9 @@ internal sealed class Performer
         joint = body.Tools.JointOf(tool, side < 0f);
         return joint < 0 ? root.Position : root.ToWorld(body.Tools.PlaceOf(tool, side < 0f, model));
     }
+
+    /// <summary>Keeps what is brought where as that of an act that is over.</summary>
+    private void KeepAim() => lastAim = ActAim.Between(lastAim, player.LeftReach, aim, player.OwnReach);
 
     /// <summary>How far the ground has raised the body that lies on it, metres; negative where it came down to it. 0 of one that rolls over, which the ground has to raise.</summary>
     public float Settled { get; private set; }

@@ -1,6 +1,7 @@
 using System;
 using System.Numerics;
 using CreatureGen.Maths;
+using CreatureGen.Motion.Modes;
 using CreatureGen.Motion.Walking.Pace;
 using CreatureGen.Rigging;
 
@@ -102,16 +103,14 @@ internal struct PushedBody
 
     /// <summary>Shows the body where it is, in a pose that is seen from where the creature was put.</summary>
     /// <param name="goal">Where that is.</param>
+    /// <param name="skeleton">Of the pose.</param>
     /// <param name="joint">The joint that carries the body.</param>
     /// <param name="local">The pose.</param>
-    public readonly void Show(in RootPlace goal, int joint, in Pose local)
+    public readonly void Show(in RootPlace goal, Skeleton skeleton, int joint, in Pose local)
     {
         if (IsBehind)
         {
-            RootPlace at = At(goal);
-            Quaternion turn = Rotation.Multiply(Rotation.Inverse(goal.Rotation), at.Rotation);
-            local.Positions[joint] = goal.ToModel(at.ToWorld(local.Positions[joint]));
-            local.Rotations[joint] = UnitRotation.Renormalize(Rotation.Multiply(turn, local.Rotations[joint]));
+            RootFrame.Change(skeleton, joint, At(goal), goal, local);
         }
     }
 }
